@@ -84,7 +84,7 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
         "mesh.element_length=3.2m",
     ];
     page(["run", SLANT], &frames, &browser, "page.mjs")?;
-    works(&target().join("run-page"), &browser, "findings.mjs")?;
+    works(&target().join("run-page"), &browser, "checks.mjs")?;
     works(&target().join("run-page"), &browser, "missing.mjs")?;
     let varied = ["--set", NASTY, "--vary", "friction=0.2,0.3", "--vary", "bit_depth=300m,600m"];
     page(["sweep", SLANT], &varied, &browser, "sweep.mjs")?;

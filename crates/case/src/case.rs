@@ -10,6 +10,7 @@ use wholestring::{
     string::StringSpec,
 };
 use wholestring_config::diagnostic::Report;
+use wholestring_judge::Judge;
 use wholestring_plan::{Broomstick, PlanError, Setup};
 use wholestring_units::UnitSet;
 
@@ -74,9 +75,17 @@ impl Case {
     /// # Errors
     /// A friction factor that is out of its range, which the reader of a case has seen to.
     pub fn broomstick_at(&self, bit_depths_m: Vec<f64>) -> Result<Broomstick, PlanError> {
-        let Plan { frictions, operations, models, limits, .. } = self.plan.clone();
+        let Plan { frictions, operations, models, .. } = self.plan.clone();
         let of = Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
-        Ok(of.with_settings(self.soft, self.dynamics.stiff_string()).with_limits(limits))
+        Ok(of
+            .with_settings(self.soft, self.dynamics.stiff_string())
+            .with_judge(self.judge(self.units)))
+    }
+
+    /// The judge of the case's answers, with its limits, in these units.
+    pub fn judge(&self, units: UnitSet) -> Judge {
+        let soft_has_helix_friction = self.soft.helix_side_force;
+        Judge { soft_has_helix_friction, ..Judge::new(self.plan.limits, units) }
     }
 
     /// Whether the forces that a model answers with hold the friction of a helix.

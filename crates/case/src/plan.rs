@@ -8,9 +8,10 @@ use wholestring::{
     well::{Friction, HoleKind},
 };
 use wholestring_config::prelude::*;
+use wholestring_judge::LimitSettings;
 use wholestring_plan::{
     CampaignSettings, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup, Statics,
-    bit_depths_m, dynamic::DynamicPlan, limits::LimitSettings,
+    bit_depths_m, dynamic::DynamicPlan,
 };
 use wholestring_units::UnitSet;
 
@@ -73,7 +74,12 @@ table! {
             Quantity::si(Dimension::Force, Range::from_to(0.0, 1e7).usual(5e4, 2e6), "445 kN"),
             LimitSettings::default().overpull_N,
         );
-        /// What loads must keep from what string and rig bear.
+        /// Largest side force of the wall on one joint of pipe. Default: not checked. 2,000 lbf are
+        /// commonly planned against casing wear.
+        side_force_per_joint: f64 = optional(
+            Quantity::si(Dimension::Force, Range::from_to(1.0, 1e6).usual(1e3, 1e5), "9 kN"),
+        );
+        /// Required factors of the limits, capacity over load.
         factors: FactorsTable = optional(Section::<FactorsTable>::RULE);
         /// Weights and torques that were measured, relative to the folder of the case: a table with a
         /// row for each depth, as `wholestring calibrate` reads it. Drawn on the broomsticks and held
@@ -278,7 +284,11 @@ fn limits(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Limit
             ));
         }
     }
-    Some(LimitSettings { factors, overpull_N: *table.overpull.get()? })
+    Some(LimitSettings {
+        factors,
+        overpull_N: *table.overpull.get()?,
+        side_force_per_joint_N: table.side_force_per_joint.optional()?.map(|at| at.value),
+    })
 }
 
 fn frictions(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Frictions> {

@@ -1,7 +1,7 @@
 //! `[plan.factors]`: what a plan's limits must keep.
 
 use wholestring_config::prelude::*;
-use wholestring_plan::limits::DesignFactors;
+use wholestring_judge::DesignFactors;
 
 /// Declares a key for each kind of limit.
 macro_rules! factors {
@@ -39,13 +39,17 @@ factors! {
     collapse;
     /// Make-up torque of the connections over torque.
     make_up;
+    /// `side_force_per_joint` over the side force on one joint.
+    side_force;
     /// Capacity of the hoist over hook load and block.
     hoist;
     /// Rated torque of the top drive over surface torque.
     top_drive;
     /// Peak torque of the top drive over surface torque.
     top_drive_peak;
-    /// Limit of the pump's pressure over what it delivers at.
+    /// Peak torque of the top drive over the torque that starts rotation.
+    breakaway;
+    /// Pressure limit of the pump over the pump pressure.
     pump_pressure;
     /// Load of the sinusoid over compression.
     sinusoidal_buckling;
@@ -53,6 +57,6 @@ factors! {
     helical_buckling;
     /// What drives a string down over what holds it back.
     lock_up;
-    /// What may still be pulled over `overpull`.
+    /// Overpull that is left over `overpull`.
     overpull;
 }

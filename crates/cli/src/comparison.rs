@@ -1,7 +1,7 @@
 //! The table at the end of a run: models and operations side by side, in the user's units.
 
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
-use wholestring_runner::{ComparedRow, Comparison, findings::quantities::deviation};
+use wholestring_runner::{ComparedRow, Comparison, checks::quantities::deviation};
 use wholestring_units::{Dimension, UnitSet};
 
 mod drift;

@@ -1,5 +1,6 @@
 //! What is reported at the end of many cases or points.
 
+use wholestring_results::{Check, Severity};
 use wholestring_runner::{BatchOutcome, sweep};
 
 use crate::{failure::Failure, terminal::print_stdout};
@@ -45,6 +46,28 @@ pub(crate) fn conclude(
         "error: {} of {all} {items} failed\n{failures}\nwhat was computed is in {place}",
         failed.len(),
     )))
+}
+
+/// Ends with the status of `--strict` where a check is an error.
+///
+/// # Errors
+/// Where it is strict and some check is an error: names and labels of those.
+pub(crate) fn refuse_errors<'a>(
+    strict: bool,
+    checks: impl Iterator<Item = (String, &'a Check)>,
+) -> Result<(), Failure> {
+    let errors = checks.filter(|(_, check)| strict && check.severity == Severity::Error);
+    let mut errors: Vec<String> = errors
+        .map(|(name, check)| match name.is_empty() {
+            true => check.kind.label().to_lowercase(),
+            false => format!("{name}: {}", check.kind.label().to_lowercase()),
+        })
+        .collect();
+    errors.dedup();
+    match errors.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Refused(format!("error: errors were found: {}", errors.join(", ")))),
+    }
 }
 
 /// Says in which cases errors were found; none may have been, if it is strict.

@@ -54,8 +54,8 @@
 //!    the bit, the top drive, the hoist and the numerics, with defaults.
 //!    [`modal`]: small motions about the state at rest, natural frequencies and critical speeds.
 //! 6. [`torsional_stability`]: whether steady rotation grows into stick-slip.
-//! 7. [`outcome`]: what solvers answer, each scalar and column with its unit and meaning;
-//!    [`findings`]: what an engineer must be told of it.
+//! 7. [`outcome`]: what solvers answer, each scalar and column with its unit and meaning. The verdicts
+//!    on them are made by the crate `wholestring-judge`.
 //! 8. [`rock`], [`rod`], [`wall`]: the parts of the dynamics by themselves.
 //!
 //! # Points of extension
@@ -99,7 +99,6 @@ mod complex;
 mod damage;
 pub mod dynamics;
 pub mod ends;
-pub mod findings;
 mod finite;
 #[doc(hidden)]
 pub mod internals;

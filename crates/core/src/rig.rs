@@ -26,12 +26,12 @@ pub struct Rig {
 
 impl Rig {
     /// What the rig pushes the string into the hole with at most, N, the block's weight apart.
-    pub(crate) fn push_N(&self) -> f64 {
+    pub fn push_N(&self) -> f64 {
         self.snubbing_force_N.unwrap_or(0.0)
     }
 
     /// The same with the weight of the block, where that is known.
-    pub(crate) fn push_with_block_N(&self) -> f64 {
+    pub fn push_with_block_N(&self) -> f64 {
         self.push_N() + self.block_weight_N.unwrap_or(0.0)
     }
 }

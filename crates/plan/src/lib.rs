@@ -13,18 +13,16 @@ pub mod dynamic;
 mod error;
 pub mod fatigue;
 pub mod hydraulics;
-pub mod limits;
 pub mod reach;
 mod root;
 mod setup;
 mod stage;
-pub mod strength;
 pub mod uncertainty;
 pub mod wear;
 
 pub use broomstick::{
     Broomstick, BroomstickPoint, BroomstickTask, BucklingWeight, ExpectedLoads, FrictionLevel,
-    Frictions, KindFriction, LevelFriction, NoAnswer, PointAnswer, Statics, bit_depths_m,
+    Frictions, KindFriction, LevelFriction, PointAnswer, Statics, bit_depths_m,
 };
 pub use campaign::{Campaign, CampaignSettings, Share};
 pub use error::PlanError;

@@ -11,13 +11,13 @@ use wholestring::{
     statics::span::JointSpan,
     string::{Component, ToolJoints},
 };
+use wholestring_judge::strength::PSI_PA;
 use wholestring_plan::{
     Stage,
     fatigue::{
         CELL_M, Damage, EnduranceCurve, FatigueSettings, SnCurve, equivalent_amplitude_Pa,
         minimum_tensile_strength_Pa, permissible_dogleg_rad_per_m, rows,
     },
-    strength::PSI_PA,
 };
 use wholestring_verification::{report_worst, verify};
 

@@ -8,19 +8,18 @@ use std::f64::consts::PI;
 use common::*;
 use wholestring::{
     mud::Rheology,
-    outcome::QuantityKind,
+    outcome::{QuantityKind, Solution},
     prelude::*,
     rig::Rig,
     statics::stiff::{self, StiffSettings},
     string::{Component, ConnectionStrength, ToolJoints, catalogue::PipeClass},
 };
-use wholestring_plan::{
-    limits::{
-        DesignFactors, LimitKind, LimitSettings, Limits, LoadCheck, Missing, Standing, limits,
-        surface_limits,
-    },
+use wholestring_judge::{
+    Check, CheckKind, Checks, DesignFactors, Judge, LimitSettings, Missing, Severity, Verdict,
     strength::{BendSide, BodyLoads, PSI_PA, Surface, worst_stress},
+    surface_limits,
 };
+use wholestring_units::UnitSet;
 use wholestring_verification::{report_worst, verify};
 
 const YIELD_PA: f64 = 135e3 * PSI_PA;
@@ -60,9 +59,26 @@ fn vertical(length_m: f64, components: Vec<ComponentSpec>) -> Model {
     in_hole(&stations, 0.3, Mud::of_density(0.0), components)
 }
 
-fn soft(model: &Model, operation: &Operation, settings: &LimitSettings) -> Limits {
+fn limits(
+    model: &Model,
+    operation: &Operation,
+    solution: &Solution<'_>,
+    settings: &LimitSettings,
+) -> Checks {
+    Judge::new(*settings, UnitSet::Si).limits(model, operation, solution)
+}
+
+fn soft(model: &Model, operation: &Operation, settings: &LimitSettings) -> Checks {
     let solved = soft_string(model, operation).expect("a sound model");
     limits(model, operation, &(&solved).into(), settings)
+}
+
+/// A limit with its numbers.
+struct Limit {
+    check: Check,
+    load: f64,
+    capacity: f64,
+    factor: f64,
 }
 
 fn weight_N_per_m(model: &Model, component: usize) -> f64 {
@@ -71,12 +87,16 @@ fn weight_N_per_m(model: &Model, component: usize) -> f64 {
 }
 
 #[track_caller]
-fn of(found: &Limits, kind: LimitKind, component: Option<usize>) -> LoadCheck {
-    let mut all = found.limits.iter().filter(|of| of.kind == kind && of.component == component);
-    let limit = *all.next().unwrap_or_else(|| panic!("no {kind:?} of {component:?}: {found:?}"));
+fn of(found: &Checks, kind: CheckKind, component: Option<&str>) -> Limit {
+    let is_it = |check: &&Check| check.kind == kind && check.component.as_deref() == component;
+    let mut all = found.limits().filter(is_it);
+    let check = all.next().unwrap_or_else(|| panic!("no {kind:?} of {component:?}: {found:?}"));
     assert!(all.next().is_none(), "twice: {kind:?} of {component:?}");
-    assert!((limit.factor - limit.capacity / limit.load).abs() < 1e-12 * limit.factor);
-    limit
+    let number = |value: Option<f64>| value.expect("a limit with its numbers");
+    let (load, capacity) = (number(check.value), number(check.limit));
+    let factor = number(check.factor);
+    assert!((factor - capacity / load).abs() < 1e-12 * factor);
+    Limit { check: check.clone(), load, capacity, factor }
 }
 
 /// A pipe that hangs: its weight, at its top; the margin of overpull of S3b.
@@ -93,31 +113,37 @@ fn a_pipe_that_hangs() {
     let found = soft(&model, &Operation::trip_out(3000.0), &settings);
     let hangs_N = 3000.0 * weight_N_per_m(&model, 0);
     let yield_N = 712_070.437_765_568_3 * POUND_FORCE_N;
-    let tension = of(&found, LimitKind::Tension, Some(0));
+    let tension = of(&found, CheckKind::Tension, Some("pipe"));
     assert_close("load", tension.load, hangs_N, 1e-9);
     assert_close("capacity", tension.capacity, yield_N, 1e-9);
-    assert_eq!((tension.md_m, tension.level), (Some(0.0), Standing::Kept));
-    assert_close("reserve", tension.reserve(), 0.9 * yield_N / hangs_N, 1e-9);
-    let stress = of(&found, LimitKind::VonMises, Some(0));
+    assert_eq!((tension.check.md_m, tension.check.verdict), (Some(0.0), Verdict::Ok));
+    assert_close("reserve", tension.check.reserve(), 0.9 * yield_N / hangs_N, 1e-9);
+    let stress = of(&found, CheckKind::VonMises, Some("pipe"));
     assert_close("stress", stress.load, hangs_N * YIELD_PA / yield_N, 1e-9);
-    assert_close("as the points", stress.stress.expect("points").von_mises_Pa, stress.load, 1e-12);
+    assert_close(
+        "as the points",
+        stress.check.stress.expect("points").von_mises_Pa,
+        stress.load,
+        1e-12,
+    );
 
-    let pipe = of(&found, LimitKind::Overpull, Some(0));
+    let pipe = of(&found, CheckKind::Overpull, Some("pipe"));
     assert_close("margin", pipe.capacity, 0.9 * yield_N - hangs_N, 1e-9);
-    let hoist = of(&found, LimitKind::Overpull, None);
+    let hoist = of(&found, CheckKind::Overpull, None);
     assert_close("of the hoist", hoist.capacity, 0.9 * 2.0e6 - hangs_N - 3e5, 1e-9);
-    assert_eq!([pipe.level, hoist.level], [Standing::Kept, Standing::Short]);
-    assert_close("hoist", of(&found, LimitKind::Hoist, None).load, hangs_N + 3e5, 1e-9);
-    let first = found.first().expect("a limit");
-    assert_eq!(first.kind, LimitKind::Hoist);
+    assert_eq!([pipe.check.verdict, hoist.check.verdict], [Verdict::Ok, Verdict::BelowRequired]);
+    assert_close("hoist", of(&found, CheckKind::Hoist, None).load, hangs_N + 3e5, 1e-9);
+    let governing = found.governing().expect("a limit");
+    assert_eq!(governing.kind, CheckKind::Hoist);
 
     // Nothing turns, flows or presses: no such limit is listed, and what is not known is told.
-    use LimitKind::*;
+    use CheckKind::*;
     for kind in [Torsion, TensionAndTorsion, TopDrive, Burst, Collapse, HelicalBuckling, LockUp] {
         assert!(found.worst(kind).is_none(), "{kind:?}");
     }
-    let lacks: Vec<_> = found.unchecked.iter().map(|of| (of.kind, of.component)).collect();
-    assert_eq!(lacks, [(MakeUp, Some(0)), (TopDrivePeak, None), (PumpPressure, None)]);
+    let lacks: Vec<_> =
+        found.unchecked.iter().map(|lack| (lack.kind, lack.component.as_deref())).collect();
+    assert_eq!(lacks, [(MakeUp, Some("pipe")), (TopDrivePeak, None), (PumpPressure, None)]);
 }
 
 /// What is allowed at the surface is where the limits begin to be short: a hook load or a torque
@@ -141,20 +167,21 @@ fn what_is_allowed_at_the_surface() {
     };
     let settings = LimitSettings::default();
     let allowed = surface_limits(&model, &settings);
-    let kinds: Vec<_> = allowed.iter().map(|of| (of.kind, of.component)).collect();
-    use LimitKind::*;
+    let kinds: Vec<_> =
+        allowed.iter().map(|limit| (limit.kind, limit.component.as_deref())).collect();
+    use CheckKind::*;
     assert_eq!(
         kinds,
         [
             (Hoist, None),
-            (Tension, Some(1)),
+            (Tension, Some("top")),
             (TopDrive, None),
             (TopDrivePeak, None),
-            (MakeUp, Some(1)),
-            (Torsion, Some(1)),
+            (MakeUp, Some("top")),
+            (Torsion, Some("top")),
         ]
     );
-    for of_surface in allowed {
+    for of_surface in &allowed {
         for (part, is_kept) in [(1.0 - 1e-6, true), (1.0 + 1e-6, false)] {
             let asked = part * of_surface.allowed;
             let is_torque = of_surface.kind.quantity() == QuantityKind::Torque;
@@ -171,7 +198,7 @@ fn what_is_allowed_at_the_surface() {
             };
             let solved = soft_string(&model, &operation).expect("a sound model");
             let found = limits(&model, &operation, &(&solved).into(), &settings);
-            let at_top = of(&found, of_surface.kind, of_surface.component);
+            let at_top = of(&found, of_surface.kind, of_surface.component.as_deref()).check;
             assert_eq!(at_top.reserve() > 1.0, is_kept, "{of_surface:?}: {at_top:?}");
             assert_close("of the surface", at_top.reserve(), 1.0, 3e-6);
         }
@@ -201,16 +228,17 @@ fn each_component_has_its_limit() {
         let below = model.string.components()[..components].iter().enumerate();
         below.map(|(index, of)| weight_N_per_m(&model, index) * of.length_m).sum()
     };
-    for (component, md_m) in [(2, 1000.0), (3, 0.0)] {
-        let tension = of(&found, LimitKind::Tension, Some(component));
-        assert_close("tension", tension.load, hung_N(component + 1), 1e-9);
-        assert!((tension.md_m.expect("a place") - md_m).abs() < 1e-6);
+    for (name, count, md_m) in [("weak", 3, 1000.0), ("strong", 4, 0.0)] {
+        let tension = of(&found, CheckKind::Tension, Some(name));
+        assert_close("tension", tension.load, hung_N(count), 1e-9);
+        assert!((tension.check.md_m.expect("a place") - md_m).abs() < 1e-6);
     }
-    let lacks = |component| {
-        let of = found.unchecked.iter().filter(|of| of.component == Some(component));
-        of.filter(|of| of.missing == Missing::YieldStrength).count()
+    let lacks = |component: &str| {
+        let lacking = found.unchecked.iter();
+        let lacking = lacking.filter(|lack| lack.component.as_deref() == Some(component));
+        lacking.filter(|lack| lack.missing == Missing::YieldStrength).count()
     };
-    assert_eq!([0, 1, 2, 3].map(lacks), [0, 6, 0, 0]);
+    assert_eq!(["bit", "plain", "weak", "strong"].map(lacks), [0, 6, 0, 0]);
 }
 
 /// S3b through the whole path: drilling in a vertical hole, the top carries the weight less that on the bit
@@ -237,15 +265,15 @@ fn s3b_through_the_whole_path() {
         if tension_N == 0.0 {
             continue;
         }
-        let combined = of(&found, LimitKind::TensionAndTorsion, Some(0));
-        let pulled = combined.md_m == Some(0.0);
-        assert!(pulled || tension_N < weight_N, "{combined:?}");
+        let combined = of(&found, CheckKind::TensionAndTorsion, Some("pipe"));
+        let pulled = combined.check.md_m == Some(0.0);
+        assert!(pulled || tension_N < weight_N, "{:?}", combined.check);
         assert_close("torque", combined.load, 2e4, 1e-6);
         if pulled {
             let what = format!("torsional yield of a {class:?} pipe that drills, N·m");
             rows.push((what, combined.capacity, number(expected, "torque_under_tension_Nm")));
         }
-        let torsion = of(&found, LimitKind::Torsion, Some(0));
+        let torsion = of(&found, CheckKind::Torsion, Some("pipe"));
         let yield_N_m = number(expected, "torsional_yield_ftlbf") * FOOT_POUND_N_M;
         assert_close("torsion", torsion.capacity, yield_N_m, 1e-9);
     }
@@ -278,7 +306,7 @@ fn bending_at_joints_counts() {
         let body = worn(&pipe, class);
         let model = model(body);
         let body = &model.string.components()[0];
-        let found = of(&soft(&model, &drill, &settings), LimitKind::VonMises, Some(0));
+        let found = of(&soft(&model, &drill, &settings), CheckKind::VonMises, Some("pipe"));
         let x = 4.8 * (tension_N / body.bending_stiffness_N_m2()).sqrt();
         let bent_Pa = 210e9 * rate_per_m * x / x.tanh() * 0.5 * body.od_m;
         let sheared_Pa = torque_N_m * 0.5 * body.od_m / body.polar_moment_m4();
@@ -286,7 +314,7 @@ fn bending_at_joints_counts() {
         let expected_Pa = (normal_Pa.powi(2) + 3.0 * sheared_Pa.powi(2)).sqrt();
         let what = format!("von Mises stress of {class:?} pipe in an arc with joints, Pa");
         rows.push((what, found.load, expected_Pa));
-        let point = found.stress.expect("a point");
+        let point = found.check.stress.expect("a point");
         assert_eq!((point.surface, point.side), (Surface::Outer, BendSide::Tension));
     }
     report_worst(rows.iter().map(|(what, computed, expected)| {
@@ -296,7 +324,7 @@ fn bending_at_joints_counts() {
     let solved = stiff::solve(&model, &drill, &StiffSettings::default()).expect("an equilibrium");
     let stiff = limits(&model, &drill, &(&solved).into(), &settings);
     let largest = solved.von_mises_stress_Pa.iter().copied().fold(0.0, f64::max);
-    assert_close("stiff", of(&stiff, LimitKind::VonMises, Some(0)).load, largest, 1e-9);
+    assert_close("stiff", of(&stiff, CheckKind::VonMises, Some("pipe")).load, largest, 1e-9);
 }
 
 /// What a mud that flows presses from inside is most at the surface: the pressure of the pump.
@@ -318,18 +346,18 @@ fn burst_and_the_pump() {
     let solved = soft_string(&model, &turn).expect("a sound model");
     let found = limits(&model, &turn, &(&solved).into(), &settings);
     let pump_Pa = solved.hydraulics.expect("a rheology").pump_pressure_Pa;
-    let pump = of(&found, LimitKind::PumpPressure, None);
+    let pump = of(&found, CheckKind::PumpPressure, None);
     assert_eq!([pump.load, pump.capacity], [pump_Pa, 35e6]);
-    let burst = of(&found, LimitKind::Burst, Some(0));
+    let burst = of(&found, CheckKind::Burst, Some("pipe"));
     assert_close("inside", burst.load, pump_Pa, 1e-9);
-    assert_eq!(burst.md_m, Some(0.0));
+    assert_eq!(burst.check.md_m, Some(0.0));
     assert_close("Barlow", burst.capacity / PSI_PA, 17_104.5, 1e-9);
-    assert!(found.worst(LimitKind::Collapse).is_none());
+    assert!(found.worst(CheckKind::Collapse).is_none());
 
     // Without a rheology nobody knows what the pump must give.
     let still = Model { mud: Mud::of_density(1200.0), ..model };
     let found = soft(&still, &turn, &settings);
-    let lacks = found.unchecked.iter().find(|of| of.kind == LimitKind::PumpPressure);
+    let lacks = found.unchecked.iter().find(|of| of.kind == CheckKind::PumpPressure);
     assert_eq!(lacks.expect("a note").missing, Missing::Rheology);
 }
 
@@ -345,8 +373,8 @@ fn collapse_under_tension() {
     let outside = solved.profile.md_m.iter().map(|md_m| weight_Pa_per_m * md_m);
     solved.profile.outside_pressure_Pa = outside.collect();
     let found = limits(&model, &hang, &(&solved).into(), &LimitSettings::default());
-    let collapse = of(&found, LimitKind::Collapse, Some(0));
-    let md_m = collapse.md_m.expect("a place");
+    let collapse = of(&found, CheckKind::Collapse, Some("pipe"));
+    let md_m = collapse.check.md_m.expect("a place");
     assert_close("load", collapse.load, weight_Pa_per_m * md_m, 1e-12);
     // Nearly nothing pulls at the bit, where the mud presses most.
     assert!(md_m > 999.0);
@@ -373,12 +401,12 @@ fn sliding_down_a_slant() {
             Operation::trip_in(length_m)
         };
         let found = soft(&model, &down, &LimitSettings::default());
-        let lock_up = found.worst(LimitKind::LockUp).expect("a limit");
+        let lock_up = found.worst(CheckKind::LockUp).expect("a limit");
         let expected = weight_N * cos / (friction * weight_N * sin + asked_N);
-        assert_close("lock-up", lock_up.factor, expected, 1e-6);
-        assert_eq!(lock_up.level == Standing::Passed, expected < 1.0, "{asked_N}");
+        assert_close("lock-up", lock_up.factor.expect("a factor"), expected, 1e-6);
+        assert_eq!(lock_up.verdict == Verdict::Exceeded, expected < 1.0, "{asked_N}");
         // Nothing is kept for a pull where nothing is pulled.
-        assert!(found.worst(LimitKind::Overpull).is_none());
+        assert!(found.worst(CheckKind::Overpull).is_none());
         // What the block weighs pushes too.
         let mut pushed = model.clone();
         pushed.rig.block_weight_N = Some(1e4);
@@ -386,7 +414,7 @@ fn sliding_down_a_slant() {
         let expected = (weight_N * cos + 1e4) / (friction * weight_N * sin + asked_N);
         assert_close(
             "pushed",
-            found.worst(LimitKind::LockUp).expect("a limit").factor,
+            found.worst(CheckKind::LockUp).and_then(|check| check.factor).expect("a limit"),
             expected,
             1e-6,
         );
@@ -410,14 +438,15 @@ fn buckling_of_a_level_pipe() {
     let dawson_N =
         2.0 * (body.bending_stiffness_N_m2() * weight_N_per_m(&model, 0) / clearance_m).sqrt();
     for (kind, critical_N) in [
-        (LimitKind::SinusoidalBuckling, dawson_N),
-        (LimitKind::HelicalBuckling, 2.0_f64.sqrt() * dawson_N),
+        (CheckKind::SinusoidalBuckling, dawson_N),
+        (CheckKind::HelicalBuckling, 2.0_f64.sqrt() * dawson_N),
     ] {
-        let limit = of(&found, kind, Some(0));
+        let limit = of(&found, kind, Some("pipe"));
         assert_close(kind.name(), limit.factor, critical_N / pressed_N, 1e-6);
         // Buckled, but neither broken nor stopped.
-        assert_eq!(limit.level, Standing::Short);
-        assert!(!kind.breaks());
+        assert_eq!(limit.check.verdict, Verdict::Exceeded);
+        assert_eq!(limit.check.severity, Severity::Warning);
+        assert!(!kind.stops());
     }
 }
 
@@ -439,19 +468,19 @@ fn connections_that_are_given() {
         .bit_torque_N_m(3e4);
     let settings = LimitSettings::default();
     let found = soft(&model, &drill, &settings);
-    let made_up = of(&found, LimitKind::MakeUp, Some(0));
+    let made_up = of(&found, CheckKind::MakeUp, Some("pipe"));
     assert_close("make-up", made_up.factor, 2.5e4 / 3e4, 1e-6);
-    assert_eq!(made_up.level, Standing::Passed);
-    assert_eq!(of(&found, LimitKind::Torsion, Some(0)).capacity, 4.2e4);
+    assert_eq!(made_up.check.verdict, Verdict::Exceeded);
+    assert_eq!(of(&found, CheckKind::Torsion, Some("pipe")).capacity, 4.2e4);
     let yield_N = 712_070.437_765_568_3 * POUND_FORCE_N;
-    assert_close("body", of(&found, LimitKind::Tension, Some(0)).capacity, yield_N, 1e-9);
-    assert_eq!(found.first().map(|of| of.kind), Some(LimitKind::MakeUp));
+    assert_close("body", of(&found, CheckKind::Tension, Some("pipe")).capacity, yield_N, 1e-9);
+    assert_eq!(found.governing().map(|check| check.kind), Some(CheckKind::MakeUp));
     // Joints are known where the body is not.
     let unknown = ComponentSpec { yield_strength_Pa: None, ..pipe };
     let found = soft(&vertical(1000.0, vec![unknown]), &drill, &settings);
-    assert_eq!(of(&found, LimitKind::Torsion, Some(0)).capacity, 4.2e4);
+    assert_eq!(of(&found, CheckKind::Torsion, Some("pipe")).capacity, 4.2e4);
     let lacks: Vec<_> = found.unchecked.iter().map(|of| of.kind).collect();
-    assert!(!lacks.contains(&LimitKind::Torsion) && lacks.contains(&LimitKind::VonMises));
+    assert!(!lacks.contains(&CheckKind::Torsion) && lacks.contains(&CheckKind::VonMises));
 }
 
 /// Factors are those that are asked for.
@@ -462,18 +491,19 @@ fn factors_are_required() {
         let factors = DesignFactors { tension, ..DesignFactors::default() };
         let settings = LimitSettings { factors, ..LimitSettings::default() };
         let found = soft(&model, &Operation::trip_out(3000.0), &settings);
-        of(&found, LimitKind::Tension, Some(0))
+        of(&found, CheckKind::Tension, Some("pipe"))
     };
     let factor = level(1.0).factor;
-    for (part, expected) in [(0.9, Standing::Kept), (0.95, Standing::Near), (1.05, Standing::Short)]
+    for (part, expected) in
+        [(0.85, Verdict::Ok), (0.95, Verdict::Marginal), (1.05, Verdict::BelowRequired)]
     {
         let limit = level(part * factor);
-        assert_eq!(limit.level, expected);
-        assert_close("reserve", limit.reserve(), 1.0 / part, 1e-12);
+        assert_eq!(limit.check.verdict, expected);
+        assert_close("reserve", limit.check.reserve(), 1.0 / part, 1e-12);
     }
     assert_eq!(DesignFactors::default().bad_factor(), None);
     let bad = DesignFactors { burst: -1.0, ..DesignFactors::default() };
-    assert_eq!(bad.bad_factor(), Some((LimitKind::Burst, -1.0)));
+    assert_eq!(bad.bad_factor(), Some((CheckKind::Burst, -1.0)));
 }
 
 /// A pull on the bit of a bent pipe, by hand: at the worst point of the worst place stand the stresses of
@@ -486,8 +516,8 @@ fn the_worst_point_is_told() {
     let out = Operation::trip_out(900.0).bit_pull_N(2e5);
     let solved = soft_string(&model, &out).expect("a sound model");
     let found = limits(&model, &out, &(&solved).into(), &LimitSettings::default());
-    let limit = of(&found, LimitKind::VonMises, Some(0));
-    let row = solved.md_m.iter().position(|md_m| Some(*md_m) == limit.md_m).expect("a row");
+    let limit = of(&found, CheckKind::VonMises, Some("pipe"));
+    let row = solved.md_m.iter().position(|md_m| Some(*md_m) == limit.check.md_m).expect("a row");
     let loads = BodyLoads {
         effective_tension_N: solved.tension_N[row],
         bending_N_m: 210e9 * PI / 1800.0 * second_moment_m4(&model),
@@ -497,7 +527,7 @@ fn the_worst_point_is_told() {
     };
     let body: &Component = &model.string.components()[0];
     let expected = worst_stress(body, &loads);
-    let point = limit.stress.expect("a point");
+    let point = limit.check.stress.expect("a point");
     assert_close("stress", point.von_mises_Pa, expected.von_mises_Pa, 1e-9);
     assert_close("load", limit.load, expected.von_mises_Pa, 1e-9);
 }
@@ -531,9 +561,9 @@ fn each_component_bends_by_its_own_stiffness() {
     );
     let pulled = Operation::trip_out(600.0).bit_pull_N(1e5);
     let found = soft(&model, &pulled, &LimitSettings::default());
-    for (component, body) in model.string.components().iter().enumerate() {
+    for body in model.string.components() {
         let bent_Pa = 210e9 * 0.1_f64.to_radians() * 0.5 * body.od_m;
-        let stress = of(&found, LimitKind::VonMises, Some(component)).load;
+        let stress = of(&found, CheckKind::VonMises, Some(&body.name)).load;
         assert_close("stress", stress, bent_Pa + 1e5 / body.area_m2(), 1e-9);
     }
 }

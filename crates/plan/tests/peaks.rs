@@ -12,12 +12,11 @@ use wholestring::{
     prelude::*,
     well::{CasingPipe, HoleSection},
 };
+use wholestring_judge::{CheckKind, strength::PSI_PA};
 use wholestring_plan::{
     Broomstick, CampaignSettings, FrictionLevel, Frictions, Setup, Share, Statics,
     dynamic::{DynamicPlan, Event, EventAnswer, EventTask},
     hydraulics::gel_break,
-    limits::LimitKind,
-    strength::PSI_PA,
 };
 use wholestring_verification::verify;
 
@@ -117,20 +116,27 @@ fn a_rod_is_lifted_against_its_impedance() {
             };
             impedance * (velocity(time_s) + (1..10).map(echo).sum::<f64>())
         };
-        let exact = (0..4000).map(|i| force_N(1e-3 * f64::from(i))).fold(0.0, f64::max);
         let plan = DynamicPlan {
             set_points: Some(Operation::trip_out(LENGTH_M).trip_speed_m_per_s(SPEED)),
             hoist_ramp_s: ramp_s,
             watch_s: 4.0 - ramp_s,
             ..DynamicPlan::default()
         };
-        let found = answer(&setup, Event::PickUpFromSlips, &plan, &dynamics(10.0), LENGTH_M);
+        let found = answer(&setup, Event::PickUpFromSlips, &plan, &dynamics(5.0), LENGTH_M);
         let hook = found.hook_load_N;
+        // A sample is the mean over the 10 ms before, and the samples need not meet the apex.
+        let sample = |time_s: f64| {
+            (0..10).map(|i| force_N(time_s - 1e-3 * (f64::from(i) + 0.5))).sum::<f64>() / 10.0
+        };
+        let exact = found.history.time_s.iter().map(|at| sample(*at)).fold(0.0, f64::max);
         verify("peaks", format!("weight of a rod before it is lifted in {ramp_s} s, N"))
             .relative(1e-4, "what the start leaves of its settling")
             .report(weight_N, hook.at_rest);
         verify("peaks", format!("peak over the weight of a rod that is lifted in {ramp_s} s, N"))
-            .relative(5e-3, "a sample of 10 ms rounds its apex; elements of 5 m change 2e-4")
+            .relative(
+                1e-3,
+                "the rod rings at its kinks: 5.4e-3 with elements of 10 m, 4.9e-4 with these of 5 m, 2.4e-5 of 2.5 m",
+            )
             .report(exact, hook.peak - hook.at_rest);
         // The whole course, not the peak alone: the root of the mean square over four seconds.
         let history = &found.history;
@@ -143,15 +149,15 @@ fn a_rod_is_lifted_against_its_impedance() {
         let off = (sum / count).sqrt() / (impedance * SPEED);
         assert!(off < 0.01, "{ramp_s} s: {off}");
         // The tension on the table of limits is that of the top, where the peak is.
-        let tension = found.limits.iter().find(|of| of.kind == LimitKind::Tension);
+        let tension = found.limits.iter().find(|of| of.kind == CheckKind::Tension);
         let tension = tension.expect("a yield strength");
         assert!(tension.md_m.is_some_and(|md_m| md_m < 1.0), "{tension:?}");
         verify("peaks", format!("largest tension of a rod that is lifted in {ramp_s} s, N"))
             .relative(
                 3e-3,
-                "half an element hangs above the first tension; half of it with elements of 5 m",
+                "half an element hangs above the first tension: 1.3e-3 with these of 5 m",
             )
-            .report(hook.peak, tension.load);
+            .report(hook.peak, tension.value.expect("a load"));
     }
 }
 
@@ -300,8 +306,8 @@ fn circulation_breaks() {
     // The stream lifts the string.
     assert!(found.hook_load_N.steady < found.hook_load_N.at_rest - 100.0);
     let limit = |of: &EventAnswer| {
-        let limit = of.limits.iter().find(|of| of.kind == LimitKind::PumpPressure);
-        limit.expect("a limit of the pump").load
+        let limit = of.limits.iter().find(|of| of.kind == CheckKind::PumpPressure);
+        limit.and_then(|check| check.value).expect("a limit of the pump")
     };
     assert_close("limit", limit(&found), pump.peak, 1e-12);
     let strong = at(Some(1000.0));

@@ -8,6 +8,7 @@ use wholestring::{
         soft::{SoftSettings, solve},
     },
 };
+use wholestring_judge::DesignFactors;
 use wholestring_plan::{
     Setup,
     reach::{
@@ -73,6 +74,32 @@ fn operation(kind: OperationKind, inputs: &Value) -> Operation {
 const PLAIN: SoftSettings = SoftSettings { step_m: 5.0, helix_side_force: false };
 const HELIX: SoftSettings = SoftSettings { step_m: 5.0, helix_side_force: true };
 
+/// Required factors of one.
+const ONE: DesignFactors = DesignFactors {
+    tension: 1.0,
+    torsion: 1.0,
+    tension_and_torsion: 1.0,
+    von_mises: 1.0,
+    burst: 1.0,
+    collapse: 1.0,
+    make_up: 1.0,
+    side_force: 1.0,
+    hoist: 1.0,
+    top_drive: 1.0,
+    top_drive_peak: 1.0,
+    breakaway: 1.0,
+    pump_pressure: 1.0,
+    sinusoidal_buckling: 1.0,
+    helical_buckling: 1.0,
+    lock_up: 1.0,
+    overpull: 1.0,
+};
+
+/// Settings of a soft string, with required factors of one: the limits themselves.
+fn of_soft(soft: SoftSettings) -> ReachSettings {
+    ReachSettings { soft, factors: ONE, ..ReachSettings::from_depth(1000.0) }
+}
+
 /// Where a string slides and a helix rubs, its step; elsewhere the tolerance of the file.
 fn s5_row(id: &str, key: &str, expected: f64, computed: f64) -> Row<'static> {
     let quantity = verify("S5", format!("{} of {id}, m", key.trim_end_matches("_md_m")));
@@ -109,6 +136,7 @@ fn s5_limits_of_a_tangent() {
             to_m,
             depths: 16,
             soft,
+            factors: ONE,
             ..ReachSettings::from_depth(end_m)
         };
         let of = |kind, soft, to_m| {
@@ -151,7 +179,13 @@ fn s5_limits_of_a_tangent() {
         let [plain, rubbed] = [&slide, &helix].map(|of| curve(of, Limit::HookLoadZero));
         assert!(expected["zero_sliding_hook_load_with_helical_friction_md_m"].is_null());
         assert_eq!(plain.end, rubbed.end);
-        let first = [drill, turn, slide];
+        // The file has no block in its first limit.
+        let alone = Setup { rig: Rig { block_weight_N: None, ..setup.rig }, ..setup.clone() };
+        let kinds = [OperationKind::Drill, OperationKind::RotateOffBottom, OperationKind::Slide];
+        let first = kinds.map(|kind| {
+            let settings = settings(PLAIN, 30e3);
+            reach(&alone, &operation(kind, inputs), &settings).expect("a reach")
+        });
         let (of, first) = first_stop(&first).expect("something stops it");
         let named = match (of.kind, first.limit) {
             (OperationKind::Drill, Limit::TopDrive) => "torque_limit_rotary_drilling_md_m",
@@ -163,7 +197,7 @@ fn s5_limits_of_a_tangent() {
         let at = &expected["at_4000m"];
         let loads = |kind| {
             let operation = Operation { bit_depth_m: 4e3, ..operation(kind, inputs) };
-            margins(&setup, &operation, &PLAIN).expect("margins")
+            margins(&setup, &operation, &of_soft(PLAIN)).expect("margins")
         };
         let load =
             |kind, limit| loads(kind).iter().find(|of| of.limit == limit).expect("a margin").load;
@@ -308,7 +342,7 @@ fn what_arrives_of_a_push() {
     let setup = setup(&file["inputs"], &[[0.0, 90.0], [100.0, 90.0]], mu);
     let arrives = |length_m: f64, wob_N: f64| {
         let slide = Operation::slide(length_m).weight_on_bit_N(wob_N);
-        let all = margins(&setup, &slide, &HELIX).expect("margins");
+        let all = margins(&setup, &slide, &of_soft(HELIX)).expect("margins");
         let of = all.iter().find(|of| of.limit == Limit::LockUp).expect("a margin");
         let forces = solve(&setup.at(length_m).unwrap(), &slide, &HELIX).unwrap().scalars;
         (of.margin, -forces.hook_load_N)
@@ -364,7 +398,8 @@ fn a_hanging_string_stops_at_hoist_and_yield() {
     setup.rig.hoist_capacity_N = Some(capacity_N);
     setup.string.components[0].yield_strength_Pa = Some(yields_Pa);
     let (weight_N_per_m, area_m2) = (number(&inputs["pipe"]["w"]), number(&inputs["pipe"]["A"]));
-    let settings = ReachSettings { to_m: 12e3, depths: 12, ..ReachSettings::from_depth(1000.0) };
+    let settings =
+        ReachSettings { to_m: 12e3, depths: 12, factors: ONE, ..ReachSettings::from_depth(1000.0) };
     let pick_up = reach(&setup, &Operation::trip_out(0.0), &settings).expect("a reach");
     let depth_m = |limit| {
         let curve = pick_up.curves.iter().find(|of| of.limit == limit).expect("a limit");
@@ -395,7 +430,7 @@ fn a_level_hole_has_no_vertical_stretch() {
     let turned = setup(&file["inputs"], &[[0.0, 0.0], [300.0, 0.0], [900.0, 90.0]], 0.3);
     let named = |setup: &Setup, depth_m: f64| {
         let slide = Operation::slide(depth_m).weight_on_bit_N(50e3);
-        let all = margins(setup, &slide, &HELIX).expect("margins");
+        let all = margins(setup, &slide, &of_soft(HELIX)).expect("margins");
         all.iter().map(|margin| margin.limit).collect::<Vec<Limit>>()
     };
     for depth_m in [1000.0, 20_000.0] {

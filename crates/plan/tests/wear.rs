@@ -11,9 +11,9 @@ use wholestring::{
     string::ToolJoints,
     well::{CasingPipe, HoleKind, HoleSection},
 };
+use wholestring_judge::strength::{PSI_PA, Tube};
 use wholestring_plan::{
     Stage, lengths_m,
-    strength::{PSI_PA, Tube},
     wear::{CasingError, CasingWear, Groove, WearFactors, WearRow, WornPipe, worn_m3_per_m},
 };
 use wholestring_verification::{report_worst, verify};

@@ -190,18 +190,19 @@ def test_readings_that_no_string_gives(rig: ws.Case, data: dict[str, Any]) -> No
     found = rig.calibrate(zeros, **ERRORS)
     kinds = [of["kind"] for of in found.summary["checks"]]
     assert "zero" in kinds
-    assert any("no reading" in of.message for of in found.findings if of.level == "warning")
+    assert any("no reading" in of.sentence for of in found.findings if of.severity == "warning")
     assert found.friction_open == pytest.approx(0.3, abs=2e-3)
 
 
 def test_outliers_with_and_without(rig: ws.Case, data: dict[str, Any]) -> None:
     noise = np.random.default_rng(3).normal(0.0, 1.0, len(DEPTHS))
     wrong = {**data, "pick_up_kN": data["pick_up_kN"] + noise + 80.0 * (np.arange(9) == 6)}
-    both = rig.calibrate(wrong)
+    errors = {name: ERRORS[name] for name in ("rotating_error", "torque_error")}
+    both = rig.calibrate(wrong, **errors)
     comparison = both.summary["comparison"]
     assert comparison["loss"] == "Huber"
     assert not comparison["left_out"]
-    without = rig.calibrate(wrong, without_outliers=True)
+    without = rig.calibrate(wrong, without_outliers=True, **errors)
     assert without.summary["comparison"]["left_out"]
     other = {of["parameter"]: of["value"] for of in comparison["estimates"]}
     assert without["friction_open"].value == pytest.approx(other["friction_open"])

@@ -49,8 +49,8 @@ def test_every_scalar_is_an_attribute_with_its_meaning(slant: ws.Case) -> None:
 def test_findings_are_there(slant: ws.Case) -> None:
     solved = slant.with_(friction=1.5).soft("slide")["slide"]
     assert solved.findings
-    assert {found.level for found in solved.findings} <= {"error", "warning", "note"}
-    assert solved.findings[0].message
+    assert {found.severity for found in solved.findings} <= {"error", "warning", "note"}
+    assert solved.findings[0].sentence
 
 
 def test_an_operation_is_asked_for_by_name(slant: ws.Case, tmp_path: Path) -> None:

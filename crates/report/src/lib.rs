@@ -6,10 +6,10 @@ mod bit_test;
 mod bottom;
 mod calibration;
 mod cell;
+mod check_row;
 mod conventions;
 mod draw;
 pub mod figure;
-mod finding;
 mod grid_cells;
 mod modes;
 mod operation_words;
@@ -35,9 +35,9 @@ pub use calibration::{
     CalibrationComparison, CalibrationPoint, calibration_html, calibration_plots,
 };
 pub use cell::Cell;
+pub use check_row::CheckRow;
 pub use conventions::Conventions;
 pub use draw::Drawing;
-pub use finding::{Finding, Level};
 pub use modes::{
     AnswerCurve, CriticalRow, MODES_PICTURES, ModeBranch, ModeRow, ModeShape, Modes, modes_html,
     modes_plots,
@@ -52,8 +52,8 @@ pub use picks::{
 pub use plan::{
     BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow,
     PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanOverlay,
-    PlanOverlayDifference, PlanOverlayRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanWearRow,
-    plan_html, plan_plots,
+    PlanOverlayDifference, PlanOverlayRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanVerdict,
+    PlanWearRow, plan_html, plan_plots,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
@@ -69,6 +69,7 @@ pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::thinned;
 pub use uncertain::{Uncertain, UncertainNumber, UncertainShares};
+pub use wholestring_judge::Severity;
 pub use workbook::{
     Cells, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookError, WorkbookSeries,
 };

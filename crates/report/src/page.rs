@@ -100,8 +100,8 @@ struct SweepData<'a> {
 /// What a point of a sweep's figure says: a row of its table.
 #[derive(Serialize)]
 struct Spot<'a> {
-    findings: [usize; 2],
-    finding: &'a str,
+    checks: [usize; 2],
+    check: &'a str,
     page: Option<&'a str>,
 }
 
@@ -117,8 +117,8 @@ pub fn sweep_html(sweep: &Sweep) -> String {
             .rows
             .iter()
             .map(|row| Spot {
-                findings: [row.errors, row.warnings],
-                finding: &row.finding,
+                checks: [row.errors, row.warnings],
+                check: &row.check,
                 page: row.page.as_deref(),
             })
             .collect(),
@@ -302,8 +302,8 @@ pub(crate) mod tests {
 
     use super::*;
     use crate::{
-        BottomPicture, Cell, DisplayUnit, DrillOff, Fact, Finding, KeyResult, Level, Packed,
-        PageTable, Part, Place, Section, Solved, TimeRun, Well,
+        BottomPicture, Cell, CheckRow, DisplayUnit, DrillOff, Fact, KeyResult, Packed, PageTable,
+        Part, Place, Section, Severity, Solved, TimeRun, Well,
     };
 
     const NASTY: &str = "</script><script>alert(1)</script> <!-- & \" ' \u{2028} </title>";
@@ -330,15 +330,21 @@ pub(crate) mod tests {
                 model: "soft".into(),
                 operation: "drill".into(),
                 message: Some(NASTY.into()),
-                findings: vec![Finding {
+                checks: vec![CheckRow {
                     kind: NASTY.into(),
-                    level: Level::Error,
+                    label: NASTY.into(),
+                    severity: Severity::Error,
+                    verdict: NASTY.into(),
+                    component: NASTY.into(),
+                    factor: Some(1.0),
+                    required: None,
                     md_m: Some(1.0),
                     to_md_m: None,
                     value: Cell::quantity(1.0, "force"),
                     limit: Cell::Nothing,
-                    message: NASTY.into(),
+                    sentence: NASTY.into(),
                 }],
+                unchecked: vec![NASTY.into()],
                 key_results: vec![KeyResult {
                     label: "Hook load".into(),
                     value: Cell::quantity(1.0, "force"),
@@ -347,7 +353,7 @@ pub(crate) mod tests {
                     limit: Some(2.0),
                     limit_label: NASTY.into(),
                     more: vec![fact(Cell::quantity(2.0, "force"))],
-                    finding_words: vec!["hook_load".into()],
+                    check_kinds: vec!["hook_load".into()],
                 }],
                 profile: BTreeMap::from([("md_m".into(), column())]),
                 wear: BTreeMap::new(),

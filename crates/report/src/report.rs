@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{BottomPicture, Cell, Finding, Packed};
+use crate::{BottomPicture, Cell, CheckRow, Packed};
 
 /// A run as its page shows it.
 ///
@@ -18,7 +18,7 @@ pub struct Report {
     pub title: String,
     /// Units that the page opens with: `si`, `metric` or `field`.
     pub units: String,
-    /// Units in the messages of findings: those of the case.
+    /// Units in the sentences of checks: those of the case.
     #[serde(default)]
     pub message_units: String,
     /// By dimension: its unit in SI, metric and field units.
@@ -81,9 +81,12 @@ pub struct Solved {
     pub operation: String,
     /// Why it ended before its end; nothing where it did not.
     pub message: Option<String>,
-    /// What an engineer must know of the answer, the gravest first.
+    /// The checks of the answer, the most severe first.
     #[serde(default)]
-    pub findings: Vec<Finding>,
+    pub checks: Vec<CheckRow>,
+    /// What could not be checked, a phrase for each number that is missing.
+    #[serde(default)]
+    pub unchecked: Vec<String>,
     /// The numbers that matter most, beside their limits.
     pub key_results: Vec<KeyResult>,
     /// Columns of `nodes.parquet` by their name.
@@ -111,9 +114,9 @@ pub struct KeyResult {
     /// What stands beside the number, such as the same with another part of the rig.
     #[serde(default)]
     pub more: Vec<Fact>,
-    /// Words in the kinds of those findings that are about this number.
+    /// Kinds of the checks that are about this number.
     #[serde(default)]
-    pub finding_words: Vec<String>,
+    pub check_kinds: Vec<String>,
 }
 
 /// The path of the well, point by point.

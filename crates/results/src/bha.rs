@@ -5,14 +5,16 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wholestring::statics::assembly::{AssemblyErrors, Contact, Largest, Sag};
+use wholestring_judge::{Check, Unchecked};
 
 use crate::{
     ResultsError,
     json::{read_versioned, write_json},
 };
 
-/// Version of the layout of the files of an assembly at rest; raised when a key changes or goes.
-pub const BHA_VERSION: u32 = 1;
+/// Version of the layout of the files of an assembly at rest; raised when a key changes or goes. 2: `checks`
+/// and `unchecked`. All versions are read.
+pub const BHA_VERSION: u32 = 2;
 
 /// `summary.json` of an assembly at rest. Each pair is the part towards the high side and that to
 /// the right of it as one looks down the hole.
@@ -36,6 +38,12 @@ pub struct BhaSummary {
     pub inclination_rad: f64,
     /// Azimuth of the hole at the bit, rad.
     pub azimuth_rad: f64,
+    /// The checks of the assembly, the most severe first.
+    #[serde(default)]
+    pub checks: Vec<Check>,
+    /// What could not be checked.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unchecked: Vec<Unchecked>,
     /// What was found.
     pub state: BhaState,
     /// Components as far as they were solved, from the bit up.
@@ -189,7 +197,7 @@ impl BhaSummary {
 
     /// Reads back a summary, and refuses one of another [`BHA_VERSION`].
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
-        read_versioned(path, BHA_VERSION..=BHA_VERSION)
+        read_versioned(path, 1..=BHA_VERSION)
     }
 
     /// What is to be wary of, a sentence for each.

@@ -5,6 +5,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wholestring::rock::{DrillingResponse, TrialOutcome};
+use wholestring_judge::Check;
 
 use crate::{
     ResultsError, Status,
@@ -29,35 +30,18 @@ pub struct BitTestSummary {
     pub bit_radius_m: f64,
     /// What the finished points have in common.
     pub response: DrillingResponse,
+    /// The checks of the points, the most severe first.
+    #[serde(default)]
+    pub checks: Vec<Check>,
     /// Every point, speeds after speeds of one weight.
     pub points: Vec<BitTestPoint>,
 }
 
-/// Kinetic energy of the rock, over the work of its deformation, from where it is reported.
-const MUCH_KINETIC: f64 = 0.05;
-
 impl BitTestSummary {
-    /// What is to be wary of: points at which the bit does not drill, or the rock is moved rather
-    /// than deformed; a sentence for each.
+    /// The sentences of the checks that need attention.
     pub fn warnings(&self) -> Vec<String> {
-        let mut warnings = Vec::new();
-        for of in &self.points {
-            let Some(outcome) = &of.outcome else {
-                continue;
-            };
-            if outcome.bricks_broken == 0 {
-                warnings.push(format!("{}: the bit does not drill", of.point));
-            }
-            if outcome.kinetic_fraction > MUCH_KINETIC {
-                warnings.push(format!(
-                    "{}: the rock's kinetic energy is {:.0} % of the work of its deformation: \
-                     lower rock.density_factor",
-                    of.point,
-                    100.0 * outcome.kinetic_fraction
-                ));
-            }
-        }
-        warnings
+        let open = self.checks.iter().filter(|check| !check.is_ok());
+        open.map(|check| check.sentence.clone()).collect()
     }
 }
 

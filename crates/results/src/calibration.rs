@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use wholestring_judge::Check;
 
 use crate::{
     CALIBRATION_DYNAMIC, ResultsError, Table,
@@ -83,18 +84,11 @@ pub struct CalibrationSummary {
 /// A check of readings, or of what was found from them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReadingCheck {
-    /// `zero`, `order_of_loads`, `unit`, `outlier`, ...
-    pub kind: String,
-    /// `note` or `warning`.
-    pub severity: String,
-    /// Where the readings stand in their file; empty where it is not a matter of some of them.
+    /// Lines of the readings in their file; empty where it is not a matter of some of them.
     pub lines: Vec<String>,
-    /// The value, SI.
-    pub value: Option<f64>,
-    /// What it is compared with, SI.
-    pub limit: Option<f64>,
-    /// A sentence in the units of the case.
-    pub sentence: String,
+    /// The check; value and limit are SI.
+    #[serde(flatten)]
+    pub check: Check,
 }
 
 /// The fit of all readings beside that without outliers.

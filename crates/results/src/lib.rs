@@ -12,11 +12,11 @@ mod bit_test;
 mod bit_test_table;
 mod calibration;
 mod checkpoint;
+mod checks;
 mod columns;
 mod digest;
 mod error;
 mod file;
-mod finding;
 mod folder;
 mod formula;
 mod fourier;
@@ -40,6 +40,8 @@ mod table;
 mod thrift;
 mod uncertain;
 
+pub use wholestring_judge::{Check, CheckKind, Severity, Unchecked, Verdict};
+
 pub use bha::{BHA_VERSION, BhaFound, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried};
 pub use bha_tables::{bha_contacts_table, bha_sweep_table, bha_table};
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
@@ -49,6 +51,7 @@ pub use calibration::{
     EstimateFound, InMotion, OutlierComparison, ReadingCheck, calibration_dynamic_table,
 };
 pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
+pub use checks::{NamedCheck, checks_of};
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec,
@@ -60,20 +63,19 @@ pub use columns::{
 pub use digest::digest;
 pub use error::ResultsError;
 pub use file::{write_file, write_new_files};
-pub use finding::{Finding, Level};
 pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use plan::{
-    PLAN_VERSION, PlanBuckling, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour, PlanFinding,
-    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanLimit, PlanMeasured, PlanOverlay,
+    PLAN_VERSION, PlanBuckling, PlanCheck, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour,
+    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured, PlanOverlay,
     PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPoint, PlanSummary,
     PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_fatigue_table, plan_limits_table,
     plan_peaks_table, plan_peaks_time_table, plan_wear_table,
 };
-pub use reach::{REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
+pub use reach::{REACH_VERSION, ReachCheck, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
 pub use reach_table::reach_limits_table;
 pub use spectrum::Spectrum;
 pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use wholestring_judge::Check;
 
 use crate::{
     ResultsError, StabilitySummary, Table,
@@ -11,7 +12,7 @@ use crate::{
 };
 
 /// Version of the layout of the files of small motions; raised when a key changes or goes.
-pub const MODES_VERSION: u32 = 1;
+pub const MODES_VERSION: u32 = 2;
 
 /// `summary.json` of small motions.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -30,6 +31,9 @@ pub struct ModesSummary {
     pub elements: usize,
     /// Whether every small motion costs energy, friction and torque apart.
     pub stable: bool,
+    /// The checks, the most severe first.
+    #[serde(default)]
+    pub checks: Vec<Check>,
     /// Length of the assembly, m.
     pub assembly_length_m: f64,
     /// What turns with the string and shakes it, in words.
@@ -121,6 +125,6 @@ impl ModesSummary {
 
     /// Reads back a summary, and refuses one of another [`MODES_VERSION`].
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
-        read_versioned(path, MODES_VERSION..=MODES_VERSION)
+        read_versioned(path, 1..=MODES_VERSION)
     }
 }

@@ -4,14 +4,16 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use wholestring_judge::Check;
 
 use crate::{
     ResultsError, UncertainSummary,
     json::{read_versioned, write_json},
 };
 
-/// Version of the layout of the files of a reach; raised when a key changes or goes.
-pub const REACH_VERSION: u32 = 1;
+/// Version of the layout of the files of a reach; raised when a key changes or goes. 2: `checks`.
+/// All versions are read.
+pub const REACH_VERSION: u32 = 2;
 
 /// `summary.json` of a reach.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -37,9 +39,25 @@ pub struct ReachSummary {
     pub left_out: Vec<String>,
     /// The answers, a friction after the other.
     pub frictions: Vec<ReachOfFriction>,
+    /// A check for each operation at each friction: how far it goes, and what stops it.
+    #[serde(default)]
+    pub checks: Vec<ReachCheck>,
     /// What comes of numbers that are not known exactly; none where all are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertain: Option<UncertainSummary>,
+}
+
+/// A check of an operation at one friction.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ReachCheck {
+    /// The operation: `drill`, `slide`, ...
+    pub operation: String,
+    /// Friction factor of all sections; none where the sections have the case's own.
+    pub friction: Option<f64>,
+    /// The check; its value is the depth of the bit that is reached, m, its limit the last depth that was
+    /// tried.
+    #[serde(flatten)]
+    pub check: Check,
 }
 
 /// How far the well goes at one friction.
@@ -106,6 +124,6 @@ impl ReachSummary {
 
     /// Reads back a summary, and refuses one of another [`REACH_VERSION`].
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
-        read_versioned(path, REACH_VERSION..=REACH_VERSION)
+        read_versioned(path, 1..=REACH_VERSION)
     }
 }

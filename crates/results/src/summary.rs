@@ -10,15 +10,18 @@ use wholestring::{
     statics::stiff::EquilibriumSummary,
 };
 
+use wholestring_judge::{Check, Unchecked};
+
 use crate::{
-    Finding, ResultsError,
+    ResultsError,
     json::{read_versioned, versioned, write_json, write_json_compact},
 };
 
 /// Version of the layout of `summary.json`; raised when a key changes or goes. 2: keys that a
-/// component does not have are left out of `settings`, where 1 had them as `null`. All versions
+/// component does not have are left out of `settings`, where 1 had them as `null`. 3: `checks` in
+/// place of `findings`, with limits, verdicts and required factors, and `unchecked`. All versions
 /// are read.
-pub const SCHEMA_VERSION: u32 = 2;
+pub const SCHEMA_VERSION: u32 = 3;
 
 /// The whole of `summary.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -89,9 +92,13 @@ pub struct OperationSummary {
     /// Measured depth of the bit, m.
     #[serde(with = "finite")]
     pub bit_depth_m: f64,
-    /// What an engineer must know of the answer, the gravest first; empty where nothing was found.
-    #[serde(default)]
-    pub findings: Vec<Finding>,
+    /// The checks of the answer, the most severe first: all that need attention, and of each kind of
+    /// limit the one with the least reserve.
+    #[serde(default, alias = "findings")]
+    pub checks: Vec<Check>,
+    /// What could not be checked.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unchecked: Vec<Unchecked>,
     /// Torque and drag; means over the window for a dynamic model.
     #[serde(flatten)]
     pub scalars: Scalars,
@@ -121,6 +128,11 @@ pub struct OperationSummary {
 }
 
 impl OperationSummary {
+    /// The checks that need attention, the most severe first.
+    pub fn open_checks(&self) -> impl Iterator<Item = &Check> {
+        self.checks.iter().filter(|check| !check.is_ok())
+    }
+
     /// When the window of its statistics begins, s: as the run found it, or as `settings` of the
     /// case say where the file is older.
     pub fn window_from_s(&self, settings: &serde_json::Value) -> f64 {

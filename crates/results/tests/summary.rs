@@ -11,8 +11,8 @@ use wholestring::{
     outcome::{ModelKind, Scalars},
 };
 use wholestring_results::{
-    ENGINE_VERSION, Finding, Friction, Level, Numerics, OperationSummary, SCHEMA_VERSION,
-    Statistic, Status, Summary, digest,
+    ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status,
+    Summary, digest,
 };
 
 const SCALARS: Scalars = Scalars {
@@ -29,6 +29,16 @@ const SCALARS: Scalars = Scalars {
     cutoff_depth_m: None,
 };
 
+/// A check as the file has it.
+fn buckled() -> Value {
+    json!({
+        "kind": "helical_buckling", "severity": "warning", "verdict": "exceeded",
+        "component": "5 in drill pipe", "md_m": 50.0, "to_md_m": 3350.0, "value": 190e3,
+        "limit": 95e3, "factor": 0.5, "required": 1.0, "unit": "N",
+        "sentence": "Buckled to a helix"
+    })
+}
+
 fn soft() -> OperationSummary {
     OperationSummary {
         model: ModelKind::Soft,
@@ -37,7 +47,8 @@ fn soft() -> OperationSummary {
         friction: Friction::of(&[0.3, 0.3]),
         bit_depth_m: 4305.0,
         scalars: SCALARS,
-        findings: Vec::new(),
+        checks: Vec::new(),
+        unchecked: Vec::new(),
         lift: None,
         hydraulics: None,
         at_rest: None,
@@ -64,16 +75,7 @@ fn dynamic() -> OperationSummary {
         model: ModelKind::Dynamic,
         status: Status::Failed("the string flew off at 3.2 s".into()),
         friction: Friction::of(&[0.2, 0.3]),
-        findings: vec![Finding {
-            kind: "helical_buckling".into(),
-            level: Level::Warning,
-            md_m: Some(50.0),
-            to_md_m: Some(3350.0),
-            value: Some(190e3),
-            limit: Some(95e3),
-            unit: "N".into(),
-            message: "Buckled to a helix".into(),
-        }],
+        checks: vec![serde_json::from_value(buckled()).expect("a check")],
         lift: Some(TunedHookLoad { hook_load_N: 7e5, weight_on_bit_N: 59.9e3, runs: 5 }),
         hydraulics: Some(Hydraulics {
             mud_drag_N: 1.0,
@@ -162,7 +164,7 @@ fn written(summary: &Summary) -> Value {
 fn the_keys_are_the_contract() {
     let file = written(&summary(vec![soft(), dynamic()]));
     let mut expected = json!({
-        "schema_version": 2,
+        "schema_version": 3,
         "engine_version": env!("CARGO_PKG_VERSION"),
         "case": "NP13-X1042 at total depth",
         "identity": digest(&json!({"mesh": 3.2})),
@@ -170,7 +172,7 @@ fn the_keys_are_the_contract() {
         "operations": [
             {
                 "model": "soft", "operation": "drill", "status": "complete", "friction": 0.3,
-                "findings": [],
+                "checks": [],
                 "bit_depth_m": 4305.0, "weight_on_bit_N": 6.0, "bit_torque_N_m": 7.0,
                 "hook_load_N": 1.0, "surface_torque_N_m": 2.0, "friction_torque_N_m": 3.0,
                 "axial_friction_N": 4.0, "side_force_total_N": 5.0, "twist_rad": 8.0,
@@ -216,10 +218,7 @@ fn the_keys_are_the_contract() {
         ]
     });
     let failed = &mut expected["operations"][1];
-    failed["findings"] = json!([{
-        "kind": "helical_buckling", "level": "warning", "md_m": 50.0, "to_md_m": 3350.0,
-        "value": 190e3, "limit": 95e3, "unit": "N", "message": "Buckled to a helix"
-    }]);
+    failed["checks"] = json!([buckled()]);
     for (key, value) in [
         ("settle_s", json!(12.5)),
         ("settled", json!(true)),
@@ -271,8 +270,8 @@ fn another_version_is_refused_by_number() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("summary.json");
     for (text, reason) in [
-        (r#"{"schema_version": 3}"#, "its schema_version is 3, expected 1 to 2"),
-        (r#"{"schema_version": 0}"#, "its schema_version is 0, expected 1 to 2"),
+        (r#"{"schema_version": 4}"#, "its schema_version is 4, expected 1 to 3"),
+        (r#"{"schema_version": 0}"#, "its schema_version is 0, expected 1 to 3"),
         (r#"{"case": "x"}"#, "it has no schema_version"),
         ("[]", "it has no schema_version"),
     ] {

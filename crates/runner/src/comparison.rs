@@ -4,7 +4,7 @@ use wholestring::outcome::{ModelKind, scalars_by_row};
 use wholestring_results::{Statistic, Status, Summary};
 use wholestring_units::UnitSet;
 
-use crate::findings::quantities::{shown, symbol};
+use crate::checks::quantities::{shown, symbol};
 
 /// The scalars of every operation and model.
 #[derive(Debug)]

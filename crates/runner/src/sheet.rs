@@ -79,7 +79,7 @@ fn column(of: &Column, rows: Option<&[DisplayUnit]>, units: UnitSet) -> SheetCol
 fn readable(of: &Column, word: &str) -> String {
     match of.name.as_str() {
         "operation" => operation_name(word).to_owned(),
-        "worst_finding" | "event" => word.replace('_', " "),
+        "worst_check" | "event" => word.replace('_', " "),
         _ => word.to_owned(),
     }
 }

@@ -114,7 +114,7 @@ fn a_weight_that_the_schedule_raises_reaches_the_bit() {
     let token = CancellationToken::new();
     let solved = run::answer(&case, None, &Silent, &token).expect("a run");
     let answer = &solved.answers.summary().operations[0];
-    let kinds: Vec<&str> = answer.findings.iter().map(|one| &*one.kind).collect();
+    let kinds: Vec<&str> = answer.checks.iter().map(|check| check.kind.name()).collect();
     assert!(!kinds.contains(&"element_buckles"), "{kinds:?}");
     let weight_N = answer.scalars.weight_on_bit_N;
     assert!((weight_N / 180e3 - 1.0).abs() < 0.05, "{weight_N}");

@@ -82,8 +82,8 @@ fn what_the_dynamics_is_asked_for() {
     assert!(pumped.gel.is_some() && pumped.pump_pressure_Pa.is_some());
     assert!(turned.surface_torque_N_m.is_some_and(|of| of.peak > 0.0));
     let of_events = |kind: &str| {
-        let limits = done.summary.worst_limits.iter();
-        limits.filter(|of| of.model == "dynamic" && of.kind == kind).count()
+        let limits = done.summary.checks.iter();
+        limits.filter(|row| row.model == "dynamic" && row.check.kind.name() == kind).count()
     };
     assert_eq!(of_events("hoist"), 3);
     assert!(done.summary.wear.iter().any(|of| of.model == "dynamic"));

@@ -38,7 +38,7 @@ pub(crate) struct ResultsView {
     #[serde(flatten)]
     entry: ResultsEntry,
     /// What was found, the gravest first.
-    findings: Vec<Found>,
+    checks: Vec<Found>,
     /// The files, by their places.
     files: Vec<FileView>,
 }
@@ -79,7 +79,7 @@ async fn of(State(app): State<App>, Path(id): Path<String>) -> Result<Json<Resul
         });
         Ok(Json(ResultsView {
             entry: ResultsEntry::of(&place),
-            findings: results::findings(&place.path),
+            checks: results::checks(&place.path),
             files: files.collect(),
         }))
     })

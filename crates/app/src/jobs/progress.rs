@@ -13,12 +13,12 @@ use utoipa::ToSchema;
 use wholestring_case::Report;
 use wholestring_runner::{BatchSize, CaseEnded, Observer, Progress as Reached, Task};
 
-use crate::results::{Found, findings};
+use crate::results::{Found, checks};
 
 /// Notes and warnings that are kept of a job.
 const NOTES: usize = 100;
 
-/// Findings that are told of a job; its results have all.
+/// Checks that are listed of a job; its results have all.
 const FINDINGS: usize = 20;
 
 /// How far a job has come.
@@ -33,7 +33,7 @@ pub(crate) struct Progress {
     /// What went wrong and did not end the work, and input that probably is not what was meant.
     pub(crate) warnings: Vec<String>,
     /// What was found in the operations that have ended, the gravest first.
-    pub(crate) findings: Vec<Found>,
+    pub(crate) checks: Vec<Found>,
 }
 
 /// An operation that goes on.
@@ -109,9 +109,9 @@ impl Watcher<'_> {
     /// Reads what was found until now: it is written as each operation ends.
     fn look(&self) {
         if let Some(folder) = self.folder.get() {
-            let mut found = findings(folder);
+            let mut found = checks(folder);
             found.truncate(FINDINGS);
-            self.change(|now| now.findings = found);
+            self.change(|now| now.checks = found);
         }
     }
 

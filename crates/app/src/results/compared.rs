@@ -6,9 +6,9 @@ use utoipa::ToSchema;
 use wholestring_units::UnitSet;
 
 use super::{
+    checks::summary,
     curves::{Curve, curves},
     entry::ResultsEntry,
-    findings::summary,
     inputs::{Differing, differing},
     scalars::{Scalar, scalars},
 };

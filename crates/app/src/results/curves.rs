@@ -6,7 +6,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 use wholestring::outcome::{PROFILE, QuantityKind};
 use wholestring_results::{PlanSummary, Table};
-use wholestring_runner::findings::quantities::{shown, symbol};
+use wholestring_runner::checks::quantities::{shown, symbol};
 use wholestring_screens::answers::{Column, DRAWN};
 use wholestring_units::UnitSet;
 

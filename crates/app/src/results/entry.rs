@@ -13,7 +13,7 @@ use utoipa::ToSchema;
 use wholestring_results::Occupant;
 use wholestring_runner::results_kind;
 
-use super::findings::{of_summary, summary};
+use super::checks::{of_summary, summary};
 use crate::workspace::{ResultsPlace, millis};
 
 /// A folder of results.

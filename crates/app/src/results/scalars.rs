@@ -7,7 +7,7 @@ use wholestring::outcome::QuantityKind;
 use wholestring_results::{PlanSummary, Summary};
 use wholestring_runner::{
     Comparison,
-    findings::quantities::{shown, symbol},
+    checks::quantities::{shown, symbol},
 };
 use wholestring_units::UnitSet;
 
@@ -79,11 +79,13 @@ fn of_plan(summary: &PlanSummary, units: UnitSet) -> Vec<Scalar> {
             ]
         })
         .collect();
-    found.extend(summary.worst_limits.iter().map(|of| Scalar {
-        of: format!("{}, nearest to its limit", of.operation.replace('_', " ")),
-        label: format!("Factor of {}", of.kind.replace('_', " ")),
-        unit: String::new(),
-        value: of.factor,
+    found.extend(summary.checks.iter().filter_map(|row| {
+        Some(Scalar {
+            of: format!("{}, least reserve", row.operation.replace('_', " ")),
+            label: format!("Factor: {}", row.check.kind.label().to_lowercase()),
+            unit: String::new(),
+            value: row.check.factor?,
+        })
     }));
     found
 }

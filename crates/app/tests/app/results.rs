@@ -15,7 +15,7 @@ fn put(served: &Served, folder: &str, friction: f64, hook_load: f64) {
     let finding = json!({"kind": "helical_buckling", "level": "error", "message": "Buckled."});
     let summary = json!({"case": "slant", "settings": {"mud": {"density_kg_per_m3": 1200.0},
         "friction": friction}, "state": {"hook_load_N": hook_load},
-        "points": [{"operation": "slide", "model": "soft", "worst": finding}]});
+        "operations": [{"operation": "slide", "model": "soft", "findings": [finding]}]});
     fs::write(path.join("summary.json"), summary.to_string()).unwrap();
     fs::write(path.join("report.html"), PAGE).unwrap();
     fs::write(path.join("plots/a b.svg"), "<svg/>").unwrap();
@@ -41,8 +41,8 @@ fn results_are_listed_with_their_files() {
     assert!(entry["modified_ms"].as_u64().unwrap() > 1_600_000_000_000);
     assert_eq!(list.as_array().unwrap().len(), 2);
     let results = served.get(&format!("/api/results/{}", id_of(&list, "out/one"))).ok();
-    assert_eq!(results["findings"][0]["message"], "Buckled.");
-    assert_eq!(results["findings"][0]["of"], "slide (soft)");
+    assert_eq!(results["checks"][0]["sentence"], "Buckled.");
+    assert_eq!(results["checks"][0]["name"], "slide (soft)");
     let paths: Vec<&str> = results["files"]
         .as_array()
         .unwrap()

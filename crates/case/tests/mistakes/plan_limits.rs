@@ -1,11 +1,7 @@
 //! Mistakes in the tables of `[plan]` for limits, fatigue and wear.
 
-use wholestring_plan::{
-    CampaignSettings,
-    fatigue::SnCurve,
-    limits::{DesignFactors, LimitSettings},
-    strength::PSI_PA,
-};
+use wholestring_judge::{DesignFactors, LimitSettings, strength::PSI_PA};
+use wholestring_plan::{CampaignSettings, fatigue::SnCurve};
 
 use crate::{
     common::{change::rows, read},
@@ -77,7 +73,10 @@ fn what_is_given_is_meant() {
     );
     let plan = &case.plan;
     let factors = DesignFactors { tension: 1.3, von_mises: 1.5, ..DesignFactors::default() };
-    assert_eq!(plan.limits, LimitSettings { factors, overpull_N: 200e3 });
+    assert_eq!(
+        plan.limits,
+        LimitSettings { factors, overpull_N: 200e3, side_force_per_joint_N: None }
+    );
     let CampaignSettings { drilled_from_m, round_trips, off_bottom_s, fatigue, wear_factors } =
         plan.campaign.clone();
     assert_eq!((drilled_from_m, round_trips, off_bottom_s), (Some(3000.0), 3.0, 7200.0));

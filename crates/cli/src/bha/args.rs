@@ -60,4 +60,8 @@ pub(crate) struct BhaArgs {
     /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+
+    /// End with status 4 where a check of the results is an error
+    #[arg(long)]
+    pub(crate) strict: bool,
 }

@@ -11,8 +11,8 @@ use wholestring_runner::{
 use wholestring_units::Dimension;
 
 use crate::{
-    color::color, failure::Failure, input::load, interrupt, shared_args::operation,
-    stopped::unless_interrupted, terminal::print_stdout,
+    color::color, conclusion::refuse_errors, failure::Failure, input::load, interrupt,
+    shared_args::operation, stopped::unless_interrupted, terminal::print_stdout,
 };
 
 pub(crate) use args::BhaArgs;
@@ -41,7 +41,9 @@ pub(crate) fn bha(args: &BhaArgs) -> Result<(), Failure> {
             screen::text(&outcome.summary, units)
         ))?;
     }
-    unless_interrupted(outcome.interrupted, &outcome.folder)
+    unless_interrupted(outcome.interrupted, &outcome.folder)?;
+    let named = outcome.summary.checks.iter().map(|check| (String::new(), check));
+    refuse_errors(args.strict, named)
 }
 
 fn sweeps(args: &BhaArgs) -> Result<Sweeps, Failure> {

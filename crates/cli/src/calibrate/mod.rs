@@ -7,8 +7,8 @@ use wholestring_case::{Case, Template};
 use wholestring_runner::calibrate::{self, CheckDynamics, FRAGMENT, Fit, NamedCase, Request};
 
 use crate::{
-    failure::Failure, input::load_with_template, interrupt, progress::BatchScreen,
-    shared_args::CaseArgs, terminal::print_stdout,
+    conclusion::refuse_errors, failure::Failure, input::load_with_template, interrupt,
+    progress::BatchScreen, shared_args::CaseArgs, terminal::print_stdout,
 };
 
 pub(crate) use args::CalibrateArgs;
@@ -69,5 +69,6 @@ pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
             "interrupted: the calibration is in {place}, its check by the dynamics is not complete"
         )));
     }
-    Ok(())
+    let rows = outcome.summary.checks.iter();
+    refuse_errors(args.page.strict, rows.map(|row| (String::new(), &row.check)))
 }

@@ -6,8 +6,8 @@ mod screen;
 use wholestring_runner::modes::{self, Request};
 
 use crate::{
-    failure::Failure, input::load, interrupt, progress::RunScreen, stopped::unless_interrupted,
-    terminal::print_stdout,
+    conclusion::refuse_errors, failure::Failure, input::load, interrupt, progress::RunScreen,
+    stopped::unless_interrupted, terminal::print_stdout,
 };
 
 pub(crate) use args::ModesArgs;
@@ -31,5 +31,7 @@ pub(crate) fn modes(args: &ModesArgs) -> Result<(), Failure> {
         let place = outcome.folder.display();
         print_stdout(&format!("Found in {took_ms:.0} ms\nResults in {place}\n"))?;
     }
-    unless_interrupted(outcome.interrupted, &outcome.folder)
+    unless_interrupted(outcome.interrupted, &outcome.folder)?;
+    let named = outcome.summary.checks.iter().map(|check| (String::new(), check));
+    refuse_errors(args.page.strict, named)
 }

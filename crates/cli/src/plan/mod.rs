@@ -6,8 +6,12 @@ mod screen;
 use wholestring_runner::plan::{self, Overlay, Request};
 
 use crate::{
-    conclusion::conclude, failure::Failure, input::load_with_template, interrupt,
-    progress::BatchScreen, terminal::print_stdout,
+    conclusion::{conclude, refuse_errors},
+    failure::Failure,
+    input::load_with_template,
+    interrupt,
+    progress::BatchScreen,
+    terminal::print_stdout,
 };
 
 pub(crate) use args::PlanArgs;
@@ -30,5 +34,8 @@ pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
     if !args.page.quiet {
         print_stdout(&screen::text(&outcome.summary, units))?;
     }
-    conclude(&outcome.batch, "plan", "tasks", args.page.quiet)
+    conclude(&outcome.batch, "plan", "tasks", args.page.quiet)?;
+    let rows = outcome.summary.checks.iter();
+    let named = rows.map(|row| (row.operation.replace('_', " "), &row.check));
+    refuse_errors(args.page.strict, named)
 }

@@ -1,10 +1,10 @@
 //! What a plan shows on the screen.
 
-use wholestring_results::{PlanPoint, PlanSummary};
-use wholestring_runner::plan::{breaks_first, notes, scatter};
+use wholestring_results::{PlanPoint, PlanSummary, Severity};
+use wholestring_runner::plan::{governing_sentences, notes, scatter};
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::screen_table::Table;
+use crate::{checks, screen_table::Table};
 
 /// Levels of friction, from the least to the most.
 const LEVELS: [&str; 3] = ["low", "expected", "high"];
@@ -24,7 +24,7 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
         summary.bit_depths_m.len(),
     );
     let mut headings =
-        vec!["operation".to_owned(), "model".to_owned(), "gravest finding".to_owned()];
+        vec!["operation".to_owned(), "model".to_owned(), "most severe check".to_owned()];
     for (name, symbol) in [("hook load", force.symbol), ("torque", torque.symbol)] {
         headings.push(format!("{name} low, {symbol}"));
         headings.extend(LEVELS[1..].iter().map(|level| (*level).to_owned()));
@@ -51,21 +51,32 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
         }
     }
     let mut text = table.text() + &peaks(summary, units);
-    for sentence in breaks_first(summary, units) {
-        text += &format!("{sentence}\n");
+    if !summary.governing.is_empty() {
+        text += "governing limits, of all models, depths and frictions:\n";
     }
-    for of in summary.worst_limits.iter().filter(|of| of.reserve() < 1.0) {
-        text += &format!(
-            "{}: {} in {}, {} friction, the bit at {:.0} {}: factor {:.2}, required {:.2}\n",
-            of.standing,
-            of.kind.replace('_', " "),
-            of.operation.replace('_', " "),
-            of.friction,
-            length.from_si(of.bit_depth_m),
-            length.symbol,
-            of.factor,
-            of.required
+    for sentence in governing_sentences(summary, units) {
+        text += &format!("  {sentence}\n");
+    }
+    let mut open: Vec<_> = summary
+        .checks
+        .iter()
+        .filter(|row| row.check.severity >= Severity::Warning)
+        .filter(|row| !summary.governing.contains(row))
+        .collect();
+    open.sort_by_key(|row| std::cmp::Reverse(row.check.severity));
+    for row in open {
+        let name = format!(
+            "{} ({}), {} friction, bit at {:.0} {}",
+            row.operation.replace('_', " "),
+            row.model,
+            row.friction,
+            length.from_si(row.bit_depth_m),
+            length.symbol
         );
+        text += &checks::line(&name, &row.check, None, false);
+    }
+    for phrase in &summary.unchecked {
+        text += &format!("not checked: {phrase}\n");
     }
     for model in summary.models.iter().filter(|_| !summary.measured.is_empty()) {
         let (between, all) = summary.measured_between(model);
@@ -160,11 +171,11 @@ fn peaks(summary: &PlanSummary, units: UnitSet) -> String {
     table.text() + &reasons
 }
 
-/// The gravest finding of any friction.
+/// The most severe check of any friction.
 fn worst(points: &[Option<&PlanPoint>]) -> String {
     let found = points.iter().flatten().filter_map(|of| of.worst.as_ref());
-    let worst = found.reduce(|a, b| if b.level > a.level { b } else { a });
+    let worst = found.reduce(|a, b| if b.severity > a.severity { b } else { a });
     worst.map_or_else(String::new, |of| {
-        format!("{}: {}", of.level.name(), of.kind.replace('_', " "))
+        format!("{}: {}", of.severity.name(), of.kind.label().to_lowercase())
     })
 }

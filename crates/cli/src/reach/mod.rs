@@ -8,8 +8,14 @@ use wholestring_runner::reach::{self, Request};
 use wholestring_units::Dimension;
 
 use crate::{
-    color::color, conclusion::conclude, failure::Failure, input::load_with_template, interrupt,
-    progress::BatchScreen, shared_args::operation, stopped::unless_interrupted,
+    color::color,
+    conclusion::{conclude, refuse_errors},
+    failure::Failure,
+    input::load_with_template,
+    interrupt,
+    progress::BatchScreen,
+    shared_args::operation,
+    stopped::unless_interrupted,
     terminal::print_stdout,
 };
 
@@ -47,14 +53,19 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
     if !args.page.quiet {
         print_stdout(&screen::text(&outcome.summary, units))?;
     }
+    let checks = outcome.summary.checks.iter();
+    let named = checks.map(|row| (row.operation.replace('_', " "), &row.check));
+    let refused = || refuse_errors(args.page.strict, named);
     if let Some(samples) = &outcome.samples {
-        return conclude(samples, "reach", "samples", args.page.quiet);
+        conclude(samples, "reach", "samples", args.page.quiet)?;
+        return refused();
     }
     if !args.page.quiet {
         let (took_s, place) = (outcome.took.as_secs_f64(), outcome.folder.display());
         print_stdout(&format!("Found in {took_s:.1} s\nResults in {place}\n"))?;
     }
-    unless_interrupted(outcome.interrupted, &outcome.folder)
+    unless_interrupted(outcome.interrupted, &outcome.folder)?;
+    refused()
 }
 
 /// The values of an option; none where it is not given.

@@ -38,6 +38,10 @@ pub(super) fn text(summary: &ReachSummary, units: UnitSet) -> String {
         }
         text += &table.text();
         text.push('\n');
+        for check in summary.checks.iter().filter(|check| check.friction == of.friction) {
+            text += &format!("{}.\n", check.check.sentence);
+        }
+        text.push('\n');
     }
     if let Some(uncertain) = &summary.uncertain {
         for sentence in uncertain_notes(uncertain).into_iter().chain(scatter(uncertain, units)) {

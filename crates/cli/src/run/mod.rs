@@ -5,14 +5,14 @@ mod args;
 use wholestring_case::Case;
 use wholestring_results::{Friction, Summary};
 use wholestring_runner::{
-    findings::{is_wrong, name},
+    checks::{has_error, name},
     run::{self, Outcome, Request},
 };
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
-    color::screen_color, comparison, convergence, failure::Failure, findings, input::load,
-    interrupt, progress::RunScreen, stopped::stopped, terminal::print_stdout,
+    checks, color::screen_color, comparison, convergence, failure::Failure, input::load, interrupt,
+    progress::RunScreen, stopped::stopped, terminal::print_stdout,
 };
 
 pub(crate) use args::RunArgs;
@@ -56,13 +56,13 @@ fn show(case: &Case, outcome: &Outcome, units: UnitSet) -> Result<(), Failure> {
     let title = format!("{}: {}", case.name, subtitle(case, summary, units));
     let table = comparison::table(summary, units, width);
     let notes = comparison::notes(summary, units);
-    let findings = findings::lines(summary, width, screen_color());
+    let checks = checks::lines(summary, width, screen_color());
     let place = outcome.folder.display();
     print_stdout(&format!(
         "{title}
 
 {table}
-{notes}{findings}Results in {place}
+{notes}{checks}Results in {place}
 "
     ))
 }
@@ -86,7 +86,7 @@ fn subtitle(case: &Case, summary: &Summary, units: UnitSet) -> String {
 
 /// Why `--strict` does not let a run pass, if it does not.
 fn refuse(summary: &Summary) -> Result<(), Failure> {
-    let wrong = summary.operations.iter().filter(|of| is_wrong(of));
+    let wrong = summary.operations.iter().filter(|of| has_error(of));
     let wrong: Vec<String> = wrong.map(name).collect();
     match wrong.is_empty() {
         true => Ok(()),

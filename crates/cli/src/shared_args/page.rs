@@ -16,4 +16,8 @@ pub(crate) struct PageArgs {
     /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+
+    /// End with status 4 where a check of the results is an error
+    #[arg(long)]
+    pub(crate) strict: bool,
 }

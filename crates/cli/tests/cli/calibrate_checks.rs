@@ -111,7 +111,7 @@ fn value(summary: &CalibrationSummary, name: &str) -> f64 {
 
 #[track_caller]
 fn check<'a>(summary: &'a CalibrationSummary, kind: &str) -> &'a ReadingCheck {
-    let found = summary.checks.iter().find(|of| of.kind == kind);
+    let found = summary.checks.iter().find(|of| of.check.kind.name() == kind);
     found.unwrap_or_else(|| panic!("{kind}: {:#?}", summary.checks))
 }
 
@@ -119,7 +119,7 @@ fn check<'a>(summary: &'a CalibrationSummary, kind: &str) -> &'a ReadingCheck {
 #[test]
 fn sound_readings_raise_nothing() {
     let (summary, said, _) = made(&file(|_, row| row), &[]);
-    let kinds: Vec<&str> = summary.checks.iter().map(|of| of.kind.as_str()).collect();
+    let kinds: Vec<&str> = summary.checks.iter().map(|of| of.check.kind.name()).collect();
     assert_eq!(kinds, ["not_told_apart"], "{:#?}", summary.checks);
     assert!(summary.comparison.is_none());
     // The band is that of the noise: 1.7 times 2.8 kN, of weights of 800 kN.
@@ -193,7 +193,7 @@ fn torques_in_another_unit_are_refused_with_it() {
     let text = file(|_, [md, a, b, c, torque]| [md, a, b, c, torque / 1.355_818]);
     let (summary, ..) = made(&text, &[]);
     let of = check(&summary, "unit");
-    assert!(of.sentence.contains("in kft-lbf and not in kN.m"), "{of:?}");
+    assert!(of.check.sentence.contains("in kft-lbf and not in kN.m"), "{of:?}");
 }
 
 /// Weights without the block that the case has: the number is said; looked for, it is none.
@@ -202,13 +202,13 @@ fn a_block_that_the_readings_do_not_hold() {
     let text = file(|_, [md, a, b, c, torque]| [md, a - 250.0, b - 250.0, c - 250.0, torque]);
     let (summary, said, _) = made(&text, &["--set=rig.block_weight=250 kN"]);
     let of = check(&summary, "block_not_in_readings");
-    assert_eq!(of.limit, Some(250e3));
-    assert!(of.value.unwrap().abs() < 10e3, "{of:?}");
-    assert!(of.sentence.contains("they seem not to hold the block"), "{of:?}");
+    assert_eq!(of.check.limit, Some(250e3));
+    assert!(of.check.value.unwrap().abs() < 10e3, "{of:?}");
+    assert!(of.check.sentence.contains("they seem not to hold the block"), "{of:?}");
     assert!(said.contains("warning: the weights lie 2"), "{said}");
     // Errors of 250 kN are none of an instrument, and the count within the band says how wide that is.
     let errors = check(&summary, "estimated_error");
-    assert!(errors.value.unwrap() > 200e3, "{errors:?}");
+    assert!(errors.check.value.unwrap() > 200e3, "{errors:?}");
     assert!(summary.status.contains("%) of the rotating weights"), "{}", summary.status);
     let (summary, ..) = made(&text, &["--set=rig.block_weight=250 kN", "--block-weight"]);
     // 0.88 ± 0.52 kN, 0.186 and 0.317.
@@ -218,7 +218,7 @@ fn a_block_that_the_readings_do_not_hold() {
     // Another block than that of the case.
     let (summary, ..) = made(&file(|_, row| row), &["--set=rig.block_weight=400 kN"]);
     let of = check(&summary, "block_weight");
-    assert!((of.value.unwrap() - 251e3).abs() < 10e3, "{of:?}");
+    assert!((of.check.value.unwrap() - 251e3).abs() < 10e3, "{of:?}");
 }
 
 /// Zeros, nulls and negative values are left out by their lines, and what is found is that of the others.
@@ -264,7 +264,7 @@ fn values_that_are_no_readings_are_left_out() {
     let (summary, ..) = made(&text, &["--set=rig.block_weight=250 kN"]);
     let of = check(&summary, "below_block");
     assert_eq!(
-        (of.lines.clone(), of.value, of.limit),
+        (of.lines.clone(), of.check.value, of.check.limit),
         (vec!["line 5".into()], Some(120e3), Some(250e3))
     );
     // Nothing is left.
@@ -284,7 +284,7 @@ fn a_depth_that_is_rounded_beyond_the_end() {
     let (summary, ..) = made(text, &[]);
     assert_eq!(summary.readings, 32);
     let of = check(&summary, "rounded_depth");
-    assert_eq!((of.severity.as_str(), of.lines.clone()), ("note", vec!["line 9".to_owned()]));
+    assert_eq!((of.check.severity.name(), of.lines.clone()), ("note", vec!["line 9".to_owned()]));
     // What whole klbf and a tenth of a kft·lbf leave of 0.2, 0.3 and 250 kN.
     assert!((value(&summary, "friction_open") - 0.317).abs() < 0.02);
     assert!((value(&summary, "block_weight_N") - 250e3).abs() < 4e3);
@@ -323,7 +323,7 @@ fn outliers_are_named_and_both_fits_are_shown() {
         assert!((one.value / expected.value - 1.0).abs() < 1e-6, "{one:?} {expected:?}");
     }
     assert!(said.contains("With and without the outliers that Huber's loss finds"), "{said}");
-    assert_eq!(summary.checks.iter().filter(|of| of.kind == "outlier").count(), 3);
+    assert_eq!(summary.checks.iter().filter(|of| of.check.kind.name() == "outlier").count(), 3);
     let (summary, _, desk) = made(&damaged, &["--without-outliers"]);
     assert_eq!((summary.readings, summary.held_out), (29, 3));
     for (one, expected) in summary.estimates.iter().zip(&expected.estimates) {
@@ -381,7 +381,7 @@ fn the_fragment_is_the_case_s() {
     let (summary, ..) = made(&light, &["--one-factor"]);
     let block = summary.estimates.iter().find(|of| of.parameter == "block_weight_N").unwrap();
     assert!(block.at_bound && block.value == 0.0, "{block:?}");
-    assert!(check(&summary, "negative").sentence.contains("block weight would be negative"));
+    assert!(check(&summary, "negative").check.sentence.contains("block weight would be negative"));
 }
 
 /// A hole that is vertical tells no friction, and that is said.

@@ -5,7 +5,7 @@ use std::{collections::BTreeSet, fs, path::Path};
 
 use crate::desk::{Desk, args};
 use serde_json::Value;
-use wholestring::findings::Kind;
+use wholestring_results::CheckKind;
 use wholestring_results::{Data, Table};
 
 const OPERATIONS: [&str; 7] =
@@ -67,7 +67,7 @@ fn keys_of_the_summary() {
     let summary: Value = serde_json::from_slice(&text).unwrap();
     let top = ["schema_version", "engine_version", "case", "identity", "settings", "operations"];
     assert_eq!(keys(&summary), top.into());
-    assert_eq!(summary["schema_version"], 2);
+    assert_eq!(summary["schema_version"], 3);
     assert_eq!(summary["case"], "Straight slant");
     // A default that the case does not give.
     assert_eq!(summary["settings"]["dynamics"]["seed"], 1);
@@ -83,15 +83,18 @@ fn keys_of_the_summary() {
 
     for operation in operations {
         let mut expected: BTreeSet<&str> =
-            ["model", "operation", "status", "friction", "findings"].into();
+            ["model", "operation", "status", "friction", "checks"].into();
         expected.extend(SCALARS);
         expected.extend(DEPTHS);
         let dynamic = operation["model"] == "dynamic";
         if dynamic {
             expected.extend(["statistics", "indicators", "numerics"]);
         }
+        if operation.get("unchecked").is_some() {
+            expected.insert("unchecked");
+        }
         assert_eq!(keys(operation), expected);
-        check_findings(&operation["findings"]);
+        check_checks(&operation["checks"]);
         assert_eq!(operation["status"], "complete");
         assert_eq!(operation["friction"], 0.25);
         assert_eq!(operation["bit_depth_m"], 600.0);
@@ -109,18 +112,32 @@ fn keys_of_the_summary() {
 }
 
 /// Findings have the same keys whatever their kind, and the kinds are those of the engine.
-fn check_findings(findings: &Value) {
-    let keys_of_all = ["kind", "level", "md_m", "to_md_m", "value", "limit", "unit", "message"];
-    for found in findings.as_array().expect("a list") {
-        assert_eq!(keys(found), keys_of_all.into());
-        let mut kinds = Kind::ALL.iter();
-        let kind = kinds.find(|kind| found["kind"] == kind.name());
-        assert_eq!(found["unit"], kind.expect("a kind").unit());
-        assert!(["note", "warning", "error"].map(Value::from).contains(&found["level"]));
-        for key in ["md_m", "to_md_m", "value", "limit"] {
-            assert!(found[key].is_number() || found[key].is_null(), "{found}");
+fn check_checks(checks: &Value) {
+    let keys_of_all = [
+        "kind",
+        "severity",
+        "verdict",
+        "component",
+        "md_m",
+        "to_md_m",
+        "value",
+        "limit",
+        "factor",
+        "required",
+        "unit",
+        "sentence",
+    ];
+    for check in checks.as_array().expect("a list") {
+        assert_eq!(keys(check), keys_of_all.into());
+        let mut kinds = CheckKind::ALL.iter();
+        let kind = kinds.find(|kind| check["kind"] == kind.name()).expect("a kind");
+        assert_eq!(check["unit"], kind.unit());
+        assert!(["ok", "note", "warning", "error"].map(Value::from).contains(&check["severity"]));
+        for key in ["md_m", "to_md_m", "value", "limit", "factor", "required"] {
+            assert!(check[key].is_number() || check[key].is_null(), "{check}");
         }
-        assert!(found["message"].is_string(), "{found}");
+        assert_eq!(check["factor"].is_number(), kind.is_limit(), "{check}");
+        assert!(check["sentence"].as_str().is_some_and(|words| !words.is_empty()), "{check}");
     }
 }
 

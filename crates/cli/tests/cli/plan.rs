@@ -3,8 +3,9 @@
 use std::{fs, path::Path};
 
 use wholestring_results::{
-    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY,
-    PLAN_SURFACE_LIMITS, PlanSummary, Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
+    CheckKind, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PLAN_MEASURED,
+    PLAN_OVERLAY, PLAN_SURFACE_LIMITS, PlanSummary, Table, UNCERTAIN, UNCERTAIN_INDICES,
+    UNCERTAIN_SAMPLES,
 };
 
 use crate::desk::{Desk, transcript};
@@ -139,13 +140,13 @@ fn limits_stand_on_the_broomstick() {
 /// rows: on the screen, on the page and in the summary. Less is left of buckling, which breaks
 /// nothing.
 #[test]
-fn what_would_break_first_is_said() {
+fn the_governing_limit_of_each_operation_is_given() {
     let desk = desk_with("");
-    let rig = ["--set", "rig.top_drive_torque=5 kN.m", "--set", "operation.wob=150 kN"];
+    let rig = ["--set", "rig.top_drive_torque=5 kN.m", "--set", "operation.wob=100 kN"];
     let output = desk.done(&few_of_well(&[&["-o", "out"][..], &rig].concat()));
     let said = String::from_utf8(output.stdout).unwrap();
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
-    let operations: Vec<&str> = summary.breaks_first.iter().map(|of| &*of.operation).collect();
+    let operations: Vec<&str> = summary.governing.iter().map(|of| &*of.operation).collect();
     let mut all = summary.operations.clone();
     all.sort();
     let mut told = operations.clone();
@@ -154,8 +155,8 @@ fn what_would_break_first_is_said() {
     let limits = desk.table("out/plan_limits.parquet");
     let words = |name: &str| limits.words(name).unwrap();
     let numbers = |name: &str| limits.numbers(name).unwrap();
-    let bends = ["sinusoidal_buckling", "helical_buckling", "overpull"];
-    for first in &summary.breaks_first {
+    let bends = ["sinusoidal_buckling", "helical_buckling", "overpull", "side_force"];
+    for first in &summary.governing {
         let rows = (0..limits.rows()).filter(|row| words("operation")[*row] == first.operation);
         let (mut least, mut least_of_all) = (f64::INFINITY, f64::INFINITY);
         for row in rows {
@@ -165,18 +166,18 @@ fn what_would_break_first_is_said() {
                 least = least.min(reserve);
             }
         }
-        assert_eq!(first.reserve(), least, "{first:?}");
+        assert_eq!(first.check.reserve(), least, "{first:?}");
         if first.operation == "drill" {
-            assert_eq!((first.kind.as_str(), first.friction.as_str()), ("top_drive", "high"));
+            assert_eq!((first.check.kind, first.friction.as_str()), (CheckKind::TopDrive, "high"));
             assert!(least_of_all < least, "{first:?}");
         }
     }
-    let drilling = "drilling: top drive, continuous comes first, with high friction";
+    let drilling = "drilling, high friction, bit at ";
     assert!(said.contains(drilling), "{said}");
     assert!(desk.text("out/report.html").contains(drilling));
-    let pick_up = summary.breaks_first.iter().find(|of| of.operation == "trip_out").unwrap();
-    let place = format!("of {} at ", pick_up.component.as_deref().unwrap());
-    let sentence = said.lines().find(|line| line.starts_with("pick-up: ")).unwrap();
+    let pick_up = summary.governing.iter().find(|of| of.operation == "trip_out").unwrap();
+    let place = format!("of {} at ", pick_up.check.component.as_deref().unwrap());
+    let sentence = said.lines().find(|line| line.trim_start().starts_with("pick-up, ")).unwrap();
     assert!(sentence.contains(&place), "{sentence}");
 }
 

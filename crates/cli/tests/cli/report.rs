@@ -3,7 +3,6 @@
 use std::fs;
 
 use wholestring_report::{Cell, Place, Report};
-use wholestring_results::{Finding, Level};
 
 use crate::desk::{Desk, args, text};
 
@@ -118,9 +117,9 @@ fn a_report_of_a_minute_stays_small() {
 }
 
 /// The hook load stands without block, as in the summary, with the block's beside it, which is what
-/// the hoist carries; findings and spectra reach the page.
+/// the hoist carries; checks and spectra reach the page.
 #[test]
-fn block_findings_and_spectra_reach_the_page() {
+fn block_checks_and_spectra_reach_the_page() {
     let desk = Desk::new();
     let settings = [
         "operation.kind=\"rotate_off_bottom\"",
@@ -133,16 +132,11 @@ fn block_findings_and_spectra_reach_the_page() {
     desk.done(&words);
     let mut summary = desk.summary("out");
     for solved in &mut summary.operations {
-        solved.findings = vec![Finding {
-            kind: "helical_buckling".into(),
-            level: Level::Error,
-            md_m: Some(100.0),
-            to_md_m: Some(300.0),
-            value: Some(190e3),
-            limit: Some(95e3),
-            unit: "N".into(),
-            message: "Helically buckled".into(),
-        }];
+        let check = serde_json::json!({
+            "kind": "helical_buckling", "severity": "error", "md_m": 100.0, "to_md_m": 300.0,
+            "value": 190e3, "limit": 95e3, "unit": "N", "sentence": "Helically buckled",
+        });
+        solved.checks = vec![serde_json::from_value(check).unwrap()];
     }
     fs::write(desk.path("out/summary.json"), serde_json::to_string(&summary).unwrap()).unwrap();
     desk.done(&["report", "out"]);
@@ -156,7 +150,7 @@ fn block_findings_and_spectra_reach_the_page() {
         let largest_N = told.statistics.as_ref().map_or(load_N, |all| all["hook_load_N"].max);
         assert_eq!(hook.compared, Some(largest_N + 200e3));
         assert_eq!(hook.limit, Some(1e6));
-        let found = &shown.findings[0];
+        let found = &shown.checks[0];
         assert_eq!((found.md_m, found.to_md_m), (Some(100.0), Some(300.0)));
         assert_eq!(found.value, Cell::quantity(190e3, "force"));
         assert_eq!(found.limit, Cell::quantity(95e3, "force"));

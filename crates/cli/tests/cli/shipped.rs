@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::desk::Desk;
 use wholestring::outcome::ModelKind;
-use wholestring_results::{Level, OperationSummary, Status};
+use wholestring_results::{OperationSummary, Severity, Status};
 
 /// Runs the shipped case with these windows and gives what its `summary.json` holds.
 fn solved(case: &Path, settle: &str, duration: &str) -> Vec<OperationSummary> {
@@ -106,8 +106,8 @@ fn every_case_runs_to_its_end() {
         for of in &solved {
             assert_eq!(of.status, Status::Complete, "{path:?}: {}", of.operation);
             if of.model == ModelKind::Soft {
-                let errors = of.findings.iter().filter(|of| of.level == Level::Error);
-                assert_eq!(errors.count() > 0, wrong, "{path:?}: {:?}", of.findings);
+                let errors = of.checks.iter().filter(|check| check.severity == Severity::Error);
+                assert_eq!(errors.count() > 0, wrong, "{path:?}: {:?}", of.checks);
             }
         }
     }

@@ -117,7 +117,7 @@ impl Rheology {
     pub(super) fn knee_Pa(&self) -> f64 {
         match *self {
             Self::Bingham { yield_point_Pa, .. } => yield_point_Pa / (1.0 - 1.0 / UNYIELDED),
-            Self::HerschelBulkley { yield_point_Pa, .. } if yield_point_Pa == 0.0 => 0.0,
+            Self::HerschelBulkley { yield_point_Pa: 0.0, .. } => 0.0,
             Self::HerschelBulkley { yield_point_Pa, consistency_Pa_s_n, flow_index } => {
                 yields(yield_point_Pa, consistency_Pa_s_n, flow_index).1
             }

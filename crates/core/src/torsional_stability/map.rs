@@ -29,8 +29,8 @@ const SLOWEST: f64 = 0.2;
 /// motion five times slower by 0.03 %.
 const MERGED_RAD: f64 = 0.4;
 
-/// Friction at rest over kinetic friction that is offered where a case has none: of steel on rock and
-/// on casing in mud, 1.1 to 1.5 are measured.
+/// Friction at rest over kinetic friction that is offered where a case has none: a round number to
+/// look at first, of no measurement. Whoever knows the ratio of the own hole gives it in the case.
 pub const USUAL_STATIC_OVER_KINETIC: f64 = 1.2;
 
 /// A threshold is found to this part of itself.

@@ -4,7 +4,6 @@
 use wholestring::{
     dynamics::{HoistControl, RodDamping, Start},
     ends::{BitEnd, Ends, TopEnd},
-    findings::{Kind, Level, of_dynamic},
     operation::OperationKind,
     prelude::*,
     rig::Rig,
@@ -161,16 +160,7 @@ fn a_level_hole_asks_for_a_push() {
         case
     };
     let cases = [Some(100e3), Some(10e3), None].map(case);
-    let found = each(&cases, |case| {
-        let outcome = case.run();
-        let Case { model, operation, settings } = case;
-        let told = of_dynamic(model, operation, settings, &outcome);
-        let is_told = |kind| told.iter().any(|of| of.kind == kind && of.level == Level::Error);
-        let told = [Kind::HookLoadNegative, Kind::LockUp].map(is_told);
-        (outcome.scalars, told)
-    });
-    assert_eq!(found.iter().map(|of| of.1).collect::<Vec<_>>(), [[false; 2], [true; 2], [true; 2]]);
-    let found: Vec<_> = found.into_iter().map(|of| of.0).collect();
+    let found = each(&cases, |case| case.run().scalars);
     let stiff = at_rest(&cases[0]).scalars;
     let soft = cases[0].soft().scalars;
     for of in &found {

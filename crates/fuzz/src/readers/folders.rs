@@ -1,7 +1,7 @@
 //! Folders of results as `report` and `plot` find them: each command leaves one, and one of its files
 //! is damaged, missing, or that of another command.
 
-use std::{fs, path::Path, sync::OnceLock};
+use std::{fs, path::Path, slice, sync::OnceLock};
 
 use fastrand::Rng;
 use serde_json::Value as Json;
@@ -186,6 +186,7 @@ fn calibrate(folder: &Path) {
             hold: Vec::new(),
             errors: [None; 3],
             outlier_beyond: 3.0,
+            without_outliers: false,
             band_confidence: 0.95,
             model: ModelKind::Soft,
         },
@@ -215,12 +216,35 @@ fn left_by(command: Command) -> Files {
             if entry.path().is_dir() {
                 folders.push(format!("{name}/"));
             } else if [".json", ".parquet", "sweep.csv"].iter().any(|end| name.ends_with(end)) {
-                files.push((name, fs::read(entry.path()).expect("a file")));
+                let bytes = fs::read(entry.path()).expect("a file");
+                files.push((name, without_clock(bytes)));
             }
         }
     }
     files.sort();
     files
+}
+
+/// A file without what the clock says of the machine, so that inputs are the same again.
+fn without_clock(bytes: Vec<u8>) -> Vec<u8> {
+    let Ok(mut value) = serde_json::from_slice::<Json>(&bytes) else { return bytes };
+    stop_clock(&mut value);
+    serde_json::to_vec(&value).expect("a value")
+}
+
+fn stop_clock(value: &mut Json) {
+    match value {
+        Json::Object(map) => {
+            for (key, inner) in map {
+                if matches!(key.as_str(), "wall_time_s" | "real_time_factor") {
+                    *inner = 1.0.into();
+                }
+                stop_clock(inner);
+            }
+        }
+        Json::Array(values) => values.iter_mut().for_each(stop_clock),
+        _ => (),
+    }
 }
 
 /// A table of another command than those that have one of its name.
@@ -304,10 +328,13 @@ fn damaged(files: &Files, rng: &mut Rng) -> Files {
             2 if name.ends_with(".parquet") => *bytes = foreign().to_vec(),
             _ if name.ends_with(".parquet") => *bytes = damaged_table(bytes, rng),
             3 | 4 => {
-                *bytes = mutation::damaged(&[bytes.clone()], &["null", "1e300", "-1"], true, rng)
+                *bytes =
+                    mutation::damaged(slice::from_ref(bytes), &["null", "1e300", "-1"], true, rng)
             }
             _ if name.ends_with(".json") => *bytes = damaged_json(bytes, rng),
-            _ => *bytes = mutation::damaged(&[bytes.clone()], &["1e300", "-1", ","], true, rng),
+            _ => {
+                *bytes = mutation::damaged(slice::from_ref(bytes), &["1e300", "-1", ","], true, rng)
+            }
         }
     }
     files

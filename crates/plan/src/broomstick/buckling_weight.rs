@@ -5,7 +5,9 @@ use wholestring::{
     statics::soft::{SoftError, SoftString},
 };
 
-use super::{Broomstick, FrictionLevel, NoAnswer};
+use wholestring_judge::NoAnswer;
+
+use super::{Broomstick, FrictionLevel};
 use crate::root::root;
 
 /// More weight than any bit bears, N: a string that stands it does not buckle.

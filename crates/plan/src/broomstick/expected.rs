@@ -6,8 +6,9 @@ use wholestring::{
     statics::{soft::SoftString, stiff},
 };
 
-use super::{Broomstick, FrictionLevel, NoAnswer, Statics};
-use crate::limits::{Limits, limits, limits_of_soft};
+use wholestring_judge::{Checks, NoAnswer};
+
+use super::{Broomstick, FrictionLevel, Statics};
 
 /// Loads of an operation at the surface, and how near it is to its limits.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,8 +17,8 @@ pub struct ExpectedLoads {
     pub hook_load_N: f64,
     /// Torque at the surface, N·m.
     pub surface_torque_N_m: f64,
-    /// How near it is to what string and rig bear.
-    pub limits: Limits,
+    /// Its limits.
+    pub limits: Checks,
 }
 
 impl Broomstick {
@@ -47,7 +48,7 @@ impl Broomstick {
                     Ok(ExpectedLoads {
                         hook_load_N: found.hook_load_N,
                         surface_torque_N_m: found.surface_torque_N_m,
-                        limits: limits_of_soft(&model, &operation, &found, &self.limits),
+                        limits: self.judge.soft_limits(&model, &operation, &found),
                     })
                 };
                 operations.iter().map(here).map(of).collect()
@@ -60,7 +61,7 @@ impl Broomstick {
                     Ok(ExpectedLoads {
                         hook_load_N: solution.scalars.hook_load_N,
                         surface_torque_N_m: solution.scalars.surface_torque_N_m,
-                        limits: limits(&model, &operation, &solution, &self.limits),
+                        limits: self.judge.limits(&model, &operation, &solution),
                     })
                 };
                 operations.iter().map(here).map(of).collect()

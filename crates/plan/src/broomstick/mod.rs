@@ -16,7 +16,7 @@ pub use buckling_weight::BucklingWeight;
 pub use depths::bit_depths_m;
 pub use expected::ExpectedLoads;
 pub use friction::{FrictionLevel, Frictions, KindFriction, LevelFriction};
-pub use point::{BroomstickPoint, NoAnswer, PointAnswer, Statics};
+pub use point::{BroomstickPoint, PointAnswer, Statics};
 
 use wholestring::{
     operation::Operation,
@@ -24,7 +24,9 @@ use wholestring::{
     well::HoleError,
 };
 
-use crate::{Campaign, CampaignSettings, Setup, limits::LimitSettings, wear::CasingError};
+use wholestring_judge::Judge;
+
+use crate::{Campaign, CampaignSettings, Setup, wear::CasingError};
 
 /// A string at several depths of the bit, with several frictions.
 #[derive(Debug, Clone)]
@@ -38,7 +40,7 @@ pub struct Broomstick {
     models: Vec<Statics>,
     soft: SoftSettings,
     stiff: StiffSettings,
-    limits: LimitSettings,
+    judge: Judge,
     /// What the operations with the friction that is expected are part of.
     campaign: Option<Campaign>,
 }
@@ -74,7 +76,7 @@ impl Broomstick {
             models,
             soft: SoftSettings::default(),
             stiff: StiffSettings::default(),
-            limits: LimitSettings::default(),
+            judge: Judge::default(),
             campaign: None,
         })
     }
@@ -85,10 +87,10 @@ impl Broomstick {
         Self { soft, stiff, ..self }
     }
 
-    /// The same with what its loads are compared with.
+    /// The same with the judge of its answers.
     #[must_use]
-    pub fn with_limits(self, limits: LimitSettings) -> Self {
-        Self { limits, ..self }
+    pub fn with_judge(self, judge: Judge) -> Self {
+        Self { judge, ..self }
     }
 
     /// The same with a campaign: its operations with the friction that is expected have their
@@ -107,9 +109,9 @@ impl Broomstick {
         self.campaign.as_ref()
     }
 
-    /// What its loads are compared with.
-    pub(crate) fn limit_settings(&self) -> &LimitSettings {
-        &self.limits
+    /// The judge of its answers.
+    pub fn judge(&self) -> &Judge {
+        &self.judge
     }
 
     /// The string at a level of friction.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use wholestring::operation::OperationKind;
 
-use crate::limits::LimitKind;
+use wholestring_judge::CheckKind;
 
 /// How a string that hangs at rest sets itself in motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -73,8 +73,8 @@ impl Event {
 
     /// Whether its peak is held against a limit: what a peak says nothing of is left to the plan's states of
     /// equilibrium.
-    pub(super) const fn bears_on(self, kind: LimitKind) -> bool {
-        use LimitKind::{
+    pub(super) const fn bears_on(self, kind: CheckKind) -> bool {
+        use CheckKind::{
             Hoist, MakeUp, Overpull, PumpPressure, Tension, TensionAndTorsion, TopDrivePeak,
             Torsion, VonMises,
         };

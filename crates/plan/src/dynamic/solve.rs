@@ -10,13 +10,14 @@ use wholestring::{
     string::AssemblyError,
 };
 
+use wholestring_judge::Check;
+
 use super::{
     DynamicPlan, Event, History, Peak, extremes::Extremes, peak::Toward, settings::REST_S,
 };
 use crate::{
     Broomstick, FrictionLevel,
     hydraulics::{GelBreak, gel_break},
-    limits::{LoadCheck, limits},
 };
 
 /// An event with the bit at a depth and a friction.
@@ -44,7 +45,7 @@ pub struct EventAnswer {
     /// The event at surface.
     pub history: History,
     /// How near its peak is to what pipe and rig bear.
-    pub limits: Vec<LoadCheck>,
+    pub limits: Vec<Check>,
 }
 
 /// Why there is no answer.
@@ -126,15 +127,15 @@ impl Broomstick {
         let hydraulics =
             outcome.hydraulics.map(|of| Hydraulics { pump_pressure_Pa: pump_Pa, ..of });
         let solution = Solution { profile: &profile, hydraulics, ..(&outcome).into() };
-        let found = limits(&model, &steady(event, &operation), &solution, self.limit_settings());
-        let is_its = |of: &LoadCheck| event.bears_on(of.kind);
+        let found = self.judge().limits(&model, &steady(event, &operation), &solution);
+        let is_its = |check: &Check| event.bears_on(check.kind);
         Ok(Some(EventAnswer {
             hook_load_N,
             surface_torque_N_m,
             pump_pressure_Pa,
             gel,
             history,
-            limits: found.limits.into_iter().filter(is_its).collect(),
+            limits: found.checks.into_iter().filter(is_its).collect(),
         }))
     }
 }

@@ -2,7 +2,7 @@
 
 use wholestring::string::Component;
 
-use crate::strength::PSI_PA;
+use wholestring_judge::strength::PSI_PA;
 
 /// The bending stress that a pipe endures under a tension, of API RP 7G (as commonly printed).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! What a steady tension makes of an alternating stress.
 
-use crate::strength::PSI_PA;
+use wholestring_judge::strength::PSI_PA;
 
 /// Minimum yield and tensile strength of the grades of drill pipe, psi (API Spec 5DP, as commonly printed).
 const GRADES_PSI: [[f64; 2]; 4] = [[75e3, 100e3], [95e3, 105e3], [105e3, 115e3], [135e3, 145e3]];

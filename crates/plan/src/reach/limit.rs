@@ -72,7 +72,7 @@ impl Limit {
             Self::TopDrive => operation.kind.rotates() && rig.top_drive_torque_N_m.is_some(),
             Self::Hoist => !goes_down && rig.hoist_capacity_N.is_some(),
             Self::HookLoadZero | Self::Helix | Self::Sinusoid | Self::VerticalHelix => goes_down,
-            Self::PushSpent => goes_down && push_N(rig) > 0.0,
+            Self::PushSpent => goes_down && rig.push_with_block_N() > 0.0,
             Self::LockUp => operation.slides_down(),
             Self::Yield => {
                 let mut components = string.components().iter();
@@ -80,9 +80,4 @@ impl Limit {
             }
         }
     }
-}
-
-/// What block and rig push the string into the hole with at most, N.
-pub(super) fn push_N(rig: &Rig) -> f64 {
-    rig.block_weight_N.unwrap_or(0.0) + rig.snubbing_force_N.unwrap_or(0.0)
 }

@@ -9,9 +9,11 @@ use wholestring::{
     },
 };
 
+use wholestring_judge::DesignFactors;
+
 use super::{
-    limit::{Limit, push_N},
-    settings::ReachError,
+    limit::Limit,
+    settings::{ReachError, ReachSettings},
 };
 use crate::Setup;
 
@@ -53,8 +55,9 @@ const ROUNDING: f64 = 1e-9;
 pub fn margins(
     setup: &Setup,
     operation: &Operation,
-    soft: &SoftSettings,
+    settings: &ReachSettings,
 ) -> Result<Margins, ReachError> {
+    let (soft, factors) = (&settings.soft, &settings.factors);
     let model = setup.at(operation.bit_depth_m)?;
     let concerned = Limit::ALL.into_iter();
     let concerned = concerned.filter(|limit| limit.concerns(operation, &model.rig, &model.string));
@@ -63,18 +66,21 @@ pub fn margins(
     let profile = match solve(&model, operation, soft) {
         Ok(profile) => profile,
         Err(SoftError::LocksUp { md_m }) => {
-            return Ok(concerned.map(|limit| locked_up(limit, &model, md_m)).collect());
+            return Ok(concerned.map(|limit| locked_up(limit, &model, factors, md_m)).collect());
         }
         Err(error) => return Err(error.into()),
     };
-    let at = At { model: &model, operation, soft, profile: &profile };
+    let at = At { model: &model, operation, soft, factors, profile: &profile };
     concerned.map(|limit| at.margin(limit)).collect()
 }
 
-fn locked_up(limit: Limit, model: &Model, md_m: f64) -> Margin {
+fn locked_up(limit: Limit, model: &Model, factors: &DesignFactors, md_m: f64) -> Margin {
     let bound = match limit {
-        Limit::TopDrive => model.rig.top_drive_torque_N_m.unwrap_or(f64::NAN),
-        Limit::Yield => 1.0,
+        Limit::TopDrive => model
+            .rig
+            .top_drive_torque_N_m
+            .map_or(f64::NAN, |rated_N_m| rated_N_m / factors.top_drive),
+        Limit::Yield => 1.0 / factors.von_mises,
         Limit::HookLoadZero | Limit::PushSpent | Limit::LockUp => 0.0,
         Limit::Hoist | Limit::Helix | Limit::Sinusoid | Limit::VerticalHelix => f64::NAN,
     };
@@ -87,6 +93,7 @@ struct At<'a> {
     model: &'a Model,
     operation: &'a Operation,
     soft: &'a SoftSettings,
+    factors: &'a DesignFactors,
     profile: &'a SoftProfile,
 }
 
@@ -106,17 +113,23 @@ impl At<'_> {
             of(load, bound, 1.0 - load / bound)
         };
         Ok(match limit {
-            Limit::TopDrive => below(scalars.surface_torque_N_m.abs(), rig.top_drive_torque_N_m),
+            Limit::TopDrive => {
+                let allowed = |rated_N_m: f64| rated_N_m / self.factors.top_drive;
+                below(scalars.surface_torque_N_m.abs(), rig.top_drive_torque_N_m.map(allowed))
+            }
             Limit::Hoist => {
                 let load_N = scalars.hook_load_N + rig.block_weight_N.unwrap_or(0.0);
-                below(load_N, rig.hoist_capacity_N)
+                below(
+                    load_N,
+                    rig.hoist_capacity_N.map(|capacity_N| capacity_N / self.factors.hoist),
+                )
             }
             Limit::HookLoadZero => {
                 of(scalars.hook_load_N, 0.0, share(scalars.hook_load_N, self.hangs_N()))
             }
             Limit::PushSpent => {
-                let load_N = scalars.hook_load_N + push_N(rig);
-                of(load_N, 0.0, share(load_N, self.hangs_N() + push_N(rig)))
+                let load_N = scalars.hook_load_N + rig.push_with_block_N();
+                of(load_N, 0.0, share(load_N, self.hangs_N() + rig.push_with_block_N()))
             }
             Limit::LockUp => {
                 let arrives = self.arrives()?;
@@ -126,7 +139,8 @@ impl At<'_> {
                 let uses = self.profile.yield_use.iter().map(|use_of| use_of.unwrap_or(0.0));
                 let (row, most) = worst(uses);
                 let at_md_m = Some(self.profile.md_m[row]);
-                Margin { at_md_m, ..of(most, 1.0, 1.0 - most) }
+                let allowed = 1.0 / self.factors.von_mises;
+                Margin { at_md_m, ..below(most, Some(allowed)) }
             }
             Limit::Helix | Limit::Sinusoid => self.buckling(limit, false),
             Limit::VerticalHelix => self.buckling(limit, true),

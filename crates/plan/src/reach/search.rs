@@ -85,7 +85,7 @@ pub fn reach_unless(
     }
     let at = |bit_depth_m: f64| match is_stopped() {
         true => Err(ReachError::Stopped),
-        false => margins(setup, &Operation { bit_depth_m, ..*operation }, &settings.soft),
+        false => margins(setup, &Operation { bit_depth_m, ..*operation }, settings),
     };
     let depth_m = settings.grid_m();
     let rows: Vec<_> = depth_m.iter().map(|depth_m| at(*depth_m)).collect::<Result<_, _>>()?;
@@ -94,7 +94,9 @@ pub fn reach_unless(
         let one = |depth_m: f64| at(depth_m).map(|row| row[index]);
         let (end, there) = end(&depth_m, &margins, one, settings.tolerance_m)?;
         let limit = margins[0].limit;
-        let stops = limit.stops() || (settings.stop_at_helix && limit == Limit::Helix);
+        // A block or a rig that pushes goes on where nothing hangs on the hook.
+        let pushes = limit == Limit::HookLoadZero && setup.rig.push_with_block_N() > 0.0;
+        let stops = limit.stops() && !pushes || settings.stop_at_helix && limit == Limit::Helix;
         Ok(Curve { limit, stops, margins, end, there })
     });
     let curves = curves.collect::<Result<_, ReachError>>()?;

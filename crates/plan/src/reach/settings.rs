@@ -4,6 +4,7 @@ use wholestring::{
     statics::soft::{SoftError, SoftSettings},
     string::AssemblyError,
 };
+use wholestring_judge::DesignFactors;
 
 /// Between which depths a reach is looked for, and how.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +23,8 @@ pub struct ReachSettings {
     pub stop_at_helix: bool,
     /// How exactly a depth is found, m.
     pub tolerance_m: f64,
+    /// The required factors of top drive, hoist and von Mises stress.
+    pub factors: DesignFactors,
 }
 
 impl ReachSettings {
@@ -38,6 +41,7 @@ impl ReachSettings {
             soft: SoftSettings { step_m: 5.0, helix_side_force: true },
             stop_at_helix: false,
             tolerance_m: 0.01,
+            factors: DesignFactors::default(),
         }
     }
 

@@ -3,7 +3,7 @@
 use wholestring::well::{HoleKind, HoleSection};
 
 use super::Groove;
-use crate::strength::{Collapse, MILL_TOLERANCE, PSI_PA, Tube};
+use wholestring_judge::strength::{Collapse, MILL_TOLERANCE, PSI_PA, Tube};
 
 /// Wear factor where nothing else is said, 1/Pa: 5e-10 1/psi, among the 2 to 10 that are commonly printed for
 /// steel tool joints or casing-friendly hard metal in water-based mud. It varies fifty-fold with mud and hard

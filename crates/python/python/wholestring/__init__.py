@@ -3,7 +3,7 @@
 A :class:`Case` describes well, string, mud, rig and operations, as a case file does. It is
 immutable: :meth:`Case.with_` makes another. :meth:`Case.soft`, :meth:`Case.stiff` and
 :meth:`Case.dynamic` solve it and give :class:`Results`: scalars with their unit in their name,
-findings, and a :class:`Table` that polars, pandas, DuckDB and NumPy take without a copy.
+checks, and a :class:`Table` that polars, pandas, DuckDB and NumPy take without a copy.
 :meth:`Case.broomstick`, :meth:`Case.plan`, :meth:`Case.reach`, :meth:`Case.calibrate`,
 :meth:`Case.bha`, :meth:`Case.modes`, :meth:`Case.bit_test` and :func:`study` do what the command
 line's commands do; :func:`load` reads what any of them left in a folder.
@@ -15,7 +15,7 @@ such as a quantity of pint, and any number or array of NumPy or pandas.
 """
 
 from . import plot
-from ._base import BaseResults, Finding
+from ._base import BaseResults, Check
 from ._core import __version__
 from ._values import Quantity, Value
 from .assembly import Bha, BitTest, Modes
@@ -39,7 +39,7 @@ from .errors import (
 from .importing import Contents, Imported, ImportNote, contents, import_files
 from .laws import BitLaw, BitReading, Excitation, ShakeReading
 from .loading import load
-from .planning import Limit, Plan, Reach, Stop
+from .planning import Plan, PlanCheck, Reach, Stop
 from .results import OperationResult, Results
 from .simulation import Simulation
 from .studies import Study, study
@@ -56,12 +56,12 @@ __all__ = [
     "Case",
     "CaseError",
     "CaseWarning",
+    "Check",
     "Contents",
     "Diagnostic",
     "Error",
     "Estimate",
     "Excitation",
-    "Finding",
     "FindingsError",
     "FolderError",
     "ImportNote",
@@ -69,13 +69,13 @@ __all__ = [
     "InputError",
     "InputTypeError",
     "Interrupted",
-    "Limit",
     "MissingPackageError",
     "Modes",
     "NoAnswerError",
     "NotFoundError",
     "OperationResult",
     "Plan",
+    "PlanCheck",
     "Quantity",
     "Reach",
     "Results",

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, fields
 from os import PathLike
 from pathlib import Path
 from typing import Any, ClassVar, TypeVar
@@ -20,40 +21,66 @@ R = TypeVar("R", bound="BaseResults")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Finding:
-    """What an engineer must know of an answer.
+class Check:
+    """One comparison of a result with what it must keep: a limit, or a state that is reported.
 
     Attributes
     ----------
     kind
-        What was found, as a word: ``"helical_buckling"``.
-    level
-        ``"error"``, ``"warning"`` or ``"note"``.
-    message
-        A sentence.
+        What is compared or reported, as a word: ``"lock_up"``, ``"top_drive"``, ``"von_mises"``.
+    severity
+        ``"ok"``, ``"note"``, ``"warning"`` or ``"error"``.
+    verdict
+        In words: ``"OK"``, ``"marginal"``, ``"below required factor"``, ``"exceeded"``; of what is
+        no limit the severity.
+    sentence
+        The check as a sentence, in the units of the case.
+    component
+        Component of the string; ``None`` of the rig and of the whole string.
     md_m, to_md_m
-        Measured depth at which it stands or begins, and at which it ends, m.
+        Measured depth of the place or of the upper end of its interval, and of the lower end, m.
     value, limit
-        What was found and what it is compared with.
+        Load and capacity of a limit; of a state its number and what that is compared with.
+    factor, required
+        Capacity over load, and the required factor; ``None`` of what is no limit.
     unit
-        SI unit of both.
+        SI unit of value and limit.
 
     Examples
     --------
     >>> import wholestring as ws
     >>> results = ws.Case.example().with_(friction=1.5).soft("slide")
-    >>> results.findings[0].level
+    >>> results.checks[0].severity
     'error'
     """
 
     kind: str
-    level: str
-    message: str
+    severity: str
+    sentence: str
+    verdict: str = ""
+    component: str | None = None
     md_m: float | None = None
     to_md_m: float | None = None
     value: float | None = None
     limit: float | None = None
+    factor: float | None = None
+    required: float | None = None
     unit: str = ""
+
+    @property
+    def reserve(self) -> float:
+        """Factor over the required one: less than one is not enough; infinite of no limit."""
+        if self.factor is None or self.required is None:
+            return math.inf
+        return self.factor / self.required
+
+
+_CHECK_KEYS = frozenset(field.name for field in fields(Check))
+
+
+def check_of(row: Mapping[str, Any]) -> Check:
+    """Take the check of a row of a summary, which may hold more."""
+    return Check(**{key: value for key, value in row.items() if key in _CHECK_KEYS})
 
 
 class BaseResults:
@@ -204,9 +231,15 @@ class BaseResults:
         return self._tables[name]
 
     @property
-    def findings(self) -> tuple[Finding, ...]:
-        """What an engineer must know of the answer, the gravest first."""
-        return ()
+    def checks(self) -> tuple[Check, ...]:
+        """All checks of the result, as its summary has them."""
+        rows = self.summary.get("checks", [])
+        return tuple(check_of(row) for row in rows)
+
+    @property
+    def findings(self) -> tuple[Check, ...]:
+        """The checks that need attention, the most severe first."""
+        return most_severe_first(self.checks)
 
     def _facts(self) -> Sequence[tuple[str, str]]:
         """Give what is shown of them: names, and numbers with their units."""
@@ -221,11 +254,12 @@ class BaseResults:
         )
 
     def _repr_html_(self) -> str:
-        rows = [*self._facts(), *((of.level, of.message) for of in self.findings)]
+        rows = [*self._facts(), *((check.severity, check.sentence) for check in self.findings)]
         return _html.facts(rows, caption=f"{type(self).__name__} of {self.case_name}")
 
 
-def by_gravity(findings: Sequence[Finding]) -> tuple[Finding, ...]:
-    """Give findings, the gravest first."""
-    order = {"error": 0, "warning": 1, "note": 2}
-    return tuple(sorted(findings, key=lambda of: order[of.level]))
+def most_severe_first(checks: Iterable[Check]) -> tuple[Check, ...]:
+    """Give the checks that need attention, the most severe first."""
+    order = ("error", "warning", "note")
+    found = [check for check in checks if check.severity in order]
+    return tuple(sorted(found, key=lambda check: order.index(check.severity)))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._base import BaseResults, Finding
+from ._base import BaseResults
 from .errors import InputError
 from .table import Table
 
@@ -106,14 +106,6 @@ class Bha(BaseResults):
         """Weights on bit at which the assembly neither builds nor drops, N."""
         return np.array(self.summary["holding_weights_N"], dtype=np.float64)
 
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """Whether it rests as it was found to rest."""
-        if self._state["stable"]:
-            return ()
-        message = "the equilibrium that was found is not stable"
-        return (Finding(kind="unstable", level="warning", message=message),)
-
     def _facts(self) -> Sequence[tuple[str, str]]:
         high, right = self.side_force_N
         stress_MPa = self.largest_bending_stress_Pa / 1e6
@@ -205,18 +197,6 @@ class Modes(BaseResults):
         found = [of["rotary_speed_rad_per_s"] for of in self.summary["critical_speeds"]]
         return np.array(sorted(found), dtype=np.float64)
 
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """Whether the string rests stably, and why there is no map of torsional stability."""
-        found: list[Finding] = []
-        if not self.summary["stable"]:
-            message = "the string at rest is not stable"
-            found.append(Finding(kind="unstable", level="warning", message=message))
-        reason = self.summary.get("no_torsional_stability")
-        if reason:
-            found.append(Finding(kind="no_torsional_stability", level="note", message=str(reason)))
-        return tuple(found)
-
     def _facts(self) -> Sequence[tuple[str, str]]:
         lowest = (
             (family, self.frequencies_Hz(family)) for family in ("lateral", "axial", "torsional")
@@ -274,19 +254,6 @@ class BitTest(BaseResults):
         folder = self.folder
         file = None if folder is None else folder / "bit-table.csv"
         return file if file is not None and file.is_file() else None
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """Points that failed."""
-        failed = [of for of in self.summary["points"] if of["status"] == "failed"]
-        return tuple(
-            Finding(
-                kind="failed",
-                level="error",
-                message=f"{of['point']}: {of.get('message', 'failed')}",
-            )
-            for of in failed
-        )
 
     def _facts(self) -> Sequence[tuple[str, str]]:
         points = self.summary["points"]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import numpy as np
 
 from . import _core
-from ._base import BaseResults, Finding
+from ._base import BaseResults
 from ._checked import Checked
 from ._folder import Place
 from ._pickled import Reduced
@@ -241,16 +241,6 @@ class Calibration(BaseResults, Generic[C]):
         0.25
         """
         return case._changed(list(self.changes.items()))
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """What is to be wary of, and what is to be known."""
-        levels = (("warning", "warnings"), ("note", "notes"))
-        return tuple(
-            Finding(kind="calibration", level=level, message=message)
-            for level, key in levels
-            for message in self.summary[key]
-        )
 
     @property
     def case_name(self) -> str:

@@ -6,63 +6,34 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ._base import BaseResults, Finding, by_gravity
+from ._base import BaseResults, Check
 from .table import Table
-
-# What findings are called of a limit that is kept no more, or not by enough.
-_LEVELS = {"passed": "error", "short": "warning", "near": "note"}
 
 
 @dataclass(frozen=True, kw_only=True)
-class Limit:
-    """How near a load comes to what string or rig bears, where it comes nearest.
+class PlanCheck(Check):
+    """A check of a plan, the most severe of its kind and operation.
 
     Attributes
     ----------
-    kind
-        The limit, as a word: ``"top_drive"``, ``"von_mises"``.
     model, operation, friction
         Whose it is; friction is ``"low"``, ``"expected"`` or ``"high"``.
     bit_depth_m
         Measured depth of the bit, m.
-    component, md_m
-        Where in the string, measured depth in m; ``None`` of the rig.
-    load, capacity
-        What it bears and what it could.
-    unit
-        SI unit of both.
-    factor, required
-        Factor between them, and the one that is to be kept.
-    standing
-        ``"kept"``, ``"near"``, ``"short"`` of what is required, or ``"passed"``.
 
     Examples
     --------
     >>> import wholestring as ws
     >>> plan = ws.Case.example().with_({"plan.bit_depths": [800.0, 1200.0]}).plan()
-    >>> nearest = min(plan.worst_limits, key=lambda of: of.reserve)
-    >>> isinstance(nearest, ws.Limit), nearest.reserve > 0.0
+    >>> least = min(plan.checks, key=lambda check: check.reserve)
+    >>> isinstance(least, ws.PlanCheck), least.reserve > 0.0
     (True, True)
     """
 
-    kind: str
     model: str
     operation: str
     friction: str
     bit_depth_m: float
-    component: str | None
-    md_m: float | None
-    load: float
-    capacity: float
-    unit: str
-    factor: float
-    required: float
-    standing: str
-
-    @property
-    def reserve(self) -> float:
-        """The factor as a part of what is required: less than one is not enough."""
-        return self.factor / self.required
 
 
 class Plan(BaseResults):
@@ -105,9 +76,14 @@ class Plan(BaseResults):
         return float(max(self.summary["bit_depths_m"]))
 
     @property
-    def worst_limits(self) -> tuple[Limit, ...]:
-        """Of each kind and operation the limit that comes nearest to what it bears."""
-        return tuple(Limit(**of) for of in self.summary["worst_limits"])
+    def checks(self) -> tuple[PlanCheck, ...]:
+        """Of each kind of check and each operation the most severe of all depths and frictions."""
+        return tuple(PlanCheck(**row) for row in self.summary["checks"])
+
+    @property
+    def governing(self) -> tuple[PlanCheck, ...]:
+        """The limit that governs each operation: the least reserve of what breaks or stops it."""
+        return tuple(PlanCheck(**row) for row in self.summary["governing"])
 
     @property
     def unchecked(self) -> tuple[str, ...]:
@@ -118,12 +94,6 @@ class Plan(BaseResults):
     def missing(self) -> int:
         """Points that are not solved: the plan was interrupted."""
         return int(self.summary["missing"])
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """The limits that are not kept by as much as is required, the gravest first."""
-        found = [of for of in self.worst_limits if of.standing in _LEVELS]
-        return by_gravity([_of_limit(of) for of in found])
 
     def _facts(self) -> Sequence[tuple[str, str]]:
         last = max(float(of["bit_depth_m"]) for of in self.summary["points"])
@@ -142,24 +112,6 @@ class Plan(BaseResults):
         operations = ", ".join(self.summary["operations"])
         depths = len(self.summary["bit_depths_m"])
         return f"<Plan of {self.case_name}: {operations} at {depths} depths>"
-
-
-def _of_limit(of: Limit) -> Finding:
-    where = "" if of.component is None else f", {of.component}"
-    message = (
-        f"{of.standing}: {of.kind.replace('_', ' ')} in {of.operation.replace('_', ' ')}{where}, "
-        f"{of.friction} friction, the bit at {of.bit_depth_m:.0f} m: factor {of.factor:.2f}, "
-        f"required {of.required:.2f}"
-    )
-    return Finding(
-        kind=of.kind,
-        level=_LEVELS[of.standing],
-        message=message,
-        md_m=of.md_m,
-        value=of.load,
-        limit=of.capacity,
-        unit=of.unit,
-    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -253,25 +205,7 @@ class Reach(BaseResults):
         """Operations that were left out, and why, a sentence for each."""
         return tuple(self.summary["left_out"])
 
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """What stops the well at each friction."""
-        return tuple(
-            Finding(
-                kind=of.limit,
-                level="note",
-                message=f"{_at(of)} stops it at {of.depth_m:.0f} m",
-                md_m=of.depth_m,
-            )
-            for of in self.stops
-        )
-
     def _facts(self) -> Sequence[tuple[str, str]]:
         where = f"{self.from_m:.0f} m to {self.to_m:.0f} m"
         depth = "not stopped" if self.depth_m is None else f"to {self.depth_m:.0f} m"
         return [("looked at", where), ("reach", depth)]
-
-
-def _at(of: Stop) -> str:
-    friction = "the case's friction" if of.friction is None else f"friction {of.friction:g}"
-    return f"at {friction} {of.limit.replace('_', ' ')} in {of.operation.replace('_', ' ')}"

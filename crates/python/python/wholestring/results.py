@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from . import _html
-from ._base import BaseResults, Finding, by_gravity
+from ._base import BaseResults, Check, check_of, most_severe_first
 from .plot._house import operation_words
 from .plot._shown import Shown, about
 from .table import Table
@@ -66,9 +66,19 @@ class OperationResult:
         return cast("float | list[float]", self._data["friction"])
 
     @property
-    def findings(self) -> tuple[Finding, ...]:
-        """What an engineer must know of the answer, the gravest first."""
-        return tuple(Finding(**found) for found in self._data["findings"])
+    def checks(self) -> tuple[Check, ...]:
+        """The checks of the answer, the most severe first."""
+        return tuple(check_of(row) for row in self._data["checks"])
+
+    @property
+    def unchecked(self) -> tuple[dict[str, str | None], ...]:
+        """What could not be checked: ``kind``, ``component`` and what is ``missing``."""
+        return tuple(dict(row) for row in self._data.get("unchecked", []))
+
+    @property
+    def findings(self) -> tuple[Check, ...]:
+        """The checks that need attention, the most severe first."""
+        return most_severe_first(self.checks)
 
     @property
     def statistics(self) -> Mapping[str, Mapping[str, float]]:
@@ -239,9 +249,9 @@ class Results(BaseResults):
         return self.table("time")
 
     @property
-    def findings(self) -> tuple[Finding, ...]:
-        """What an engineer must know of all operations, the gravest first."""
-        return by_gravity([found for of in self for found in of.findings])
+    def checks(self) -> tuple[Check, ...]:
+        """The checks of all operations."""
+        return tuple(check for solved in self for check in solved.checks)
 
     def __repr__(self) -> str:
         """Give the operations."""
@@ -261,7 +271,7 @@ class Results(BaseResults):
                 unit=shown.symbol(dimension),
             )
 
-        findings = ["; ".join(found.message for found in of.findings) for of in solved]
+        findings = ["; ".join(found.sentence for found in of.findings) for of in solved]
         columns = [
             _html.Column("Model", [of.model for of in solved], numbers=False),
             _html.Column(
@@ -270,7 +280,7 @@ class Results(BaseResults):
             scalar("hook_load_N"),
             scalar("surface_torque_N_m"),
             scalar("axial_friction_N"),
-            _html.Column("Findings", findings, numbers=False),
+            _html.Column("Checks", findings, numbers=False),
         ]
         if any(of.status != "complete" for of in solved):
             columns.insert(2, _html.Column("Status", [of.status for of in solved], numbers=False))

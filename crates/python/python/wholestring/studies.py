@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Literal
 
 from . import _core, _values
-from ._base import BaseResults, Finding
+from ._base import BaseResults, Check
 from ._commands import common, finished, found
 from ._folder import Place
 from ._listener import Listener
@@ -78,19 +78,20 @@ class Study(BaseResults):
         return {of.stem: of for of in sorted((self._root / "figures").glob("*.svg"))}
 
     @property
-    def findings(self) -> tuple[Finding, ...]:
-        """The gravest finding of each case in whose answers errors were found."""
+    def checks(self) -> tuple[Check, ...]:
+        """The most severe check of each case in whose answers errors were found."""
         return tuple(of for sweep in self.sweeps for of in _errors(self[sweep].table))
 
     def _facts(self) -> Sequence[tuple[str, str]]:
         return [(sweep, f"{len(self[sweep])} cases") for sweep in self.sweeps]
 
 
-def _errors(rows: Table) -> Iterator[Finding]:
+def _errors(rows: Table) -> Iterator[Check]:
     for row in range(len(rows)):
         if rows["errors"][row] > 0:
-            message = f"{rows['folder'][row]}: {rows['worst_finding_message'][row]}"
-            yield Finding(kind="error", level="error", message=message)
+            sentence = f"{rows['folder'][row]}: {rows['worst_check_sentence'][row]}"
+            kind = str(rows["worst_check"][row])
+            yield Check(kind=kind, severity="error", verdict="error", sentence=sentence)
 
 
 def study(

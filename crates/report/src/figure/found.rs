@@ -5,7 +5,7 @@
 
 use super::place::Place;
 use crate::{
-    Level,
+    Severity,
     draw::{Drawing, Ink, Pen},
 };
 
@@ -20,16 +20,21 @@ const GAP: f64 = 2.0;
 /// Radius of a ring, points: about any shape of a point.
 const RING: f64 = 3.8;
 
-fn ink(level: Level) -> Ink {
+fn ink(level: Severity) -> Ink {
     match level {
-        Level::Error => Ink::Error,
-        Level::Warning => Ink::Warning,
-        Level::Note => Ink::Note,
+        Severity::Error => Ink::Error,
+        Severity::Warning => Ink::Warning,
+        Severity::Note | Severity::Ok => Ink::Note,
     }
 }
 
 /// A stretch of the shared axis over the whole frame.
-pub(super) fn stretch(on: &mut Drawing, level: Level, (from, to): (f64, f64), place: &Place<'_>) {
+pub(super) fn stretch(
+    on: &mut Drawing,
+    level: Severity,
+    (from, to): (f64, f64),
+    place: &Place<'_>,
+) {
     let (start, end) = place.shared.ends();
     let is_point = from == to;
     let (from, to) = (from.max(start.min(end)), to.min(start.max(end)));
@@ -47,15 +52,15 @@ pub(super) fn stretch(on: &mut Drawing, level: Level, (from, to): (f64, f64), pl
 }
 
 /// A bar from one end to the other, broken where the finding is no error.
-fn bar(on: &mut Drawing, level: Level, [from, to]: [(f64, f64); 2], down: bool) {
+fn bar(on: &mut Drawing, level: Severity, [from, to]: [(f64, f64); 2], down: bool) {
     let (first, last) = if down { (from.1, to.1) } else { (from.0, to.0) };
     let (first, last) = (first.min(last), first.max(last).max(first.min(last) + MIN));
     if !(last - first).is_finite() {
         return;
     }
     let piece = match level {
-        Level::Error => last - first,
-        Level::Warning | Level::Note => PIECE,
+        Severity::Error => last - first,
+        Severity::Warning | Severity::Note | Severity::Ok => PIECE,
     };
     let edge = if down { from.0 } else { from.1 };
     let mut outlines = Vec::new();
@@ -72,7 +77,7 @@ fn bar(on: &mut Drawing, level: Level, [from, to]: [(f64, f64); 2], down: bool) 
 /// The sample of a legend: a stretch with its bar.
 pub(super) fn sample(
     on: &mut Drawing,
-    level: Level,
+    level: Severity,
     (left, top): (f64, f64),
     (width, height): (f64, f64),
 ) {
@@ -83,7 +88,7 @@ pub(super) fn sample(
 }
 
 /// A ring about a point.
-pub(super) fn ring(on: &mut Drawing, level: Level, (x, y): (f64, f64)) {
+pub(super) fn ring(on: &mut Drawing, level: Severity, (x, y): (f64, f64)) {
     const CORNERS: usize = 24;
     if !(x + y).is_finite() {
         return;
@@ -93,8 +98,8 @@ pub(super) fn ring(on: &mut Drawing, level: Level, (x, y): (f64, f64)) {
         (x + RING * angle.sin(), y - RING * angle.cos())
     };
     let dash = match level {
-        Level::Error => None,
-        Level::Warning | Level::Note => Some([1.6, 1.4]),
+        Severity::Error => None,
+        Severity::Warning | Severity::Note | Severity::Ok => Some([1.6, 1.4]),
     };
     let pen = Pen { dash, ..Pen::new(ink(level), 0.9) };
     on.path(vec![(0..CORNERS).map(corner).collect()], true, None, Some(pen));

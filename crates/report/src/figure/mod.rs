@@ -12,7 +12,7 @@ mod place;
 mod ruler;
 mod scale;
 
-use crate::Level;
+use crate::Severity;
 pub use crate::draw::{Hue, Ink};
 pub(crate) use marks::{BAND, CURVE};
 pub(crate) use outliers::{OUTLIERS, Outliers};
@@ -215,7 +215,7 @@ pub enum Mark {
     /// one.
     Found {
         /// How grave it is.
-        level: Level,
+        level: Severity,
         /// Where it begins.
         from: f64,
         /// Where it ends.
@@ -224,7 +224,7 @@ pub enum Mark {
     /// Rings about points of which something was found.
     Rings {
         /// How grave it is.
-        level: Level,
+        level: Severity,
         /// The points.
         points: Vec<(f64, f64)>,
     },
@@ -306,9 +306,9 @@ pub enum Sample {
     /// How far points spread.
     Spread(Ink),
     /// Stretches where something was found.
-    Found(Level),
+    Found(Severity),
     /// Rings about points of which something was found.
-    Ring(Level),
+    Ring(Severity),
     /// Words alone.
     Words,
 }

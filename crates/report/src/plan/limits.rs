@@ -1,18 +1,38 @@
 //! The limits on a plan's page: the nearest of each kind, lights beside words.
 
-use super::{Plan, PlanLimitRow};
+use super::{Plan, PlanLimitRow, PlanVerdict};
 use crate::grid_cells::head;
 use crate::operation_words::{four, operation_name};
-use crate::{Grid, StudyPart, Verdict, plots::Shown};
+use crate::{Grid, Severity, StudyPart, Verdict, plots::Shown};
 
-/// The light of a standing. Words stand beside all of them.
-fn verdict(standing: &str) -> Verdict {
-    match standing {
-        "kept" => Verdict::Agrees,
-        "near" => Verdict::Near,
-        "short" | "passed" => Verdict::Differs,
-        _ => Verdict::None,
+/// The light of a severity. Words stand beside all of them.
+fn light(severity: Severity) -> Verdict {
+    match severity {
+        Severity::Ok => Verdict::Agrees,
+        Severity::Note => Verdict::Near,
+        Severity::Warning | Severity::Error => Verdict::Differs,
     }
+}
+
+/// The checks that need attention, the most severe first.
+pub(super) fn verdicts(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+    let heads = ["verdict", "check", "operation", "friction", "bit at", "what was found"];
+    let heads = heads.map(|name| head(name, true)).into();
+    let row = |found: &PlanVerdict| {
+        let plain = |text: String| (text, Verdict::None);
+        vec![
+            (found.verdict.clone(), light(found.severity)),
+            plain(found.label.clone()),
+            plain(format!("{}, {}", operation_name(&found.operation), found.model)),
+            plain(found.friction.clone()),
+            plain(shown.depth(found.bit_depth_m)),
+            plain(found.sentence.clone()),
+        ]
+    };
+    let rows: Vec<_> = plan.checks.iter().map(row).collect();
+    let caption = "Of each kind of check and each operation the most severe of all models, depths and \
+        frictions.";
+    (!rows.is_empty()).then(|| part("Verdict", caption.to_owned(), Grid { heads, rows }))
 }
 
 /// Kinds in their order.
@@ -42,19 +62,19 @@ pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
         let mut cells = vec![(kind.to_owned(), Verdict::None), (two(required), Verdict::None)];
         cells.extend(operations.iter().map(|operation| {
             match of_kind().find(|of| of.operation == *operation) {
-                Some(of) => (format!("{} {}", two(of.factor), of.standing), verdict(&of.standing)),
+                Some(of) => (format!("{} {}", two(of.factor), of.verdict), light(of.severity)),
                 None => (String::new(), Verdict::None),
             }
         }));
         cells
     };
     let rows: Vec<_> = kinds(plan).into_iter().map(row).collect();
-    let mut caption = "Least factor, capacity over load, of all depths and frictions. Kept: the factor \
-        is what is required or more; near: by less than a tenth; short: less than is required; passed: \
-        the load is more than is borne. An empty cell: nothing loads it."
+    let mut caption = "Least factor, capacity over load, of all depths and frictions. Marginal: the \
+        required factor is kept by less than a tenth; exceeded: the load is larger than the capacity. An \
+        empty cell: nothing loads it."
         .to_owned();
     if !plan.unchecked.is_empty() {
-        caption += &format!(" Not all was checked: {}.", plan.unchecked.join("; "));
+        caption += &format!(" Not checked for want of data: {}.", plan.unchecked.join("; "));
     }
     (!rows.is_empty()).then(|| part("Limits", caption, Grid { heads, rows }))
 }
@@ -63,13 +83,13 @@ pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
 pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let heads = vec![
         head("limit", true),
-        head("standing", true),
+        head("verdict", true),
         head("operation", true),
         head("friction", true),
         head("where", true),
         head("bit at", false),
         head("load", false),
-        head("bears", false),
+        head("capacity", false),
         head("factor", false),
         head("required", false),
     ];
@@ -94,7 +114,7 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         let plain = |text: String| (text, Verdict::None);
         vec![
             plain(of.kind.clone()),
-            (of.standing.clone(), verdict(&of.standing)),
+            (of.verdict.clone(), light(of.severity)),
             plain(operation_name(&of.operation).to_owned()),
             plain(of.friction.clone()),
             plain(place),
@@ -106,9 +126,9 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         ]
     };
     let rows: Vec<_> = nearest.into_iter().map(row).collect();
-    let caption = "Of each kind the operation, friction and place with the least reserve. What breaks \
-        or stops stands first, the least reserve of all at the top; below it buckling and \
-        overpull, which break nothing.";
+    let caption = "Of each kind the operation, friction and place with the least reserve. Limits \
+        that break something or stop the operation come first, the least reserve at the top; buckling and \
+        the requested overpull follow.";
     (!rows.is_empty()).then(|| part("Nearest limits", caption.to_owned(), Grid { heads, rows }))
 }
 

@@ -19,7 +19,7 @@ pub use broomstick::STROKES as FRICTION_STROKES;
 pub use figures::{PLAN_PICTURES, plan_plots};
 pub use page::plan_html;
 
-use crate::{Level, PageHead, Section, Uncertain};
+use crate::{PageHead, Section, Severity, Uncertain};
 
 /// A plan as its page shows it. Numbers are SI; what has no answer is not a number.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +46,8 @@ pub struct Plan {
     pub surface_limits: Vec<PlanSurfaceLimit>,
     /// Of each kind of limit and each operation the nearest one, kind after kind.
     pub limits: Vec<PlanLimitRow>,
+    /// The checks that need attention, the most severe first.
+    pub checks: Vec<PlanVerdict>,
     /// Of each operation what would break first, in sentences, in SI, metric and field units.
     pub first: [Vec<String>; 3],
     /// What could not be checked, and what is missing for it.
@@ -190,7 +192,7 @@ pub struct PlanSpot {
     /// `none`, `sinusoidal`, `helical`, or nothing.
     pub buckling: String,
     /// The gravest finding and how grave it is.
-    pub worst: Option<(String, Level)>,
+    pub worst: Option<(String, Severity)>,
     /// Why there is no answer.
     pub message: Option<String>,
 }
@@ -225,16 +227,39 @@ pub struct PlanLimitRow {
     pub md_m: Option<f64>,
     /// The load, SI.
     pub load: f64,
-    /// What is borne, SI.
+    /// The capacity, SI.
     pub capacity: f64,
     /// Dimension of both.
     pub dimension: String,
     /// Capacity over load.
     pub factor: f64,
-    /// The least factor that is to be kept.
+    /// The required factor.
     pub required: f64,
-    /// `kept`, `near`, `short` or `passed`.
-    pub standing: String,
+    /// The verdict in words.
+    pub verdict: String,
+    /// How serious it is.
+    pub severity: Severity,
+}
+
+/// A check that needs attention.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanVerdict {
+    /// How serious it is.
+    pub severity: Severity,
+    /// The verdict in words.
+    pub verdict: String,
+    /// What is compared or reported, for people.
+    pub label: String,
+    /// Name of the model.
+    pub model: String,
+    /// `trip_out`, `drill`, ...
+    pub operation: String,
+    /// `low`, `expected` or `high`.
+    pub friction: String,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// The check as a sentence, in the units of the case.
+    pub sentence: String,
 }
 
 /// Fatigue of a component.

@@ -65,7 +65,7 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
     let set = SETS.iter().position(|of| *of == units).unwrap_or(0);
     if !plan.first[set].is_empty() {
-        description += &format!("\n\nWhat would break first. {}", plan.first[set].join(" "));
+        description += &format!("\n\nGoverning limits. {}", plan.first[set].join(" "));
     }
     if let Some(message) = &plan.message {
         description += &format!("\n\n{message}");
@@ -90,7 +90,8 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
             painted: false,
         })
     });
-    let mut parts: Vec<StudyPart> = pictures.collect();
+    let mut parts: Vec<StudyPart> = limits::verdicts(plan, shown).into_iter().collect();
+    parts.extend(pictures);
     if let Some(of) = &plan.uncertain {
         parts.extend(uncertain::inputs(of));
         parts.extend(uncertain::bands(of, shown));

@@ -3,7 +3,7 @@
 use super::{Plan, PlanSpot, mud::STATES};
 use crate::grid_cells::{head, row};
 use crate::operation_words::{four, on_bottom, operation_name, rotates};
-use crate::{Grid, Level, StudyPart, Verdict, plots::Shown};
+use crate::{Grid, StudyPart, Verdict, plots::Shown};
 
 /// Reasons that are listed; more are counted.
 const REASONS: usize = 8;
@@ -48,7 +48,7 @@ pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     heads.extend([
         head(format!("surface torque, {torque}"), false),
         head("buckling", true),
-        head("gravest finding", true),
+        head("most severe check", true),
     ]);
     let rows = plan.curves.iter().filter_map(|of| {
         let spot = deepest(&of.points)?;
@@ -61,12 +61,11 @@ pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
             quantity(spot.hook_load_N, "force"),
         ];
         cells.extend(block_N.map(|block| quantity(spot.hook_load_N + block, "force")));
-        let finding = match (&spot.worst, &spot.message) {
-            (_, Some(_)) => "no answer".to_owned(),
-            (Some((kind, level)), _) => format!("{}: {}", word(*level), kind.replace('_', " ")),
-            (None, None) => String::new(),
+        let worst = match &spot.worst {
+            Some((words, severity)) => format!("{}: {words}", severity.name()),
+            None => String::new(),
         };
-        cells.extend([quantity(spot.torque_N_m, "torque"), spot.buckling.clone(), finding]);
+        cells.extend([quantity(spot.torque_N_m, "torque"), spot.buckling.clone(), worst]);
         Some(row(cells))
     });
     let grid = Grid { heads, rows: rows.collect() };
@@ -75,15 +74,6 @@ pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         "Every operation at the deepest depth of the plan; the workbook has them all.".to_owned();
     let (files, endings) = ("plan".to_owned(), &["xlsx"][..]);
     Some(StudyPart::Table { title, caption, grid, files, endings })
-}
-
-/// How grave a finding is, in a word.
-fn word(level: Level) -> &'static str {
-    match level {
-        Level::Error => "error",
-        Level::Warning => "warning",
-        Level::Note => "note",
-    }
 }
 
 /// A number of every operation with every friction against depth, for each model.

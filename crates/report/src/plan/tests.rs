@@ -3,10 +3,11 @@ use std::collections::BTreeMap;
 use super::{
     BucklingCurve, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow, PlanFatigueRow, PlanLevel,
     PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanOverlay, PlanOverlayDifference,
-    PlanOverlayRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanWearRow, plan_html, plan_plots,
+    PlanOverlayRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanVerdict, PlanWearRow, plan_html,
+    plan_plots,
 };
 use crate::{
-    Cell, DisplayUnit, Fact, Level, PageHead, Section,
+    Cell, DisplayUnit, Fact, PageHead, Section, Severity,
     figure::{Mark, Panel, Range, Stroke},
 };
 
@@ -38,7 +39,7 @@ fn plan() -> Plan {
                 torque_N_m: value(if operation == "drill" { 5.0 * bit_depth_m } else { 0.0 }),
                 buckling: if lost { String::new() } else { "none".into() },
                 worst: (operation == "trip_in")
-                    .then(|| ("helical_buckling".into(), Level::Warning)),
+                    .then(|| ("Helical buckling: exceeded".into(), Severity::Warning)),
                 message: lost.then(|| "the string <locks> up".to_owned()),
             }
         });
@@ -116,10 +117,23 @@ fn plan() -> Plan {
             borne("make-up", true, 1.25e4),
         ],
         limits: vec![
-            limit("Tension", 1.05, "short"),
-            PlanLimitRow { breaks: false, ..limit("Helical buckling", 0.5, "short") },
-            limit("Hoist", 1.2, "near"),
+            limit("Tension", 1.05, "below required factor", Severity::Warning),
+            PlanLimitRow {
+                breaks: false,
+                ..limit("Helical buckling", 0.5, "exceeded", Severity::Warning)
+            },
+            limit("Hoist", 1.2, "marginal", Severity::Note),
         ],
+        checks: vec![PlanVerdict {
+            severity: Severity::Error,
+            verdict: "exceeded".into(),
+            label: "Lock-up".into(),
+            model: "soft".into(),
+            operation: "slide".into(),
+            friction: "high".into(),
+            bit_depth_m: 2000.0,
+            sentence: "the string <locks> up".into(),
+        }],
         first: ["si", "metric", "field"].map(|of| vec![format!("pick-up: <tension> in {of}.")]),
         unchecked: vec!["no make-up torque of pipe".into()],
         fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-7)],
@@ -265,7 +279,7 @@ fn wear() -> PlanWearRow {
     }
 }
 
-fn limit(kind: &str, factor: f64, standing: &str) -> PlanLimitRow {
+fn limit(kind: &str, factor: f64, verdict: &str, severity: Severity) -> PlanLimitRow {
     PlanLimitRow {
         breaks: true,
         kind: kind.into(),
@@ -279,7 +293,8 @@ fn limit(kind: &str, factor: f64, standing: &str) -> PlanLimitRow {
         dimension: "force".into(),
         factor,
         required: 1.0 / 0.9,
-        standing: standing.into(),
+        verdict: verdict.into(),
+        severity,
     }
 }
 
@@ -357,16 +372,16 @@ fn the_page_says_everything() {
         "Hook load",
         "Surface torque, kN·m, soft string",
         "slack-off 0.1",
-        "warning: helical buckling",
+        "<td class=\"words differs\">exceeded</td>",
         "the string &lt;locks&gt; up",
         "plan_broomstick.parquet",
         "href=\"hook_load.csv\"",
         "href=\"plan.xlsx\"",
         "With the bit at 2000 m",
-        "<td class=\"differs\">1.05\u{a0}short</td>",
-        "<td class=\"words near\">near</td>",
+        "<td class=\"differs\">1.05\u{a0}below required factor</td>",
+        "<td class=\"words near\">marginal</td>",
         "drill &lt;pipe&gt;, 0\u{a0}m",
-        "Not all was checked: no make-up torque of pipe.",
+        "Not checked for want of data: no make-up torque of pipe.",
     ] {
         assert!(page.contains(expected), "{expected}");
     }
@@ -384,7 +399,7 @@ fn what_would_break_first() {
     let place = |kind: &str| nearest.find(kind).unwrap_or_else(|| panic!("{kind}"));
     assert!(place("Tension") < place("Hoist") && place("Hoist") < place("Helical buckling"));
     for units in ["si", "metric", "field"] {
-        let said = format!("What would break first. pick-up: &lt;tension&gt; in {units}.");
+        let said = format!("Governing limits. pick-up: &lt;tension&gt; in {units}.");
         assert!(page.contains(&said), "{said}");
     }
 }

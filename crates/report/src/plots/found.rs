@@ -2,12 +2,12 @@
 
 use super::{shown::Shown, styles::CurveStyles};
 use crate::{
-    Level,
+    Severity,
     figure::{Key, Mark, Sample},
 };
 
 /// What was found of each level, the gravest last, so that it lies above the others.
-pub(super) struct Found(Vec<(Level, Places)>);
+pub(super) struct Found(Vec<(Severity, Places)>);
 
 /// Where something was found.
 struct Places {
@@ -20,10 +20,10 @@ struct Places {
 
 impl Found {
     pub(super) fn of(styles: &CurveStyles<'_>) -> Self {
-        let places = |level: Level| {
+        let places = |level: Severity| {
             let (mut stretches, mut whose) = (Vec::new(), Vec::new());
             for (run, solved) in styles.solved() {
-                let of_level = solved.findings.iter().filter(|of| of.level == level);
+                let of_level = solved.checks.iter().filter(|check| check.severity == level);
                 let placed = of_level.filter_map(|of| {
                     let from = of.md_m?;
                     Some((from, of.to_md_m.unwrap_or(from)))
@@ -38,7 +38,7 @@ impl Found {
             }
             (!stretches.is_empty()).then(|| Places { stretches: joined(stretches), whose })
         };
-        let levels = [Level::Warning, Level::Error].into_iter();
+        let levels = [Severity::Warning, Severity::Error].into_iter();
         Self(levels.filter_map(|level| Some((level, places(level)?))).collect())
     }
 
@@ -57,11 +57,11 @@ impl Found {
 
     /// What they say in a legend, the gravest first.
     pub(super) fn keys(&self) -> Vec<Key> {
-        let key = |(level, places): &(Level, Places)| {
+        let key = |(level, places): &(Severity, Places)| {
             let name = match level {
-                Level::Error => "error here",
-                Level::Warning => "warning here",
-                Level::Note => "note here",
+                Severity::Error => "error here",
+                Severity::Warning => "warning here",
+                Severity::Note | Severity::Ok => "note here",
             };
             let name = match &places.whose[..] {
                 [] => name.to_owned(),
@@ -89,30 +89,35 @@ fn joined(mut stretches: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Finding, Packed, Report, Run, figure::Figure, page::tests::report, plots::plots};
+    use crate::{CheckRow, Packed, Report, Run, figure::Figure, page::tests::report, plots::plots};
 
-    fn finding(level: Level, md_m: Option<f64>, to_md_m: Option<f64>) -> Finding {
-        Finding {
+    fn finding(severity: Severity, md_m: Option<f64>, to_md_m: Option<f64>) -> CheckRow {
+        CheckRow {
             kind: "helical_buckling".into(),
-            level,
+            label: "Helical buckling".into(),
+            severity,
+            verdict: "exceeded".into(),
+            component: String::new(),
             md_m,
             to_md_m,
             value: crate::Cell::Nothing,
             limit: crate::Cell::Nothing,
-            message: String::new(),
+            factor: None,
+            required: None,
+            sentence: String::new(),
         }
     }
 
     /// A report of operations with these findings, each with a curve of tension.
-    fn solved(operations: &[(&str, Vec<Finding>)]) -> Report {
+    fn solved(operations: &[(&str, Vec<CheckRow>)]) -> Report {
         let mut report = report();
         let of = report.solved.remove(0);
         let column = |values: &[f64]| Packed::single(values.iter().copied());
         report.solved = operations
             .iter()
-            .map(|(operation, findings)| crate::Solved {
+            .map(|(operation, checks)| crate::Solved {
                 operation: (*operation).into(),
-                findings: findings.clone(),
+                checks: checks.clone(),
                 profile: [
                     ("md_m".into(), column(&[0.0, 500.0, 1000.0])),
                     ("tension_N".into(), column(&[1e5, -2e4, 0.0])),
@@ -140,14 +145,14 @@ mod tests {
             (
                 "slide",
                 vec![
-                    finding(Level::Error, Some(300.0), Some(600.0)),
-                    finding(Level::Error, Some(550.0), Some(700.0)),
-                    finding(Level::Error, Some(900.0), None),
-                    finding(Level::Error, None, None),
-                    finding(Level::Note, Some(0.0), Some(1000.0)),
+                    finding(Severity::Error, Some(300.0), Some(600.0)),
+                    finding(Severity::Error, Some(550.0), Some(700.0)),
+                    finding(Severity::Error, Some(900.0), None),
+                    finding(Severity::Error, None, None),
+                    finding(Severity::Note, Some(0.0), Some(1000.0)),
                 ],
             ),
-            ("drill", vec![finding(Level::Warning, Some(100.0), Some(200.0))]),
+            ("drill", vec![finding(Severity::Warning, Some(100.0), Some(200.0))]),
         ]);
         let figure = tension(&report);
         let of = |mark: &Mark| match mark {
@@ -158,9 +163,9 @@ mod tests {
         assert_eq!(
             found,
             [
-                (Level::Warning, 100.0, 200.0),
-                (Level::Error, 300.0, 700.0),
-                (Level::Error, 900.0, 900.0)
+                (Severity::Warning, 100.0, 200.0),
+                (Severity::Error, 300.0, 700.0),
+                (Severity::Error, 900.0, 900.0)
             ]
         );
         let names: Vec<&str> = figure.keys.iter().map(|key| key.name.as_str()).collect();
@@ -173,11 +178,11 @@ mod tests {
     /// Of one operation alone no name is needed, and without findings nothing is said.
     #[test]
     fn nothing_is_said_where_nothing_was_found() {
-        let alone = |findings| tension(&solved(&[("slide", findings)]));
+        let alone = |checks| tension(&solved(&[("slide", checks)]));
         let has = |figure: &Figure, name: &str| figure.keys.iter().any(|key| key.name == name);
-        let judged = alone(vec![finding(Level::Error, Some(300.0), None)]);
+        let judged = alone(vec![finding(Severity::Error, Some(300.0), None)]);
         assert!(has(&judged, "error here"), "{:?}", judged.keys);
-        let clean = alone(vec![finding(Level::Error, None, None)]);
+        let clean = alone(vec![finding(Severity::Error, None, None)]);
         assert!(!has(&clean, "error here"), "{:?}", clean.keys);
     }
 }

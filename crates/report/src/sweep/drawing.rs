@@ -7,7 +7,7 @@ use super::{
     varied::{Varied, name, split},
 };
 use crate::{
-    Level,
+    Severity,
     figure::{Axis, Ink, Range, Scale, Shape, Stroke},
     plots::{Shown, models, readable},
 };
@@ -134,6 +134,10 @@ pub(super) fn of_family(place: usize) -> Stroke {
 }
 
 /// The level of the gravest finding of a row that is marked.
-pub(super) fn judged(row: &SweepRow) -> Option<Level> {
-    if row.errors > 0 { Some(Level::Error) } else { (row.warnings > 0).then_some(Level::Warning) }
+pub(super) fn judged(row: &SweepRow) -> Option<Severity> {
+    if row.errors > 0 {
+        Some(Severity::Error)
+    } else {
+        (row.warnings > 0).then_some(Severity::Warning)
+    }
 }

@@ -5,7 +5,7 @@ use super::{
     varied::short,
 };
 use crate::{
-    Level,
+    Severity,
     figure::{Ink, Key, Sample, Stroke},
     plots::readable,
 };
@@ -25,8 +25,8 @@ impl Drawing<'_> {
     }
 
     /// The levels that cases have, the gravest first: a ring of the gravest is about each point.
-    pub(super) fn judged(&self) -> Vec<Level> {
-        let levels = [Level::Error, Level::Warning].into_iter();
+    pub(super) fn judged(&self) -> Vec<Severity> {
+        let levels = [Severity::Error, Severity::Warning].into_iter();
         levels
             .filter(|level| self.sweep.rows.iter().any(|row| judged(row) == Some(*level)))
             .collect()
@@ -89,7 +89,7 @@ impl Drawing<'_> {
         keys.extend(self.judged().into_iter().map(|level| {
             Key {
                 name: match level {
-                    Level::Error => "with errors",
+                    Severity::Error => "with errors",
                     _ => "with warnings",
                 }
                 .into(),

@@ -38,12 +38,12 @@ pub struct SweepRow {
     pub status: String,
     /// Columns of `sweep.csv` that hold a number here.
     pub numbers: BTreeMap<String, f64>,
-    /// How many findings are errors, and how many warnings.
+    /// Number of checks that are errors.
     pub errors: usize,
-    /// How many findings are warnings.
+    /// Number of checks that are warnings.
     pub warnings: usize,
     /// What the gravest finding says; empty where there is none.
-    pub finding: String,
+    pub check: String,
     /// The page of the case, relative to that of the sweep; none where the case has none.
     pub page: Option<String>,
 }
@@ -139,7 +139,7 @@ impl Sweep {
                 .chain(heads(&["Model", "Operation"]))
                 .chain(titles)
                 .chain((!whole).then(|| "Status".to_owned()))
-                .chain(judged.then(|| "Findings".to_owned()))
+                .chain(judged.then(|| "Checks".to_owned()))
                 .chain(paged.then(|| "Report".to_owned()))
                 .collect(),
             rows: self.rows.iter().map(row).collect(),

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::{
-    DisplayUnit, Level,
+    DisplayUnit, Severity,
     figure::{Direction, Figure, Mark, Sample, Scale, Stroke},
 };
 
@@ -33,7 +33,7 @@ fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
                     numbers,
                     errors: 0,
                     warnings: 0,
-                    finding: String::new(),
+                    check: String::new(),
                     page: None,
                 });
             }
@@ -173,11 +173,11 @@ fn the_table_has_every_case() {
         numbers: BTreeMap::new(),
         errors: 0,
         warnings: 1,
-        finding: String::new(),
+        check: String::new(),
         page: Some("a/report.html".into()),
     };
     let page_table = sweep.page_table();
-    assert_eq!(page_table.heads[5..], ["Status", "Findings", "Report"]);
+    assert_eq!(page_table.heads[5..], ["Status", "Checks", "Report"]);
     assert_eq!(
         page_table.rows[0][5..],
         [
@@ -270,7 +270,7 @@ fn operations_differ_by_stroke_and_have_their_names() {
 #[test]
 fn judged_cases_are_ringed() {
     let mut sweep = sweep(["friction", "bit_depth"], [&["0.1"], &["300m", "600m"]]);
-    let rings = |figure: &Figure| -> Vec<(Level, Vec<(f64, f64)>)> {
+    let rings = |figure: &Figure| -> Vec<(Severity, Vec<(f64, f64)>)> {
         let marks = figure.panels[0].marks.iter();
         marks
             .filter_map(|mark| match mark {
@@ -297,19 +297,19 @@ fn judged_cases_are_ringed() {
     let judged = figure(&sweep, "si");
     // 100 kN (1 + 10) at 600 m.
     let at = (600.0, 1100.0);
-    assert_eq!(rings(&judged), [(Level::Warning, vec![at]), (Level::Error, vec![at])]);
+    assert_eq!(rings(&judged), [(Severity::Warning, vec![at]), (Severity::Error, vec![at])]);
     assert_eq!(
         named(&judged),
         [
-            ("with errors".to_owned(), Sample::Ring(Level::Error)),
-            ("with warnings".to_owned(), Sample::Ring(Level::Warning))
+            ("with errors".to_owned(), Sample::Ring(Severity::Error)),
+            ("with warnings".to_owned(), Sample::Ring(Severity::Warning))
         ]
     );
     // A page hides a ring with its curve and with its own key.
     let place = judged.keys.iter().position(|key| key.name == "with errors");
     let marks = &judged.panels[0].marks;
     let of_ring = marks.windows(2).find_map(|pair| match pair {
-        [Mark::Of { keys }, Mark::Rings { level: Level::Error, .. }] => Some(keys),
+        [Mark::Of { keys }, Mark::Rings { level: Severity::Error, .. }] => Some(keys),
         _ => None,
     });
     let of_ring = of_ring.unwrap();

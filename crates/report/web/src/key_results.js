@@ -2,8 +2,8 @@
 
 import { el } from "../../../../web/components/dom.ts";
 import { plain, quantity } from "../../../../web/components/units.ts";
-import { findingsOf } from "./findings.js";
-import { levelMark, LEVELS, worstOf } from "./levels.js";
+import { checksOf } from "./checks.js";
+import { severityMark, SEVERITIES, worstOf } from "./severities.js";
 import { cellText } from "./page_table.js";
 import { chosen, chosenAnswer, chosenAtRest, hasNumbers, modelName } from "./solutions.js";
 import { on, state } from "./state.js";
@@ -19,17 +19,19 @@ export function facts(report) {
   return list;
 }
 
-/** How much of a limit is used, in words that need no colour. */
-function judged(part) {
-  if (part > 1) return ["over", "over the limit"];
-  if (part > 0.8) return ["near", "near the limit"];
-  return ["within", "within the limit"];
+const INKS = { ok: "within", note: "near", warning: "near", error: "over" };
+
+/** The colour and the verdict of the limit that governs a number; no verdict where the judge has none. */
+function judged(checks, kinds) {
+  const limits = checks.filter((check) => kinds.includes(check.kind) && check.factor !== null);
+  const [governing] = limits.sort((a, b) => a.factor / a.required - b.factor / b.required);
+  return governing ? [INKS[governing.severity], `of the limit: ${governing.verdict}`] : ["", "of the limit"];
 }
 
-/** What says that a number has findings of its own: a card may not look well beside an error of the same quantity. */
-function flag(level, findings) {
-  const few = findings.length === 1 ? "see the finding above" : `see the ${findings.length} findings above`;
-  return el("p", { class: `flag level-${level}` }, levelMark(level), el("strong", {}, ` ${LEVELS[level][0]}`), `: ${few}`);
+/** The mark of a number that has open checks: a card may not look well beside an error of the same quantity. */
+function flag(level, checks) {
+  const few = checks.length === 1 ? "see the check above" : `see the ${checks.length} checks above`;
+  return el("p", { class: `flag level-${level}` }, severityMark(level), el("strong", {}, ` ${SEVERITIES[level][0]}`), `: ${few}`);
 }
 
 /** Quantities of which the least span of a chart says what is nothing: a hundredth of it. */
@@ -42,8 +44,9 @@ function sized(cell, report) {
   return Math.abs(cell.value) < NOTHING.part * Math.max(...spans) ? { ...cell, value: 0 } : cell;
 }
 
-function card(report, result, beside, findings) {
-  const mine = findings.filter((of) => result.finding_words.some((word) => of.kind.includes(word)));
+function card(report, result, beside, checks) {
+  const open = checksOf(report, state.operation);
+  const mine = open.filter((of) => result.check_kinds.includes(of.kind));
   const level = worstOf(mine);
   const dimension = result.value?.dimension;
   const children = [
@@ -59,9 +62,7 @@ function card(report, result, beside, findings) {
   const compared = result.compared ?? result.largest ?? result.value?.value;
   if (result.limit !== null && Number.isFinite(compared)) {
     const part = compared / result.limit;
-    // Of a number that something is wrong with, a small part of the limit is no praise.
-    const wrong = level === "error" || level === "warning";
-    const [kind, words] = wrong && part <= 0.8 ? ["", "of the limit"] : judged(part);
+    const [kind, words] = judged(checks, result.check_kinds);
     children.push(
       el(
         "div",
@@ -74,7 +75,7 @@ function card(report, result, beside, findings) {
         el(
           "p",
           { class: "note" },
-          el("strong", {}, `${Math.round(part * 100)} %${wrong && part <= 0.8 ? "" : ","} ${words}`),
+          el("strong", {}, `${Math.round(part * 100)} % ${words}`),
           el("br"),
           `${result.limit_label} ${dimension === "percent" || dimension === "ratio" ? "" : quantity(result.limit, dimension)}`,
         ),
@@ -102,7 +103,7 @@ export function keyResults(report) {
       el(
         "div",
         { class: "key-results" },
-        (main?.key_results ?? []).map((result) => card(report, result, beside(result), findingsOf(report, state.operation))),
+        (main?.key_results ?? []).map((result) => card(report, result, beside(result), main.checks)),
       ),
     );
   };

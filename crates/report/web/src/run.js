@@ -6,11 +6,11 @@ import { bottomView } from "./bottom.js";
 import { contactMap } from "./contact.js";
 import { contents } from "./contents.js";
 import { drillOff } from "./drill_off.js";
-import { allFindings, findingList, findingsOf } from "./findings.js";
+import { checkList, checksOf, checkTable, openChecks } from "./checks.js";
 import { licences } from "./footer.js";
 import { header } from "./header.js";
 import { history } from "./history.js";
-import { countMarks, countText } from "./levels.js";
+import { countMarks, countText } from "./severities.js";
 import { scene } from "./scene.js";
 import { pageTable } from "./page_table.js";
 import { answeredOperations, chosenRun, operations, readable } from "./solutions.js";
@@ -18,21 +18,21 @@ import { spectra } from "./spectra.js";
 import { choose, each, on, state } from "./state.js";
 import { tracks } from "./tracks.js";
 
-/** Of these operations the one with the most severe finding, if that is more than a note. */
+/** Of these operations the one with the most severe check, if that is more than a note. */
 function worstOperation(report, among) {
-  const all = allFindings(report).filter((of) => among.includes(of.solved.operation));
-  if (!all.length || all[0].level === "note") return null;
+  const all = openChecks(report).filter((of) => among.includes(of.solved.operation));
+  if (!all.length || all[0].severity === "note") return null;
   // Of several as grave, the one with the most of them; of those alike the first.
-  const grave = all.filter((of) => of.level === all[0].level).map((of) => of.solved.operation);
+  const grave = all.filter((of) => of.severity === all[0].severity).map((of) => of.solved.operation);
   const count = (operation) => grave.filter((other) => other === operation).length;
   return grave.reduce((worst, operation) => (count(operation) > count(worst) ? operation : worst));
 }
 
 /** The name of an operation with what was found of it, for eyes and ears. */
 function named(report, operation) {
-  const findings = findingsOf(report, operation).filter((of) => of.level !== "note");
-  const text = findings.length ? `${readable(operation)}: ${countText(findings)}` : null;
-  return [operation, [readable(operation), ...countMarks(findings)], text];
+  const open = checksOf(report, operation).filter((of) => of.severity !== "note");
+  const text = open.length ? `${readable(operation)}: ${countText(open)}` : null;
+  return [operation, [readable(operation), ...countMarks(open)], text];
 }
 
 /** Shows the report of a run. */
@@ -49,7 +49,8 @@ export function runPage(report) {
   });
 
   const parts = { keyResults: keyResults(report), tracks: tracks(report) };
-  parts.findings = findingList(report, parts.tracks.zoomTo);
+  parts.checks = checkList(report, parts.tracks.zoomTo);
+  parts.checkTable = checkTable(report);
   if (report.runs.length) {
     parts.history = history(report, report.time_plots, true);
     parts.contact = contactMap(report);
@@ -99,9 +100,10 @@ export function runPage(report) {
     section(
       "answer",
       "Answer",
-      parts.findings.element,
+      parts.checks.element,
       operationChoice && el("div", { class: "operations" }, operationChoice),
       parts.keyResults.element,
+      parts.checkTable.element,
     ),
     section("tracks", "Along the hole", parts.tracks.element),
   );

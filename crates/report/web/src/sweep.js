@@ -16,13 +16,13 @@ usePageUnits(report.dimensions, report.units);
 /** What a point shows: the case by its keys, what came out of it, and what was found. */
 function describe(row) {
   const { heads, rows } = report.page_table;
-  const { finding, page } = report.rows[row];
+  const { check, page } = report.rows[row];
   const ends = heads.indexOf("Operation") + 1;
   const text = (i) => `${heads[i]}: ${cellText(rows[row][i], 4)}`;
   const keys = rows[row].slice(0, ends - 2).map((value, i) => `${heads[i]} ${cellText(value)}`);
   const columns = heads.map((_, i) => i).filter((i) => i >= ends - 2 && rows[row][i] !== null && !rows[row][i].href);
   const lines = columns.filter((i) => rows[row][i] !== "").map((i) => ({ text: text(i) }));
-  if (finding) lines.push({ text: finding, class: "mine" });
+  if (check) lines.push({ text: check, class: "mine" });
   if (page) lines.push({ text: "click for its report" });
   return { title: keys.join(", "), rows: lines, href: page };
 }

@@ -1,8 +1,8 @@
 // What is drawn in the tracks, in words; curves are hidden and shown there.
 
 import { el, svg } from "../../../../web/components/dom.ts";
-import { placedOf } from "./findings.js";
-import { LEVELS } from "./levels.js";
+import { placedOf } from "./checks.js";
+import { SEVERITIES } from "./severities.js";
 import { curveId, curveName, look, readable } from "./solutions.js";
 import { choose, state } from "./state.js";
 
@@ -45,7 +45,7 @@ export function trackLegend(report, between) {
       name,
     );
   });
-  const found = [...new Set(placedOf(report).map((finding) => finding.level))].reverse().map((level) =>
+  const found = [...new Set(placedOf(report).map((check) => check.severity))].reverse().map((level) =>
     el(
       "span",
       { class: "key" },
@@ -55,7 +55,7 @@ export function trackLegend(report, between) {
         svg("rect", { width: 20, height: 12, class: `found level-${level}` }),
         svg("rect", { x: 15, width: 5, height: 12, class: `found-bar level-${level}` }),
       ),
-      `${LEVELS[level][0].toLowerCase()} here, ${readable(state.operation)}`,
+      `${SEVERITIES[level][0].toLowerCase()} here, ${readable(state.operation)}`,
     ),
   );
   const band = report.runs.length

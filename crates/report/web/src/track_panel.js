@@ -6,7 +6,7 @@ import { beyond, withoutOutliers } from "../../../../web/components/outliers.ts"
 import { domain } from "../../../../web/components/ticks.ts";
 import { closeTrack, drawCurve, openTrack, shoeDepths } from "../../../../web/components/track.ts";
 import { si } from "../../../../web/components/units.ts";
-import { placedOf } from "./findings.js";
+import { placedOf } from "./checks.js";
 import { chosen, chosenInTime, look, operations } from "./solutions.js";
 import { state } from "./state.js";
 import { drawnOf, isShown } from "./track.js";
@@ -42,7 +42,7 @@ export function drawTrack(report, picture, track, box, [from, to], y) {
   const inside = openTrack(picture, track.dimension, range, box);
   const { x, clip } = inside;
   shoeDepths(inside, report.hole, box, view, y);
-  findingBands(report, clip, box, view, y);
+  checkBands(report, clip, box, view, y);
   if (track.sides) fillSides(report, clip, track, view, x, y);
   for (const curve of curves) {
     const { colour, dash, shape, place, hollow } = curve.well ? { colour: "var(--text)" } : look(report, curve.solved);
@@ -97,9 +97,9 @@ function markers(report, curve, { colour, shape, place, hollow, faint }, [from, 
     );
 }
 
-/** Stretches and places of findings of the chosen operation, light over the track, and a bar at its edge. */
-function findingBands(report, clip, box, [from, to], y) {
-  for (const { level, md_m, to_md_m } of placedOf(report)) {
+/** Stretches and places of the checks of the chosen operation, light over the track, and a bar at its edge. */
+function checkBands(report, clip, box, [from, to], y) {
+  for (const { severity: level, md_m, to_md_m } of placedOf(report)) {
     if (md_m > to || (to_md_m ?? md_m) < from) continue;
     const [top, end] = [y(md_m), y(to_md_m ?? md_m)];
     const height = Math.max(end - top, 2);
@@ -108,7 +108,7 @@ function findingBands(report, clip, box, [from, to], y) {
     if (stretch) clip.append(svg("rect", { x: box.left, width: box.width, ...at, class: `found level-${level}` }));
     clip.append(svg("rect", { x: box.left + box.width - 5, width: 5, ...at, class: `found-bar level-${level}` }));
     if (level !== "error" && stretch)
-      // Bars of lesser findings have gaps, so that they are distinguished without colour.
+      // Bars of lesser checks have gaps, so that they are distinguished without colour.
       for (let gap = top + 6; gap < end; gap += level === "warning" ? 10 : 6)
         clip.append(svg("rect", { x: box.left + box.width - 5, width: 5, y: gap, height: 3, fill: "var(--paper)" }));
   }

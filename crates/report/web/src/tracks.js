@@ -9,8 +9,8 @@ import { hideTip, showTip } from "../../../../web/components/tip.ts";
 import { depthAxis } from "../../../../web/components/track.ts";
 import { digits, quantity, shown, si, symbol } from "../../../../web/components/units.ts";
 import { csv, downloads, svgFile } from "./downloads.js";
-import { kindText, placedOf } from "./findings.js";
-import { LEVELS } from "./levels.js";
+import { placedOf } from "./checks.js";
+import { SEVERITIES } from "./severities.js";
 import { curveName, look } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isShown, sized, tracksOf } from "./track.js";
@@ -189,11 +189,11 @@ export function tracks(report) {
       return [line(curve.values, ", at the joints"), line(curve.between, ", between the joints")];
     });
     const reach = 0.006 * (to - from);
-    for (const finding of placedOf(report).reverse()) {
-      const { level, kind, md_m, to_md_m } = finding;
+    for (const check of placedOf(report).reverse()) {
+      const { severity: level, label, md_m, to_md_m } = check;
       if (depth < md_m - reach || depth > (to_md_m ?? md_m) + reach) continue;
-      const [word, ink] = LEVELS[level];
-      rows.push({ colour: `var(--${ink})`, text: `${word}: ${kindText(kind)}` });
+      const [word, ink] = SEVERITIES[level];
+      rows.push({ colour: `var(--${ink})`, text: `${word}: ${label}` });
     }
     if (rows.length === 0) return hideTip();
     showTip(event, [under?.track.title, `MD ${quantity(depth, "length", 5)}`].filter(Boolean).join(", "), rows);

@@ -29,14 +29,14 @@ function fail(report, has) {
 const columns = [...new Set(whole.solved.flatMap((solved) => Object.keys(solved.profile)))];
 const missing = {
   nothing: () => {},
-  "the most detailed answer of the operation with findings": (report) =>
+  "the most detailed answer of the operation with checks": (report) =>
     fail(report, (solved) => solved.model === detailed && solved.operation === all.at(-1)),
   "the most detailed answer of every operation": (report) => fail(report, (solved) => solved.model === detailed),
   "all answers of the first operation": (report) => fail(report, (solved) => solved.operation === all[0]),
   "all answers of the last operation, which has an error": (report) => {
     fail(report, (solved) => solved.operation === all.at(-1));
-    const finding = { kind: "lock_up", level: "error", message: "the string stops", md_m: null, to_md_m: null, value: null, limit: null };
-    report.solved.filter((solved) => solved.operation === all.at(-1)).forEach((solved) => (solved.findings = [finding]));
+    const check = { kind: "lock_up", label: "Lock-up", severity: "error", verdict: "exceeded", sentence: "the string stops", component: "", md_m: null, to_md_m: null, value: null, limit: null, factor: 0, required: 1 };
+    report.solved.filter((solved) => solved.operation === all.at(-1)).forEach((solved) => (solved.checks = [check]));
   },
   "all answers": (report) => fail(report, () => true),
   "all that was solved": (report) => Object.assign(report, { solved: [], runs: [], models: [] }),

@@ -58,7 +58,7 @@ await check("a light has a word and a mark", async () => {
     const known = half.map((row) => Number(row.at(-2)) / Number(row.at(-1))).filter(Number.isFinite);
     assert.ok(known.every((reserve, i) => i === 0 || reserve >= known[i - 1] - 0.02), `${known}`);
   }
-  const said = await page.locator("header .in-si p", { hasText: "What would break first." }).textContent();
+  const said = await page.locator("header .in-si p", { hasText: "Governing limits." }).textContent();
   assert.match(said, /pick-up: hoist comes first, with high friction and the bit at \d+ m/);
 });
 

@@ -47,11 +47,13 @@ pub const PLAN_BROOMSTICK: &[ColumnSpec] = plan_specs! {
     "buckling": Words,
         "Where compression makes most of it `none`, `sinusoidal` or `helical`; empty without an answer",
         null_where "there is no answer";
-    "worst_finding": Words, "The gravest finding, as of a run; empty where there is none",
-        null_where "nothing was found";
-    "worst_level": Words, "How grave it is: `note`, `warning` or `error`, or empty",
-        null_where "nothing was found";
-    "worst_md_m": Depth, "Where it begins; `null` where it has no place",
+    "worst_check": Words,
+        "The most severe check, as of a run, of a point without an answer the verdict on it; empty where all \
+         is kept",
+        null_where "all is kept";
+    "worst_severity": Words, "Its severity: `note`, `warning` or `error`, or empty",
+        null_where "all is kept";
+    "worst_md_m": Depth, "Measured depth of its upper end; `null` where it has no place",
         null_where "it has no place";
     "message": Words, "Why there is no answer; else empty", null_where "there is an answer";
 };
@@ -69,21 +71,22 @@ pub const PLAN_BUCKLING: &[ColumnSpec] = plan_specs! {
     "message": Words, "Why there is no answer; else empty", null_where "there is an answer";
 };
 
-/// Columns of `plan_limits.parquet`: a load against what bears it, for each depth of the bit,
-/// model, operation, friction, kind of limit and component where it is nearest to its limit.
+/// Columns of `plan_limits.parquet`: a load against its capacity, for each depth of the bit, model,
+/// operation, friction, kind of limit and component at the place with the least reserve.
 pub const PLAN_LIMITS: &[ColumnSpec] = plan_specs! {
     "bit_depth_m": Depth, "Measured depth of the bit";
     "kind": Words, "`tension`, `torsion`, `von_mises`, `hoist`, ...";
     "component": Words, "The component; empty of the rig", null_where "it is of the rig";
-    "md_m": Depth, "Where, or `null` of the rig", null_where "it is of the rig";
+    "md_m": Depth, "Measured depth of the place, or `null` of the rig", null_where "it is of the rig";
     "load": Ratio, "The load, in `unit`";
-    "capacity": Ratio, "What is borne, in `unit`";
+    "capacity": Ratio, "The capacity, in `unit`";
     "unit": Words, "`N`, `N·m` or `Pa`";
     "factor": Ratio, "Capacity over load";
-    "required": Ratio, "The least factor that is to be kept";
-    "standing": Words,
-        "`kept`, `near` (kept by less than a tenth), `short` (not kept) or `passed` (the load is beyond \
-         the capacity)";
+    "required": Ratio, "The required factor";
+    "verdict": Words,
+        "`OK`, `marginal` (kept by less than a tenth), `below required factor` or `exceeded` (the load is \
+         larger than the capacity)";
+    "severity": Words, "`ok`, `note`, `warning` or `error`";
 };
 
 /// Columns of `plan_surface_limits.parquet`: two rows for each limit, the ends of its line on the

@@ -24,15 +24,18 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use wholestring::{findings::Level, outcome::Scalars};
+use wholestring::outcome::Scalars;
+use wholestring_judge::Check;
 
 use crate::{
     ResultsError, Table, UncertainSummary,
     json::{read_versioned, write_json},
 };
 
-/// Version of the layout of the files of a plan; raised when a key changes or goes.
-pub const PLAN_VERSION: u32 = 1;
+/// Version of the layout of the files of a plan; raised when a key changes or goes. 2: `checks` in
+/// place of `worst_limits`, `governing` in place of `breaks_first`, verdicts in place of standings.
+/// All versions are read.
+pub const PLAN_VERSION: u32 = 2;
 
 /// `summary.json` of a plan.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -57,13 +60,14 @@ pub struct PlanSummary {
     pub points: Vec<PlanPoint>,
     /// Friction after friction, operation after operation, down the hole.
     pub buckling: Vec<PlanBuckling>,
-    /// Of each kind of limit and each operation the one that is nearest, of all models, frictions and
-    /// depths.
-    pub worst_limits: Vec<PlanLimit>,
-    /// Of each operation what would break, or stop it, first: the limit with the least reserve
-    /// among those that break something where they are passed, of all models, frictions and depths.
-    #[serde(default)]
-    pub breaks_first: Vec<PlanLimit>,
+    /// Of each kind of check and each operation the most severe, and among equals the one with the least
+    /// reserve, of all models, frictions and depths.
+    #[serde(alias = "worst_limits")]
+    pub checks: Vec<PlanCheck>,
+    /// Of each operation the limit that governs: the one with the least reserve among those that break
+    /// something or stop the operation, of all models, frictions and depths.
+    #[serde(default, alias = "breaks_first")]
+    pub governing: Vec<PlanCheck>,
     /// What hook load and torque may come to at the surface: of the rig and of the topmost
     /// component.
     #[serde(default)]
@@ -124,25 +128,10 @@ pub struct PlanPoint {
     pub scalars: Option<Scalars>,
     /// `none`, `sinusoidal` or `helical`; none without an answer.
     pub buckling: Option<String>,
-    /// The gravest finding.
-    pub worst: Option<PlanFinding>,
+    /// The most severe check that needs attention; of a point without an answer the verdict on it.
+    pub worst: Option<Check>,
     /// Why there is no answer.
     pub message: Option<String>,
-}
-
-/// A finding of a point.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanFinding {
-    /// What was found, as of a run: `hook_load_negative`, ...
-    pub kind: String,
-    /// How grave it is.
-    pub level: Level,
-    /// Measured depth where it begins, m.
-    pub md_m: Option<f64>,
-    /// The value that was found, SI.
-    pub value: Option<f64>,
-    /// What it is compared with, SI.
-    pub limit: Option<f64>,
 }
 
 /// The weight on bit under which the string begins to buckle.
@@ -164,9 +153,9 @@ pub struct PlanBuckling {
     pub message: Option<String>,
 }
 
-/// A load against what bears it.
+/// A check of one operation at one depth with one friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanLimit {
+pub struct PlanCheck {
     /// Name of the model.
     pub model: String,
     /// `low`, `expected` or `high`.
@@ -175,31 +164,9 @@ pub struct PlanLimit {
     pub operation: String,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// What it is of: `tension`, `hoist`, ...
-    pub kind: String,
-    /// The component; none of the rig.
-    pub component: Option<String>,
-    /// Where, measured depth in m; none of the rig.
-    pub md_m: Option<f64>,
-    /// The load.
-    pub load: f64,
-    /// What is borne.
-    pub capacity: f64,
-    /// SI unit of both.
-    pub unit: String,
-    /// Capacity over load.
-    pub factor: f64,
-    /// The least factor that is to be kept.
-    pub required: f64,
-    /// `kept`, `near`, `short` or `passed`.
-    pub standing: String,
-}
-
-impl PlanLimit {
-    /// Factor over the required one: less than one where it is not kept.
-    pub fn reserve(&self) -> f64 {
-        self.factor / self.required
-    }
+    /// The check.
+    #[serde(flatten)]
+    pub check: Check,
 }
 
 impl PlanSummary {
@@ -230,7 +197,7 @@ impl PlanSummary {
 
     /// Reads back a summary, and refuses one of another [`PLAN_VERSION`].
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
-        read_versioned(path, PLAN_VERSION..=PLAN_VERSION)
+        read_versioned(path, 1..=PLAN_VERSION)
     }
 
     /// The points of a model, an operation and a friction, down the hole.

@@ -1,29 +1,33 @@
 //! The tables of a plan: what its summary has, row by row.
 
-use super::{PlanLimit, PlanPoint, PlanSummary};
+use super::{PlanCheck, PlanPoint, PlanSummary};
 use crate::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, Table};
 
-/// A row for each limit.
-pub fn plan_limits_table(limits: &[PlanLimit]) -> Table {
+/// A row for each limit with a load and a capacity.
+pub fn plan_limits_table(checks: &[PlanCheck]) -> Table {
     let mut table = Table::with_columns(PLAN_LIMITS);
-    for of in limits {
+    for row in checks {
+        let check = &row.check;
+        let (Some(load), Some(capacity)) = (check.value, check.limit) else { continue };
+        let (Some(factor), Some(required)) = (check.factor, check.required) else { continue };
         table.append(
             &[
-                ("model", &[&of.model]),
-                ("friction", &[&of.friction]),
-                ("operation", &[&of.operation]),
-                ("kind", &[&of.kind]),
-                ("component", &[of.component.as_deref().unwrap_or_default()]),
-                ("unit", &[&of.unit]),
-                ("standing", &[&of.standing]),
+                ("model", &[&row.model]),
+                ("friction", &[&row.friction]),
+                ("operation", &[&row.operation]),
+                ("kind", &[check.kind.name()]),
+                ("component", &[check.component.as_deref().unwrap_or_default()]),
+                ("unit", &[&check.unit]),
+                ("verdict", &[check.verdict.words()]),
+                ("severity", &[check.severity.name()]),
             ],
             &[
-                ("bit_depth_m", &[of.bit_depth_m]),
-                ("md_m", &[of.md_m.unwrap_or(f64::NAN)]),
-                ("load", &[of.load]),
-                ("capacity", &[of.capacity]),
-                ("factor", &[of.factor]),
-                ("required", &[of.required]),
+                ("bit_depth_m", &[row.bit_depth_m]),
+                ("md_m", &[check.md_m.unwrap_or(f64::NAN)]),
+                ("load", &[load]),
+                ("capacity", &[capacity]),
+                ("factor", &[factor]),
+                ("required", &[required]),
             ],
         );
     }
@@ -44,8 +48,8 @@ pub fn plan_broomstick_table(points: &[PlanPoint], block_weight_N: Option<f64>) 
                 ("friction", &[&of.friction]),
                 ("operation", &[&of.operation]),
                 ("buckling", &[of.buckling.as_deref().unwrap_or_default()]),
-                ("worst_finding", &[worst.map_or("", |of| of.kind.as_str())]),
-                ("worst_level", &[worst.map_or("", |of| of.level.name())]),
+                ("worst_check", &[worst.map_or("", |check| check.kind.name())]),
+                ("worst_severity", &[worst.map_or("", |check| check.severity.name())]),
                 ("message", &[of.message.as_deref().unwrap_or_default()]),
             ],
             &[

@@ -8,6 +8,7 @@ use wholestring::{
     statics::assembly::{self, Assembly, AssemblyNode, AssemblySettings, Extent, zeros},
 };
 use wholestring_case::Case;
+use wholestring_judge::Checks;
 use wholestring_report::Bha;
 use wholestring_results::{
     BHA_VERSION, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried, Occupant, ResultsFolder,
@@ -208,7 +209,11 @@ fn summary(
     let high = |varied: BhaVaried| {
         zeros(&force(varied).iter().map(|(value, force)| (*value, force[0])).collect::<Vec<_>>())
     };
+    let judge = case.judge(request.units.unwrap_or(case.units));
+    let Checks { checks, unchecked } = judge.assembly(&case.model, operation, found);
     BhaSummary {
+        checks,
+        unchecked,
         schema_version: BHA_VERSION,
         case: case.name.clone(),
         settings: case.settings.clone(),

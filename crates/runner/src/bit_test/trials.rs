@@ -10,6 +10,7 @@ use wholestring_results::{
 };
 
 use super::{
+    checks,
     point_checkpoint::{self, PointCheckpoint},
     points::Point,
     tables,
@@ -266,6 +267,7 @@ impl<'a> Trials<'a> {
         let bit_radius_m = 0.5 * drilling.bit.diameter_m();
         let rock_strength_Pa = drilling.block.rock.ucs_Pa();
         BitTestSummary {
+            checks: checks::checks(&points),
             schema_version: BIT_TEST_VERSION,
             case: self.case.name.clone(),
             settings: self.case.settings.clone(),

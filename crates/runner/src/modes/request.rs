@@ -150,6 +150,7 @@ fn find(
         assembly.respond(forcing, &speeds(wanted.rotary_rad_per_s, ANSWERS))
     };
     let modes: Vec<Mode> = [lateral, others].concat();
+    let judge = case.judge(case.units);
     let summary = ModesSummary {
         schema_version: MODES_VERSION,
         case: case.name.clone(),
@@ -158,6 +159,7 @@ fn find(
         rotary_speed_rad_per_s: motions.rotary_rad_per_s(),
         elements: motions.nodes() - 1,
         stable: motions.is_stable(),
+        checks: judge.small_motions(&case.model, motions.is_stable()).checks,
         assembly_length_m: assembly.length_m(),
         forcing: words,
         modes: found(&modes),

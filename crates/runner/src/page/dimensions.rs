@@ -2,7 +2,6 @@
 
 use std::{collections::BTreeMap, f64::consts::TAU};
 
-use wholestring::outcome::QuantityKind;
 use wholestring_case::dimension_of;
 use wholestring_report::DisplayUnit;
 use wholestring_units::{Dimension, UnitSet};
@@ -45,11 +44,6 @@ pub(crate) fn unit(dimension: &str, units: UnitSet) -> Option<DisplayUnit> {
     all().remove(dimension).map(|shown| shown[place].clone())
 }
 
-/// The dimension in whose units people see a kind of quantity; none where no unit converts it.
-pub(crate) fn of_kind(kind: QuantityKind) -> Option<Dimension> {
-    Dimension::ALL.iter().copied().find(|of| of.name() == kind.dimension())
-}
-
 /// The symbol as it is printed: `kN.m` becomes `kN·m`, `deg/30m` becomes `°/30 m`.
 pub(crate) fn pretty(symbol: &str) -> String {
     [
@@ -86,6 +80,8 @@ pub(crate) fn of_setting(key: &str) -> Option<(&'static str, &str)> {
 #[cfg(test)]
 mod tests {
     use std::f64::consts::PI;
+
+    use wholestring::outcome::QuantityKind;
 
     use super::*;
 

@@ -1,9 +1,9 @@
 //! `report.html`: the pages and pictures of what runs left, made from their files.
 
+pub(crate) mod checks;
 pub(crate) mod dimensions;
 pub(crate) mod facts;
 mod file;
-mod findings;
 mod frames;
 mod head;
 pub(crate) mod history;

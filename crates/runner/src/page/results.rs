@@ -43,14 +43,14 @@ pub(super) fn key_results(
         compared: block_N
             .map(|block_N| largest(HOOK_LOAD).unwrap_or(scalars.hook_load_N) + block_N),
         more: more.into_iter().collect(),
-        finding_words: words(&["hook_load", "hoist", "lock_up"]),
+        check_kinds: words(&["goes_down", "hoist", "lock_up"]),
         ..limited(rig("hoist_capacity_N"), whose)
     };
     let torque = KeyResult {
         label: SURFACE_TORQUE.label.into(),
         value: Cell::quantity(scalars.surface_torque_N_m, "torque"),
         largest: largest(SURFACE_TORQUE),
-        finding_words: words(&["top_drive"]),
+        check_kinds: words(&["top_drive"]),
         ..limited(rig("top_drive_torque_N_m"), "top drive's rated torque")
     };
     let side = side_force(solved, nodes);
@@ -86,7 +86,7 @@ fn limited(limit: Option<f64>, whose: &str) -> KeyResult {
             None => format!("{whose} not given"),
         },
         more: Vec::new(),
-        finding_words: Vec::new(),
+        check_kinds: Vec::new(),
     }
 }
 
@@ -97,7 +97,7 @@ fn unlimited(note: &str) -> KeyResult {
 fn drag(solved: &OperationSummary) -> KeyResult {
     KeyResult {
         label: AXIAL_FRICTION.label.into(),
-        finding_words: words(&["lock_up"]),
+        check_kinds: words(&["lock_up"]),
         value: Cell::quantity(solved.scalars.axial_friction_N, "force"),
         ..unlimited("positive adds to hook load")
     }
@@ -108,7 +108,7 @@ fn stick_slip(solved: &OperationSummary) -> Option<KeyResult> {
     let severity = solved.indicators?.stick_slip?.severity?;
     Some(KeyResult {
         label: "Stick-slip severity".into(),
-        finding_words: words(&["stick_slip", "top_drive_stalled"]),
+        check_kinds: words(&["stick_slip", "top_drive_stalled"]),
         value: Cell::quantity(severity, "ratio"),
         ..limited(Some(1.0), "at 1 the bit just stops")
     })
@@ -120,13 +120,13 @@ fn stress(solved: &OperationSummary, nodes: &Table) -> KeyResult {
     match largest("yield_use") {
         Some(part) => KeyResult {
             label: "Use of yield strength".into(),
-            finding_words: words(&["yield_use"]),
+            check_kinds: words(&["von_mises"]),
             value: Cell::quantity(part, "percent"),
             ..limited(Some(1.0), "minimum yield strength, pipe body")
         },
         None => KeyResult {
             label: STRESS.label(),
-            finding_words: words(&["yield_use"]),
+            check_kinds: words(&["von_mises"]),
             value: largest(STRESS.name)
                 .or_else(|| largest("von_mises_stress_Pa"))
                 .map_or(Cell::Nothing, |stress| Cell::quantity(stress, "pressure")),

@@ -3,13 +3,15 @@
 use std::path::Path;
 
 use wholestring_report::{Report, Solved, TimeRun, report_html};
-use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Status, Summary};
+use wholestring_results::{
+    OperationSummary, ResultsError, ResultsFolder, Status, Summary, Unchecked,
+};
 use wholestring_units::UnitSet;
 
 use super::{
-    dimensions, facts,
+    checks, dimensions, facts,
     file::{FILE, PROGRAM},
-    findings, frames,
+    frames,
     head::opening_units,
     history, inputs, page_tables,
     profile::{PROFILE, write_profile},
@@ -137,7 +139,8 @@ pub(crate) fn along_the_hole(
                 Status::Interrupted => Some("interrupted: what was computed until then".into()),
                 Status::Failed(reason) => Some(reason.clone()),
             },
-            findings: solved.findings.iter().map(findings::page_finding).collect(),
+            checks: solved.checks.iter().map(checks::row).collect(),
+            unchecked: Unchecked::phrases(&solved.unchecked),
             // An operation without an answer has no rows, and no numbers.
             key_results: match solved.scalars.hook_load_N.is_nan() {
                 true => Vec::new(),

@@ -73,7 +73,7 @@ pub fn broomstick(
         let of = Broomstick::new(&setup, frictions, operations, depths_m.clone(), models.clone())
             .map_err(Error::failed)?;
         let stiff = case.dynamics.stiff_string();
-        Ok(of.with_settings(case.soft, stiff).with_limits(case.plan.limits))
+        Ok(of.with_settings(case.soft, stiff).with_judge(case.judge(case.units)))
     };
     // A broomstick has three frictions at a time.
     let levels = &FrictionLevel::ALL[..];

@@ -8,9 +8,7 @@ use wholestring_plan::{
     dynamic::{EventAnswer, EventTask, NoDynamics, Peak, WearTask},
     hydraulics::GelBreak,
 };
-use wholestring_results::{PlanGel, PlanHistory, PlanLimit, PlanPeak, PlanPeakOf};
-
-use super::rows::limit;
+use wholestring_results::{PlanCheck, PlanGel, PlanHistory, PlanPeak, PlanPeakOf};
 
 /// Part of what it comes to by which a hook load may still drift: beyond it the watch was short.
 const DRIFT: f64 = 0.01;
@@ -28,7 +26,7 @@ pub(super) enum Run {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) enum Ran {
     /// An event with its samples and limits.
-    Event(Box<PlanPeak>, PlanHistory, Vec<PlanLimit>),
+    Event(Box<PlanPeak>, PlanHistory, #[serde(with = "super::packed_checks")] Vec<PlanCheck>),
     /// What an operation takes of the casings.
     Wear { operation: String, bit_depth_m: f64, found: Result<Share, String> },
 }
@@ -60,7 +58,7 @@ impl Run {
         let (plan, dynamics) = (&case.plan.dynamic, &case.dynamics);
         match self {
             Self::Event(task) => match of.solve_event(task, plan, dynamics, goes_on) {
-                Ok(answer) => answer.map(|answer| event(of, task, answer)),
+                Ok(answer) => answer.map(|answer| event(task, answer)),
                 Err(error) => Some(unanswered(task, &error)),
             },
             Self::Wear(task) => {
@@ -94,7 +92,7 @@ fn unanswered(task: &EventTask, error: &NoDynamics) -> Ran {
     Ran::Event(Box::new(peak), PlanHistory::default(), Vec::new())
 }
 
-fn event(of: &Broomstick, task: &EventTask, answer: EventAnswer) -> Ran {
+fn event(task: &EventTask, answer: EventAnswer) -> Ran {
     let peak_of = |peak: Peak| PlanPeakOf {
         at_rest: peak.at_rest,
         peak: peak.peak,
@@ -132,13 +130,12 @@ fn event(of: &Broomstick, task: &EventTask, answer: EventAnswer) -> Ran {
         rotary_speed_rad_per_s: series.rotary_speed_rad_per_s,
         flow_rate_m3_per_s: series.flow_rate_m3_per_s,
     };
-    let components = &of.setup(task.friction).string.components;
-    let limits = answer.limits.iter().map(|found| PlanLimit {
+    let limits = answer.limits.into_iter().map(|check| PlanCheck {
         model: ModelKind::Dynamic.name().to_owned(),
         friction: task.friction.name().to_owned(),
         operation: task.event.name().to_owned(),
         bit_depth_m: task.bit_depth_m,
-        ..limit(components, found)
+        check,
     });
     Ran::Event(Box::new(peak), history, limits.collect())
 }
@@ -148,7 +145,7 @@ fn event(of: &Broomstick, task: &EventTask, answer: EventAnswer) -> Ran {
 pub(super) struct Parts {
     pub(super) peaks: Vec<PlanPeak>,
     pub(super) histories: Vec<PlanHistory>,
-    pub(super) limits: Vec<PlanLimit>,
+    pub(super) limits: Vec<PlanCheck>,
     /// What wears, by the name of its operation.
     pub(super) wear: Vec<(String, Share)>,
     /// Why wear is not known, or not all of it.

@@ -3,21 +3,20 @@
 use std::path::Path;
 
 use serde_json::Value as Json;
-use wholestring_plan::{dynamic::Event, limits::LimitKind};
+use wholestring_plan::dynamic::Event;
 use wholestring_report::{
-    BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
-    PlanLevel, PlanLimitRow, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow,
-    PlanSpot, PlanWearRow, Section, operation_name, shown_dimension,
+    BucklingCurve, Cell, Fact, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow, PlanLevel,
+    PlanLimitRow, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow, PlanSpot,
+    PlanVerdict, PlanWearRow, Section, Severity, operation_name, shown_dimension,
 };
 use wholestring_results::{
-    Level as Grave, PlanFatigue, PlanLimit, PlanPoint, PlanSummary, PlanWear, ResultsError,
-    ResultsFolder, Table,
+    PlanCheck, PlanFatigue, PlanPoint, PlanSummary, PlanWear, ResultsError, ResultsFolder, Table,
 };
 use wholestring_units::UnitSet;
 
 use super::{
-    files::{FATIGUE, LIMITS, PEAKS_TIME, Tables, WEAR, WORKBOOK},
-    first::breaks_first,
+    files::{FATIGUE, PEAKS_TIME, Tables, WEAR, WORKBOOK},
+    governing::governing_sentences,
     levels::{LEVELS, label, short},
     mud, peaks, surface, weight,
     workbook::workbook,
@@ -64,10 +63,17 @@ pub(crate) fn workbook_of(
 
 /// The tables of a plan that its summary does not hold.
 fn tables(folder: &Path, summary: &PlanSummary, peaks_time: Table) -> Result<Tables, ResultsError> {
-    let [limits, fatigue, wear] = [LIMITS, FATIGUE, WEAR].map(|name| table(folder, name));
+    // Limits are read by programs alone: what a page shows of them is in the summary.
+    let [fatigue, wear] = [FATIGUE, WEAR].map(|name| table(folder, name));
     let samples = summary.uncertain.as_ref().map(|_| table(folder, Names::PLAN.samples));
     let samples = samples.transpose()?;
-    Ok(Tables { limits: limits?, fatigue: fatigue?, wear: wear?, samples, peaks_time })
+    Ok(Tables {
+        limits: Table::new(Vec::new()),
+        fatigue: fatigue?,
+        wear: wear?,
+        samples,
+        peaks_time,
+    })
 }
 
 /// Everything that is reported of a plan.
@@ -95,9 +101,10 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         buckling: buckling(summary),
         mud: mud::shown(summary),
         hole: hole(summary),
-        limits: summary.worst_limits.iter().map(limit).collect(),
+        limits: summary.checks.iter().filter_map(limit).collect(),
+        checks: verdicts(summary),
         first: [UnitSet::Si, UnitSet::Metric, UnitSet::Field]
-            .map(|units| breaks_first(summary, units)),
+            .map(|units| governing_sentences(summary, units)),
         unchecked: summary.unchecked.clone(),
         fatigue: summary.fatigue.iter().map(fatigue).collect(),
         wear: summary.wear.iter().map(wear).collect(),
@@ -150,14 +157,7 @@ fn spot(of: &PlanPoint) -> PlanSpot {
         hook_load_N: number(of.scalars.map(|of| of.hook_load_N)),
         torque_N_m: number(of.scalars.map(|of| of.surface_torque_N_m)),
         buckling: of.buckling.clone().unwrap_or_default(),
-        worst: of.worst.as_ref().map(|worst| {
-            let level = match worst.level {
-                Grave::Note => Level::Note,
-                Grave::Warning => Level::Warning,
-                Grave::Error => Level::Error,
-            };
-            (worst.kind.clone(), level)
-        }),
+        worst: of.worst.as_ref().map(|worst| (worst.kind.label().to_owned(), worst.severity)),
         message: of.message.clone(),
     }
 }
@@ -180,25 +180,48 @@ fn buckling(summary: &PlanSummary) -> Vec<BucklingCurve> {
     curves
 }
 
-fn limit(of: &PlanLimit) -> PlanLimitRow {
-    let kind = LimitKind::ALL.iter().find(|kind| kind.name() == of.kind);
-    let dimension = kind.map_or("", |kind| shown_dimension(kind.quantity()));
-    PlanLimitRow {
-        breaks: kind.is_some_and(|kind| kind.breaks()),
-        kind: kind.map_or_else(|| of.kind.replace('_', " "), |kind| kind.label().to_owned()),
-        operation: Event::from_name(&of.operation)
-            .map_or_else(|| of.operation.clone(), |event| format!("{}, dynamics", event.label())),
-        friction: of.friction.clone(),
-        bit_depth_m: of.bit_depth_m,
-        component: of.component.clone().unwrap_or_default(),
-        md_m: of.md_m,
-        load: of.load,
-        capacity: of.capacity,
-        dimension: dimension.to_owned(),
-        factor: of.factor,
-        required: of.required,
-        standing: of.standing.clone(),
-    }
+/// A limit as the page shows it; none of a check without a load and a capacity.
+fn limit(row: &PlanCheck) -> Option<PlanLimitRow> {
+    let check = &row.check;
+    Some(PlanLimitRow {
+        breaks: check.kind.stops(),
+        kind: check.kind.label().to_owned(),
+        operation: operation(row),
+        friction: row.friction.clone(),
+        bit_depth_m: row.bit_depth_m,
+        component: check.component.clone().unwrap_or_default(),
+        md_m: check.md_m,
+        load: check.value?,
+        capacity: check.limit?,
+        dimension: shown_dimension(check.kind.quantity()).to_owned(),
+        factor: check.factor?,
+        required: check.required?,
+        verdict: check.verdict.words().to_owned(),
+        severity: check.severity,
+    })
+}
+
+fn operation(row: &PlanCheck) -> String {
+    Event::from_name(&row.operation)
+        .map_or_else(|| row.operation.clone(), |event| format!("{}, dynamics", event.label()))
+}
+
+/// The checks that need attention, the most severe first.
+fn verdicts(summary: &PlanSummary) -> Vec<PlanVerdict> {
+    let mut rows: Vec<&PlanCheck> =
+        summary.checks.iter().filter(|row| row.check.severity >= Severity::Warning).collect();
+    rows.sort_by_key(|row| std::cmp::Reverse(row.check.severity));
+    let verdict = |row: &&PlanCheck| PlanVerdict {
+        severity: row.check.severity,
+        verdict: row.check.verdict.words().to_owned(),
+        label: row.check.kind.label().to_owned(),
+        model: row.model.clone(),
+        operation: operation(row),
+        friction: row.friction.clone(),
+        bit_depth_m: row.bit_depth_m,
+        sentence: row.check.sentence.clone(),
+    };
+    rows.iter().map(verdict).collect()
 }
 
 fn fatigue(of: &PlanFatigue) -> PlanFatigueRow {

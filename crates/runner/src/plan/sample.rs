@@ -2,8 +2,9 @@
 //! with other numbers.
 
 use wholestring::operation::{Operation, OperationKind};
-use wholestring_plan::{Broomstick, limits::LimitKind};
-use wholestring_results::{PlanBuckling, PlanLimit, PlanPoint};
+use wholestring_judge::CheckKind;
+use wholestring_plan::Broomstick;
+use wholestring_results::{PlanBuckling, PlanCheck, PlanPoint};
 
 use crate::uncertain::{Quantity, Sampled, Sampler};
 
@@ -32,7 +33,7 @@ impl<'a> Asked<'a> {
     }
 
     fn answers(&self) -> usize {
-        2 * self.points() + self.kinds.len() * LimitKind::ALL.len() + 2 * DRILLS.len()
+        2 * self.points() + self.kinds.len() * CheckKind::LIMITS.len() + 2 * DRILLS.len()
     }
 
     /// Solves a sample.
@@ -68,14 +69,14 @@ impl<'a> Asked<'a> {
     /// kind of limit in each operation.
     fn loads(&self, of: &Broomstick, operations: &[Operation]) -> Sampled {
         let by = self.sampler.uncertain.model;
-        let mut reserves = vec![[None::<f64>; LimitKind::ALL.len()]; operations.len()];
+        let mut reserves = vec![[None::<f64>; CheckKind::LIMITS.len()]; operations.len()];
         let mut found = Vec::new();
         // What a depth has in common is solved once.
         for bit_depth_m in self.depths_m {
             let all = of.expected_loads(by, *bit_depth_m, operations);
             for (loads, reserves) in all.into_iter().zip(&mut reserves) {
                 if let Ok(loads) = &loads {
-                    for limit in &loads.limits.limits {
+                    for limit in loads.limits.limits() {
                         let least = &mut reserves[limit.kind as usize];
                         let reserve = limit.reserve();
                         *least = Some(least.map_or(reserve, |least| least.min(reserve)));
@@ -102,7 +103,7 @@ impl<'a> Asked<'a> {
     pub(super) fn quantities(
         &self,
         points: &[PlanPoint],
-        limits: &[PlanLimit],
+        limits: &[PlanCheck],
         weights: &[PlanBuckling],
     ) -> Vec<Quantity> {
         let model = self.sampler.uncertain.model.name();
@@ -126,15 +127,18 @@ impl<'a> Asked<'a> {
             }
         }
         for kind in &self.kinds {
-            let of_kind = |of: &&PlanLimit| {
+            let of_kind = |of: &&PlanCheck| {
                 of.model == model && of.operation == kind.name() && of.friction == "expected"
             };
-            let own: Vec<&PlanLimit> = limits.iter().filter(of_kind).collect();
-            for limit in LimitKind::ALL {
-                let reserves = own.iter().filter(|of| of.kind == limit.name());
+            let own: Vec<&PlanCheck> = limits.iter().filter(of_kind).collect();
+            for limit in CheckKind::LIMITS {
+                let reserves = own.iter().filter(|of| of.check.kind == *limit);
                 all.push(Quantity {
                     limit: limit.name(),
-                    expected: reserves.map(|of| of.reserve()).reduce(f64::min),
+                    expected: reserves
+                        .map(|of| of.check.reserve())
+                        .filter(|reserve| reserve.is_finite())
+                        .reduce(f64::min),
                     must_be: false,
                     ..Quantity::new("reserve", kind.name(), "1")
                 });

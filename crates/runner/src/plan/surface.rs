@@ -1,10 +1,8 @@
 //! What hook load and torque may come to at the surface.
 
 use wholestring::outcome::QuantityKind;
-use wholestring_plan::{
-    Broomstick, FrictionLevel,
-    limits::{LimitKind, LimitSettings, surface_limits},
-};
+use wholestring_judge::{CheckKind, LimitSettings, surface_limits};
+use wholestring_plan::{Broomstick, FrictionLevel};
 use wholestring_report as report;
 use wholestring_results::PlanSurfaceLimit;
 
@@ -14,10 +12,9 @@ pub(super) fn limits(of: &Broomstick, settings: &LimitSettings) -> Vec<PlanSurfa
     let deepest_m = of.depths_m().last().copied().unwrap_or_default();
     // Why there is no string stands beside each of its points.
     let Ok(model) = setup.at(deepest_m) else { return Vec::new() };
-    let components = model.string.components();
     let limits = surface_limits(&model, settings).into_iter().map(|of| PlanSurfaceLimit {
         kind: of.kind.name().to_owned(),
-        component: of.component.map(|at| components[at].name.clone()),
+        component: of.component,
         is_torque: of.kind.quantity() == QuantityKind::Torque,
         capacity: of.capacity,
         required: of.required,
@@ -34,13 +31,13 @@ pub(super) fn shown(of: &PlanSurfaceLimit) -> report::PlanSurfaceLimit {
 
 /// What a line of a kind is called.
 pub(super) fn title(kind: &str) -> &str {
-    match LimitKind::ALL.iter().find(|of| of.name() == kind) {
-        Some(LimitKind::Hoist) => "hoist",
-        Some(LimitKind::Tension) => "pipe, tension",
-        Some(LimitKind::Torsion) => "pipe, torsion",
-        Some(LimitKind::MakeUp) => "make-up",
-        Some(LimitKind::TopDrive) => "top drive",
-        Some(LimitKind::TopDrivePeak) => "top drive, peak",
+    match CheckKind::named(kind) {
+        Some(CheckKind::Hoist) => "hoist",
+        Some(CheckKind::Tension) => "pipe, tension",
+        Some(CheckKind::Torsion) => "pipe, torsion",
+        Some(CheckKind::MakeUp) => "make-up",
+        Some(CheckKind::TopDrive) => "top drive",
+        Some(CheckKind::TopDrivePeak) => "top drive, peak",
         _ => kind,
     }
 }

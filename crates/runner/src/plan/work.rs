@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 use serde_json::json;
-use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics, limits::LimitKind};
+use wholestring_judge::{CheckKind, Unchecked};
+use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics};
 use wholestring_results::{
-    PLAN_VERSION, PlanBuckling, PlanLimit, PlanPoint, PlanSummary, ResultsError, ResultsFolder,
+    PLAN_VERSION, PlanBuckling, PlanCheck, PlanPoint, PlanSummary, ResultsError, ResultsFolder,
     plan_fatigue_table, plan_limits_table, plan_peaks_time_table, plan_wear_table,
 };
 
@@ -14,11 +15,11 @@ use super::{
     campaign::{Taken, came, taken},
     dynamic::{Parts, Ran, Run, runs},
     files::Tables,
-    first::first,
+    governing::governing,
     measured::{Measured, MeasuredDone, MeasuredTask},
-    mud,
+    mud, packed_checks,
     request::Request,
-    rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
+    rows::{buckling, checks, frictions, points, unchecked},
     sample::Asked,
     surface,
 };
@@ -52,7 +53,12 @@ enum PlanTask {
 /// What came of a task.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Done {
-    Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<Lack>, Vec<Taken>),
+    Points(
+        Vec<PlanPoint>,
+        #[serde(with = "packed_checks")] Vec<PlanCheck>,
+        BTreeSet<Unchecked>,
+        Vec<Taken>,
+    ),
     Buckling(Vec<PlanBuckling>),
     Sample(Sampled),
     Measured(MeasuredDone),
@@ -66,20 +72,58 @@ pub(super) struct Ended {
     pub(super) batch: BatchOutcome,
 }
 
-/// Of each kind and each operation the limit with the least reserve, in the order of the kinds.
-fn worst(limits: &[PlanLimit]) -> Vec<PlanLimit> {
-    let mut found: Vec<&PlanLimit> = Vec::new();
-    for of in limits {
-        let same = |one: &&PlanLimit| one.kind == of.kind && one.operation == of.operation;
-        match found.iter().position(same) {
-            Some(place) if of.reserve() < found[place].reserve() => found[place] = of,
+/// The checks that matter to a plan: not those of depths at which the string is too light for the
+/// requested weight on bit, where it is heavy enough at the deepest.
+fn relevant(checks: &[PlanCheck]) -> Vec<PlanCheck> {
+    let is_too_light = |row: &PlanCheck| row.check.kind == CheckKind::WeightNotAvailable;
+    let is_alike = |row: &PlanCheck, other: &PlanCheck| {
+        (&row.model, &row.operation, &row.friction)
+            == (&other.model, &other.operation, &other.friction)
+    };
+    let too_light: Vec<&PlanCheck> = checks
+        .iter()
+        .filter(|row| is_too_light(row))
+        .filter(|light| {
+            let deeper = |row: &&PlanCheck| {
+                is_alike(row, light) && row.bit_depth_m > light.bit_depth_m && !is_too_light(row)
+            };
+            let deepest = checks.iter().filter(deeper).map(|row| row.bit_depth_m);
+            let deepest_m = deepest.fold(f64::NEG_INFINITY, f64::max);
+            !checks.iter().any(|row| {
+                is_alike(row, light) && is_too_light(row) && row.bit_depth_m >= deepest_m
+            })
+        })
+        .collect();
+    let matters = |row: &&PlanCheck| {
+        let mut shallow = too_light.iter();
+        !shallow.any(|light| is_alike(row, light) && row.bit_depth_m == light.bit_depth_m)
+    };
+    checks.iter().filter(matters).cloned().collect()
+}
+
+/// Of each kind and each operation the most severe check, among equals the one with the least reserve,
+/// in the order of the kinds.
+fn worst(checks: &[PlanCheck]) -> Vec<PlanCheck> {
+    let mut found: Vec<&PlanCheck> = Vec::new();
+    for row in checks {
+        let is_same = |other: &&PlanCheck| {
+            other.check.kind == row.check.kind && other.operation == row.operation
+        };
+        match found.iter().position(is_same) {
+            Some(place) if is_worse(row, found[place]) => found[place] = row,
             Some(_) => {}
-            None => found.push(of),
+            None => found.push(row),
         }
     }
-    let place = |of: &&PlanLimit| LimitKind::ALL.iter().position(|kind| kind.name() == of.kind);
-    found.sort_by_key(place);
+    found.sort_by_key(|row| row.check.kind);
     found.into_iter().cloned().collect()
+}
+
+/// Of checks that are alike the one with the deeper bit is the worse.
+fn is_worse(row: &PlanCheck, other: &PlanCheck) -> bool {
+    let severity = row.check.severity.cmp(&other.check.severity);
+    let reserve = other.check.reserve().total_cmp(&row.check.reserve());
+    severity.then(reserve).then(row.bit_depth_m.total_cmp(&other.bit_depth_m)).is_gt()
 }
 
 /// What solves the tasks.
@@ -180,8 +224,8 @@ impl<'a> Work<'a> {
         Some(match task {
             PlanTask::Points(task) => {
                 let found = of.solve(&task);
-                let (limits, unchecked) = (limits(of, &found), unchecked(of, &found));
-                Done::Points(points(&found), limits, unchecked, taken(&found))
+                let (checks, unchecked) = (checks(&found), unchecked(&found));
+                Done::Points(points(&found), checks, unchecked, taken(&found))
             }
             PlanTask::Buckling(depth_m) => Done::Buckling(buckling(&of.weights_to_buckle(depth_m))),
             PlanTask::Measured(of) => Done::Measured(self.measured.solve(&of)),
@@ -270,12 +314,13 @@ impl<'a> Work<'a> {
             settings["plan"]["uncertain"] = json!(uncertain);
         }
         all_limits.extend(parts.limits);
-        let mut unchecked = in_words(&lacking);
+        let mut unchecked = Unchecked::phrases(&lacking);
         unchecked.extend(parts.lacking);
         let hydraulics = mud::rows(case).unwrap_or_else(|why| {
             unchecked.push(why);
             Vec::new()
         });
+        let relevant = relevant(&all_limits);
         let mut summary = PlanSummary {
             schema_version: PLAN_VERSION,
             case: case.name.clone(),
@@ -287,8 +332,8 @@ impl<'a> Work<'a> {
             missing: expected - points.len(),
             points,
             buckling: weights,
-            worst_limits: worst(&all_limits),
-            breaks_first: first(&all_limits),
+            checks: worst(&relevant),
+            governing: governing(&relevant),
             surface_limits: surface::limits(self.broomstick, &plan.limits),
             unchecked,
             hydraulics,

@@ -1,5 +1,7 @@
 //! `plan.xlsx`: every table as a sheet, and the broomsticks as charts.
 
+use std::iter::once;
+
 use wholestring_report::{Sheet, Workbook};
 use wholestring_results::{PlanSummary, Table, plan_peaks_table};
 use wholestring_units::UnitSet;
@@ -7,6 +9,7 @@ use wholestring_units::UnitSet;
 use super::{
     charts::{BROOMSTICK, BUCKLING, HYDRAULICS, MEASURED, OVERLAY, SURFACE, charts},
     files::Tables,
+    verdict_sheet::verdict_sheet,
 };
 use crate::{page::PROGRAM, sheet::sheet};
 
@@ -24,7 +27,6 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
             "A row for each depth of the bit of each model, operation and friction",
         ),
         (BUCKLING, &summary.buckling_table(), "Weights on bit under which the string buckles"),
-        ("Limits", &found.limits, "Loads against what bears them, in the unit of the row"),
         (
             SURFACE,
             &surface,
@@ -71,10 +73,9 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         .into_iter()
         .chain(samples)
     });
-    let sheets: Vec<Sheet> = tables
-        .chain(scattered)
-        .map(|(name, table, about)| sheet(name, table, about, units))
-        .collect();
+    let tables = tables.chain(scattered);
+    let tables = tables.map(|(name, table, about)| sheet(name, table, about, units));
+    let sheets: Vec<Sheet> = once(verdict_sheet(summary, units)).chain(tables).collect();
     let charts = charts(summary, &sheets);
     Workbook {
         title: format!("{}: plan", summary.case),

@@ -19,6 +19,7 @@ use wholestring_units::UnitSet;
 use super::{
     operations::{Operations, operations},
     sample::{Asked, with_friction},
+    sentences,
     tables::{self, LIMITS, REACH, reach_table},
 };
 use crate::{
@@ -114,6 +115,7 @@ impl<'a> Request<'a> {
         settings.to_m = self.to_m.unwrap_or(settings.to_m);
         settings.soft.helix_side_force = self.helix_side_force;
         settings.stop_at_helix = self.stop_at_helix;
+        settings.factors = self.case.plan.limits.factors;
         if from_m <= shallowest_m {
             return bad(format!(
                 "the reach begins with the bit at {from_m:.0} m, but what stands below the pipe that \
@@ -215,6 +217,9 @@ pub fn run(
     let frictions = answers.iter().zip(&setups).map(|(answer, (_, setup))| {
         answer.summary(setup.well.hole.at(settings.to_m).friction.kinetic)
     });
+    let frictions: Vec<ReachOfFriction> = frictions.collect();
+    let judge = case.judge(request.units.unwrap_or(case.units));
+    let checks = sentences::checks(&frictions, [settings.from_m, settings.to_m], &judge);
     let summary = ReachSummary {
         schema_version: REACH_VERSION,
         case: case.name.clone(),
@@ -225,7 +230,8 @@ pub fn run(
         helix_side_force: request.helix_side_force,
         stop_at_helix: request.stop_at_helix,
         left_out,
-        frictions: frictions.collect(),
+        frictions,
+        checks,
         uncertain: samples.as_ref().map(|(_, found, _)| found.clone()),
     };
     let written = samples.as_ref().map(|(_, found, table)| (found, table));

@@ -1,6 +1,7 @@
 //! What a reach says, in sentences.
 
-use wholestring_results::{ReachOfFriction, ReachSummary};
+use wholestring_judge::{Judge, Reached};
+use wholestring_results::{ReachCheck, ReachOfFriction, ReachSummary};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::page::facts::readable;
@@ -46,6 +47,41 @@ pub fn answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
         )
     };
     summary.frictions.iter().map(answer).collect()
+}
+
+/// How far each operation goes at each friction, in the units of the judge.
+pub(super) fn checks(
+    frictions: &[ReachOfFriction],
+    depths_m: [f64; 2],
+    judge: &Judge,
+) -> Vec<ReachCheck> {
+    let [from_m, to_m] = depths_m;
+    let mut checks = Vec::new();
+    for found in frictions {
+        let mut operations: Vec<&str> = Vec::new();
+        for limit in &found.limits {
+            if !operations.contains(&limit.operation.as_str()) {
+                operations.push(&limit.operation);
+            }
+        }
+        for operation in operations {
+            let stops =
+                found.limits.iter().filter(|limit| limit.stops && limit.operation == operation);
+            let met = stops.filter_map(|limit| Some((limit.depth_m?, limit.title.as_str())));
+            let reached = Reached {
+                operation: &readable(operation),
+                stopped: met.min_by(|a, b| a.0.total_cmp(&b.0)),
+                from_m,
+                to_m,
+            };
+            checks.push(ReachCheck {
+                operation: operation.to_owned(),
+                friction: found.friction,
+                check: judge.reach(&reached),
+            });
+        }
+    }
+    checks
 }
 
 /// What is to be known besides: the critical inclination, helices that do not rub, operations that

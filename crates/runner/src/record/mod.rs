@@ -10,12 +10,12 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wholestring::{
     dynamics::ScheduleStep,
-    findings::Finding,
     operation::Operation,
     outcome::{Cost, ModelKind},
     well::Hole,
 };
 use wholestring_case::{Case, Records};
+use wholestring_judge::{Checks, Judge};
 use wholestring_results::{
     ENGINE_VERSION, FramesSoFar, GrowingTable, ResultsError, ResultsFolder, SCHEMA_VERSION,
     Summary, Table, TableSoFar, digest,
@@ -25,7 +25,6 @@ use wholestring_units::UnitSet;
 use self::frames::Frames;
 pub(crate) use self::run_tables::RunTables;
 use crate::{
-    findings::{self, Around},
     keep::Keep,
     page::{FILE, PROFILE, Tables, along_the_hole, write_profile},
 };
@@ -182,16 +181,17 @@ impl Record {
         solved.any(|solved| solved.model == model && solved.operation == name)
     }
 
-    /// Shows what was found in the answer that was added last.
-    pub(crate) fn judge(&mut self, found: &[Finding], case: &Case) {
+    /// Adds the checks of the answer that was added last.
+    pub(crate) fn judged(&mut self, checks: Checks) {
         if let Some(last) = self.summary.operations.last_mut() {
-            let around = Around {
-                rig: &case.model.rig,
-                has_helix_friction: case.has_helix_friction(last.model),
-                units: self.units,
-            };
-            last.findings = findings::in_words(found, last, &around);
+            last.checks = checks.governing_of_each_kind();
+            last.unchecked = checks.unchecked;
         }
+    }
+
+    /// The judge of a case's answers, in the units of the record.
+    pub(crate) fn judge(&self, case: &Case) -> Judge {
+        case.judge(self.units)
     }
 
     /// Writes what is kept; what an earlier run left goes.

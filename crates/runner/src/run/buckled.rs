@@ -1,9 +1,8 @@
 //! Sentences about elements that are too long for the compression on them.
 
 use wholestring::rod::buckled_element::BuckledElement;
+use wholestring_judge::shorter_element;
 use wholestring_units::{Dimension, UnitSet};
-
-use crate::findings::shorter_element;
 
 /// Why a run in hand stops.
 pub(super) fn stopped(element: &BuckledElement, units: UnitSet) -> String {

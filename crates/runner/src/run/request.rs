@@ -37,7 +37,7 @@ pub struct Request<'a> {
     /// Where the results go. With [`Existing::Resume`] the run in the folder continues from its
     /// checkpoint.
     pub output: Output,
-    /// Units of the findings, the picture and the page; the case's where nothing is said.
+    /// Units of the checks, the picture and the page; the case's where nothing is said.
     pub units: Option<UnitSet>,
     /// Threads that work on solid rock under the bit, to the same answer; one per core where
     /// nothing is said.

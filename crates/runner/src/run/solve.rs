@@ -7,7 +7,6 @@ use wholestring::{
         BitLaw, DynamicOutcome, DynamicsSettings, Effort as Planned, HoistControl, SetupError,
         Simulation, TuningError,
     },
-    findings,
     operation::Operation,
     outcome::{ModelKind, Solution},
     statics::{soft, stiff},
@@ -119,11 +118,11 @@ fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) {
     match soft::solve(&case.model, operation, &case.soft) {
         Ok(profile) => {
             record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
-            let found = findings::of_soft(&case.model, operation, &profile);
-            record.judge(&found, case);
+            record.judged(record.judge(case).soft(&case.model, operation, &profile));
         }
         Err(error) => {
             record.add_unsolved(ModelKind::Soft, operation, no_answer("soft string", &error));
+            record.judged(record.judge(case).unsolved(&error.into()));
         }
     }
 }
@@ -132,12 +131,11 @@ fn solve_stiff(case: &Case, operation: &Operation, record: &mut Record) {
     match stiff::solve(&case.model, operation, &case.dynamics.stiff_string()) {
         Ok(profile) => {
             record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
-            let found = findings::of_stiff(&case.model, operation, &profile);
-            record.judge(&found, case);
+            record.judged(record.judge(case).stiff(&case.model, operation, &profile));
         }
         Err(error) => {
             record.add_unsolved(ModelKind::Stiff, operation, no_answer("stiff string", &error));
-            record.judge(&findings::of_no_equilibrium(&error), case);
+            record.judged(record.judge(case).unsolved(&error.into()));
         }
     }
 }
@@ -273,8 +271,8 @@ fn solve_dynamic(
     record.add(operation, &Solution::from(&outcome), carried_out);
     // What was not computed to its end has said so already.
     if status == Status::Complete {
-        let found = findings::of_dynamic(&case.model, operation, &settings, &outcome);
-        record.judge(&found, case);
+        let judge = record.judge(case);
+        record.judged(judge.dynamic(&case.model, operation, &settings, &outcome));
     }
     status
 }

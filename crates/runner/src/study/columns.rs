@@ -8,10 +8,7 @@ use wholestring_results::{CONTACT, FRAMES, NODES, TIME, WEAR};
 use wholestring_study::{ColumnName, Quantity, Source};
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{
-    page::dimensions::{of_kind, pretty},
-    sweep::SCALARS,
-};
+use crate::{checks::quantities::dimension, page::dimensions::pretty, sweep::SCALARS};
 
 /// How many findings of each level there are.
 pub(super) const FINDINGS: [&str; 3] = ["errors", "warnings", "notes"];
@@ -48,7 +45,7 @@ fn declared() -> impl Iterator<Item = (Source, outcome::Quantity)> {
 /// Every column that a study may show.
 pub(super) fn all() -> Vec<ColumnName> {
     declared()
-        .map(|(source, of)| ColumnName { source, name: of.name, dimension: of_kind(of.kind) })
+        .map(|(source, of)| ColumnName { source, name: of.name, dimension: dimension(of.kind) })
         .collect()
 }
 

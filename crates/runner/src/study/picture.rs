@@ -1,7 +1,7 @@
 //! A figure of a study as a picture.
 
 use wholestring_report::{
-    Level as Grave,
+    Severity as Grave,
     figure::{
         Axis, Direction, Figure as Picture, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape,
     },

@@ -7,12 +7,12 @@ use std::{
 };
 
 use wholestring::outcome::{ModelKind, Values, WELL_PATH};
-use wholestring_results::{Level, OperationSummary, ResultsError, Status, Summary, Table};
+use wholestring_results::{OperationSummary, ResultsError, Severity, Status, Summary, Table};
 use wholestring_study::{Chosen, Quantity, Selection, Source, Statistic};
 
 use crate::{
+    checks,
     column::{numbers, words},
-    findings,
     page::well::WellBore,
 };
 
@@ -47,7 +47,7 @@ impl CaseResult {
 
     /// Whether an error was found in it.
     pub(super) fn has_error(&self) -> bool {
-        findings::count(&self.solved, Level::Error) > 0
+        checks::has_error(&self.solved)
     }
 
     /// The value of a varied key.
@@ -78,9 +78,9 @@ impl CaseResult {
     }
 
     fn scalar(&self, name: &str) -> Option<f64> {
-        for level in [Level::Error, Level::Warning, Level::Note] {
+        for level in [Severity::Error, Severity::Warning, Severity::Note] {
             if name.strip_suffix('s') == Some(level.name()) {
-                return Some(findings::count(&self.solved, level) as f64);
+                return Some(checks::count(&self.solved, level) as f64);
             }
         }
         let solved = serde_json::to_value(&self.solved).ok()?;

@@ -20,7 +20,7 @@ use super::{
 use crate::{
     batch::{BatchOptions, BatchOutcome, CaseWithErrors, FailedCase},
     cancellation::CancellationToken,
-    findings,
+    checks,
     observer::{Observer, Watch},
     parallel::{in_parallel, lock},
     run::Stop,
@@ -187,8 +187,8 @@ impl Cases {
                     .failed
                     .extend(reason.map(|reason| FailedCase { name: self.label(case), reason })),
             }
-            let wrong = solved.iter().filter(|of| findings::is_wrong(of));
-            let operations: Vec<String> = wrong.map(findings::name).collect();
+            let wrong = solved.iter().filter(|of| checks::has_error(of));
+            let operations: Vec<String> = wrong.map(checks::name).collect();
             if !operations.is_empty() {
                 outcome.with_errors.push(CaseWithErrors { name: self.label(case), operations });
             }

@@ -58,7 +58,7 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
         };
         others.iter().filter_map(number).collect()
     };
-    // A sweep of before findings has no such columns.
+    // A sweep of before checks has no such columns.
     let count =
         |name: &str, row: usize| word(name, row).parse::<f64>().map_or(0, |many| many as usize);
     // Cases that keep no page of their own have none to lead to.
@@ -76,7 +76,11 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
             numbers: numbers(row),
             errors: count("errors", row),
             warnings: count("warnings", row),
-            finding: word("worst_finding_message", row),
+            check: match word("worst_check_sentence", row) {
+                // As earlier versions called it.
+                sentence if sentence.is_empty() => word("worst_finding_message", row),
+                sentence => sentence,
+            },
             page: page(&word("folder", row)),
         })
         .collect();

@@ -16,8 +16,8 @@ const WORDS: [(&str, &str); 8] = [
     ("model", "The model that solved it."),
     ("operation", "The operation."),
     ("drifting", "The quantities that drift over the window."),
-    ("worst_finding", "Kind of the gravest finding."),
-    ("worst_finding_message", "The gravest finding in a sentence."),
+    ("worst_check", "Kind of the most severe check."),
+    ("worst_check_sentence", "The most severe check in a sentence."),
     ("status", "How it ended: complete, interrupted or failed."),
     ("message", "Why it failed."),
     ("folder", "Name of the case's folder."),
@@ -30,8 +30,8 @@ const NUMBERS: [(&str, &str, &str); 7] = [
     ("lift_hook_load_N", "N", "The hook load that the lift is tuned to."),
     ("lift_weight_on_bit_N", "N", "The weight on bit that the tuned lift gives."),
     ("lift_runs", "", "The runs that it took to find the lift."),
-    ("errors", "", "Findings that are errors."),
-    ("warnings", "", "Findings that are warnings."),
+    ("errors", "", "Checks that are errors."),
+    ("warnings", "", "Checks that are warnings."),
 ];
 
 /// Reads the `sweep.csv` of a folder, and says how many of its columns, from the first, were

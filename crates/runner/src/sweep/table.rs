@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 use wholestring::{dynamics::DynamicOutcome, outcome};
-use wholestring_results::{Column, Level, OperationSummary, Table};
+use wholestring_results::{Column, OperationSummary, Severity, Table};
 
 use super::indicators::{INDICATORS, Indicator};
 
@@ -47,17 +47,18 @@ struct Row {
 }
 
 impl Row {
-    /// How many findings of a level there are; none where nothing was solved.
-    fn findings(&self, level: Level) -> Option<f64> {
-        let found = self.solved.get("findings")?.as_array()?.iter();
-        Some(found.filter(|of| of["level"] == level.name()).count() as f64)
+    /// Number of checks of a severity; none where nothing was solved.
+    fn checks(&self, severity: Severity) -> Option<f64> {
+        let checks = self.solved.get("checks")?.as_array()?.iter();
+        Some(checks.filter(|check| check["severity"] == severity.name()).count() as f64)
     }
 
-    /// What is reported of the gravest finding.
+    /// A word of the most severe check that needs attention.
     fn worst(&self, key: &str) -> String {
-        let found = self.solved.get("findings").and_then(Value::as_array);
-        let worst = found.and_then(|found| found.first());
-        let word = worst.and_then(|of| of[key].as_str());
+        let checks = self.solved.get("checks").and_then(Value::as_array);
+        let worst = checks.and_then(|checks| checks.first());
+        let worst = worst.filter(|check| check["severity"] != Severity::Ok.name());
+        let word = worst.and_then(|check| check[key].as_str());
         word.unwrap_or_default().to_owned()
     }
 }
@@ -102,7 +103,7 @@ impl SweepTable {
     }
 
     /// The table: varied keys, model and operation, scalars, statistics, where the window begins
-    /// and what drifts in it, indicators, the lift, findings, how it ended, and where the rest of it lies.
+    /// and what drifts in it, indicators, the lift, checks, how it ended, and where the rest of it lies.
     pub(crate) fn table(&self) -> Table {
         let text = |name: &str, of: &dyn Fn(&Row) -> String| {
             Column::words(name, self.rows.iter().map(of).collect())
@@ -148,10 +149,10 @@ impl SweepTable {
                 row.solved.get("lift")?.get(name)?.as_f64()
             }));
         }
-        for (name, level) in [("errors", Level::Error), ("warnings", Level::Warning)] {
-            columns.push(number(name.to_owned(), &|row| row.findings(level)));
+        for (name, severity) in [("errors", Severity::Error), ("warnings", Severity::Warning)] {
+            columns.push(number(name.to_owned(), &|row| row.checks(severity)));
         }
-        for (name, key) in [("worst_finding", "kind"), ("worst_finding_message", "message")] {
+        for (name, key) in [("worst_check", "kind"), ("worst_check_sentence", "sentence")] {
             columns.push(text(name, &|row| row.worst(key)));
         }
         columns.extend(["status", "message"].map(word));

@@ -1,6 +1,7 @@
 //! What uncertain numbers come to, as pages show it.
 
-use wholestring_plan::{limits::LimitKind, reach::Limit};
+use wholestring_judge::CheckKind;
+use wholestring_plan::reach::Limit;
 use wholestring_report::{Uncertain, UncertainNumber, UncertainShares};
 use wholestring_results::{UncertainBand, UncertainStop, UncertainSummary};
 
@@ -23,7 +24,7 @@ pub(crate) fn shown(of: &UncertainSummary, names: &Names) -> Uncertain {
 fn limit(name: &str, of_reach: bool) -> &str {
     let found = match of_reach {
         true => Limit::ALL.iter().find(|of| of.name() == name).map(|of| of.title()),
-        false => LimitKind::ALL.iter().find(|of| of.name() == name).map(|of| of.label()),
+        false => CheckKind::named(name).map(CheckKind::label),
     };
     found.unwrap_or(name)
 }

@@ -16,7 +16,7 @@ use super::{
 /// What a case comes to.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Answer {
-    /// Each operation by each model, as `summary.json` has it, with its findings.
+    /// Each operation by each model, as `summary.json` has it, with its checks.
     #[schema(value_type = Vec<Object>)]
     operations: serde_json::Value,
     /// Values along the string, an operation by a model each.

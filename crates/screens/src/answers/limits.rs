@@ -6,7 +6,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 use wholestring::{operation::Operation, statics::soft::SoftString};
 use wholestring_case::Case;
-use wholestring_plan::limits::{self, LimitKind, LoadCheck};
+use wholestring_judge::{Check, CheckKind, Checks};
 
 /// The limits of an operation.
 #[derive(Debug, Serialize, ToSchema)]
@@ -19,29 +19,33 @@ pub struct OperationLimits {
     unchecked: Vec<Unchecked>,
 }
 
-/// A load against what bears it.
+/// A load against its capacity.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Limit {
-    /// What it is of, as `plan_limits.parquet` has it: `hoist`, `von_mises`, ...
+    /// Kind of limit, as `plan_limits.parquet` has it: `hoist`, `von_mises`, ...
     kind: &'static str,
     /// The same for people.
     label: &'static str,
     /// The component; null of the rig.
     component: Option<String>,
-    /// Where, measured depth, m; null of the rig.
+    /// Measured depth of the place, m; null of the rig.
     md_m: Option<f64>,
     /// Dimension of load and capacity: `force`, `torque`, `pressure`.
     dimension: &'static str,
     /// The load, SI.
     load: f64,
-    /// What is borne, SI.
+    /// The capacity, SI.
     capacity: f64,
-    /// Capacity over load that is to be kept.
+    /// Required capacity over load.
     required: f64,
-    /// Capacity over load, over what is required: the load may grow by it. Less than 1 is too little.
+    /// Capacity over load, over the required one: the load may grow by it. Less than 1 is too little.
     reserve: f64,
-    /// `kept`, `near`, `short` or `passed`.
-    standing: &'static str,
+    /// `OK`, `marginal`, `below required factor` or `exceeded`.
+    verdict: &'static str,
+    /// `ok`, `note`, `warning` or `error`.
+    severity: &'static str,
+    /// The same as a sentence, in the units of the case.
+    sentence: String,
 }
 
 /// What is not known, and of which components; of the rig where there are none.
@@ -55,52 +59,52 @@ pub struct Unchecked {
 
 /// The limits of every operation of a case that the soft string has an answer for.
 pub fn of_operations(case: &Case) -> Vec<OperationLimits> {
-    let found = |operation: &Operation| {
+    let judge = case.judge(case.units);
+    let limits = |operation: &Operation| {
         let string = SoftString::new(&case.model, operation.bit_depth_m, &case.soft).ok()?;
         let loads = string.loads(operation).ok()?;
-        let settings = &case.plan.limits;
-        let found = limits::limits_of_soft(&case.model, operation, &loads, settings);
+        let checks = judge.soft_limits(&case.model, operation, &loads);
         Some(OperationLimits {
             operation: operation.kind.name().to_owned(),
-            limits: worst_of(case, &found),
-            unchecked: unchecked(case, &found),
+            limits: worst_of(&checks),
+            unchecked: unchecked(&checks),
         })
     };
-    case.operations.iter().filter_map(found).collect()
+    case.operations.iter().filter_map(limits).collect()
 }
 
-fn name(case: &Case, component: usize) -> Option<String> {
-    Some(case.model.string.components().get(component)?.name.clone())
-}
-
-fn worst_of(case: &Case, found: &limits::Limits) -> Vec<Limit> {
-    let limit = |of: &LoadCheck| Limit {
-        kind: of.kind.name(),
-        label: of.kind.label(),
-        component: of.component.and_then(|component| name(case, component)),
-        md_m: of.md_m,
-        dimension: of.kind.quantity().dimension(),
-        load: of.load,
-        capacity: of.capacity,
-        required: of.required,
-        reserve: of.reserve(),
-        standing: of.level.name(),
+fn worst_of(checks: &Checks) -> Vec<Limit> {
+    let limit = |check: &Check| {
+        Some(Limit {
+            kind: check.kind.name(),
+            label: check.kind.label(),
+            component: check.component.clone(),
+            md_m: check.md_m,
+            dimension: check.kind.quantity().dimension(),
+            load: check.value?,
+            capacity: check.limit?,
+            required: check.required?,
+            reserve: check.reserve(),
+            verdict: check.verdict.words(),
+            severity: check.severity.name(),
+            sentence: check.sentence.clone(),
+        })
     };
-    LimitKind::ALL.iter().filter_map(|kind| found.worst(*kind)).map(limit).collect()
+    CheckKind::LIMITS.iter().filter_map(|kind| limit(checks.worst(*kind)?)).collect()
 }
 
-fn unchecked(case: &Case, found: &limits::Limits) -> Vec<Unchecked> {
+fn unchecked(checks: &Checks) -> Vec<Unchecked> {
     let mut all: BTreeMap<&str, Vec<String>> = BTreeMap::new();
-    for of in &found.unchecked {
-        let components = all.entry(of.missing.words()).or_default();
-        if let Some(component) = of.component.and_then(|component| name(case, component))
-            && !components.contains(&component)
+    for lack in &checks.unchecked {
+        let components = all.entry(lack.missing.words()).or_default();
+        if let Some(component) = &lack.component
+            && !components.contains(component)
         {
-            components.push(component);
+            components.push(component.clone());
         }
     }
-    let of = |(missing, components)| Unchecked { missing, components };
-    all.into_iter().map(of).collect()
+    let row = |(missing, components)| Unchecked { missing, components };
+    all.into_iter().map(row).collect()
 }
 
 #[cfg(test)]
@@ -132,7 +136,7 @@ mod tests {
         // Both are sums of the same loads along the string, in another order.
         assert!((hoist.load / hangs_N - 1.0).abs() < 1e-12, "{} {hangs_N}", hoist.load);
         assert!((hoist.reserve * hoist.required - 2.0).abs() < 1e-12, "{}", hoist.reserve);
-        assert_eq!((hoist.dimension, hoist.standing), ("force", "kept"));
+        assert_eq!((hoist.dimension, hoist.verdict), ("force", "OK"));
     }
 
     #[test]

@@ -46,7 +46,7 @@ def limits(
             "factors": {"tension": 1 / part_of_yield},
         },
     ).plan()
-    return {of.kind: of.capacity for of in plan.worst_limits}
+    return {check.kind: check.limit for check in plan.checks if check.factor is not None}
 
 
 def pipe_strength(inputs: Inputs, expected: Mapping[str, Any]) -> dict[str, Any]:

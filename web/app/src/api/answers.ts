@@ -8,13 +8,15 @@ import { part } from "./client";
 /** Numbers of a column. */
 export type Numbers = (number | null)[];
 
-/** Something that an engineer must know. */
-export interface Finding {
+export type Severity = "ok" | "note" | "warning" | "error";
+
+/** A check of an operation. */
+export interface Check {
   kind: string;
-  level: "error" | "warning" | "note";
+  severity: Severity;
   md_m: number | null;
   to_md_m: number | null;
-  message: string;
+  sentence: string;
 }
 
 export type Model = "soft" | "stiff";
@@ -26,7 +28,7 @@ export interface Solved {
   status: "complete" | "interrupted" | "failed";
   /** Why it has no answer. */
   message?: string;
-  findings: Finding[];
+  checks: Check[];
   hook_load_N: number | null;
   surface_torque_N_m: number | null;
   axial_friction_N: number | null;
@@ -64,7 +66,7 @@ export interface Well {
   string: StringPart[];
 }
 
-/** A load against what bears it; the load may grow by `reserve`. */
+/** A load against its capacity; the load may grow by `reserve`. */
 export interface Limit {
   kind: string;
   label: string;
@@ -75,7 +77,9 @@ export interface Limit {
   capacity: number;
   required: number;
   reserve: number;
-  standing: "kept" | "near" | "short" | "passed";
+  verdict: string;
+  severity: Severity;
+  sentence: string;
 }
 
 export interface OperationLimits {

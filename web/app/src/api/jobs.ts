@@ -70,11 +70,12 @@ export interface Batch {
   left_s: number | null;
 }
 
-export interface Finding {
-  level: string;
+/** A check that needs attention, once for all the places where it does. */
+export interface FoundCheck {
+  severity: string;
   kind: string;
-  of: string;
-  message: string;
+  name: string;
+  sentence: string;
   times: number;
 }
 
@@ -83,7 +84,7 @@ export interface Progress {
   batch: Batch | null;
   notes: string[];
   warnings: string[];
-  findings: Finding[];
+  checks: FoundCheck[];
 }
 
 export type JobState = "waiting" | "running" | "finished" | "stopped" | "interrupted" | "failed" | "refused";

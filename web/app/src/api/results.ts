@@ -2,7 +2,7 @@
 
 import { request } from "#asked";
 import { part } from "./client";
-import type { Finding } from "./jobs";
+import type { FoundCheck } from "./jobs";
 import type { UnitSet } from "../settings.svelte";
 
 export interface ResultsInList {
@@ -27,7 +27,7 @@ export interface ResultsFile {
 }
 
 export interface Results extends ResultsInList {
-  findings: Finding[];
+  checks: FoundCheck[];
   files: ResultsFile[];
 }
 

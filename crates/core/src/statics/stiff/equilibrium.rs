@@ -59,6 +59,14 @@ impl Equilibrium {
 }
 
 impl Equilibrium {
+    /// This state, with the element that its compression buckles most in its convergence.
+    pub(super) fn with_buckled_element(mut self) -> Self {
+        let md_m = |node: usize| self.string.nodes[node].md_m;
+        let compression_N = |index: usize| -self.state.tension_N[index];
+        self.convergence.buckled_element = BuckledElement::most(&self.mesh, md_m, compression_N);
+        self
+    }
+
     /// Whether a string has this one's mesh: that of its length, by the same settings.
     pub(super) fn is_like(&self, model: &Model, settings: &StiffSettings) -> bool {
         self.settings == *settings

@@ -41,7 +41,7 @@ pub(super) fn of_least_energy(mut found: Equilibrium, equations: &mut Equations)
         if let Some((convergence, state)) = lower {
             least_J = energy_J(&found.string, &state);
             let hook_load_N = equations.hook_load_N;
-            found = Equilibrium { state, convergence, hook_load_N, ..found };
+            found = Equilibrium { state, convergence, hook_load_N, ..found }.with_buckled_element();
             match Snake::of(&found) {
                 Some(next) => snake = next,
                 None => break,

@@ -13,7 +13,7 @@ use super::{
 use crate::{
     model::Model,
     operation::Operation,
-    rod::{buckled_element::BuckledElement, mesh::Mesh},
+    rod::mesh::Mesh,
     sizing::{Accuracy, ElementLength, SizeReason, Sizing},
     statics::{
         buckling::{self, Pushed},
@@ -246,10 +246,8 @@ impl Task<'_> {
         convergence: Convergence,
     ) -> Equilibrium {
         let (settings, hook_load_N) = (*self.settings, equations.hook_load_N);
-        let md_m = |node: usize| string.nodes[node].md_m;
-        let buckled_element = BuckledElement::most(&mesh, md_m, |index| -state.tension_N[index]);
-        let convergence = Convergence { buckled_element, ..convergence };
-        Equilibrium { settings, mesh, string, state, hook_load_N, convergence }
+        let found = Equilibrium { settings, mesh, string, state, hook_load_N, convergence };
+        found.with_buckled_element()
     }
 
     /// Whether the soft string bears so many times its helical load that nothing is looked for

@@ -5,10 +5,9 @@ use wholestring_tabular::{CheckSeverity, ReadingCheck, row_names};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
-    dimension, median, shown,
+    text::{dimension, median, shown, words},
     trial::{Block, MOST, Trial, rows, weight_rows},
     units::is_free,
-    words,
 };
 use crate::readings::Readings;
 

@@ -8,7 +8,7 @@ use wholestring_units::{Dimension, UnitSet};
 
 use super::{
     super::notes::{dimension as of_kind, size},
-    dimension, median, shown, warning, whole,
+    text::{dimension, median, shown, warning, whole},
 };
 use crate::readings::Readings;
 

@@ -6,15 +6,18 @@
 
 mod block;
 mod found;
+mod text;
 mod trial;
 mod units;
 
-use wholestring_plan::calibration::{Channel, Settings};
+use wholestring_judge::{Check, CheckKind, Severity};
+use wholestring_plan::calibration::Settings;
 use wholestring_results as results;
 use wholestring_tabular::{CheckSeverity, ReadingCheck};
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::UnitSet;
 
 pub(super) use found::of_fit;
+pub(super) use text::{median, shown, warning};
 
 use crate::{
     cancellation::CancellationToken,
@@ -22,18 +25,6 @@ use crate::{
     readings::{Readings, refused},
 };
 use trial::Trial;
-
-/// A warning that is not a matter of single readings.
-pub(super) fn warning(kind: &'static str, sentence: String) -> ReadingCheck {
-    ReadingCheck {
-        kind,
-        severity: CheckSeverity::Warning,
-        places: Vec::new(),
-        value: None,
-        limit: None,
-        sentence,
-    }
-}
 
 /// Checks of readings against what the string in this hole gives with any friction. Readings that it cannot give
 /// are left out; the others are refused where a whole column is none.
@@ -67,13 +58,16 @@ pub(super) fn by_string(
 pub(super) fn recorded(checks: &[ReadingCheck]) -> Vec<results::ReadingCheck> {
     let mut sorted: Vec<&ReadingCheck> = checks.iter().collect();
     sorted.sort_by_key(|of| std::cmp::Reverse(of.severity));
-    let recorded = sorted.into_iter().map(|of| results::ReadingCheck {
-        kind: of.kind.to_owned(),
-        severity: of.severity.name().to_owned(),
-        lines: of.places.clone(),
-        value: of.value,
-        limit: of.limit,
-        sentence: of.sentence.clone(),
+    let recorded = sorted.into_iter().map(|found| {
+        let severity = match found.severity {
+            CheckSeverity::Note => Severity::Note,
+            CheckSeverity::Warning => Severity::Warning,
+            CheckSeverity::Error => Severity::Error,
+        };
+        let numbers = [found.value, found.limit];
+        let kind = CheckKind::named(found.kind).unwrap_or(CheckKind::Calibration);
+        let check = Check::of_readings(kind, severity, numbers, found.sentence.clone());
+        results::ReadingCheck { lines: found.places.clone(), check }
     });
     recorded.collect()
 }
@@ -82,44 +76,4 @@ pub(super) fn recorded(checks: &[ReadingCheck]) -> Vec<results::ReadingCheck> {
 pub(super) fn sentences(checks: &[ReadingCheck], severity: CheckSeverity) -> Vec<String> {
     let of = checks.iter().filter(|of| of.severity == severity);
     of.map(|of| of.sentence.clone()).collect()
-}
-
-/// What a channel's readings measure.
-pub(super) fn dimension(channel: Channel) -> Dimension {
-    if channel.is_torque() { Dimension::Torque } else { Dimension::Force }
-}
-
-/// A channel in a sentence.
-pub(super) fn words(channel: Channel) -> &'static str {
-    match channel {
-        Channel::PickUp => "pick-up weight",
-        Channel::SlackOff => "slack-off weight",
-        Channel::Rotating => "rotating weight",
-        Channel::OffBottomTorque => "torque off bottom",
-        Channel::OnBottomTorque => "torque on bottom",
-    }
-}
-
-/// A number in three digits, with its unit.
-pub(super) fn shown(value: f64, dimension: Dimension, units: UnitSet) -> String {
-    let unit = dimension.unit_in(units);
-    let value = unit.from_si(value);
-    let digits = 2 - libm::log10(value.abs().max(1e-9)).floor() as i32;
-    format!("{value:.*} {}", digits.clamp(0, 6) as usize, unit.symbol)
-}
-
-/// A depth in whole units.
-pub(super) fn whole(depth_m: f64, units: UnitSet) -> String {
-    let unit = Dimension::Length.unit_in(units);
-    format!("{:.0} {}", unit.from_si(depth_m), unit.symbol)
-}
-
-/// The value in the middle; zero of none.
-pub(super) fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    match values.len() {
-        0 => 0.0,
-        count if count % 2 == 1 => values[count / 2],
-        count => 0.5 * (values[count / 2 - 1] + values[count / 2]),
-    }
 }

@@ -8,9 +8,8 @@ use wholestring_tabular::{CheckSeverity, ReadingCheck};
 use wholestring_units::{Dimension, Unit, UnitSet};
 
 use super::{
-    dimension, median, shown,
+    text::{dimension, median, shown, whole, words},
     trial::{Block, MOST, Trial, rows, weight_rows},
-    whole, words,
 };
 use crate::readings::Readings;
 

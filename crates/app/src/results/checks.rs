@@ -1,0 +1,73 @@
+//! The checks of results, whatever command left them.
+
+use std::{fs, path::Path};
+
+use serde::Serialize;
+use serde_json::Value;
+use utoipa::ToSchema;
+use wholestring_results::checks_of;
+
+/// Longer summaries are not looked through, bytes.
+const LONGEST: u64 = 16 << 20;
+
+/// Checks that are listed.
+const LISTED: usize = 200;
+
+/// A check that needs attention, once for all the depths at which it does.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub(crate) struct Found {
+    /// `error`, `warning` or `note`.
+    severity: &'static str,
+    /// Kind of check, as a word for programs: `helical_buckling`.
+    kind: &'static str,
+    /// The operation and the model: `trip in (soft)`.
+    name: String,
+    /// A sentence, of the first place.
+    sentence: String,
+    /// Number of places.
+    times: usize,
+}
+
+impl Found {
+    /// Whether it is of this severity.
+    pub(super) fn is(&self, severity: &str) -> bool {
+        self.severity == severity
+    }
+}
+
+/// The summary of a folder of results as JSON; none where there is none yet.
+pub(super) fn summary(folder: &Path) -> Option<Value> {
+    let path = folder.join("summary.json");
+    if fs::metadata(&path).ok()?.len() > LONGEST {
+        return None;
+    }
+    serde_json::from_slice(&fs::read(path).ok()?).ok()
+}
+
+/// The checks that need attention in a folder of results, the most severe first.
+pub(crate) fn checks(folder: &Path) -> Vec<Found> {
+    summary(folder).map_or_else(Vec::new, |summary| of_summary(&summary))
+}
+
+/// The same of its summary.
+pub(super) fn of_summary(summary: &Value) -> Vec<Found> {
+    let mut found: Vec<Found> = Vec::new();
+    for named in checks_of(summary).into_iter().filter(|named| !named.check.is_ok()) {
+        let (severity, kind) = (named.check.severity.name(), named.check.kind.name());
+        let is_same = |one: &&mut Found| {
+            one.severity == severity && one.kind == kind && one.name == named.name
+        };
+        match found.iter_mut().find(is_same) {
+            Some(known) => known.times += 1,
+            None => found.push(Found {
+                severity,
+                kind,
+                name: named.name,
+                sentence: named.check.sentence,
+                times: 1,
+            }),
+        }
+    }
+    found.truncate(LISTED);
+    found
+}

@@ -1,0 +1,172 @@
+//! What is reported of an answer: in the summary, on the screen, in `sweep.csv`, in studies, and as
+//! an exit status.
+
+use std::{collections::BTreeSet, fs, path::Path};
+
+use wholestring::outcome::ModelKind;
+use wholestring_results::{Check, CheckKind, OperationSummary, Severity};
+
+use crate::{
+    desk::{Desk, args},
+    run::SOFT,
+    sweep::split,
+};
+
+/// A lateral of 4500 m: what is wrong with it must be said by either model.
+fn lateral() -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let case = root.join("lateral-that-cannot-be-drilled.toml");
+    case.to_str().unwrap().to_owned()
+}
+
+fn kinds(solved: &OperationSummary, severity: Severity) -> BTreeSet<CheckKind> {
+    let checks = solved.checks.iter().filter(|check| check.severity == severity);
+    checks.map(|check| check.kind).collect()
+}
+
+fn found(solved: &OperationSummary, kind: CheckKind) -> &Check {
+    let mut all = solved.checks.iter().filter(|check| check.kind == kind);
+    all.next().unwrap_or_else(|| panic!("no {kind:?}: {:?}", solved.checks))
+}
+
+#[test]
+fn the_lateral_that_cannot_be_drilled_says_so() {
+    let desk = Desk::new();
+    let output = desk.done(&["run", &lateral(), "-o", "results"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    let summary = desk.summary("results");
+    let solved = |operation: &str, model| {
+        let mut all = summary.operations.iter();
+        let of = all.find(|of| of.operation == operation && of.model == model);
+        of.unwrap_or_else(|| panic!("{operation}"))
+    };
+    for operation in ["trip_in", "slide"] {
+        for model in [ModelKind::Soft, ModelKind::Dynamic] {
+            let of = solved(operation, model);
+            let errors = kinds(of, Severity::Error);
+            assert!(
+                errors.is_superset(&[CheckKind::GoesDown, CheckKind::LockUp].into()),
+                "{errors:?}"
+            );
+            let negative = found(of, CheckKind::GoesDown);
+            assert_eq!(negative.value, Some(of.scalars.hook_load_N));
+            let buckled = found(of, CheckKind::HelicalBuckling);
+            assert!(buckled.value > buckled.limit);
+            // In the vertical part, into the build at least, and round the heel.
+            assert!(buckled.md_m.unwrap() < 300.0, "{buckled:?}");
+            assert!(of.checks.windows(2).all(|pair| pair[0].severity >= pair[1].severity));
+            let sentence = "The string does not go down by its weight: hook load ";
+            let named = |line: &str| {
+                line.starts_with(&format!("error: {} (", operation.replace('_', " ")))
+                    && line.contains(model.name())
+                    && line.contains(sentence)
+            };
+            assert!(text.lines().any(named), "{text}");
+        }
+    }
+    let slide = solved("slide", ModelKind::Dynamic);
+    let weight = found(slide, CheckKind::WeightOnBitNotReached);
+    assert_eq!(weight.severity, Severity::Error);
+    assert_eq!(weight.value, Some(slide.scalars.weight_on_bit_N));
+    assert!((weight.limit.unwrap() / 49_033.25 - 1.0).abs() < 1e-9);
+    // The most severe come first on the screen.
+    let levels = text.lines().filter_map(|line| {
+        let places = [Severity::Error, Severity::Warning, Severity::Note].into_iter();
+        places.into_iter().find(|level| line.starts_with(&format!("{}: ", level.name())))
+    });
+    let levels: Vec<Severity> = levels.collect();
+    assert!(levels.len() > 8 && levels.is_sorted_by(|a, b| a >= b), "{levels:?}");
+}
+
+#[test]
+fn strict_ends_with_four() {
+    let desk = Desk::new();
+    let lateral = lateral();
+    let arguments = [&["run", &lateral, "-o", "results", "--strict"], &SOFT[..]].concat();
+    let output = desk.run(&arguments);
+    assert_eq!(output.status.code(), Some(4));
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(told, "error: errors were found: trip in (soft), slide (soft)\n");
+    // All results are there.
+    assert_eq!(desk.summary("results").operations.len(), 2);
+    assert!(desk.path("results/report.html").exists());
+
+    let valid = [&["run", "slant.toml", "--strict"], &SOFT[..]].concat();
+    let output = desk.run(&valid);
+    assert_eq!(output.status.code(), Some(0));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(!text.contains("error") && !text.contains("warning"), "{text}");
+    for of in desk.summary("out/Straight slant").operations {
+        assert_eq!(of.open_checks().next(), None);
+    }
+}
+
+/// A string slides down a hole of 60° by its weight as long as its friction is below `1/tan 60°`,
+/// 0.577.
+#[test]
+fn a_sweep_counts_what_was_found() {
+    let desk = Desk::new();
+    let arguments = |more: &[&'static str]| {
+        let sweep = args("sweep slant.toml --vary friction=0.25,0.6 -o results");
+        [&sweep[..], &["--set", "operation.kind=trip_in"], &SOFT, more].concat()
+    };
+    let output = desk.run(&arguments(&["--strict"]));
+    assert_eq!(output.status.code(), Some(4));
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(told, "error: errors were found in 1 of 2 cases\n  friction=0.6: trip in (soft)\n");
+    let text = desk.text("results/sweep.csv");
+    let mut lines = text.lines().map(split);
+    let heads = lines.next().unwrap();
+    let place = |name: &str| heads.iter().position(|head| head == name).expect(name);
+    let rows: Vec<Vec<String>> = lines.collect();
+    let cell = |row: usize, name: &str| rows[row][place(name)].as_str();
+    assert_eq!([cell(0, "errors"), cell(0, "warnings")], ["0", "0"]);
+    assert_eq!([cell(0, "worst_check"), cell(0, "worst_check_sentence")], [""; 2]);
+    assert_eq!([cell(1, "errors"), cell(1, "warnings")], ["2", "0"]);
+    assert_eq!(cell(1, "worst_check"), "goes_down");
+    let message = cell(1, "worst_check_sentence");
+    assert!(message.starts_with("The string does not go down by its weight"), "{message}");
+
+    assert_eq!(desk.run(&arguments(&["--resume"])).status.code(), Some(0));
+    let strict = desk.run(&arguments(&["--resume", "--strict"]));
+    assert_eq!(strict.status.code(), Some(4), "what was solved before counts too");
+}
+
+#[test]
+fn a_study_shows_the_numbers_of_checks() {
+    let desk = Desk::new();
+    let study = r#"
+name = "Which goes down"
+
+[[sweep]]
+name = "slant"
+case = "slant.toml"
+set = { model = "soft", "operation.kind" = "trip_in" }
+vary = { friction = [0.25, 0.6] }
+
+[[table]]
+title = "Errors"
+
+[[table.row]]
+label = "little friction"
+column = "errors"
+only = { friction = 0.25 }
+
+[[table.row]]
+label = "much friction"
+column = "errors"
+only = { friction = 0.6 }
+"#;
+    fs::write(desk.path("study.toml"), study).unwrap();
+    let output = desk.run(&["study", "study.toml", "-o", "results"]);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{told}");
+    let table = desk.text("results/tables/table-01.csv");
+    let mut lines = table.lines().map(split);
+    let heads = lines.next().unwrap();
+    let place = heads.iter().position(|head| head == "computed").unwrap();
+    let computed: Vec<String> = lines.map(|row| row[place].clone()).collect();
+    assert_eq!(computed, ["0", "2"]);
+    let strict = desk.run(&args("study study.toml -o results --resume --strict"));
+    assert_eq!(strict.status.code(), Some(4));
+}

@@ -1,0 +1,125 @@
+//! Compression against the critical loads of its place.
+
+use wholestring::{
+    model::Model,
+    operation::Operation,
+    outcome::Profile,
+    statics::buckling::{Place, Shape},
+};
+
+use crate::{
+    Check, CheckKind, LimitSettings, Severity,
+    interval::{Interval, beyond_one},
+};
+
+/// A stretch shorter than this is a note, m: a joint of pipe, of which no wave is shorter.
+const SHORTEST_M: f64 = 10.0;
+
+/// The compression along a string, and what it is compared with.
+pub struct Line<'a> {
+    model: &'a Model,
+    bit_depth_m: f64,
+    profile: &'a Profile,
+    /// Compression over the critical load, by row.
+    sinusoidal: Vec<f64>,
+    helical: Vec<f64>,
+}
+
+impl<'a> Line<'a> {
+    /// Of the tensions of a profile, of a dynamic run its means, and its critical loads.
+    pub fn of(model: &'a Model, operation: &Operation, profile: &'a Profile) -> Self {
+        let over = |loads_N: &[Option<f64>]| -> Vec<f64> {
+            let rows = profile.tension_N.iter().zip(loads_N);
+            let over = |(tension_N, load_N): (&f64, &Option<f64>)| match load_N {
+                Some(load_N) if *tension_N < 0.0 => -tension_N / load_N,
+                _ => 0.0,
+            };
+            rows.map(over).collect()
+        };
+        Self {
+            model,
+            bit_depth_m: operation.bit_depth_m,
+            profile,
+            sinusoidal: over(&profile.sinusoidal_load_N),
+            helical: over(&profile.helical_load_N),
+        }
+    }
+
+    /// Whether a row is beyond the load that its weight holds in a vertical hole, and the wall
+    /// holds no more under that compression.
+    fn is_bowed_by_weight_alone(&self, row: usize) -> bool {
+        let place = Place::above(self.model, self.bit_depth_m, self.profile.md_m[row]);
+        let place = place.seen_by(self.model.buckling);
+        let wall_load_N_per_m = place.wall_load_N_per_m(-self.profile.tension_N[row]);
+        place.threshold_N(Shape::Sinusoidal, wall_load_N_per_m)
+            <= place.vertical_load_N(Shape::Sinusoidal) * (1.0 + 1e-9)
+    }
+
+    fn component_at(&self, row: usize) -> &'a str {
+        let from_bit_m = self.bit_depth_m - self.profile.md_m[row];
+        &self.model.string.component_at(from_bit_m).1.name
+    }
+}
+
+/// The buckled stretches, those of the helix first; of a shape in which nothing is buckled the place
+/// with the least reserve. A bow in a vertical hole is not reported where the same stretch is a
+/// helix.
+pub fn checks(line: &Line<'_>, settings: &LimitSettings) -> Vec<Check> {
+    let of_kind = |kind, over: &[f64]| -> Vec<Check> {
+        let intervals = beyond_one(&line.profile.md_m, over);
+        if intervals.is_empty() {
+            return nearest(line, kind, over, settings).into_iter().collect();
+        }
+        let stretches = intervals.iter();
+        stretches.filter_map(|interval| stretch(line, kind, over, interval, settings)).collect()
+    };
+    let mut checks = of_kind(CheckKind::HelicalBuckling, &line.helical);
+    let bowed = of_kind(CheckKind::SinusoidalBuckling, &line.sinusoidal);
+    let is_helix = |bow: &Check| {
+        let mut helices = checks.iter().filter(|helix| helix.to_md_m.is_some());
+        helices.any(|helix| helix.md_m < bow.to_md_m && bow.md_m < helix.to_md_m)
+    };
+    let reported = bowed.into_iter();
+    let reported = reported.filter(|bow| bow.severity != Severity::Note || !is_helix(bow));
+    let reported: Vec<Check> = reported.collect();
+    checks.extend(reported);
+    checks
+}
+
+fn stretch(
+    line: &Line<'_>,
+    kind: CheckKind,
+    over: &[f64],
+    interval: &Interval,
+    settings: &LimitSettings,
+) -> Option<Check> {
+    let worst = interval.worst;
+    let check = at_row(line, kind, over, worst, settings)?.over(interval.md_m);
+    let short = interval.md_m[1] - interval.md_m[0] < SHORTEST_M;
+    // Collars bow in every vertical hole as soon as they press on the bit, and drill on.
+    let bows = kind == CheckKind::SinusoidalBuckling && line.is_bowed_by_weight_alone(worst);
+    Some(if short || bows { check.at_most(Severity::Note) } else { check })
+}
+
+fn nearest(
+    line: &Line<'_>,
+    kind: CheckKind,
+    over: &[f64],
+    settings: &LimitSettings,
+) -> Option<Check> {
+    let row = (0..over.len()).max_by(|a, b| over[*a].total_cmp(&over[*b]))?;
+    Some(at_row(line, kind, over, row, settings)?.at(line.profile.md_m[row]))
+}
+
+fn at_row(
+    line: &Line<'_>,
+    kind: CheckKind,
+    over: &[f64],
+    row: usize,
+    settings: &LimitSettings,
+) -> Option<Check> {
+    let compression_N = -line.profile.tension_N[row];
+    let critical_N = compression_N / over[row];
+    let check = Check::load(kind, compression_N, critical_N, settings.factors.required(kind))?;
+    Some(check.of_component(line.component_at(row)))
+}

@@ -1,0 +1,303 @@
+//! Whether a string goes down: by its weight, with the block and the rig pushing, or not at all.
+//!
+//! One rule for every model and every command. The hook load of the solver, with the pull of the
+//! mud that it has, decides what the string needs at the top; the block (where its weight is known)
+//! and a rig that pushes decide what the top can give. Where the solver does not count the friction
+//! of a helix, this rule does.
+
+use wholestring::{
+    model::Model,
+    operation::Operation,
+    outcome::Profile,
+    statics::buckling::{Criterion, Pushed, Segment, push_through, segments, weight_at_bit_N},
+};
+
+use crate::{
+    Check, CheckKind, LimitSettings, Severity, Verdict,
+    window::{self, Window},
+};
+
+/// Part of the string's buoyed weight below which a load is none: no indicator shows it.
+const NONE: f64 = 1e-3;
+
+/// A string that goes down by less than this part of the block's travel does not follow it.
+const FOLLOWS: f64 = 0.1;
+
+/// Part of the requested weight, less than which does not arrive in a dynamic run.
+const ARRIVES: f64 = 0.8;
+
+/// Corrections of a stretch until it gives the solver's tension.
+const CORRECTIONS: usize = 4;
+
+/// What drives a string down, what holds it back, and what arrives at the bit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Descent {
+    /// Hook load without the block, N.
+    pub hook_load_N: f64,
+    /// Weight of the block, N; none where it is not known.
+    pub block_N: Option<f64>,
+    /// Largest push of a rig that pushes, N; none of a rig that only carries.
+    pub injector_N: Option<f64>,
+    /// Friction along the hole, N.
+    pub drag_N: f64,
+    /// Requested weight on bit, N.
+    pub requested_N: f64,
+    /// Weight that arrives at the bit with the whole string slacked off, block and rig pushing, N;
+    /// negative by what is missing to move the string.
+    pub arrives_N: f64,
+    /// Measured depth above which the helix absorbs any push, m.
+    pub absorbed_above_md_m: Option<f64>,
+    /// Whether it does not get there: the string locks up.
+    pub locks_up: bool,
+    /// Whether its own weight drives it, or a rig whose work is to push.
+    pub by_its_weight: bool,
+    /// Whether it is an answer in time.
+    pub in_time: bool,
+}
+
+impl Descent {
+    /// Of a state of equilibrium with this hook load and friction along the hole, N. None of a string
+    /// that does not slide down.
+    pub fn at_rest(
+        model: &Model,
+        operation: &Operation,
+        [hook_load_N, axial_friction_N]: [f64; 2],
+        profile: &Profile,
+        has_helix_friction: bool,
+    ) -> Option<Self> {
+        if !operation.slides_down() {
+            return None;
+        }
+        let segments = calibrated(model, operation, profile, has_helix_friction);
+        let requested_N = operation.weight_on_bit_now_N();
+        let arrives_N = weight_at_bit_N(&segments, model.rig.push_with_block_N(), model.buckling);
+        let absorbed_above_md_m = match push_through(&segments, requested_N, model.buckling) {
+            Pushed::LocksUp(above_bit_m) => Some(operation.bit_depth_m - above_bit_m),
+            Pushed::Through(_) => None,
+        };
+        let none_N = NONE * weight_N(model);
+        let locks_up = arrives_N < requested_N - none_N;
+        Some(Self {
+            arrives_N,
+            absorbed_above_md_m: absorbed_above_md_m.filter(|_| locks_up),
+            locks_up,
+            by_its_weight: hook_load_N > least_hook_load_N(model) && !locks_up,
+            ..Self::loads(model, operation, [hook_load_N, axial_friction_N])
+        })
+    }
+
+    /// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, or
+    /// the rig pushes with all it has, and the string stops or does not press on the bit.
+    pub fn in_time(model: &Model, operation: &Operation, window: &Window<'_>) -> Option<Self> {
+        if !operation.slides_down() {
+            return None;
+        }
+        let mean = |name: &str| Some(window.statistic(name)?.mean);
+        let hook_load_N = mean("hook_load_N")?;
+        let arrives_N = mean("weight_on_bit_N")?;
+        let drag_N = mean("axial_friction_N").unwrap_or(0.0);
+        let loads = Self::loads(model, operation, [hook_load_N, drag_N]);
+        let slack_N = NONE * weight_N(model) - model.rig.push_N();
+        let slack = hook_load_N <= slack_N;
+        let short = match loads.requested_N > 0.0 {
+            true => arrives_N < ARRIVES * loads.requested_N,
+            false => !follows(window),
+        };
+        let locks_up = slack && short;
+        Some(Self {
+            arrives_N,
+            locks_up,
+            by_its_weight: hook_load_N > least_hook_load_N(model) && !locks_up,
+            in_time: true,
+            ..loads
+        })
+    }
+
+    fn loads(
+        model: &Model,
+        operation: &Operation,
+        [hook_load_N, axial_friction_N]: [f64; 2],
+    ) -> Self {
+        Self {
+            hook_load_N,
+            block_N: model.rig.block_weight_N,
+            injector_N: model.rig.snubbing_force_N,
+            drag_N: axial_friction_N.abs(),
+            requested_N: operation.weight_on_bit_now_N(),
+            arrives_N: f64::NAN,
+            absorbed_above_md_m: None,
+            locks_up: false,
+            by_its_weight: true,
+            in_time: false,
+        }
+    }
+
+    /// The limit: friction and requested weight against friction and the weight that arrives.
+    pub(crate) fn lock_up(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        settings: &LimitSettings,
+    ) -> Option<Check> {
+        let (load_N, capacity_N) =
+            (self.drag_N + self.requested_N, (self.drag_N + self.arrives_N).max(0.0));
+        let required = settings.factors.lock_up;
+        let check = Check::load(CheckKind::LockUp, load_N, capacity_N, required)?;
+        let check = match self.locks_up {
+            true => Check { verdict: Verdict::Exceeded, severity: Severity::Error, ..check },
+            // What rounding makes of a string that gets there.
+            false if check.verdict == Verdict::Exceeded => {
+                Check { verdict: Verdict::Marginal, severity: Severity::Note, ..check }
+            }
+            false => check,
+        };
+        Some(match self.absorbed_above_md_m {
+            Some(md_m) => {
+                let component = model.string.component_at(operation.bit_depth_m - md_m).1;
+                check.of_component(&component.name).at(md_m)
+            }
+            None => check,
+        })
+    }
+}
+
+/// A requested weight on bit that the string does not have even without friction: with the bit so
+/// shallow nothing can be said of friction.
+pub(crate) fn weight_not_available(
+    model: &Model,
+    operation: &Operation,
+    [hook_load_N, axial_friction_N]: [f64; 2],
+) -> Option<Check> {
+    let requested_N = operation.weight_on_bit_now_N();
+    let left_N = hook_load_N - axial_friction_N + model.rig.push_with_block_N();
+    let check = || {
+        let available_N = (requested_N + left_N).max(0.0);
+        let check = Check::reported(CheckKind::WeightNotAvailable, Severity::Error);
+        check.value(requested_N).limit(available_N)
+    };
+    (requested_N > 0.0 && left_N < -NONE * weight_N(model)).then(check)
+}
+
+/// Whether a string goes down by its weight: of every operation that goes down, and of another
+/// where nothing hangs on the hook. A block or a rig that pushes makes it a warning.
+pub(crate) fn goes_down(
+    model: &Model,
+    operation: &Operation,
+    hook_load_N: f64,
+    descent: Option<&Descent>,
+) -> Option<Check> {
+    let least_N = least_hook_load_N(model);
+    let hangs = hook_load_N > least_N;
+    let severity = match descent {
+        Some(descent) if descent.locks_up => Severity::Error,
+        _ if hangs => Severity::Ok,
+        Some(_) => Severity::Warning,
+        None if hook_load_N + model.rig.block_weight_N.unwrap_or(0.0) > least_N => {
+            Severity::Warning
+        }
+        None => Severity::Error,
+    };
+    let goes_down = descent.is_some() || operation.axial_velocity_m_per_s() > 0.0;
+    let limit_N = 0.0 - model.rig.push_N();
+    let check = || Check::reported(CheckKind::GoesDown, severity).value(hook_load_N).limit(limit_N);
+    (goes_down || !hangs).then(check)
+}
+
+/// The same of a dynamic run that goes slack at times only.
+pub(crate) fn goes_slack(model: &Model, window: &Window<'_>) -> Option<Check> {
+    let least_N = window.statistic("hook_load_N")?.min;
+    let limit_N = 0.0 - model.rig.push_N();
+    let check =
+        || Check::reported(CheckKind::GoesDown, Severity::Warning).value(least_N).limit(limit_N);
+    (least_N <= least_hook_load_N(model)).then(check)
+}
+
+/// Buoyed weight of the whole string, N.
+fn weight_N(model: &Model) -> f64 {
+    let density = model.mud.density_kg_per_m3;
+    let weights = model.string.components().iter().map(|component| {
+        component.buoyed_weight_per_length_N_per_m(density).abs() * component.length_m
+    });
+    weights.sum()
+}
+
+/// The least hook load of a string that goes down. A rig that pushes does so up to its force.
+fn least_hook_load_N(model: &Model) -> f64 {
+    match model.rig.snubbing_force_N {
+        Some(push_N) => -push_N * (1.0 - NONE),
+        None => NONE * weight_N(model),
+    }
+}
+
+/// Whether the bit follows the block.
+fn follows(window: &Window<'_>) -> bool {
+    let went_m = match window.series(|series| &series.bit_depth_m) {
+        [first, .., last] => last - first,
+        _ => 0.0,
+    };
+    let block_m_per_s = window::mean(window.series(|series| &series.block_velocity_m_per_s));
+    let block_travel_m = block_m_per_s * window.length_s();
+    block_travel_m <= 0.0 || went_m >= FOLLOWS * block_travel_m
+}
+
+/// The string in stretches that give the solver's own tension: what the solver counts and a stretch
+/// does not (the pull of the mud, friction of a wall load by another rule) is a force along it. So
+/// the string goes down by this rule where it does by the hook load; the friction of a helix that
+/// the solver does not count comes on top.
+fn calibrated(
+    model: &Model,
+    operation: &Operation,
+    profile: &Profile,
+    has_helix_friction: bool,
+) -> Vec<Segment> {
+    let mut stretches = segments(model, operation, &profile.md_m);
+    let mut to_md_m = operation.bit_depth_m;
+    for stretch in &mut stretches {
+        let from_md_m = to_md_m - stretch.length_m;
+        let [upper_N, lower_N] = [from_md_m, to_md_m].map(|md_m| -tension_N(profile, md_m));
+        correct(stretch, [lower_N, upper_N], model.buckling, has_helix_friction);
+        to_md_m = from_md_m;
+    }
+    stretches
+}
+
+/// Adds to a stretch the force along it with which its compression at the lower end becomes that
+/// at the upper, N.
+fn correct(
+    stretch: &mut Segment,
+    [lower_N, upper_N]: [f64; 2],
+    criterion: Criterion,
+    has_helix_friction: bool,
+) {
+    let middle_N = 0.5 * (lower_N + upper_N);
+    let wall_load = stretch.place.wall_load_N_per_m(middle_N);
+    let rate = stretch.friction * wall_load - stretch.weight_along_N_per_m;
+    stretch.weight_along_N_per_m += rate - (upper_N - lower_N) / stretch.length_m;
+    let helical = [lower_N, middle_N, upper_N]
+        .iter()
+        .any(|compression_N| stretch.place.is_helix(criterion, *compression_N));
+    if helical && !has_helix_friction {
+        return;
+    }
+    for _ in 0..CORRECTIONS {
+        let Pushed::Through(found_N) = push_through(&[*stretch], lower_N, criterion) else {
+            return;
+        };
+        stretch.weight_along_N_per_m += (found_N - upper_N) / stretch.length_m;
+    }
+}
+
+/// Tension at a measured depth, N, linear between rows.
+fn tension_N(profile: &Profile, md_m: f64) -> f64 {
+    let (depths, tensions) = (&profile.md_m, &profile.tension_N);
+    let below = depths.partition_point(|depth| *depth < md_m);
+    match (below.checked_sub(1), tensions.get(below)) {
+        (None, Some(first)) => *first,
+        (Some(above), None) => tensions[above],
+        (Some(above), Some(lower)) => {
+            let part = (md_m - depths[above]) / (depths[below] - depths[above]);
+            tensions[above] + part * (lower - tensions[above])
+        }
+        (None, None) => 0.0,
+    }
+}

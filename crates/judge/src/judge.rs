@@ -1,0 +1,301 @@
+//! The judge: from the answer of a solver to its checks.
+
+use wholestring::{
+    dynamics::{DynamicOutcome, DynamicsSettings},
+    model::Model,
+    operation::Operation,
+    outcome::{ModelKind, Solution},
+    statics::{
+        assembly::{Assembly, Largest},
+        soft::{SoftLoads, SoftProfile},
+        stiff::StiffProfile,
+    },
+};
+use wholestring_units::UnitSet;
+
+use crate::{
+    Check, CheckKind, Checks, Descent, LimitSettings, Missing, NoAnswer, Severity, along, buckling,
+    descent, lateral_force,
+    loads::Loads,
+    motion, numerics, overpull, rig,
+    sentence::{Text, Words},
+    side_force, steadiness,
+    strengths::Strengths,
+    weight_on_bit,
+    window::Window,
+};
+
+/// Compares answers of the solvers with what they must keep, and says it in the units of a user.
+///
+/// Each method returns the checks of one operation, the most severe first.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Judge {
+    /// What limits are compared with.
+    pub limits: LimitSettings,
+    /// Units of the sentences.
+    pub units: UnitSet,
+    /// Whether the soft string counts the friction of its helix, so that it need not be counted
+    /// here.
+    pub soft_has_helix_friction: bool,
+}
+
+/// How far an operation goes.
+#[derive(Debug, Clone, Copy)]
+pub struct Reached<'a> {
+    /// The operation, for people.
+    pub operation: &'a str,
+    /// Depth of the bit where it is stopped, m, and what stops it; none where nothing does.
+    pub stopped: Option<(f64, &'a str)>,
+    /// First depth that was tried, m.
+    pub from_m: f64,
+    /// Last depth that was tried, m.
+    pub to_m: f64,
+}
+
+impl Judge {
+    /// The judge with these limits and units, of a soft string that leaves the friction of its helix
+    /// out.
+    pub fn new(limits: LimitSettings, units: UnitSet) -> Self {
+        Self { limits, units, soft_has_helix_friction: false }
+    }
+
+    /// The checks of a soft string.
+    pub fn soft(&self, model: &Model, operation: &Operation, profile: &SoftProfile) -> Checks {
+        let solution = Solution::from(profile);
+        let mut checks = self.at_rest(model, operation, &solution);
+        checks.checks.extend(lateral_force::left_out(model));
+        self.said(checks, model, &solution)
+    }
+
+    /// The checks of a stiff string.
+    pub fn stiff(&self, model: &Model, operation: &Operation, profile: &StiffProfile) -> Checks {
+        let solution = Solution::from(profile);
+        let mut checks = self.at_rest(model, operation, &solution);
+        checks.checks.extend(numerics::equilibrium(&profile.convergence));
+        let element = profile.convergence.buckled_element.as_ref();
+        checks.checks.extend(numerics::element_buckles(element));
+        let deepest = profile.deepest_penetration_m;
+        checks.checks.extend(numerics::penetration_at_rest(model, deepest));
+        self.said(checks, model, &solution)
+    }
+
+    /// The checks of a dynamic run that was computed to its end; none of a run without a sample in
+    /// its window.
+    pub fn dynamic(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+        outcome: &DynamicOutcome,
+    ) -> Checks {
+        let solution = Solution::from(outcome);
+        let Some(window) = Window::of_solution(&solution) else {
+            return Checks::default();
+        };
+        let mut checks = Checks::default();
+        let descent = Descent::in_time(model, operation, &window);
+        let mean = window.statistic("hook_load_N").map(|statistic| statistic.mean);
+        let hook_load_N = mean.unwrap_or(solution.scalars.hook_load_N);
+        let goes_down = descent::goes_down(model, operation, hook_load_N, descent.as_ref());
+        let slack = || descent::goes_slack(model, &window);
+        checks.checks.extend(goes_down.filter(|check| !check.is_ok()).or_else(slack));
+        // How near a string in motion is to it, nobody knows: what its hook load leaves is friction.
+        let locked = descent.as_ref().filter(|descent| descent.locks_up);
+        let words = self.words(model, &solution);
+        checks.checks.extend(self.lock_up(model, operation, locked, &words));
+        checks.checks.extend(weight_on_bit::checks(operation, settings, &window));
+        self.add_limits(model, operation, &Loads::of(model, operation, &solution), &mut checks);
+        checks.checks.extend(motion::checks(settings, &window));
+        checks.checks.extend(numerics::checks(model, &solution, &window));
+        checks.checks.extend(steadiness::checks(operation, window.run()));
+        self.said(checks, model, &solution)
+    }
+
+    /// The checks of a bottom-hole assembly in static equilibrium: its largest von Mises stress, and
+    /// whether the equilibrium is stable.
+    pub fn assembly(&self, model: &Model, operation: &Operation, assembly: &Assembly) -> Checks {
+        let kind = CheckKind::VonMises;
+        let Largest { value, from_bit_m } = assembly.largest_von_mises_Pa;
+        let component = model.string.component_at(from_bit_m).1;
+        let name = component.name.as_str();
+        let mut checks = Checks::default();
+        match component.yield_strength_Pa {
+            Some(yield_Pa) => {
+                let check = Check::load(kind, value, yield_Pa, self.limits.factors.von_mises);
+                let md_m = operation.bit_depth_m - from_bit_m;
+                checks.checks.extend(check.map(|check| check.of_component(name).at(md_m)));
+            }
+            None => checks.lacks(kind, Some(name), Missing::YieldStrength),
+        }
+        checks.checks.extend(numerics::equilibrium(&assembly.convergence));
+        let words = Words::of_loads(&model.rig, self.units, f64::NAN);
+        with_sentences(checks, &words)
+    }
+
+    /// The checks of a string whose small motions about static equilibrium grow or not.
+    pub fn small_motions(&self, model: &Model, is_stable: bool) -> Checks {
+        let check = || Check::reported(CheckKind::UnstableEquilibrium, Severity::Warning);
+        let checks = (!is_stable).then(check).into_iter().collect();
+        let words = Words::of_loads(&model.rig, self.units, f64::NAN);
+        with_sentences(Checks { checks, unchecked: Vec::new() }, &words)
+    }
+
+    /// The check of how far an operation goes: to a depth of the bit, m, where a limit stops it, or to
+    /// the last depth that was tried, `to_m`. An operation that is stopped at the first depth already
+    /// is an error.
+    pub fn reach(&self, reach: &Reached<'_>) -> Check {
+        let Reached { operation, stopped, to_m, from_m } = *reach;
+        let severity = match stopped {
+            None => Severity::Ok,
+            Some((depth_m, _)) if depth_m <= from_m => Severity::Error,
+            Some(_) => Severity::Note,
+        };
+        let text = Text { units: self.units };
+        let sentence = match stopped {
+            None => format!("{operation}: nothing stops it down to {}", text.depth(to_m)),
+            Some((depth_m, limit)) if depth_m <= from_m => {
+                format!("{operation}: stopped at {} already: {limit}", text.depth(depth_m))
+            }
+            Some((depth_m, limit)) => {
+                format!(
+                    "{operation}: goes to {}, where it is stopped: {limit}",
+                    text.depth(depth_m)
+                )
+            }
+        };
+        let depth_m = stopped.map_or(to_m, |(depth_m, _)| depth_m);
+        Check { sentence, ..Check::reported(CheckKind::Reach, severity).value(depth_m).limit(to_m) }
+    }
+
+    /// The verdict on an operation for which a model has no answer.
+    pub fn unsolved(&self, why: &NoAnswer) -> Checks {
+        let check = why.check(&self.limits);
+        let sentence = crate::sentence::unsolved(why, &check, self.units);
+        Checks { checks: vec![Check { sentence, ..check }], unchecked: Vec::new() }
+    }
+
+    /// The limits of any answer, and whether it goes down.
+    pub fn limits(&self, model: &Model, operation: &Operation, solution: &Solution<'_>) -> Checks {
+        let checks = match solution.in_time {
+            None => self.at_rest(model, operation, solution),
+            Some(_) => {
+                let mut checks = Checks::default();
+                let loads = Loads::of(model, operation, solution);
+                self.add_limits(model, operation, &loads, &mut checks);
+                checks
+            }
+        };
+        self.said(checks, model, solution)
+    }
+
+    /// The same of a soft string of which nothing but its loads is known.
+    pub fn soft_limits(&self, model: &Model, operation: &Operation, loads: &SoftLoads) -> Checks {
+        let mut checks = Checks::default();
+        let surface_N = [loads.hook_load_N, loads.axial_friction_N];
+        let helix = self.soft_has_helix_friction;
+        let descent = Descent::at_rest(model, operation, surface_N, &loads.profile, helix);
+        let words = Words::of_loads(&model.rig, self.units, loads.hook_load_N);
+        self.add_descent(model, operation, surface_N, descent.as_ref(), &words, &mut checks);
+        self.add_limits(model, operation, &Loads::of_soft(model, operation, loads), &mut checks);
+        with_sentences(checks, &words)
+    }
+
+    /// Whether and how the string goes down; none of one that does not slide down.
+    pub fn descent(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        solution: &Solution<'_>,
+    ) -> Option<Descent> {
+        match Window::of_solution(solution) {
+            Some(window) => Descent::in_time(model, operation, &window),
+            None => {
+                let scalars = solution.scalars;
+                let surface_N = [scalars.hook_load_N, scalars.axial_friction_N];
+                let helix = self.has_helix_friction(solution.model);
+                Descent::at_rest(model, operation, surface_N, solution.profile, helix)
+            }
+        }
+    }
+
+    fn has_helix_friction(&self, model: ModelKind) -> bool {
+        model.method().has_helix_friction
+            || model == ModelKind::Soft && self.soft_has_helix_friction
+    }
+
+    /// The checks of a state of equilibrium, without sentences but that of lock-up.
+    fn at_rest(&self, model: &Model, operation: &Operation, solution: &Solution<'_>) -> Checks {
+        let mut checks = Checks::default();
+        let surface_N = [solution.scalars.hook_load_N, solution.scalars.axial_friction_N];
+        let descent = self.descent(model, operation, solution);
+        let words = self.words(model, solution);
+        self.add_descent(model, operation, surface_N, descent.as_ref(), &words, &mut checks);
+        self.add_limits(model, operation, &Loads::of(model, operation, solution), &mut checks);
+        checks
+    }
+
+    /// Adds whether a string goes down, of a state of equilibrium with this hook load and friction
+    /// along the hole, N.
+    fn add_descent(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        surface_N: [f64; 2],
+        descent: Option<&Descent>,
+        words: &Words<'_>,
+        checks: &mut Checks,
+    ) {
+        if let Some(check) = descent::weight_not_available(model, operation, surface_N) {
+            checks.checks.push(check);
+            return;
+        }
+        checks.checks.extend(descent::goes_down(model, operation, surface_N[0], descent));
+        checks.checks.extend(self.lock_up(model, operation, descent, words));
+    }
+
+    fn lock_up(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        descent: Option<&Descent>,
+        words: &Words<'_>,
+    ) -> Option<Check> {
+        let descent = descent?;
+        let check = descent.lock_up(model, operation, &self.limits)?;
+        Some(Check { sentence: words.lock_up(descent, &check), ..check })
+    }
+
+    fn add_limits(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        loads: &Loads<'_>,
+        checks: &mut Checks,
+    ) {
+        let strengths = Strengths::of(model, checks);
+        along::limits(model, &strengths, loads, &self.limits, checks);
+        side_force::limits(model, loads, &self.limits, checks);
+        overpull::limits(model, operation, &strengths, loads, &self.limits, checks);
+        rig::limits(model, operation, loads, &self.limits, checks);
+        let line = buckling::Line::of(model, operation, loads.profile);
+        checks.checks.extend(buckling::checks(&line, &self.limits));
+    }
+
+    fn words<'a>(&self, model: &'a Model, solution: &Solution<'a>) -> Words<'a> {
+        let helix = self.has_helix_friction(solution.model);
+        Words::of_solution(&model.rig, self.units, solution, helix)
+    }
+
+    fn said(&self, checks: Checks, model: &Model, solution: &Solution<'_>) -> Checks {
+        with_sentences(checks, &self.words(model, solution))
+    }
+}
+
+fn with_sentences(mut checks: Checks, words: &Words<'_>) -> Checks {
+    for check in &mut checks.checks {
+        if check.sentence.is_empty() {
+            check.sentence = words.sentence(check);
+        }
+    }
+    checks.ordered()
+}

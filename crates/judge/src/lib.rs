@@ -1,0 +1,54 @@
+//! Verdicts on a solved operation: what exceeds a limit, what stops the string, and what a result
+//! can be trusted for.
+//!
+//! A [`Judge`] compares the answer of a solver with the strength of the string, the ratings of the
+//! rig and the critical loads of its place. Each comparison is a [`Check`]: kind, severity, place,
+//! value, limit, factor, required factor and one sentence in the user's units. A limit that is kept
+//! and a state that forbids the operation are the same type, so that a run, a plan, a reach and
+//! every front show one verdict in one wording. What could not be compared is an [`Unchecked`] with
+//! the number that is missing.
+//!
+//! Theory and sources: `docs/src/findings.md`, `docs/src/theory/strength.md`.
+#![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
+mod along;
+mod buckling;
+mod check;
+mod checks;
+mod descent;
+mod drift;
+mod factors;
+mod interval;
+mod judge;
+mod kind;
+mod lateral_force;
+mod loads;
+mod motion;
+mod numerics;
+mod overpull;
+pub mod quantities;
+mod rig;
+mod sentence;
+mod settings;
+mod side_force;
+mod steadiness;
+pub mod strength;
+mod strengths;
+mod surface;
+mod unchecked;
+mod unsolved;
+mod weight_on_bit;
+mod window;
+
+pub use check::{Check, Severity, Verdict};
+pub use checks::Checks;
+pub use descent::Descent;
+pub use factors::DesignFactors;
+pub use judge::{Judge, Reached};
+pub use kind::CheckKind;
+pub use sentence::shorter_element;
+pub use settings::LimitSettings;
+pub use surface::{SurfaceLimit, surface_limits};
+pub use unchecked::{Missing, Unchecked};
+pub use unsolved::NoAnswer;

@@ -1,0 +1,95 @@
+//! How the string turns: stalls, stick-slip, whirl.
+
+use wholestring::dynamics::{DynamicsSettings, StickSlip, Whirl};
+
+use crate::{
+    Check, CheckKind, Severity,
+    window::{Window, mean, share},
+};
+
+/// A top drive slower than this part of its set speed does not turn, ...
+const STANDS: f64 = 0.1;
+
+/// ... and stalls where it stands for more than this share of the time.
+const STALLED: f64 = 0.5;
+
+/// A torque of this part of the limit is the limit: what is left is the inertia of the drive.
+const AT_LIMIT: f64 = 0.98;
+
+/// A share of the time at the limit that is reported.
+const OFTEN: f64 = 0.01;
+
+/// A severity of stick-slip that is reported.
+const SEVERE: f64 = 0.5;
+
+/// A severity at which the bit just stops.
+const STOPS: f64 = 1.0;
+
+/// A bit that stands for more than this share of the time does not turn.
+const STUCK: f64 = 0.95;
+
+/// Of all that turns.
+pub fn checks(settings: &DynamicsSettings, window: &Window<'_>) -> Vec<Check> {
+    let mut found = Vec::new();
+    let limit = top_drive(settings, window);
+    let stalled = limit.as_ref().is_some_and(|check| check.kind == CheckKind::TopDriveStalled);
+    found.extend(limit);
+    let indicators = window.run().indicators;
+    // What a stalled drive does to the bit is no stick-slip.
+    let of_bit = indicators.stick_slip.filter(|_| !stalled);
+    found.extend(of_bit.and_then(|found| stick_slip(&found)));
+    let speed = window.statistic("bit_rotary_speed_rad_per_s");
+    let speed = speed.map_or(0.0, |statistic| statistic.mean);
+    for (kind, severity, whirl) in [
+        (CheckKind::BackwardWhirl, Severity::Warning, &indicators.backward_whirl),
+        (CheckKind::ForwardWhirl, Severity::Note, &indicators.forward_whirl),
+    ] {
+        found.extend(whirl.map(|whirl| of_whirl(kind, severity, &whirl, speed)));
+    }
+    found
+}
+
+/// A top drive that gives all that it may.
+fn top_drive(settings: &DynamicsSettings, window: &Window<'_>) -> Option<Check> {
+    let limit_N_m = settings.top_drive.torque_limit_N_m()?;
+    let set = window.series(|series| &series.rotary_speed_set_rad_per_s);
+    let speed = window.series(|series| &series.rotary_speed_rad_per_s);
+    let torque_N_m = window.series(|series| &series.surface_torque_N_m);
+    let rows: Vec<usize> = (0..set.len()).filter(|row| set[*row] > 0.0).collect();
+    let stands = share(&rows, |row| speed[*row] < STANDS * set[*row]);
+    let at_limit = share(torque_N_m, |torque| torque.abs() >= AT_LIMIT * limit_N_m);
+    let found = |kind, severity, torque_N_m: f64| {
+        Some(Check::reported(kind, severity).value(torque_N_m).limit(limit_N_m))
+    };
+    let mean_N_m = mean(torque_N_m).abs();
+    if stands > STALLED && mean_N_m >= STANDS * limit_N_m {
+        return found(CheckKind::TopDriveStalled, Severity::Error, mean_N_m);
+    }
+    if at_limit > OFTEN {
+        let slow = mean(speed) < (1.0 - STANDS) * mean(set);
+        let severity = if slow { Severity::Error } else { Severity::Warning };
+        let largest_N_m = window.largest_torque_N_m();
+        return found(CheckKind::TopDriveAtLimit, severity, largest_N_m);
+    }
+    None
+}
+
+/// Stick-slip that is reported: a warning where the bit stops.
+fn stick_slip(found: &StickSlip) -> Option<Check> {
+    let level = |severe: bool| if severe { Severity::Warning } else { Severity::Note };
+    match found.severity {
+        Some(severity) if severity >= SEVERE => Some(
+            Check::reported(CheckKind::StickSlip, level(severity >= STOPS))
+                .value(severity)
+                .limit(if severity >= STOPS { STOPS } else { SEVERE }),
+        ),
+        None if found.stuck_fraction > STUCK => {
+            Some(Check::reported(CheckKind::StickSlip, Severity::Warning))
+        }
+        _ => None,
+    }
+}
+
+fn of_whirl(kind: CheckKind, severity: Severity, whirl: &Whirl, rotary_speed: f64) -> Check {
+    Check::reported(kind, severity).at(whirl.md_m).value(whirl.rate_rad_per_s).limit(rotary_speed)
+}

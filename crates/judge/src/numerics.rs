@@ -1,0 +1,167 @@
+//! How far the numbers of a dynamic run can be trusted.
+
+use wholestring::{
+    dynamics::TableUse,
+    model::Model,
+    outcome::{Profile, Solution},
+    rod::buckled_element::BuckledElement,
+    sizing::SizeReason,
+    statics::stiff::Convergence,
+};
+
+use crate::{Check, CheckKind, Severity, window::Window};
+
+/// Parts of the string's mean clearance. A wall is to hold a pipe at the clearance that the hole
+/// leaves it: a tenth more moves the pipe as far as hole sizes are known; as much again, and it is
+/// another hole.
+const DEEP: f64 = 0.1;
+const THROUGH: f64 = 1.0;
+
+/// Energy that the integration gained or lost: as much as torque and drag of a good model and a rig
+/// differ by, ...
+const RESIDUAL: f64 = 0.05;
+
+/// ... and so much that friction, of which torque and drag are made, is no longer what was
+/// computed.
+const LOST: f64 = 0.2;
+
+/// A node whose tension varies by this many times as much as that of the median of its neighbours,
+/// ...
+const RESTLESS: f64 = 10.0;
+
+/// ... within this distance, m, ...
+const NEIGHBOURS_M: f64 = 100.0;
+
+/// ... and by more than this part of the largest tension or compression, never settled.
+const SWINGS: f64 = 0.02;
+
+/// A bit whose weight varies by more than this part of its mean shakes the string.
+const SHAKEN: f64 = 0.02;
+
+/// Of an equilibrium: whether it would stay as it is; and where the string would roll around its hole
+/// instead, for ever.
+pub fn equilibrium(convergence: &Convergence) -> Option<Check> {
+    let check = || Check::reported(CheckKind::UnstableEquilibrium, Severity::Warning);
+    let check = (!convergence.stable).then(check)?;
+    Some(match convergence.rolls_at_md_m {
+        Some(md_m) => check.at(md_m),
+        None => check,
+    })
+}
+
+/// Of an equilibrium: how far the wall gives way, m, and at which measured depth.
+pub fn penetration_at_rest(model: &Model, [deepest_m, md_m]: [f64; 2]) -> Option<Check> {
+    Some(penetration(mean_clearance_m(model), deepest_m)?.at(md_m))
+}
+
+/// Of a run that was computed to its end.
+pub fn checks(model: &Model, solution: &Solution<'_>, window: &Window<'_>) -> Vec<Check> {
+    let numerics = window.run().numerics;
+    let mut found = Vec::new();
+    found.extend(penetration(mean_clearance_m(model), numerics.max_penetration_m));
+    found.extend(element_buckles(numerics.buckled_element.as_ref()));
+    found.extend(energy_residual(numerics.energy_residual));
+    found.extend(window.run().bit_table.and_then(|table| bit_table(&table)));
+    found.extend(unsettled(solution.profile));
+    found.extend(bending_waves(solution.profile, window));
+    found
+}
+
+fn penetration(clearance_m: f64, deepest_m: f64) -> Option<Check> {
+    let limit = |part: f64| part * clearance_m;
+    let (severity, limit_m) = if deepest_m > limit(THROUGH) {
+        (Severity::Error, limit(THROUGH))
+    } else if deepest_m > limit(DEEP) {
+        (Severity::Warning, limit(DEEP))
+    } else {
+        return None;
+    };
+    Some(Check::reported(CheckKind::WallPenetration, severity).value(deepest_m).limit(limit_m))
+}
+
+/// Mean radial clearance along the string, of what touches the wall, m.
+fn mean_clearance_m(model: &Model) -> f64 {
+    let length_m = model.string.length_m();
+    let clearances = model.string.spans().map(|span| {
+        let middle_m = length_m - 0.5 * (span.from_bit_m + span.to_bit_m);
+        let hole_m = 0.5 * model.well.hole.at(middle_m).diameter_m;
+        let clearance_m = hole_m - span.component.contact_radius_m();
+        clearance_m.max(0.0) * span.component.length_m
+    });
+    clearances.sum::<f64>() / length_m
+}
+
+fn energy_residual(residual: f64) -> Option<Check> {
+    let size = residual.abs();
+    // A run that is not a number any more has lost all of it.
+    let (severity, limit) = if size <= RESIDUAL {
+        return None;
+    } else if size <= LOST {
+        (Severity::Warning, RESIDUAL)
+    } else {
+        (Severity::Error, LOST)
+    };
+    Some(Check::reported(CheckKind::EnergyResidual, severity).value(residual).limit(limit))
+}
+
+fn bit_table(table: &TableUse) -> Option<Check> {
+    (table.outside_fraction > 0.0).then(|| {
+        Check::reported(CheckKind::BitTableLeft, Severity::Warning)
+            .value(table.outside_fraction)
+            .limit(0.0)
+    })
+}
+
+/// The element that buckles most between its nodes: the string folds there as no pipe does.
+pub fn element_buckles(element: Option<&BuckledElement>) -> Option<Check> {
+    element.map(|element| {
+        Check::reported(CheckKind::ElementBuckles, Severity::Error)
+            .at(element.md_m)
+            .value(element.compression_N)
+            .limit(element.own_load_N)
+    })
+}
+
+/// A shaken string of which most elements reach from one contact to the next.
+fn bending_waves(profile: &Profile, window: &Window<'_>) -> Option<Check> {
+    let weight = window.statistic("weight_on_bit_N")?;
+    let friction = window.statistic("friction_torque_N_m")?;
+    let reasons = &profile.element_size;
+    let long =
+        |reason: &&SizeReason| matches!(reason, SizeReason::JointToJoint | SizeReason::PlainPipe);
+    let most = 2 * reasons.iter().filter(long).count() > reasons.len();
+    (most && weight.std > SHAKEN * weight.mean.abs() && friction.mean != 0.0).then(|| {
+        Check::reported(CheckKind::BendingWavesLeftOut, Severity::Note).value(friction.std)
+    })
+}
+
+/// The node that is most restless against its neighbours.
+fn unsettled(nodes: &Profile) -> Option<Check> {
+    let Profile { md_m, tension_N, tension_std_N: std_N, .. } = nodes;
+    let largest_N = tension_N.iter().fold(0.0, |largest: f64, t| largest.max(t.abs()));
+    let mut near: Vec<f64> = Vec::new();
+    let mut worst: Option<(f64, Check)> = None;
+    for (i, std) in std_N.iter().enumerate() {
+        if *std <= SWINGS * largest_N {
+            continue;
+        }
+        let from = md_m.partition_point(|md| *md < md_m[i] - NEIGHBOURS_M);
+        let to = md_m.partition_point(|md| *md <= md_m[i] + NEIGHBOURS_M);
+        near.clear();
+        near.extend_from_slice(std_N.get(from..to).unwrap_or_default());
+        near.sort_by(f64::total_cmp);
+        let Some(median_N) = near.get(near.len() / 2) else {
+            continue;
+        };
+        let expected_N = (RESTLESS * median_N).max(SWINGS * largest_N);
+        let over = std / expected_N;
+        if over > 1.0 && worst.as_ref().is_none_or(|(most, _)| over > *most) {
+            let found = Check::reported(CheckKind::NodeUnsettled, Severity::Warning)
+                .at(md_m[i])
+                .value(*std)
+                .limit(expected_N);
+            worst = Some((over, found));
+        }
+    }
+    worst.map(|(_, found)| found)
+}

@@ -1,0 +1,147 @@
+//! Checks in words, in users' units.
+
+mod limits;
+mod states;
+#[cfg(test)]
+mod tests;
+mod text;
+
+use wholestring::{
+    dynamics::{Indicators, Statistic, TableUse},
+    outcome::{ModelKind, Solution},
+    rig::Rig,
+    rod::buckled_element::BuckledElement,
+    statics::stiff::StiffError,
+};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::{Check, CheckKind, NoAnswer};
+
+pub(crate) use self::text::Text;
+
+/// What sentences need beside a check.
+pub(crate) struct Words<'a> {
+    text: Text,
+    rig: &'a Rig,
+    model: ModelKind,
+    /// Whether the answer's forces hold the friction of a helix.
+    has_helix_friction: bool,
+    /// Hook load, block excluded, of dynamics its mean, N.
+    hook_load_N: f64,
+    /// Weight on bit, of dynamics its mean, N.
+    weight_on_bit_N: f64,
+    indicators: Option<&'a Indicators>,
+    bit_table: Option<TableUse>,
+    statistics: &'a [(&'static str, Statistic)],
+    bit_travel_m: f64,
+    /// The element of the mesh that buckles between its nodes, if one does.
+    buckled_element: Option<BuckledElement>,
+}
+
+impl<'a> Words<'a> {
+    /// Of an answer.
+    pub(crate) fn of_solution(
+        rig: &'a Rig,
+        units: UnitSet,
+        solution: &Solution<'a>,
+        has_helix_friction: bool,
+    ) -> Self {
+        Self {
+            text: Text { units },
+            rig,
+            model: solution.model,
+            has_helix_friction,
+            hook_load_N: solution.scalars.hook_load_N,
+            weight_on_bit_N: solution.scalars.weight_on_bit_N,
+            indicators: solution.in_time.map(|run| run.indicators),
+            bit_table: solution.in_time.and_then(|run| run.bit_table),
+            statistics: solution.in_time.map_or(&[], |run| run.statistics),
+            bit_travel_m: solution.in_time.map_or(0.0, |run| run.numerics.bit_travel_m),
+            buckled_element: solution
+                .in_time
+                .and_then(|run| run.numerics.buckled_element)
+                .or(solution.at_rest.and_then(|rest| rest.convergence.buckled_element)),
+        }
+    }
+
+    /// Of a soft string of which nothing but its loads is known.
+    pub(crate) fn of_loads(rig: &'a Rig, units: UnitSet, hook_load_N: f64) -> Self {
+        Self {
+            text: Text { units },
+            rig,
+            model: ModelKind::Soft,
+            has_helix_friction: false,
+            hook_load_N,
+            weight_on_bit_N: f64::NAN,
+            indicators: None,
+            bit_table: None,
+            statistics: &[],
+            bit_travel_m: 0.0,
+            buckled_element: None,
+        }
+    }
+
+    /// A sentence that begins with a capital and ends without a full stop.
+    pub(crate) fn sentence(&self, check: &Check) -> String {
+        match check.kind {
+            CheckKind::HelicalBuckling | CheckKind::SinusoidalBuckling => self.buckling(check),
+            CheckKind::Collapse if check.limit.is_none() => self.beyond_collapse(check),
+            kind if kind.is_limit() => self.limit(check),
+            _ => self.state(check),
+        }
+    }
+}
+
+/// `2.4 m`: a length of elements that do not buckle where one has, rounded down to two digits.
+pub fn shorter_element(element: &BuckledElement, units: UnitSet) -> String {
+    let unit = Dimension::Length.unit_in(units);
+    let length = unit.from_si(element.sufficient_length_m());
+    let scale = libm::pow(10.0_f64, 1.0 - libm::log10(length).floor());
+    format!("{} {}", (length * scale).floor() / scale, unit.symbol)
+}
+
+impl Check {
+    /// A limit as a sentence in other units; the check's own sentence where it is no limit with
+    /// numbers.
+    pub fn sentence_in(&self, units: UnitSet) -> String {
+        if self.value.is_none() || self.limit.is_none() || self.factor.is_none() {
+            return self.sentence.clone();
+        }
+        Text { units }.limit(self)
+    }
+}
+
+/// The sentence on an operation without an answer.
+pub(crate) fn unsolved(why: &NoAnswer, check: &Check, units: UnitSet) -> String {
+    let text = Text { units };
+    let place = text.place(check);
+    match why {
+        NoAnswer::Assembly(error) => format!("The string does not fit: {error}"),
+        NoAnswer::Stiff(StiffError::Rolls { .. }) => format!(
+            "No static equilibrium: whirls{place}; released, the string rolls up the wall. The \
+             dynamics compute its whirl"
+        ),
+        NoAnswer::Stiff(StiffError::ElementBuckles { compression_N, length_m, .. }) => format!(
+            "An element of {} buckles between its nodes{place} under a compression of {}: shorter \
+             elements are needed",
+            text.length(*length_m),
+            text.force(*compression_N)
+        ),
+        NoAnswer::Stiff(StiffError::ThroughWall { penetration_m, clearance_m, .. }) => format!(
+            "The string is pressed {} into the wall{place}, farther than its mean clearance of {}: give \
+             a larger `contact_stiffness`, or the contact law \"hertz\"",
+            text.across(*penetration_m),
+            text.across(*clearance_m)
+        ),
+        NoAnswer::Stiff(StiffError::NotConverged { residual_N, iterations, .. }) => format!(
+            "Did not converge: forces are out of balance by {}{place} after {iterations} iterations",
+            text.force(*residual_N)
+        ),
+        _ if check.kind == CheckKind::LockUp => format!(
+            "Locks up{place}: the wall force of the buckled string grows faster than any push, and \
+             none of it reaches the bit"
+        ),
+        NoAnswer::Soft(error) => format!("Not solved: {error}"),
+        NoAnswer::Stiff(error) => format!("Not solved: {error}"),
+    }
+}

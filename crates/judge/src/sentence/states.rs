@@ -1,0 +1,262 @@
+//! Sentences on states that are reported: how the string goes down, turns and settles, and how far
+//! the numbers can be trusted.
+
+use std::f64::consts::TAU;
+
+use wholestring::dynamics::{Indicators, TableUse, Whirl};
+
+use super::{Words, shorter_element, text::percent};
+use crate::{Check, CheckKind, Severity, drift};
+
+impl Words<'_> {
+    pub(super) fn state(&self, check: &Check) -> String {
+        let value = check.value.unwrap_or(f64::NAN);
+        let limit = check.limit.unwrap_or(f64::NAN);
+        let text = &self.text;
+        let place = text.place(check);
+        match check.kind {
+            CheckKind::GoesDown => self.goes_down(check),
+            CheckKind::WeightNotAvailable => format!(
+                "The string is too light for the requested weight on bit: {} requested, {} \
+                 available without friction",
+                text.force(value),
+                text.force(limit)
+            ),
+            CheckKind::WeightOnBitNotReached => format!(
+                "The weight on bit of {} is not reached: {} on average",
+                text.force(limit),
+                text.force(value)
+            ),
+            CheckKind::WeightOnBitExceeded => format!(
+                "The weight on bit of {} is exceeded: {} on average",
+                text.force(limit),
+                text.force(value)
+            ),
+            CheckKind::WeightOnBitUnsteady => format!(
+                "The weight on bit is not steady: it varies by ± {} (standard deviation) about {}",
+                text.force(value),
+                text.force(self.weight_on_bit_N),
+            ),
+            CheckKind::BitBounce => {
+                format!("The bit bounces: it is off the rock for {} of the time", percent(value))
+            }
+            CheckKind::TopDriveAtLimit => format!(
+                "The top drive works at its torque limit of {}{}",
+                text.torque(limit),
+                match check.severity {
+                    Severity::Error => " and does not hold its speed",
+                    _ => "",
+                }
+            ),
+            CheckKind::TopDriveStalled => format!(
+                "The top drive stalls: its torque limit of {} does not turn the string",
+                text.torque(limit)
+            ),
+            CheckKind::StickSlip => self.stick_slip(check),
+            CheckKind::BackwardWhirl => self.whirl(check, "Backward", |found| found.backward_whirl),
+            CheckKind::ForwardWhirl => self.whirl(check, "Forward", |found| found.forward_whirl),
+            CheckKind::WallPenetration => format!(
+                "The string penetrates the wall by {}{place}; the wall law is valid up to {}",
+                text.across(value),
+                text.across(limit)
+            ),
+            CheckKind::EnergyResidual => format!(
+                "The integration {} {} of the energy that went through it",
+                if value < 0.0 { "gained" } else { "lost" },
+                percent(value.abs()),
+            ),
+            CheckKind::BitTableLeft => match self.bit_table {
+                Some(table) => self.bit_table(&table),
+                None => "The bit was outside its table".to_owned(),
+            },
+            CheckKind::NodeUnsettled => format!(
+                "The string never settled{place}: its tension varies there by ± {}, that of the \
+                 neighbouring nodes by {} or less",
+                text.force(value),
+                text.force(limit / 10.0),
+            ),
+            CheckKind::ElementBuckles => format!(
+                "An element of the mesh buckles between its nodes{place}: compression {}, its own \
+                 buckling load {}, and the string folds there as no pipe does. Shorter elements are \
+                 needed{}",
+                text.force(value),
+                text.force(limit),
+                self.sufficient_length(),
+            ),
+            CheckKind::BendingWavesLeftOut => format!(
+                "The friction torque varies by more than ± {}, and so does the side force: elements \
+                 from joint to joint leave out how the shaken pipe vibrates between its contacts. \
+                 mesh.element_length = \"3.2 m\" has most of it",
+                text.torque(value)
+            ),
+            CheckKind::LateralForceLeftOut => format!(
+                "The soft string leaves out {} across its components: the stiff string and the \
+                 dynamics have it",
+                text.force(value)
+            ),
+            CheckKind::UnstableEquilibrium if check.md_m.is_some() => format!(
+                "The equilibrium found is not stable, and no stable one was found of the turning \
+                 string: released, it rolls up the wall, most{place}. The dynamics compute its whirl"
+            ),
+            CheckKind::UnstableEquilibrium => {
+                "The equilibrium found is not stable: after a small disturbance the string would \
+                 take another shape"
+                    .to_owned()
+            }
+            CheckKind::WindowDrifts => {
+                drift::sentence(self.statistics, self.bit_travel_m, text.units)
+                    .unwrap_or_else(|| "The means of the window drift: settle longer".to_owned())
+            }
+            CheckKind::NeverSteady => format!(
+                "Not steady after {value:.0} s of settling, the longest by default; inspect \
+                 time.parquet before the means are used, or give a longer dynamics.settle",
+            ),
+            CheckKind::BitElsewhere => self.bit_elsewhere(value, limit),
+            kind => format!("{}{place}", kind.label()),
+        }
+    }
+
+    /// `, such as mesh.element_length = "2.4 m"`: elements with four times the buckling load.
+    fn sufficient_length(&self) -> String {
+        let Some(element) = self.buckled_element else { return String::new() };
+        let length = shorter_element(&element, self.text.units);
+        format!(", such as mesh.element_length = {length:?}")
+    }
+
+    fn goes_down(&self, check: &Check) -> String {
+        let text = &self.text;
+        let value_N = check.value.unwrap_or(f64::NAN);
+        let hook_load = text.force(value_N);
+        let at_times = self.hook_load_N > value_N;
+        if let Some(push_N) = self.rig.snubbing_force_N {
+            return self.push(check, value_N, push_N);
+        }
+        if at_times {
+            return format!("The hook goes slack at times: hook load down to {hook_load}");
+        }
+        let block_N = self.rig.block_weight_N.filter(|block_N| *block_N > 0.0);
+        match (check.severity, block_N) {
+            (Severity::Ok, _) => {
+                format!("The string goes down by its weight: hook load {hook_load}")
+            }
+            (Severity::Error, _) if value_N > 0.0 => {
+                format!("The string does not go down: it locks up, hook load {hook_load}")
+            }
+            (Severity::Error, Some(block_N)) if value_N + block_N > 0.0 => format!(
+                "The string does not go down, for it buckles and drags: hook load {hook_load}, {} \
+                 with the block",
+                text.force(value_N + block_N)
+            ),
+            (Severity::Error, Some(block_N)) => format!(
+                "The string does not go down by its weight, nor with the block: hook load \
+                 {hook_load}, {} with the block",
+                text.force(value_N + block_N)
+            ),
+            (_, Some(block_N)) => format!(
+                "The string does not go down by its weight, the block pushes it: hook load \
+                 {hook_load}, {} with the block",
+                text.force(value_N + block_N)
+            ),
+            (_, None) => {
+                format!("The string does not go down by its weight: hook load {hook_load}")
+            }
+        }
+    }
+
+    /// Of a rig that pushes, with a largest force, N.
+    fn push(&self, check: &Check, hook_load_N: f64, largest_N: f64) -> String {
+        let text = &self.text;
+        let (hook_load, largest) = (text.force(hook_load_N), text.force(largest_N));
+        let block_N = self.rig.block_weight_N.unwrap_or(0.0);
+        if self.hook_load_N > hook_load_N {
+            return format!(
+                "The rig pushes with all of its {largest} at times: hook load down to {hook_load}"
+            );
+        }
+        match check.severity {
+            Severity::Ok if hook_load_N > 0.0 => {
+                format!("The string goes down by its weight: hook load {hook_load}")
+            }
+            Severity::Ok => format!(
+                "The rig pushes the string down: hook load {hook_load}, largest push {largest}"
+            ),
+            Severity::Error => format!(
+                "The rig does not push the string down: hook load {hook_load}, largest push \
+                 {largest}"
+            ),
+            _ => format!(
+                "The rig pushes the string down with all of its {largest} and the block: hook load \
+                 {hook_load}, {} with the block",
+                text.force(hook_load_N + block_N)
+            ),
+        }
+    }
+
+    fn stick_slip(&self, check: &Check) -> String {
+        let Some(found) = self.indicators.and_then(|indicators| indicators.stick_slip) else {
+            return "Stick-slip".to_owned();
+        };
+        let mut sentence = match check.value {
+            Some(severity) => format!("Stick-slip of severity {severity:.2}"),
+            None => "The bit does not turn".to_owned(),
+        };
+        if let Some(period_s) = found.period_s {
+            sentence += &format!(", period {period_s:.1} s");
+        }
+        sentence += &format!(
+            ", bit stuck for {:.0} % of the time and up to {:.0} rev/min fast",
+            found.stuck_fraction * 100.0,
+            found.bit_speed_max_rad_per_s * 60.0 / TAU,
+        );
+        sentence
+    }
+
+    fn whirl(
+        &self,
+        check: &Check,
+        direction: &str,
+        chosen: fn(&Indicators) -> Option<Whirl>,
+    ) -> String {
+        let place = self.text.place(check);
+        let Some(whirl) = self.indicators.and_then(chosen) else {
+            return format!("{direction} whirl{place}");
+        };
+        format!(
+            "{direction} whirl over {} of the string, fastest{place}: {:.0} rev/min, {:.1} × rotary \
+             speed",
+            percent(whirl.length_fraction),
+            whirl.rate_rad_per_s * 60.0 / TAU,
+            whirl.ratio,
+        )
+    }
+
+    fn bit_table(&self, table: &TableUse) -> String {
+        let forces = |[least, most]: [f64; 2]| {
+            format!("{} to {}", self.text.force(least), self.text.force(most))
+        };
+        let speeds = |[slowest, fastest]: [f64; 2]| {
+            let [slowest, fastest] = [slowest, fastest].map(|speed| speed * 60.0 / TAU);
+            format!("{slowest:.0} to {fastest:.0} rev/min")
+        };
+        format!(
+            "The bit was outside its table for {:.1} % of the time on the rock, where the value at \
+             the edge is used: weight on bit {} (table {}), rotary speed {} (table {})",
+            table.outside_fraction * 100.0,
+            forces(table.weights_N),
+            forces(table.table_weights_N),
+            speeds(table.speeds_rad_per_s),
+            speeds(table.table_speeds_rad_per_s),
+        )
+    }
+
+    fn bit_elsewhere(&self, mean_m: f64, requested_m: f64) -> String {
+        let off_m = mean_m - requested_m;
+        let side = if off_m > 0.0 { "deeper" } else { "shallower" };
+        format!(
+            "Settling took so long that the bit is at {} on average over the window, {} {side} \
+             than requested",
+            self.text.depth(mean_m),
+            self.text.depth(off_m.abs()),
+        )
+    }
+}

@@ -1,0 +1,26 @@
+//! What limits are compared with beside the model.
+
+use crate::DesignFactors;
+
+/// What limits are compared with.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct LimitSettings {
+    /// The required factors.
+    pub factors: DesignFactors,
+    /// Requested overpull, N. Default 445 kN, 100,000 lbf: 50,000 to 100,000 lbf are commonly
+    /// planned.
+    pub overpull_N: f64,
+    /// Largest side force of the wall on one joint of pipe, N; not checked where it is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub side_force_per_joint_N: Option<f64>,
+}
+
+impl Default for LimitSettings {
+    fn default() -> Self {
+        Self {
+            factors: DesignFactors::default(),
+            overpull_N: 444.822e3,
+            side_force_per_joint_N: None,
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! What could not be checked, and the number that is missing.
+
+use serde::{Deserialize, Serialize};
+
+use crate::CheckKind;
+
+/// A number that a check would have needed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Missing {
+    /// Yield strength of the component.
+    YieldStrength,
+    /// Make-up torque of the component's connections.
+    MakeUpTorque,
+    /// Limit of the side force per joint.
+    SideForceLimit,
+    /// Capacity of the hoist.
+    HoistCapacity,
+    /// Rated torque of the top drive.
+    TopDriveTorque,
+    /// Peak torque of the top drive.
+    TopDrivePeakTorque,
+    /// Pressure limit of the pump.
+    PumpPressureLimit,
+    /// Rheology of the mud, without which the pump pressure is not known.
+    Rheology,
+}
+
+impl Missing {
+    /// The missing number in words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::YieldStrength => "no yield strength",
+            Self::MakeUpTorque => "no make-up torque",
+            Self::SideForceLimit => "no limit of the side force per joint",
+            Self::HoistCapacity => "no hoist capacity",
+            Self::TopDriveTorque => "no rated torque of the top drive",
+            Self::TopDrivePeakTorque => "no peak torque of the top drive",
+            Self::PumpPressureLimit => "no pressure limit of the pump",
+            Self::Rheology => "no rheology of the mud",
+        }
+    }
+}
+
+/// A limit that could not be checked.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct Unchecked {
+    /// The kind of limit.
+    pub kind: CheckKind,
+    /// The component; none of the rig.
+    pub component: Option<String>,
+    /// What is missing.
+    pub missing: Missing,
+}
+
+impl Unchecked {
+    /// One phrase for each number that is missing: `Make-up torque (no make-up torque of jar, motor)`.
+    pub fn phrases<'a>(unchecked: impl IntoIterator<Item = &'a Unchecked>) -> Vec<String> {
+        let mut all: Vec<&Unchecked> = unchecked.into_iter().collect();
+        all.sort_by(|a, b| a.missing.cmp(&b.missing).then(a.kind.cmp(&b.kind)));
+        let mut sentences = Vec::new();
+        for group in all.chunk_by(|a, b| a.missing == b.missing) {
+            let mut labels: Vec<&str> = group.iter().map(|one| one.kind.label()).collect();
+            labels.dedup();
+            let mut components: Vec<&str> = Vec::new();
+            for name in group.iter().filter_map(|one| one.component.as_deref()) {
+                if !components.contains(&name) {
+                    components.push(name);
+                }
+            }
+            let place = match components.is_empty() {
+                true => String::new(),
+                false => format!(" of {}", components.join(", ")),
+            };
+            let labels = labels.join(", ");
+            sentences.push(format!("{labels} ({}{place})", group[0].missing.words()));
+        }
+        sentences
+    }
+}

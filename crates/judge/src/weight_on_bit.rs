@@ -1,0 +1,83 @@
+//! Weight on bit against what it is to be.
+
+use wholestring::{
+    dynamics::{DynamicsSettings, HoistControl},
+    operation::Operation,
+};
+
+use crate::{
+    Check, CheckKind, Severity,
+    window::{Window, share},
+};
+
+/// A mean that is off its target by more than this part of it is reported: what a weight indicator
+/// shows.
+const OFF: f64 = 0.05;
+
+/// A mean that is off by more than this is the answer to another question.
+const FAR_OFF: f64 = 0.2;
+
+/// A standard deviation beyond this part of the mean is reported: the weight then swings by half of
+/// it either way.
+const UNSTEADY: f64 = 0.25;
+
+/// A bit that is off the rock for more than this share of the time bounces.
+const BOUNCES: f64 = 0.01;
+
+/// Of an operation with the bit on bottom.
+pub fn checks(
+    operation: &Operation,
+    settings: &DynamicsSettings,
+    window: &Window<'_>,
+) -> Vec<Check> {
+    let mut found = Vec::new();
+    let (true, Some(weight)) = (operation.kind.on_bottom(), window.statistic("weight_on_bit_N"))
+    else {
+        return found;
+    };
+    if let Some((target_N, held)) = target_N(operation, settings, window) {
+        found.extend(off_target(weight.mean, target_N, held));
+    }
+    if weight.mean > 0.0 && weight.std > UNSTEADY * weight.mean {
+        found.push(
+            Check::reported(CheckKind::WeightOnBitUnsteady, Severity::Warning)
+                .value(weight.std)
+                .limit(UNSTEADY * weight.mean),
+        );
+    }
+    let off_rock =
+        share(window.series(|series| &series.weight_on_bit_N), |weight_N| *weight_N <= 0.0);
+    if weight.mean > 0.0 && off_rock > BOUNCES {
+        found.push(
+            Check::reported(CheckKind::BitBounce, Severity::Warning).value(off_rock).limit(BOUNCES),
+        );
+    }
+    found
+}
+
+/// The weight that is requested, N, and whether something is there to hold it; none where nothing
+/// is requested, or it changes in the window.
+fn target_N(
+    operation: &Operation,
+    settings: &DynamicsSettings,
+    window: &Window<'_>,
+) -> Option<(f64, bool)> {
+    let set_N = window.series(|series| &series.weight_on_bit_set_N);
+    if let [Some(first), ..] = set_N {
+        let same = set_N.iter().all(|set| *set == Some(*first));
+        return (same && *first > 0.0).then_some((*first, true));
+    }
+    let lifted = matches!(settings.hoist_control, Some(HoistControl::HookLoad(_)));
+    (lifted && settings.schedule.is_empty() && operation.weight_on_bit_N > 0.0)
+        .then_some((operation.weight_on_bit_N, false))
+}
+
+fn off_target(mean_N: f64, target_N: f64, held: bool) -> Option<Check> {
+    let off = mean_N / target_N - 1.0;
+    let kind = match off < 0.0 {
+        true => CheckKind::WeightOnBitNotReached,
+        false => CheckKind::WeightOnBitExceeded,
+    };
+    let severity = if held && off.abs() > FAR_OFF { Severity::Error } else { Severity::Warning };
+    (off.abs() > OFF).then(|| Check::reported(kind, severity).value(mean_N).limit(target_N))
+}

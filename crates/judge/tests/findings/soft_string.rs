@@ -1,0 +1,410 @@
+//! Findings in answers of the soft string.
+
+use wholestring::{
+    operation::OperationKind::*,
+    outcome::Buckling,
+    prelude::*,
+    statics::{
+        buckling::{Criterion, Place},
+        soft,
+        soft::{SoftError, SoftSettings},
+    },
+    string::LateralForce,
+};
+
+use wholestring_judge::{Check, CheckKind, Descent, Judge, Severity};
+
+use crate::{
+    common::*,
+    judged::{at_full_depth, five_inch, lateral, none, only, open, soft_checks},
+};
+
+/// A string in a slant slides down as long as `cot i` exceeds the friction: just below and just
+/// above `μ = 1/tan 60°`.
+#[test]
+fn a_hook_load_below_zero_is_an_error() {
+    let slant = |mu| five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, mu, 260.0);
+    let critical = 1.0 / 60.0_f64.to_radians().tan();
+    let goes = slant(0.99 * critical);
+    none(&soft_checks(&goes, &operation(TripIn, 1000.0)), CheckKind::GoesDown);
+    let mut stands = slant(1.01 * critical);
+    let found = soft_checks(&stands, &operation(TripIn, 1000.0));
+    let of = only(&found, CheckKind::GoesDown).expect("a finding");
+    // 1 % of the weight along the hole.
+    assert_close("hook load", of.value.unwrap(), -0.01 * 260e3 * 0.5, 1e-6);
+    assert_eq!((of.severity, of.limit), (Severity::Error, Some(0.0)));
+    // Less than what an indicator shows is none.
+    let barely = slant(0.9999 * critical);
+    let found = soft_checks(&barely, &operation(TripIn, 1000.0));
+    assert!(only(&found, CheckKind::GoesDown).is_some());
+    // A block that pushes harder makes it a warning, one that does not leaves it an error.
+    for (block_N, level) in [(5e3, Severity::Warning), (1e3, Severity::Error)] {
+        stands.rig.block_weight_N = Some(block_N);
+        let found = soft_checks(&stands, &operation(TripIn, 1000.0));
+        assert_eq!(only(&found, CheckKind::GoesDown).unwrap().severity, level);
+    }
+}
+
+/// A rig that snubs makes a push a choice: nothing is found up to its force, an error beyond it,
+/// and its push reaches the bit.
+#[test]
+fn a_rig_that_pushes_brings_the_string_down() {
+    let level = |snubbing_force_N| {
+        let stations = [[0.0, 90.0, 0.0], [500.0, 90.0, 0.0]];
+        let mut model = five_inch(&stations, 0.2159, 0.3, 260.0);
+        model.rig.snubbing_force_N = snubbing_force_N;
+        let slide = at_full_depth(Slide, &model, 10e3);
+        let found = soft_checks(&model, &slide);
+        [CheckKind::GoesDown, CheckKind::LockUp].map(|kind| only(&found, kind))
+    };
+    // What rubs and what is asked for.
+    let push_N = 0.3 * 260.0 * 500.0 + 10e3;
+    assert_eq!(level(Some(1.01 * push_N)), [None, None]);
+    let [beyond, missing] = level(Some(0.9 * push_N)).map(|of| of.expect("a finding"));
+    assert_eq!((beyond.severity, beyond.limit), (Severity::Error, Some(-0.9 * push_N)));
+    assert_close("hook load", beyond.value.unwrap(), -push_N, 1e-9);
+    // Friction is a part of both sides.
+    let missing_N = missing.value.unwrap() - missing.limit.unwrap();
+    assert_close("missing", missing_N, 0.1 * push_N, 1e-6);
+    // A level string that nothing pushes has no weight to go down with.
+    assert_eq!(level(None), [None, None]);
+}
+
+/// The soft string says what it leaves out.
+#[test]
+fn a_lateral_force_is_left_out() {
+    let mut model = five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
+    let turning = operation(RotateOffBottom, 1000.0);
+    none(&soft_checks(&model, &turning), CheckKind::LateralForceLeftOut);
+    let mut part = pipe(260.0, 0.0635, ComponentLength::ToSurface);
+    part.lateral_force =
+        Some(LateralForce { force_N: 15e3, from_lower_end_m: 1.0, toolface_rad: 0.0 });
+    let string = StringSpec { components: vec![part] }.assemble(1000.0);
+    model.string = string.expect("a sound string");
+    let found = soft_checks(&model, &turning);
+    let of = only(&found, CheckKind::LateralForceLeftOut).expect("a finding");
+    assert_eq!((of.severity, of.value, of.limit), (Severity::Note, Some(15e3), None));
+}
+
+/// In a straight slant without helix what is missing at the bit is what is missing at the hook.
+#[test]
+fn lock_up_is_what_does_not_arrive() {
+    let stations = [[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]];
+    let mut slant = five_inch(&stations, 0.2159, 0.5, 260.0);
+    let push_N = 260e3 * (60.0_f64.to_radians().cos() - 0.5 * 60.0_f64.to_radians().sin());
+    let slide =
+        |model: &Model, part: f64| soft_checks(model, &at_full_depth(Slide, model, part * push_N));
+    none(&slide(&slant, 0.98), CheckKind::LockUp);
+    let of = only(&slide(&slant, 1.5), CheckKind::LockUp).expect("a finding");
+    assert_eq!((of.severity, of.md_m), (Severity::Error, None));
+    let missing_N = of.value.unwrap() - of.limit.unwrap();
+    assert_close("missing", missing_N, 0.5 * push_N, 1e-9);
+    slant.rig.block_weight_N = Some(0.6 * push_N);
+    none(&slide(&slant, 1.5), CheckKind::LockUp);
+    // A string that turns has its friction around it.
+    slant.rig.block_weight_N = None;
+    let drill = at_full_depth(Drill, &slant, 1.5 * push_N);
+    none(&soft_checks(&slant, &drill), CheckKind::LockUp);
+}
+
+/// How a soft string goes down.
+fn descent(model: &Model, operation: &Operation, settings: &SoftSettings) -> Descent {
+    let profile = soft::solve(model, operation, settings).expect("an answer");
+    let judge = Judge { soft_has_helix_friction: settings.helix_side_force, ..Judge::default() };
+    judge.descent(model, operation, &(&profile).into()).expect("a string that slides down")
+}
+
+/// In a long lateral the helix takes all push: as far above the bit as in `S2b`'s closed form,
+/// which has no build.
+#[test]
+fn a_helix_that_takes_all_push_is_placed() {
+    let stations = [[0.0, 90.0, 0.0], [8000.0, 90.0, 0.0]];
+    let lateral = five_inch(&stations, 0.2159, 0.3, 222.036_979_824_722_35);
+    // The pipe of `S2b` pressed by 120 kN locks up within 3010 m, of 210 GPa as here.
+    let slide = at_full_depth(Slide, &lateral, 120e3);
+    let descent = descent(&lateral, &slide, &SoftSettings::default());
+    let file = verification("S2b_lockup_horizontal.json");
+    let row = &file["cases"][4];
+    assert_eq!(row["inputs"]["F_at_bit_N"], 120e3);
+    let length_m = row["expected"]["closed_form_m"].as_f64().unwrap();
+    let md_m = descent.absorbed_above_md_m.expect("a place");
+    assert_close("place", 8000.0 - md_m, length_m, 1e-6);
+    // A level string without a block has no weight to push with.
+    let found = soft_checks(&lateral, &slide);
+    assert!(only(&found, CheckKind::WeightNotAvailable).is_some());
+}
+
+/// The two profiles of `S2a`: 100 kN on the bit buckle nothing, 150 kN the lower 250 m of the
+/// tangent below the drop.
+#[test]
+fn s2a_buckled_stretches() {
+    let file = verification("S2a_buckling_along_string.json");
+    let stations = [
+        [0.0, 0.0, 0.0],
+        [1000.0, 0.0, 0.0],
+        [1900.0, 60.0, 0.0],
+        [3000.0, 60.0, 0.0],
+        [3900.0, 30.0, 0.0],
+        [4500.0, 30.0, 0.0],
+    ];
+    let weight = file["inputs"]["pipe"]["w"].as_f64().unwrap();
+    for row in file["profiles"].as_array().unwrap() {
+        let [weight_on_bit_N, mu] = ["WOB_N", "mu"].map(|key| row["inputs"][key].as_f64().unwrap());
+        let model = five_inch(&stations, 0.2159, mu, weight);
+        let found = soft_checks(&model, &at_full_depth(Slide, &model, weight_on_bit_N));
+        none(&found, CheckKind::HelicalBuckling);
+        let changes = row["expected"]["state_changes_0none_1sin_2hel"].as_array().unwrap();
+        let Some(change) = changes.first() else {
+            none(&found, CheckKind::SinusoidalBuckling);
+            continue;
+        };
+        let of = only(&found, CheckKind::SinusoidalBuckling).expect("a stretch");
+        verify("S2a", "depth from which a string that slides down is buckled, m")
+            .absolute(1.0, "the spacing of its nodes, by its source")
+            .report(change["md_m"].as_f64().unwrap(), of.md_m.unwrap());
+        assert_eq!(of.to_md_m, Some(4500.0));
+        assert_eq!((of.severity, of.value), (Severity::Warning, Some(150e3)));
+        // The tangent of 30°: the load of Dawson and Paslay there.
+        assert_close("load", of.limit.unwrap(), 111_651.265_330_979_6, 1e-6);
+    }
+}
+
+/// A vertical string is held by its own weight: Lubinski's load below 10 m above the bit, and
+/// nothing of it a tenth less.
+#[test]
+fn a_vertical_hole_has_a_scale_of_its_own() {
+    let vertical = five_inch(&[[0.0, 0.0, 0.0], [2000.0, 0.0, 0.0]], 0.2159, 0.3, 260.0);
+    let stiffness = vertical.string.components()[0].bending_stiffness_N_m2();
+    let scale_N = (stiffness * 260.0 * 260.0).cbrt();
+    let drill = |weight_N| soft_checks(&vertical, &at_full_depth(Drill, &vertical, weight_N));
+    none(&drill(1.93 * scale_N), CheckKind::SinusoidalBuckling);
+    let bowed = drill(1.94 * scale_N + 50.0 * 260.0);
+    let of = only(&bowed, CheckKind::SinusoidalBuckling).expect("a stretch");
+    // Every hole that is drilled with its collars in compression has it.
+    assert_eq!(of.severity, Severity::Note);
+    assert_close("from", of.md_m.unwrap(), 1950.0, 1e-6);
+    assert_close("load", of.limit.unwrap(), 1.94 * scale_N, 1e-6);
+    none(&bowed, CheckKind::HelicalBuckling);
+    let helical = drill(5.55 * scale_N + 50.0 * 260.0);
+    let of = only(&helical, CheckKind::HelicalBuckling).expect("a stretch");
+    assert_eq!(of.severity, Severity::Warning);
+    assert_close("from", of.md_m.unwrap(), 1950.0, 1e-6);
+    // A helix is more than a bow.
+    none(&helical, CheckKind::SinusoidalBuckling);
+    // Less than a joint of it is a note.
+    let short = drill(5.55 * scale_N + 9.0 * 260.0);
+    let of = only(&short, CheckKind::HelicalBuckling).expect("a stretch");
+    assert_eq!(of.severity, Severity::Note);
+}
+
+/// A lateral of which the driller gets nothing to the bit has all three, the gravest first.
+#[test]
+fn a_lateral_that_cannot_be_drilled() {
+    let model = lateral(4500.0, 0.35);
+    let found = soft_checks(&model, &at_full_depth(Slide, &model, 49e3));
+    let kinds: Vec<CheckKind> = found.iter().map(|of| of.kind).collect();
+    assert_eq!(kinds[..2], [CheckKind::GoesDown, CheckKind::LockUp], "{found:?}");
+    assert!(found.windows(2).all(|pair| pair[0].severity >= pair[1].severity));
+    let helical: Vec<&Check> =
+        found.iter().filter(|of| of.kind == CheckKind::HelicalBuckling).collect();
+    assert!(!helical.is_empty());
+    for of in helical {
+        assert!(of.value > of.limit && of.md_m < of.to_md_m, "{of:?}");
+    }
+}
+
+#[test]
+fn rig_limits() {
+    let mut model = five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
+    let turning = operation(RotateOffBottom, 1000.0);
+    let profile = soft::solve(&model, &turning, &SoftSettings::default()).unwrap();
+    let (hook_N, torque_N_m) = (profile.scalars.hook_load_N, profile.scalars.surface_torque_N_m);
+    let block_N = 200e3;
+    let mut levels = |part: f64, block: Option<f64>| {
+        model.rig = Rig {
+            block_weight_N: block,
+            hoist_capacity_N: Some((hook_N + block_N) / part),
+            top_drive_torque_N_m: Some(torque_N_m / part),
+            ..Rig::default()
+        };
+        let found = soft_checks(&model, &turning);
+        [CheckKind::Hoist, CheckKind::TopDrive].map(|kind| only(&found, kind).map(|of| of.severity))
+    };
+    use Severity::*;
+    assert_eq!(levels(1.01, Some(block_N)), [Some(Error); 2]);
+    assert_eq!(levels(0.99, Some(block_N)), [Some(Warning), None]);
+    assert_eq!(levels(0.89, Some(block_N)), [None; 2]);
+    // Without the block the hoist has less to carry.
+    assert_eq!(levels(1.01, None), [None, Some(Error)]);
+    // A torque that lasts is held against the rating, whatever the peak torque.
+    let mut top_drive = |rated: Option<f64>, peak: f64| {
+        model.rig = Rig {
+            top_drive_torque_N_m: rated.map(|part| torque_N_m / part),
+            top_drive_peak_torque_N_m: Some(torque_N_m / peak),
+            ..Rig::default()
+        };
+        let found = soft_checks(&model, &turning);
+        only(&found, CheckKind::TopDrive)
+            .map(|of| (of.severity, torque_N_m / of.limit.expect("a limit")))
+    };
+    let near = |found: Option<(Severity, f64)>, level, part: f64| {
+        let (at, against) = found.expect("a finding");
+        assert_eq!(at, level);
+        assert!((against - part).abs() < 1e-9, "{against}");
+    };
+    assert_eq!(top_drive(None, 0.9), None);
+    near(top_drive(Some(1.1), 0.9), Error, 1.1);
+    near(top_drive(Some(1.2), 1.1), Error, 1.2);
+    assert_eq!(top_drive(Some(0.7), 0.5), None);
+}
+
+#[test]
+fn pump_limit() {
+    let mut model = five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
+    model.mud.rheology = Some(wholestring::mud::Rheology::Newtonian { viscosity_Pa_s: 0.02 });
+    let mut turning = operation(RotateOffBottom, 1000.0);
+    turning.flow_rate_m3_per_s = 0.03;
+    let profile = soft::solve(&model, &turning, &SoftSettings::default()).unwrap();
+    let pressure_Pa = profile.hydraulics.expect("a mud that flows").pump_pressure_Pa;
+    let mut level = |part: f64| {
+        model.rig.pump_pressure_limit_Pa = Some(pressure_Pa / part);
+        only(&soft_checks(&model, &turning), CheckKind::PumpPressure).map(|of| of.severity)
+    };
+    assert_eq!(
+        [1.01, 0.95, 0.89].map(&mut level),
+        [Some(Severity::Error), Some(Severity::Warning), None]
+    );
+}
+
+/// A column knows what a finding knows, and no more: a stretch of the column's word longer than a
+/// joint is in a finding, whose value and limit are those of a row.
+#[test]
+fn columns_and_findings_agree() {
+    for criterion in [Criterion::HeKyllingstad, Criterion::ChenLinCheatham, Criterion::WuJuvkamWold]
+    {
+        let model = Model { buckling: criterion, ..lateral(4500.0, 0.3) };
+        let slide = at_full_depth(Slide, &model, 120e3);
+        let profile = soft_string(&model, &slide).expect("a sound model");
+        let found = open(Judge::default().soft(&model, &slide, &profile).checks);
+        for (kind, word) in [
+            (CheckKind::HelicalBuckling, Buckling::Helical),
+            (CheckKind::SinusoidalBuckling, Buckling::Sinusoidal),
+        ] {
+            let stretches: Vec<_> = found.iter().filter(|of| of.kind == kind).collect();
+            if stretches.is_empty() {
+                // A bow by weight alone is not reported beside a helix.
+                assert_eq!(word, Buckling::Sinusoidal, "{criterion:?}");
+                continue;
+            }
+            for of in &stretches {
+                let (from_m, to_m) = (of.md_m.expect("a place"), of.to_md_m.expect("another"));
+                let row = (0..profile.md_m.len())
+                    .find(|row| Some(-profile.tension_N[*row]) == of.value)
+                    .expect("the row of the finding");
+                assert!(from_m <= profile.md_m[row] && profile.md_m[row] <= to_m);
+                assert!(profile.buckling(row) >= word);
+                let load_N = match word {
+                    Buckling::Helical => profile.helical_load_N[row],
+                    _ => profile.sinusoidal_load_N[row],
+                };
+                // The limit is the load to rounding of compression over their quotient.
+                let (limit_N, load_N) = (of.limit.expect("a limit"), load_N.expect("clearance"));
+                assert!((limit_N / load_N - 1.0).abs() < 1e-14, "{limit_N} {load_N}");
+            }
+            let mut outside_m = 0.0;
+            for (row, md_m) in profile.md_m.iter().enumerate().skip(1) {
+                let covered = stretches
+                    .iter()
+                    .any(|of| of.md_m.unwrap() <= *md_m && *md_m <= of.to_md_m.unwrap());
+                outside_m = match profile.buckling(row) >= word && !covered {
+                    true => outside_m + md_m - profile.md_m[row - 1],
+                    false => 0.0,
+                };
+                assert!(outside_m <= 10.0, "{criterion:?}: {kind:?} at {md_m} m");
+            }
+        }
+    }
+}
+
+/// What a helix presses to the wall drags in the soft string, if asked: the push at nine tenths of
+/// the length that locks up, as `S2b` has it; beyond that length there is no answer. The lock-up
+/// that is found, which counts the helix anyway, stays what it is.
+#[test]
+fn s2b_the_drag_of_a_helix_counts_if_asked() {
+    let file = verification("S2b_lockup_horizontal.json");
+    let pipe = &file["inputs"]["pipe"];
+    let (stiffness, weight) = (pipe["EI"].as_f64().unwrap(), pipe["w"].as_f64().unwrap());
+    let clearance_m = file["inputs"]["clearance_m"].as_f64().unwrap();
+    let counted = SoftSettings { helix_side_force: true, ..SoftSettings::default() };
+    let mut rows = Vec::new();
+    for row in file["cases"].as_array().unwrap() {
+        let (of, expected) = (&row["inputs"], &row["expected"]);
+        let (mu, at_bit_N) = (of["mu"].as_f64().unwrap(), of["F_at_bit_N"].as_f64().unwrap());
+        let buckling = match of["F_hel_rule"].as_str() {
+            Some("WuJuvkamWold") => Criterion::WuJuvkamWold,
+            _ => Criterion::ChenLinCheatham,
+        };
+        let locks_up_m = expected["closed_form_m"].as_f64().unwrap();
+        let horizontal = |length_m: f64| {
+            let stations = [[0.0, 90.0, 0.0], [length_m, 90.0, 0.0]];
+            let model = Model { buckling, ..five_inch(&stations, 0.2159, mu, weight) };
+            let slide = at_full_depth(Slide, &model, at_bit_N);
+            (model, slide)
+        };
+        let (model, slide) = horizontal(0.9 * locks_up_m);
+        let profile = soft::solve(&model, &slide, &counted).expect("an answer");
+        rows.push(
+            verify("S2b", "push of a soft string whose helix drags, N")
+                .relative(1e-6, "what its source requires")
+                .row(expected["F_at_0p9_L_N"].as_f64().unwrap(), -profile.scalars.hook_load_N),
+        );
+        for (row, tension_N) in profile.tension_N.iter().enumerate() {
+            let helix = match profile.buckling(row) {
+                Buckling::Helical => clearance_m * tension_N * tension_N / (4.0 * stiffness),
+                _ => 0.0,
+            };
+            // Weight and helix, to the rounding of weight and mass.
+            let expected = weight + helix;
+            assert!((profile.side_force_N_per_m[row].abs() / expected - 1.0).abs() < 1e-9);
+            let drag = -mu * profile.side_force_N_per_m[row].abs();
+            assert!((profile.axial_friction_N_per_m[row] / drag - 1.0).abs() < 1e-9);
+        }
+        let [rubbing, plain] =
+            [counted, SoftSettings::default()].map(|settings| descent(&model, &slide, &settings));
+        assert_eq!(rubbing.absorbed_above_md_m.is_some(), plain.absorbed_above_md_m.is_some());
+        // The rows of the profile place the beginning of the helix to within a metre (0.46 m at
+        // most here), and the push at the top shifts by what it grows there over that length.
+        let friction_N_per_m = profile.axial_friction_N_per_m.iter().map(|of| of.abs());
+        let bound_N = friction_N_per_m.fold(0.0, f64::max);
+        let apart_N = (rubbing.arrives_N - plain.arrives_N).abs();
+        assert!(apart_N < bound_N, "{apart_N} beyond {bound_N}");
+        let (model, slide) = horizontal(1.01 * locks_up_m);
+        let refused = soft::solve(&model, &slide, &counted);
+        let Err(SoftError::LocksUp { md_m }) = refused else {
+            panic!("it locks up: {refused:?}");
+        };
+        // Found a step before it is infinite, where a step of a metre is as long as what is left.
+        assert!((md_m - 0.01 * locks_up_m).abs() < 3.0, "{md_m}");
+    }
+    report_worst(rows);
+}
+
+/// A string that turns is a helix as well: its torque grows by what the helix presses, to rounding.
+#[test]
+fn the_torque_of_a_helix_counts_if_asked() {
+    let model = five_inch(&[[0.0, 90.0, 0.0], [1000.0, 90.0, 0.0]], 0.2159, 0.3, 260.0);
+    let drill = at_full_depth(Drill, &model, 300e3);
+    let counted = SoftSettings { helix_side_force: true, ..SoftSettings::default() };
+    let helix = soft::solve(&model, &drill, &counted).expect("an answer");
+    let plain = soft_string(&model, &drill).expect("an answer");
+    let place = Place::of(&model, 1000.0, 500.0);
+    for (row, md_m) in helix.md_m.iter().enumerate() {
+        assert_eq!(helix.buckling(row), Buckling::Helical, "{md_m}");
+        let pressed = 260.0 + place.helix_load_N_per_m(-helix.tension_N[row]);
+        let part = pressed / 260.0;
+        let torque = |of: &SoftProfile| of.friction_torque_N_m_per_m[row];
+        assert_close("torque per metre", torque(&helix), part * torque(&plain), 1e-12);
+    }
+    let [more, less] = [&helix, &plain].map(|of| of.scalars.friction_torque_N_m);
+    assert!(more > 2.0 * less, "{more} {less}");
+}

@@ -1,0 +1,107 @@
+//! The checks of a summary, whatever command left it.
+
+use serde::Deserialize;
+use serde_json::Value;
+use wholestring_judge::Check;
+
+/// A check and the operation that it is about.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedCheck {
+    /// The operation and the model, `trip in (soft)`; empty where it is about the whole result.
+    pub name: String,
+    /// The check.
+    pub check: Check,
+}
+
+/// Keys of a summary that hold checks. Every command has some of them.
+#[derive(Deserialize)]
+struct Holder {
+    #[serde(default)]
+    operations: Option<Value>,
+    #[serde(default, alias = "worst_limits")]
+    checks: Vec<Row>,
+}
+
+/// An operation of a run.
+#[derive(Deserialize)]
+struct Operation {
+    operation: String,
+    model: String,
+    #[serde(default, alias = "findings")]
+    checks: Vec<Check>,
+}
+
+/// A check of a plan or of another command, with what it is about.
+#[derive(Deserialize)]
+struct Row {
+    #[serde(default)]
+    operation: Option<String>,
+    #[serde(default)]
+    model: Option<String>,
+    #[serde(flatten)]
+    check: Check,
+}
+
+/// The checks of a `summary.json`, the most severe first; none of a text that is no summary.
+pub fn checks_of(summary: &Value) -> Vec<NamedCheck> {
+    let Ok(holder) = Holder::deserialize(summary) else { return Vec::new() };
+    let operations = holder.operations.and_then(|value| Vec::<Operation>::deserialize(value).ok());
+    let of_operations = operations.into_iter().flatten().flat_map(|operation| {
+        let name = name(&operation.operation, Some(&operation.model));
+        operation.checks.into_iter().map(move |check| NamedCheck { name: name.clone(), check })
+    });
+    let rows = holder.checks.into_iter().map(|row| {
+        let operation = row.operation.as_deref().unwrap_or_default();
+        NamedCheck { name: name(operation, row.model.as_deref()), check: row.check }
+    });
+    let mut all: Vec<NamedCheck> = of_operations.chain(rows).collect();
+    all.sort_by_key(|named| std::cmp::Reverse(named.check.severity));
+    all
+}
+
+fn name(operation: &str, model: Option<&str>) -> String {
+    let operation = operation.replace('_', " ");
+    match model.filter(|model| !model.is_empty()) {
+        Some(model) if operation.is_empty() => model.to_owned(),
+        Some(model) => format!("{operation} ({model})"),
+        None => operation,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+    use wholestring_judge::{CheckKind, Severity, Verdict};
+
+    use super::*;
+
+    #[test]
+    fn checks_of_runs_and_plans_of_every_version_are_found() {
+        let run = json!({"settings": {"checks": 1}, "operations": [
+            {"model": "soft", "operation": "trip_in", "findings": [
+                {"kind": "hook_load_negative", "level": "error", "message": "Slack"}]},
+            {"model": "stiff", "operation": "slide", "checks": [
+                {"kind": "tension", "severity": "ok", "verdict": "OK", "sentence": "Tension"}]},
+        ]});
+        let found = checks_of(&run);
+        assert_eq!(found.len(), 2);
+        let (first, second) = (&found[0], &found[1]);
+        assert_eq!(
+            (first.name.as_str(), first.check.kind),
+            ("trip in (soft)", CheckKind::GoesDown)
+        );
+        assert_eq!(
+            (first.check.severity, first.check.sentence.as_str()),
+            (Severity::Error, "Slack")
+        );
+        assert_eq!(second.name, "slide (stiff)");
+        let plan = json!({"operations": ["slide"], "worst_limits": [
+            {"model": "soft", "operation": "slide", "friction": "low", "kind": "hoist",
+             "load": 2.0, "capacity": 1.0, "factor": 0.5, "required": 1.0, "standing": "passed"}]});
+        let found = checks_of(&plan);
+        assert_eq!(found[0].name, "slide (soft)");
+        assert_eq!(found[0].check.verdict, Verdict::Exceeded);
+        assert_eq!((found[0].check.severity, found[0].check.value), (Severity::Error, Some(2.0)));
+        assert_eq!(checks_of(&json!([1])), []);
+    }
+}

@@ -1,0 +1,57 @@
+//! Channels, numbers and depths in the sentences of checks, and the value in the middle of readings.
+
+use wholestring_plan::calibration::Channel;
+use wholestring_tabular::{CheckSeverity, ReadingCheck};
+use wholestring_units::{Dimension, UnitSet};
+
+/// A warning that is not a matter of single readings.
+pub(in crate::calibrate) fn warning(kind: &'static str, sentence: String) -> ReadingCheck {
+    ReadingCheck {
+        kind,
+        severity: CheckSeverity::Warning,
+        places: Vec::new(),
+        value: None,
+        limit: None,
+        sentence,
+    }
+}
+
+/// What a channel's readings measure.
+pub(in crate::calibrate) fn dimension(channel: Channel) -> Dimension {
+    if channel.is_torque() { Dimension::Torque } else { Dimension::Force }
+}
+
+/// A channel in a sentence.
+pub(in crate::calibrate) fn words(channel: Channel) -> &'static str {
+    match channel {
+        Channel::PickUp => "pick-up weight",
+        Channel::SlackOff => "slack-off weight",
+        Channel::Rotating => "rotating weight",
+        Channel::OffBottomTorque => "torque off bottom",
+        Channel::OnBottomTorque => "torque on bottom",
+    }
+}
+
+/// A number in three digits, with its unit.
+pub(in crate::calibrate) fn shown(value: f64, dimension: Dimension, units: UnitSet) -> String {
+    let unit = dimension.unit_in(units);
+    let value = unit.from_si(value);
+    let digits = 2 - libm::log10(value.abs().max(1e-9)).floor() as i32;
+    format!("{value:.*} {}", digits.clamp(0, 6) as usize, unit.symbol)
+}
+
+/// A depth in whole units.
+pub(in crate::calibrate) fn whole(depth_m: f64, units: UnitSet) -> String {
+    let unit = Dimension::Length.unit_in(units);
+    format!("{:.0} {}", unit.from_si(depth_m), unit.symbol)
+}
+
+/// The value in the middle; zero of none.
+pub(in crate::calibrate) fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    match values.len() {
+        0 => 0.0,
+        count if count % 2 == 1 => values[count / 2],
+        count => 0.5 * (values[count / 2 - 1] + values[count / 2]),
+    }
+}

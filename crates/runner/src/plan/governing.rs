@@ -1,0 +1,36 @@
+//! The limit that governs each operation, in the summary and in sentences.
+
+use wholestring_plan::dynamic::Event;
+use wholestring_report::operation_name;
+use wholestring_results::{PlanCheck, PlanSummary};
+use wholestring_units::{Dimension, UnitSet};
+
+/// Of each operation the limit with the least reserve among those that break something or stop the
+/// operation: not buckling, nor a requested overpull. In the order of the operations.
+pub(super) fn governing(checks: &[PlanCheck]) -> Vec<PlanCheck> {
+    let mut found: Vec<&PlanCheck> = Vec::new();
+    for row in checks.iter().filter(|row| row.check.kind.stops() && row.check.factor.is_some()) {
+        match found.iter_mut().find(|other| other.operation == row.operation) {
+            Some(other) if row.check.reserve() < other.check.reserve() => *other = row,
+            Some(_) => {}
+            None => found.push(row),
+        }
+    }
+    found.into_iter().cloned().collect()
+}
+
+/// A sentence for each operation: which limit governs, of which component, where, and its reserve.
+pub fn governing_sentences(summary: &PlanSummary, units: UnitSet) -> Vec<String> {
+    summary.governing.iter().map(|row| sentence(row, units)).collect()
+}
+
+fn sentence(row: &PlanCheck, units: UnitSet) -> String {
+    let operation = match Event::from_name(&row.operation) {
+        Some(event) => format!("{} by the dynamics", event.label()),
+        None => operation_name(&row.operation).to_owned(),
+    };
+    let length = Dimension::Length.unit_in(units);
+    let depth = format!("{:.0} {}", length.from_si(row.bit_depth_m) + 0.0, length.symbol);
+    let check = row.check.sentence_in(units);
+    format!("{operation}, {} friction, bit at {depth}: {check}.", row.friction)
+}

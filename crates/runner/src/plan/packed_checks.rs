@@ -1,0 +1,34 @@
+//! Checks of a plan as its checkpoint holds them: a format without names cannot take a check's
+//! fields in among those of its row.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use wholestring_judge::Check;
+use wholestring_results::PlanCheck;
+
+/// Model, friction, operation, depth of the bit in m, and the check.
+type Row = (String, String, String, f64, Check);
+
+pub(super) fn serialize<S: Serializer>(
+    checks: &[PlanCheck],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let row = |of: &PlanCheck| -> Row {
+        let PlanCheck { model, friction, operation, bit_depth_m, check } = of.clone();
+        (model, friction, operation, bit_depth_m, check)
+    };
+    checks.iter().map(row).collect::<Vec<Row>>().serialize(serializer)
+}
+
+pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Vec<PlanCheck>, D::Error> {
+    let rows = Vec::<Row>::deserialize(deserializer)?;
+    let check = |(model, friction, operation, bit_depth_m, check)| PlanCheck {
+        model,
+        friction,
+        operation,
+        bit_depth_m,
+        check,
+    };
+    Ok(rows.into_iter().map(check).collect())
+}
