@@ -43,6 +43,9 @@ use finding::Finding;
 use folders::root;
 use usage::USAGE;
 
+/// The switch with which a step that fails does not end the others.
+const KEEP_GOING: &str = "--keep-going";
+
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
 /// Cheap steps first, so that a slip is reported early.
@@ -85,8 +88,8 @@ const VERIFY: &[Step] = &[
 fn main() -> ExitCode {
     let arguments: Vec<_> = env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["test"] => take(TEST),
-        ["verify"] => take(VERIFY),
+        ["test", ref options @ ..] => test(options),
+        ["verify"] => take(VERIFY, false),
         ["cycles"] => exit_code(no_cycles()),
         ["changes"] => exit_code(changes::try_out(None, false)),
         ["changes", "--tests"] => exit_code(changes::try_out(None, true)),
@@ -128,9 +131,24 @@ fn main() -> ExitCode {
     }
 }
 
-fn take(steps: &[Step]) -> ExitCode {
+/// All steps, or those whose titles are given; past one that fails where that is asked for.
+fn test(options: &[&str]) -> ExitCode {
+    let (switches, titles): (Vec<_>, Vec<_>) =
+        options.iter().partition(|option| **option == KEEP_GOING);
+    if let Some(unknown) = titles.iter().find(|title| !TEST.iter().any(|step| step.0 == **title)) {
+        eprintln!("`{unknown}` is no step; those are:");
+        TEST.iter().for_each(|step| eprintln!("  {}", step.0));
+        return ExitCode::from(2);
+    }
+    let chosen: Vec<_> =
+        TEST.iter().filter(|step| titles.is_empty() || titles.contains(&step.0)).copied().collect();
+    take(&chosen, !switches.is_empty())
+}
+
+fn take(steps: &[Step], keep_going: bool) -> ExitCode {
     let start = Instant::now();
     let mut total = Count::default();
+    let mut failed = Vec::new();
     for (number, (title, step)) in steps.iter().enumerate() {
         println!("[{}/{}] {title}", number + 1, steps.len());
         let begin = Instant::now();
@@ -146,10 +164,17 @@ fn take(steps: &[Step]) -> ExitCode {
             Err(failure) => {
                 total += failure.count;
                 eprintln!("\n{title} failed: {}", failure.reason);
-                println!("{total}");
-                return ExitCode::FAILURE;
+                failed.push(*title);
+                if !keep_going {
+                    break;
+                }
             }
         }
+    }
+    if !failed.is_empty() {
+        println!("\nFailed: {}", failed.join(", "));
+        println!("{total}");
+        return ExitCode::FAILURE;
     }
     println!("\nAll steps in {:.0} s", start.elapsed().as_secs_f64());
     println!("{total}");

@@ -1,7 +1,9 @@
 //! How the chores are asked for.
 
 pub(crate) const USAGE: &str = "\
-usage: cargo xtask test      run everything that CI runs
+usage: cargo xtask test [--keep-going] [STEP...]
+                             run everything that CI runs, or the steps of those titles; with
+                             --keep-going past steps that fail
        cargo xtask cycles    name the circles between files
        cargo xtask changes [--only NAME] [--tests] [--record NAME]
                              apply the examples of changes in docs/changes to a copy and compile \

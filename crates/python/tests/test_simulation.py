@@ -2,14 +2,18 @@
 
 import math
 import signal
+import subprocess
+import sys
 import threading
-import time
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
 import pytest
 import wholestring as ws
+
+CASES = Path(__file__).parents[3] / "cases"
 
 
 def test_it_is_the_run_of_the_case(short: ws.Case) -> None:
@@ -134,19 +138,36 @@ def test_friction_changes_as_the_run_goes(slant: ws.Case) -> None:
     assert sim.friction == (0.25, 0.25)
 
 
+THREADS = """
+import psutil
+import wholestring as ws
+
+case = ws.Case.load("{path}").with_(rock__element_size="24 mm", rock__density_factor=500)
+alone = case.simulation(jobs=1)
+threads = [psutil.Process().num_threads()]
+three = case.simulation(jobs=3)
+threads.append(psutil.Process().num_threads())
+two = case.simulation(checkpoint=alone.checkpoint(), jobs=2)
+threads.append(psutil.Process().num_threads())
+print(*threads)
+"""
+"""In a process of its own: pools of other tests end their threads when they like."""
+
+
 def test_threads_are_the_callers(np13_rock: ws.Case) -> None:
-    psutil: Any = pytest.importorskip("psutil")
+    pytest.importorskip("psutil")
+    path = CASES / "np13-x1042-rock.toml"
+    script = [sys.executable, "-c", THREADS.format(path=path.as_posix())]
+    printed = subprocess.run(script, capture_output=True, text=True, check=True).stdout
+    before, with_three, with_two_more = map(int, printed.split())
+    assert with_three == before + 3
+    assert with_two_more == before + 5
+
+
+def test_threads_change_no_number(np13_rock: ws.Case) -> None:
     alone = np13_rock.simulation(jobs=1)
-    # Pools of other tests may still be ending their threads.
-    before = psutil.Process().num_threads()
-    time.sleep(1.0)
-    while before != (now := psutil.Process().num_threads()):
-        before = now
-        time.sleep(1.0)
     three = np13_rock.simulation(jobs=3)
-    assert psutil.Process().num_threads() == before + 3
     again = np13_rock.simulation(checkpoint=alone.checkpoint(), jobs=2)
-    assert psutil.Process().num_threads() == before + 5
     for of in (alone, three, again):
         of.advance(0.02)
     for of in (three, again):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -42,4 +43,7 @@ def answers(problem: Mapping[str, Any]) -> dict[str, Any]:
     solve = KINDS.get(problem["kind"])
     if solve is None:
         raise NotImplementedError
-    return solve(problem["inputs"], problem["expected"])
+    with warnings.catch_warnings():
+        # Problems have what no rig has: pipes without weight, a weight on bit of 1 N.
+        warnings.simplefilter("ignore", ws.CaseWarning)
+        return solve(problem["inputs"], problem["expected"])

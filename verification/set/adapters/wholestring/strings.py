@@ -48,7 +48,7 @@ def string_case(inputs: Inputs, operation: str) -> ws.Case:
     doing: dict[str, Any] = {"kind": operation}
     tables: dict[str, Any] = {}
     if operation == "ream":
-        doing["rpm"] = inputs["rotary_speed_rad_per_s"]
+        doing["rpm"] = f"{inputs['rotary_speed_rad_per_s']} rad/s"
         doing["trip_speed"] = inputs["axial_speed_m_per_s"]
     elif operation in ON_BOTTOM.values():
         doing |= {"wob": inputs["weight_on_bit_N"], "rop": SLOWLY}
