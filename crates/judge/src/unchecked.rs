@@ -54,7 +54,8 @@ pub struct Unchecked {
 }
 
 impl Unchecked {
-    /// One phrase for each number that is missing: `Make-up torque (no make-up torque of jar, motor)`.
+    /// One phrase for each number that is missing: `Burst, Collapse of jar, motor (no yield
+    /// strength)`. The components stand behind the limits, since those of others were checked.
     pub fn phrases<'a>(unchecked: impl IntoIterator<Item = &'a Unchecked>) -> Vec<String> {
         let mut all: Vec<&Unchecked> = unchecked.into_iter().collect();
         all.sort_by(|a, b| a.missing.cmp(&b.missing).then(a.kind.cmp(&b.kind)));
@@ -73,7 +74,7 @@ impl Unchecked {
                 false => format!(" of {}", components.join(", ")),
             };
             let labels = labels.join(", ");
-            sentences.push(format!("{labels} ({}{place})", group[0].missing.words()));
+            sentences.push(format!("{labels}{place} ({})", group[0].missing.words()));
         }
         sentences
     }
