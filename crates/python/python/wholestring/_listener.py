@@ -29,7 +29,7 @@ class Listener:
     def said(self, is_warning: bool, sentence: str) -> None:
         """Hear a sentence."""
         if is_warning:
-            warnings.warn(sentence, stacklevel=outside())
+            warnings.warn(sentence.removeprefix("warning: "), stacklevel=outside())
 
     def progress(self, name: str, time_s: float, end_s: float) -> None:
         """Hear how far a simulation has come."""
