@@ -8,7 +8,7 @@ import { digits, quantity, shown, si, symbol } from "./units.ts";
 /** Towards the high side, and to the right of it as one looks down the hole. */
 export type Pair = readonly [number, number];
 
-/** An assembly at rest, SI; distances are from the bit. */
+/** A static BHA analysis, SI; distances are from the bit. */
 export interface AssemblyAtRest {
   length_m: number;
   contacts: readonly { touching: string; name: string; from_bit_m: Pair; force_N: Pair }[];

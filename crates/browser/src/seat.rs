@@ -55,7 +55,7 @@ impl Seat {
     /// Begins a string at time zero, or continues one that was kept.
     ///
     /// # Errors
-    /// A case that is not sound, a string that cannot be, and bytes that are none that were kept.
+    /// A case that is invalid, a string that cannot be, and bytes that are none that were kept.
     pub fn begin(request: &Request, kept: Option<&[u8]>) -> Result<Self, Refusal> {
         let (case_id, text, start) = match kept {
             Some(bytes) => {

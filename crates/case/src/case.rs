@@ -45,7 +45,7 @@ pub struct Case {
     /// Whether the top hangs on a constant lift that is found before each dynamic run, such that
     /// the mean weight on bit is the operation's: [`wholestring::dynamics::tune_hook_load`].
     pub tunes_hook_load: bool,
-    /// Time on the clock between checkpoints of a dynamic run, s.
+    /// Wall-clock time between checkpoints of a dynamic run, s.
     pub checkpoint_interval_s: f64,
     /// What a dynamic run keeps beside its tables.
     pub records: Records,

@@ -17,7 +17,7 @@ use crate::{
     rig::HoistTable,
 };
 
-/// Time on the clock between checkpoints where the case does not say, s: what one can bear to lose.
+/// Wall-clock time between checkpoints where the case does not say, s: what one can bear to lose.
 const CHECKPOINT_INTERVAL_S: f64 = 30.0;
 
 /// Rows that a run keeps in its tables; more fill memory and disk, not insight.
@@ -144,7 +144,7 @@ table! {
             Quantity::si(Dimension::Time, Range::from_to(1e-4, 10.0), "10 ms"),
             DynamicsSettings::default().sample_interval_s,
         );
-        /// Time on the clock between checkpoints, from which `--resume` continues a run that
+        /// Wall-clock time between checkpoints, from which `--resume` continues a run that
         /// was stopped or killed. Lowering it loses less then; each costs some hundredths of a
         /// second. It leaves the answer as it is.
         checkpoint_interval: f64 = default(

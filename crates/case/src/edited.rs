@@ -16,7 +16,7 @@ use crate::{
 };
 
 /// The text of a case with these changes written into it; what they leave alone stays as it was
-/// written, comments too. Whether the case is sound, [`parse`](crate::parse) says.
+/// written, comments too. Whether the case is valid, [`parse`](crate::parse) says.
 ///
 /// ```
 /// use wholestring_case::edited;

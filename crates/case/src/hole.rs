@@ -6,7 +6,7 @@ use wholestring_config::{prelude::*, table::required_unless};
 use crate::{bore::Bore, catalogue::OwnCatalogue, roughness::RoughnessTable};
 
 table! {
-    /// Friction between string and wall: sliding and at rest, along the hole and around it.
+    /// Friction between string and wall: kinetic and static, axial and rotational.
     FrictionTable in "friction" {
         /// Coefficient while sliding, along the hole and, where `around` does not say otherwise,
         /// around it.
@@ -49,7 +49,7 @@ impl FrictionTable {
             && around.value != kinetic
         {
             if kinetic < MIN_FRICTION {
-                return Diagnostic::error("friction around the hole needs friction along it")
+                return Diagnostic::error("rotational friction needs axial friction")
                     .at(around.place, "taken in its ratio to `kinetic`")
                     .help(format!("give a kinetic friction of {MIN_FRICTION} or more"))
                     .refuse(reader);

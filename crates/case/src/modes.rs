@@ -36,7 +36,7 @@ const HEAVIEST: f64 = 2.0;
 const USUAL_N: f64 = 50e3;
 
 table! {
-    /// Natural frequencies, critical speeds, the answer to a force that turns, and torsional
+    /// Natural frequencies, critical speeds, the response to a rotating force, and torsional
     /// stability, for `wholestring modes`.
     ModesTable in "[modes]" {
         /// Modes of each family: lateral of the assembly, axial and torsional of the whole string.
@@ -60,7 +60,7 @@ table! {
             "orders",
             MAX_ORDERS,
         ));
-        /// Size of the force that turns with the string where nothing of it is eccentric.
+        /// Size of the force that rotates with the string where nothing of it is eccentric.
         force: f64 = default(
             Quantity::si(Dimension::Force, Range::positive_to(1e6).usual(10.0, 1e5), "1 kN"),
             FORCE_N,
@@ -112,7 +112,7 @@ pub struct Modes {
     pub rotary_rad_per_s: [f64; 2],
     /// How often something pushes in a turn of the string.
     pub orders: Vec<f64>,
-    /// A force that turns with the string, N.
+    /// A force that rotates with the string, N.
     pub force_N: f64,
     /// Where it acts, m from the bit; none in the middle of the longest stretch that is free.
     pub force_from_bit_m: Option<f64>,

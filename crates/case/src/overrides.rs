@@ -13,7 +13,7 @@ use crate::hole::MAX_FRICTION;
 /// One `--set KEY=VALUE`.
 ///
 /// The key is a dotted key of the case file, lists counted from zero (`well.hole.0.friction`), or
-/// one of the short keys `friction` (every hole section; coefficients at rest and around the hole
+/// one of the short keys `friction` (every hole section; coefficients of static and rotational friction
 /// keep their ratio to it), `bit_depth`, `rpm` and `wob`. The value is a TOML value if it reads as
 /// one (`0.3`, `[1, 2]`, `"drill"`), and text otherwise (`300m`, `drill`). A number without a unit
 /// is refused where the key has a dimension: a shell takes away the quotes that `"9.5 ppg"` had.

@@ -1,4 +1,4 @@
-//! What can be drawn of a case, where the rest of it is not sound.
+//! What can be drawn of a case, where the rest of it is invalid.
 
 use wholestring::{
     string::DrillString,

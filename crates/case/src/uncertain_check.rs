@@ -16,7 +16,7 @@ type Make<'a> = &'a dyn Fn(Change<'_>) -> (Option<Case>, Vec<Diagnostic>);
 /// Changes a tree.
 type Change<'a> = &'a dyn Fn(&mut Entries, &mut Reader);
 
-/// Checks the uncertain numbers of a case that is sound without them. What is wrong goes to the reader.
+/// Checks the uncertain numbers of a case that is valid without them. What is wrong goes to the reader.
 pub(crate) fn check(case: &Case, root: &Entries, reader: &mut Reader, make: Make<'_>) {
     let Some(uncertain) = &case.plan.uncertain else { return };
     if !uncertain.inputs.iter().all(|input| is_number(input, root, reader))

@@ -247,7 +247,7 @@ struct Tried {
 
 fn try_job(job: &Job) -> Tried {
     let mut simulation =
-        Simulation::new(&job.model, &job.operation, &job.settings).expect("a sound case");
+        Simulation::new(&job.model, &job.operation, &job.settings).expect("a valid case");
     let moving = simulation.advance(simulation.end_time_s()).map(|()| simulation.outcome());
     let mut at = job.operation;
     if let Ok(moving) = &moving

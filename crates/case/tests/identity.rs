@@ -305,7 +305,7 @@ fn values(path: &str, rule: &Json) -> [String; 2] {
     [first, 1.02 * first].map(|number| number.to_string())
 }
 
-/// Changes the key in every case; the first in which both values are sound shows.
+/// Changes the key in every case; the first in which both values are valid shows.
 fn counts(path: &str, rule: &Json, bases: &[String]) -> Result<(), String> {
     let values = values(path, rule);
     let mut why = String::new();

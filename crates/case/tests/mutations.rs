@@ -476,7 +476,7 @@ fn other_value(old: &str, rng: &mut Rng) -> String {
     }
 }
 
-/// The same quantity, a little or a lot larger or smaller: often still a sound case.
+/// The same quantity, a little or a lot larger or smaller: often still a valid case.
 fn scaled(old: &str, rng: &mut Rng) -> String {
     let quoted = old.starts_with('"');
     let inside = old.trim_matches('"');

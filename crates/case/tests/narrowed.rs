@@ -25,7 +25,7 @@ fn read(template: &Template, models: &[ModelKind], only: Option<OperationKind>) 
     if let Some(only) = only {
         changes.push(change(&format!("plan.operations=[{:?}]", only.name())));
     }
-    template.case(&changes).expect("a sound case")
+    template.case(&changes).expect("a valid case")
 }
 
 #[test]

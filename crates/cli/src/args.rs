@@ -32,7 +32,7 @@ pub(crate) enum Command {
     Import(ImportArgs),
     /// Open a folder of cases in the browser
     App(AppArgs),
-    /// Is the case sound? One line, or diagnostics. Of a file of another program: what it holds
+    /// Is the case valid? One line, or diagnostics. Of a file of another program: what it holds
     Check(CheckArgs),
 
     // The whole string.
@@ -52,9 +52,9 @@ pub(crate) enum Command {
     Calibrate(CalibrateArgs),
 
     // The assembly, the bit.
-    /// The bottom-hole assembly at rest: side force of the bit, contacts, bending, sag
+    /// Static analysis of the bottom-hole assembly: side force of the bit, contacts, bending, sag
     Bha(BhaArgs),
-    /// Find natural frequencies, critical speeds and the answer to a force that turns
+    /// Find natural frequencies, critical speeds and the response to a rotating force
     Modes(ModesArgs),
     /// Try the bit alone on its rock under every weight at every speed
     BitTest(BitTestArgs),

@@ -1,4 +1,4 @@
-//! `wholestring check`: is the case sound?
+//! `wholestring check`: is the case valid?
 
 use std::{f64::consts::TAU, fs::File, io::Read, path::Path};
 
@@ -44,7 +44,7 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         load(&args.case, false)?
     };
     print_stdout(&format!(
-        "{} is sound: {}\n{}{}{}{}",
+        "{} is valid: {}\n{}{}{}{}",
         args.case.case.display(),
         outline(&case),
         meshes(&case),

@@ -11,7 +11,7 @@ use crate::color::color;
 /// A command that did not end well.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// The input is not sound: what, where, what was expected.
+    /// The input is invalid: what, where, what was expected.
     BadInput(String),
     /// The run could not be finished.
     Failed(String),

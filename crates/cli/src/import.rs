@@ -111,7 +111,7 @@ fn conclusion(imported: &Imported, output: &Path, written: &[PathBuf]) -> Result
     let overlay = overlay.filter(|path| path.ends_with("-overlay.csv"));
     let overlay: String = overlay.map(|path| format!(" --overlay {}", in_shell(&path))).collect();
     print_stdout(&format!(
-        "{} is sound: {}\nnext: wholestring plan {shown}{overlay}\n",
+        "{} is valid: {}\nnext: wholestring plan {shown}{overlay}\n",
         output.display(),
         check::outline(&case)
     ))

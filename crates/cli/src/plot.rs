@@ -20,7 +20,7 @@ pub(crate) struct PlotArgs {
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Paint each as PNG too, with 300 dots per inch
+    /// Also write PNG images, with 300 dots per inch
     #[arg(long)]
     pub(crate) png: bool,
 

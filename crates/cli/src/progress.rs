@@ -245,7 +245,7 @@ fn screen(quiet: bool) -> ProgressDrawTarget {
 pub(crate) fn bar(length: u64, quiet: bool) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(length), screen(quiet));
     let style = ProgressStyle::with_template("{prefix} {bar:32} {msg}{left}");
-    let style = style.expect("the template is sound");
+    let style = style.expect("the template is valid");
     let left = |state: &ProgressState, to: &mut dyn fmt::Write| {
         // Nobody knows before something is done.
         let (done, all) = (state.pos(), state.len().unwrap_or(0));
@@ -262,14 +262,14 @@ fn title(operation: &str) -> String {
     operation.replace('_', " ")
 }
 
-/// Time on the clock between two movements of what shows that something is done.
+/// Wall-clock time between two movements of what shows that something is done.
 const TICK: Duration = Duration::from_millis(100);
 
 /// Shows what is done before an operation's time begins, and for how long already.
 fn preparation(operation: &str, what: &str, quiet: bool) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(None, screen(quiet));
     let style = ProgressStyle::with_template("{prefix} {spinner} {msg}, {elapsed}");
-    bar.set_style(style.expect("the template is sound"));
+    bar.set_style(style.expect("the template is valid"));
     bar.set_prefix(title(operation));
     bar.set_message(what.to_owned());
     bar.enable_steady_tick(TICK);

@@ -27,7 +27,7 @@ pub(crate) struct StudyArgs {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(crate) overrides: Vec<Override>,
 
-    /// Paint each figure as PNG too, with 300 dots per inch
+    /// Also write PNG images, with 300 dots per inch
     #[arg(long)]
     pub(crate) png: bool,
 

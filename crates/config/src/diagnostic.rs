@@ -55,7 +55,7 @@ impl Diagnostic {
         Self { severity: Severity::Warning, ..Self::error(message) }
     }
 
-    /// A key that is sound and has no effect where it stands; `why` stands beside it.
+    /// A key that is valid and has no effect where it stands; `why` stands beside it.
     pub fn idle(key: &str, place: Span, why: impl Into<String>) -> Self {
         Self::warning(format!("`{key}` has no effect here")).at(place, why)
     }

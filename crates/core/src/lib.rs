@@ -52,7 +52,7 @@
 //! 4. [`statics::soft`]: torque and drag along the string at once; [`statics::buckling`].
 //! 5. [`dynamics`]: the string in time; its [`DynamicsSettings`](dynamics::DynamicsSettings) hold
 //!    the bit, the top drive, the hoist and the numerics, with defaults.
-//!    [`modal`]: small motions about the state at rest, natural frequencies and critical speeds.
+//!    [`modal`]: linear vibration about static equilibrium, natural frequencies and critical speeds.
 //! 6. [`torsional_stability`]: whether steady rotation grows into stick-slip.
 //! 7. [`outcome`]: what solvers answer, each scalar and column with its unit and meaning. The verdicts
 //!    on them are made by the crate `wholestring-judge`.
@@ -67,7 +67,7 @@
 //! | law of the bit | [`dynamics::BitRockLaw`] | `bit_law` |
 //! | excitation of the bit | [`dynamics::BitExcitation`]; measured: [`dynamics::BitTable`] | `excitation` |
 //! | friction law | [`dynamics::FrictionCoefficient`] | `friction_law` |
-//! | friction along the hole | [`well::Hole::with_friction_profile`] | `friction` |
+//! | axial friction | [`well::Hole::with_friction_profile`] | `friction` |
 //! | controller of the top drive | [`dynamics::TopDriveController`] | `top_drive_controller` |
 //! | observer of samples | [`dynamics::Observer`] | `observer` |
 //! | threads under solid rock | [`rock::Executor`]; with the feature `rayon`, `rayon::ThreadPool` is one, and `Simulation::with_threads` starts some | |

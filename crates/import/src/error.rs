@@ -73,7 +73,7 @@ pub enum ImportErrorKind {
         dimension: Dimension,
     },
     /// A quantity that no file tells.
-    #[error("the {what} is not told; say it: --value {name}=\"{example}\"{hint}")]
+    #[error("the {what} is missing; give it with --value {name}=\"{example}\"{hint}")]
     MissingValue {
         /// The quantity in words.
         what: String,

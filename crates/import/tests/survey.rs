@@ -51,7 +51,7 @@ fn a_report_of_a_planning_program() {
     assert_snapshot!(imported.text);
 }
 
-/// What a survey lacks for a case is filled in by hand: then the case is sound.
+/// What a survey lacks for a case is filled in by hand: then the case is valid.
 #[test]
 fn the_case_is_sound_once_it_has_a_hole_a_mud_and_a_string() {
     let bytes = sample("own/survey-wellpath-report.txt");

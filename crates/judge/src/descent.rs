@@ -56,7 +56,7 @@ pub struct Descent {
 }
 
 impl Descent {
-    /// Of a state of equilibrium with this hook load and friction along the hole, N. None of a string
+    /// Of a state of equilibrium with this hook load and axial friction, N. None of a string
     /// that does not slide down.
     pub fn at_rest(
         model: &Model,

@@ -132,7 +132,7 @@ impl Judge {
         with_sentences(checks, &words)
     }
 
-    /// The checks of a string whose small motions about static equilibrium grow or not.
+    /// The checks of a string whose linear vibration about static equilibrium grow or not.
     pub fn small_motions(&self, model: &Model, is_stable: bool) -> Checks {
         let check = || Check::reported(CheckKind::UnstableEquilibrium, Severity::Warning);
         let checks = (!is_stable).then(check).into_iter().collect();

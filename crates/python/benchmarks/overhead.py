@@ -88,7 +88,7 @@ def soft_of_a_new_case(repeats: int) -> dict[str, float]:
 def over(
     repeats: int, ours: Callable[[], object], theirs: Callable[[], object]
 ) -> dict[str, float]:
-    """Give the least times on the clock, s, and by which part the first is more than the second.
+    """Give the least wall-clock times, s, and by which part the first is more than the second.
 
     By processor time, which other programs disturb less, it is the median of all pairs.
     """

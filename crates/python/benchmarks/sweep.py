@@ -64,14 +64,14 @@ def processes(workers: int) -> ProcessPoolExecutor:
 
 
 def swept_s(case: ws.Case, vary: dict[str, Any], executor: Any, **keywords: Any) -> float:
-    """Sweep into a new folder, and give the time on the clock, s."""
+    """Sweep into a new folder, and give the wall-clock time, s."""
     return swept(case, vary, executor, **keywords)[0]
 
 
 def swept(
     case: ws.Case, vary: dict[str, Any], executor: Any, **keywords: Any
 ) -> tuple[float, float]:
-    """Sweep into a new folder, and give the time on the clock and this process's processor time, s.
+    """Sweep into a new folder, and give the wall-clock time and this process's processor time, s.
 
     Of an executor of processes the latter is what handing out and taking back costs, the check of
     the cases, the table and the page; of Dask the scheduler too, which is in this process.

@@ -33,7 +33,7 @@ fn check(kind: &str, summary: &Path) -> Result<(), ResultsError> {
         "a reach" => ReachSummary::read(summary).map(drop),
         "a calibration" => CalibrationSummary::read(summary).map(drop),
         "modes" => ModesSummary::read(summary).map(drop),
-        "an assembly at rest" => BhaSummary::read(summary).map(drop),
+        "a static BHA analysis" => BhaSummary::read(summary).map(drop),
         "a bit test" => BitTestSummary::read(summary).map(drop),
         _ => Ok(()),
     }

@@ -515,7 +515,7 @@ def test_bad_input_gets_an_answer(soft: ws.Case, tmp_path: Path) -> None:
         ({"friction": "0.1..0.3"}, ws.CaseError, "a range needs a step"),
         ({"bit_depth": [300.0, float("nan")]}, ValueError, "expected a finite number"),
         ({"frictoin": [0.1]}, ws.CaseError, "there is no key `frictoin`"),
-        ({"friction": [0.1, -0.2]}, ws.CaseError, "1 of 2 cases is not sound, friction=-0.2"),
+        ({"friction": [0.1, -0.2]}, ws.CaseError, "1 of 2 cases is invalid, friction=-0.2"),
         (
             {"friction": [0.1] * 400, "wob": [1e3] * 400},
             ws.InputError,

@@ -213,7 +213,7 @@ struct BhaData<'a> {
     sweeps: Vec<[&'a str; 2]>,
 }
 
-/// The page of an assembly at rest as the text of an HTML file: its figures in every set of units,
+/// The page of a static BHA analysis as the text of an HTML file: its figures in every set of units,
 /// and the tables.
 ///
 /// No name in it can end the element that it stands in, whatever it holds.

@@ -1,4 +1,4 @@
-//! `summary.json` of an assembly at rest.
+//! `summary.json` of a static BHA analysis.
 
 use std::path::Path;
 
@@ -12,11 +12,11 @@ use crate::{
     json::{read_versioned, write_json},
 };
 
-/// Version of the layout of the files of an assembly at rest; raised when a key changes or goes. 2: `checks`
+/// Version of the layout of the files of a static BHA analysis; raised when a key changes or goes. 2: `checks`
 /// and `unchecked`. All versions are read.
 pub const BHA_VERSION: u32 = 2;
 
-/// `summary.json` of an assembly at rest. Each pair is the part towards the high side and that to
+/// `summary.json` of a static BHA analysis. Each pair is the part towards the high side and that to
 /// the right of it as one looks down the hole.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BhaSummary {
@@ -68,7 +68,7 @@ fn is_zero(count: &usize) -> bool {
     *count == 0
 }
 
-/// An assembly at rest.
+/// A static BHA analysis.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BhaState {
     /// Side force of the bit on the rock, N.
@@ -200,7 +200,7 @@ impl BhaSummary {
         read_versioned(path, 1..=BHA_VERSION)
     }
 
-    /// What is to be wary of, a sentence for each.
+    /// Warnings, a sentence for each.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = Vec::new();
         if !self.state.stable {

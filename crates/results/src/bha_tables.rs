@@ -1,4 +1,4 @@
-//! The tables of an assembly at rest.
+//! The tables of a static BHA analysis.
 
 use wholestring::statics::assembly::{AssemblyNode, Contact};
 

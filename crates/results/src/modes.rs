@@ -1,4 +1,4 @@
-//! What small motions about the string at rest leave as JSON: `summary.json`.
+//! What linear vibration about static equilibrium leaves as JSON: `summary.json`.
 
 use std::path::Path;
 

@@ -16,18 +16,18 @@ use crate::{
 pub struct BatchOptions {
     /// Where results go.
     pub output: Output,
-    /// Cases that are solved side by side; one per core where nothing is said.
+    /// Number of parallel jobs, a case each; one per core by default.
     pub jobs: Option<NonZeroUsize>,
     /// The share of the cases that is solved.
     pub shard: Shard,
-    /// Time on the clock between checkpoints; the case's where nothing is said.
+    /// Wall-clock time between checkpoints; the case's by default.
     pub checkpoint_every: Option<Duration>,
     /// Whether to write the tables that are kept as CSV too.
     pub csv: bool,
 }
 
 impl BatchOptions {
-    /// Cases that are solved side by side.
+    /// Number of parallel jobs, a case each.
     pub(crate) fn jobs(&self) -> usize {
         jobs(self.jobs)
     }
@@ -51,7 +51,7 @@ pub struct BatchOutcome {
     pub known: (usize, usize),
     /// Whether it was cancelled.
     pub cancelled: bool,
-    /// Time on the clock.
+    /// Wall-clock time.
     pub took: Duration,
 }
 

@@ -14,7 +14,7 @@ use crate::cancellation::CancellationToken;
 /// Who may be given to a simulation.
 pub(crate) type SharedExecutor = Arc<dyn Executor + Send + Sync>;
 
-/// So many threads for the rock of a case, one per core where nothing is said; none where it has no
+/// So many threads for the rock of a case, one per core by default; none where it has no
 /// rock, or is to be worked on alone. Where the calling thread solves, it is the first: it works
 /// where it would wait.
 fn threads_of(case: &Case, threads: Option<NonZeroUsize>, solves: bool) -> Option<ThreadPool> {
@@ -39,7 +39,7 @@ struct Workers {
 pub(crate) struct RockThreads(Option<Arc<ThreadPool>>);
 
 impl RockThreads {
-    /// So many for the rock of a case that other threads solve, one per core where nothing is said.
+    /// So many for the rock of a case that other threads solve, one per core by default.
     pub(crate) fn of_others(case: &Case, threads: Option<NonZeroUsize>) -> Self {
         Self(threads_of(case, threads, false).map(Arc::new))
     }

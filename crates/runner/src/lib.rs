@@ -11,10 +11,10 @@
 //! | [`run`] | one case, operation after operation |
 //! | [`sweep`] | a case with all combinations of some values |
 //! | [`study`] | cases and sweeps, with the figures and tables to make of them |
-//! | [`bha`] | the bottom-hole assembly at rest |
+//! | [`bha`] | static analysis of the bottom-hole assembly |
 //! | [`bit_test`] | the bit alone on its rock |
 //! | [`mod@calibrate`] | friction factors from what was read at the surface |
-//! | [`modes`] | natural frequencies, critical speeds and the answer to a force that turns |
+//! | [`modes`] | natural frequencies, critical speeds and the response to a rotating force |
 //! | [`plan`] | torque and drag at every depth of the bit, with low, expected and high friction |
 //! | [`reach`] | how far a well can go, and what stops it |
 //! | [`import`] | a case from the files of other programs |

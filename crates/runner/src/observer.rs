@@ -9,7 +9,7 @@ use wholestring_case::Report;
 /// Every method does nothing unless it is written. Cases of a batch are solved on several threads,
 /// which call at the same time; a method that takes long holds the work up.
 pub trait Observer: Sync {
-    /// Input that is sound, but probably does not say what was meant.
+    /// Input that is valid, but probably does not say what was meant.
     fn diagnostics(&self, _report: &Report) {}
 
     /// Something that is good to know, such as another folder than the expected one.

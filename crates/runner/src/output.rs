@@ -8,7 +8,7 @@ pub struct Output {
     /// The folder; where none is named, `out/<name>`, or the next one like it that does not hold
     /// other results.
     pub folder: Option<PathBuf>,
-    /// Where `out` lies, where no folder is named; here where nothing is said.
+    /// Where `out` lies, where no folder is named; here by default.
     pub root: PathBuf,
     /// What becomes of what lies there.
     pub existing: Existing,

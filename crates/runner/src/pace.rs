@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::clock::Instant;
 
-/// Time on the clock between two looks. Whoever interrupts waits for this at most, and for what is
+/// Wall-clock time between two looks. Whoever interrupts waits for this at most, and for what is
 /// written then.
 const LOOK: Duration = Duration::from_millis(40);
 

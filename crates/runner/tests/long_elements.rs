@@ -52,7 +52,7 @@ fn case(changes: &[&str]) -> Arc<Case> {
     std::fs::write(&file, LATERAL).expect("it is written");
     let changes: Vec<Override> =
         changes.iter().map(|change| change.parse().expect("an override")).collect();
-    Arc::new(wholestring_case::load(Path::new(&file), &changes).expect("a sound case"))
+    Arc::new(wholestring_case::load(Path::new(&file), &changes).expect("a valid case"))
 }
 
 fn begin(case: &Arc<Case>) -> Live {

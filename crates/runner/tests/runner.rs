@@ -21,7 +21,7 @@ fn file() -> &'static Path {
 fn slant(changes: &[&str]) -> Case {
     let changes: Vec<Override> =
         changes.iter().map(|change| change.parse().expect("an override")).collect();
-    wholestring_case::load(file(), &changes).expect("a sound case")
+    wholestring_case::load(file(), &changes).expect("a valid case")
 }
 
 fn request<'a>(case: &'a Case, folder: &Path, existing: Existing) -> run::Request<'a> {
@@ -207,10 +207,10 @@ fn a_case_that_is_not_sound_is_named_before_any_is_solved() {
     let folder = place.path().join("sweep");
     let log = Log::default();
     let Err(Error::Unsound(unsound)) = swept("0.1,-0.2", &folder, &log) else {
-        panic!("friction below zero is not sound");
+        panic!("friction below zero is invalid");
     };
     assert_eq!(unsound.reports.len(), 1);
-    let summary = "1 of 2 cases is not sound, friction=-0.2: nothing was run";
+    let summary = "1 of 2 cases is invalid, friction=-0.2: nothing was run";
     assert_eq!(unsound.summary.as_deref(), Some(summary));
     assert!(log.lines().is_empty());
     assert!(!folder.exists());

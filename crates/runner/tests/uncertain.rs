@@ -25,7 +25,7 @@ fn band<'a>(of: &'a UncertainSummary, quantity: &str, operation: &str) -> &'a Un
     found.max_by(|a, b| a.bit_depth_m.partial_cmp(&b.bit_depth_m).expect("depths")).expect("a band")
 }
 
-/// Without friction along the hole the hook load is `g A L (ρ_s − ρ) cos θ`, linear in the mud's density:
+/// Without axial friction the hook load is `g A L (ρ_s − ρ) cos θ`, linear in the mud's density:
 /// even as that is. While pulling it is `g A L (ρ_s − ρ)(cos θ + μ sin θ)`, a product, whose indices are
 /// those of Sudret's (2008) product of functions: with means `m` and variances `v` of the two factors the
 /// variance is `v_1 v_2 + v_1 m_2² + v_2 m_1²`, and the first-order shares are the last two.

@@ -55,7 +55,7 @@ fn every_cell_is_that_of_a_table() {
     let folder = place.path().join("out");
     let file = Path::new("../../cases/slant.toml");
     let (template, overrides) = (Template::read(file).expect("a case"), changes());
-    let case = template.case(&overrides).expect("a sound case");
+    let case = template.case(&overrides).expect("a valid case");
     let request = plan::Request {
         case: &case,
         template: &template,

@@ -26,7 +26,7 @@ impl Title {
     }
 }
 
-/// The name that a case gives itself, though it is not sound.
+/// The name that a case gives itself, though it is invalid.
 fn named(text: &str) -> Option<String> {
     match &parse_text(text, 0).ok()?.get("name")?.value {
         Value::Text { text, .. } => Some(text.clone()),

@@ -1,4 +1,4 @@
-//! Is a text a sound case?
+//! Is a text a valid case?
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;

@@ -20,7 +20,7 @@ pub struct Layout {
     path: Option<PathView>,
     /// Sections of the hole, from the surface down.
     hole: Vec<Section>,
-    /// Components of the string, from the surface down; none where one of them is not sound.
+    /// Components of the string, from the surface down; none where one of them is invalid.
     string: Vec<Component>,
 }
 

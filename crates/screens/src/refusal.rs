@@ -54,10 +54,10 @@ impl Refusal {
     }
 }
 
-/// A case that is not sound.
+/// A case that is invalid.
 impl From<&Report> for Refusal {
     fn from(report: &Report) -> Self {
-        let mut refusal = Self::new(422, "unsound", "the case is not sound");
+        let mut refusal = Self::new(422, "unsound", "the case is invalid");
         refusal.error.diagnostics = diagnostic::of_report(report);
         refusal
     }

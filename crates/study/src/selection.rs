@@ -173,7 +173,7 @@ fn wish(node: &Node, reader: &mut Reader) -> Option<Wish> {
     Some(Wish { from, to, place: node.place })
 }
 
-/// Visits what stands under dotted keys, as long as it is sound. `a.b = 1` and `"a.b" = 1` are the
+/// Visits what stands under dotted keys, as long as it is valid. `a.b = 1` and `"a.b" = 1` are the
 /// same.
 pub(crate) fn leaves(
     entries: &Entries,

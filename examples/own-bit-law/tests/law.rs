@@ -24,7 +24,7 @@ fn drilled(rpm: u32) -> [f64; 3] {
         &rpm,
     ];
     let changes = changes.map(|change| change.parse().expect("a change"));
-    drill(&case(&file, LAW, &changes).expect("a sound case")).expect("an answer")
+    drill(&case(&file, LAW, &changes).expect("a valid case")).expect("an answer")
 }
 
 /// At 150 rev/min the bit turns steadily, and its mean torque is the law's at that speed, under the

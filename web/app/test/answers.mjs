@@ -180,7 +180,7 @@ await run({
     const served = await serve({ "slant.toml": SLANT });
     const page = await openAnswers(served, "slant.toml");
     await drawn(page);
-    const takeOver = page.getByRole("button", { name: "Take over into the case" });
+    const takeOver = page.getByRole("button", { name: "Apply to case" });
     check(await takeOver.isDisabled(), "there is nothing to take over at first");
     await page.getByLabel("Weight on bit", { exact: true }).focus();
     await page.keyboard.press("End");
@@ -235,7 +235,7 @@ await run({
     await choice.getByRole("button", { name: "trip out" }).click();
     await settled(page);
     equal(await keyNumber(page, "Torque at the surface", "soft"), 0, "the torque of a string that does not turn");
-    await until(async () => (await page.locator("section", { hasText: "Assembly at rest" }).innerText()).includes("trip out"), "the assembly of that operation", 30_000);
+    await until(async () => (await page.locator("section", { hasText: "Static BHA analysis" }).innerText()).includes("trip out"), "the assembly of that operation", 30_000);
     const newton = await keyNumber(page, "Hook load", "soft");
     await page.getByRole("group", { name: "Units" }).getByRole("button", { name: "field" }).click();
     const pounds = await keyNumber(page, "Hook load", "soft");
@@ -285,12 +285,12 @@ await run({
     await served.stop();
   },
 
-  "a text that is not sound has no answer": async () => {
+  "a text that is invalid has no answer": async () => {
     const served = await serve({ "broken.toml": SLANT.replace("friction = 0.3", 'friction = "much"') });
     const page = await openAnswers(served, "broken.toml");
-    await page.getByText("The case is not sound").waitFor();
+    await page.getByText("The case is invalid").waitFor();
     equal(await page.locator(".tracks").count(), 0, "tracks");
-    await accessible(page, "a case that is not sound");
+    await accessible(page, "a case that is invalid");
     await page.context().close();
     await served.stop();
   },

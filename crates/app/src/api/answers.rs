@@ -84,7 +84,7 @@ async fn broomstick(
     .await
 }
 
-/// The bottom-hole assembly at rest: how it lies in its hole, what it does to the bit.
+/// Static analysis of the bottom-hole assembly: how it lies in its hole, what it does to the bit.
 #[utoipa::path(
     post,
     path = "/api/cases/{id}/assembly",

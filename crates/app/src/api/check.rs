@@ -1,4 +1,4 @@
-//! Is a text a sound case?
+//! Is a text a valid case?
 
 use axum::extract::{Path, State};
 use utoipa_axum::{router::OpenApiRouter, routes};

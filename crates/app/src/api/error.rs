@@ -90,7 +90,7 @@ impl From<JobError> for ApiError {
     }
 }
 
-/// A case that is not sound.
+/// A case that is invalid.
 impl From<Report> for ApiError {
     fn from(report: Report) -> Self {
         Self::from(Refusal::from(report))

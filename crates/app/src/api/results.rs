@@ -37,7 +37,7 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
 pub(crate) struct ResultsView {
     #[serde(flatten)]
     entry: ResultsEntry,
-    /// What was found, the gravest first.
+    /// What was found, the most severe first.
     checks: Vec<Found>,
     /// The files, by their places.
     files: Vec<FileView>,

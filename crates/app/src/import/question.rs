@@ -51,7 +51,7 @@ fn message(error: &ImportError) -> String {
     let said = match error.kind() {
         ImportErrorKind::MissingUnit { what, .. } => format!("the {what} has no unit"),
         ImportErrorKind::MissingValue { what, hint, .. } => {
-            format!("the {what} is not told{hint}")
+            format!("the {what} is missing{hint}")
         }
         ImportErrorKind::SaidUnit { said, dimension, .. } => {
             format!("'{said}' is no unit of {}", dimension.name())

@@ -7,8 +7,8 @@ use crate::workspace::WorkspaceError;
 /// Why work is not taken on.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum JobError {
-    /// The case, or the study, is not sound.
-    #[error("the case is not sound")]
+    /// The case, or the study, is invalid.
+    #[error("the case is invalid")]
     Unsound(Report),
     /// What is asked cannot be so.
     #[error("{0}")]

@@ -124,7 +124,7 @@ impl Prepared {
     /// Reads and checks what a job needs.
     ///
     /// # Errors
-    /// A case or a study that is not there or not sound, options that cannot be.
+    /// A case or a study that is not there or invalid, options that cannot be.
     pub(super) fn of(request: &JobRequest, workspace: &Workspace) -> Result<Self, JobError> {
         let set = request.set.iter().map(|(key, value)| format!("{key}={value}").parse());
         let set = set

@@ -32,7 +32,7 @@ pub(crate) struct Progress {
     pub(crate) notes: Vec<String>,
     /// What went wrong and did not end the work, and input that probably is not what was meant.
     pub(crate) warnings: Vec<String>,
-    /// What was found in the operations that have ended, the gravest first.
+    /// What was found in the operations that have ended, the most severe first.
     pub(crate) checks: Vec<Found>,
 }
 
@@ -52,7 +52,7 @@ pub(crate) struct Bar {
     end_s: f64,
     /// Whether it waits for a steady state.
     settling: bool,
-    /// Time on the clock until it ends, at the pace until now, s.
+    /// Wall-clock time until it ends, at the pace until now, s.
     left_s: Option<f64>,
     #[serde(skip)]
     began: Instant,
@@ -69,7 +69,7 @@ pub(crate) struct Batch {
     ended: usize,
     /// How much of the work is done, from 0 to 1.
     part: f64,
-    /// Time on the clock until the end, at the pace until now, s.
+    /// Wall-clock time until the end, at the pace until now, s.
     left_s: Option<f64>,
     #[serde(skip)]
     began: Instant,
@@ -91,7 +91,7 @@ impl Batch {
     }
 }
 
-/// Time on the clock for what is left, at the pace of what was done since.
+/// Wall-clock time for what is left, at the pace of what was done since.
 fn left_s(since: Instant, done: f64, left: f64) -> Option<f64> {
     let is_known = done > 0.0 && left >= 0.0;
     is_known.then(|| since.elapsed().as_secs_f64() * left / done).filter(|left| left.is_finite())

@@ -73,7 +73,7 @@ pub(crate) enum Work {
         #[serde(default)]
         no_helix_friction: bool,
     },
-    /// `bha`: the bottom-hole assembly at rest.
+    /// `bha`: static analysis of the bottom-hole assembly.
     Bha {
         /// The operation.
         #[serde(default)]

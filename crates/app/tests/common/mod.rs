@@ -12,7 +12,7 @@ use wholestring_app::{Options, Server, Stop};
 
 pub use client::{Answer, exchange, read_answer};
 
-/// A case that is sound.
+/// A case that is valid.
 pub const CASE: &str = r#"# A slant well.
 name = "slant"
 

@@ -4,7 +4,7 @@ use wholestring::rock::DrillingSpec;
 
 use wholestring_config::source::Files;
 
-/// What other tables tell of the bit, if they are sound.
+/// What other tables tell of the bit, if they are valid.
 pub(crate) struct Around<'a> {
     /// Radius of the lowest component, m.
     pub(crate) radius_m: Option<f64>,

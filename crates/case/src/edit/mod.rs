@@ -63,7 +63,7 @@ pub enum EditError {
     },
 }
 
-/// The text with these changes, one after the other. Whether the case is sound,
+/// The text with these changes, one after the other. Whether the case is valid,
 /// [`parse`](crate::parse) says.
 ///
 /// ```

@@ -49,7 +49,7 @@ fn numbers_without_unit_in_a_field_case() {
         .replace("model = \"dynamic\"", "model = \"dynamic\"\nunits = \"field\"")
         .replace("\"4305 m\"\ndiameter", "4305\ndiameter");
     warned("usual_bare_in_field_units", read(&text));
-    let shown_in_si = read(&text.replace("\"field\"", "\"si\"")).expect("a sound case");
+    let shown_in_si = read(&text.replace("\"field\"", "\"si\"")).expect("a valid case");
     assert!(shown_in_si.warnings.is_empty(), "{}", shown_in_si.warnings);
 }
 
@@ -59,7 +59,7 @@ fn numbers_without_unit_in_a_field_case() {
 fn a_proposed_unit_gives_a_number_that_can_be() {
     let text = changed("[rig]                                 #", "[rig]\nblock_weight = 110000 #")
         .replace("model = \"dynamic\"", "model = \"dynamic\"\nunits = \"field\"");
-    let warnings = read(&text).expect("a sound case").warnings.render(false);
+    let warnings = read(&text).expect("a valid case").warnings.render(false);
     assert!(warnings.contains("\"110000 lbf\""), "{warnings}");
     assert!(!warnings.contains("110000 klbf"), "{warnings}");
     warned("usual_bare_block_weight", read(&text));
@@ -82,7 +82,7 @@ fn lengths_and_weights_as_they_are_written() {
         "#,
     );
     let text = changed("\"4305 m\"                  # default", "'14,120 ft' # default");
-    let case = read(&text).expect("a sound case");
+    let case = read(&text).expect("a valid case");
     assert!(case.warnings.is_empty(), "{}", case.warnings);
 }
 
@@ -92,14 +92,14 @@ fn zero_is_not_doubted() {
     for (from, to) in
         [("\"1.2 sg\"", "0"), ("friction = 0.3\n[[", "friction = 0\n[["), ("\"3.1 kN.m\"", "0")]
     {
-        let case = read(&changed(from, to)).expect("a sound case");
+        let case = read(&changed(from, to)).expect("a valid case");
         let doubts = |report: &Report| {
             let mut said = report.diagnostics.iter();
             said.any(|one| one.message.contains("unusually"))
         };
         assert!(!doubts(&case.warnings), "{to}: {}", case.warnings);
     }
-    let case = read_with(EXAMPLE, &["mud.density=0", "bit.torque=0"]).expect("a sound case");
+    let case = read_with(EXAMPLE, &["mud.density=0", "bit.torque=0"]).expect("a valid case");
     assert_eq!(case.model.mud.density_kg_per_m3, 0.0);
 }
 
@@ -124,7 +124,7 @@ fn casing_is_called_by_its_outside_diameter() {
 #[test]
 fn casing_by_its_name() {
     let casing = "diameter = \"222.96 mm\"";
-    let case = read(&changed(casing, "casing = \"9-5/8 in 40 lb/ft\"")).expect("a sound case");
+    let case = read(&changed(casing, "casing = \"9-5/8 in 40 lb/ft\"")).expect("a valid case");
     assert!(case.warnings.is_empty(), "{}", case.warnings);
     let diameter_m = case.model.well.hole.sections()[0].diameter_m;
     assert!((diameter_m - 8.835 * 0.0254).abs() < 1e-12, "{diameter_m}");

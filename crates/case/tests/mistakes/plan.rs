@@ -96,6 +96,6 @@ fn plans_say_what_they_mean() {
     // Off bottom a case without a rotary speed turns with the usual one.
     let still =
         planned("").replace("kind = \"drill\"", "kind = \"trip_out\"").replace("rpm = 70", "#");
-    let plan = read(&still).expect("a sound case").plan;
+    let plan = read(&still).expect("a valid case").plan;
     assert!((plan.operations[2].rotary_speed_rad_per_s - std::f64::consts::TAU).abs() < 1e-12);
 }

@@ -65,7 +65,7 @@ fn lines_of_a_schedule() {
     warned("warn_schedule_flow_without_rheology", read(&scheduled(&pumps)));
     // Where a schedule holds a weight, the autodriller's keys have their effect.
     let tuned = format!("{held}\n[hoist]\ngain = 1e-7\nintegral_time = \"60 s\"");
-    let case = read(&scheduled(&tuned)).expect("a sound case");
+    let case = read(&scheduled(&tuned)).expect("a valid case");
     assert!(case.warnings.is_empty());
     assert_eq!(case.dynamics.autodriller.integral_time_s, 60.0);
 }

@@ -35,7 +35,7 @@ fn top_drive_and_hoist() {
         changed("[rig] ", &hoist)
     };
     warned("warn_two_blocks", read(&block("35 t")));
-    let same = read(&block("20.5 t")).expect("a sound case");
+    let same = read(&block("20.5 t")).expect("a valid case");
     assert!(same.warnings.is_empty(), "{}", same.warnings);
     warned("warn_top_drive_constant", read(&drive("inertia = \"2900 kg.m2\"")));
     warned(

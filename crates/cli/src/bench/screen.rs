@@ -84,7 +84,7 @@ pub(super) fn runs(rows: &[RunRow]) -> String {
 
 pub(super) fn memory(of: &Memory) -> String {
     format!(
-        "`wholestring run` of {:.0} s, results written: {:.1} s on the clock, {:.1} MB of \
+        "`wholestring run` of {:.0} s, results written: {:.1} s of wall-clock time, {:.1} MB of \
          memory at most\n",
         of.simulated_s, of.wall_time_s, of.peak_MB
     )
@@ -155,7 +155,7 @@ pub(super) fn sweeps(of: &Sweeps) -> String {
     let mut table = Table::new(
         &title,
         2,
-        &["precision", "friction", "simulated, s", "on the clock, s", "× real time"],
+        &["precision", "friction", "simulated, s", "wall-clock, s", "× real time"],
     );
     for row in &of.rows {
         table.row(vec![

@@ -42,7 +42,7 @@ pub(crate) struct BhaArgs {
     #[arg(long)]
     pub(crate) whole: bool,
 
-    /// Points that are solved side by side [default: one per core]
+    /// Number of parallel jobs, a point each [default: one per core]
     #[arg(short, long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
 

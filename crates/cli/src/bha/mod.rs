@@ -1,4 +1,4 @@
-//! `wholestring bha`: the bottom-hole assembly at rest.
+//! `wholestring bha`: static analysis of the bottom-hole assembly.
 
 mod args;
 mod screen;

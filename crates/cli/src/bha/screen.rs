@@ -1,4 +1,4 @@
-//! What an assembly at rest shows on the screen.
+//! What a static BHA analysis shows on the screen.
 
 use wholestring::statics::assembly::{Contact, Touching};
 use wholestring_results::{BhaPoint, BhaState, BhaSummary, BhaVaried};
@@ -9,7 +9,7 @@ use crate::screen_table::Table;
 /// Points of a sweep that the screen shows.
 const MOST: usize = 7;
 
-/// Bit, contacts, sag and largest stress, what was varied, and what is to be wary of.
+/// Bit, contacts, sag and largest stress, what was varied, and warnings.
 pub(super) fn text(summary: &BhaSummary, units: UnitSet) -> String {
     let mut text = format!("{}\n\n", head(summary, units));
     text += &bit(&summary.state, units);
@@ -30,7 +30,7 @@ pub(super) fn text(summary: &BhaSummary, units: UnitSet) -> String {
 
 fn head(summary: &BhaSummary, units: UnitSet) -> String {
     let mut head = format!(
-        "{}: assembly at rest, {}, bit at {}, inclination {}",
+        "{}: static BHA analysis, {}, bit at {}, inclination {}",
         summary.case,
         summary.operation.replace('_', " "),
         quantity(summary.bit_depth_m, Dimension::Length, units),

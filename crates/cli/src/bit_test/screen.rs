@@ -23,7 +23,7 @@ const COLUMNS: [Column; 7] = [
     ("specific energy", Dimension::Pressure, |of| Some((of.specific_energy_Pa?, None))),
 ];
 
-/// The finished points as a table, what they have in common, and what is to be wary of.
+/// The finished points as a table, what they have in common, and warnings.
 pub(super) fn text(summary: &BitTestSummary, units: UnitSet) -> String {
     let title = format!(
         "{}: a bit of {} on rock of {}",

@@ -41,11 +41,11 @@ pub(crate) struct CalibrateArgs {
     #[arg(long, conflicts_with = "one_factor")]
     pub(crate) by_section: bool,
 
-    /// Look for friction around the hole apart from that along it
+    /// Fit rotational friction apart from axial friction
     #[arg(long)]
     pub(crate) friction_around: bool,
 
-    /// Look for the block's weight although the case gives it
+    /// Fit the block weight although the case gives it
     #[arg(long)]
     pub(crate) block_weight: bool,
 
@@ -53,7 +53,7 @@ pub(crate) struct CalibrateArgs {
     #[arg(long)]
     pub(crate) bit_torque: bool,
 
-    /// Hold what would be looked for, such as `friction_cased=0.2` or `block_weight=180kN`.
+    /// Keep a parameter fixed, such as `friction_cased=0.2` or `block_weight=180kN`.
     /// Repeatable
     #[arg(long, value_name = "NAME=VALUE", value_parser = held)]
     pub(crate) hold: Vec<(Parameter, f64)>,

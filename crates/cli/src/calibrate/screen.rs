@@ -16,7 +16,7 @@ fn shown(of: &EstimateFound, value: f64, units: UnitSet) -> String {
     format!("{:.2} {}", unit.from_si(value), unit.symbol)
 }
 
-/// What was found as a table, what is to be known of it, and what is to be wary of.
+/// What was found as a table, what is to be known of it, and warnings.
 pub(super) fn text(summary: &CalibrationSummary, units: UnitSet) -> String {
     let title =
         format!("{}: {} readings, {} string", summary.title(), summary.readings, summary.model);

@@ -1,4 +1,4 @@
-//! `wholestring modes`: natural frequencies, critical speeds and the answer to a force that turns.
+//! `wholestring modes`: natural frequencies, critical speeds and the response to a rotating force.
 
 mod args;
 mod screen;

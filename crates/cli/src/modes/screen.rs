@@ -18,7 +18,7 @@ fn is_near(summary: &ModesSummary, of: &CriticalSpeed) -> bool {
     speed == 0.0 || (of.rotary_speed_rad_per_s - speed).abs() <= NEAR * speed
 }
 
-/// The modes and the critical speeds as tables, and what is to be wary of.
+/// The modes and the critical speeds as tables, and warnings.
 pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
     let speed = Dimension::RotarySpeed.unit_in(units);
     let length = Dimension::Length.unit_in(units);

@@ -32,11 +32,11 @@ pub(crate) struct PlanArgs {
     #[arg(long, conflicts_with = "resume")]
     pub(crate) overwrite: bool,
 
-    /// Lay another program's curves over the plan: a file of hook loads and torques against bit depth, as measured ones are, CSV or Excel
+    /// Overlay curves from another program: a file of hook loads and torques against bit depth, as measured ones are, CSV or Excel
     #[arg(long, value_name = "FILE")]
     pub(crate) overlay: Option<PathBuf>,
 
-    /// What is solved side by side [default: one per core]
+    /// Number of parallel jobs [default: one per core]
     #[arg(short, long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
 

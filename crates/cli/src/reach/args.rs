@@ -39,7 +39,7 @@ pub(crate) struct ReachArgs {
     #[arg(long)]
     pub(crate) stop_at_helix: bool,
 
-    /// Operations that are solved side by side [default: one per core]
+    /// Number of parallel jobs, an operation each [default: one per core]
     #[arg(short, long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
 

@@ -10,7 +10,7 @@ use super::{checkpoint::CheckpointArgs, output::existing};
 /// How many cases are solved.
 #[derive(Debug, Args)]
 pub(crate) struct BatchArgs {
-    /// Cases that are solved side by side [default: one per core]
+    /// Number of parallel jobs, a case each [default: one per core]
     #[arg(short, long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
 

@@ -7,7 +7,7 @@ use wholestring_units::Dimension;
 
 #[derive(Debug, Args)]
 pub(crate) struct CheckpointArgs {
-    /// Time on the clock between checkpoints, such as 5min [default: the case's, 30 s]
+    /// Wall-clock time between checkpoints, such as 5min [default: the case's, 30 s]
     #[arg(long = "checkpoint", value_name = "TIME", value_parser = interval)]
     pub(crate) every: Option<Duration>,
 }

@@ -5,7 +5,7 @@ use wholestring_units::UnitSet;
 
 #[derive(Debug, Args)]
 pub(crate) struct PageArgs {
-    /// Paint each picture as PNG too, with 300 dots per inch
+    /// Also write PNG images, with 300 dots per inch
     #[arg(long)]
     pub(crate) png: bool,
 

@@ -1,4 +1,4 @@
-//! `bha`: the assembly at rest.
+//! `bha`: static BHA analysis.
 
 use std::{collections::BTreeSet, fs, path::Path};
 
@@ -36,7 +36,7 @@ fn an_assembly_at_rest() {
     let output = desk.done(&arguments);
     let screen = transcript(&output);
     for part in [
-        "Bent motor: assembly at rest, slide, bit at 1500 m, inclination 40 deg",
+        "Bent motor: static BHA analysis, slide, bit at 1500 m, inclination 40 deg",
         "side force, kN",
         "bearing housing",
         "Sag at 13.7 m in MWD: inclination -0.",

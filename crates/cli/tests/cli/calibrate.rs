@@ -66,7 +66,7 @@ fn calibrate<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&["calibrate", "well.toml", "--data", "read.csv"], more].concat()
 }
 
-/// Terminal, folder, tables and page tell the same, and what was found is a case that is sound.
+/// Terminal, folder, tables and page tell the same, and what was found is a case that is valid.
 #[test]
 fn friction_of_a_slant_well() {
     let desk = desk();

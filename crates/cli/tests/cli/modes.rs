@@ -1,4 +1,4 @@
-//! `modes`: natural frequencies, critical speeds and the answer to a force that turns.
+//! `modes`: natural frequencies, critical speeds and the response to a rotating force.
 
 use std::{fs, path::Path};
 

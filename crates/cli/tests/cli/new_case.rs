@@ -5,7 +5,7 @@ use std::time::Instant;
 use crate::desk::{Desk, transcript};
 use insta::assert_snapshot;
 
-/// It is sound, without a warning, and runs as it is; every line that says something is explained.
+/// It is valid, without a warning, and runs as it is; every line that says something is explained.
 #[test]
 fn a_new_case_runs() {
     let desk = Desk::new();

@@ -377,7 +377,7 @@ fn mistakes_are_underlined_in_the_study() {
     assert_snapshot!(transcript(&study(&desk, &[])));
 }
 
-/// All cases of the article's campaign are sound, and its table gives what the article prints.
+/// All cases of the article's campaign are valid, and its table gives what the article prints.
 #[test]
 fn the_articles_study_is_sound() {
     let desk = Desk::new();

@@ -364,7 +364,7 @@ fn folders_that_cannot_bear_their_values() {
         &[&["sweep", "slant.toml", "-o", "case", "--vary", "name=well,Well"], &soft[..]].concat(),
     );
     assert_eq!(folders(&desk, "case"), ["case-1", "case-2"].map(String::from).into());
-    // Where nothing is said, the folder bears the name of the case.
+    // By default, the folder bears the name of the case.
     desk.done(&[&["sweep", "slant.toml", "--vary", "rpm=60,70"], &soft[..]].concat());
     assert!(desk.path("out/Straight slant sweep/rpm=60/summary.json").exists());
 }

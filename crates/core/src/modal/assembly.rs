@@ -27,7 +27,7 @@ const BEYOND: usize = 6;
 const ROUNDS: usize = 6;
 
 /// Length of a string's assembly, m: from the bit up to where ordinary drill pipe begins, as the
-/// mesh and the assembly at rest have it; 300 m where there is hardly any other.
+/// mesh and static BHA analysis have it; 300 m where there is hardly any other.
 pub fn assembly_length_m(string: &DrillString) -> f64 {
     let length_m = assembly_top_m(string);
     if length_m > SHORT_M { length_m } else { LONGEST_M.min(string.length_m()) }

@@ -53,7 +53,7 @@ struct RodDamping {
 }
 
 impl Assembly<'_> {
-    /// The answers to a force that turns with the rotation, with the damping of rod, wall and mud,
+    /// The response to a force that rotates with the string, with the damping of rod, wall and mud,
     /// at rotary speeds, rad/s, each above zero.
     ///
     /// The mud's quadratic drag is that of the speed which each node has; the wall stays where it

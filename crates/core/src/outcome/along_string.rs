@@ -39,7 +39,7 @@ columns! {
         lateral_offset_m: Vec<f64> => Length,
             "Distance between the string's axis and the hole's; a soft string lies on the wall";
         axial_friction_N_per_m: Vec<f64> => ForcePerLength,
-            "Wall friction along the string per length; positive adds to hook load";
+            "Axial friction of the wall per length; positive adds to hook load";
         friction_torque_N_m_per_m: Vec<f64> => TorquePerLength,
             "Torque of wall friction per length";
         wear_work_J_per_m: Vec<f64> => WorkPerLength,

@@ -102,7 +102,7 @@ scalars! {
             "Part of the surface torque that comes from wall contact alone";
         #[serde(with = "crate::finite::unsigned_zero")]
         axial_friction_N: f64 => Force, "Axial friction" row 2,
-            "Wall friction along the string; positive adds to hook load";
+            "Axial friction of the wall; positive adds to hook load";
         #[serde(with = "crate::finite::unsigned_zero")]
         side_force_total_N: f64 => Force, "Side force, total" row 4,
             "Integral of the magnitude of the side force";

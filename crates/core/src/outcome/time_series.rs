@@ -55,7 +55,7 @@ columns! {
             known_by IN_TIME,
             statistics 3 on DriftScale::Torque;
         axial_friction_N: Vec<f64> => Force,
-            "Wall friction along the string, summed; positive adds to hook load", known_by IN_TIME,
+            "Axial friction of the wall, summed; positive adds to hook load", known_by IN_TIME,
             statistics 4 on DriftScale::Force;
         side_force_total_N: Vec<f64> => Force,
             "Magnitude of the side force, summed along the string", known_by IN_TIME,

@@ -2,7 +2,7 @@
 
 use crate::{dynamics::SetupError, statics::soft::SoftError};
 
-/// Why small motions about steady rotation cannot be computed.
+/// Why linear vibration about steady rotation cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StabilityError {
     /// The string does not turn on bottom.
@@ -16,7 +16,7 @@ pub enum StabilityError {
     SolidRock,
     /// Nothing in the case falls with speed, and every point of the map is stable.
     #[error(
-        "neither the torque of the bit nor the friction along the hole falls with speed in this case, \
+        "neither the torque of the bit nor the axial friction falls with speed in this case, \
         so that nothing drives stick-slip and every speed and weight is stable. Give the hole a \
         static friction above the kinetic one, such as friction = {{ kinetic = {kinetic}, static = \
         {at_rest} }}, or the bit a law that loses torque with speed (`bit.law` \"regenerative\" or \

@@ -49,7 +49,7 @@ pub struct Root {
     pub frequency_Hz: f64,
 }
 
-/// What small motions about steady rotation do.
+/// What linear vibration about steady rotation does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stability {
     /// Roots in the band that grow, a pair counted twice.

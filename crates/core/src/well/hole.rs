@@ -263,7 +263,7 @@ impl HoleSection {
             positive("diameter", self.diameter_m),
             not_negative("kinetic friction", kinetic),
             ("friction at rest", at_rest, holds, "at least the kinetic one"),
-            not_negative("ratio of friction around the hole to that along it", around),
+            not_negative("ratio of rotational friction to that along it", around),
             positive("Young's modulus", self.youngs_modulus_Pa),
             ("Poisson's ratio", self.poisson_ratio, poisson, "from 0 to below 0.5"),
             not_negative("roughness", self.roughness),

@@ -25,7 +25,7 @@ use crate::{
 };
 
 fn sizing(case: &Case, accuracy: Accuracy) -> Sizing {
-    Sizing::auto(&case.model, &[case.operation], accuracy).expect("a sound case")
+    Sizing::auto(&case.model, &[case.operation], accuracy).expect("a valid case")
 }
 
 fn reasons(sizing: &Sizing) -> Vec<SizeReason> {

@@ -61,7 +61,7 @@ fn climbed_soft_string(case: &Case, kind: OperationKind, tan_psi: f64) -> Scalar
     model.well.hole = model.well.hole.with_friction(mu).expect("a coefficient");
     let mut operation = case.operation;
     operation.kind = kind;
-    soft::solve(&model, &operation, &soft::SoftSettings::default()).expect("a sound case").scalars
+    soft::solve(&model, &operation, &soft::SoftSettings::default()).expect("a valid case").scalars
 }
 
 #[track_caller]

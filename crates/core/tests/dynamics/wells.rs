@@ -39,7 +39,7 @@ impl Case {
     }
 
     pub fn start(&self) -> Simulation {
-        Simulation::new(&self.model, &self.operation, &self.settings).expect("a sound case")
+        Simulation::new(&self.model, &self.operation, &self.settings).expect("a valid case")
     }
 
     pub fn run(&self) -> DynamicOutcome {
@@ -50,7 +50,7 @@ impl Case {
 
     pub fn soft(&self) -> SoftProfile {
         soft::solve(&self.model, &self.operation, &soft::SoftSettings::default())
-            .expect("a sound case")
+            .expect("a valid case")
     }
 }
 

@@ -66,7 +66,7 @@ fn a_coefficient_of_ones_own_resumes_with_the_same_bits() {
 /// Another law, and a checkpoint with the hole's friction, are refused with a sentence.
 #[test]
 fn a_checkpoint_of_another_coefficient_is_refused() {
-    let simulation = Simulation::new(&model(), &drill(), &settings()).expect("a sound case");
+    let simulation = Simulation::new(&model(), &drill(), &settings()).expect("a valid case");
     let nodes = simulation.elements() + 1;
     let other = custom(Polished { name: "other", ..OWN });
     assert_refused("the coefficient of friction", nodes, [&custom(OWN), &other, &settings()]);
@@ -90,7 +90,7 @@ fn a_coefficient_that_cannot_be_ends_the_run() {
 
     for wrong in [-0.1, f64::NAN, f64::INFINITY] {
         let settings = custom(Wrong(wrong));
-        let mut simulation = Simulation::new(&model(), &drill(), &settings).expect("a sound case");
+        let mut simulation = Simulation::new(&model(), &drill(), &settings).expect("a valid case");
         let error = simulation.to_end().expect_err("no wall has that");
         assert_eq!(error.quantity, "coefficient of friction");
         assert_eq!(error.value.to_bits(), wrong.to_bits());

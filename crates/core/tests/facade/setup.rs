@@ -38,13 +38,13 @@ pub fn settings() -> DynamicsSettings {
 }
 
 pub fn run(settings: &DynamicsSettings) -> DynamicOutcome {
-    let mut simulation = Simulation::new(&model(), &drill(), settings).expect("a sound case");
+    let mut simulation = Simulation::new(&model(), &drill(), settings).expect("a valid case");
     simulation.to_end().expect("a run that stays finite")
 }
 
 /// The bytes of a checkpoint after 1.5 s.
 pub fn checkpoint(settings: &DynamicsSettings) -> Vec<u8> {
-    let mut simulation = Simulation::new(&model(), &drill(), settings).expect("a sound case");
+    let mut simulation = Simulation::new(&model(), &drill(), settings).expect("a valid case");
     simulation.advance(1.5).expect("a run that stays finite");
     postcard::to_stdvec(&simulation.checkpoint()).expect("plain data")
 }

@@ -13,7 +13,7 @@ use crate::setup::{drill, model, run, settings};
 #[test]
 fn to_end_is_the_whole_window() {
     let whole = run(&settings());
-    let mut by_hand = Simulation::new(&model(), &drill(), &settings()).expect("a sound case");
+    let mut by_hand = Simulation::new(&model(), &drill(), &settings()).expect("a valid case");
     by_hand.advance(4.0).expect("a run that stays finite");
     assert_eq!(whole, by_hand.outcome());
     assert!((whole.series.time_s[whole.series.time_s.len() - 1] - 4.0).abs() < 0.01);
@@ -50,7 +50,7 @@ impl Observer for Count {
 /// It sees every sample, can stop the run, and changes nothing.
 #[test]
 fn an_observer_sees_every_sample_and_can_stop() {
-    let mut simulation = Simulation::new(&model(), &drill(), &settings()).expect("a sound case");
+    let mut simulation = Simulation::new(&model(), &drill(), &settings()).expect("a valid case");
     let mut count = Count { stop_at: 30, ..Count::default() };
     let stopped = simulation.to_end_with(&mut count);
     assert_eq!(stopped.expect("finite").series.time_s.len(), 30);

@@ -1,4 +1,4 @@
-//! The answer to a force that turns.
+//! The response to a rotating force.
 
 use std::f64::consts::{PI, TAU};
 

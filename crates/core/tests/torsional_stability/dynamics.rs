@@ -87,7 +87,7 @@ fn drilling(settings: &DynamicsSettings, speed: f64) -> Operation {
 /// bit's speed in two windows, after a blow at the bit.
 fn measured(model: &Model, settings: &DynamicsSettings, speed: f64, frequency_Hz: f64) -> f64 {
     let operation = drilling(settings, speed);
-    let mut simulation = Simulation::new(model, &operation, settings).expect("a sound case");
+    let mut simulation = Simulation::new(model, &operation, settings).expect("a valid case");
     simulation.advance(10.0).expect("no divergence");
     simulation
         .apply_impulse(|node| (Vector3::zeros(), if node.from_bit_m < 1.0 { 0.05 } else { 0.0 }));

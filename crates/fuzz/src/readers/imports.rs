@@ -55,7 +55,7 @@ pub(super) const XML: &[&str] = &[
 ];
 
 /// What holds of any file: it is read or refused with a sentence, with or without choices, and a case
-/// that it gives is sound or has its mistakes told.
+/// that it gives is valid or has its mistakes told.
 pub(super) fn reads(choices: Choices) -> impl FnMut(&[u8]) -> bool {
     move |input| {
         let file = || Input::of_bytes("file", input);

@@ -197,7 +197,7 @@ fn a_vertical_hole_has_a_scale_of_its_own() {
     assert_eq!(of.severity, Severity::Note);
 }
 
-/// A lateral of which the driller gets nothing to the bit has all three, the gravest first.
+/// A lateral of which the driller gets nothing to the bit has all three, the most severe first.
 #[test]
 fn a_lateral_that_cannot_be_drilled() {
     let model = lateral(4500.0, 0.35);

@@ -77,23 +77,23 @@ impl From<HoleKind> for HolePart {
 const SECTIONS: [[[&str; 2]; 2]; MOST_SECTIONS] = [
     [
         ["friction_section_1", "friction factor of section 1"],
-        ["friction_section_1_around", "friction factor of section 1 around the hole"],
+        ["friction_section_1_around", "rotational friction factor of section 1"],
     ],
     [
         ["friction_section_2", "friction factor of section 2"],
-        ["friction_section_2_around", "friction factor of section 2 around the hole"],
+        ["friction_section_2_around", "rotational friction factor of section 2"],
     ],
     [
         ["friction_section_3", "friction factor of section 3"],
-        ["friction_section_3_around", "friction factor of section 3 around the hole"],
+        ["friction_section_3_around", "rotational friction factor of section 3"],
     ],
     [
         ["friction_section_4", "friction factor of section 4"],
-        ["friction_section_4_around", "friction factor of section 4 around the hole"],
+        ["friction_section_4_around", "rotational friction factor of section 4"],
     ],
     [
         ["friction_section_5", "friction factor of section 5"],
-        ["friction_section_5_around", "friction factor of section 5 around the hole"],
+        ["friction_section_5_around", "rotational friction factor of section 5"],
     ],
 ];
 
@@ -183,9 +183,9 @@ impl Parameter {
             Self::Friction => "friction factor",
             Self::Cased => "friction factor of casing",
             Self::Open => "friction factor of open hole",
-            Self::FrictionAround => "friction factor around the hole",
-            Self::CasedAround => "friction factor of casing around the hole",
-            Self::OpenAround => "friction factor of open hole around the hole",
+            Self::FrictionAround => "rotational friction factor",
+            Self::CasedAround => "rotational friction factor of casing",
+            Self::OpenAround => "rotational friction factor of open hole",
             Self::Section(of) => SECTIONS[of][0][1],
             Self::SectionAround(of) => SECTIONS[of][1][1],
             Self::BlockWeight => "block weight",

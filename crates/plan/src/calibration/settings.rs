@@ -11,7 +11,7 @@ pub struct Settings {
     pub held: State,
     /// Friction around the hole in its ratio to that along it, where it is not looked for itself.
     pub around_ratio: AroundRatio,
-    /// Whether friction around the hole is looked for itself.
+    /// Whether rotational friction is looked for itself.
     pub around_apart: bool,
     /// Standard error of each kind of reading, N or N·m, by [`ErrorKind::place`]; estimated where
     /// none is given.
@@ -63,7 +63,7 @@ impl Settings {
         self.parameters.retain(|of| *of != parameter);
     }
 
-    /// Whether friction around the hole goes with that along it.
+    /// Whether rotational friction goes with that along it.
     pub fn around_follows(&self) -> bool {
         !self.around_apart
     }

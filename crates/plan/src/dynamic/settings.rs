@@ -30,7 +30,7 @@ pub struct DynamicPlan {
     pub rotary_ramp_s: f64,
     /// How long the string is watched after that, s.
     pub watch_s: f64,
-    /// Gel strength of the mud, Pa; none where nothing is said.
+    /// Gel strength of the mud, Pa; none by default.
     pub gel_strength_Pa: Option<f64>,
     /// Operations of the campaign whose wear is the dynamics' work of friction.
     pub wear: Vec<Operation>,

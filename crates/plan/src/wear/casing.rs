@@ -67,7 +67,7 @@ pub enum CasingError {
     },
 }
 
-/// Whether a section of the hole is cased, if all of it is sound.
+/// Whether a section of the hole is cased, if all of it is valid.
 pub(super) fn is_cased(
     index: usize,
     section: &HoleSection,

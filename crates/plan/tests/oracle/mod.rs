@@ -124,7 +124,7 @@ impl Oracle {
             .map(|cofactor| (cofactor / determinant).sqrt())
     }
 
-    /// Tension and torque at the surface; friction along the hole in the sense of a pull, or around
+    /// Tension and torque at the surface; axial friction in the sense of a pull, or around
     /// it where that is zero.
     fn integrate(&self, depth_m: f64, cased: f64, open: f64, sense: f64) -> (f64, f64) {
         let mut ends = vec![0.0, KICK_OFF_M, END_OF_BUILD_M, self.casing_to_m];

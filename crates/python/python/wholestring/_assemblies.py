@@ -33,7 +33,7 @@ class Assemblies(Checked):
         csv: bool = False,
         jobs: int | None = None,
     ) -> Bha:
-        """Solve the bottom-hole assembly at rest.
+        """Solve the bottom-hole assembly statically.
 
         Parameters
         ----------
@@ -43,12 +43,12 @@ class Assemblies(Checked):
             The operation; the first one that drills where none is named.
         toolface
             Tool faces of the bend: ``"0deg..360deg/15deg"``, or a list, rad; a revolution in steps
-            of 15 degrees where nothing is said.
+            of 15 degrees by default.
         weight
             Weights on bit: ``"20kN..120kN/20kN"``, or a list, N; seven up to 1.5 times the
-            operation's where nothing is said.
+            operation's by default.
         inclination
-            Inclinations of a straight hole, or a list, rad; every 5 degrees where nothing is said.
+            Inclinations of a straight hole, or a list, rad; every 5 degrees by default.
         build
             Rate at which those holes build down to the bit: ``"2 deg/30m"``, or rad/m.
         whole
@@ -56,11 +56,11 @@ class Assemblies(Checked):
         overwrite
             Whether to replace what lies there, whatever it is of.
         units
-            Units of the page; the case's where nothing is said.
+            Units of the page; the case's by default.
         csv
             Whether to write the tables as CSV too.
         jobs
-            Points that are solved side by side; one per core where nothing is said.
+            Number of parallel jobs, a point each; one per core by default.
 
         Raises
         ------
@@ -108,7 +108,7 @@ class Assemblies(Checked):
         png: bool = False,
         jobs: int | None = None,
     ) -> Modes:
-        """Find natural frequencies, critical speeds and the answer to a force that turns.
+        """Find natural frequencies, critical speeds and the response to a rotating force.
 
         How many, and what meets them, stands in the case: ``case.with_(modes__count=10).modes()``.
 
@@ -121,12 +121,12 @@ class Assemblies(Checked):
         overwrite
             Whether to replace what lies there, whatever it is of.
         units
-            Units of the page; the case's where nothing is said.
+            Units of the page; the case's by default.
         png
             Whether to paint the pictures as PNG too.
         jobs
             Weights of the map of torsional stability that are looked at side by side; one per core
-            where nothing is said.
+            by default.
 
         Raises
         ------
@@ -184,13 +184,13 @@ class Assemblies(Checked):
         overwrite
             Whether to replace what lies there, whatever it is of.
         checkpoint
-            Time on the clock between checkpoints: ``"5 min"``, or seconds.
+            Wall-clock time between checkpoints: ``"5 min"``, or seconds.
         units
-            Units of the page; the case's where nothing is said.
+            Units of the page; the case's by default.
         csv
             Whether to write the tables as CSV too.
         jobs
-            Points that are drilled side by side; one per core where nothing is said.
+            Points that are drilled side by side; one per core by default.
         progress
             Whether to draw a bar, with tqdm.
 

@@ -49,7 +49,7 @@ class Gathering:
     order
         Their numbers, the longest case first.
     in_flight
-        Most bundles in flight; :data:`PER_WORKER` for each worker where nothing is said.
+        Most bundles in flight; :data:`PER_WORKER` for each worker by default.
     bundle_s
         Time that a bundle of short cases takes, about, s.
     tries

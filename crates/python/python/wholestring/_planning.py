@@ -54,7 +54,7 @@ class Planning(Checked):
         Parameters
         ----------
         model
-            ``"soft"`` or ``"stiff"``, or both; those of the case's plan where nothing is said.
+            ``"soft"`` or ``"stiff"``, or both; those of the case's plan by default.
         frictions
             Friction factors of all hole sections. The table has them in its column ``friction``,
             which else has the ``"low"``, ``"expected"`` and ``"high"`` friction of the case's plan.
@@ -62,9 +62,9 @@ class Planning(Checked):
             Depths of the bit, such as ``"500m..1200m/100m"`` or a list, m; the plan's where nothing
             is said.
         operations
-            ``"trip_out"`` and so on; the plan's where nothing is said.
+            ``"trip_out"`` and so on; the plan's by default.
         jobs
-            What is solved side by side; one per core where nothing is said.
+            Number of parallel jobs; one per core by default.
 
         Raises
         ------
@@ -125,13 +125,13 @@ class Planning(Checked):
         overwrite
             Whether to replace what lies there, whatever it is of.
         checkpoint
-            Time on the clock between checkpoints: ``"5 min"``, or seconds.
+            Wall-clock time between checkpoints: ``"5 min"``, or seconds.
         units
-            Units of the page and in the workbook; the case's where nothing is said.
+            Units of the page and in the workbook; the case's by default.
         png
             Whether to paint each picture as PNG too.
         jobs
-            What is solved side by side; one per core where nothing is said.
+            Number of parallel jobs; one per core by default.
         overlay
             A file of hook loads and torques of another program, to be laid over the plan's.
         progress
@@ -204,11 +204,11 @@ class Planning(Checked):
         overwrite
             Whether to replace what lies there, whatever it is of.
         units
-            Units of the page; the case's where nothing is said.
+            Units of the page; the case's by default.
         png
             Whether to paint the pictures as PNG too.
         jobs
-            What is solved side by side; one per core where nothing is said.
+            Number of parallel jobs; one per core by default.
         progress
             Whether to draw a bar, with tqdm, of samples of uncertain numbers.
 
@@ -289,7 +289,7 @@ class Planning(Checked):
         by_section
             A friction factor for each section of the hole.
         friction_around
-            Whether to look for friction around the hole apart from that along it.
+            Whether to fit rotational friction apart from axial friction.
         block_weight
             Whether to look for the block's weight although the case gives it.
         bit_torque
@@ -313,11 +313,11 @@ class Planning(Checked):
         overwrite
             Whether to replace what lies there, whatever it is of.
         units
-            Units of the page; the case's where nothing is said.
+            Units of the page; the case's by default.
         png
             Whether to paint the pictures as PNG too.
         jobs
-            Runs of that check side by side; one per core where nothing is said.
+            Runs of that check side by side; one per core by default.
         progress
             Whether to draw a bar, with tqdm, of that check.
 

@@ -69,7 +69,7 @@ class Solving(Checked):
         model
             ``"soft"`` or ``"stiff"``.
         jobs
-            Number of parallel jobs; one per core where nothing is said.
+            Number of parallel jobs; one per core by default.
 
         Returns
         -------
@@ -138,7 +138,7 @@ class Solving(Checked):
         progress
             Whether to draw a bar, with tqdm.
         jobs
-            Threads that work on solid rock under the bit; one per core where nothing is said.
+            Threads that work on solid rock under the bit; one per core by default.
 
         Raises
         ------
@@ -184,7 +184,7 @@ class Solving(Checked):
         progress
             Whether to draw a bar, with tqdm.
         jobs
-            Threads that work on solid rock under the bit; one per core where nothing is said.
+            Threads that work on solid rock under the bit; one per core by default.
 
         Raises
         ------
@@ -243,7 +243,7 @@ class Solving(Checked):
         rate
             How often they are asked: ``"1 kHz"``, or 1/s; once a step at most.
         jobs
-            Threads that work on solid rock under the bit; one per core where nothing is said.
+            Threads that work on solid rock under the bit; one per core by default.
 
         Raises
         ------

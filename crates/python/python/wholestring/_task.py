@@ -75,7 +75,7 @@ class Done:
     warnings
         What was said meanwhile.
     took_s
-        Time on the clock.
+        Wall-clock time.
     stopped
         Whether the folder of the sweep was there, and the sweep had ended.
     """

@@ -1,4 +1,4 @@
-"""The bottom-hole assembly at rest, its small motions, and the bit alone on its rock."""
+"""Static analysis of the bottom-hole assembly, its small motions, and the bit alone on its rock."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Bha(BaseResults):
-    """The bottom-hole assembly at rest: what the bit does to the hole, contacts, bending, sag.
+    """Static analysis of the bottom-hole assembly: what the bit does to the hole, contacts, bending, sag.
 
     :meth:`Case.bha` solves it.
 
@@ -33,7 +33,7 @@ class Bha(BaseResults):
     """
 
     __slots__ = ()
-    _kind = "an assembly at rest"
+    _kind = "a static BHA analysis"
 
     @property
     def nodes(self) -> Table:
@@ -117,7 +117,7 @@ class Bha(BaseResults):
 
 
 class Modes(BaseResults):
-    """Natural frequencies, critical speeds and the answer to a force that turns.
+    """Natural frequencies, critical speeds and the response to a rotating force.
 
     :meth:`Case.modes` finds them.
 
@@ -156,7 +156,7 @@ class Modes(BaseResults):
 
     @property
     def response(self) -> Table:
-        """The answer to a force that turns, against rotary speed."""
+        """The response to a rotating force, against rotary speed."""
         return self.table("response")
 
     @property

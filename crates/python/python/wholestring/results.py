@@ -125,7 +125,7 @@ class OperationResult:
 
     @property
     def axial_friction_N(self) -> float:
-        """Wall friction along the string, N; positive adds to hook load."""
+        """Axial friction of the wall, N; positive adds to hook load."""
         return self._number("axial_friction_N")
 
     @property

@@ -247,7 +247,7 @@ class Simulation:
         Parameters
         ----------
         before
-            Time of the simulation: ``"10 s"``, or seconds; now where nothing is said.
+            Time of the simulation: ``"10 s"``, or seconds; now by default.
 
         Examples
         --------

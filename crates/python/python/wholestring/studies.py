@@ -121,7 +121,7 @@ def study(
     changes
         Keys that are set in every case, as :meth:`Case.with_` takes them.
     keep
-        What is kept of each case; where nothing is said, its tables if dynamics solve it or a
+        What is kept of each case; by default, its tables if dynamics solve it or a
         figure needs them, else its summary.
     strict
         Whether to raise where an error is found in an answer.
@@ -132,13 +132,13 @@ def study(
     overwrite
         Whether to replace what lies there, whatever it is of.
     checkpoint
-        Time on the clock between checkpoints: ``"5 min"``, or seconds.
+        Wall-clock time between checkpoints: ``"5 min"``, or seconds.
     csv
         Whether to write the tables that are kept as CSV too.
     png
         Whether to paint each figure as PNG too.
     jobs
-        Cases that are solved side by side; one per core where nothing is said.
+        Number of parallel jobs, a case each; one per core by default.
     progress
         Whether to draw a bar, with tqdm.
 

@@ -236,10 +236,10 @@ def sweep(
         Threads that check the cases, and without an executor solve them; one per core where nothing
         is said.
     checkpoint_every
-        Time on the clock between checkpoints; the case's where nothing is said.
+        Wall-clock time between checkpoints; the case's by default.
     shared_folder
         Whether workers see the folder and write to it themselves, or send the files of their cases
-        back. Where nothing is said, each looks: a file of a random name is there as long as the
+        back. By default, each looks: a file of a random name is there as long as the
         sweep goes on.
     in_flight
         Most bundles of cases that the executor has at a time; three for each worker where nothing
@@ -252,7 +252,7 @@ def sweep(
     Raises
     ------
     CaseError
-        If cases are not sound; nothing was solved.
+        If cases are invalid; nothing was solved.
     FolderError
         If the folder holds other results.
     Interrupted

@@ -1,4 +1,4 @@
-//! An assembly at rest.
+//! A static BHA analysis.
 
 use pyo3::prelude::*;
 use wholestring_runner::{Error, bha};
@@ -10,7 +10,7 @@ use super::{
 };
 use crate::case::Case;
 
-/// What is asked of an assembly at rest.
+/// What is asked of a static BHA analysis.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct BhaOptions {

@@ -13,7 +13,7 @@ pub(super) fn bad(option: &str, reason: impl std::fmt::Display) -> Error {
     Error::BadInput(format!("`{option}`: {reason}"))
 }
 
-/// Time on the clock between checkpoints.
+/// Wall-clock time between checkpoints.
 pub(crate) fn checkpoint_every(
     option: &str,
     seconds: Option<f64>,

@@ -1,4 +1,4 @@
-//! All pictures of an assembly at rest.
+//! All pictures of a static BHA analysis.
 
 use super::{Bha, BhaSweep, bending, sweeps, views};
 use crate::{Plot, plots::Shown};

@@ -1,4 +1,4 @@
-//! What a page reports an assembly at rest, and its pictures.
+//! What a page reports of a static BHA analysis, and its pictures.
 
 mod bending;
 mod figures;
@@ -10,13 +10,13 @@ pub use figures::bha_plots;
 
 use crate::{PageHead, PageTable};
 
-/// An assembly at rest as its page shows it. Numbers are SI; nodes stand from the bit up; each pair
+/// A static BHA analysis as its page shows it. Numbers are SI; nodes stand from the bit up; each pair
 /// is the part towards the high side and that to the right of it as one looks down the hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bha {
     /// Under the name of the case.
     pub head: PageHead,
-    /// What is to be wary of.
+    /// Warnings.
     pub message: Option<String>,
     /// Components, from the bit up.
     pub parts: Vec<BhaPart>,

@@ -1,4 +1,4 @@
-//! Pictures and page of an assembly at rest.
+//! Pictures and page of a static BHA analysis.
 
 use super::*;
 use crate::{

@@ -35,7 +35,7 @@ pub struct Calibration {
     pub dynamics: Vec<CalibrationCheck>,
     /// What is to be known of the answer, in sentences.
     pub notes: Vec<String>,
-    /// What is to be wary of, in sentences.
+    /// Warnings, in sentences.
     pub warnings: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! What a page reports of small motions about the string at rest, and its pictures.
+//! What a page reports of linear vibration about the static equilibrium of the string, and its pictures.
 
 mod figures;
 mod page;

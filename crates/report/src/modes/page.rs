@@ -62,7 +62,7 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
         ),
         (
             "response",
-            "Answer to a force that turns with the string",
+            "Response to a force that rotates with the string",
             "How far the assembly goes from where it rests, and the bending stress that this adds, \
              with the damping of steel, wall and mud. Where it goes farther than the clearance it \
              would hit the wall.",

@@ -26,7 +26,7 @@ use crate::{PageHead, Section, Severity, Uncertain};
 pub struct Plan {
     /// Under the name of the case.
     pub head: PageHead,
-    /// What is to be wary of.
+    /// Warnings.
     pub message: Option<String>,
     /// Models by their names, the first drawn as lines, others as points.
     pub models: Vec<String>,
@@ -191,7 +191,7 @@ pub struct PlanSpot {
     pub torque_N_m: f64,
     /// `none`, `sinusoidal`, `helical`, or nothing.
     pub buckling: String,
-    /// The gravest finding and how grave it is.
+    /// The most severe finding and its severity.
     pub worst: Option<(String, Severity)>,
     /// Why there is no answer.
     pub message: Option<String>,
@@ -332,7 +332,7 @@ pub struct PlanEvent {
     pub torque_N_m: Vec<f64>,
     /// Pressure of the pump, Pa.
     pub pump_Pa: Vec<f64>,
-    /// Why there is no answer, or what is to be wary of.
+    /// Why there is no answer, or a warning.
     pub message: Option<String>,
 }
 

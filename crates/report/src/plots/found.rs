@@ -6,7 +6,7 @@ use crate::{
     figure::{Key, Mark, Sample},
 };
 
-/// What was found of each level, the gravest last, so that it lies above the others.
+/// What was found of each level, the most severe last, so that it is above the others.
 pub(super) struct Found(Vec<(Severity, Places)>);
 
 /// Where something was found.
@@ -55,7 +55,7 @@ impl Found {
         .collect()
     }
 
-    /// What they say in a legend, the gravest first.
+    /// What they say in a legend, the most severe first.
     pub(super) fn keys(&self) -> Vec<Key> {
         let key = |(level, places): &(Severity, Places)| {
             let name = match level {

@@ -133,7 +133,7 @@ pub(super) fn of_family(place: usize) -> Stroke {
     Stroke::of(place / Ink::LINES)
 }
 
-/// The level of the gravest finding of a row that is marked.
+/// The level of the most severe finding of a row that is marked.
 pub(super) fn judged(row: &SweepRow) -> Option<Severity> {
     if row.errors > 0 {
         Some(Severity::Error)

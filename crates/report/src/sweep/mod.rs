@@ -42,7 +42,7 @@ pub struct SweepRow {
     pub errors: usize,
     /// Number of checks that are warnings.
     pub warnings: usize,
-    /// What the gravest finding says; empty where there is none.
+    /// What the most severe finding says; empty where there is none.
     pub check: String,
     /// The page of the case, relative to that of the sweep; none where the case has none.
     pub page: Option<String>,

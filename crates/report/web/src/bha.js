@@ -1,4 +1,4 @@
-// The page of an assembly at rest: how it lies, what it does to the bit, how it bends, and what was varied.
+// The page of a static BHA analysis: how it lies, what it does to the bit, how it bends, and what was varied.
 
 import { el } from "../../../../web/components/dom.ts";
 import { facts } from "./key_results.js";
@@ -24,7 +24,7 @@ const note = (text) => el("p", { class: "note" }, text);
 
 const VARIED = { toolface: "Tool face", weight: "Weight on bit", inclination: "Inclination" };
 
-/** Shows an assembly at rest. */
+/** Shows a static BHA analysis. */
 export function bhaPage(report) {
   const results = report.page_tables.filter((table) => table.place !== "inputs");
   const inputs = report.page_tables.filter((table) => table.place === "inputs");

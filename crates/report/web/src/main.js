@@ -1,4 +1,4 @@
-// The page of a run, of a bit test, or of an assembly at rest.
+// The page of a run, of a bit test, or of a static BHA analysis.
 
 import "../../../../web/components/drawings.css";
 import "./style.css";

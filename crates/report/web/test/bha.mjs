@@ -1,4 +1,4 @@
-// The page of an assembly at rest in a real browser: `node test/bha.mjs CHROMIUM report.html`. Figures are drawn, tables are whole, what can
+// The page of a static BHA analysis in a real browser: `node test/bha.mjs CHROMIUM report.html`. Figures are drawn, tables are whole, what can
 // be switched switches, nothing is fetched and nothing is complained about.
 import assert from "node:assert/strict";
 import { browse, settled, text } from "./browser.mjs";
@@ -53,4 +53,4 @@ await check("names are text, whatever they hold", async () => {
   assert.equal(await page.evaluate(() => window.harmed), undefined);
 });
 
-await close(page, 20_000, "the page of an assembly at rest");
+await close(page, 20_000, "the page of a static BHA analysis");

@@ -1,4 +1,4 @@
-//! Columns of the tables of an assembly at rest.
+//! Columns of the tables of a static BHA analysis.
 
 use super::specs;
 use crate::ColumnSpec;

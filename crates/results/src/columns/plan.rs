@@ -34,7 +34,7 @@ pub const PLAN_BROOMSTICK: &[ColumnSpec] = plan_specs! {
     "friction_torque_N_m": Torque,
         "Part of the surface torque that comes from wall contact alone, or `null`",
         null_where "there is no answer";
-    "axial_friction_N": Force, "Wall friction along the string; positive adds to hook load; or `null`",
+    "axial_friction_N": Force, "Axial friction of the wall; positive adds to hook load; or `null`",
         null_where "there is no answer";
     "side_force_total_N": Force, "Integral of the magnitude of the side force, or `null`",
         null_where "there is no answer";
@@ -114,7 +114,7 @@ pub const PLAN_FRICTION: &[ColumnSpec] = super::specs! {
     "from_md_m": Depth, "Measured depth where the section begins";
     "to_md_m": Depth, "Measured depth where it ends";
     "along": Ratio, "Coefficient of friction while sliding along the hole";
-    "around": Ratio, "Coefficient of friction around the hole";
+    "around": Ratio, "Coefficient of rotational friction";
 };
 
 /// Columns of `plan_hydraulics.parquet`: a row for each depth of the bit. Equivalent densities

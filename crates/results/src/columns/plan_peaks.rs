@@ -47,7 +47,7 @@ pub const PLAN_PEAKS: &[ColumnSpec] = super::specs! {
         null_where "no pump starts, or the gel strength is not known";
     "gel_lift_N": Force, "What the gel in the annulus takes off the hook load as it breaks, or `null`",
         null_where "no pump starts, or the gel strength is not known";
-    "message": Words, "Why there is no answer, or what to be wary of; else empty",
+    "message": Words, "Why there is no answer, or a warning; else empty",
         null_where "there is nothing to say";
 };
 

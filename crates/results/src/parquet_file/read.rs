@@ -107,7 +107,7 @@ pub(crate) fn guarded<T>(
     }
 }
 
-/// Opens a file and sees that its footer is sound.
+/// Opens a file and sees that its footer is valid.
 pub(crate) fn open(path: &Path) -> Result<File, ResultsError> {
     let file =
         File::open(path).map_err(|source| ResultsError::Read { path: path.to_owned(), source })?;

@@ -21,7 +21,7 @@ pub struct PlanPeak {
     pub pump_pressure_Pa: Option<PlanPeakOf>,
     /// What breaks the gel; none where its strength is not known.
     pub gel: Option<PlanGel>,
-    /// Why there is no answer, or what to be wary of.
+    /// Why there is no answer, or a warning.
     pub message: Option<String>,
 }
 

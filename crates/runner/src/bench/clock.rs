@@ -29,7 +29,7 @@ mod kind {
         time::{Duration, Instant},
     };
 
-    pub(super) const NAME: &str = "time on the clock";
+    pub(super) const NAME: &str = "wall-clock time";
 
     static BEGINNING: OnceLock<Instant> = OnceLock::new();
 

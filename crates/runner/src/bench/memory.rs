@@ -1,4 +1,4 @@
-//! What a run takes from its start to its end: memory, and time on the clock.
+//! What a run takes from its start to its end: memory, and wall-clock time.
 
 use std::{
     fs, thread,
@@ -21,7 +21,7 @@ const POLL_INTERVAL: Duration = Duration::from_millis(5);
 pub struct Memory {
     /// Simulated time, all operations together.
     pub simulated_s: f64,
-    /// Time on the clock.
+    /// Wall-clock time.
     pub wall_time_s: f64,
     /// Largest resident memory.
     pub peak_MB: f64,

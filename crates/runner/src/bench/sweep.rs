@@ -29,7 +29,7 @@ pub struct SweepRow {
     pub precision: &'static str,
     /// The law of friction.
     pub friction_law: &'static str,
-    /// Time on the clock.
+    /// Wall-clock time.
     pub wall_time_s: f64,
     /// Simulated time, all cases together.
     pub simulated_s: f64,

@@ -1,4 +1,4 @@
-//! The bottom-hole assembly at rest: side force and tilt of the bit, contacts, bending, sag; at
+//! Static analysis of the bottom-hole assembly: side force and tilt of the bit, contacts, bending, sag; at
 //! other tool faces, weights and inclinations too.
 
 mod nodes;

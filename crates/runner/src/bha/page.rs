@@ -1,4 +1,4 @@
-//! `report.html` and the pictures of an assembly at rest, made from the files that it left.
+//! `report.html` and the pictures of a static BHA analysis, made from the files that it left.
 
 use std::path::Path;
 
@@ -19,7 +19,7 @@ use crate::{
 const VIEWS: &str = "views";
 
 impl Results for Bha {
-    const NOUN: &'static str = "an assembly at rest";
+    const NOUN: &'static str = "a static BHA analysis";
     const TABLE: &'static str = NODES;
     const PICTURES: &'static [&'static str] = &[VIEWS];
 
@@ -27,7 +27,7 @@ impl Results for Bha {
         let summary = BhaSummary::read(&folder.join("summary.json"))?;
         let nodes = table(folder, NODES)?;
         let settings = &summary.settings;
-        let title = format!("{}: assembly at rest", summary.case);
+        let title = format!("{}: static BHA analysis", summary.case);
         let state = &summary.state;
         let warnings = summary.warnings();
         let mut tables = page_tables(&summary);

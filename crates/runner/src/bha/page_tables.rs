@@ -1,4 +1,4 @@
-//! The tables on the page of an assembly at rest.
+//! The tables on the page of a static BHA analysis.
 
 use wholestring_report::{Cell, PageTable, Place};
 use wholestring_results::{BhaState, BhaSummary, BhaVaried};

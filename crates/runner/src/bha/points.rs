@@ -27,7 +27,7 @@ const MAX_BUILD_RAD_PER_M: f64 = 180.0 * DEGREE / 30.0;
 /// What is varied, one after the other, SI; what a front leaves out has a default.
 #[derive(Debug, Clone, Default)]
 pub struct Sweeps {
-    /// Tool faces of the lowest bend, rad: a revolution in steps of 15° where nothing is said and
+    /// Tool faces of the lowest bend, rad: a revolution in steps of 15° by default and
     /// the string has a bend.
     pub toolfaces_rad: Option<Vec<f64>>,
     /// Weights on bit, N: seven up to one and a half times that of an operation that has one.

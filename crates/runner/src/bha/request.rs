@@ -1,4 +1,4 @@
-//! An assembly at rest that is requested, and what came of it.
+//! A static BHA analysis that is requested, and what came of it.
 
 use std::{f64::consts::TAU, num::NonZeroUsize, path::PathBuf};
 
@@ -34,19 +34,19 @@ const SWEEP: &str = "bha_sweep";
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// The operation; the first one that drills where nothing is said, or the first.
+    /// The operation; the first one that drills by default, or the first.
     pub operation: Option<OperationKind>,
     /// Whether the whole string is solved, rather than the assembly and 100 m of pipe above it.
     pub whole: bool,
     /// What is varied.
     pub sweeps: Sweeps,
-    /// Units of the pictures and the page; the case's where nothing is said.
+    /// Units of the pictures and the page; the case's by default.
     pub units: Option<UnitSet>,
     /// Where the results go.
     pub output: Output,
     /// Whether to write the tables as CSV too.
     pub csv: bool,
-    /// Points that are solved side by side; one per core where nothing is said.
+    /// Number of parallel jobs, a point each; one per core by default.
     pub jobs: Option<NonZeroUsize>,
 }
 
@@ -73,7 +73,7 @@ pub struct Outcome {
     pub summary: BhaSummary,
     /// Where the results are.
     pub folder: PathBuf,
-    /// Time on the clock of the assembly itself, s, and of all.
+    /// Wall-clock time of the assembly itself, s, and of all.
     pub took_s: [f64; 2],
     /// Whether it was interrupted: points of what is varied are missing.
     pub interrupted: bool,
@@ -86,7 +86,7 @@ pub struct AtRest {
     pub summary: BhaSummary,
     /// Nodes of all that was solved, from the bit up.
     pub nodes: Vec<AssemblyNode>,
-    /// Time on the clock of the assembly itself, s.
+    /// Wall-clock time of the assembly itself, s.
     pub alone_s: f64,
 }
 

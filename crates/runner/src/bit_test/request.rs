@@ -28,7 +28,7 @@ use crate::{
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Units of the picture and the page; the case's where nothing is said.
+    /// Units of the picture and the page; the case's by default.
     pub units: Option<UnitSet>,
     /// How the points are drilled.
     pub batch: BatchOptions,

@@ -26,7 +26,7 @@ use crate::{
 pub struct CheckDynamics {
     /// Depths of the bit, m; the shallowest, the middle and the deepest of the fit where none is given.
     pub bit_depths_m: Vec<f64>,
-    /// What is computed side by side; one per core where nothing is said.
+    /// What is computed side by side; one per core by default.
     pub jobs: Option<NonZeroUsize>,
 }
 
@@ -169,7 +169,7 @@ pub(super) fn checked(
     rows.iter().filter_map(row).collect()
 }
 
-/// What to be wary of: a string that had not settled, and one without an answer.
+/// Warnings: a string that had not settled, and one without an answer.
 pub(super) fn warnings(checks: &[DynamicCheck], units: UnitSet) -> Vec<String> {
     let unit = Dimension::Length.unit_in(units);
     let depth = |depth_m: f64| format!("{:.0} {}", unit.from_si(depth_m), unit.symbol);

@@ -58,7 +58,7 @@ pub struct Request<'a> {
     pub fit: Fit,
     /// Where the dynamics are to check what was found.
     pub check: Option<CheckDynamics>,
-    /// Units of the pictures and the page; the first case's where nothing is said.
+    /// Units of the pictures and the page; the first case's by default.
     pub units: Option<UnitSet>,
     /// Where the results go.
     pub output: Output,

@@ -36,7 +36,7 @@ pub(super) fn settings(
     };
     if fit.friction_around {
         if !turns {
-            let reason = "friction around the hole is looked for, but no torque was read";
+            let reason = "rotational friction is looked for, but no torque was read";
             return Err(Error::BadInput(reason.into()));
         }
         let around = |of: &Parameter| match of {

@@ -90,7 +90,7 @@ impl<'a> RunCheckpoint<'a> {
             && Duration::try_from_secs_f64(under_way.wall_time_s).is_err()
         {
             let place = folder.path().display();
-            return Err(format!("the checkpoint in {place} is damaged: its time on the clock"));
+            return Err(format!("the checkpoint in {place} is damaged: its wall-clock time"));
         }
         if identity == here {
             return Ok(Some(stored));

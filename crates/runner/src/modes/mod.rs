@@ -1,5 +1,5 @@
 //! Small motions about the string at rest: natural frequencies, critical speeds and the answer to a
-//! force that turns.
+//! rotating force.
 
 mod page;
 mod request;

@@ -30,7 +30,7 @@ pub struct Request<'a> {
     pub case: &'a Case,
     /// The operation whose string at rest it is, by its name; the case's first where none is given.
     pub operation: Option<&'a str>,
-    /// Units of the pictures and the page; the case's where nothing is said.
+    /// Units of the pictures and the page; the case's by default.
     pub units: Option<UnitSet>,
     /// Where the results go.
     pub output: Output,

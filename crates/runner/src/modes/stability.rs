@@ -33,7 +33,7 @@ pub(super) struct Stability {
 
 /// The map of an operation that drills, or else of the case's first that does; why there is none,
 /// where no operation turns on bottom, the bit stands on solid rock, or settings of the dynamics
-/// are not sound. Once it is cancelled, the map is of no use.
+/// are invalid. Once it is cancelled, the map is of no use.
 pub(super) fn find(
     case: &Case,
     operation: &Operation,

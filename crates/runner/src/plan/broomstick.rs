@@ -30,7 +30,7 @@ pub struct BroomstickRequest<'a> {
     pub bit_depths_m: Vec<f64>,
     /// What is done at every depth.
     pub operations: Vec<OperationKind>,
-    /// What is solved side by side; one per core where nothing is said.
+    /// Number of parallel jobs; one per core by default.
     pub jobs: Option<NonZeroUsize>,
 }
 

@@ -18,13 +18,13 @@ pub struct Request<'a> {
     pub template: &'a Template,
     /// What is changed in it.
     pub overrides: &'a [Override],
-    /// Units of the page, the pictures and the workbook; the case's where nothing is said.
+    /// Units of the page, the pictures and the workbook; the case's by default.
     pub units: Option<UnitSet>,
     /// Where the results go.
     pub output: Output,
-    /// What is solved side by side; one per core where nothing is said.
+    /// Number of parallel jobs; one per core by default.
     pub jobs: Option<NonZeroUsize>,
-    /// Time on the clock between checkpoints; the case's where nothing is said.
+    /// Wall-clock time between checkpoints; the case's by default.
     pub checkpoint_every: Option<Duration>,
     /// Another program's curves, to be laid over those of the plan.
     pub overlay: Option<Overlay>,

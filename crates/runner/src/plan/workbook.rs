@@ -68,7 +68,11 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
                 bands,
                 "How the samples of uncertain numbers scatter, in the unit of each row",
             ),
-            ("Owed to", indices, "Sobol indices: which uncertain numbers that is owed to"),
+            (
+                "Sensitivity",
+                indices,
+                "Sobol indices: the share of the variance that each uncertain number causes",
+            ),
         ]
         .into_iter()
         .chain(samples)

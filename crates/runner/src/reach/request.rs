@@ -58,13 +58,13 @@ pub struct Request<'a> {
     pub helix_side_force: bool,
     /// Whether the string stops where its helix begins, though it would go on buckled.
     pub stop_at_helix: bool,
-    /// Units of the pictures and the page; the case's where nothing is said.
+    /// Units of the pictures and the page; the case's by default.
     pub units: Option<UnitSet>,
     /// Where the results go.
     pub output: Output,
     /// Whether the picture is painted as PNG too.
     pub png: bool,
-    /// Operations that are solved side by side; one per core where nothing is said.
+    /// Number of parallel jobs, an operation each; one per core by default.
     pub jobs: Option<NonZeroUsize>,
 }
 

@@ -17,7 +17,7 @@ use super::{Record, friction};
 /// What a dynamic run cost.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Effort {
-    /// Time on the clock.
+    /// Wall-clock time.
     pub(crate) took: Duration,
     /// Runs from the start to the end, those that a lift was sought with included.
     pub(crate) runs: usize,

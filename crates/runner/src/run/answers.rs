@@ -43,7 +43,7 @@ pub struct Solved {
 }
 
 /// Solves a case, operation after operation, with all of its models, and writes nothing. `jobs` are
-/// the threads that work on solid rock under the bit; one per core where nothing is said.
+/// the threads that work on solid rock under the bit; one per core by default.
 ///
 /// # Errors
 /// A case that keeps frames of the whole string: these go to the disk as they are taken, which

@@ -62,7 +62,7 @@ struct Stored<'a> {
 impl Live {
     /// Initialises the string for an operation of the case, ready to run; for its only one where
     /// none is named. Laws of one's own take the place of the case's. `jobs` are the threads that
-    /// work on solid rock under the bit; one per core where nothing is said.
+    /// work on solid rock under the bit; one per core by default.
     ///
     /// # Errors
     /// An operation that the case does not have, a hoist whose lift is found by runs of the whole

@@ -37,12 +37,12 @@ pub struct Request<'a> {
     /// Where the results go. With [`Existing::Resume`] the run in the folder continues from its
     /// checkpoint.
     pub output: Output,
-    /// Units of the checks, the picture and the page; the case's where nothing is said.
+    /// Units of the checks, the picture and the page; the case's by default.
     pub units: Option<UnitSet>,
     /// Threads that work on solid rock under the bit, to the same answer; one per core where
     /// nothing is said.
     pub jobs: Option<NonZeroUsize>,
-    /// Time on the clock between checkpoints; the case's where nothing is said.
+    /// Wall-clock time between checkpoints; the case's by default.
     pub checkpoint_every: Option<Duration>,
     /// Whether to write the tables as CSV too.
     pub csv: bool,

@@ -312,7 +312,7 @@ mod tests {
     /// A model that the command line's test data describe.
     fn slant() -> Case {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cli/tests/data/slant.toml");
-        wholestring_case::load(&path, &[]).expect("a sound case")
+        wholestring_case::load(&path, &[]).expect("a valid case")
     }
 
     #[test]
@@ -341,7 +341,7 @@ mod tests {
         let said = preparation(&case.dynamics, &case.operations[0]);
         assert_eq!(said, "initialising the string");
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/rock-300.toml");
-        let case = wholestring_case::load(&path, &[]).expect("a sound case");
+        let case = wholestring_case::load(&path, &[]).expect("a valid case");
         let said = preparation(&case.dynamics, &case.operations[0]);
         assert!(said.ends_with("running the bit in on the rock"), "{said}");
     }

@@ -12,7 +12,7 @@ pub(crate) struct Way<'a> {
     pub(crate) keep: Keep,
     /// Whether to write the tables as CSV too.
     pub(crate) csv: bool,
-    /// Time on the clock between checkpoints.
+    /// Wall-clock time between checkpoints.
     pub(crate) checkpoint_every: Duration,
     /// Who watches its progress.
     pub(crate) watch: Watch<'a>,

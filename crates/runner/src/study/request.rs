@@ -32,7 +32,7 @@ pub struct Request<'a> {
     pub cases: CaseFiles<'a>,
     /// What is changed in every case.
     pub overrides: &'a [Override],
-    /// What is kept of each case. Where nothing is said: its tables where dynamics solve it, or
+    /// What is kept of each case. By default: its tables where dynamics solve it, or
     /// where they are requested as CSV or a figure needs them, else its summary.
     pub keep: Option<Keep>,
     /// Whether to paint each figure as PNG too.
@@ -60,7 +60,7 @@ pub fn parse(name: &str, text: &[u8]) -> Result<Study, Report> {
 /// Checks every case of a study, solves them, and makes its figures, its tables and its page.
 ///
 /// # Errors
-/// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases
+/// Cases that are invalid, or a folder that the results cannot go to. What becomes of the cases
 /// is identified by the outcome.
 pub fn run(
     request: &Request<'_>,

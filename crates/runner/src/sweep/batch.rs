@@ -45,7 +45,7 @@ pub(crate) struct Batch<'a> {
 }
 
 impl<'a> Batch<'a> {
-    /// A batch of sound cases that belong to these sets.
+    /// A batch of valid cases that belong to these sets.
     pub(crate) fn new(
         options: &'a BatchOptions,
         share: Share,

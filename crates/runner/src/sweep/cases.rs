@@ -1,4 +1,4 @@
-//! Sound cases, the sets that they belong to, and the tables of how they ended.
+//! Valid cases, the sets that they belong to, and the tables of how they ended.
 
 use std::{
     path::PathBuf,
@@ -28,7 +28,7 @@ use crate::{
     share::{Gathering, Share},
 };
 
-/// Sound cases, and the sets that they belong to.
+/// Valid cases, and the sets that they belong to.
 pub(crate) struct Cases {
     pub(super) sets: Vec<Set>,
     pub(super) points: Vec<Point>,
@@ -36,7 +36,7 @@ pub(crate) struct Cases {
 }
 
 impl Cases {
-    /// Sound cases that belong to these sets.
+    /// Valid cases that belong to these sets.
     pub(super) fn new(sets: Vec<Set>, valid: CheckedPoints) -> Self {
         let CheckedPoints { points, checked } = valid;
         Self { sets, points, checked }

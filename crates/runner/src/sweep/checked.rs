@@ -113,10 +113,10 @@ pub(super) fn check(
         let summary = match (unsound.len(), points.len()) {
             (_, 1) => None,
             (1, all) => {
-                Some(format!("1 of {all} cases is not sound, {}: nothing was run", first.name))
+                Some(format!("1 of {all} cases is invalid, {}: nothing was run", first.name))
             }
             (some, all) => Some(format!(
-                "{some} of {all} cases are not sound, the first is {}: nothing was run",
+                "{some} of {all} cases are invalid, the first is {}: nothing was run",
                 first.name
             )),
         };

@@ -28,7 +28,7 @@ pub(crate) struct OneCase<'a> {
     pub(crate) keep: Keep,
     pub(crate) csv: bool,
     pub(crate) existing: Existing,
-    /// Time on the clock between checkpoints; the case's where nothing is said.
+    /// Wall-clock time between checkpoints; the case's by default.
     pub(crate) checkpoint_every: Option<Duration>,
     pub(crate) watch: Watch<'a>,
     pub(crate) cancellation: &'a CancellationToken,

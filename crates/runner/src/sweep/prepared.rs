@@ -38,7 +38,7 @@ use crate::{
 /// cases.
 ///
 /// # Errors
-/// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases
+/// Cases that are invalid, or a folder that the results cannot go to. What becomes of the cases
 /// is identified by the outcome.
 pub fn run(
     request: &Request<'_>,
@@ -67,7 +67,7 @@ impl PreparedSweep {
     /// Reads and checks every case, and claims the folder.
     ///
     /// # Errors
-    /// Cases that are not sound, or a folder that the results cannot go to.
+    /// Cases that are invalid, or a folder that the results cannot go to.
     pub fn begin(
         request: &Request<'_>,
         observer: &dyn Observer,

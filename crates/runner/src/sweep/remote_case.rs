@@ -31,7 +31,7 @@ pub struct RemoteCase<'a> {
     pub keep: Option<Keep>,
     /// Whether to write the tables that are kept as CSV too.
     pub csv: bool,
-    /// Time on the clock between checkpoints; the case's where nothing is said.
+    /// Wall-clock time between checkpoints; the case's by default.
     pub checkpoint_every: Option<Duration>,
 }
 

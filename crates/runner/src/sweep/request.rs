@@ -18,7 +18,7 @@ pub struct Request<'a> {
     /// Whether the keys are varied together instead: the first value of each, the second of each,
     /// and so on.
     pub together: bool,
-    /// What is kept of each case. Where nothing is said: its tables where dynamics solve it or they
+    /// What is kept of each case. By default: its tables where dynamics solve it or they
     /// are requested as CSV, else its summary.
     pub keep: Option<Keep>,
     /// How the cases are solved.

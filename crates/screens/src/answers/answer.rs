@@ -28,7 +28,7 @@ pub struct Answer {
     limits: Vec<OperationLimits>,
     /// What may be replaced without touching the text.
     set_points: SetPoints,
-    /// Time on the clock of the solving, s.
+    /// Wall-clock time of the solving, s.
     took_s: f64,
 }
 
@@ -75,7 +75,7 @@ mod tests {
 
     fn np13() -> Case {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042.toml");
-        load(&file, &[]).expect("a sound case")
+        load(&file, &[]).expect("a valid case")
     }
 
     /// The numbers are those of a run: hook load to every digit, tracks to a float's.

@@ -35,7 +35,7 @@ pub struct AskedOfModels {
     /// Values by keys, as `--set KEY=VALUE` has them.
     #[serde(default)]
     set: BTreeMap<String, String>,
-    /// The models: `soft`, `stiff`. Both where nothing is said.
+    /// The models: `soft`, `stiff`. Both by default.
     #[serde(default)]
     models: Vec<String>,
 }
@@ -49,7 +49,7 @@ pub struct AskedOfOperation {
     /// Values by keys, as `--set KEY=VALUE` has them.
     #[serde(default)]
     set: BTreeMap<String, String>,
-    /// The operation: `drill`, ...; the first that drills, or the first, where nothing is said.
+    /// The operation: `drill`, ...; the first that drills, or the first, by default.
     #[serde(default)]
     operation: Option<String>,
 }
@@ -69,7 +69,7 @@ impl Asked {
     /// the soft string.
     ///
     /// # Errors
-    /// A case that is not sound, and a cancellation.
+    /// A case that is invalid, and a cancellation.
     pub fn broomstick(
         &self,
         name: &str,
@@ -84,7 +84,7 @@ impl AskedOfModels {
     /// What the text comes to by soft and stiff string, in a file of this name beside these files.
     ///
     /// # Errors
-    /// A case that is not sound, a model that there is not, and a cancellation.
+    /// A case that is invalid, a model that there is not, and a cancellation.
     pub fn answer(
         self,
         name: &str,
@@ -99,10 +99,10 @@ impl AskedOfModels {
 }
 
 impl AskedOfOperation {
-    /// The bottom-hole assembly at rest: how it lies in its hole, what it does to the bit.
+    /// Static analysis of the bottom-hole assembly: how it lies in its hole, what it does to the bit.
     ///
     /// # Errors
-    /// A case that is not sound, an operation that it has not, and a cancellation.
+    /// A case that is invalid, an operation that it has not, and a cancellation.
     pub fn assembly(
         self,
         name: &str,

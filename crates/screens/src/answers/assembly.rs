@@ -1,4 +1,4 @@
-//! The bottom-hole assembly at rest, for its views from the side and from above.
+//! Static analysis of the bottom-hole assembly, for its views from the side and from above.
 
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -9,7 +9,7 @@ use wholestring_runner::{CancellationToken, Error, bha};
 
 use super::column::Column;
 
-/// An assembly at rest. Each pair is the part towards the high side and that to the right of it as
+/// A static BHA analysis. Each pair is the part towards the high side and that to the right of it as
 /// one looks down the hole; distances are from the bit.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct AssemblyView {
@@ -37,7 +37,7 @@ pub struct AssemblyView {
     parts: Vec<Part>,
     /// The axis of the string.
     axis: Axis,
-    /// Time on the clock of the solving, s.
+    /// Wall-clock time of the solving, s.
     took_s: f64,
 }
 
@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn an_assembly_is_what_the_engine_finds() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/bent-motor.toml");
-        let case = load(&file, &[]).expect("a sound case");
+        let case = load(&file, &[]).expect("a valid case");
         let found = assembly(&case, None, &CancellationToken::new()).expect("an assembly");
         let drills = case.operations.iter().find(|one| one.kind.on_bottom());
         let operation = drills.expect("an operation that drills");
@@ -196,7 +196,7 @@ mod tests {
     #[test]
     fn an_operation_that_the_case_lacks_is_told() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042.toml");
-        let case = load(&file, &[]).expect("a sound case");
+        let case = load(&file, &[]).expect("a valid case");
         let token = CancellationToken::new();
         let refused = assembly(&case, Some(OperationKind::Slide), &token);
         let Err(Error::BadInput(message)) = refused else { panic!("{refused:?}") };

@@ -23,7 +23,7 @@ pub struct Broomstick {
     hoist_N: Option<f64>,
     /// Torque that the top drive gives for as long as one wants, N·m; null where it is not known.
     top_drive_N_m: Option<f64>,
-    /// Time on the clock of the solving, s.
+    /// Wall-clock time of the solving, s.
     took_s: f64,
 }
 
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn friction_spreads_the_broomstick() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042.toml");
-        let case = load(&file, &[]).expect("a sound case");
+        let case = load(&file, &[]).expect("a valid case");
         let found = broomstick(&case, &CancellationToken::new()).expect("a broomstick");
         let at_depth = |operation: &str, friction: &str| {
             let is_it = |of: &&Curve| of.operation == operation && of.friction == friction;

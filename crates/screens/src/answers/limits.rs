@@ -118,7 +118,7 @@ mod tests {
 
     fn slant() -> Case {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
-        load(&file, &[]).expect("a sound case")
+        load(&file, &[]).expect("a valid case")
     }
 
     /// A hoist that carries twice what hangs on it has a reserve of two over its factor.

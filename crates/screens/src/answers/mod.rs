@@ -1,5 +1,5 @@
 //! What a case answers at once, while it is written: soft and stiff string,
-//! limits, broomstick, and the assembly at rest.
+//! limits, broomstick, and static BHA analysis.
 
 mod answer;
 mod asked;

@@ -116,11 +116,11 @@ mod tests {
 
     use super::*;
 
-    /// Each value lies within its range, and a case with it replaced by an end is sound and has it.
+    /// Each value lies within its range, and a case with it replaced by an end is valid and has it.
     #[test]
     fn what_may_be_replaced_is_sound_at_the_ends_of_its_range() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042.toml");
-        let case = load(&file, &[]).expect("a sound case");
+        let case = load(&file, &[]).expect("a valid case");
         let points = SetPoints::of(&case);
         let keys: Vec<&str> = points.values.iter().map(|of| of.key).collect();
         assert_eq!(keys, ["friction", "wob", "rpm", "mud.density", "bit_depth"]);
@@ -136,7 +136,7 @@ mod tests {
                     _ => format!("{end} m"),
                 };
                 let set: Override = format!("{key}={value}").parse().expect("an override");
-                let changed = load(&file, &[set]).expect("a sound case");
+                let changed = load(&file, &[set]).expect("a valid case");
                 let found = SetPoints::of(&changed).values;
                 let found = found.iter().find(|of| of.key == key).expect("the value");
                 // Units are converted there and back.

@@ -58,7 +58,7 @@ pub struct Section {
     to_m: f64,
     /// Diameter, m.
     diameter_m: f64,
-    /// Kinetic coefficient of friction along the hole.
+    /// Kinetic coefficient of axial friction.
     friction: f64,
 }
 

@@ -19,10 +19,10 @@ use super::{
 /// Simulated time between two checkpoints, and between two beginnings of the window, s.
 const CHECKPOINT_S: f64 = 10.0;
 
-/// Time on the clock between two checkpoints at least.
+/// Wall-clock time between two checkpoints at least.
 const CHECKPOINT_CLOCK: Duration = Duration::from_secs(1);
 
-/// Time on the clock between two statuses where nothing changes but time.
+/// Wall-clock time between two statuses where nothing changes but time.
 const STATUS: Duration = Duration::from_millis(200);
 
 /// How long nothing is due of an engine that waits.
@@ -54,7 +54,7 @@ pub struct Engine {
     pub(super) rows: usize,
     pub(super) epoch: u32,
     pub(super) replay: VecDeque<RecordedEvent>,
-    /// Simulated time and time on the clock of the last checkpoint.
+    /// Simulated time and wall-clock time of the last checkpoint.
     pub(super) checkpoint: (f64, Instant),
     pub(super) told: Instant,
 }

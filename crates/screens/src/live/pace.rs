@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 use wholestring_runner::Instant;
 
-/// Time on the clock of a slice at most: what a viewer sees moves at least thirty times a second.
+/// Wall-clock time of a slice at most: what a viewer sees moves at least thirty times a second.
 const SLICE: Duration = Duration::from_millis(25);
 
 /// Time that may be made up for: a string that is further behind goes on from where it is.

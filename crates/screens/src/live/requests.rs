@@ -127,7 +127,7 @@ pub struct Scheduled {
 /// beside these files.
 ///
 /// # Errors
-/// A text that is no sound case, before or after it.
+/// A text that is no valid case, before or after it.
 pub fn schedule(
     text: &str,
     events: &[RecordedEvent],
@@ -137,7 +137,7 @@ pub fn schedule(
     let case = parse(name, text.as_bytes(), files, &[])?;
     let made = schedule_text::with_schedule(text, &case, events);
     let made = made.map_err(|error| Refusal::bad_input(error.to_string()))?;
-    // What comes out is a sound case, or it is said why not.
+    // What comes out is a valid case, or it is said why not.
     parse(name, made.text.as_bytes(), files, &[])?;
     Ok(Scheduled { text: made.text, lines: made.lines, left_out: made.left_out })
 }

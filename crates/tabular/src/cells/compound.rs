@@ -1,5 +1,5 @@
 //! The file around old workbooks (`.xls`): a compound file of sectors, of which the stream of the
-//! workbook is taken out, and put into a new one that is sound.
+//! workbook is taken out, and put into a new one that is valid.
 //!
 //! The reader of workbooks follows the chains of sectors without end and trusts their lengths. So
 //! it is given a file that was written here.

@@ -251,7 +251,7 @@ impl Extent {
     }
 }
 
-/// The lengths of the shared strings, bytes at most; as far as they are sound.
+/// The lengths of the shared strings, bytes at most; as far as they are valid.
 fn string_lengths(head: &[Record], stream: &[u8]) -> Vec<usize> {
     // The last such record is the one that counts.
     let Some(at) = head.iter().rposition(|record| record.kind == STRINGS) else {

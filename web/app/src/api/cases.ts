@@ -8,7 +8,7 @@ export interface CaseInList {
   id: string;
   path: string;
   name: string | null;
-  /** Why it is not sound; null where it is. */
+  /** Why it is invalid; null where it is. */
   problem: string | null;
   has_draft: boolean;
   modified_ms: number;

@@ -9,7 +9,7 @@ export const COMMANDS: readonly { kind: Command; title: string; does: string }[]
   { kind: "plan", title: "Plan", does: "Torque and drag at every depth of the bit, with low, expected and high friction" },
   { kind: "run", title: "Run", does: "Every operation of the case, by soft string, stiff string or dynamics" },
   { kind: "reach", title: "Reach", does: "How far the well can go, and what stops it" },
-  { kind: "bha", title: "Assembly", does: "The bottom-hole assembly at rest: contacts, side force, tilt" },
+  { kind: "bha", title: "Assembly", does: "Static analysis of the bottom-hole assembly: contacts, side force, tilt" },
   { kind: "modes", title: "Modes", does: "Natural frequencies, critical speeds and torsional stability" },
   { kind: "calibrate", title: "Calibrate", does: "Friction factors from what was read at the surface" },
   { kind: "sweep", title: "Sweep", does: "The case with all combinations of some values" },

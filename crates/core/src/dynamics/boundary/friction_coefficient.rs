@@ -37,7 +37,7 @@ pub trait FrictionCoefficient: fmt::Debug + Send + Sync {
         Vec::new()
     }
 
-    /// Coefficient of friction along the hole, zero or more; around the hole it is multiplied by
+    /// Coefficient of axial friction, zero or more; around the hole it is multiplied by
     /// the section's [ratio](Friction::around). One that is negative, infinite or not a number ends
     /// the run as [diverged](crate::dynamics::Diverged). `state` is the node's own; the node is not
     /// asked for while it is off the wall.

@@ -31,7 +31,7 @@ pub struct Borehole {
     /// A node takes up a new anchor when it has slid this far, m.
     reach_m: f64,
     /// Whether the wall requires all that a step can do: friction at rest above the kinetic one,
-    /// friction around the hole other than along it, or a radius that undulates. Only then do cones
+    /// rotational friction other than along it, or a radius that undulates. Only then do cones
     /// have a slope, too.
     pub intricate: bool,
 }

@@ -60,7 +60,7 @@ impl HoleFriction {
         if !(ramp_s.is_finite() && ramp_s >= 0.0) {
             return Err(FrictionFault::Ramp(ramp_s));
         }
-        // Whatever lies between two sound coefficients is sound.
+        // Whatever lies between two sound coefficients is valid.
         hole.with_friction_of(|section| kinetic[section])?;
         self.ramps = (0..sections)
             .map(|section| Ramp::new([self.now[section], kinetic[section]], time_s, ramp_s))

@@ -36,7 +36,7 @@ columns! {
             label "Contact force of the node",
             known_by IN_TIME;
         axial_friction_N: Vec<f64> => Force,
-            "Wall friction along the string on the node, averaged over the sample; positive \
+            "Axial friction of the wall on the node, averaged over the sample; positive \
              adds to hook load", known_by IN_TIME;
         friction_torque_N_m: Vec<f64> => Torque,
             "Torque of wall friction on the node, averaged over the sample", known_by IN_TIME;

@@ -222,7 +222,7 @@ impl Simulation {
 
     /// Sets the kinetic coefficient of friction of each section of the hole from now on: cuttings
     /// that gather, a mud that lubricates. It reaches them in proportion to time within `ramp_s`,
-    /// in steps of 16 of the run's; the coefficients at rest and around the hole keep their ratios
+    /// in steps of 16 of the run's; the coefficients of static and rotational friction keep their ratios
     /// to it. Checkpoints hold it. A [`FrictionCoefficient`](super::FrictionCoefficient) is told of
     /// it as of the section's.
     ///

@@ -1,4 +1,4 @@
-//! From a model and an operation to the assembly at rest.
+//! From a model and an operation to static BHA analysis.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ use crate::{
     },
 };
 
-/// The assembly at rest. Each pair is the part towards the high side and that to the right of it as
+/// Static BHA analysis. Each pair is the part towards the high side and that to the right of it as
 /// one looks down the hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assembly {

@@ -24,7 +24,7 @@ pub struct Segment {
     pub length_m: f64,
     /// Pipe and hole.
     pub place: Place,
-    /// Coefficient of friction along the hole.
+    /// Coefficient of axial friction.
     pub friction: f64,
     /// Part of the buoyed weight along the hole `w cos θ`, N/m.
     pub weight_along_N_per_m: f64,

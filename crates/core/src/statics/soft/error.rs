@@ -32,7 +32,7 @@ pub enum SoftError {
     },
     /// Its helix, whose side force counts, takes any push, however great.
     #[error(
-        "the string locks up: above MD {md_m:.0} m its helix takes any push, so that no hook load \
+        "the string locks up: any further push from above MD {md_m:.0} m is absorbed by the helix, so that no hook load \
          brings the load at the bit there"
     )]
     LocksUp {

@@ -17,7 +17,7 @@ pub(super) struct Push {
     pub(super) change: Matrix2<f64>,
 }
 
-/// The friction around the hole for each newton.
+/// The rotational friction for each newton.
 fn around(node: &Node) -> Matrix2<f64> {
     Matrix2::identity() + QUARTER * node.friction[1]
 }

@@ -39,7 +39,7 @@ pub struct Thresholds {
     /// static friction.
     pub settle_m: f64,
     /// Time cut off where the string begins to turn off bottom, s: some turns, which take the
-    /// friction along the hole away.
+    /// axial friction away.
     pub settle_turning_s: f64,
     /// Time cut off where the bit comes on bottom, s: the weight is brought up.
     pub settle_drilling_s: f64,

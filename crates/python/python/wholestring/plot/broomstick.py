@@ -55,11 +55,11 @@ def broomstick(
     quantity
         The column to draw: ``"hook_load_N"``, ``"surface_torque_N_m"``, ...
     operations, models
-        Which to draw; all where nothing is said, of a torque all that turn.
+        Which to draw; all by default, of a torque all that turn.
     limit
         What the rig bears, SI: a line.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     ax
         Axes to draw in; those of a new figure where none are given.
 

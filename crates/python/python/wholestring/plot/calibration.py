@@ -64,7 +64,7 @@ def calibration(
         A table like ``calibration_bands``, where ``results`` is a table; left out where none is
         given.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
         Two axes to draw in, weights and torques, or one where no torque was read; those of a new
         figure where none are given.

@@ -38,9 +38,9 @@ def compare(
     operation
         The operation, where they have several in common.
     models
-        Which models to draw; all where nothing is said.
+        Which models to draw; all by default.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; those of the first case where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; those of the first case by default.
     axes
         Axes to draw in, one a name in ``show``; those of a new figure where none are given.
 

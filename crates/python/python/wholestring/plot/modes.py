@@ -46,9 +46,9 @@ def campbell(
     orders
         How often in a turn something pushes, where no critical speeds say so.
     to_Hz
-        Highest frequency to draw; where nothing is said, a little above the lateral ones.
+        Highest frequency to draw; by default, a little above the lateral ones.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     ax
         Axes to draw in; those of a new figure where none are given.
 
@@ -159,7 +159,7 @@ def modes(
     frequencies
         A table like ``modes``, where ``results`` is a table; left out where none is given.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
         Axes to draw in, one a mode; those of a new figure where none are given.
 

@@ -38,9 +38,9 @@ def reach(
     results
         A reach, or a table like its ``reach``.
     operations
-        Which to draw; all where nothing is said.
+        Which to draw; all by default.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
         Axes to draw in, one an operation; those of a new figure where none are given.
 

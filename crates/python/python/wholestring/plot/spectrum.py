@@ -39,9 +39,9 @@ def spectrum(
     operation
         The operation, where there are several.
     to_Hz
-        Highest frequency to draw; all where nothing is said.
+        Highest frequency to draw; all by default.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
         Axes to draw in, one a signal; those of a new figure where none are given.
 

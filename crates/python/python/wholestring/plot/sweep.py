@@ -67,7 +67,7 @@ def sweep(
     operation, model
         Which rows to draw; needed where the table has several and ``by`` is something else.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; SI where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; SI by default.
     ax
         Axes to draw in; those of a new figure where none are given.
 

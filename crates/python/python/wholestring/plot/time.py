@@ -53,7 +53,7 @@ def time(
     operation
         The operation, where there are several.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
         Axes to draw in, one a name; those of a new figure where none are given.
 

@@ -83,9 +83,9 @@ def tracks(
         ``"bending-moment"``, ``"wear"``, ``"inclination"``, ``"dogleg-severity"``, or any column of
         the table; all of those that have values where nothing is named.
     operations, models
-        Which to draw; all where nothing is said.
+        Which to draw; all by default.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
         Axes to draw in, one a name; those of a new figure where none are given.
 

@@ -41,7 +41,7 @@ def well(
     case
         A case, or results.
     units
-        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
         Two axes to draw in, plan and section; those of a new figure where none are given.
 

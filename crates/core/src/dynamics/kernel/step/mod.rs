@@ -62,7 +62,7 @@ pub struct Laws {
 pub struct Abilities {
     /// Laws of contact.
     pub laws: Laws,
-    /// Any of: friction at rest above the kinetic one, friction around the hole other than along
+    /// Any of: friction at rest above the kinetic one, rotational friction other than along
     /// it, viscous drag of the mud along the hole and about the axis, a clearance that changes
     /// along the hole.
     pub full: bool,

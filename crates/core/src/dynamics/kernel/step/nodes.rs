@@ -179,7 +179,7 @@ pub(super) fn friction<N: Number, const VECTOR: bool, const FULL: bool>(
     // One newton always takes some speed away: a node that is held everywhere keeps its friction.
     let least = splat(1e-30);
     let g_axial = at::<N>(&prediction.mobility_axial, lane).max(least);
-    // dt (1/m_lat + r²/J): friction around the hole moves the axis and turns the pipe.
+    // dt (1/m_lat + r²/J): rotational friction moves the axis and turns the pipe.
     let g_around = (radius * at(&prediction.mobility_spin, lane))
         .mul_add(radius, at(&prediction.mobility, lane))
         .max(least);

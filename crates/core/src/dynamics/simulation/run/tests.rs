@@ -44,7 +44,7 @@ fn model(at_rest: f64) -> Model {
 
 /// A run from its start, in double precision.
 fn new_run(model: &Model, operation: &Operation, settings: &DynamicsSettings) -> Run<f64> {
-    Run::new(model, operation, settings, RockExecutor::default()).expect("a sound case")
+    Run::new(model, operation, settings, RockExecutor::default()).expect("a valid case")
 }
 
 /// Whatever the processor, the string moves the same to the last bit of all that it is.
@@ -93,7 +93,7 @@ fn every_width_moves_singles_alike() {
     let settings = DynamicsSettings { settle_s: 1.0, duration_s: 1.0, ..Default::default() };
     let executor = RockExecutor::default();
     let initial: Run<f32> =
-        Run::new(&model(0.3), &REAM, &settings, executor).expect("a sound case");
+        Run::new(&model(0.3), &REAM, &settings, executor).expect("a valid case");
     let moved = |stepper: Stepper<f32>| {
         let name = stepper.instructions;
         let mut run = Run { stepper, ..initial.clone() };

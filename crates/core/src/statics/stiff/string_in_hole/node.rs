@@ -10,7 +10,7 @@ use crate::{
     wall::Bore,
 };
 
-/// Least room that a node has, m: a tool as large as its hole is held by its wall all around.
+/// Least clearance of a node, m: a tool as large as its hole is held by its wall all around.
 const LEAST_CLEARANCE_M: f64 = 1e-5;
 
 /// A node.

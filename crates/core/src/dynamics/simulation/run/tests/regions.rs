@@ -80,7 +80,7 @@ fn basis<R: Registers>(case: &Case, divided: bool) -> Basis<R> {
         plan.dt_s = plan.shortest_s();
         plan.subcycling = None;
     }
-    Basis::on(model, settings, mesh.clone(), settling, plan).expect("a sound case")
+    Basis::on(model, settings, mesh.clone(), settling, plan).expect("a valid case")
 }
 
 /// A string on a refined mesh.
@@ -96,7 +96,7 @@ impl Case {
         let Self { model, operation, settings, .. } = self;
         let basis = basis(self, divided);
         Run::begin(model, operation, settings, RockExecutor::default(), basis)
-            .expect("a sound case")
+            .expect("a valid case")
     }
 }
 
