@@ -67,7 +67,7 @@
 //! | law of the bit | [`dynamics::BitRockLaw`] | `bit_law` |
 //! | excitation of the bit | [`dynamics::BitExcitation`]; measured: [`dynamics::BitTable`] | `excitation` |
 //! | friction law | [`dynamics::FrictionCoefficient`] | `friction_law` |
-//! | axial friction | [`well::Hole::with_friction_profile`] | `friction` |
+//! | friction profile | [`well::Hole::with_friction_profile`] | `friction` |
 //! | controller of the top drive | [`dynamics::TopDriveController`] | `top_drive_controller` |
 //! | observer of samples | [`dynamics::Observer`] | `observer` |
 //! | threads under solid rock | [`rock::Executor`]; with the feature `rayon`, `rayon::ThreadPool` is one, and `Simulation::with_threads` starts some | |
