@@ -48,7 +48,7 @@ def test_a_table_shows_its_head(slant: ws.Case) -> None:
 def test_results_show_numbers_in_the_units_of_the_case(slant: ws.Case) -> None:
     tags = Tags(slant.soft()._repr_html_())
     assert tags.count["tr"] == 6
-    for text in ("Slant well", "pick-up", "Hook load without block", "kN", "kN·m"):
+    for text in ("Slant well", "trip out", "Hook load without block", "kN", "kN·m"):
         assert text in tags.text, text
     field = slant.with_(units="field").soft("trip_out")
     tags = Tags(field._repr_html_())

@@ -76,7 +76,7 @@ def test_tracks_draw_what_the_table_holds(soft: ws.Results) -> None:
         assert np.array_equal(curve.get_xdata(), ours)
         low, high = tension.get_xlim()
         assert low < ours.min() and ours.max() < high
-    assert texts(tension) == {"pick-up", "slack-off", "rotating off bottom", "drilling", "sliding"}
+    assert texts(tension) == {"trip out", "trip in", "rotate off bottom", "drill", "slide"}
 
 
 def test_units_are_the_readers_and_the_cases(soft: ws.Results) -> None:
@@ -212,7 +212,7 @@ def test_a_broomstick_has_operations_by_colour_and_friction_by_stroke() -> None:
     assert len({str(of._dash_pattern) for of in curves}) == 3
     high = next(of for of in curves if of.get_xdata()[-1] == max(broom()["hook_load_N"]) / 1e3)
     assert high.get_color() == _house.operation_colour("trip_out")
-    assert texts(ax) == {"pick-up", "slack-off", "rotating off bottom"}
+    assert texts(ax) == {"trip out", "trip in", "rotate off bottom"}
     legend = ax.figure.legends[0]
     assert [of.get_text() for of in legend.get_texts()] == [
         "low friction",

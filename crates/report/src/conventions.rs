@@ -49,11 +49,11 @@ struct Named<T> {
     of: T,
 }
 
-/// An operation, as drillers call it, and the place of its colour among those of curves.
+/// An operation in words and the place of its colour among those of curves.
 #[derive(Debug, Clone, Serialize)]
 struct OperationLook {
     operation: &'static str,
-    words: &'static str,
+    words: String,
     colour: usize,
 }
 

@@ -1,20 +1,10 @@
-//! What people call operations, their colours, and numbers in a few digits.
+//! Operations in words, their colours, and numbers in a few digits.
 
 use wholestring::operation::OperationKind;
 
-/// An operation as drillers call it; its own name where it is none of the engine's.
-pub fn operation_name(name: &str) -> &str {
-    use OperationKind::{BackReam, Drill, Ream, RotateOffBottom, Slide, TripIn, TripOut};
-    match OperationKind::from_name(name) {
-        Some(TripOut) => "pick-up",
-        Some(TripIn) => "slack-off",
-        Some(RotateOffBottom) => "rotating off bottom",
-        Some(Drill) => "drilling",
-        Some(Slide) => "sliding",
-        Some(Ream) => "reaming in",
-        Some(BackReam) => "back-reaming",
-        None => name,
-    }
+/// An operation in words, the same on every front: its name with spaces.
+pub fn operation_name(name: &str) -> String {
+    name.replace('_', " ")
 }
 
 /// Place of an operation among the colours of curves: the same in every picture.

@@ -75,10 +75,10 @@ fn column(of: &Column, rows: Option<&[DisplayUnit]>, units: UnitSet) -> SheetCol
     }
 }
 
-/// Operations as drillers call them; other words as they are.
+/// Operations and checks in words; other words as they are.
 fn readable(of: &Column, word: &str) -> String {
     match of.name.as_str() {
-        "operation" => operation_name(word).to_owned(),
+        "operation" => operation_name(word),
         "worst_check" | "event" => word.replace('_', " "),
         _ => word.to_owned(),
     }

@@ -136,7 +136,7 @@ fn compare(sheet: &str, cells: &Range<Read>, table: &Table) -> usize {
                 }
                 Data::Text(words) => {
                     let word = match column.name.as_str() {
-                        "operation" => operation_name(&words[row]).to_owned(),
+                        "operation" => operation_name(&words[row]),
                         "worst_check" => words[row].replace('_', " "),
                         // In the reader's units.
                         "unit" => continue,

@@ -258,14 +258,14 @@ await run({
     const names = await page.locator(".depth-chart .limit-name").allTextContents();
     check(names.some((name) => name.startsWith("hoist")) && names.some((name) => name.startsWith("top drive")), `limits of the rig: ${names}`);
     const ends = await page.locator(".depth-chart .end-name").allTextContents();
-    check(ends.includes("rotating") && ends.some((end) => end.startsWith("pick-up")) && ends.some((end) => end.startsWith("slack-off")), `ends of lines: ${ends}`);
-    // Slack-off hangs on less than rotating, pick-up on more.
+    check(ends.includes("rotate off bottom") && ends.some((end) => end.startsWith("trip out")) && ends.some((end) => end.startsWith("trip in")), `ends of lines: ${ends}`);
+    // Trip in hangs on less than rotating, trip out on more.
     await page.getByText("Hook load, without block in numbers").click();
     await page.locator(".depth-chart + details table td").first().waitFor();
     const last = await page.locator(".depth-chart + details table tr").last().locator("td").allInnerTexts();
     const heads = await page.locator(".depth-chart + details table th").allInnerTexts();
     const value = (name) => parseFloat(last[heads.findIndex((head) => head.startsWith(name))]);
-    check(value("slack-off") < value("rotating") && value("rotating") < value("pick-up"), `loads at the deepest bit: ${last}`);
+    check(value("trip in") < value("rotate off bottom") && value("rotate off bottom") < value("trip out"), `loads at the deepest bit: ${last}`);
     await accessible(page, "answers with the table of the broomstick");
     check(await limits.isVisible(), "limits are shown");
     await page.context().close();

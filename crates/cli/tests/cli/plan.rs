@@ -66,7 +66,7 @@ fn a_plan_of_a_slant_well() {
         }
     }
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
-    for expected in ["Hook load", "Weight to buckle", "Nearest limits", "pick-up"] {
+    for expected in ["Hook load", "Weight to buckle", "Nearest limits", "trip out"] {
         assert!(page.contains(expected), "{expected}");
     }
     let workbook = fs::read(desk.path("out/plan.xlsx")).unwrap();

@@ -159,7 +159,7 @@ fn keys(plan: &Plan, operations: &[&str]) -> Vec<Key> {
         .iter()
         .map(|of| {
             let ink = Ink::Line(colour(of));
-            key(operation_name(of).to_owned(), Sample::Line(ink, Stroke::Solid))
+            key(operation_name(of), Sample::Line(ink, Stroke::Solid))
         })
         .collect();
     for (place, level) in plan.levels.iter().enumerate() {

@@ -115,7 +115,7 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         vec![
             plain(of.kind.clone()),
             (of.verdict.clone(), light(of.severity)),
-            plain(operation_name(&of.operation).to_owned()),
+            plain(operation_name(&of.operation)),
             plain(of.friction.clone()),
             plain(place),
             plain(shown.depth(of.bit_depth_m)),

@@ -85,7 +85,7 @@ pub(super) fn table(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         let weight = if of.block_N > 0.0 { "weight with block" } else { "weight" };
         let kind = if of.is_torque { "torque" } else { weight };
         let mut cells = vec![
-            operation_name(&of.operation).to_owned(),
+            operation_name(&of.operation),
             format!("{:.0}", shown.value(of.bit_depth_m, "length")),
             match of.held_out {
                 true => format!("{}, held out", of.place),

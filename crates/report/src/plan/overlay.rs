@@ -95,7 +95,7 @@ pub(super) fn table(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         let dimension = if of.is_torque { "torque" } else { "force" };
         let number = |value: f64| four(shown.value(value, dimension));
         row(vec![
-            operation_name(&of.operation).to_owned(),
+            operation_name(&of.operation),
             of.model.clone(),
             format!(
                 "{}, {}",

@@ -55,7 +55,7 @@ pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         let level = plan.levels.get(of.level)?;
         let quantity = |si: f64, dimension: &str| four(shown.value(si, dimension));
         let mut cells = vec![
-            operation_name(&of.operation).to_owned(),
+            operation_name(&of.operation),
             format!("{}, {}", level.name, level.label),
             of.model.clone(),
             quantity(spot.hook_load_N, "force"),

@@ -399,7 +399,7 @@ fn what_would_break_first() {
     let place = |kind: &str| nearest.find(kind).unwrap_or_else(|| panic!("{kind}"));
     assert!(place("Tension") < place("Hoist") && place("Hoist") < place("Helical buckling"));
     for units in ["si", "metric", "field"] {
-        let said = format!("Governing limits. pick-up: &lt;tension&gt; in {units}.");
+        let said = format!("Governing limits. trip out: &lt;tension&gt; in {units}.");
         assert!(page.contains(&said), "{said}");
     }
 }

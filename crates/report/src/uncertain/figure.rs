@@ -47,7 +47,7 @@ pub(crate) fn figure(of: &Uncertain, title: &str) -> Option<Figure> {
         return None;
     }
     let named = operations.iter().filter(|of| !of.is_empty()).map(|of| Key {
-        name: operation_name(of).to_owned(),
+        name: operation_name(of),
         sample: Sample::Band(Ink::Line(colour(of))),
     });
     let what = [

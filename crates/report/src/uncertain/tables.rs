@@ -32,7 +32,7 @@ pub(crate) fn inputs(of: &Uncertain) -> Option<StudyPart> {
 fn named(of: &UncertainNumber, all: &Uncertain) -> Vec<String> {
     let operation = match of.operation.as_str() {
         "" => "any".to_owned(),
-        name => operation_name(name).to_owned(),
+        name => operation_name(name),
     };
     let mut cells = vec![of.title.clone(), operation];
     if all.has_frictions() {

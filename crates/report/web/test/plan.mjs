@@ -23,18 +23,18 @@ await check("hook load, torque, weight to buckle and limits have their sections"
 await check("every operation has a line for each friction", async () => {
   const figure = page.locator(".in-si section:has(> h2:text-is('Hook load')) figure svg").first();
   const keys = await figure.locator(".legend-key").allTextContents();
-  for (const expected of ["pick-up", "slack-off", "rotating off bottom", "low friction", "expected friction", "high friction"])
+  for (const expected of ["trip out", "trip in", "rotate off bottom", "low friction", "expected friction", "high friction"])
     assert.ok(keys.some((key) => key.includes(expected)), `${expected} in ${keys}`);
   const names = await figure.locator("text").allTextContents();
   const friction = /low friction, (.*)/.exec(keys.find((key) => key.includes("low friction")))[1];
-  // At the ends of pick-up and slack-off.
+  // At the ends of trip out and trip in.
   assert.ok(names.filter((name) => name === friction).length >= 2, `${friction} in ${names}`);
 });
 
 await check("a light has a word and a mark", async () => {
   const words = part("Nearest limits").rows.map((row) => row[1]);
   assert.ok(words.length > 3);
-  for (const word of words) assert.match(word, /^(kept|near|short|passed)$/);
+  for (const word of words) assert.match(word, /^(OK|marginal|below required factor|exceeded)$/);
   let lights = 0;
   for (const [kind, mark] of [
     ["agrees", "\u2713"],
@@ -59,7 +59,7 @@ await check("a light has a word and a mark", async () => {
     assert.ok(known.every((reserve, i) => i === 0 || reserve >= known[i - 1] - 0.02), `${known}`);
   }
   const said = await page.locator("header .in-si p", { hasText: "Governing limits." }).textContent();
-  assert.match(said, /pick-up: hoist comes first, with high friction and the bit at \d+ m/);
+  assert.match(said, /trip out, high friction, bit at \d+ m: Hoist: load [\d.]+ \S+, capacity [\d.]+ \S+, factor [\d.]+/);
 });
 
 await check("what was measured, another program, peaks and samples have their sections", async () => {

@@ -147,7 +147,7 @@ fn swept(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
             };
             format!("{} {value} {}", column.name, column.unit).trim_end().to_owned()
         });
-        let whose = [operation_name(word("operation", row)).to_owned(), model(word("model", row))];
+        let whose = [operation_name(word("operation", row)), model(word("model", row))];
         let name = whose.into_iter().chain(keys).collect::<Vec<_>>().join(", ");
         let point = Point {
             bit_depth_m: number("bit_depth_m", row)?,

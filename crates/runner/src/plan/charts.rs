@@ -301,7 +301,8 @@ fn rows(
         }
     };
     let model = summary.models.first().map_or("", String::as_str);
-    let wanted = [("model", model), ("friction", friction), (OPERATION, operation_name(operation))];
+    let operation = operation_name(operation);
+    let wanted = [("model", model), ("friction", friction), (OPERATION, operation.as_str())];
     let columns = wanted.map(|(heading, word)| (words(heading), word));
     let is_of = |row: &usize| {
         columns.iter().all(|(words, word)| words.get(*row).is_some_and(|found| found == word))

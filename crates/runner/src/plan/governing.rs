@@ -27,7 +27,7 @@ pub fn governing_sentences(summary: &PlanSummary, units: UnitSet) -> Vec<String>
 fn sentence(row: &PlanCheck, units: UnitSet) -> String {
     let operation = match Event::from_name(&row.operation) {
         Some(event) => format!("{} by the dynamics", event.label()),
-        None => operation_name(&row.operation).to_owned(),
+        None => operation_name(&row.operation),
     };
     let length = Dimension::Length.unit_in(units);
     let depth = format!("{:.0} {}", length.from_si(row.bit_depth_m) + 0.0, length.symbol);

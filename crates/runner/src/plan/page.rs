@@ -313,7 +313,7 @@ fn facts(summary: &PlanSummary) -> Vec<Fact> {
     let quantity = |of: &Json, dimension: &str| {
         of.as_f64().map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
     };
-    let names: Vec<&str> = summary.operations.iter().map(|of| operation_name(of)).collect();
+    let names: Vec<String> = summary.operations.iter().map(|of| operation_name(of)).collect();
     let models: Vec<String> = summary.models.iter().map(|of| format!("{of} string")).collect();
     let frictions: Vec<String> = LEVELS.iter().map(|of| label(summary, of)).collect();
     let depths = &summary.bit_depths_m;

@@ -1,18 +1,18 @@
-// The charts of a broomstick: slack-off to the left, rotating in the middle, pick-up to the right.
+// The charts of a broomstick: trip in to the left, rotate off bottom in the middle, trip out to the right.
 
 import type { DepthChart, DepthLine, LoadLimit } from "../../../components/depth_chart.ts";
 import type { Broomstick, BroomstickCurve, Numbers } from "../api/answers";
 
-/** What drillers call an operation that hangs. */
-const LOADS: Readonly<Record<string, string>> = { trip_in: "slack-off", rotate_off_bottom: "rotating", trip_out: "pick-up" };
-const TORQUES: Readonly<Record<string, string>> = { rotate_off_bottom: "off bottom", drill: "drilling", ream_in: "reaming in", ream_out: "reaming out" };
+/** Operations with a curve of hook load, and those with one of torque, in words. */
+const LOADS: Readonly<Record<string, string>> = { trip_in: "trip in", rotate_off_bottom: "rotate off bottom", trip_out: "trip out" };
+const TORQUES: Readonly<Record<string, string>> = { rotate_off_bottom: "rotate off bottom", drill: "drill", ream: "ream", back_ream: "back ream" };
 const COLOURS: Readonly<Record<string, string>> = {
   trip_in: "var(--line-1)",
   rotate_off_bottom: "var(--line-2)",
   trip_out: "var(--line-0)",
   drill: "var(--line-3)",
-  ream_in: "var(--line-4)",
-  ream_out: "var(--line-5)",
+  ream: "var(--line-5)",
+  back_ream: "var(--line-6)",
 };
 /** From the least friction to the most. */
 const DASHES: Readonly<Record<string, readonly number[] | null>> = { low: [1.5, 3], expected: null, high: [6, 3] };

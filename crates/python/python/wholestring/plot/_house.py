@@ -81,10 +81,10 @@ def operation_colour(operation: str) -> str:
 
 
 def operation_words(operation: str) -> str:
-    """Give an operation as drillers call it.
+    """Give an operation in words.
 
     >>> operation_words("trip_in")
-    'slack-off'
+    'trip in'
     """
     for look in pictures()["operations"]:
         if look["operation"] == operation:
