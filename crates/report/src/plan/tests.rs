@@ -134,7 +134,7 @@ fn plan() -> Plan {
             bit_depth_m: 2000.0,
             sentence: "the string <locks> up".into(),
         }],
-        first: ["si", "metric", "field"].map(|of| vec![format!("pick-up: <tension> in {of}.")]),
+        first: ["si", "metric", "field"].map(|of| vec![format!("trip out: <tension> in {of}.")]),
         unchecked: vec!["no make-up torque of pipe".into()],
         fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-7)],
         wear: vec![wear()],
