@@ -13,6 +13,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod along;
+mod bit_test;
 mod buckling;
 mod check;
 mod checks;
@@ -42,6 +43,7 @@ mod unsolved;
 mod weight_on_bit;
 mod window;
 
+pub use bit_test::{TriedPoint, bit_test_checks};
 pub use check::{Check, Severity, Verdict};
 pub use checks::Checks;
 pub use descent::Descent;
