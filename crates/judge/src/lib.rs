@@ -20,6 +20,7 @@ mod checks;
 mod descent;
 mod drift;
 mod factors;
+mod hydraulics;
 mod interval;
 mod judge;
 mod kind;

@@ -258,24 +258,6 @@ fn rig_limits() {
     assert_eq!(top_drive(Some(0.7), 0.5), None);
 }
 
-#[test]
-fn pump_limit() {
-    let mut model = five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
-    model.mud.rheology = Some(wholestring::mud::Rheology::Newtonian { viscosity_Pa_s: 0.02 });
-    let mut turning = operation(RotateOffBottom, 1000.0);
-    turning.flow_rate_m3_per_s = 0.03;
-    let profile = soft::solve(&model, &turning, &SoftSettings::default()).unwrap();
-    let pressure_Pa = profile.hydraulics.expect("a mud that flows").pump_pressure_Pa;
-    let mut level = |part: f64| {
-        model.rig.pump_pressure_limit_Pa = Some(pressure_Pa / part);
-        only(&soft_checks(&model, &turning), CheckKind::PumpPressure).map(|of| of.severity)
-    };
-    assert_eq!(
-        [1.01, 0.95, 0.89].map(&mut level),
-        [Some(Severity::Error), Some(Severity::Warning), None]
-    );
-}
-
 /// A column knows what a finding knows, and no more: a stretch of the column's word longer than a
 /// joint is in a finding, whose value and limit are those of a row.
 #[test]
