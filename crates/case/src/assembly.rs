@@ -1,7 +1,8 @@
 //! The components one above the other, as long as the bit is deep.
 
 use wholestring::string::{
-    AssemblyError, ComponentLength, ComponentSpec, DrillString, Material, StringSpec,
+    AssemblyError, ComponentLength, ComponentSpec, DrillString, Material, NEAREST_BEND_M,
+    StringSpec,
 };
 
 use wholestring_config::prelude::*;
@@ -133,8 +134,13 @@ pub(crate) fn assemble(
             });
             let place = given.map(|at| at.place).or(table.map(|table| table.place)).unwrap_or(top);
             let what = if *field == "bend_at" { "the bend" } else { "the lateral force" };
-            Diagnostic::error(format!("{what} is at the end of the string"))
-                .at(place, "expected 0.3 m or more from the bit and from the surface")
+            Diagnostic::error(format!("{what} is at the end of the string")).at(
+                place,
+                format!(
+                    "expected {} or more from the bit and from the surface",
+                    length(NEAREST_BEND_M)
+                ),
+            )
         }
         AssemblyError::Dimension { index, .. } => {
             let place = tables.get(*index).map(|table| table.place).unwrap_or(top);

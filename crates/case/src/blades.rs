@@ -6,7 +6,7 @@ use wholestring_units::Dimension;
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
 
-use crate::component::{ComponentTable, mm};
+use crate::component::ComponentTable;
 
 /// Blades without a length of their own on a component without one, m.
 const LONGEST_BLADE_M: f64 = 20.0;
@@ -37,8 +37,10 @@ impl ComponentTable {
             return None;
         }
         if od.value < component.od_m {
-            let mut diagnostic = Diagnostic::error("the blades are thinner than their body")
-                .at(od.place, format!("expected {} or more", mm(component.od_m)));
+            let mut diagnostic = Diagnostic::error("the blades are thinner than their body").at(
+                od.place,
+                format!("expected {} or more", reader.shown(Dimension::Diameter, component.od_m)),
+            );
             if let Some(body) = self.od.given() {
                 diagnostic = diagnostic.at(body.place, "the body's outside diameter");
             }

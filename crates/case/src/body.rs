@@ -8,7 +8,7 @@ use wholestring_units::Dimension;
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned, source::Span};
 
-use crate::component::{ComponentTable, mm};
+use crate::component::ComponentTable;
 
 impl ComponentTable {
     /// Gives `component` its bend, its eccentricity, its sensor and its lateral force.
@@ -122,9 +122,15 @@ impl ComponentTable {
         if offset.value > most {
             let mut diagnostic = Diagnostic::error(format!(
                 "the steel's centre of mass is {} off the axis",
-                mm(offset.value)
+                reader.shown(Dimension::Diameter, offset.value)
             ))
-            .at(offset.place, format!("expected {} at most, a tenth of od", mm(most)));
+            .at(
+                offset.place,
+                format!(
+                    "expected {} at most, a tenth of od",
+                    reader.at_most(Dimension::Diameter, most)
+                ),
+            );
             if let Some(od) = self.od.given() {
                 diagnostic = diagnostic.at(od.place, "the outside diameter");
             }

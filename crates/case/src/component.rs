@@ -201,8 +201,3 @@ impl ComponentTable {
         given.or(listed).unwrap_or(place)
     }
 }
-
-/// A diameter in messages.
-pub(crate) fn mm(diameter_m: f64) -> String {
-    format!("{} mm", number_text(diameter_m * 1e3))
-}

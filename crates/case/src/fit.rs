@@ -186,14 +186,7 @@ pub(crate) fn check_weight_on_bit(
         })
         .sum();
     if weight_N > 0.0 && wob.value > weight_N {
-        let unit = Dimension::Force.unit_in(reader.units());
-        let force = |force_N: f64| {
-            format!(
-                "{} {}",
-                number_text((unit.from_si(force_N) * 10.0).round() / 10.0),
-                unit.symbol
-            )
-        };
+        let force = |force_N: f64| reader.shown(Dimension::Force, force_N);
         Diagnostic::warning("the weight on bit is more than the string weighs")
             .at(wob.place, format!("{} on the bit", force(wob.value)))
             .help(format!("the whole string weighs {} in this mud", force(weight_N)))
@@ -236,16 +229,17 @@ pub(crate) fn check_weight(
             .given()
             .or(table.value.density.given())
             .map_or(table.place, |at| at.place);
+        let density = |kg_per_m3: f64| reader.shown(Dimension::Density, kg_per_m3);
         Diagnostic::error(format!("`{}` floats in this mud", short(&component.name)))
             .at(
                 place,
                 format!(
-                    "{} kg/m of metal of {} kg/m3",
-                    number_text(component.mass_per_length_kg_per_m),
-                    number_text(component.material.density_kg_per_m3)
+                    "{} of metal of {}",
+                    reader.shown(Dimension::MassPerLength, component.mass_per_length_kg_per_m),
+                    density(component.material.density_kg_per_m3)
                 ),
             )
-            .at(mud_place, format!("mud of {} kg/m3", number_text(mud.density_kg_per_m3)))
+            .at(mud_place, format!("mud of {}", density(mud.density_kg_per_m3)))
             .report(reader);
     }
 }

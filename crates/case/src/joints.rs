@@ -2,9 +2,11 @@
 
 use wholestring::string::{ComponentSpec, ToolJoints};
 
+use wholestring_units::Dimension;
+
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned};
 
-use crate::component::{ComponentTable, mm};
+use crate::component::ComponentTable;
 
 impl ComponentTable {
     /// Joints given in the case, in part or wholly, in place of the catalogue's.
@@ -29,7 +31,13 @@ impl ComponentTable {
         if let Some(od) = od {
             if od.value < component.od_m {
                 let mut diagnostic = Diagnostic::error("the tool joint is thinner than its pipe")
-                    .at(od.place, format!("expected {} or more", mm(component.od_m)));
+                    .at(
+                        od.place,
+                        format!(
+                            "expected {} or more",
+                            reader.shown(Dimension::Diameter, component.od_m)
+                        ),
+                    );
                 if let Some(body) = self.od.given() {
                     diagnostic = diagnostic.at(body.place, "the pipe's outside diameter");
                 }

@@ -2,8 +2,9 @@
 
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_config::prelude::*;
+use wholestring_judge::{CheckKind, Severity};
 use wholestring_plan::Setup;
-use wholestring_tabular::{CheckSeverity, ImportedReading, read_readings};
+use wholestring_tabular::{ImportedReading, read_readings};
 use wholestring_units::UnitSet;
 
 use crate::beside::{read_beside, unfit};
@@ -36,15 +37,15 @@ pub(crate) fn from_file(
     };
     let (imported, checks) = imported.measured(units);
     for check in checks {
-        match check.severity {
-            CheckSeverity::Error => {
-                return Diagnostic::error(check.sentence)
+        match check.check.severity {
+            Severity::Error => {
+                return Diagnostic::error(check.check.sentence)
                     .at(file.place, "the measured weights")
                     .refuse(reader);
             }
             // A row that contradicts itself is shown beside the plan, where it is seen.
-            CheckSeverity::Warning if check.kind != "order_of_loads" => {
-                let diagnostic = Diagnostic::warning(check.sentence);
+            Severity::Warning if check.check.kind != CheckKind::OrderOfLoads => {
+                let diagnostic = Diagnostic::warning(check.check.sentence);
                 diagnostic.at(file.place, "the measured weights").report(reader);
             }
             _ => {}

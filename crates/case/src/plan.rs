@@ -276,11 +276,11 @@ fn limits(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Limit
     if let (Some(overpull), Some(capacity_N)) = (table.overpull.given(), rig.hoist_capacity_N) {
         let left_N = capacity_N - rig.block_weight_N.unwrap_or(0.0);
         if overpull.value > left_N {
-            let kN = number_text((left_N * 1e-2).round() * 1e-1);
+            let left = reader.shown(Dimension::Force, left_N);
             let warning = Diagnostic::warning("the hoist has never so much overpull left");
             reader.report(warning.at(
                 overpull.place,
-                format!("the hoist carries {kN} kN beside its block, without a string"),
+                format!("the hoist carries {left} beside its block, without a string"),
             ));
         }
     }
@@ -327,12 +327,12 @@ fn frictions(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Fr
             let rounded = |value: f64| number_text((1e6 * value).round() / 1e6);
             let mut diagnostic = Diagnostic::error(format!(
                 "{} friction is more than {} friction: {} and {} {way} the hole in the {kind} down \
-                 to {} m",
+                 to {}",
                 names[0],
                 names[1],
                 rounded(a),
                 rounded(b),
-                number_text(section.to_md_m)
+                reader.shown(Dimension::Length, section.to_md_m)
             ));
             for (place, level) in [(places[less], names[0]), (places[more], names[1])] {
                 diagnostic = match place {

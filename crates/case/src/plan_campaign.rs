@@ -199,9 +199,10 @@ fn bears(
 ) -> Option<()> {
     match stress {
         Some(stress) if stress.value >= tensile.value => {
+            let shown = |stress_Pa: f64| reader.shown(Dimension::Pressure, stress_Pa);
             Diagnostic::error(format!("{what} is not below the tensile strength"))
-                .at(stress.place, megapascals(stress.value))
-                .at(tensile.place, megapascals(tensile.value))
+                .at(stress.place, shown(stress.value))
+                .at(tensile.place, shown(tensile.value))
                 .refuse(reader)
         }
         _ => Some(()),
@@ -219,13 +220,12 @@ fn yields(tensile: &Spanned<f64>, string: &StringSpec, reader: &mut Reader) -> O
             "the tensile strength is below the yield strength of `{}`",
             of.name
         ))
-        .at(tensile.place, format!("{} yields at {}", of.name, megapascals(yield_Pa)))
+        .at(
+            tensile.place,
+            format!("{} yields at {}", of.name, reader.shown(Dimension::Pressure, yield_Pa)),
+        )
         .help("it is that of all pipe; without it each grade has its own")
         .refuse(reader),
         None => Some(()),
     }
-}
-
-fn megapascals(stress_Pa: f64) -> String {
-    format!("{} MPa", number_text((stress_Pa * 1e-4).round() * 1e-2))
 }

@@ -242,7 +242,10 @@ impl HoistTable {
             && max.value <= min.value
         {
             return Diagnostic::error("the block's greatest speed is no more than its least")
-                .at(max.place, format!("expected more than {} m/s", number_text(min.value)))
+                .at(
+                    max.place,
+                    format!("expected more than {}", reader.shown(Dimension::TripSpeed, min.value)),
+                )
                 .refuse(reader);
         }
         let integral_time = self.integral_time.optional()?;

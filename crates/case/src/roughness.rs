@@ -8,8 +8,6 @@ use wholestring::{
 };
 use wholestring_config::prelude::*;
 
-use crate::component::mm;
-
 /// Slope beyond which a wall is no roughness, rad: steps follow it to the first order.
 const STEEPEST: f64 = 0.3;
 
@@ -77,8 +75,13 @@ impl RoughnessTable {
         let mut diagnostic = Diagnostic::error("the band of wavelengths is too narrow").at(
             place,
             match given {
-                Some(_) => format!("expected {} m or more", number_text(min_m)),
-                None => format!("the longest is {} m", number_text(roughness.longest_m)),
+                Some(_) => {
+                    format!("expected {} or more", reader.at_least(Dimension::Length, min_m))
+                }
+                None => {
+                    let longest = reader.shown(Dimension::Length, roughness.longest_m);
+                    format!("the longest is {longest}")
+                }
             },
         );
         if let (Some(_), Some(shortest)) = (given, self.shortest_wavelength.given()) {
@@ -115,11 +118,14 @@ fn check_slope(field: &Field<f64>, roughness: &Roughness, reader: &mut Reader) -
         return Some(());
     }
     Diagnostic::error("the waves of the wall are too steep")
-        .at(given.place, format!("expected {} or less", mm((highest_m * 1e5).floor() / 1e5)))
+        .at(
+            given.place,
+            format!("expected {} or less", reader.at_most(Dimension::Diameter, highest_m)),
+        )
         .help(format!(
-            "waves of {} m and more may be 1/20 as high; for higher ones raise \
+            "waves of {} and more may be 1/20 as high; for higher ones raise \
                  shortest_wavelength",
-            number_text(roughness.shortest_m)
+            reader.shown(Dimension::Length, roughness.shortest_m)
         ))
         .refuse(reader)
 }
@@ -144,19 +150,17 @@ pub(crate) fn check_clearance(
         });
         let Some(section) = tight else { continue };
         let clearance_m = 0.5 * section.diameter_m - radius_m;
+        let peak_m = PEAK * section.roughness * roughness.radius_rms_m;
         Diagnostic::warning(format!(
             "the rough wall closes in on `{}`",
             short(&span.component.name)
         ))
-        .at(
-            place,
-            format!("peaks of {} and more", mm(PEAK * section.roughness * roughness.radius_rms_m)),
-        )
+        .at(place, format!("peaks of {} and more", reader.shown(Dimension::Diameter, peak_m)))
         .help(format!(
-            "it has {} of radial clearance below {} m; where the wall leaves none, the tool \
+            "it has {} of radial clearance below {}; where the wall leaves none, the tool \
                  is held on the hole's axis",
-            mm((clearance_m * 1e5).round() / 1e5),
-            number_text(section.from_md_m)
+            reader.shown(Dimension::Diameter, clearance_m),
+            reader.shown(Dimension::Length, section.from_md_m)
         ))
         .report(reader);
         return;

@@ -87,11 +87,12 @@ impl Stations {
     pub(crate) fn check_positions(&mut self, path: &Path, reader: &mut Reader) {
         let Some((survey, ..)) = &self.file else { return };
         let set = reader.units();
-        let checks = position_checks(survey, path, set);
+        let compared = |path: &Path| position_checks(&survey.stations, &survey.stated, path, set);
+        let checks = compared(path);
         let agrees = |checks: &[PositionCheck]| checks.iter().all(|check| check.agrees);
         let by_arcs = path.interpolation() == Interpolation::Spline && !agrees(&checks) && {
             let arcs = Path::new(&self.list, Interpolation::MinimumCurvature, path.tie_in());
-            arcs.is_ok_and(|arcs| agrees(&position_checks(survey, &arcs, set)))
+            arcs.is_ok_and(|arcs| agrees(&compared(&arcs)))
         };
         for check in checks {
             if check.agrees {

@@ -50,9 +50,9 @@ pub(crate) fn check_moduli(material: &Material, place: Span, reader: &mut Reader
     let poisson = material.youngs_modulus_Pa / (2.0 * material.shear_modulus_Pa) - 1.0;
     if !(0.0..=0.5).contains(&poisson) {
         Diagnostic::warning(format!(
-            "the moduli of {} and {} GPa make a Poisson's ratio of {}",
-            number_text(material.youngs_modulus_Pa / 1e9),
-            number_text(material.shear_modulus_Pa / 1e9),
+            "the moduli of {} and {} make a Poisson's ratio of {}",
+            reader.shown(Dimension::Pressure, material.youngs_modulus_Pa),
+            reader.shown(Dimension::Pressure, material.shear_modulus_Pa),
             number_text((poisson * 100.0).round() / 100.0)
         ))
         .at(place, "Young's and shear modulus are given separately")

@@ -7,11 +7,7 @@ use wholestring::string::{
 use wholestring_config::prelude::*;
 use wholestring_units::UnitSet;
 
-use crate::{
-    catalogue::OwnCatalogue,
-    component::{ComponentTable, mm},
-    steel::check_moduli,
-};
+use crate::{catalogue::OwnCatalogue, component::ComponentTable, steel::check_moduli};
 
 impl ComponentTable {
     pub(crate) fn build(
@@ -34,9 +30,9 @@ impl ComponentTable {
         if let Some(given) = self.make_up_torque.optional()? {
             let yields_N_m = component.connection.torsional_yield_N_m;
             if yields_N_m.is_some_and(|yields_N_m| given.value > yields_N_m) {
-                let yields = number_text((yields_N_m.unwrap_or_default() / 100.0).round() / 10.0);
+                let yields = reader.at_most(Dimension::Torque, yields_N_m.unwrap_or_default());
                 return Diagnostic::error("the connection yields before it is made up")
-                    .at(given.place, format!("expected less than {yields} kN.m"))
+                    .at(given.place, format!("expected less than {yields}"))
                     .refuse(reader);
             }
             component.connection.make_up_torque_N_m = Some(given.value);
@@ -178,7 +174,10 @@ impl ComponentTable {
             return Diagnostic::error(
                 "the inside diameter is not smaller than the outside diameter",
             )
-            .at(id.place, format!("expected less than {}", mm(od.value)))
+            .at(
+                id.place,
+                format!("expected less than {}", reader.shown(Dimension::Diameter, od.value)),
+            )
             .at(od.place, "the outside diameter")
             .refuse(reader);
         }
@@ -204,11 +203,12 @@ fn check_mass(component: &ComponentSpec, place: Span, reader: &mut Reader) -> Op
             let mass = number_text(component.mass_per_length_kg_per_m);
             let pounds = Dimension::MassPerLength.parse(&format!("{mass} lb/ft"));
             let meant = pounds.is_ok_and(|meant| (0.95 * body..=solid).contains(&meant));
+            let shown = |mass: f64| reader.shown(Dimension::MassPerLength, mass);
             let mut diagnostic = Diagnostic::warning(format!(
-                "{} kg/m is less than the body alone weighs",
-                number_text(component.mass_per_length_kg_per_m)
+                "{} is less than the body alone weighs",
+                shown(component.mass_per_length_kg_per_m)
             ))
-            .at(place, format!("a body of {} kg/m", number_text((body * 10.0).round() / 10.0)))
+            .at(place, format!("a body of {}", shown(body)))
             .help("if the metal is lighter than [steel], give its density too");
             if meant {
                 diagnostic = diagnostic.help(format!("if lb/ft was meant, write \"{mass} lb/ft\""));
@@ -218,10 +218,10 @@ fn check_mass(component: &ComponentSpec, place: Span, reader: &mut Reader) -> Op
         return Some(());
     }
     Diagnostic::error(format!(
-        "{} kg/m is more than a solid bar of {} weighs",
-        number_text(component.mass_per_length_kg_per_m),
-        mm(od_m)
+        "{} is more than a solid bar of {} weighs",
+        reader.shown(Dimension::MassPerLength, component.mass_per_length_kg_per_m),
+        reader.shown(Dimension::Diameter, od_m)
     ))
-    .at(place, format!("expected at most {} kg/m", number_text(solid.round())))
+    .at(place, format!("expected at most {}", reader.at_most(Dimension::MassPerLength, solid)))
     .refuse(reader)
 }

@@ -196,11 +196,11 @@ impl TortuosityTable {
             return;
         };
         if *median_m <= MEASURED * of.period_m {
-            let every_m = (median_m * 10.0).round() / 10.0;
+            let every = reader.shown(Dimension::Length, *median_m);
             Diagnostic::warning("a survey has its tortuosity already")
                 .at(
                     self.period.place().unwrap_or(stations.first_place()),
-                    format!("stations every {} m have measured such waves", number_text(every_m)),
+                    format!("stations every {every} have measured such waves"),
                 )
                 .help("it is meant for a plan, or for waves shorter than two of its stations")
                 .report(reader);

@@ -48,9 +48,26 @@ impl Diagnostic {
 
 /// A quantity in the units of a set, to a thousandth of its unit.
 pub fn shown(dimension: Dimension, si: f64, set: UnitSet) -> String {
+    rounded(dimension, si, set, f64::round)
+}
+
+/// The same rounded up: a bound that is kept by what is written as it.
+pub fn at_least(dimension: Dimension, si: f64, set: UnitSet) -> String {
+    rounded(dimension, si, set, |thousandths| (thousandths - LAST_DIGITS).ceil())
+}
+
+/// The same rounded down.
+pub fn at_most(dimension: Dimension, si: f64, set: UnitSet) -> String {
+    rounded(dimension, si, set, |thousandths| (thousandths + LAST_DIGITS).floor())
+}
+
+/// Thousandths of a unit that the conversion of a whole number may be off by.
+const LAST_DIGITS: f64 = 1e-6;
+
+fn rounded(dimension: Dimension, si: f64, set: UnitSet, round: fn(f64) -> f64) -> String {
     let unit = dimension.unit_in(set);
     let value = unit.from_si(si);
-    let value = if value.abs() < 1.0 { value } else { (value * 1e3).round() / 1e3 };
+    let value = if value.abs() < 1.0 { value } else { round(value * 1e3) / 1e3 };
     format!("{} {}", number_text(value), unit.symbol)
 }
 
@@ -82,6 +99,16 @@ impl Reader {
     /// A quantity in the units that the case is shown in, to a thousandth of its unit.
     pub fn shown(&self, dimension: Dimension, si: f64) -> String {
         shown(dimension, si, self.units())
+    }
+
+    /// The same rounded up, for "at least".
+    pub fn at_least(&self, dimension: Dimension, si: f64) -> String {
+        at_least(dimension, si, self.units())
+    }
+
+    /// The same rounded down, for "at most".
+    pub fn at_most(&self, dimension: Dimension, si: f64) -> String {
+        at_most(dimension, si, self.units())
     }
 
     /// Says which units the case is shown in.

@@ -1,13 +1,33 @@
-//! Turns of a survey that are hardly the hole's, as notes.
+//! Positions of a file that are not those of its path, and turns that are hardly the hole's, as notes.
 
-use wholestring::well::{Station, USUAL_DOGLEG_RAD_PER_M};
-use wholestring_tabular::station_doubts;
+use wholestring::well::{Path, Station, USUAL_DOGLEG_RAD_PER_M};
+use wholestring_tabular::{StatedPosition, position_checks, station_doubts};
 use wholestring_units::UnitSet;
 
 use crate::fragment::Note;
 
 /// Notes on more turns than this are only counted.
 const NOTED: usize = 5;
+
+/// Notes on the positions that a file states against those of its path by minimum curvature; `place`
+/// says where in its file a station is.
+pub(crate) fn positions(
+    stations: &[Station],
+    stated: &[StatedPosition],
+    path: &Path,
+    set: UnitSet,
+    place: impl Fn(usize) -> String,
+) -> Vec<Note> {
+    let checks = position_checks(stations, stated, path, set).into_iter();
+    let notes = checks.map(|check| match check.agrees {
+        true => Note::Checked(check.sentence),
+        false => {
+            let place = place(check.index);
+            Note::Checked(format!("{} ({place}); {}", check.sentence, check.reason))
+        }
+    });
+    notes.collect()
+}
 
 /// Notes on the doubtful turns of a survey; `place` says where in its file a station is.
 pub(crate) fn notes(

@@ -97,6 +97,33 @@ fn an_implausible_set() {
     assert!(found.text.contains("yield_strength = \"930.8 MPa\""), "{}", found.text);
 }
 
+/// Positions that stations state are compared with those of the path, and turns that no pipe endures
+/// are named with the station's line.
+#[test]
+fn stations_are_checked_against_their_own_positions_and_by_what_pipe_endures() {
+    let notes = |text: &str| -> Vec<String> {
+        let found = imported(text, &api()).expect("imported");
+        found.notes.iter().map(|(_, note)| note.text().to_owned()).collect()
+    };
+    let has = |notes: &[String], part: &str| notes.iter().any(|note| note.contains(part));
+    let stated = |tvd: &str| {
+        let last = "md=\"1700\" inclination=\"6\" azimuth=\"0.5\"";
+        let middle = "md=\"1500\" inclination=\"0\" azimuth=\"0\"";
+        assert!(MINI.contains(last) && MINI.contains(middle));
+        let text = MINI.replace(last, &format!("{last} tvd=\"{tvd}\" offset_north=\"10.46\""));
+        text.replace(middle, &format!("{middle} tvd=\"1500\""))
+    };
+    let agreeing = notes(&stated("1699.63"));
+    assert!(has(&agreeing, "differ from those of the file as rounding makes them"), "{agreeing:?}");
+    let off = notes(&stated("1600"));
+    let warning =
+        "true vertical depth of the file is 99.63 ft less than what follows from its angles";
+    assert!(has(&off, warning), "{off:?}");
+    assert!(!has(&off, "deg/100ft"), "{off:?}");
+    let bent = notes(&MINI.replace("inclination=\"6\"", "inclination=\"86\""));
+    assert!(has(&bent, "deg/100ft") && has(&bent, "1700 ft"), "{bent:?}");
+}
+
 #[test]
 fn one_of_several() {
     let refused = refusal(WELL, &api());

@@ -5,6 +5,8 @@
 //! and a rig that pushes decide what the top can give. Where the solver does not count the friction
 //! of a helix, this rule does.
 
+use std::convert::Infallible;
+
 use wholestring::{
     model::Model,
     operation::Operation,
@@ -14,6 +16,7 @@ use wholestring::{
 
 use crate::{
     Check, CheckKind, LimitSettings, Severity, Verdict,
+    root::root,
     window::{self, Window},
 };
 
@@ -26,8 +29,14 @@ const FOLLOWS: f64 = 0.1;
 /// Part of the requested weight, less than which does not arrive in a dynamic run.
 const ARRIVES: f64 = 0.8;
 
-/// Corrections of a stretch until it gives the solver's tension.
-const CORRECTIONS: usize = 4;
+/// To this a stretch gives the solver's tension, N: a thousand of them miss a hook load by 1 mN.
+const EXACT_N: f64 = 1e-6;
+
+/// First trial of the force along a stretch that locks up without it, N.
+const LARGE_N: f64 = 1e5;
+
+/// Doublings of that force until it is too large.
+const MAX_DOUBLINGS: usize = 30;
 
 /// What drives a string down, what holds it back, and what arrives at the bit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -262,29 +271,58 @@ fn calibrated(
 }
 
 /// Adds to a stretch the force along it with which its compression at the lower end becomes that
-/// at the upper, N.
+/// at the upper, N: with the wall load of a helix where the solver counts that.
 fn correct(
     stretch: &mut Segment,
     [lower_N, upper_N]: [f64; 2],
     criterion: Criterion,
     has_helix_friction: bool,
 ) {
-    let middle_N = 0.5 * (lower_N + upper_N);
-    let wall_load = stretch.place.wall_load_N_per_m(middle_N);
-    let rate = stretch.friction * wall_load - stretch.weight_along_N_per_m;
-    stretch.weight_along_N_per_m += rate - (upper_N - lower_N) / stretch.length_m;
-    let helical = [lower_N, middle_N, upper_N]
-        .iter()
-        .any(|compression_N| stretch.place.is_helix(criterion, *compression_N));
-    if helical && !has_helix_friction {
-        return;
-    }
-    for _ in 0..CORRECTIONS {
-        let Pushed::Through(found_N) = push_through(&[*stretch], lower_N, criterion) else {
-            return;
+    let length_m = stretch.length_m;
+    let plain = *stretch;
+    // By how much too large the compression becomes at the upper end. It falls with the force, but
+    // not evenly where the helix begins within the stretch.
+    let excess_N = |force_N: f64| {
+        let weight_along_N_per_m = plain.weight_along_N_per_m + force_N / length_m;
+        let stretch = Segment { weight_along_N_per_m, ..plain };
+        let pushed_N = match has_helix_friction {
+            false => stretch.push_straight_N(lower_N),
+            true => match push_through(&[stretch], lower_N, criterion) {
+                Pushed::Through(pushed_N) => pushed_N,
+                Pushed::LocksUp(_) => f64::INFINITY,
+            },
         };
-        stretch.weight_along_N_per_m += (found_N - upper_N) / stretch.length_m;
+        pushed_N - upper_N
+    };
+    stretch.weight_along_N_per_m += zero(excess_N) / length_m;
+}
+
+/// The force at which a function that falls by about as much as it grows is zero, N.
+fn zero(function_N: impl Fn(f64) -> f64) -> f64 {
+    let at_none = (0.0, function_N(0.0));
+    if at_none.1.abs() <= EXACT_N {
+        return 0.0;
     }
+    let mut far_N = at_none.1.clamp(-LARGE_N, LARGE_N);
+    let mut far = (far_N, function_N(far_N));
+    for _ in 0..MAX_DOUBLINGS {
+        if far.1.abs() <= EXACT_N || far.1 * at_none.1 < 0.0 {
+            break;
+        }
+        far_N *= 2.0;
+        far = (far_N, function_N(far_N));
+    }
+    if far.1.abs() <= EXACT_N {
+        return far.0;
+    }
+    let is_bracketed = far.1 * at_none.1 < 0.0;
+    if !is_bracketed {
+        // A tension that is not a number.
+        return 0.0;
+    }
+    let Ok(force_N) =
+        root(|force_N| Ok::<_, Infallible>(function_N(force_N)), [at_none, far], EXACT_N);
+    force_N
 }
 
 /// Tension at a measured depth, N, linear between rows.

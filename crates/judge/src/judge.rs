@@ -15,7 +15,7 @@ use wholestring_units::UnitSet;
 
 use crate::{
     Check, CheckKind, Checks, Descent, LimitSettings, Missing, NoAnswer, Severity, along, buckling,
-    descent, lateral_force,
+    descent, hydraulics, lateral_force,
     loads::Loads,
     motion, numerics, overpull, rig,
     sentence::{Text, Words},
@@ -277,6 +277,8 @@ impl Judge {
         side_force::limits(model, loads, &self.limits, checks);
         overpull::limits(model, operation, &strengths, loads, &self.limits, checks);
         rig::limits(model, operation, loads, &self.limits, checks);
+        let implausible = |mud| hydraulics::implausible(mud, self.units);
+        checks.checks.extend(loads.hydraulics.as_ref().and_then(implausible));
         let line = buckling::Line::of(model, operation, loads.profile);
         checks.checks.extend(buckling::checks(&line, &self.limits));
     }

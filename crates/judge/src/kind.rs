@@ -190,6 +190,9 @@ kinds! {
         LateralForceLeftOut = lateral_force_left_out, "Lateral force left out": Force;
         /// An equilibrium that a small disturbance would leave.
         UnstableEquilibrium = unstable_equilibrium, "Unstable equilibrium": Ratio;
+        /// A number of the hydraulics that no mud makes, such as the pressure of a sliver of bore; a value
+        /// where it is a pressure.
+        ImplausibleHydraulics = implausible_hydraulics, "Implausible hydraulics": Pressure;
         /// Means of the window drift: they depend on when it began.
         WindowDrifts = window_drifts, "Window drifts": Ratio;
         /// The string was not steady when settling ended, after this time.

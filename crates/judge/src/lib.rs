@@ -13,12 +13,14 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod along;
+mod bit_test;
 mod buckling;
 mod check;
 mod checks;
 mod descent;
 mod drift;
 mod factors;
+mod hydraulics;
 mod interval;
 mod judge;
 mod kind;
@@ -28,7 +30,9 @@ mod motion;
 mod numerics;
 mod overpull;
 pub mod quantities;
+mod reading_check;
 mod rig;
+mod root;
 mod sentence;
 mod settings;
 mod side_force;
@@ -41,12 +45,15 @@ mod unsolved;
 mod weight_on_bit;
 mod window;
 
+pub use bit_test::{TriedPoint, bit_test_checks};
 pub use check::{Check, Severity, Verdict};
 pub use checks::Checks;
 pub use descent::Descent;
 pub use factors::DesignFactors;
 pub use judge::{Judge, Reached};
 pub use kind::CheckKind;
+pub use reading_check::ReadingCheck;
+pub use root::root;
 pub use sentence::shorter_element;
 pub use settings::LimitSettings;
 pub use surface::{SurfaceLimit, surface_limits};

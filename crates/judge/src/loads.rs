@@ -2,6 +2,7 @@
 
 use wholestring::{
     model::Model,
+    mud::Hydraulics,
     operation::Operation,
     outcome::{ModelKind, Profile, Solution},
     statics::soft::SoftLoads,
@@ -38,6 +39,8 @@ pub struct Loads<'a> {
     pub surface_torque_N_m: SurfaceLoad,
     /// Pressure that the pump delivers at, Pa; none without a rheology.
     pub pump_pressure_Pa: Option<SurfaceLoad>,
+    /// Pressures and forces of the mud; none without a rheology.
+    pub hydraulics: Option<Hydraulics>,
     /// Components at each row, from the bit: the one above first, the one below where two meet there.
     components: Vec<(usize, Option<usize>)>,
     soft: bool,
@@ -69,6 +72,7 @@ impl<'a> Loads<'a> {
                 largest: torque_N_m.largest.abs(),
             },
             pump_pressure_Pa,
+            hydraulics: solution.hydraulics,
             components: components(model, operation, solution.profile),
             soft: solution.model == ModelKind::Soft,
         }
@@ -83,6 +87,7 @@ impl<'a> Loads<'a> {
             hook_load_N: SurfaceLoad::steady(*hook_load_N),
             surface_torque_N_m: SurfaceLoad::steady(surface_torque_N_m.abs()),
             pump_pressure_Pa: pump_Pa.map(SurfaceLoad::steady),
+            hydraulics: *hydraulics,
             components: components(model, operation, profile),
             soft: true,
         }

@@ -14,7 +14,6 @@ mod error;
 pub mod fatigue;
 pub mod hydraulics;
 pub mod reach;
-mod root;
 mod setup;
 mod stage;
 pub mod uncertainty;
@@ -26,6 +25,6 @@ pub use broomstick::{
 };
 pub use campaign::{Campaign, CampaignSettings, Share};
 pub use error::PlanError;
-pub use root::root;
 pub use setup::{Setup, WallFriction};
 pub use stage::{Stage, lengths_m};
+pub use wholestring_judge::root;

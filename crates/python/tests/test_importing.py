@@ -35,6 +35,33 @@ def survey(tmp_path: Path) -> Path:
     return file
 
 
+DOUBTFUL = """MD (ft),Inc,Azi,TVD (ft)
+0,0,0,0
+1000,0,0,1000
+1100,40,45,1092
+1200,4,45,1190
+1300,41,45,1280
+4000,41,45,9000
+"""
+
+
+def test_doubtful_surveys_are_noted_and_warned_of(tmp_path: Path) -> None:
+    """Turns that no pipe endures, and positions of the file that are not those of the path."""
+    (tmp_path / "survey.csv").write_text(DOUBTFUL)
+    doubts = ["deg/100ft above the station at 1100 ft", "true vertical depth of the file is"]
+    imported = ws.import_files(tmp_path / "survey.csv")
+    checked = [note.text for note in imported.notes if note.kind == "checked"]
+    for doubt in doubts:
+        assert any(doubt in text and "line " in text for text in checked), checked
+    case = tmp_path / "case.toml"
+    head = 'units = "field"\n[well]\nsurvey = "survey.csv"\n'
+    case.write_text(head + REST + '[operation]\nkind = "trip_out"\n')
+    with pytest.warns(ws.CaseWarning) as caught:
+        ws.Case.load(case)
+    for doubt in doubts:
+        assert any(doubt in str(warning.message) for warning in caught), list(caught)
+
+
 def test_a_survey_is_part_of_a_case(survey: Path, tmp_path: Path) -> None:
     imported = ws.import_files(survey, units={"md": "ft"})
     assert imported.files == {str(survey): "a survey of 4 stations"}

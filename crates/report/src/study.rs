@@ -6,6 +6,7 @@ use crate::{
     page::{STYLES, document, escaped},
     plots::SETS,
 };
+use wholestring_judge::Severity;
 
 /// A study as its page shows it.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,6 +90,8 @@ pub enum Verdict {
     Near,
     /// Not within it.
     Differs,
+    /// A check with the severity that the judge gave it.
+    Judged(Severity),
 }
 
 /// What the page may do: show what is in it.
@@ -227,11 +230,16 @@ fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
         let mut classes = Vec::new();
         classes.extend(head.words.then_some("words"));
         classes.extend((text.chars().count() > SENTENCE).then_some("sentence"));
+        let of_severity;
         classes.extend(match verdict {
             Verdict::None => None,
             Verdict::Agrees => Some("agrees"),
             Verdict::Near => Some("near"),
             Verdict::Differs => Some("differs"),
+            Verdict::Judged(severity) => {
+                of_severity = format!("level-{}", severity.name());
+                Some(of_severity.as_str())
+            }
         });
         let class = match classes.is_empty() {
             true => String::new(),

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use wholestring_judge::Check;
+use wholestring_judge::ReadingCheck;
 
 use crate::{
     CALIBRATION_DYNAMIC, ResultsError, Table,
@@ -79,16 +79,6 @@ pub struct CalibrationSummary {
     /// for.
     #[serde(default)]
     pub dynamics: Vec<DynamicCheck>,
-}
-
-/// A check of readings, or of what was found from them.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ReadingCheck {
-    /// Lines of the readings in their file; empty where it is not a matter of some of them.
-    pub lines: Vec<String>,
-    /// The check; value and limit are SI.
-    #[serde(flatten)]
-    pub check: Check,
 }
 
 /// The fit of all readings beside that without outliers.

@@ -40,7 +40,7 @@ mod table;
 mod thrift;
 mod uncertain;
 
-pub use wholestring_judge::{Check, CheckKind, Severity, Unchecked, Verdict};
+pub use wholestring_judge::{Check, CheckKind, ReadingCheck, Severity, Unchecked, Verdict};
 
 pub use bha::{BHA_VERSION, BhaFound, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried};
 pub use bha_tables::{bha_contacts_table, bha_sweep_table, bha_table};
@@ -48,7 +48,7 @@ pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummar
 pub use bit_test_table::bit_test_table;
 pub use calibration::{
     CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, DynamicCheck, ErrorFound,
-    EstimateFound, InMotion, OutlierComparison, ReadingCheck, calibration_dynamic_table,
+    EstimateFound, InMotion, OutlierComparison, calibration_dynamic_table,
 };
 pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use checks::{NamedCheck, checks_of};

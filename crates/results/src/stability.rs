@@ -78,6 +78,10 @@ pub struct StabilitySummary {
     pub frequency_Hz: Option<f64>,
     /// Whether as many growing motions were followed as there are.
     pub complete: bool,
+    /// Whether neither the bit's torque nor friction falls with speed, so that only the rate of
+    /// penetration drives what grows.
+    #[serde(default)]
+    pub driven_by_rate: bool,
     /// From which speed on this weight is stable.
     #[serde(flatten)]
     pub from: StableFrom,
@@ -112,6 +116,7 @@ impl StabilitySummary {
             growth_per_s: worst.map(|of| of.growth_per_s),
             frequency_Hz: worst.map(|of| of.frequency_Hz),
             complete: of.stability.complete,
+            driven_by_rate: false,
             from: of.threshold.into(),
             margin: of.margin(),
             surface_torque_N_m: of.surface_torque_N_m,

@@ -87,7 +87,7 @@ pub fn check(
     let set = survey.unit_set();
     let mut notes = Vec::new();
     let mut diagnostics = Vec::new();
-    for check in position_checks(survey, &path, set) {
+    for check in position_checks(&survey.stations, &survey.stated, &path, set) {
         if check.agrees {
             notes.push(check.sentence);
             continue;

@@ -41,7 +41,7 @@ pub use columns::column::Column;
 pub use error::{Place, TableError, TableErrorKind};
 pub use held::{Held, held, read_tally};
 pub use read::{read, read_all, read_as, read_csv, read_excel, read_readings};
-pub use reading_checks::{CheckSeverity, ReadingCheck};
+pub use reading_checks::CHANNEL_WORDS;
 pub use readings::{ImportedReading, ImportedReadings};
 pub use row_names::row_names;
 pub use sheets::{SheetText, is_workbook, sheets};

@@ -4,6 +4,7 @@
 //! string in the hole is more than nothing, and so is the torque of a string that turns. These checks need
 //! nothing but the readings; those that need the string are made where it is known.
 
+use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
@@ -11,44 +12,14 @@ use crate::{
     row_names::row_names,
 };
 
-/// How serious a check of readings is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum CheckSeverity {
-    /// Good to know.
-    Note,
-    /// The answer may be wrong.
-    Warning,
-    /// There can be no answer.
-    Error,
-}
-
-impl CheckSeverity {
-    /// `note`, `warning` or `error`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Note => "note",
-            Self::Warning => "warning",
-            Self::Error => "error",
-        }
-    }
-}
-
-/// A reading, or a column of readings, that cannot be what it says.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ReadingCheck {
-    /// `zero`, `negative`, `swapped`, `order_of_loads`, ...
-    pub kind: &'static str,
-    /// How serious it is.
-    pub severity: CheckSeverity,
-    /// Where the readings stand in their file.
-    pub places: Vec<String>,
-    /// The value, SI.
-    pub value: Option<f64>,
-    /// What it is compared with, SI.
-    pub limit: Option<f64>,
-    /// A whole sentence without its full stop.
-    pub sentence: String,
-}
+/// Weights and torques in sentences, by the order of [`ImportedReadings::units`].
+pub const CHANNEL_WORDS: [&str; 5] = [
+    "pick-up weight",
+    "slack-off weight",
+    "rotating weight",
+    "torque off bottom",
+    "torque on bottom",
+];
 
 /// A column of readings.
 struct Channel {
@@ -64,31 +35,31 @@ const ROTATING: usize = 2;
 
 const CHANNELS: [Channel; 5] = [
     Channel {
-        name: "pick-up weight",
+        name: CHANNEL_WORDS[PICK_UP],
         dimension: Dimension::Force,
         get: |of| of.pick_up_N,
         put: |of| &mut of.pick_up_N,
     },
     Channel {
-        name: "slack-off weight",
+        name: CHANNEL_WORDS[SLACK_OFF],
         dimension: Dimension::Force,
         get: |of| of.slack_off_N,
         put: |of| &mut of.slack_off_N,
     },
     Channel {
-        name: "rotating weight",
+        name: CHANNEL_WORDS[ROTATING],
         dimension: Dimension::Force,
         get: |of| of.rotating_N,
         put: |of| &mut of.rotating_N,
     },
     Channel {
-        name: "torque off bottom",
+        name: CHANNEL_WORDS[3],
         dimension: Dimension::Torque,
         get: |of| of.torque_N_m,
         put: |of| &mut of.torque_N_m,
     },
     Channel {
-        name: "torque on bottom",
+        name: CHANNEL_WORDS[4],
         dimension: Dimension::Torque,
         get: |of| of.torque_on_bottom_N_m,
         put: |of| &mut of.torque_on_bottom_N_m,
@@ -117,16 +88,16 @@ impl ImportedReadings {
             checks.extend(negatives(&mut self.readings, channel, units));
         }
         let is_empty = |of: &ImportedReading| CHANNELS.iter().all(|by| (by.get)(of).is_none());
-        let is_error = |of: &ReadingCheck| of.severity == CheckSeverity::Error;
+        let is_error = |of: &ReadingCheck| of.check.severity == Severity::Error;
         if self.readings.iter().all(is_empty) && !checks.iter().any(is_error) {
-            checks.push(ReadingCheck {
-                kind: "no_readings",
-                severity: CheckSeverity::Error,
-                places: self.readings.iter().map(|of| of.place.clone()).collect(),
-                value: None,
-                limit: None,
-                sentence: "no weight and no torque is left of the readings".to_owned(),
-            });
+            checks.push(
+                ReadingCheck::new(
+                    CheckKind::NoReadings,
+                    Severity::Error,
+                    "no weight and no torque is left of the readings".to_owned(),
+                )
+                .on(self.readings.iter().map(|of| of.place.clone()).collect()),
+            );
         }
         checks.extend(order(&self.readings, units));
         (self, checks)
@@ -162,14 +133,11 @@ fn zeros(readings: &mut [ImportedReading], channel: &Channel) -> Option<ReadingC
             "the {name} is 0 in {rows}, {zeros} of {count} rows: {why}, and a zero is no reading; left out"
         ),
     };
-    Some(ReadingCheck {
-        kind: "zero",
-        severity: CheckSeverity::Warning,
-        places,
-        value: Some(0.0),
-        limit: None,
-        sentence,
-    })
+    Some(
+        ReadingCheck::new(CheckKind::ReadingsZero, Severity::Warning, sentence)
+            .numbers([Some(0.0), None])
+            .on(places),
+    )
 }
 
 /// Negative values in a column, which are taken out of it; where all are negative the column is refused.
@@ -211,14 +179,15 @@ fn negatives(
             *(channel.put)(reading) = None;
         }
     }
-    Some(ReadingCheck {
-        kind: "negative",
-        severity: if all { CheckSeverity::Error } else { CheckSeverity::Warning },
-        places,
-        value: Some(least),
-        limit: Some(0.0),
-        sentence,
-    })
+    Some(
+        ReadingCheck::new(
+            CheckKind::ReadingsNegative,
+            if all { Severity::Error } else { Severity::Warning },
+            sentence,
+        )
+        .numbers([Some(least), Some(0.0)])
+        .on(places),
+    )
 }
 
 /// Pairs of columns whose order is not that of friction, in most rows or in some.
@@ -237,8 +206,8 @@ fn order(readings: &[ImportedReading], units: UnitSet) -> Vec<ReadingCheck> {
         let places: Vec<String> = wrong.iter().map(|of| of.0.place.clone()).collect();
         let most = 2 * wrong.len() > both.len();
         let severity = match (most, is_error) {
-            (true, true) => CheckSeverity::Error,
-            _ => CheckSeverity::Warning,
+            (true, true) => Severity::Error,
+            _ => Severity::Warning,
         };
         let mut sentence = format!(
             "the {} is below the {} in {} of {} rows ({}), by most in {}: {} below {}; friction makes pick-up ≥ \
@@ -260,18 +229,23 @@ fn order(readings: &[ImportedReading], units: UnitSet) -> Vec<ReadingCheck> {
             }
             _ => ": these rows contradict themselves; they are kept",
         };
-        checks.push(ReadingCheck {
-            kind: if severity == CheckSeverity::Error { "swapped" } else { "order_of_loads" },
-            severity,
-            places,
-            value: Some(worst.1),
-            limit: Some(worst.2),
-            sentence,
-        });
+        checks.push(
+            ReadingCheck::new(
+                if severity == Severity::Error {
+                    CheckKind::ReadingsSwapped
+                } else {
+                    CheckKind::OrderOfLoads
+                },
+                severity,
+                sentence,
+            )
+            .numbers([Some(worst.1), Some(worst.2)])
+            .on(places),
+        );
     }
     // Columns that are swapped contradict all others.
-    if checks.iter().any(|of| of.severity == CheckSeverity::Error) {
-        checks.retain(|of| of.severity == CheckSeverity::Error);
+    if checks.iter().any(|of| of.check.severity == Severity::Error) {
+        checks.retain(|of| of.check.severity == Severity::Error);
     }
     checks
 }

@@ -150,7 +150,7 @@ fn values_that_stand_for_none() {
 /// Zeros, signs and orders that no string gives.
 #[test]
 fn readings_that_no_string_gives() {
-    use wholestring_tabular::CheckSeverity::{Error, Warning};
+    use wholestring_judge::Severity::{Error, Warning};
     use wholestring_units::UnitSet;
 
     let head = "Depth (m),PU (kN),SO (kN),ROT (kN),Torque (kN.m)\n";
@@ -200,9 +200,11 @@ fn readings_that_no_string_gives() {
         let text = format!("{head}{rows}");
         let read = read_readings(text.as_bytes(), "a.csv").expect("readings");
         let (left, checks) = read.measured(UnitSet::Si);
-        let found = checks.iter().find(|of| of.kind == kind && of.sentence.contains(sentence));
+        let found = checks
+            .iter()
+            .find(|of| of.check.kind.name() == kind && of.check.sentence.contains(sentence));
         let found = found.unwrap_or_else(|| panic!("{rows}: {checks:?}"));
-        assert_eq!(found.severity, severity, "{found:?}");
+        assert_eq!(found.check.severity, severity, "{found:?}");
         for of in &left.readings {
             assert!(of.torque_N_m.is_none_or(|torque| torque > 0.0) || severity == Error);
             assert!(of.slack_off_N != Some(0.0) && of.rotating_N != Some(0.0));

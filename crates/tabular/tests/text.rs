@@ -519,7 +519,7 @@ fn positions_and_slips_are_found() {
     );
     let checks = |interpolation| {
         let path = Path::new(&found.stations, interpolation, found.start()).expect("a path");
-        position_checks(&found, &path, UnitSet::Si)
+        position_checks(&found.stations, &found.stated, &path, UnitSet::Si)
     };
     assert!(checks(Interpolation::MinimumCurvature).iter().all(|check| check.agrees));
     let spline = checks(Interpolation::Spline);

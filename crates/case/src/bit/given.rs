@@ -5,7 +5,7 @@ use wholestring::{
     operation::Operation,
 };
 
-use wholestring_units::number_text;
+use wholestring_units::Dimension;
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned};
 
@@ -29,19 +29,17 @@ impl Given<'_> {
         };
         let torque = operation.bit_torque_N_m;
         let [needed, most, stalls] = [torque, motor.max_torque_N_m(), motor.stall_torque_N_m]
-            .map(|torque| number_text((torque * 1e-1).round() * 1e-2));
+            .map(|torque_N_m| reader.shown(Dimension::Torque, torque_N_m));
         if bit.drilling_speed_rad_per_s(operation) == 0.0 {
             reader.report(
                 Diagnostic::warning("the motor stalls under this weight on bit")
-                    .at(wob.place, format!("the motor gives {stalls} kN.m at the most"))
+                    .at(wob.place, format!("the motor gives {stalls} at the most"))
                     .help("lower wob, or give a stronger motor under [bit.motor]"),
             );
         } else if torque > motor.max_torque_N_m() {
             reader.report(
-                Diagnostic::warning("the motor is loaded beyond its largest pressure drop").at(
-                    wob.place,
-                    format!("takes {needed} kN.m, the motor is made for {most} kN.m"),
-                ),
+                Diagnostic::warning("the motor is loaded beyond its largest pressure drop")
+                    .at(wob.place, format!("takes {needed}, the motor is made for {most}")),
             );
         }
     }

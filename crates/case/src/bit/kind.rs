@@ -78,7 +78,13 @@ impl KindKeys {
                 .refuse(reader),
             (Kind::Core, Some(core)) if core.value >= 2.0 * radius_m => {
                 Diagnostic::error("the core is as wide as the bit, or wider")
-                    .at(core.place, format!("expected less than {} m", number_text(2.0 * radius_m)))
+                    .at(
+                        core.place,
+                        format!(
+                            "expected less than {}",
+                            reader.shown(Dimension::Diameter, 2.0 * radius_m)
+                        ),
+                    )
                     .refuse(reader)
             }
             (Kind::Core, Some(core)) => Some(0.5 * core.value),

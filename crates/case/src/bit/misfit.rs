@@ -3,9 +3,9 @@
 use wholestring::rock::bit_face::FaceError;
 
 use super::table::BitTable;
-use wholestring_units::number_text;
+use wholestring_units::{Dimension, UnitSet, number_text};
 
-use wholestring_config::{diagnostic::Diagnostic, rule::Table, source::Span};
+use wholestring_config::{diagnostic::Diagnostic, reader::shown, rule::Table, source::Span};
 
 /// The key that holds a number which the face names so; the diameters are those of other tables.
 const KEYS: [(&str, &str); 24] = [
@@ -35,12 +35,9 @@ const KEYS: [(&str, &str); 24] = [
     ("half angle of the inserts", "half_angle"),
 ];
 
-fn millimetres(m: f64) -> String {
-    number_text((m * 1e5).round() * 1e-2)
-}
-
 /// The mistake, at those of its numbers that stand in the case; `od` is the diameter's place.
-pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic {
+pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span, units: UnitSet) -> Diagnostic {
+    let size = |length_m: f64| shown(Dimension::Diameter, length_m, units);
     let whole = bit.laws.rock.face.at().map_or(od, |at| at.place);
     let given = |key: &str| {
         let keys = bit.laws.rock.face.get()?.written();
@@ -73,19 +70,15 @@ pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic 
             }
         }
         FaceError::Profile { nose_radius_m, shoulder_radius_m, reach_m } => {
-            let reach = millimetres(*reach_m);
+            let reach = size(*reach_m);
             Diagnostic::error("the arcs of the bit's nose and shoulder cannot meet")
                 .at(
                     first(&["nose_radius", "shoulder_radius", "nose"]),
-                    format!(
-                        "arcs of {} mm and {} mm",
-                        millimetres(*nose_radius_m),
-                        millimetres(*shoulder_radius_m)
-                    ),
+                    format!("arcs of {} and {}", size(*nose_radius_m), size(*shoulder_radius_m)),
                 )
                 .help(format!(
                     "of nose_radius and shoulder_radius one must be no smaller, the other no \
-                     larger than the {reach} mm from \
+                     larger than the {reach} from \
                      the nose to the gauge"
                 ))
         }
@@ -99,11 +92,7 @@ pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic 
             Diagnostic::error("two cutters of a blade overlap")
                 .at(
                     first(&["cutters_per_blade", "cutter_diameter", "blades", "centre_spacing"]),
-                    format!(
-                        "they are {} mm wide and {} mm apart",
-                        millimetres(*diameter_m),
-                        millimetres(*distance_m)
-                    ),
+                    format!("they are {} wide and {} apart", size(*diameter_m), size(*distance_m)),
                 )
                 .help(
                     "lower cutters_per_blade or cutter_diameter, or leave the number of cutters to \
@@ -124,9 +113,9 @@ pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic 
                         "centre_spacing",
                     ]),
                     format!(
-                        "no cutter reaches the rock between the radii {} and {} mm",
-                        millimetres(*from_m),
-                        millimetres(*to_m)
+                        "no cutter reaches the rock between the radii {} and {}",
+                        size(*from_m),
+                        size(*to_m)
                     ),
                 )
                 .help("more, wider or more exposed cutters reach it")

@@ -89,17 +89,17 @@ impl MotorTable {
         let stall = self.stall_torque.optional()?;
         motor.stall_torque_N_m = stall.map_or(STALL * most, |at| at.value);
         if let Some(stall) = stall.filter(|stall| stall.value <= most) {
-            reader.report(stalls_early(stall, most));
+            let most = reader.at_least(Dimension::Torque, most);
+            reader.report(stalls_early(stall, &most));
             return None;
         }
         Some(motor)
     }
 }
 
-fn stalls_early(stall: &Spanned<f64>, max_N_m: f64) -> Diagnostic {
-    let most = number_text((max_N_m * 1e-2).round() * 1e-1);
+fn stalls_early(stall: &Spanned<f64>, most: &str) -> Diagnostic {
     Diagnostic::error("the motor stalls below its largest pressure drop")
-        .at(stall.place, format!("expected more than {most} kN.m"))
+        .at(stall.place, format!("expected more than {most}"))
         .help("that is efficiency * displacement * max_differential_pressure / 2 pi")
 }
 

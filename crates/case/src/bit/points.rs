@@ -7,6 +7,7 @@ use wholestring::dynamics::{BitTable as Points, TableFault, TablePoint};
 
 use super::file::{self, MAX};
 use wholestring_config::prelude::*;
+use wholestring_units::UnitSet;
 
 table! {
     /// A law that was measured: rate of penetration and torque against weight on bit and rotary
@@ -122,14 +123,19 @@ impl PointsTable {
         match Points::new(&list) {
             Ok(table) => Some(table),
             Err(fault) => {
-                reader.report(no_table(&fault, &points, place));
+                reader.report(no_table(&fault, &points, place, reader.units()));
                 None
             }
         }
     }
 }
 
-fn no_table(fault: &TableFault, points: &[Spanned<TablePoint>], whole: Span) -> Diagnostic {
+fn no_table(
+    fault: &TableFault,
+    points: &[Spanned<TablePoint>],
+    whole: Span,
+    units: UnitSet,
+) -> Diagnostic {
     let at = |line: usize| points.get(line - 1).map_or(whole, |at| at.place);
     match *fault {
         TableFault::Twice { first, second } => {
@@ -141,8 +147,8 @@ fn no_table(fault: &TableFault, points: &[Spanned<TablePoint>], whole: Span) -> 
             Diagnostic::error("the table has a gap: every weight needs every speed").at(
                 whole,
                 format!(
-                    "no point for {} N at {} rev/min",
-                    number_text(weight_on_bit_N),
+                    "no point for {} at {} rev/min",
+                    shown(Dimension::Force, weight_on_bit_N, units),
                     number_text(rotary_speed_rad_per_s * 30.0 / PI)
                 ),
             )

@@ -5,10 +5,7 @@ use std::f64::consts::PI;
 use wholestring::well::casing::{Casing, CasingGrade, drift_m};
 use wholestring_config::prelude::*;
 
-use crate::{
-    component::mm,
-    tubular_rules::{diameter, mass_per_length, yield_strength},
-};
+use crate::tubular_rules::{diameter, mass_per_length, yield_strength};
 
 /// Density of steel, kg/m³.
 const STEEL_KG_PER_M3: f64 = 7850.0;
@@ -39,7 +36,10 @@ impl OwnCasingTable {
             return Diagnostic::error(
                 "the inside diameter is not smaller than the outside diameter",
             )
-            .at(id.place, format!("expected less than {}", mm(od.value)))
+            .at(
+                id.place,
+                format!("expected less than {}", reader.shown(Dimension::Diameter, od.value)),
+            )
             .at(od.place, "the outside diameter")
             .refuse(reader);
         }
@@ -48,7 +48,10 @@ impl OwnCasingTable {
             && drift.value > id.value
         {
             return Diagnostic::error("the drift mandrel does not pass the casing")
-                .at(drift.place, format!("expected {} or less", mm(id.value)))
+                .at(
+                    drift.place,
+                    format!("expected {} or less", reader.shown(Dimension::Diameter, id.value)),
+                )
                 .at(id.place, "the inside diameter")
                 .refuse(reader);
         }

@@ -8,9 +8,8 @@ use wholestring::string::{
 };
 use wholestring_config::prelude::*;
 
-use crate::{
-    component::mm,
-    tubular_rules::{diameter, joint_spacing, make_up_torque, mass_per_length, yield_strength},
+use crate::tubular_rules::{
+    diameter, joint_spacing, make_up_torque, mass_per_length, yield_strength,
 };
 
 const KINDS: &[(&str, TubularKind)] = &[
@@ -73,7 +72,10 @@ impl TubularTable {
             return Diagnostic::error(
                 "the inside diameter is not smaller than the outside diameter",
             )
-            .at(id.place, format!("expected less than {}", mm(od.value)))
+            .at(
+                id.place,
+                format!("expected less than {}", reader.shown(Dimension::Diameter, od.value)),
+            )
             .at(od.place, "the outside diameter")
             .refuse(reader);
         }
@@ -123,14 +125,26 @@ impl TubularTable {
         }
         if outside.value < *self.od.get()? {
             return Diagnostic::error("the tool joint is thinner than its pipe")
-                .at(outside.place, format!("expected {} or more", mm(*self.od.get()?)))
+                .at(
+                    outside.place,
+                    format!(
+                        "expected {} or more",
+                        reader.shown(Dimension::Diameter, *self.od.get()?)
+                    ),
+                )
                 .refuse(reader);
         }
         if let Some(inside) = inside
             && inside.value >= outside.value
         {
             return Diagnostic::error("the tool joint has no wall")
-                .at(inside.place, format!("expected less than {}", mm(outside.value)))
+                .at(
+                    inside.place,
+                    format!(
+                        "expected less than {}",
+                        reader.shown(Dimension::Diameter, outside.value)
+                    ),
+                )
                 .refuse(reader);
         }
         if let Some(length) = length

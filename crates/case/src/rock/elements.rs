@@ -2,7 +2,7 @@
 
 use wholestring::rock::{BitShape, DrillingSpec, Rock};
 
-use wholestring_units::number_text;
+use wholestring_units::{Dimension, number_text};
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Span};
 
@@ -48,16 +48,16 @@ impl RockTable {
         let size_m = element
             .map_or((diameter_m / ELEMENTS_ACROSS).min(OVER_EXPOSURE * exposure_m), |at| at.value);
         if let Some(element) = element.filter(|at| at.value > WIDEST * diameter_m) {
-            let most = number_text((WIDEST * diameter_m * 1e4).floor() * 1e-1);
+            let most = reader.at_most(Dimension::Diameter, WIDEST * diameter_m);
             return Diagnostic::error("the elements are too large for this bit")
-                .at(element.place, format!("expected at most {most} mm"))
+                .at(element.place, format!("expected at most {most}"))
                 .at(places.od, "a quarter of its diameter")
                 .refuse(reader);
         }
         if let Some(element) = element.filter(|at| at.value > JAMS * exposure_m) {
-            let most = number_text((JAMS * exposure_m * 1e4).floor() * 1e-1);
+            let most = reader.at_most(Dimension::Diameter, JAMS * exposure_m);
             Diagnostic::warning("the elements are large for the bit's cutters")
-                .at(element.place, format!("expected at most {most} mm"))
+                .at(element.place, format!("expected at most {most}"))
                 .help(
                     "its body meets the ridges between the cutters, and the bit jams: lower \
                            element_size",
@@ -67,7 +67,7 @@ impl RockTable {
         let mut spec = match DrillingSpec::new(rock, shape, size_m) {
             Ok(spec) => spec,
             Err(error) => {
-                reader.report(bit::misfit(&error, bit, places.od));
+                reader.report(bit::misfit(&error, bit, places.od, reader.units()));
                 return None;
             }
         };
@@ -87,7 +87,7 @@ impl RockTable {
         spec.block.confinement_Pa = confinement.map_or(spec.block.pressure_Pa, |at| at.value);
         spec.block.numerics.density_factor = *self.density_factor.get()?;
         if let Err(error) = spec.block.step_s() {
-            reader.report(self.unsound(&error, places.rock));
+            reader.report(self.unsound(&error, places.rock, reader.units()));
             return None;
         }
         let count = spec.block.cells.iter().map(|&n| n as f64).product::<f64>();

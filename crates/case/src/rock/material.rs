@@ -2,9 +2,13 @@
 
 use wholestring::rock::{Rock, RockError};
 
-use wholestring_units::number_text;
+use wholestring_units::{Dimension, UnitSet, number_text};
 
-use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Span};
+use wholestring_config::{
+    diagnostic::Diagnostic,
+    reader::{Reader, at_most},
+    source::Span,
+};
 
 use super::table::{DEGREE, RockTable};
 
@@ -70,26 +74,23 @@ impl RockTable {
             return diagnostic.refuse(reader);
         }
         if let Err(error) = rock.check() {
-            reader.report(self.unsound(&error, place));
+            reader.report(self.unsound(&error, place, reader.units()));
             return None;
         }
         let bears_Pa = rock.largest_tension_Pa();
         if let Some(given) = self.tensile_strength.given()
             && bears_Pa < given.value
         {
-            let most = number_text((bears_Pa * 1e-5).round() * 1e-1);
+            let most = reader.shown(Dimension::Pressure, bears_Pa);
             Diagnostic::warning("the rock shears before it bears this tension")
-                .at(
-                    given.place,
-                    format!("its cone allows {most} MPa in sum of the principal stresses"),
-                )
+                .at(given.place, format!("its cone allows {most} in sum of the principal stresses"))
                 .report(reader);
         }
         Some(rock)
     }
 
     /// The mistake, at those of its numbers that stand in the case.
-    pub(super) fn unsound(&self, error: &RockError, whole: Span) -> Diagnostic {
+    pub(super) fn unsound(&self, error: &RockError, whole: Span, units: UnitSet) -> Diagnostic {
         match error {
             RockError::OutOfRange { quantity, value, expected } => {
                 let known = [
@@ -115,7 +116,7 @@ impl RockTable {
                 )
             }
             RockError::TooLarge { largest_m, .. } => {
-                let most = number_text((largest_m * 1e4).floor() * 1e-1);
+                let most = at_most(Dimension::Diameter, *largest_m, units);
                 Diagnostic::error(
                     "the elements are too large for this rock: they would snap, not \
                                    soften",
@@ -127,7 +128,7 @@ impl RockTable {
                         .or(self.tensile_fracture_energy.place())
                         .or(self.compressive_fracture_energy.place())
                         .unwrap_or(whole),
-                    format!("expected elements below {most} mm"),
+                    format!("expected elements below {most}"),
                 )
                 .help(
                     "raise crushing_energy or youngs_modulus, or lower element_size and \

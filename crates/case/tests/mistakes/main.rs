@@ -6,6 +6,7 @@ mod common;
 mod bit;
 mod catalogue;
 mod dynamics;
+mod field_units;
 mod magnitudes;
 mod measured;
 mod mud;
@@ -54,13 +55,16 @@ fn on_record(name: &str, report: &Report) {
 /// Mistakes of the example, as [`changes`] has them.
 fn each_refused(table: &str) {
     for (name, from, to) in changes(table) {
-        refused(name, read(&changed(&from, &to)));
+        let text = changed(&from, &to);
+        field_units::required(name, &text);
+        refused(name, read(&text));
     }
 }
 
 /// Whole case files with a mistake.
 fn texts_refused<const N: usize>(cases: [(&str, String); N]) {
     for (name, text) in cases {
+        field_units::required(name, &text);
         refused(name, read(&text));
     }
 }
@@ -68,6 +72,8 @@ fn texts_refused<const N: usize>(cases: [(&str, String); N]) {
 /// Changes of the example that are accepted with a warning.
 fn each_warned(table: &str) {
     for (name, from, to) in changes(table) {
-        warned(name, read(&changed(&from, &to)));
+        let text = changed(&from, &to);
+        field_units::required(name, &text);
+        warned(name, read(&text));
     }
 }

@@ -6,7 +6,11 @@ mod screen;
 use wholestring_runner::bit_test::{self, Request};
 
 use crate::{
-    conclusion::conclude, failure::Failure, input::load, interrupt, progress::BatchScreen,
+    conclusion::{conclude, refuse_errors},
+    failure::Failure,
+    input::load,
+    interrupt,
+    progress::BatchScreen,
     terminal::print_stdout,
 };
 
@@ -22,5 +26,7 @@ pub(crate) fn bit_test(args: &BitTestArgs) -> Result<(), Failure> {
     if !quiet {
         print_stdout(&screen::text(&outcome.summary, units))?;
     }
-    conclude(&outcome.batch, "bit test", "points", quiet)
+    conclude(&outcome.batch, "bit test", "points", quiet)?;
+    let named = outcome.summary.checks.iter().map(|check| (String::new(), check));
+    refuse_errors(args.strict, named)
 }

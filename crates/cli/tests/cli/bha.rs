@@ -140,10 +140,11 @@ fn mistakes() {
         (&["bha", &case, "--toolface", "0deg..90deg"], 2, "a range needs a step"),
         (&["bha", &case, "--weight", "10m"], 2, "`10m` is no force"),
         (&["bha", &case, "--inclination", "200deg"], 2, "outside 0 to 180 deg"),
-        (&["bha", &case, "--build", "1e9deg/30m"], 2, "outside -180 to 180 deg/30m"),
-        (&["bha", &case, "--build", "-200deg/30m"], 2, "outside -180 to 180 deg/30m"),
+        (&["bha", &case, "--build", "1e9deg/30m"], 2, "outside -180 deg/30m to 180 deg/30m"),
+        (&["bha", &case, "--build", "-200deg/30m"], 2, "outside -180 deg/30m to 180 deg/30m"),
         (&["bha", &case, "--build", "1e999deg/30m"], 2, "too large for a dogleg severity"),
         (&["bha", &case, "--weight", "6MN"], 2, "outside 0 to 5000 kN"),
+        (&["bha", &case, "--weight", "6MN", "--units", "field"], 2, "outside 0 to 1124 klbf"),
         (&["bha", &case, "--set", "string.4.survey_sensor=9.5m"], 2, "not on its component"),
     ] {
         let output = desk.run(arguments);

@@ -7,7 +7,7 @@ use std::{
 };
 
 use insta::assert_snapshot;
-use wholestring_results::{BitTestOutcome, BitTestSummary, Status, Table};
+use wholestring_results::{BitTestOutcome, BitTestSummary, CheckKind, Severity, Status, Table};
 
 use crate::desk::{Desk, args, masked, transcript};
 
@@ -254,6 +254,33 @@ fn an_interrupted_test_goes_on() {
     assert!(points.iter().all(|point| point.status == Status::Interrupted));
     desk.done(&[&stopped[..], &["--resume"]].concat());
     assert!(place.join("bit-table.csv").exists());
+}
+
+/// A bit that drills at no point has no table: an error, on which `--strict` ends, and a warning
+/// where it drills at another point.
+#[test]
+fn a_bit_that_does_not_drill_is_an_error() {
+    let desk = desk();
+    let test = |folder: &'static str, weights: &'static str| {
+        let weights = ["--set", weights, "--set", "bit_test.rpm=300", "--strict", "--quiet"];
+        let mass = ["--set", "bit_test.mass=1000 kg"];
+        desk.run(&bit_test(&[&["-o", folder], &weights[..], &mass].concat()))
+    };
+    let output = test("idle", r#"bit_test.wob=["1 N", "2 N"]"#);
+    assert_eq!(output.status.code(), Some(4), "{}", transcript(&output));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(message, "error: errors were found: bit does not drill\n");
+    let idle = |folder: &str| -> Vec<(String, Severity)> {
+        let checks = summary(&desk, folder).checks.into_iter();
+        let idle = checks.filter(|check| check.kind == CheckKind::BitDoesNotDrill);
+        idle.map(|check| (check.sentence, check.severity)).collect()
+    };
+    let sentence = |weight: &str| format!("wob={weight},rpm=300: the bit does not drill");
+    let errors = ["0.001kN", "0.002kN"].map(|weight| (sentence(weight), Severity::Error));
+    assert_eq!(idle("idle"), errors);
+    let output = test("drills", r#"bit_test.wob=["1 N", "20 kN"]"#);
+    assert_eq!(output.status.code(), Some(0), "{}", transcript(&output));
+    assert_eq!(idle("drills"), [(sentence("0.001kN"), Severity::Warning)]);
 }
 
 /// Mistakes are answered before anything is drilled.

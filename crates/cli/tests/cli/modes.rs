@@ -99,28 +99,45 @@ fn a_map_of_torsional_stability() {
     assert!(transcript(&output).contains("the map of [modes] has no weights on bit"));
 }
 
+/// A map of the vertical case up to a weight, and what the terminal shows.
+fn of_vertical(more: &[&str]) -> (ModesSummary, String) {
+    let desk = Desk::new();
+    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/vertical.toml");
+    let case = case.to_str().unwrap().to_owned();
+    let few = ["--set", "modes.count=2", "--set", "operation.kind=drill", "--overwrite"];
+    let output = desk.done(&[&["modes", &case, "-o", "out"], &few[..], more].concat());
+    let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();
+    (summary, String::from_utf8(output.stdout).unwrap())
+}
+
 /// Where neither the bit's torque nor the friction falls with speed, a map on which every point is
-/// stable is no result: the reason says what the case lacks, and a usual ratio. Beyond 90 kN this
-/// string's torque follows its weight on bit far enough to swing, so that its map ends below.
+/// stable is no result: the reason says what the case lacks, and a usual ratio.
 #[test]
 fn no_map_where_nothing_falls_with_speed() {
-    let desk = Desk::new();
-    let vertical = |more: &[&str]| {
-        let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/vertical.toml");
-        let case = case.to_str().unwrap().to_owned();
-        let few = ["--set", "modes.count=2", "--set", "operation.kind=drill", "--overwrite"];
-        let weights = ["--set", "modes.heaviest=80 kN"];
-        desk.done(&[&["modes", &case, "-o", "out"], &few[..], &weights, more].concat());
-        ModesSummary::read(&desk.path("out/summary.json")).unwrap()
-    };
-    let summary = vertical(&[]);
+    let light = ["--set", "modes.heaviest=80 kN"];
+    let (summary, _) = of_vertical(&light);
     assert!(summary.torsional_stability.is_none());
     let reason = summary.no_torsional_stability.unwrap();
-    for part in ["falls with speed", "static", "modes.static_over_kinetic = 1.2"] {
+    for part in ["falls with speed", "static", "`heaviest`", "modes.static_over_kinetic = 1.2"] {
         assert!(reason.contains(part), "{reason}");
     }
-    let summary = vertical(&["--set", "modes.static_over_kinetic=1.2"]);
-    assert!(summary.torsional_stability.is_some(), "{:?}", summary.no_torsional_stability);
+    let falls = ["--set", "modes.static_over_kinetic=1.2"];
+    let (summary, _) = of_vertical(&[light, falls].concat());
+    let stability = summary.torsional_stability.expect("a map");
+    assert!(!stability.driven_by_rate);
+}
+
+/// Under more weight the same case has unstable speeds: its bit drills less where it turns slower,
+/// which adds weight and torque. The map names that cause.
+#[test]
+fn a_map_that_the_rate_of_penetration_drives_says_so() {
+    let (summary, said) = of_vertical(&[]);
+    let stability = summary.torsional_stability.expect("a map");
+    assert!(stability.driven_by_rate, "{stability:?}");
+    assert!(said.contains("is driven by the rate of penetration"), "{said}");
+    // A bit whose torque does not follow its weight has no such cause, and so no map.
+    let (summary, _) = of_vertical(&["--set", "bit.torque=1 N.m"]);
+    assert!(summary.torsional_stability.is_none());
 }
 
 /// Eccentric collars push by themselves.

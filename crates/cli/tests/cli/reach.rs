@@ -116,8 +116,8 @@ fn what_cannot_be_asked() {
     let desk = Desk::new();
     for (more, answer) in [
         (&["--to", "100m"][..], "is not below its beginning"),
-        (&["--to", "200km"], "100 km are the most"),
-        (&["--from", "0m"], "what stands below the pipe that runs to surface is"),
+        (&["--to", "200km"], "100000 m is the most"),
+        (&["--from", "0m"], "the string below the pipe that runs to surface is"),
         (&["--from", "1kN"], "is no length"),
         (&["--to", "3km,4km"], "--to takes one depth"),
         (&["--friction", "much"], "`much` is no friction factor"),

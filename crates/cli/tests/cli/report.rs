@@ -77,6 +77,31 @@ fn a_run_writes_it_and_report_makes_it_again() {
     }
 }
 
+/// A string that is pulled with its pumps off draws mud after it: the page has that negative
+/// pressure as swab, and a pump pressure only where one is delivered.
+#[test]
+fn a_negative_pump_pressure_is_swab() {
+    let desk = Desk::new();
+    let kinds = "operation.kind=[\"trip_out\", \"trip_in\"]";
+    let mud = ["--set", "mud.rheology=newtonian", "--set", "mud.viscosity=20 cP"];
+    let run = ["run", "slant.toml", "--set", "model=soft", "--set", kinds, "-o", "out"];
+    desk.done(&[&run[..], &mud].concat());
+    let operations = desk.summary("out").operations;
+    let pressures_Pa = operations.iter().map(|of| of.hydraulics.expect("a mud").pump_pressure_Pa);
+    let [pulled_Pa, lowered_Pa] = pressures_Pa.collect::<Vec<_>>()[..] else { panic!("two") };
+    assert!(pulled_Pa < 0.0 && lowered_Pa > 0.0, "{pulled_Pa} {lowered_Pa}");
+    let report = read(&fs::read_to_string(desk.path("out/report.html")).unwrap());
+    let rows = report.page_tables.iter().flat_map(|table| &table.rows);
+    let rows: Vec<_> = rows.collect();
+    let row = |label: &str| {
+        let is_it = |row: &&&Vec<Cell>| row[0] == Cell::Text(label.into());
+        rows.iter().find(is_it).unwrap_or_else(|| panic!("no {label}"))[1..].to_vec()
+    };
+    let pressure = |si: f64| Cell::quantity(si, "pressure");
+    assert_eq!(row("Swab below the bit"), [pressure(pulled_Pa), Cell::Nothing]);
+    assert_eq!(row("Pump pressure"), [Cell::Nothing, pressure(lowered_Pa)]);
+}
+
 /// Straight down at 60 deg: what the page draws of path, hole and string.
 #[test]
 fn path_hole_and_string_are_those_of_the_case() {

@@ -17,7 +17,8 @@ pub enum StabilityError {
     /// Nothing in the case falls with speed, and every point of the map is stable.
     #[error(
         "neither the torque of the bit nor the axial friction falls with speed in this case, \
-        so that nothing drives stick-slip and every speed and weight is stable. Give the hole a \
+        and its weights are too small for the rate of penetration to drive stick-slip (`heaviest` of \
+        [modes]), so that every speed and weight of the map is stable. Give the hole a \
         static friction above the kinetic one, such as friction = {{ kinetic = {kinetic}, static = \
         {at_rest} }}, or the bit a law that loses torque with speed (`bit.law` \"regenerative\" or \
         \"table\"); `modes.static_over_kinetic = {ratio}` assumes that ratio for this map alone"

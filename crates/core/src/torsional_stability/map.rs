@@ -89,6 +89,10 @@ impl<'a> TorsionalStability<'a> {
     /// the friction of a section of the hole, the torque of the bit, or the weight of a bit that
     /// cuts what its own passage before has left.
     ///
+    /// Without that only the rate of penetration drives it, under much weight: a bit that slows
+    /// down drills less than the string follows, which adds weight and torque (by `T/Ω` where the
+    /// string does not give way along the hole).
+    ///
     /// # Errors
     /// A bit without slopes.
     pub fn anything_falls(&self) -> Result<bool, StabilityError> {

@@ -1,6 +1,7 @@
 //! Weights and torques read at the surface.
 
-use wholestring_tabular::{CheckSeverity, ReadingCheck, read_readings};
+use wholestring_judge::{ReadingCheck, Severity};
+use wholestring_tabular::read_readings;
 use wholestring_units::UnitSet;
 
 use super::reader::{New, Reader};
@@ -56,13 +57,13 @@ fn csv() -> Reader {
                 assert!(weights.into_iter().flatten().all(f64::is_finite));
             }
             let (left, checks) = read.measured(UnitSet::Field);
-            let is_error = |of: &ReadingCheck| of.severity == CheckSeverity::Error;
+            let is_error = |of: &ReadingCheck| of.check.severity == Severity::Error;
             for of in &left.readings {
                 let weights = [of.pick_up_N, of.slack_off_N, of.rotating_N];
                 let is_load = |load: &f64| *load > 0.0;
                 assert!(weights.iter().flatten().all(is_load) || checks.iter().any(is_error));
             }
-            assert!(checks.iter().all(|of| !of.sentence.is_empty()));
+            assert!(checks.iter().all(|of| !of.check.sentence.is_empty()));
             true
         }
         Err(error) => {

@@ -1,6 +1,7 @@
 //! The path of a wellbore.
 
-use wholestring::well::{Station, TieIn};
+use wholestring::well::{Interpolation, Path, Station, TieIn};
+use wholestring_tabular::StatedPosition;
 
 use super::{
     chooser::{Chosen, label},
@@ -92,12 +93,21 @@ pub(super) fn read<'a>(
         let row = stations.get(index).map(|(_, row)| row);
         row.map_or_else(String::new, |row| format!("line {}", row.line()))
     };
-    for note in doubts::notes(&list, doubts::unit_set(unit), place) {
+    let set = doubts::unit_set(unit);
+    let tie_in = tie_in(reader, &stations[0], depths)?;
+    let stated = stated(reader, &stations, depths)?;
+    let start = tie_in.unwrap_or(TieIn { tvd_m: list[0].md_m, ..TieIn::default() });
+    let path = Path::new(&list, Interpolation::MinimumCurvature, start).map_err(|error| {
+        let row = &stations[error.index().unwrap_or(0)].1;
+        row.error("md", ImportErrorKind::Refused(format!("its stations make no path: {error}")))
+    })?;
+    let notes = doubts::positions(&list, &stated, &path, set, place).into_iter();
+    for note in notes.chain(doubts::notes(&list, set, place)) {
         reader.checked(note.text());
     }
     let phase = of.get("phase").map_or(String::new(), |phase| format!(" ({phase})"));
     let survey = Survey {
-        tie_in: tie_in(reader, &stations[0], depths)?,
+        tie_in,
         place: format!("{} stations of wellpath '{}'{phase}, {order}", stations.len(), label(of)),
         units: format!("{unit}, deg, deg"),
         stations: list,
@@ -209,4 +219,27 @@ fn tie_in(
         return Ok(None);
     };
     Ok(Some(TieIn { north_m: north.si(), east_m: east.si(), tvd_m: tvd.si() + depths.shift_m }))
+}
+
+/// Positions that the file states of its stations, from where its depths are counted.
+fn stated(
+    reader: &Reader,
+    stations: &[(Station, Row)],
+    depths: Depths,
+) -> Result<Vec<StatedPosition>, ImportError> {
+    let unit = reader.units.of(Measure::Length);
+    let of_row = |(_, row): &(Station, Row)| {
+        // A zero stands for what was not entered.
+        let length_m = |column| -> Result<Option<f64>, ImportError> {
+            let written = row.number(column)?.filter(|number| *number != 0.0);
+            Ok(written.map(|number| unit.to_si(number)))
+        };
+        Ok(StatedPosition {
+            tvd_m: length_m("tvd")?.map(|tvd_m| tvd_m + depths.shift_m),
+            north_m: length_m("offset_north")?,
+            east_m: length_m("offset_east")?,
+            dogleg_severity_rad_per_m: None,
+        })
+    };
+    stations.iter().map(of_row).collect()
 }

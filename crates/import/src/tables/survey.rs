@@ -2,8 +2,7 @@
 
 use wholestring::well::{Interpolation, Path};
 use wholestring_tabular::{
-    About, Column, ImportedSurvey, Said, Stated, SurveyTable, TableErrorKind, position_checks,
-    read_all,
+    About, Column, ImportedSurvey, Said, Stated, SurveyTable, TableErrorKind, read_all,
 };
 use wholestring_units::Dimension;
 
@@ -56,17 +55,8 @@ fn checked(survey: &ImportedSurvey, name: &str) -> Result<Vec<Note>, ImportError
         let kind = ImportErrorKind::Refused(format!("its stations make no path: {error}"));
         ImportError::new(name, place, kind)
     })?;
-    let checks = position_checks(survey, &path, set).into_iter();
-    let mut notes: Vec<Note> = checks
-        .map(|check| match check.agrees {
-            true => Note::Checked(check.sentence),
-            false => {
-                let row = survey.places.row_name(check.index);
-                Note::Checked(format!("{} ({row}); {}", check.sentence, check.reason))
-            }
-        })
-        .collect();
     let place = |index| survey.places.row_name(index);
+    let mut notes = doubts::positions(&survey.stations, &survey.stated, &path, set, place);
     notes.extend(doubts::notes(&survey.stations, set, place));
     Ok(notes)
 }

@@ -1,12 +1,13 @@
 //! `trajectory`: the path of the well.
 
 use wholestring::well::{Interpolation, Path, Station, TieIn};
-use wholestring_units::Dimension;
+use wholestring_tabular::StatedPosition;
+use wholestring_units::{Dimension, UnitSet};
 
 use super::{
     columns::Units,
     depths::datum,
-    measure::{Measure, Source, metres, short},
+    measure::{Measure, Source, short},
     object::Object,
     tree::Node,
 };
@@ -18,10 +19,6 @@ use crate::{
 
 /// No hole is deeper along its axis, m.
 const DEEPEST_M: f64 = 1e5;
-
-/// True vertical depths that differ by less agree: they are written to the centimetre at best, and
-/// summed up over the stations, m.
-const SAME_TVD_M: f64 = 0.1;
 
 /// A station, and the element that it was found in.
 struct Found<'a> {
@@ -72,13 +69,10 @@ pub(crate) fn read(
     }
     notes.extend(units.note());
     let tie_in = tie_in(first, source, notes)?;
-    check_depths(&stations, tie_in, source, notes)?;
+    let set = doubts::unit_set(&units.said());
+    notes.extend(positions(&stations, tie_in, source, set)?);
     let list: Vec<Station> = stations.iter().map(|found| found.station).collect();
-    let place = |index: usize| {
-        let found = stations.get(index);
-        found.map_or_else(String::new, |found| format!("line {}", found.node.line))
-    };
-    notes.extend(doubts::notes(&list, doubts::unit_set(&units.said()), place));
+    notes.extend(doubts::notes(&list, set, |index| line_of(&stations, index)));
     says_how(object, &stations, notes);
     fragment.survey = Some(Survey {
         place: format!(
@@ -214,49 +208,38 @@ fn tie_in(
     Ok((tie_in != TieIn::default() || md_m != 0.0).then_some(tie_in))
 }
 
-/// Holds the depths that stations say against those of the path through them.
-fn check_depths(
+/// Notes on the positions that stations state against those of the path through them.
+fn positions(
     stations: &[Found],
     tie_in: Option<TieIn>,
     source: &Source,
-    notes: &mut Vec<Note>,
-) -> Result<(), ImportError> {
-    let path: Vec<Station> = stations.iter().map(|found| found.station).collect();
-    let start = tie_in.unwrap_or(TieIn { tvd_m: path[0].md_m, ..TieIn::default() });
-    let path = Path::new(&path, Interpolation::MinimumCurvature, start).map_err(|error| {
+    set: UnitSet,
+) -> Result<Vec<Note>, ImportError> {
+    let list: Vec<Station> = stations.iter().map(|found| found.station).collect();
+    let start = tie_in.unwrap_or(TieIn { tvd_m: list[0].md_m, ..TieIn::default() });
+    let path = Path::new(&list, Interpolation::MinimumCurvature, start).map_err(|error| {
         let kind = ImportErrorKind::Refused(format!("its stations make no path: {error}"));
-        source.error(stations[0].node.line, kind)
+        source.error(stations[error.index().unwrap_or(0)].node.line, kind)
     })?;
-    let mut worst: Option<(f64, &Found)> = None;
-    let mut count = 0;
-    for found in &stations[1..] {
-        let Some(tvd) = source.optional(found.node, "tvd", Dimension::Length, &mut Vec::new())?
-        else {
-            continue;
+    let stated = stations.iter().map(|found| {
+        let length_m = |name| -> Result<Option<f64>, ImportError> {
+            let length = source.optional(found.node, name, Dimension::Length, &mut Vec::new())?;
+            Ok(length.map(|length| length.si()))
         };
-        count += 1;
-        let off_m = (path.at(found.station.md_m).position_m.z - tvd.si()).abs();
-        if worst.is_none_or(|(so_far_m, _)| off_m > so_far_m) {
-            worst = Some((off_m, found));
-        }
-    }
-    let Some((off_m, found)) = worst else { return Ok(()) };
-    notes.push(Note::Checked(if off_m <= SAME_TVD_M {
-        format!(
-            "the tvd of {}, within {} of the path by minimum curvature",
-            stations_of(count),
-            metres(SAME_TVD_M)
-        )
-    } else {
-        format!(
-            "the tvd of {}, off the path by minimum curvature: by {} at {} (line {})",
-            stations_of(count),
-            metres(off_m),
-            found.md.written,
-            found.node.line
-        )
-    }));
-    Ok(())
+        Ok(StatedPosition {
+            tvd_m: length_m("tvd")?,
+            north_m: length_m("dispNs")?,
+            east_m: length_m("dispEw")?,
+            dogleg_severity_rad_per_m: None,
+        })
+    });
+    let stated = stated.collect::<Result<Vec<_>, ImportError>>()?;
+    Ok(doubts::positions(&list, &stated, &path, set, |index| line_of(stations, index)))
+}
+
+/// `line 12`: where a station stands in its file.
+fn line_of(stations: &[Found], index: usize) -> String {
+    stations.get(index).map_or_else(String::new, |found| format!("line {}", found.node.line))
 }
 
 /// What the trajectory says of itself that an engineer asks.

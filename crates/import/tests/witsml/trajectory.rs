@@ -61,8 +61,38 @@ fn the_first_station_says_where_it_lies() {
     assert_eq!(values(&text, "east"), ["\"-6.096 m\""]);
     let untied = trajectory(&(station("500", "0", "0") + &station("1000", "5", "45")));
     assert!(text_of(&untied).contains("the first station, at 500 m, does not say its tvd"));
-    // What stations say is held against the path.
-    let deep = station("1000", "0", "0").replace("<incl", "<tvd uom='m'>900</tvd><incl");
-    let text = text_of(&trajectory(&(station("0", "0", "0") + &deep)));
-    assert!(text.contains("off the path by minimum curvature: by 100 m at 1000 m"), "{text}");
+}
+
+/// Positions that stations state are compared with those of the path, each column on its own, and
+/// turns that no pipe endures are named with the station's line.
+#[test]
+fn stations_are_checked_against_their_own_positions_and_by_what_pipe_endures() {
+    let stated = |md: &str, inclination: &str, more: &str| {
+        station(md, inclination, "0").replace("<incl", &format!("{more}<incl"))
+    };
+    let deep = stated("1000", "0", "<tvd uom='m'>900</tvd>");
+    let text = text_of(&trajectory(
+        &(station("0", "0", "0") + &stated("500", "0", "<tvd uom='m'>500</tvd>") + &deep),
+    ));
+    let warning = "true vertical depth of the file is 100.00 m less than what follows from its \
+                   angles by minimum curvature, at 1000 m";
+    assert!(text.contains(warning), "{text}");
+    // A quarter of a circle of 1200/π m ends as far north as it ends below its beginning.
+    let north = |north: &str| {
+        let end = format!("<tvd uom='m'>381.97</tvd><dispNs uom='m'>{north}</dispNs>");
+        let begin = "<tvd uom='m'>0</tvd><dispNs uom='m'>0</dispNs>";
+        text_of(&trajectory(&(stated("0", "0", begin) + &stated("600", "90", &end))))
+    };
+    let agreeing = north("381.97");
+    assert!(
+        agreeing.contains("differ from those of the file as rounding makes them"),
+        "{agreeing}"
+    );
+    let text = north("400");
+    assert!(text.contains("north of the file is 18.03 m more than what follows"), "{text}");
+    let slip = station("0", "0", "0") + &station("1000", "40", "0") + &station("1030", "4", "0");
+    let text =
+        text_of(&trajectory(&(slip + &station("1060", "41", "0") + &station("2000", "41", "0"))));
+    assert!(text.contains("deg/30 m") || text.contains("deg/30m"), "{text}");
+    assert!(text.contains("is 4 a slip of 4"), "{text}");
 }

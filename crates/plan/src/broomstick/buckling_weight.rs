@@ -8,7 +8,7 @@ use wholestring::{
 use wholestring_judge::NoAnswer;
 
 use super::{Broomstick, FrictionLevel};
-use crate::root::root;
+use crate::root;
 
 /// More weight than any bit bears, N: a string that stands it does not buckle.
 const MOST_N: f64 = 5e6;

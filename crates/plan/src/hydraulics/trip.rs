@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use wholestring::{mud::Motion, operation::Operation};
 
 use super::passage::Passages;
-use crate::root::root;
+use crate::root;
 
 /// A flow that no string lets through, m³/s: the search for one that is large enough ends there.
 const MOST_M3_PER_S: f64 = 1e3;

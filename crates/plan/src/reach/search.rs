@@ -7,7 +7,7 @@ use super::{
     margin::{Margin, margins},
     settings::{ReachError, ReachSettings},
 };
-use crate::{Setup, root::root};
+use crate::{Setup, root};
 
 /// How a limit ends the way down.
 #[derive(Debug, Clone, Copy, PartialEq)]

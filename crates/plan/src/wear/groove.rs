@@ -2,7 +2,7 @@
 
 use std::{convert::Infallible, f64::consts::PI};
 
-use crate::root::root;
+use crate::root;
 
 /// A groove: what a circle of the joint's radius takes of the casing outside its bore.
 #[derive(Debug, Clone, Copy, PartialEq)]

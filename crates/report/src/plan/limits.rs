@@ -1,18 +1,9 @@
-//! The limits on a plan's page: the nearest of each kind, lights beside words.
+//! The limits on a plan's page: the nearest of each kind, severities beside words.
 
 use super::{Plan, PlanLimitRow, PlanVerdict};
 use crate::grid_cells::head;
 use crate::operation_words::{four, operation_name};
-use crate::{Grid, Severity, StudyPart, Verdict, plots::Shown};
-
-/// The light of a severity. Words stand beside all of them.
-fn light(severity: Severity) -> Verdict {
-    match severity {
-        Severity::Ok => Verdict::Agrees,
-        Severity::Note => Verdict::Near,
-        Severity::Warning | Severity::Error => Verdict::Differs,
-    }
-}
+use crate::{Grid, StudyPart, Verdict, plots::Shown};
 
 /// The checks that need attention, the most severe first.
 pub(super) fn verdicts(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
@@ -21,7 +12,7 @@ pub(super) fn verdicts(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let row = |found: &PlanVerdict| {
         let plain = |text: String| (text, Verdict::None);
         vec![
-            (found.verdict.clone(), light(found.severity)),
+            (found.verdict.clone(), Verdict::Judged(found.severity)),
             plain(found.label.clone()),
             plain(format!("{}, {}", operation_name(&found.operation), found.model)),
             plain(found.friction.clone()),
@@ -62,7 +53,9 @@ pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
         let mut cells = vec![(kind.to_owned(), Verdict::None), (two(required), Verdict::None)];
         cells.extend(operations.iter().map(|operation| {
             match of_kind().find(|of| of.operation == *operation) {
-                Some(of) => (format!("{} {}", two(of.factor), of.verdict), light(of.severity)),
+                Some(of) => {
+                    (format!("{} {}", two(of.factor), of.verdict), Verdict::Judged(of.severity))
+                }
                 None => (String::new(), Verdict::None),
             }
         }));
@@ -114,7 +107,7 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         let plain = |text: String| (text, Verdict::None);
         vec![
             plain(of.kind.clone()),
-            (of.verdict.clone(), light(of.severity)),
+            (of.verdict.clone(), Verdict::Judged(of.severity)),
             plain(operation_name(&of.operation)),
             plain(of.friction.clone()),
             plain(place),

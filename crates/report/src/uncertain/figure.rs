@@ -46,10 +46,10 @@ pub(crate) fn figure(of: &Uncertain, title: &str) -> Option<Figure> {
     if panels.is_empty() {
         return None;
     }
-    let named = operations.iter().filter(|of| !of.is_empty()).map(|of| Key {
-        name: operation_name(of),
-        sample: Sample::Band(Ink::Line(colour(of))),
-    });
+    let named = operations
+        .iter()
+        .filter(|of| !of.is_empty())
+        .map(|of| Key { name: operation_name(of), sample: Sample::Band(Ink::Line(colour(of))) });
     let what = [
         Key { name: "bar: total index".into(), sample: Sample::Words },
         Key { name: "first-order index".into(), sample: Sample::Point(Ink::Text, Shape::Circle) },

@@ -10,7 +10,7 @@ import { depthAxis } from "../../../../web/components/track.ts";
 import { digits, quantity, shown, si, symbol } from "../../../../web/components/units.ts";
 import { csv, downloads, svgFile } from "./downloads.js";
 import { placedOf } from "./checks.js";
-import { SEVERITIES } from "./severities.js";
+import { inkOf, SEVERITIES } from "./severities.js";
 import { curveName, look } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isShown, sized, tracksOf } from "./track.js";
@@ -192,8 +192,8 @@ export function tracks(report) {
     for (const check of placedOf(report).reverse()) {
       const { severity: level, label, md_m, to_md_m } = check;
       if (depth < md_m - reach || depth > (to_md_m ?? md_m) + reach) continue;
-      const [word, ink] = SEVERITIES[level];
-      rows.push({ colour: `var(--${ink})`, text: `${word}: ${label}` });
+      const [word] = SEVERITIES[level];
+      rows.push({ colour: inkOf(level), text: `${word}: ${label}` });
     }
     if (rows.length === 0) return hideTip();
     showTip(event, [under?.track.title, `MD ${quantity(depth, "length", 5)}`].filter(Boolean).join(", "), rows);

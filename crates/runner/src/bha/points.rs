@@ -8,6 +8,7 @@ use wholestring::{
     statics::assembly::{self, AssemblySettings, in_straight_hole},
 };
 use wholestring_results::{BhaFound, BhaPoint, BhaVaried};
+use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
     cancellation::CancellationToken,
@@ -51,6 +52,8 @@ pub(super) struct Base<'a> {
     pub(super) settings: &'a AssemblySettings,
     /// How much of the string is solved, m.
     pub(super) solved_m: f64,
+    /// Units of messages.
+    pub(super) units: UnitSet,
     pub(super) jobs: usize,
     pub(super) cancellation: &'a CancellationToken,
 }
@@ -104,9 +107,9 @@ impl Base<'_> {
             weights.iter().find(|weight_N| !(0.0..=MAX_WEIGHT_N).contains(*weight_N))
         {
             return Err(Error::BadInput(format!(
-                "a weight on bit of {:.1} kN is outside 0 to {} kN",
-                1e-3 * wrong,
-                1e-3 * MAX_WEIGHT_N
+                "a weight on bit of {} is outside 0 to {}",
+                Dimension::Force.format(*wrong, self.units),
+                Dimension::Force.format(MAX_WEIGHT_N, self.units)
             )));
         }
         let inclinations = match &sweeps.inclinations_rad {
@@ -119,7 +122,7 @@ impl Base<'_> {
                 wrong / DEGREE
             )));
         }
-        check_build(sweeps.build_rate_rad_per_m)?;
+        check_build(sweeps.build_rate_rad_per_m, self.units)?;
         let all = [
             (BhaVaried::Toolface, toolfaces),
             (BhaVaried::Weight, weights),
@@ -185,15 +188,15 @@ impl Base<'_> {
 }
 
 /// Whether holes are built at such a rate, rad/m.
-fn check_build(rate_rad_per_m: f64) -> Result<(), Error> {
+fn check_build(rate_rad_per_m: f64, units: UnitSet) -> Result<(), Error> {
     if rate_rad_per_m.abs() <= MAX_BUILD_RAD_PER_M {
         return Ok(());
     }
-    let per_30_m = |rate: f64| 30.0 * rate / DEGREE;
+    let rate = |rad_per_m: f64| Dimension::DoglegSeverity.format(rad_per_m, units);
     Err(Error::BadInput(format!(
-        "a build rate of {} deg/30m is outside -{most} to {most} deg/30m",
-        per_30_m(rate_rad_per_m).round(),
-        most = per_30_m(MAX_BUILD_RAD_PER_M).round(),
+        "a build rate of {} is outside -{most} to {most}",
+        rate(rate_rad_per_m),
+        most = rate(MAX_BUILD_RAD_PER_M),
     )))
 }
 

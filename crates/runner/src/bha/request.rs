@@ -157,6 +157,7 @@ fn solve(
         operation,
         settings: &AssemblySettings { extent: AssemblySettings::default().extent, ..settings },
         solved_m: found.nodes.last().map_or(0.0, |top| top.from_bit_m),
+        units: request.units.unwrap_or(case.units),
         jobs: jobs(request.jobs),
         cancellation,
     };

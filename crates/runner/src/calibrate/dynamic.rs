@@ -54,7 +54,11 @@ struct Moved {
 }
 
 /// The strings and depths that are computed.
-pub(super) fn chosen(check: &CheckDynamics, data: &Readings) -> Result<Vec<(usize, f64)>, Error> {
+pub(super) fn chosen(
+    check: &CheckDynamics,
+    data: &Readings,
+    units: UnitSet,
+) -> Result<Vec<(usize, f64)>, Error> {
     let mut all: Vec<(usize, f64)> = Vec::new();
     for of in data.readings.iter().chain(&data.held_out) {
         if !all.contains(&(of.setup, of.bit_depth_m)) {
@@ -78,10 +82,12 @@ pub(super) fn chosen(check: &CheckDynamics, data: &Readings) -> Result<Vec<(usiz
         let before = found.len();
         found.extend(near);
         if found.len() == before {
-            let depths = all.iter().map(|of| format!("{:.1} m", of.1)).collect::<Vec<_>>();
+            let depth = |md_m: f64| Dimension::Length.format(md_m, units);
+            let depths = all.iter().map(|(_, md_m)| depth(*md_m)).collect::<Vec<_>>();
             return Err(Error::BadInput(format!(
-                "nothing was read with the bit at {depth_m:.1} m, where the dynamics are to check it; readings are \
+                "no reading has the bit at {}, where the dynamics are to check it; readings are \
                  at {}",
+                depth(*depth_m),
                 depths.join(", ")
             )));
         }

@@ -6,6 +6,7 @@ use std::{
 };
 
 use wholestring::outcome::ModelKind;
+use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::{
     Calibration, CalibrationError, LOSS, Outliers, Settings, calibrate, outliers,
 };
@@ -13,7 +14,6 @@ use wholestring_report as report;
 use wholestring_results::{
     CALIBRATION_VERSION, CalibrationSummary, Occupant, OutlierComparison, digest,
 };
-use wholestring_tabular::{CheckSeverity, ReadingCheck};
 use wholestring_units::UnitSet;
 
 use super::{
@@ -117,7 +117,7 @@ pub fn run(
         (None, _) => (data, None),
     };
     let check = match &request.check {
-        Some(check) => Some((check, dynamic::chosen(check, &data)?)),
+        Some(check) => Some((check, dynamic::chosen(check, &data, units)?)),
         None => None,
     };
     let name = format!("{} calibration", first.case.name);
@@ -157,15 +157,15 @@ pub fn run(
         let of = (request.cases, check);
         summary.dynamics = dynamic::checked(of, &data, &found, &depths, observer, cancellation);
         let warnings = dynamic::warnings(&summary.dynamics, units).into_iter();
-        all.extend(warnings.map(|sentence| checks::warning("dynamics", sentence)));
+        all.extend(warnings.map(|sentence| checks::warning(CheckKind::CheckByDynamics, sentence)));
     }
     let interrupted = cancellation.is_cancelled();
     if interrupted {
         let sentence = "the check by the dynamics was interrupted".to_owned();
-        all.push(checks::warning("interrupted", sentence));
+        all.push(checks::warning(CheckKind::Interrupted, sentence));
     }
-    summary.notes.extend(checks::sentences(&all, CheckSeverity::Note));
-    summary.warnings = checks::sentences(&all, CheckSeverity::Warning);
+    summary.notes.extend(checks::sentences(&all, Severity::Note));
+    summary.warnings = checks::sentences(&all, Severity::Warning);
     summary.checks = checks::recorded(&all);
     tables::write(folder, &data, &summary, &found)?;
     folder.write_file(toml::FRAGMENT, fragment.as_bytes())?;
@@ -242,11 +242,11 @@ fn outlier_check(comparison: Option<&OutlierComparison>) -> Option<ReadingCheck>
             of.outliers.join(", ")
         ),
     };
-    Some(ReadingCheck {
-        value: Some(count as f64),
-        places: of.outliers.clone(),
-        ..checks::warning("outliers", sentence)
-    })
+    Some(
+        checks::warning(CheckKind::Outliers, sentence)
+            .numbers([Some(count as f64), None])
+            .on(of.outliers.clone()),
+    )
 }
 
 fn find(

@@ -5,9 +5,9 @@ use std::{fmt::Write, fs, path::Path};
 use toml_edit::{DocumentMut, Item};
 use wholestring::well::{HoleKind, HoleSection};
 use wholestring_case::{Case, MAX_FRICTION, Override};
+use wholestring_judge::{CheckKind, ReadingCheck};
 use wholestring_plan::calibration::{Calibration, Factors, Parameter};
 use wholestring_results::{CalibrationSummary, EstimateFound, ResultsError};
-use wholestring_tabular::ReadingCheck;
 use wholestring_units::{Dimension, UnitSet};
 
 use super::checks;
@@ -133,7 +133,7 @@ pub(super) fn fragment(
     let refused = first.template.case(&changes).err().map(|report| {
         let reason = report.diagnostics.first().map_or(String::new(), |of| of.message.clone());
         let sentence = format!("the case does not take what {FRAGMENT} has: {reason}");
-        checks::warning("fragment", sentence)
+        checks::warning(CheckKind::CaseFragment, sentence)
     });
     (text, refused)
 }

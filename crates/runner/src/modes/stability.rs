@@ -70,13 +70,12 @@ fn map(
     let lines = lines?;
     // A map that could not have come out otherwise would be taken for a result.
     let stable = |line: &StabilityLine| line.threshold == Threshold::Everywhere;
-    if lines.iter().all(stable)
-        && of_case.threshold == Threshold::Everywhere
-        && !string.anything_falls()?
-    {
+    let falls = string.anything_falls()?;
+    if lines.iter().all(stable) && of_case.threshold == Threshold::Everywhere && !falls {
         return Err(string.nothing_falls());
     }
     let summary = StabilitySummary::new(&of_case, settings.highest_Hz);
+    let summary = StabilitySummary { driven_by_rate: !falls, ..summary };
     Ok(Stability { summary, lines })
 }
 
@@ -140,6 +139,15 @@ pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
             growth.abs(),
             if growth > 0.0 { ", fastest of all" } else { ", slowest of all" },
         ));
+    }
+    if of.driven_by_rate {
+        sentences.push(
+            "Neither the torque of the bit nor the axial friction falls with speed in \
+             this case: what is unstable on the map is driven by the rate of penetration. A bit \
+             that slows down drills less than the string follows, so that its weight grows, and \
+             its torque with it."
+                .into(),
+        );
     }
     if of.stalls {
         sentences.push(format!(

@@ -8,6 +8,7 @@ use wholestring_plan::{
     Broomstick, BroomstickPoint, BroomstickTask, FrictionLevel, Frictions, LevelFriction, Statics,
 };
 use wholestring_results::{Column, Data, PlanPoint, Table, plan_broomstick_table};
+use wholestring_units::Dimension;
 
 use super::rows;
 use crate::{
@@ -148,9 +149,13 @@ fn depths_m(request: &BroomstickRequest<'_>) -> Result<Vec<f64>, Error> {
     let mut depths_m = request.bit_depths_m.clone();
     let is_there = |depth_m: &f64| *depth_m > shallowest_m && *depth_m <= deepest_m;
     if let Some(depth_m) = depths_m.iter().find(|depth_m| !is_there(depth_m)) {
+        let depth = |md_m: f64| Dimension::Length.format(md_m, case.units);
         return Err(Error::BadInput(format!(
-            "a bit depth of {depth_m} m is out of range: what stands below the pipe that runs to \
-             surface is {shallowest_m:.1} m long, and hole and survey end at {deepest_m:.1} m"
+            "a bit depth of {} is out of range: the string below the pipe that runs to surface is \
+             {} long, and hole and survey end at {}",
+            depth(*depth_m),
+            depth(shallowest_m),
+            depth(deepest_m)
         )));
     }
     depths_m.sort_by(f64::total_cmp);

@@ -9,6 +9,7 @@ use wholestring_plan::{
     hydraulics::GelBreak,
 };
 use wholestring_results::{PlanCheck, PlanGel, PlanHistory, PlanPeak, PlanPeakOf};
+use wholestring_units::{Dimension, UnitSet};
 
 /// Part of what it comes to by which a hook load may still drift: beyond it the watch was short.
 const DRIFT: f64 = 0.01;
@@ -152,12 +153,14 @@ pub(super) struct Parts {
     pub(super) lacking: Vec<String>,
     /// Runs that were asked for.
     pub(super) asked: usize,
+    /// Units of the sentences.
+    units: UnitSet,
 }
 
 impl Parts {
-    /// Of so many runs that were asked for.
-    pub(super) fn of(asked: usize) -> Self {
-        Self { asked, ..Self::default() }
+    /// Of so many runs that were asked for, with sentences in these units.
+    pub(super) fn of(asked: usize, units: UnitSet) -> Self {
+        Self { asked, units, ..Self::default() }
     }
 
     /// Adds what came of a run.
@@ -171,8 +174,9 @@ impl Parts {
             }
             Ran::Wear { operation, found: Ok(share), .. } => self.wear.push((operation, share)),
             Ran::Wear { operation, bit_depth_m, found: Err(why) } => self.lacking.push(format!(
-                "no wear by the dynamics: {} at {bit_depth_m:.0} m, {why}",
-                operation.replace('_', " ")
+                "no wear by the dynamics: {} at {}, {why}",
+                operation.replace('_', " "),
+                Dimension::Length.format(bit_depth_m, self.units)
             )),
         }
     }

@@ -252,7 +252,8 @@ impl<'a> Work<'a> {
         let (mut all_taken, mut all_measured) = (Vec::new(), Vec::new());
         let mut sampled = Vec::new();
         let is_run = |task: &&PlanTask| matches!(task, PlanTask::Dynamic(_));
-        let mut parts = Parts::of(self.list.iter().filter(is_run).count());
+        let asked_runs = self.list.iter().filter(is_run).count();
+        let mut parts = Parts::of(asked_runs, self.request.units.unwrap_or(case.units));
         for (task, one) in self.list.iter().zip(done) {
             let Some(one) = one else {
                 if let PlanTask::Sample(_) = task {

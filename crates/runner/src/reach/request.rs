@@ -14,7 +14,7 @@ use wholestring_results::{
     Occupant, REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary, digest,
     reach_limits_table,
 };
-use wholestring_units::UnitSet;
+use wholestring_units::{Dimension, UnitSet};
 
 use super::{
     operations::{Operations, operations},
@@ -107,6 +107,8 @@ impl<'a> Request<'a> {
 
     fn settings(&self) -> Result<ReachSettings, Error> {
         let bad = |text: String| Err(Error::BadInput(text));
+        let units = self.units.unwrap_or(self.case.units);
+        let depth = |md_m: f64| Dimension::Length.format(md_m, units);
         let setup = self.case.setup();
         let shallowest_m = setup.shallowest_m();
         let end_m = self.case.model.well.path.last_md_m();
@@ -118,19 +120,22 @@ impl<'a> Request<'a> {
         settings.factors = self.case.plan.limits.factors;
         if from_m <= shallowest_m {
             return bad(format!(
-                "the reach begins with the bit at {from_m:.0} m, but what stands below the pipe that \
-                 runs to surface is {shallowest_m:.0} m long"
+                "the reach begins with the bit at {}, but the string below the pipe that runs to \
+                 surface is {} long",
+                depth(from_m),
+                depth(shallowest_m)
             ));
         }
         if settings.to_m <= from_m {
-            let to_m = settings.to_m;
             return bad(format!(
-                "the reach ends at {to_m:.0} m, which is not below its beginning at {from_m:.0} m"
+                "the reach ends at {}, which is not below its beginning at {}",
+                depth(settings.to_m),
+                depth(from_m)
             ));
         }
         if settings.to_m > DEEPEST_M {
-            let to_m = settings.to_m;
-            return bad(format!("the reach ends at {to_m:.0} m: 100 km are the most"));
+            let (to, most) = (depth(settings.to_m), depth(DEEPEST_M));
+            return bad(format!("the reach ends at {to}: {most} is the most"));
         }
         for friction in &self.frictions {
             if !(0.0..=MOST_FRICTION).contains(friction) {

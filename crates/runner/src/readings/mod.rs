@@ -7,10 +7,9 @@ pub use named_case::NamedCase;
 use std::{borrow::Cow, path::Path};
 
 use wholestring_case::Override;
+use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::{Assembly, Channel, Reading};
-use wholestring_tabular::{
-    CheckSeverity, ImportedReading, ImportedReadings, ReadingCheck, read_readings,
-};
+use wholestring_tabular::{ImportedReading, ImportedReadings, read_readings};
 use wholestring_units::{Dimension, Unit, UnitSet};
 
 use crate::{error::Error, survey};
@@ -66,8 +65,8 @@ fn units_of(cases: &[NamedCase<'_>]) -> UnitSet {
 
 /// The checks that leave no answer, as one error.
 pub(crate) fn refused(name: &str, checks: &[ReadingCheck]) -> Result<(), Error> {
-    let errors = checks.iter().filter(|of| of.severity == CheckSeverity::Error);
-    let errors: Vec<&str> = errors.map(|of| of.sentence.as_str()).collect();
+    let errors = checks.iter().filter(|of| of.check.severity == Severity::Error);
+    let errors: Vec<&str> = errors.map(|of| of.check.sentence.as_str()).collect();
     match errors[..] {
         [] => Ok(()),
         _ => Err(Error::BadInput(format!("{name}: {}", errors.join("\n")))),
@@ -193,19 +192,14 @@ fn within(
         ));
     }
     if depth_m > most + ROUNDED_M {
-        checks.push(ReadingCheck {
-            kind: "rounded_depth",
-            severity: CheckSeverity::Note,
-            places: vec![row.place.clone()],
-            value: Some(depth_m),
-            limit: Some(most),
-            sentence: format!(
-                "{}: the bit is at {}, rounded beyond the end of hole and survey at {}; taken as at the end",
-                row.place,
-                shown(depth_m),
-                shown(most)
-            ),
-        });
+        let sentence = format!(
+            "{}: the bit is at {}, rounded beyond the end of hole and survey at {}; taken as at the end",
+            row.place,
+            shown(depth_m),
+            shown(most)
+        );
+        let check = ReadingCheck::new(CheckKind::RoundedDepth, Severity::Note, sentence);
+        checks.push(check.numbers([depth_m, most].map(Some)).on(vec![row.place.clone()]));
     }
     let depth_m = depth_m.min(most);
     if depth_m <= least {

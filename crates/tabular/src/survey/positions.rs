@@ -1,10 +1,10 @@
 //! The positions of a file against those that follow from its angles.
 
-use wholestring::well::{Interpolation, Path, PathPoint};
+use wholestring::well::{Interpolation, Path, PathPoint, Station};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
-    imported::{ImportedSurvey, StatedPosition},
+    imported::StatedPosition,
     quantities::{depth, difference},
 };
 
@@ -35,9 +35,14 @@ pub struct PositionCheck {
 }
 
 /// The positions of a file against those of a path through its stations, and its doglegs; nothing of what the file does not
-/// have. `set` has the units of the sentences.
-pub fn position_checks(survey: &ImportedSurvey, path: &Path, set: UnitSet) -> Vec<PositionCheck> {
-    let points: Vec<_> = survey.stations.iter().map(|station| path.at(station.md_m)).collect();
+/// have. `stated` has what the file says of each station; `set` has the units of the sentences.
+pub fn position_checks(
+    stations: &[Station],
+    stated: &[StatedPosition],
+    path: &Path,
+    set: UnitSet,
+) -> Vec<PositionCheck> {
+    let points: Vec<_> = stations.iter().map(|station| path.at(station.md_m)).collect();
     let curve = match path.interpolation() {
         Interpolation::MinimumCurvature => "minimum curvature",
         Interpolation::Spline => "the spline",
@@ -52,14 +57,15 @@ pub fn position_checks(survey: &ImportedSurvey, path: &Path, set: UnitSet) -> Ve
     let mut within: Vec<String> = Vec::new();
     for (name, stated_m, axis) in columns {
         let computed = points.iter().map(|point| point.position_m[axis]);
-        let stations = survey.stations.iter().zip(&survey.stated).zip(computed).enumerate();
-        let rows: Vec<Row> = stations
+        let all = stations.iter().zip(stated).zip(computed).enumerate();
+        let rows: Vec<Row> = all
             .filter_map(|(index, ((station, stated), computed_m))| {
                 let stated_m = stated_m(stated)?;
                 Some(Row { index, md_m: station.md_m, stated_m, computed_m })
             })
             .collect();
-        let Some(worst) = worst(&rows) else { continue };
+        // Positions are compared from the first on: one alone is no comparison.
+        let Some(worst) = worst(&rows).filter(|_| rows.len() > 1) else { continue };
         if worst.difference_m.abs() <= worst.rounding_m {
             within.push(format!("{name} by {}", difference(largest(&rows), set)));
             continue;
@@ -85,7 +91,7 @@ pub fn position_checks(survey: &ImportedSurvey, path: &Path, set: UnitSet) -> Ve
         );
         checks.insert(0, PositionCheck { agrees: true, index: 0, sentence, reason: String::new() });
     }
-    checks.extend(severity(survey, &points, set));
+    checks.extend(severity(stations, stated, &points, set));
     checks
 }
 
@@ -149,8 +155,13 @@ fn largest(rows: &[Row]) -> f64 {
 }
 
 /// The largest difference of dogleg severities.
-fn severity(survey: &ImportedSurvey, points: &[PathPoint], set: UnitSet) -> Option<PositionCheck> {
-    let rows = survey.stations.windows(2).zip(points.windows(2)).zip(survey.stated.iter().skip(1));
+fn severity(
+    stations: &[Station],
+    stated: &[StatedPosition],
+    points: &[PathPoint],
+    set: UnitSet,
+) -> Option<PositionCheck> {
+    let rows = stations.windows(2).zip(points.windows(2)).zip(stated.iter().skip(1));
     let differences = rows.enumerate().filter_map(|(above, ((stations, points), stated))| {
         let said = stated.dogleg_severity_rad_per_m?;
         let length_m = stations[1].md_m - stations[0].md_m;
@@ -165,7 +176,7 @@ fn severity(survey: &ImportedSurvey, points: &[PathPoint], set: UnitSet) -> Opti
         "dogleg severity differs from that of the file by {:.2} {} at {}",
         unit.from_si(off),
         unit.symbol,
-        depth(survey.stations[index].md_m, set)
+        depth(stations[index].md_m, set)
     );
     let agrees = off <= rounding;
     Some(PositionCheck {

@@ -1,6 +1,6 @@
 //! Keys that do not suit the kind of bit, and cutters that suit none.
 
-use wholestring_units::number_text;
+use wholestring_units::Dimension;
 
 use wholestring_config::{diagnostic::Diagnostic, names::any_of, reader::Reader, rule::Table};
 
@@ -20,9 +20,9 @@ impl FaceTable {
         let Some((given, what)) = fine else {
             return Some(());
         };
-        let least = number_text((min_m * 1e4).ceil() * 1e-1);
+        let least = reader.at_least(Dimension::Diameter, min_m);
         Diagnostic::error(format!("the {what} are too fine for this bit"))
-            .at(given.place, format!("expected at least {least} mm, a fiftieth of its diameter"))
+            .at(given.place, format!("expected at least {least}, a fiftieth of its diameter"))
             .refuse(reader)
     }
 

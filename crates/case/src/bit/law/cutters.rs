@@ -73,8 +73,3 @@ impl CuttersKeys {
         })
     }
 }
-
-/// A force for messages.
-pub(super) fn kilonewtons(force_N: f64) -> String {
-    number_text((force_N * 1e-2).round() * 1e-1)
-}

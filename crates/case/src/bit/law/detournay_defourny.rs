@@ -3,11 +3,7 @@
 use wholestring::dynamics::{BitLaw, DetournayDefournyLaw};
 use wholestring_config::prelude::*;
 
-use super::{
-    cutters::{CuttersKeys, kilonewtons},
-    front::FrontKeys,
-    law_keys::LawKeys,
-};
+use super::{cutters::CuttersKeys, front::FrontKeys, law_keys::LawKeys};
 use crate::bit::around::Around;
 
 /// Where the case does not say.
@@ -62,7 +58,10 @@ impl LawKeys for DetournayDefournyKeys {
         if let Some(most_N) = most_N.filter(|most| wob.value > *most) {
             reader.report(
                 Diagnostic::warning("the bit is choked: not all weight cuts")
-                    .at(wob.place, format!("{} kN drill as fast", kilonewtons(most_N)))
+                    .at(
+                        wob.place,
+                        format!("{} drill as fast", reader.shown(Dimension::Force, most_N)),
+                    )
                     .help("lower wob, or raise cleaning_limit under [bit]"),
             );
         }
@@ -77,8 +76,10 @@ impl DetournayDefournyKeys {
         let full = self.full_contact_depth.at()?;
         if limit.value <= full.value {
             let mut diagnostic =
-                Diagnostic::error("the bit is choked before its wear flats are in contact")
-                    .at(limit.place, format!("expected more than {} m", number_text(full.value)));
+                Diagnostic::error("the bit is choked before its wear flats are in contact").at(
+                    limit.place,
+                    format!("expected more than {}", reader.shown(Dimension::Diameter, full.value)),
+                );
             if let Some(full) = self.full_contact_depth.given() {
                 diagnostic = diagnostic.at(full.place, "full contact");
             }

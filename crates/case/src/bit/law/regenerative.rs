@@ -3,10 +3,7 @@
 use wholestring::dynamics::{BitLaw, RegenerativeLaw};
 use wholestring_config::prelude::*;
 
-use super::{
-    cutters::{CuttersKeys, kilonewtons},
-    law_keys::LawKeys,
-};
+use super::{cutters::CuttersKeys, law_keys::LawKeys};
 use crate::bit::{around::Around, kind::Kind};
 
 /// Where the case does not say: the bit of Richard, Germay and Detournay's examples.
@@ -55,7 +52,10 @@ impl LawKeys for RegenerativeKeys {
         if wob.value <= bearing_N {
             reader.report(
                 Diagnostic::warning("the wear flats bear all weight: the bit does not cut")
-                    .at(wob.place, format!("they bear {} kN", kilonewtons(bearing_N)))
+                    .at(
+                        wob.place,
+                        format!("they bear {}", reader.shown(Dimension::Force, bearing_N)),
+                    )
                     .help("raise wob, or lower wear_flat or contact_strength under [bit]"),
             );
         }

@@ -50,15 +50,16 @@ impl LawKeys for TableKeys {
         if law.table.holds(operation.weight_on_bit_N, speed) {
             return Some(());
         }
-        let [least, largest] = law.table.weights_N().map(|n| number_text(n * 1e-3));
+        let force = |force_N: f64| reader.shown(Dimension::Force, force_N);
+        let [least, largest] = law.table.weights_N().map(force);
         let [slowest, fastest] = law.table.speeds_rad_per_s().map(in_rev_per_min);
         let mut diagnostic = Diagnostic::error(format!(
-            "the table of the bit does not know \"{}\": {} kN at {} rev/min",
+            "the table of the bit does not know \"{}\": {} at {} rev/min",
             operation.kind.name(),
-            number_text(operation.weight_on_bit_N * 1e-3),
+            force(operation.weight_on_bit_N),
             in_rev_per_min(speed),
         ));
-        let weight = format!("the table has {least} to {largest} kN");
+        let weight = format!("the table has {least} to {largest}");
         let turning = format!("the table has {slowest} to {fastest} rev/min of the bit");
         if let Some(wob) = given.wob {
             diagnostic = diagnostic.at(wob.place, weight);

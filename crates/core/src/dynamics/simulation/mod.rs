@@ -86,7 +86,7 @@ impl Precision {
         if matches!(settings.mesh.element_length, ElementLength::Uniform(m) if m / refinement < SHORTEST_M)
         {
             return Err(
-                "the elements are shorter than 1 m: the last digit of a position strains them by \
+                "the elements are shorter than 1 m (3.3 ft): the last digit of a position strains them by \
                  newtons",
             );
         }

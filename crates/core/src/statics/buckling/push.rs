@@ -61,6 +61,13 @@ impl Segment {
         self.place.is_helix(by, SCALE_N * libm::tan(angle))
     }
 
+    /// Compression at the upper end under one at the lower, N, of a string without the wall load of
+    /// a helix; infinite where that alone locks it up.
+    pub fn push_straight_N(&self, at_lower_end_N: f64) -> f64 {
+        let angle = self.step(libm::atan(at_lower_end_N / SCALE_N), self.length_m, false);
+        if angle < FRAC_PI_2 { SCALE_N * libm::tan(angle) } else { f64::INFINITY }
+    }
+
     /// One step of the classical Runge-Kutta method.
     fn step(&self, angle: f64, by_m: f64, helical: bool) -> f64 {
         let k1 = self.turn_per_m(angle, helical);

@@ -1,7 +1,8 @@
 //! Weights against those of the block and of the string.
 
+use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::Channel;
-use wholestring_tabular::{CheckSeverity, ReadingCheck, row_names};
+use wholestring_tabular::row_names;
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
@@ -10,9 +11,6 @@ use super::{
     units::is_free,
 };
 use crate::readings::Readings;
-
-/// The kind of a check that finds no block in weights.
-pub(super) const NOT_IN_READINGS: &str = "block_not_in_readings";
 
 /// Weights that a block held as the case has it misses by more than this part, and by so many times what one
 /// that is looked for misses them by, are those of another block.
@@ -51,7 +49,7 @@ pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<
     let without = free.block_N.abs() < (0.2 * held_N).max(0.02 * size_N);
     let (kind, sentence) = match without {
         true => (
-            NOT_IN_READINGS,
+            CheckKind::BlockNotInReadings,
             format!(
                 "the weights lie {} below what is expected, about the weight of the block, {}: they seem not to \
                  hold the block. Add it to them, or look for it (`--block-weight`)",
@@ -60,7 +58,7 @@ pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<
             ),
         ),
         false => (
-            "block_weight",
+            CheckKind::BlockWeight,
             format!(
                 "the weights lie {} {} what is expected with the case's block of {}; a block of {} would bring \
                  them into line: is `block_weight` right, is the weight indicator off, or the mud or the string \
@@ -72,14 +70,10 @@ pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<
             ),
         ),
     };
-    Some(ReadingCheck {
-        kind,
-        severity: CheckSeverity::Warning,
-        places: Vec::new(),
-        value: Some(free.block_N),
-        limit: Some(held_N),
-        sentence,
-    })
+    Some(
+        ReadingCheck::new(kind, Severity::Warning, sentence)
+            .numbers([Some(free.block_N), Some(held_N)]),
+    )
 }
 
 /// Hook loads below the block's weight, or far below the string's, which are taken out where they are few.
@@ -106,19 +100,15 @@ pub(super) fn below(data: &mut Readings, trial: &Trial, units: UnitSet) -> Vec<R
             true => format!("the string weighs {} in the mud", force(trial.weights_N[first])),
             false => format!("the block alone weighs {}", force(least_N(first))),
         };
-        checks.push(ReadingCheck {
-            kind: "below_block",
-            severity: CheckSeverity::Warning,
-            value: Some(data.readings[first].value),
-            limit: Some(least_N(first)),
-            sentence: format!(
-                "the {} is {} in {}, where {why}: no reading; left out",
-                words(channel),
-                force(data.readings[first].value),
-                row_names(&places),
-            ),
-            places,
-        });
+        let sentence = format!(
+            "the {} is {} in {}, where {why}: no reading; left out",
+            words(channel),
+            force(data.readings[first].value),
+            row_names(&places),
+        );
+        let check = ReadingCheck::new(CheckKind::BelowBlock, Severity::Warning, sentence);
+        let numbers = [data.readings[first].value, least_N(first)].map(Some);
+        checks.push(check.numbers(numbers).on(places));
     }
     let mut kept = out.iter().map(|out| !out);
     data.readings.retain(|_| kept.next().unwrap_or(true));
@@ -142,20 +132,15 @@ pub(super) fn no_friction(data: &Readings, trial: &Trial, units: UnitSet) -> Opt
     }
     let reading = &data.readings[row];
     let quantity = |of: f64| shown(of, dimension(reading.channel), units);
-    Some(ReadingCheck {
-        kind: "no_friction",
-        severity: CheckSeverity::Error,
-        places: Vec::new(),
-        value: Some(most),
-        limit: Some(reading.value),
-        sentence: format!(
-            "friction shows in none of the readings: a factor of {MOST} would change the {} of {} ({}) by {:.1} %, and \
-             the others by less; the hole is so straight that the string hardly touches it. Readings with the bit \
-             in a bend or an inclined part tell it",
-            words(reading.channel),
-            quantity(reading.value),
-            data.places[row],
-            100.0 * most / reading.value.abs().max(1e-9),
-        ),
-    })
+    let sentence = format!(
+        "friction shows in none of the readings: a factor of {MOST} would change the {} of {} ({}) by {:.1} %, and \
+         the others by less; the hole is so straight that the string hardly touches it. Readings with the bit \
+         in a bend or an inclined part tell it",
+        words(reading.channel),
+        quantity(reading.value),
+        data.places[row],
+        100.0 * most / reading.value.abs().max(1e-9),
+    );
+    let check = ReadingCheck::new(CheckKind::NoFriction, Severity::Error, sentence);
+    Some(check.numbers([Some(most), Some(reading.value)]))
 }

@@ -1,9 +1,9 @@
 //! Checks of a fit.
 
+use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::{
     Calibration, ErrorKind, LOSS, Outliers, Parameter, Point, Settings,
 };
-use wholestring_tabular::{CheckSeverity, ReadingCheck};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
@@ -33,36 +33,28 @@ pub(in super::super) fn of_fit(
     let mut checks: Vec<ReadingCheck> = bounds(found).collect();
     checks.extend(no_block(found, settings, units));
     checks.extend(estimated_errors(found, units));
-    checks.extend(found.confused.iter().map(|of| ReadingCheck {
-        value: Some(of.correlation),
-        limit: Some(settings.correlated_beyond),
-        ..warning(
-            "not_told_apart",
-            format!(
-                "the readings do not tell the {} from the {}: their correlation is {:.3}; hold one of them, or \
-                 read at other depths",
-                of.first.words(),
-                of.second.words(),
-                of.correlation
-            ),
-        )
+    checks.extend(found.confused.iter().map(|of| {
+        let sentence = format!(
+            "the readings do not tell the {} from the {}: their correlation is {:.3}; hold one of them, or \
+             read at other depths",
+            of.first.words(),
+            of.second.words(),
+            of.correlation
+        );
+        let numbers = [of.correlation, settings.correlated_beyond].map(Some);
+        warning(CheckKind::NotToldApart, sentence).numbers(numbers)
     }));
     checks.extend(open_intervals(found));
     checks.extend(scatter(found));
     checks.extend(outliers(data, found, robust, units));
     if let Some(count) = robust.and_then(|of| of.too_many) {
-        checks.push(ReadingCheck {
-            value: Some(count as f64),
-            limit: Some(0.25 * found.points.len() as f64),
-            ..warning(
-                "too_many_outliers",
-                format!(
-                    "{count} of {} readings are off in a robust fit ({LOSS}'s loss): that is no matter of single \
-                     outliers; look at units, block, mud, string and survey",
-                    found.points.len()
-                ),
-            )
-        });
+        let all = found.points.len();
+        let sentence = format!(
+            "{count} of {all} readings are off in a robust fit ({LOSS}'s loss): that is no matter of single \
+             outliers; look at units, block, mud, string and survey"
+        );
+        let numbers = [count as f64, 0.25 * all as f64].map(Some);
+        checks.push(warning(CheckKind::TooManyOutliers, sentence).numbers(numbers));
     }
     checks.extend(band(found, settings));
     checks
@@ -81,14 +73,9 @@ fn bounds(found: &Calibration) -> impl Iterator<Item = ReadingCheck> {
                 "the readings are below what the string weighs or turns with, or another number is off"
             }
         };
-        ReadingCheck {
-            value: Some(of.value),
-            limit: Some(0.0),
-            ..warning(
-                "negative",
-                format!("the {} would be negative and is held at zero: {why}", of.parameter.words()),
-            )
-        }
+        let words = of.parameter.words();
+        let sentence = format!("the {words} would be negative and is held at zero: {why}");
+        warning(CheckKind::ReadingsNegative, sentence).numbers([Some(of.value), Some(0.0)])
     })
 }
 
@@ -100,18 +87,15 @@ fn no_block(found: &Calibration, settings: &Settings, units: UnitSet) -> Option<
     let block = found.estimates.iter().find(is)?;
     let weights = found.points.iter().filter(|of| !of.reading.channel.is_torque());
     let size_N = median(weights.map(|of| of.reading.value.abs()).collect());
-    (block.value < NO_BLOCK * size_N).then(|| ReadingCheck {
-        kind: "no_block",
-        severity: CheckSeverity::Note,
-        places: Vec::new(),
-        value: Some(block.value),
-        limit: Some(NO_BLOCK * size_N),
-        sentence: format!(
+    (block.value < NO_BLOCK * size_N).then(|| {
+        let sentence = format!(
             "the block weight comes to {}: the weights seem not to hold the block; results are compared with hook \
              loads without it (confidence {:.0} %)",
             shown(block.value, Dimension::Force, units),
             100.0 * settings.confidence
-        ),
+        );
+        ReadingCheck::new(CheckKind::NoBlock, Severity::Note, sentence)
+            .numbers([Some(block.value), Some(NO_BLOCK * size_N)])
     })
 }
 
@@ -126,22 +110,16 @@ fn estimated_errors(found: &Calibration, units: UnitSet) -> impl Iterator<Item =
                 ErrorKind::Torque => "a torque is read to 2 to 10 %",
                 _ => "a weight indicator errs by 1 to 3 %",
             };
-            ReadingCheck {
-                value: Some(of.value),
-                limit: Some(limit),
-                ..warning(
-                    "estimated_error",
-                    format!(
-                        "the {} miss the fit by {} (their standard error, estimated), {:.0} % of what they are, \
-                         where {instrument}: the model does not describe them, they tell next to nothing here, and \
-                         readings within a band so wide are no agreement; look at the columns, units, block, \
-                         mud, pumps, string and survey, or give the error",
-                        of.kind.name(),
-                        shown(of.value, of_kind(of.kind), units),
-                        100.0 * of.value / size.max(1e-9),
-                    ),
-                )
-            }
+            let sentence = format!(
+                "the {} miss the fit by {} (their standard error, estimated), {:.0} % of what they are, \
+                 where {instrument}: the model does not describe them, they tell next to nothing here, and \
+                 readings within a band so wide are no agreement; look at the columns, units, block, \
+                 mud, pumps, string and survey, or give the error",
+                of.kind.name(),
+                shown(of.value, of_kind(of.kind), units),
+                100.0 * of.value / size.max(1e-9),
+            );
+            warning(CheckKind::EstimatedError, sentence).numbers([Some(of.value), Some(limit)])
         })
     });
     large.collect::<Vec<_>>().into_iter()
@@ -163,13 +141,11 @@ fn open_intervals(found: &Calibration) -> impl Iterator<Item = ReadingCheck> {
             ),
             _ => String::new(),
         };
-        warning(
-            "open_interval",
-            format!(
-                "{which} of the interval of the {} was not found{reach}: the readings hardly tell it",
-                of.parameter.words()
-            ),
-        )
+        let sentence = format!(
+            "{which} of the interval of the {} was not found{reach}: the readings hardly tell it",
+            of.parameter.words()
+        );
+        warning(CheckKind::OpenInterval, sentence)
     })
 }
 
@@ -183,16 +159,12 @@ fn scatter(found: &Calibration) -> Option<ReadingCheck> {
     let spread = 2.0 / (9.0 * freedom);
     let z = (libm::cbrt(found.chi2 / freedom) - (1.0 - spread)) / spread.sqrt();
     let times = (found.chi2 / freedom).sqrt();
-    (z > TOO_FAR).then(|| ReadingCheck {
-        value: Some(times),
-        limit: Some(1.0),
-        ..warning(
-            "scatter",
-            format!(
-                "the readings scatter {times:.1} times as much as their errors say: the model does not describe \
-                 this well, or the errors are too small; so are those of what was found"
-            ),
-        )
+    (z > TOO_FAR).then(|| {
+        let sentence = format!(
+            "the readings scatter {times:.1} times as much as their errors say: the model does not describe \
+             this well, or the errors are too small; so are those of what was found"
+        );
+        warning(CheckKind::Scatter, sentence).numbers([Some(times), Some(1.0)])
     })
 }
 
@@ -213,21 +185,17 @@ fn outliers(
 fn outlier(point: &Point, place: &str, errors: &str, units: UnitSet) -> ReadingCheck {
     let channel = point.reading.channel;
     let quantity = |value: f64| shown(value, dimension(channel), units);
-    ReadingCheck {
-        kind: "outlier",
-        severity: CheckSeverity::Warning,
-        places: vec![place.to_owned()],
-        value: Some(point.reading.value),
-        limit: Some(point.predicted),
-        sentence: format!(
-            "outlier: {} of {} with the bit at {} ({place}), where {} is expected, {:.1} {errors} off",
-            channel.name().replace('_', "-"),
-            quantity(point.reading.value),
-            whole(point.reading.bit_depth_m, units),
-            quantity(point.predicted),
-            point.standardised
-        ),
-    }
+    let sentence = format!(
+        "outlier: {} of {} with the bit at {} ({place}), where {} is expected, {:.1} {errors} off",
+        channel.name().replace('_', "-"),
+        quantity(point.reading.value),
+        whole(point.reading.bit_depth_m, units),
+        quantity(point.predicted),
+        point.standardised
+    );
+    ReadingCheck::new(CheckKind::Outlier, Severity::Warning, sentence)
+        .numbers([Some(point.reading.value), Some(point.predicted)])
+        .on(vec![place.to_owned()])
 }
 
 /// More readings out of the band than it leaves out.
@@ -235,16 +203,12 @@ fn band(found: &Calibration, settings: &Settings) -> Option<ReadingCheck> {
     let beyond = found.points.iter().filter(|of| !of.within_band).count();
     let part = beyond as f64 / found.points.len() as f64;
     let allowed = 1.0 - settings.band_confidence;
-    (part > 2.0 * allowed && beyond > 3).then(|| ReadingCheck {
-        value: Some(part),
-        limit: Some(allowed),
-        ..warning(
-            "band",
-            format!(
-                "{beyond} of {} readings lie outside the band of {:.0} %",
-                found.points.len(),
-                100.0 * settings.band_confidence
-            ),
-        )
+    (part > 2.0 * allowed && beyond > 3).then(|| {
+        let sentence = format!(
+            "{beyond} of {} readings lie outside the band of {:.0} %",
+            found.points.len(),
+            100.0 * settings.band_confidence
+        );
+        warning(CheckKind::Band, sentence).numbers([Some(part), Some(allowed)])
     })
 }

@@ -10,10 +10,8 @@ mod text;
 mod trial;
 mod units;
 
-use wholestring_judge::{Check, CheckKind, Severity};
+use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::Settings;
-use wholestring_results as results;
-use wholestring_tabular::{CheckSeverity, ReadingCheck};
 use wholestring_units::UnitSet;
 
 pub(super) use found::of_fit;
@@ -42,12 +40,12 @@ pub(super) fn by_string(
     let mut checks: Vec<ReadingCheck> = units::weights(data, &trial, units);
     checks.extend(units::torques(data, &trial, units));
     let wants_friction = settings.parameters.iter().any(|of| of.is_factor());
-    if wants_friction && !checks.iter().any(|of| of.severity == CheckSeverity::Error) {
+    if wants_friction && !checks.iter().any(|of| of.check.severity == Severity::Error) {
         checks.extend(block::no_friction(data, &trial, units));
     }
     refused(name, &checks)?;
     checks.extend(block::of_case(data, &trial, units));
-    if !checks.iter().any(|of| of.kind == block::NOT_IN_READINGS) {
+    if !checks.iter().any(|of| of.check.kind == CheckKind::BlockNotInReadings) {
         checks.extend(block::below(data, &trial, units));
     }
     data.checks.extend(checks);
@@ -55,25 +53,14 @@ pub(super) fn by_string(
 }
 
 /// The list as `summary.json` has it, warnings first.
-pub(super) fn recorded(checks: &[ReadingCheck]) -> Vec<results::ReadingCheck> {
-    let mut sorted: Vec<&ReadingCheck> = checks.iter().collect();
-    sorted.sort_by_key(|of| std::cmp::Reverse(of.severity));
-    let recorded = sorted.into_iter().map(|found| {
-        let severity = match found.severity {
-            CheckSeverity::Note => Severity::Note,
-            CheckSeverity::Warning => Severity::Warning,
-            CheckSeverity::Error => Severity::Error,
-        };
-        let numbers = [found.value, found.limit];
-        let kind = CheckKind::named(found.kind).unwrap_or(CheckKind::Calibration);
-        let check = Check::of_readings(kind, severity, numbers, found.sentence.clone());
-        results::ReadingCheck { lines: found.places.clone(), check }
-    });
-    recorded.collect()
+pub(super) fn recorded(checks: &[ReadingCheck]) -> Vec<ReadingCheck> {
+    let mut sorted = checks.to_vec();
+    sorted.sort_by_key(|found| std::cmp::Reverse(found.check.severity));
+    sorted
 }
 
 /// The sentences of one severity.
-pub(super) fn sentences(checks: &[ReadingCheck], severity: CheckSeverity) -> Vec<String> {
-    let of = checks.iter().filter(|of| of.severity == severity);
-    of.map(|of| of.sentence.clone()).collect()
+pub(super) fn sentences(checks: &[ReadingCheck], severity: Severity) -> Vec<String> {
+    let of = checks.iter().filter(|of| of.check.severity == severity);
+    of.map(|of| of.check.sentence.clone()).collect()
 }

@@ -1,19 +1,14 @@
 //! Channels, numbers and depths in the sentences of checks, and the value in the middle of readings.
 
+use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::Channel;
-use wholestring_tabular::{CheckSeverity, ReadingCheck};
+use wholestring_tabular::CHANNEL_WORDS;
+
 use wholestring_units::{Dimension, UnitSet};
 
 /// A warning that is not a matter of single readings.
-pub(in crate::calibrate) fn warning(kind: &'static str, sentence: String) -> ReadingCheck {
-    ReadingCheck {
-        kind,
-        severity: CheckSeverity::Warning,
-        places: Vec::new(),
-        value: None,
-        limit: None,
-        sentence,
-    }
+pub(in crate::calibrate) fn warning(kind: CheckKind, sentence: String) -> ReadingCheck {
+    ReadingCheck::new(kind, Severity::Warning, sentence)
 }
 
 /// What a channel's readings measure.
@@ -23,13 +18,7 @@ pub(in crate::calibrate) fn dimension(channel: Channel) -> Dimension {
 
 /// A channel in a sentence.
 pub(in crate::calibrate) fn words(channel: Channel) -> &'static str {
-    match channel {
-        Channel::PickUp => "pick-up weight",
-        Channel::SlackOff => "slack-off weight",
-        Channel::Rotating => "rotating weight",
-        Channel::OffBottomTorque => "torque off bottom",
-        Channel::OnBottomTorque => "torque on bottom",
-    }
+    CHANNEL_WORDS[channel as usize]
 }
 
 /// A number in three digits, with its unit.

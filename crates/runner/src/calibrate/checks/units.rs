@@ -3,8 +3,9 @@
 //! With the right unit some friction and some block make the string meet the weights; in another unit none does,
 //! and a factor between two units brings them into line.
 
+use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::Channel;
-use wholestring_tabular::{CheckSeverity, ReadingCheck};
+
 use wholestring_units::{Dimension, Unit, UnitSet};
 
 use super::{
@@ -60,14 +61,8 @@ fn named(units: &[&'static Unit]) -> String {
 }
 
 fn error(data: &Readings, rows: &[usize], sentence: String) -> ReadingCheck {
-    ReadingCheck {
-        kind: "unit",
-        severity: CheckSeverity::Error,
-        places: rows.iter().map(|&row| data.places[row].clone()).collect(),
-        value: None,
-        limit: None,
-        sentence,
-    }
+    ReadingCheck::new(CheckKind::ReadingsUnit, Severity::Error, sentence)
+        .on(rows.iter().map(|&row| data.places[row].clone()).collect())
 }
 
 /// Weights in another unit: all of them, or one column.
@@ -225,10 +220,10 @@ fn torque(
     );
     let mut check = error(data, &own, sentence);
     if (POSSIBLE[0]..=POSSIBLE[1]).contains(&friction) {
-        check.severity = CheckSeverity::Warning;
+        check.check.severity = Severity::Warning;
     }
-    check.value = Some(friction);
-    check.limit = Some(if friction > target { USUAL[1] } else { USUAL[0] });
+    check.check.value = Some(friction);
+    check.check.limit = Some(if friction > target { USUAL[1] } else { USUAL[0] });
     Some(check)
 }
 
@@ -289,8 +284,8 @@ fn as_feet(
         unit.symbol, heading.symbol
     );
     let mut check = error(data, own, sentence);
-    check.severity = CheckSeverity::Warning;
-    (check.value, check.limit) = (Some(middle), Some(1.0));
+    check.check.severity = Severity::Warning;
+    (check.check.value, check.check.limit) = (Some(middle), Some(1.0));
     Some(check)
 }
 

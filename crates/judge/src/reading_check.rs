@@ -1,0 +1,36 @@
+//! Checks of readings at the surface, and of what was found from them.
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Check, CheckKind, Severity};
+
+/// A check of readings, or of what was found from them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ReadingCheck {
+    /// Lines of the readings in their file; empty where it is not a matter of some of them.
+    pub lines: Vec<String>,
+    /// The check; value and limit are SI.
+    #[serde(flatten)]
+    pub check: Check,
+}
+
+impl ReadingCheck {
+    /// A check with its sentence, without a full stop.
+    pub fn new(kind: CheckKind, severity: Severity, sentence: String) -> Self {
+        let check = Check::of_readings(kind, severity, [None; 2], sentence);
+        Self { lines: Vec::new(), check }
+    }
+
+    /// The same with its value and what that is compared with, SI.
+    #[must_use]
+    pub fn numbers(mut self, [value, limit]: [Option<f64>; 2]) -> Self {
+        (self.check.value, self.check.limit) = (value, limit);
+        self
+    }
+
+    /// The same of readings on these lines of their file.
+    #[must_use]
+    pub fn on(self, lines: Vec<String>) -> Self {
+        Self { lines, ..self }
+    }
+}
