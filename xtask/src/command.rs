@@ -87,7 +87,14 @@ pub(crate) fn run_counted(command: &mut Command) -> Result<Count, Failure> {
     // cargo test reports on standard output, nextest on standard error.
     let output = child.stdout.take().expect("it is piped");
     let messages = child.stderr.take().expect("it is piped");
-    let output = thread::spawn(move || copy_counting(output, io::stdout()));
+    let output = thread::Builder::new().spawn(move || copy_counting(output, io::stdout()));
+    let output = match output {
+        Ok(output) => output,
+        Err(error) => {
+            child.kill().and_then(|()| child.wait()).ok();
+            return Err(Failure::new(format!("the system refuses a thread: {error}")));
+        }
+    };
     let mut count = copy_counting(messages, io::stderr());
     count += output.join().expect("copying does not panic");
     match child.wait() {

@@ -138,17 +138,22 @@ fn read_all(
     let waiting = Mutex::new(chosen.iter().copied().collect::<VecDeque<_>>());
     let next = || waiting.lock().map(|mut waiting| waiting.pop_front()).ok().flatten();
     let outcomes = Mutex::new(Vec::new());
-    thread::scope(|scope| {
-        for _ in 0..side_by_side {
-            scope.spawn(|| {
-                while let Some(reader) = next() {
-                    let outcome = run::run(reader, inputs, folder.path());
-                    if let Ok(mut outcomes) = outcomes.lock() {
-                        outcomes.push((reader, outcome));
-                    }
-                }
-            });
+    let work = || {
+        while let Some(reader) = next() {
+            let outcome = run::run(reader, inputs, folder.path());
+            if let Ok(mut outcomes) = outcomes.lock() {
+                outcomes.push((reader, outcome));
+            }
         }
+    };
+    thread::scope(|scope| {
+        // Where the system refuses a thread, those that there are do all of it.
+        for _ in 1..side_by_side {
+            if thread::Builder::new().spawn_scoped(scope, work).is_err() {
+                break;
+            }
+        }
+        work();
     });
     let mut outcomes = outcomes.into_inner().map_err(|error| error.to_string())?;
     outcomes.sort_by_key(|(reader, _)| chosen.iter().position(|name| name == reader));

@@ -92,8 +92,12 @@ fn one_process(
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()?;
-    let output = drain(child.stdout.take());
-    let erred = drain(child.stderr.take());
+    let drained = [drain(child.stdout.take()), drain(child.stderr.take())];
+    let [Ok(output), Ok(erred)] = drained else {
+        child.kill()?;
+        child.wait()?;
+        return Err(io::Error::other("the system refuses a thread"));
+    };
     let ended = wait(&mut child, counted)?;
     let output = output.join().unwrap_or_default();
     let erred = erred.join().unwrap_or_default();
@@ -112,8 +116,8 @@ fn one_process(
 }
 
 /// Reads a pipe to its end beside everything else.
-fn drain(pipe: Option<impl Read + Send + 'static>) -> thread::JoinHandle<String> {
-    thread::spawn(move || {
+fn drain(pipe: Option<impl Read + Send + 'static>) -> io::Result<thread::JoinHandle<String>> {
+    thread::Builder::new().spawn(move || {
         let mut bytes = Vec::new();
         if let Some(mut pipe) = pipe {
             pipe.read_to_end(&mut bytes).ok();

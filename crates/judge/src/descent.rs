@@ -10,15 +10,14 @@ use std::convert::Infallible;
 use wholestring::{
     model::Model,
     operation::Operation,
-    outcome::Profile,
+    outcome::{
+        Column, Profile, TIME_SERIES, TimeSeries,
+        samples::{ends, mean},
+    },
     statics::buckling::{Criterion, Pushed, Segment, push_through, segments, weight_at_bit_N},
 };
 
-use crate::{
-    Check, CheckKind, LimitSettings, Severity, Verdict,
-    root::root,
-    window::{self, Window},
-};
+use crate::{Check, CheckKind, LimitSettings, Severity, Verdict, root::root, window::Window};
 
 /// Part of the string's buoyed weight below which a load is none: no indicator shows it.
 const NONE: f64 = 1e-3;
@@ -238,13 +237,13 @@ fn least_hook_load_N(model: &Model) -> f64 {
     }
 }
 
+const BIT_DEPTH: &Column<TimeSeries> = Column::named(TIME_SERIES, "bit_depth_m");
+const BLOCK_VELOCITY: &Column<TimeSeries> = Column::named(TIME_SERIES, "block_velocity_m_per_s");
+
 /// Whether the bit follows the block.
 fn follows(window: &Window<'_>) -> bool {
-    let went_m = match window.series(|series| &series.bit_depth_m) {
-        [first, .., last] => last - first,
-        _ => 0.0,
-    };
-    let block_m_per_s = window::mean(window.series(|series| &series.block_velocity_m_per_s));
+    let went_m = ends(&window.scalar(BIT_DEPTH)).map_or(0.0, |[first_m, last_m]| last_m - first_m);
+    let block_m_per_s = mean(&window.scalar(BLOCK_VELOCITY));
     let block_travel_m = block_m_per_s * window.length_s();
     block_travel_m <= 0.0 || went_m >= FOLLOWS * block_travel_m
 }

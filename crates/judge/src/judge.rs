@@ -1,7 +1,7 @@
 //! The judge: from the answer of a solver to its checks.
 
 use wholestring::{
-    dynamics::{DynamicOutcome, DynamicsSettings},
+    dynamics::DynamicsSettings,
     model::Model,
     operation::Operation,
     outcome::{ModelKind, Solution},
@@ -86,10 +86,9 @@ impl Judge {
         model: &Model,
         operation: &Operation,
         settings: &DynamicsSettings,
-        outcome: &DynamicOutcome,
+        solution: &Solution<'_>,
     ) -> Checks {
-        let solution = Solution::from(outcome);
-        let Some(window) = Window::of_solution(&solution) else {
+        let Some(window) = Window::of_solution(solution) else {
             return Checks::default();
         };
         let mut checks = Checks::default();
@@ -101,14 +100,14 @@ impl Judge {
         checks.checks.extend(goes_down.filter(|check| !check.is_ok()).or_else(slack));
         // How near a string in motion is to it, nobody knows: what its hook load leaves is friction.
         let locked = descent.as_ref().filter(|descent| descent.locks_up);
-        let words = self.words(model, &solution);
+        let words = self.words(model, solution);
         checks.checks.extend(self.lock_up(model, operation, locked, &words));
         checks.checks.extend(weight_on_bit::checks(operation, settings, &window));
-        self.add_limits(model, operation, &Loads::of(model, operation, &solution), &mut checks);
+        self.add_limits(model, operation, &Loads::of(model, operation, solution), &mut checks);
         checks.checks.extend(motion::checks(settings, &window));
-        checks.checks.extend(numerics::checks(model, &solution, &window));
+        checks.checks.extend(numerics::checks(model, solution, &window));
         checks.checks.extend(steadiness::checks(operation, window.run()));
-        self.said(checks, model, &solution)
+        self.said(checks, model, solution)
     }
 
     /// The checks of a bottom-hole assembly in static equilibrium: its largest von Mises stress, and

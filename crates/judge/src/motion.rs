@@ -1,10 +1,13 @@
 //! How the string turns: stalls, stick-slip, whirl.
 
-use wholestring::dynamics::{DynamicsSettings, StickSlip, Whirl};
+use wholestring::{
+    dynamics::{DynamicsSettings, StickSlip, Whirl},
+    outcome::{Column, TIME_SERIES, TimeSeries, samples::mean},
+};
 
 use crate::{
     Check, CheckKind, Severity,
-    window::{Window, mean, share},
+    window::{Window, share},
 };
 
 /// A top drive slower than this part of its set speed does not turn, ...
@@ -49,24 +52,29 @@ pub fn checks(settings: &DynamicsSettings, window: &Window<'_>) -> Vec<Check> {
     found
 }
 
+const SET_SPEED: &Column<TimeSeries> = Column::named(TIME_SERIES, "rotary_speed_set_rad_per_s");
+const SPEED: &Column<TimeSeries> = Column::named(TIME_SERIES, "rotary_speed_rad_per_s");
+const TORQUE: &Column<TimeSeries> = Column::named(TIME_SERIES, "surface_torque_N_m");
+
 /// A top drive that gives all that it may.
 fn top_drive(settings: &DynamicsSettings, window: &Window<'_>) -> Option<Check> {
     let limit_N_m = settings.top_drive.torque_limit_N_m()?;
-    let set = window.series(|series| &series.rotary_speed_set_rad_per_s);
-    let speed = window.series(|series| &series.rotary_speed_rad_per_s);
-    let torque_N_m = window.series(|series| &series.surface_torque_N_m);
-    let rows: Vec<usize> = (0..set.len()).filter(|row| set[*row] > 0.0).collect();
-    let stands = share(&rows, |row| speed[*row] < STANDS * set[*row]);
-    let at_limit = share(torque_N_m, |torque| torque.abs() >= AT_LIMIT * limit_N_m);
+    let [set, speed, torque_N_m] = [SET_SPEED, SPEED, TORQUE].map(|column| window.scalar(column));
+    let stands = window.share_of(
+        [SET_SPEED, SPEED],
+        |[set, _]| set > 0.0,
+        |[set, speed]| speed < STANDS * set,
+    );
+    let at_limit = share(&torque_N_m, |torque| torque.abs() >= AT_LIMIT * limit_N_m);
     let found = |kind, severity, torque_N_m: f64| {
         Some(Check::reported(kind, severity).value(torque_N_m).limit(limit_N_m))
     };
-    let mean_N_m = mean(torque_N_m).abs();
+    let mean_N_m = mean(&torque_N_m).abs();
     if stands > STALLED && mean_N_m >= STANDS * limit_N_m {
         return found(CheckKind::TopDriveStalled, Severity::Error, mean_N_m);
     }
     if at_limit > OFTEN {
-        let slow = mean(speed) < (1.0 - STANDS) * mean(set);
+        let slow = mean(&speed) < (1.0 - STANDS) * mean(&set);
         let severity = if slow { Severity::Error } else { Severity::Warning };
         let largest_N_m = window.largest_torque_N_m();
         return found(CheckKind::TopDriveAtLimit, severity, largest_N_m);

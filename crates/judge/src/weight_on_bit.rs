@@ -3,6 +3,7 @@
 use wholestring::{
     dynamics::{DynamicsSettings, HoistControl},
     operation::Operation,
+    outcome::{Column, TIME_SERIES, TimeSeries, samples::ends},
 };
 
 use crate::{
@@ -23,6 +24,9 @@ const UNSTEADY: f64 = 0.25;
 
 /// A bit that is off the rock for more than this share of the time bounces.
 const BOUNCES: f64 = 0.01;
+
+const WEIGHT: &Column<TimeSeries> = Column::named(TIME_SERIES, "weight_on_bit_N");
+const SET_WEIGHT: &Column<TimeSeries> = Column::named(TIME_SERIES, "weight_on_bit_set_N");
 
 /// Of an operation with the bit on bottom.
 pub fn checks(
@@ -45,8 +49,7 @@ pub fn checks(
                 .limit(UNSTEADY * weight.mean),
         );
     }
-    let off_rock =
-        share(window.series(|series| &series.weight_on_bit_N), |weight_N| *weight_N <= 0.0);
+    let off_rock = share(&window.scalar(WEIGHT), |weight_N| weight_N <= 0.0);
     if weight.mean > 0.0 && off_rock > BOUNCES {
         found.push(
             Check::reported(CheckKind::BitBounce, Severity::Warning).value(off_rock).limit(BOUNCES),
@@ -62,10 +65,10 @@ fn target_N(
     settings: &DynamicsSettings,
     window: &Window<'_>,
 ) -> Option<(f64, bool)> {
-    let set_N = window.series(|series| &series.weight_on_bit_set_N);
-    if let [Some(first), ..] = set_N {
-        let same = set_N.iter().all(|set| *set == Some(*first));
-        return (same && *first > 0.0).then_some((*first, true));
+    let set_N = window.scalar(SET_WEIGHT);
+    if let Some([first_N, _]) = ends(&set_N).filter(|[first_N, _]| !first_N.is_nan()) {
+        let changes = share(&set_N, |weight_N| weight_N != first_N) > 0.0;
+        return (!changes && first_N > 0.0).then_some((first_N, true));
     }
     let lifted = matches!(settings.hoist_control, Some(HoistControl::HookLoad(_)));
     (lifted && settings.schedule.is_empty() && operation.weight_on_bit_N > 0.0)

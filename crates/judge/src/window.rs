@@ -1,26 +1,28 @@
 //! The window of a dynamic run's statistics.
 
-use std::ops::Range;
-
 use wholestring::{
     dynamics::Statistic,
-    outcome::{InTime, Solution, TimeSeries},
+    outcome::{
+        Column, InTime, Samples, ScalarHistory, Solution, TIME_SERIES, TimeSeries,
+        samples::{ends, sum},
+    },
 };
 
 /// The window of a run, with at least one sample.
 pub struct Window<'a> {
     run: &'a InTime<'a>,
-    rows: Range<usize>,
+    /// The first row of the history that is in it.
+    from: usize,
 }
 
 impl<'a> Window<'a> {
     /// The rows from the beginning of the window; none where there are none.
     pub fn of(run: &'a InTime<'a>) -> Option<Self> {
-        let from_s = run.numerics.settle_s;
-        let time_s = &run.series.time_s;
-        let rows = time_s.partition_point(|time| *time < from_s)..time_s.len();
-        let unsampled = run.statistics.is_empty();
-        (!unsampled && !rows.is_empty()).then_some(Self { run, rows })
+        if run.statistics.is_empty() {
+            return None;
+        }
+        let from = run.history.row_at(run.numerics.settle_s);
+        (from < run.history.rows()).then_some(Self { run, from })
     }
 
     /// The window of a solution in time.
@@ -47,32 +49,49 @@ impl<'a> Window<'a> {
 
     /// Largest pressure that the pump delivers at, Pa; none without a rheology.
     pub fn largest_pump_pressure_Pa(&self) -> Option<f64> {
-        let samples = self.series(|series| &series.pump_pressure_Pa).iter().flatten();
-        samples.copied().reduce(f64::max)
+        let mut largest_Pa: Option<f64> = None;
+        self.scalar(PUMP_PRESSURE).each(&mut |pressures_Pa| {
+            let known_Pa = pressures_Pa.iter().copied().filter(|pressure_Pa| !pressure_Pa.is_nan());
+            largest_Pa = largest_Pa.into_iter().chain(known_Pa).reduce(f64::max);
+        });
+        largest_Pa
     }
 
-    /// A scalar of the run over the window.
-    pub fn series<T>(&self, column: fn(&TimeSeries) -> &Vec<T>) -> &'a [T] {
-        let values = column(self.run.series);
-        &values[self.rows.start.min(values.len())..]
+    /// A scalar of the run over the window; not a number where it has none.
+    pub fn scalar(&self, column: &'static Column<TimeSeries>) -> ScalarHistory<'a> {
+        self.run.history.scalar(column, self.from)
+    }
+
+    /// The share of the rows that count for which a condition holds, of two scalars; zero of none.
+    pub fn share_of(
+        &self,
+        columns: [&'static Column<TimeSeries>; 2],
+        counts: impl Fn([f64; 2]) -> bool,
+        holds: impl Fn([f64; 2]) -> bool,
+    ) -> f64 {
+        let (mut counted, mut held) = (0_usize, 0_usize);
+        self.run.history.each(&columns, self.from, &mut |columns| {
+            for (first, second) in columns[0].iter().zip(columns[1]) {
+                if counts([*first, *second]) {
+                    counted += 1;
+                    held += usize::from(holds([*first, *second]));
+                }
+            }
+        });
+        held as f64 / counted.max(1) as f64
     }
 
     /// Time from its first to its last sample, s.
     pub fn length_s(&self) -> f64 {
-        match self.series(|series| &series.time_s) {
-            [first, .., last] => last - first,
-            _ => 0.0,
-        }
+        ends(&self.scalar(TIME)).map_or(0.0, |[first_s, last_s]| last_s - first_s)
     }
 }
 
-/// Mean of samples; zero of none.
-pub fn mean(samples: &[f64]) -> f64 {
-    samples.iter().sum::<f64>() / samples.len().max(1) as f64
-}
+const TIME: &Column<TimeSeries> = Column::named(TIME_SERIES, "time_s");
+const PUMP_PRESSURE: &Column<TimeSeries> = Column::named(TIME_SERIES, "pump_pressure_Pa");
 
 /// The share of samples for which a condition holds; zero of none.
-pub fn share<T>(samples: &[T], holds: impl Fn(&T) -> bool) -> f64 {
-    let count = samples.iter().filter(|sample| holds(sample)).count();
-    count as f64 / samples.len().max(1) as f64
+pub fn share(samples: &impl Samples, holds: impl Fn(f64) -> bool) -> f64 {
+    let count = sum(samples, |_, sample| f64::from(u8::from(holds(sample))));
+    count / samples.count().max(1) as f64
 }

@@ -29,7 +29,7 @@ pub(crate) struct Attended<T> {
 /// what [`EventBuffer`] tells.
 ///
 /// # Errors
-/// Work that panicked.
+/// Work that panicked, a thread that the system refuses.
 pub(crate) fn attended<T: Send>(
     py: Python<'_>,
     listener: &Bound<'_, PyAny>,
@@ -38,18 +38,20 @@ pub(crate) fn attended<T: Send>(
     let cancellation = CancellationToken::new();
     let events = EventBuffer::default();
     let free = listener.clone().unbind();
-    let (result, raised) = py.detach(|| {
+    let worked = py.detach(|| {
         thread::scope(|scope| {
             let (ended, end) = channel::<()>();
-            let worker = scope.spawn(|| {
+            let (events, cancellation) = (&events, &cancellation);
+            let worker = thread::Builder::new().spawn_scoped(scope, move || {
                 // Dropped when the work is done, however it ends.
                 let _ended = ended;
-                work(&events, &cancellation)
-            });
-            let raised = look_after(&end, &cancellation, &events, &free);
-            (worker.join(), raised)
+                work(events, cancellation)
+            })?;
+            let raised = look_after(&end, cancellation, events, &free);
+            Ok((worker.join(), raised))
         })
     });
+    let (result, raised) = worked.map_err(|error| error::of_refused_thread(py, &error))?;
     let Ok(result) = result else {
         return Err(raised.unwrap_or_else(|| error::of_panic(py)));
     };

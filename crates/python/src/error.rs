@@ -53,6 +53,15 @@ pub(crate) fn of_results(py: Python<'_>, error: &wholestring_results::ResultsErr
     exception(py, "ResultsError", (error.to_string(),))
 }
 
+/// The exception for a thread that the system refuses.
+pub(crate) fn of_refused_thread(py: Python<'_>, error: &std::io::Error) -> PyErr {
+    let message = format!(
+        "the system refuses a thread to work on: {error}; end other programs, or raise the limit \
+         of processes (ulimit -u) or of memory"
+    );
+    exception(py, "Error", (message,))
+}
+
 /// The exception for a defect: what was promised not to happen.
 pub(crate) fn of_panic(py: Python<'_>) -> PyErr {
     let message = "a defect of wholestring: the work ended where it should not; what it said \

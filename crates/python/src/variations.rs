@@ -2,6 +2,7 @@
 
 use std::{
     collections::BTreeMap,
+    io,
     path::{Path, PathBuf},
     sync::mpsc,
     thread,
@@ -77,29 +78,33 @@ impl Variations {
         {
             return Err(raised);
         }
-        let ended = work.result.map_err(|_| error::of_panic(py))?;
+        let ended = work.result.map_err(|error| error::of_refused_thread(py, &error))?;
+        let ended = ended.map_err(|_| error::of_panic(py))?;
         Ok(ended.iter().map(|bytes| PyBytes::new(py, bytes)).collect())
     }
 }
 
 /// Does the work, and cancels it when the file is gone.
+///
+/// # Errors
+/// A thread that the system refuses.
 fn while_running<T>(
     file: Option<&Path>,
     cancellation: &CancellationToken,
     work: impl FnOnce() -> T,
-) -> T {
-    let Some(file) = file else { return work() };
+) -> io::Result<T> {
+    let Some(file) = file else { return Ok(work()) };
     thread::scope(|scope| {
         let (ended, end) = mpsc::channel::<()>();
-        scope.spawn(move || {
+        thread::Builder::new().spawn_scoped(scope, move || {
             while end.recv_timeout(LOOK) == Err(mpsc::RecvTimeoutError::Timeout) {
                 if !file.exists() {
                     cancellation.cancel();
                 }
             }
-        });
+        })?;
         // Dropped when the work is done, however it ends.
         let _ended = ended;
-        work()
+        Ok(work())
     })
 }

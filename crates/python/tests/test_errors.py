@@ -1,8 +1,10 @@
 """Errors: every class, with its message."""
 
+import os
 import pickle
 import re
 import signal
+import subprocess
 import sys
 import threading
 import time
@@ -216,3 +218,23 @@ def test_a_package_that_is_missing_is_named(
     }
     with pytest.raises(ws.MissingPackageError, match=f"pip install {package}$"):
         ask[package]()
+
+
+def test_a_refused_thread_is_an_error_of_ours(tmp_path: Path) -> None:
+    """A stack that no system has room for: the system refuses the thread."""
+    code = (
+        "import sys, wholestring as ws\n"
+        "try:\n"
+        "    ws.Case.load(sys.argv[1]).run(sys.argv[2])\n"
+        "except ws.Error as error:\n"
+        "    print(type(error).__name__, error)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(CASES / "slant.toml"), str(tmp_path / "out")],
+        env={**os.environ, "RUST_MIN_STACK": str(1 << 60)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.startswith("Error the system refuses a thread to work on: "), done
+    assert "panicked" not in done.stderr

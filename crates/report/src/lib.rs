@@ -67,7 +67,7 @@ pub use report::{
 pub use stability::StabilityPicture;
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
-pub use thin::thinned;
+pub use thin::Thinned;
 pub use uncertain::{Uncertain, UncertainNumber, UncertainShares};
 pub use wholestring_judge::Severity;
 pub use workbook::{

@@ -1,26 +1,75 @@
 //! Fewer points of long time histories, without losing a peak.
 
-/// Times and columns in at most `most` rows.
+/// Thins columns of so many rows to no more than `most`, which come stretch after stretch.
 ///
 /// Where there are more, each two rows stand for as many rows as it takes: they hold the smallest
 /// and the largest value of each column among those, in the order in which they came, at the first
 /// and the middle time. So every peak keeps its height, and is off its time by less than the
 /// spacing of the rows that are left.
+#[derive(Debug, Clone)]
+pub struct Thinned {
+    /// Rows that become two; none where all are kept.
+    size: Option<usize>,
+    two: fn(&[f64]) -> [f64; 2],
+    gathered: Vec<f64>,
+    thin: Vec<f64>,
+}
+
+impl Thinned {
+    /// Of the times of the rows.
+    pub fn times(rows: usize, most: usize) -> Self {
+        Self::by(rows, most, |times| [times[0], times[times.len() / 2]])
+    }
+
+    /// Of a column.
+    pub fn column(rows: usize, most: usize) -> Self {
+        Self::by(rows, most, extremes)
+    }
+
+    fn by(rows: usize, most: usize, two: fn(&[f64]) -> [f64; 2]) -> Self {
+        let size = (rows > most).then(|| rows.div_ceil((most / 2).max(1)));
+        Self { size, two, gathered: Vec::new(), thin: Vec::new() }
+    }
+
+    /// Takes the next value.
+    pub fn push(&mut self, value: f64) {
+        let Some(size) = self.size else {
+            self.thin.push(value);
+            return;
+        };
+        self.gathered.push(value);
+        if self.gathered.len() == size {
+            self.close();
+        }
+    }
+
+    fn close(&mut self) {
+        if !self.gathered.is_empty() {
+            self.thin.extend((self.two)(&self.gathered));
+            self.gathered.clear();
+        }
+    }
+
+    /// What is left of them.
+    pub fn values(mut self) -> Vec<f64> {
+        self.close();
+        self.thin
+    }
+}
+
+/// Times and columns in at most `most` rows, as [`Thinned`] has them.
 ///
 /// # Panics
 /// If a column differs from the times in length.
 pub fn thinned(time_s: &[f64], columns: &[&[f64]], most: usize) -> (Vec<f64>, Vec<Vec<f64>>) {
     let rows = time_s.len();
-    if rows <= most {
-        return (time_s.to_vec(), columns.iter().map(|column| column.to_vec()).collect());
-    }
-    let size = rows.div_ceil((most / 2).max(1));
-    let times = time_s.chunks(size).flat_map(|chunk| [chunk[0], chunk[chunk.len() / 2]]).collect();
-    let thin = |column: &&[f64]| {
-        assert_eq!(column.len(), rows, "a column is as long as the times");
-        column.chunks(size).flat_map(extremes).collect()
+    let thin = |mut thinned: Thinned, values: &[f64]| {
+        assert_eq!(values.len(), rows, "a column is as long as the times");
+        values.iter().for_each(|value| thinned.push(*value));
+        thinned.values()
     };
-    (times, columns.iter().map(thin).collect())
+    let columns = columns.iter().map(|values| thin(Thinned::column(rows, most), values)).collect();
+    (thin(Thinned::times(rows, most), time_s), columns)
 }
 
 /// Smallest and largest value in the order in which they come; missing where all are.

@@ -18,7 +18,8 @@ use crate::{
     ResultsError, ResultsFolder,
     file::{partial_name, write_whole},
     frames,
-    names::CHECKPOINT,
+    names::{CHECKPOINT, TIME_TABLE},
+    parts::Parts,
 };
 
 /// What every checkpoint begins with.
@@ -62,7 +63,7 @@ impl ResultsFolder {
         self.checkpoint_path().exists()
     }
 
-    /// Removes the checkpoint, the parts of `frames.parquet` that belong to it, and what a killed
+    /// Removes the checkpoint, the parts of tables that belong to it, and what a killed
     /// program left of either: the run is finished, or begins anew.
     pub fn remove_checkpoint(&self) -> Result<(), ResultsError> {
         let path = self.checkpoint_path();
@@ -74,7 +75,9 @@ impl ResultsFolder {
             }
         }
         // After it: a checkpoint has its parts as long as it is there.
-        frames::remove_parts(self.path(), 0)
+        [frames::TABLE, TIME_TABLE]
+            .into_iter()
+            .try_for_each(|table| Parts { folder: self.path(), table }.remove(0))
     }
 }
 

@@ -1,5 +1,5 @@
-//! A table that a run adds to: what was written stays on the disk, so that memory does not grow
-//! with the operations.
+//! A table that a run adds to: what was written stays on the disk, so that memory grows neither with
+//! the operations nor with their length.
 
 use std::{
     borrow::Cow,
@@ -13,27 +13,33 @@ use wholestring::outcome::{self, ModelKind};
 
 use crate::{
     ColumnSpec, ResultsError, ResultsFolder, Table, file::write_whole, names::CHECKPOINT,
-    parquet_file,
+    parquet_file, parts::Parts,
 };
 
 /// A table of a run. Rows gather in memory until [`GrowingTable::write`] puts them behind those of
-/// the file, as a row group of their own.
+/// the file, as a row group of their own; rows that are too many for memory go to the disk as parts
+/// ([`GrowingTable::append_part`]), which the next write joins to the file.
 #[derive(Debug, Clone)]
 pub struct GrowingTable {
     name: &'static str,
     columns: &'static [ColumnSpec],
     /// Row groups of the file that are the run's.
     groups: usize,
+    /// Parts on the disk, and how many of them, from the first, are among those groups.
+    parts: usize,
+    joined: usize,
     waiting: Table,
     /// Whether the file holds them all.
     written: bool,
 }
 
-/// A growing table as a checkpoint keeps it: the rows that wait, and how many groups are on the
-/// disk.
+/// A growing table as a checkpoint keeps it: the rows that wait, and how many groups and parts are
+/// on the disk.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct TableSoFar<'a> {
     groups: usize,
+    parts: usize,
+    joined: usize,
     waiting: Cow<'a, Table>,
 }
 
@@ -41,14 +47,15 @@ impl GrowingTable {
     /// A table without rows; what an earlier run left in a file of that name goes with the first
     /// [`GrowingTable::write`].
     pub fn begin(name: &'static str, columns: &'static [ColumnSpec]) -> Self {
-        Self { name, columns, groups: 0, waiting: Table::with_columns(columns), written: false }
+        let waiting = Table::with_columns(columns);
+        Self { name, columns, groups: 0, parts: 0, joined: 0, waiting, written: false }
     }
 
     /// Holds these rows in place of those that it has, of a table that was never written; tells
     /// whether they have its columns.
     #[must_use]
     pub fn take(&mut self, rows: Table) -> bool {
-        let is_like = self.groups == 0 && rows.is_like(&self.waiting);
+        let is_like = self.groups == 0 && self.parts == 0 && rows.is_like(&self.waiting);
         if is_like {
             self.waiting = rows;
             self.written = false;
@@ -78,7 +85,7 @@ impl GrowingTable {
         so_far: TableSoFar<'_>,
     ) -> Result<(), ResultsError> {
         let empty = Table::with_columns(self.columns);
-        if !so_far.waiting.is_like(&empty) {
+        if !so_far.waiting.is_like(&empty) || so_far.joined > so_far.parts {
             return Err(ResultsError::Checkpoint {
                 path: folder.path().join(CHECKPOINT),
                 reason: format!("it is damaged (its table `{}`)", self.name),
@@ -87,18 +94,76 @@ impl GrowingTable {
         if so_far.groups > 0 {
             let path = self.path(folder);
             let (_, metadata) = open(&path)?;
-            let there = metadata.num_row_groups();
-            let fields = metadata.file_metadata().schema_descr().columns().iter();
-            let wanted = self.columns.iter().map(|column| column.name);
-            if there < so_far.groups || !fields.map(|field| field.name()).eq(wanted) {
-                let reason = "it is not what the run that is to be resumed had written";
-                return Err(ResultsError::format(&path, reason));
-            }
+            self.check_stored(&path, &metadata, so_far.groups)?;
         }
+        let parts = self.parts_in(folder);
+        for number in so_far.joined + 1..=so_far.parts {
+            self.check_stored(&parts.path(number), &parts.open(number)?.metadata, 1)?;
+        }
+        parts.remove(so_far.parts)?;
         self.groups = so_far.groups;
+        self.parts = so_far.parts;
+        self.joined = so_far.joined;
         self.waiting = so_far.waiting.into_owned();
         self.written = false;
         Ok(())
+    }
+
+    /// An error where a file has fewer row groups than it had, or other columns.
+    fn check_stored(
+        &self,
+        path: &Path,
+        metadata: &ParquetMetaData,
+        groups: usize,
+    ) -> Result<(), ResultsError> {
+        let fields = metadata.file_metadata().schema_descr().columns().iter();
+        let wanted = self.columns.iter().map(|column| column.name);
+        if metadata.num_row_groups() < groups || !fields.map(|field| field.name()).eq(wanted) {
+            let reason = "it is not what the run that is to be resumed had written";
+            return Err(ResultsError::format(path, reason));
+        }
+        Ok(())
+    }
+
+    /// Adds rows that go to the disk at once, as a part: `add` appends them to an empty table. Rows
+    /// that wait become a part before them.
+    ///
+    /// # Errors
+    /// A part that cannot be written; its rows are not in the table then.
+    pub fn append_part(
+        &mut self,
+        folder: &ResultsFolder,
+        add: impl FnOnce(&mut Table),
+    ) -> Result<(), ResultsError> {
+        if self.waiting.rows() > 0 {
+            self.write_part(folder, &self.waiting)?;
+            self.parts += 1;
+            self.waiting = Table::with_columns(self.columns);
+        }
+        let mut rows = Table::with_columns(self.columns);
+        add(&mut rows);
+        self.write_part(folder, &rows)?;
+        self.parts += 1;
+        self.written = false;
+        Ok(())
+    }
+
+    fn write_part(&self, folder: &ResultsFolder, rows: &Table) -> Result<(), ResultsError> {
+        self.parts_in(folder).write(self.parts + 1, |writer| {
+            let mut file = parquet_file::begin(rows, writer)?;
+            parquet_file::write_group(rows, &mut file)?;
+            file.close().map(drop)
+        })
+    }
+
+    /// Number of the last part, counted from one, and how many of them no write has joined yet.
+    pub fn last_part(&self) -> (usize, usize) {
+        (self.parts, self.parts - self.joined)
+    }
+
+    /// Where a part is.
+    pub fn part_path(&self, folder: &ResultsFolder, number: usize) -> PathBuf {
+        self.parts_in(folder).path(number)
     }
 
     /// Adds rows, as [`Table::append`] does.
@@ -121,7 +186,12 @@ impl GrowingTable {
 
     /// What a checkpoint must keep, to continue from here.
     pub fn so_far(&self) -> TableSoFar<'_> {
-        TableSoFar { groups: self.groups, waiting: Cow::Borrowed(&self.waiting) }
+        TableSoFar {
+            groups: self.groups,
+            parts: self.parts,
+            joined: self.joined,
+            waiting: Cow::Borrowed(&self.waiting),
+        }
     }
 
     /// Writes `<name>.parquet` with all rows so far, and `<name>.csv` where `csv` requires it.
@@ -138,6 +208,7 @@ impl GrowingTable {
                 0 => None,
                 _ => Some(open(&path)?),
             };
+            let parts = self.parts_in(folder);
             write_whole(&path, |writer| {
                 // Closed before the new file takes its name: Windows may not replace an open one.
                 let earlier = earlier;
@@ -146,6 +217,7 @@ impl GrowingTable {
                     if let Some((file_before, metadata)) = &earlier {
                         parquet_file::copy_groups(file_before, metadata, self.groups, &mut file)?;
                     }
+                    parts.copy(self.joined + 1..=self.parts, &mut file)?;
                     if self.waiting.rows() > 0 {
                         parquet_file::write_group(&self.waiting, &mut file)?;
                     }
@@ -153,6 +225,8 @@ impl GrowingTable {
                 };
                 write().map_err(parquet_file::io_error)
             })?;
+            self.groups += self.parts - self.joined;
+            self.joined = self.parts;
             if self.waiting.rows() > 0 {
                 self.groups += 1;
                 self.waiting = Table::with_columns(self.columns);
@@ -180,6 +254,10 @@ impl GrowingTable {
         folder.remove(&format!("{}.csv", self.name))
     }
 
+    fn parts_in<'a>(&self, folder: &'a ResultsFolder) -> Parts<'a> {
+        Parts { folder: folder.path(), table: self.name }
+    }
+
     fn path(&self, folder: &ResultsFolder) -> PathBuf {
         folder.path().join(format!("{}.parquet", self.name))
     }
@@ -193,125 +271,4 @@ fn open(path: &Path) -> Result<(File, ParquetMetaData), ResultsError> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{CONTACT, TIME};
-
-    fn append(table: &mut GrowingTable, operation: &str, from: f64) {
-        let numbers = [from, from + 1.0, f64::NAN];
-        table.append(&[("operation", &[operation])], &[("time_s", &numbers), ("md_m", &numbers)]);
-    }
-
-    fn all(folder: &ResultsFolder) -> (Vec<u8>, Vec<u8>, Table) {
-        let read = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
-        let table = Table::read_parquet(&folder.path().join("contact.parquet")).unwrap();
-        (read("contact.parquet"), read("contact.csv"), table)
-    }
-
-    fn folder() -> (tempfile::TempDir, ResultsFolder) {
-        let place = tempfile::tempdir().unwrap();
-        let folder = ResultsFolder::create(place.path()).unwrap();
-        (place, folder)
-    }
-
-    /// As one table that is held as a whole.
-    #[test]
-    fn rows_that_came_in_parts_are_those_of_one_table() {
-        let (_place, folder) = folder();
-        // What an earlier run left is none of it.
-        let mut table = GrowingTable::begin("contact", CONTACT);
-        append(&mut table, "earlier", 100.0);
-        table.write(&folder, true).unwrap();
-        let mut table = GrowingTable::begin("contact", CONTACT);
-        table.write(&folder, true).unwrap();
-        assert_eq!(all(&folder).2.rows(), 0);
-        let mut whole = Table::with_columns(CONTACT);
-        for (operation, from) in [("trip_in", 1.0), ("drill", 5.0), ("slide", 9.0)] {
-            append(&mut table, operation, from);
-            let numbers = [from, from + 1.0, f64::NAN];
-            whole.append(
-                &[("operation", &[operation])],
-                &[("time_s", &numbers), ("md_m", &numbers)],
-            );
-            table.write(&folder, true).unwrap();
-            assert_eq!(table.waiting.rows(), 0);
-        }
-        let (_, csv, read) = all(&folder);
-        assert_eq!(read, whole);
-        whole.write_csv(&folder.path().join("whole.csv")).unwrap();
-        assert_eq!(csv, std::fs::read(folder.path().join("whole.csv")).unwrap());
-        table.write(&folder, false).unwrap();
-        assert!(!folder.path().join("contact.csv").exists());
-    }
-
-    /// A run that was killed after it had written more than its checkpoint knows of writes the same
-    /// again.
-    #[test]
-    fn a_resumed_table_has_the_same_bytes() {
-        let (_place, folder) = folder();
-        let mut table = GrowingTable::begin("contact", CONTACT);
-        append(&mut table, "trip_in", 1.0);
-        table.write(&folder, true).unwrap();
-        append(&mut table, "drill", 5.0);
-        let kept = postcard::to_stdvec(&table.so_far()).unwrap();
-        table.write(&folder, true).unwrap();
-        append(&mut table, "slide", 9.0);
-        table.write(&folder, true).unwrap();
-        let whole = all(&folder);
-        let so_far: TableSoFar = postcard::from_bytes(&kept).unwrap();
-        let mut resumed = GrowingTable::begin("contact", CONTACT);
-        resumed.resume(&folder, so_far).unwrap();
-        resumed.write(&folder, true).unwrap();
-        assert_eq!(all(&folder).2.rows(), 6);
-        append(&mut resumed, "slide", 9.0);
-        resumed.write(&folder, true).unwrap();
-        assert!(all(&folder) == whole);
-        // A file without the rows that it had is reported.
-        let path = folder.path().join("contact.parquet");
-        let refused = |kept: &[u8], what: &str| {
-            let so_far = postcard::from_bytes(kept).unwrap();
-            let mut table = GrowingTable::begin("contact", CONTACT);
-            let error = table.resume(&folder, so_far).unwrap_err().to_string();
-            assert!(error.contains(what), "{error}");
-        };
-        GrowingTable::begin("contact", CONTACT).write(&folder, false).unwrap();
-        refused(&kept, "contact.parquet is not a file of results");
-        Table::with_columns(TIME).write_parquet(&path).unwrap();
-        refused(&kept, "contact.parquet is not a file of results");
-        std::fs::write(&path, "PAR1").unwrap();
-        refused(&kept, "contact.parquet is not a file of results");
-        std::fs::remove_file(&path).unwrap();
-        refused(&kept, "contact.parquet");
-        let other = GrowingTable::begin("contact", TIME);
-        let other = postcard::to_stdvec(&other.so_far()).unwrap();
-        refused(&other, "its table `contact`");
-    }
-
-    /// A run that is to leave no table keeps its rows in memory, but not without those that a
-    /// checkpoint of a run that was to leave one counts on.
-    #[test]
-    fn a_table_that_is_left_out_can_still_be_resumed() {
-        let (_place, folder) = folder();
-        let there = || folder.path().join("contact.parquet").exists();
-        let mut table = GrowingTable::begin("contact", CONTACT);
-        append(&mut table, "trip_in", 1.0);
-        table.write(&folder, true).unwrap();
-        let kept = postcard::to_stdvec(&table.so_far()).unwrap();
-        let mut resumed = GrowingTable::begin("contact", CONTACT);
-        resumed.resume(&folder, postcard::from_bytes(&kept).unwrap()).unwrap();
-        append(&mut resumed, "drill", 5.0);
-        resumed.leave_out(&folder).unwrap();
-        assert!(there() && !folder.path().join("contact.csv").exists());
-        append(&mut table, "drill", 5.0);
-        table.write(&folder, true).unwrap();
-        let whole = all(&folder);
-        resumed.write(&folder, true).unwrap();
-        assert!(all(&folder) == whole);
-        // One that begins anew needs nothing of what is there.
-        let mut table = GrowingTable::begin("contact", CONTACT);
-        append(&mut table, "drill", 5.0);
-        table.leave_out(&folder).unwrap();
-        assert!(!there());
-        assert_eq!(table.waiting.rows(), 3);
-    }
-}
+mod tests;

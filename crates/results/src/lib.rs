@@ -29,6 +29,7 @@ mod modes_tables;
 mod names;
 mod parquet_file;
 mod parquet_guard;
+mod parts;
 mod plan;
 mod reach;
 mod reach_table;

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use wholestring::outcome::Samples;
+
 use crate::fourier::Fourier;
 
 /// One-sided power spectral density of a signal.
@@ -20,8 +22,13 @@ impl Spectrum {
     /// `segment` samples that overlap by half, each less its mean and under Hann's window. A longer
     /// segment separates closer frequencies, more segments give a smoother estimate. None of less
     /// than two samples or a segment that does not fit.
-    pub fn welch(samples: &[f64], interval_s: f64, segment: usize) -> Option<Self> {
-        if segment < 2 || segment > samples.len() {
+    pub fn welch(
+        samples: &(impl Samples + ?Sized),
+        interval_s: f64,
+        segment: usize,
+    ) -> Option<Self> {
+        let count = samples.count();
+        if segment < 2 || segment > count {
             return None;
         }
         let window: Vec<f64> =
@@ -29,25 +36,40 @@ impl Spectrum {
         let power: f64 = window.iter().map(|w| w * w).sum();
         let transform = Fourier::of(segment);
         let mut density = vec![0.0; segment / 2 + 1];
-        let starts: Vec<usize> =
-            (0..=samples.len() - segment).step_by((segment / 2).max(1)).collect();
-        let windowed = |start: usize| -> Vec<f64> {
-            let part = &samples[start..start + segment];
+        let step = (segment / 2).max(1);
+        let segments = (count - segment) / step + 1;
+        let windowed = |part: &[f64]| -> Vec<f64> {
             let mean = part.iter().sum::<f64>() / segment as f64;
             part.iter().zip(&window).map(|(value, window)| (value - mean) * window).collect()
         };
         // Two real segments are one complex signal: of `Z = X + iY` is `|X|² + |Y|²` the mean of `|Z|²`
         // at a frequency and at its opposite.
-        for pair in starts.chunks(2) {
-            let mut re = windowed(pair[0]);
-            let mut im = pair.get(1).map_or_else(|| vec![0.0; segment], |start| windowed(*start));
+        let mut add = |mut re: Vec<f64>, mut im: Vec<f64>| {
             transform.transform(&mut re, &mut im);
             let square = |k: usize| re[k] * re[k] + im[k] * im[k];
             for (k, sum) in density.iter_mut().enumerate() {
                 *sum += 0.5 * (square(k) + square((segment - k) % segment));
             }
+        };
+        let mut gathered: Vec<f64> = Vec::with_capacity(segment);
+        let mut single: Option<Vec<f64>> = None;
+        samples.each(&mut |values| {
+            for value in values {
+                gathered.push(*value);
+                if gathered.len() == segment {
+                    let part = windowed(&gathered);
+                    match single.take() {
+                        Some(first) => add(first, part),
+                        None => single = Some(part),
+                    }
+                    gathered.drain(..step);
+                }
+            }
+        });
+        if let Some(last) = single {
+            add(last, vec![0.0; segment]);
         }
-        let scale = interval_s / (power * starts.len() as f64);
+        let scale = interval_s / (power * segments as f64);
         let last = density.len() - 1;
         for (index, value) in density.iter_mut().enumerate() {
             // Every frequency but the first, and the last of an even number, stands for two.

@@ -179,6 +179,21 @@ impl Table {
         of: &T,
         model: ModelKind,
     ) {
+        self.append_first_declared(words, declared, of, model, usize::MAX);
+    }
+
+    /// The same of the first rows, no more than `most`.
+    ///
+    /// # Panics
+    /// As [`Table::append_declared`].
+    pub fn append_first_declared<T>(
+        &mut self,
+        words: &[(&str, &[&str])],
+        declared: &[outcome::Column<T>],
+        of: &T,
+        model: ModelKind,
+        most: usize,
+    ) {
         let values = declared.iter().map(|column| (&column.quantity, (column.of)(of)));
         let values: Vec<_> = values.collect();
         let mut words = words.to_vec();
@@ -189,8 +204,12 @@ impl Table {
             match values {
                 Values::Words(_) if !known => words.push((quantity.name, &[""])),
                 Values::Numbers(_) if !known => {}
-                Values::Numbers(values) => numbers.push((quantity.name, values)),
-                Values::Words(values) => words.push((quantity.name, values)),
+                Values::Numbers(values) => {
+                    numbers.push((quantity.name, &values[..most.min(values.len())]));
+                }
+                Values::Words(values) => {
+                    words.push((quantity.name, &values[..most.min(values.len())]));
+                }
             }
         }
         self.append(&words, &numbers);

@@ -136,6 +136,25 @@ fn a_run_takes_less_than_50_MB() {
     assert!(peak_MB > 1.0 && peak_MB < 50.0, "{text}");
 }
 
+/// A run of 81 000 samples takes little more memory than one of 21 000: its series is on the disk. In
+/// memory the 60 000 samples between them would take 70 MB.
+#[test]
+#[cfg(target_os = "linux")]
+fn memory_does_not_grow_with_the_simulated_time() {
+    let peak_MB = |duration: &'static str| {
+        let case = args(
+            "memory --set 'bit_depth=400 m' --set 'mesh.element_length=30 m' --set model=dynamic \
+             --set 'dynamics.sample_interval=0.001 s' --set 'dynamics.settle=1 s' \
+             --set 'dynamics.checkpoint_interval=1 h' --set",
+        );
+        let (_, numbers) = measured(&[&case[..], &[duration]].concat());
+        numbers["memory"]["peak_MB"].as_f64().unwrap()
+    };
+    let [short_MB, long_MB] =
+        [peak_MB("dynamics.duration=20 s"), peak_MB("dynamics.duration=80 s")];
+    assert!(long_MB < short_MB + 10.0, "{short_MB} MB, {long_MB} MB");
+}
+
 #[test]
 fn a_key_that_the_case_does_not_have_is_refused() {
     let output = Desk::new().run(&["bench", "--set", "mesh.element_lenght=10 m"]);

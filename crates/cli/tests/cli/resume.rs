@@ -162,6 +162,73 @@ fn ctrl_c_lays_a_run_aside() {
     assert_eq!(child.wait().unwrap().code(), Some(2));
 }
 
+/// A run of 65 000 samples, of which 16 384 go to the disk at a time.
+fn long_run(more: &[&'static str]) -> Vec<&'static str> {
+    let run = args(
+        "run slant.toml --csv --set model=dynamic --set operation.kind=rotate_off_bottom \
+         --set 'mesh.element_length=30 m' --set 'dynamics.sample_interval=0.001 s' \
+         --set 'dynamics.settle=5 s' --set 'dynamics.duration=60 s' --set records.spectra=hook_load",
+    );
+    [&run[..], more].concat()
+}
+
+/// Whether a part of the series and a checkpoint that counts on it are on the disk.
+fn is_long(desk: &Desk, folder: &str) -> bool {
+    let there = |name: &str| fs::metadata(desk.path(&format!("{folder}/{name}"))).ok();
+    let written = |name: &str| there(name).map(|file| file.modified().unwrap());
+    let part = written("time.parts/000002.parquet");
+    part.is_some() && written("checkpoint.bin") > part
+}
+
+/// A series that goes to the disk while it grows is the same to the byte wherever the run was
+/// killed, and what is said of it is said of all of it.
+#[test]
+fn a_long_series_is_continued_without_loss() {
+    use wholestring::dynamics::Statistic;
+
+    let desk = Desk::new();
+    desk.done(&long_run(&["-o", "whole"]));
+    assert!(!desk.path("whole/time.parts").exists());
+    let time = desk.table("whole/time.parquet");
+    let column = |name: &str| -> Vec<f64> {
+        time.numbers(name).unwrap().iter().map(|value| value.unwrap()).collect()
+    };
+    let times_s = column("time_s");
+    assert_eq!(times_s.len(), 65_000);
+    assert!(times_s.windows(2).all(|pair| (pair[1] - pair[0] - 1e-3).abs() < 1e-9));
+    let summary = desk.summary("whole");
+    let solved = &summary.operations[0];
+    let settle_s = solved.numerics.as_ref().unwrap().run.settle_s;
+    let from = times_s.partition_point(|time_s| *time_s < settle_s);
+    for (name, found) in solved.statistics.as_ref().unwrap() {
+        let expected = Statistic::of(&column(name)[from..]).unwrap();
+        let of = |it: &Statistic| [it.mean, it.std, it.min, it.max, it.p05, it.p95, it.std_error];
+        assert_eq!(of(found), of(&expected), "{name}");
+    }
+
+    let often = ["-o", "killed", "--checkpoint", "0.01 s"];
+    desk.killed(&long_run(&often), || is_long(&desk, "killed"));
+    desk.done(&long_run(&["--resume", "killed"]));
+    assert_same(&desk, "killed", "whole");
+}
+
+/// Ctrl-C leaves the series so far, and a run that continues has the rest of it.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_long_series_is_kept() {
+    let desk = Desk::new();
+    desk.done(&long_run(&["-o", "whole"]));
+    let whole = desk.table("whole/time.parquet");
+    let often = ["-o", "stopped", "--checkpoint", "0.01 s"];
+    desk.interrupted(&long_run(&often), || is_long(&desk, "stopped"), Duration::ZERO);
+    let kept = desk.table("stopped/time.parquet");
+    let loads = kept.numbers("hook_load_N").unwrap();
+    assert!((32_768..65_000).contains(&loads.len()), "{}", loads.len());
+    assert!(whole.numbers("hook_load_N").unwrap().starts_with(loads));
+    desk.done(&long_run(&["--resume", "stopped"]));
+    assert_same(&desk, "stopped", "whole");
+}
+
 /// A run that continues with another case would answer neither.
 #[test]
 fn what_cannot_be_resumed_is_refused() {

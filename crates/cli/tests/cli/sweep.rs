@@ -302,10 +302,14 @@ fn shards_make_up_the_whole() {
     assert!(!desk.path("parts/.shares").exists());
 }
 
-/// Shares that begin at once and write to one folder, as the jobs of a cluster do: all succeed, and
-/// the last one to end leaves the table of all.
+/// How many trials of shares that begin at once are made, where not the few of every test run.
+const SHARE_TRIALS: &str = "WHOLESTRING_SHARE_TRIALS";
+
+/// Four to sixteen shares that begin at once and write to one folder, as the jobs of a cluster do:
+/// all succeed, and the last one to end leaves the table of all.
 #[test]
 fn shares_at_once_make_up_the_whole() {
+    let trials = std::env::var(SHARE_TRIALS).map_or(3, |count| count.parse::<usize>().unwrap());
     let desk = Desk::new();
     let with = |more: &[&str]| {
         let soft = ["--set", "model=soft", "--quiet", "-j", "1"];
@@ -315,8 +319,8 @@ fn shares_at_once_make_up_the_whole() {
         |words: &[String]| desk.command(&words.iter().map(String::as_str).collect::<Vec<_>>());
     assert!(args(&with(&["-o", "whole"])).status().unwrap().success());
     let whole = fs::read(desk.path("whole/sweep.csv")).unwrap();
-    for (trial, shares) in [4, 6, 3].into_iter().enumerate() {
-        let folder = format!("trial-{trial}");
+    for trial in 0..trials {
+        let (folder, shares) = (format!("trial-{trial}"), 4 + 5 * trial % 13);
         let begun: Vec<_> = (1..=shares)
             .map(|share| {
                 let share = format!("{share}/{shares}");
@@ -330,6 +334,8 @@ fn shares_at_once_make_up_the_whole() {
             assert!(output.status.success(), "{}", transcript(&output));
         }
         assert!(fs::read(desk.path(&folder).join("sweep.csv")).unwrap() == whole, "{folder}");
+        assert!(!desk.path(&folder).join("sweep.csv.partial").exists(), "{folder}");
+        fs::remove_dir_all(desk.path(&folder)).unwrap();
     }
 }
 

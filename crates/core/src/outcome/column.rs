@@ -29,6 +29,14 @@ impl Values<'_> {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
+
+    /// The numbers; none of words.
+    pub fn numbers(&self) -> &[f64] {
+        match self {
+            Self::Numbers(values) => values,
+            Self::Words(_) => &[],
+        }
+    }
 }
 
 impl<'a> Values<'a> {
@@ -62,10 +70,18 @@ impl<T> Column<T> {
     /// # Panics
     /// Where there is none: in a constant, the compiler says so.
     pub const fn declared(columns: &'static [Self], name: &str) -> &'static Quantity {
+        &Self::named(columns, name).quantity
+    }
+
+    /// The column of that name.
+    ///
+    /// # Panics
+    /// Where there is none: in a constant, the compiler says so.
+    pub const fn named(columns: &'static [Self], name: &str) -> &'static Self {
         let mut place = 0;
         while place < columns.len() {
             if is_same(columns[place].quantity.name, name) {
-                return &columns[place].quantity;
+                return &columns[place];
             }
             place += 1;
         }

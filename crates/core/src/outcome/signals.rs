@@ -22,15 +22,20 @@ macro_rules! signals {
             pub const BY_NAME: &[(&'static str, Self)] =
                 &[$((Self::$signal.name(), Self::$signal),)*];
 
-            /// What it is: the column's declaration.
-            pub const fn quantity(self) -> &'static $crate::outcome::Quantity {
+            /// Its column.
+            pub const fn column(self) -> &'static $crate::outcome::Column<$rows> {
                 match self {
                     $(Self::$signal => {
-                        const DECLARED: &$crate::outcome::Quantity =
-                            $crate::outcome::Column::declared($list, stringify!($column));
+                        const DECLARED: &$crate::outcome::Column<$rows> =
+                            $crate::outcome::Column::named($list, stringify!($column));
                         DECLARED
                     })*
                 }
+            }
+
+            /// What it is: the column's declaration.
+            pub const fn quantity(self) -> &'static $crate::outcome::Quantity {
+                &self.column().quantity
             }
 
             /// Name in case files and results.

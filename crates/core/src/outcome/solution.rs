@@ -1,8 +1,8 @@
 //! What a method answers of one operation: the same parts, whatever the method.
 
 use super::{
-    along_string::Profile, contact_map::ContactMap, hole_wear::HoleWear, method::ModelKind,
-    scalars::Scalars, time_series::TimeSeries,
+    along_string::Profile, contact_map::ContactMap, history::EarlierRows, history::History,
+    hole_wear::HoleWear, method::ModelKind, scalars::Scalars,
 };
 use crate::{
     dynamics::{DynamicOutcome, Indicators, Numerics, Statistic, TableUse},
@@ -46,7 +46,18 @@ pub struct InTime<'a> {
     /// Contact over depth and time.
     pub contact: &'a ContactMap,
     /// Scalars against time.
-    pub series: &'a TimeSeries,
+    pub history: History<'a>,
+}
+
+impl<'a> Solution<'a> {
+    /// The same with the rows of its history that were handed over.
+    #[must_use]
+    pub fn with_earlier(mut self, earlier: Option<&'a dyn EarlierRows>) -> Self {
+        if let Some(in_time) = &mut self.in_time {
+            in_time.history = History::new(earlier, in_time.history.series());
+        }
+        self
+    }
 }
 
 impl<'a> From<&'a SoftProfile> for Solution<'a> {
@@ -117,7 +128,7 @@ impl<'a> From<&'a DynamicOutcome> for Solution<'a> {
                 indicators,
                 bit_table: *bit_table,
                 contact,
-                series,
+                history: History::new(None, series),
             }),
         }
     }

@@ -152,26 +152,31 @@ pub(crate) const fn varying_place(name: &str) -> usize {
 }
 
 impl TimeSeries {
-    /// Whether a stored series is one of so many nodes, all its columns of one length; how many
-    /// rows it has.
-    pub(crate) fn check(&self, nodes: usize) -> Result<usize, Damaged> {
+    /// Whether a stored series is one of so many nodes, all its columns of one length, and what
+    /// was recorded of nodes longer by the rows that were handed over; how many rows it has.
+    pub(crate) fn check(&self, nodes: usize, handed_over: usize) -> Result<usize, Damaged> {
         let rows = self.time_s.len();
+        let probed = rows.checked_add(handed_over);
         let fits = TIME_SERIES.iter().all(|column| (column.of)(self).len() == rows)
             && self.schedule_line.len() == rows
-            && self.probes.iter().all(|probe| probe.node < nodes && probe.samples.len() == rows);
+            && self.probes.iter().all(|p| p.node < nodes && Some(p.samples.len()) == probed);
         ensure(fits, "the series against time")?;
         Ok(rows)
     }
 
-    /// Drops the first rows of all columns.
+    /// Drops the first rows of all columns, but not what was recorded of single nodes.
     pub(crate) fn drop_first(&mut self, rows: usize) {
         let rows = rows.min(self.time_s.len());
         for column in TIME_SERIES {
             (column.drop_first)(self, rows);
         }
         self.schedule_line.drain(..rows);
+    }
+
+    /// Drops the first samples that were recorded of single nodes.
+    pub(crate) fn drop_first_probed(&mut self, samples: usize) {
         for probe in &mut self.probes {
-            probe.samples.drain(..rows);
+            probe.samples.drain(..samples.min(probe.samples.len()));
         }
     }
 }

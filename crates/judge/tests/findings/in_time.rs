@@ -37,7 +37,8 @@ impl Ran {
 
     fn found(&self) -> Vec<Check> {
         let Self { model, operation, settings, outcome } = self;
-        open(Judge::default().dynamic(model, operation, settings, outcome).checks)
+        let solution = outcome.into();
+        open(Judge::default().dynamic(model, operation, settings, &solution).checks)
     }
 
     fn has(&self, kind: CheckKind) -> Option<Check> {

@@ -9,22 +9,13 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use parquet::{
-    errors::ParquetError,
-    file::{
-        metadata::{ParquetMetaData, ParquetMetaDataReader},
-        writer::SerializedFileWriter,
-    },
-};
+use parquet::{errors::ParquetError, file::writer::SerializedFileWriter};
 use serde::{Deserialize, Serialize};
 use wholestring::dynamics::{Channel, Frame};
 
 use self::rows::{FrameRows, Layout};
 use crate::{
-    ResultsError,
-    file::write_whole,
-    names::CHECKPOINT,
-    parquet_file::{self, copy_groups, io_error},
+    ResultsError, file::write_whole, names::CHECKPOINT, parquet_file::io_error, parts::Parts,
 };
 
 /// What a Parquet file of frames is written by.
@@ -35,8 +26,8 @@ const GROUP_ROWS: usize = 1 << 17;
 
 const NAME: &str = "frames.parquet";
 
-/// The folder of the parts.
-const PARTS: &str = "frames.parts";
+/// The table, without the ending of its file.
+pub(crate) const TABLE: &str = "frames";
 
 /// Frames up to some moment of a run, as a checkpoint keeps them: the rows that wait, and how many
 /// parts are on the disk.
@@ -50,10 +41,8 @@ pub struct FramesSoFar {
 ///
 /// Rows gather until there are 131 072 of them and go to a file of their own,
 /// `frames.parts/000001.parquet` and so on; [`FrameWriter::write`] joins these parts to
-/// `frames.parquet`. A part is never touched again, so that a run can continue from any checkpoint
-/// ([`FrameWriter::so_far`]) that was written since: it drops the parts that are younger, and
-/// writes the same ones again. The parts go with the checkpoint
-/// ([`ResultsFolder::remove_checkpoint`](crate::ResultsFolder::remove_checkpoint)).
+/// `frames.parquet`. A run can continue from any checkpoint ([`FrameWriter::so_far`]) that was
+/// written since.
 pub struct FrameWriter {
     folder: PathBuf,
     channels: Vec<Channel>,
@@ -97,10 +86,11 @@ impl FrameWriter {
         }
         let layout = Layout::of(channels)
             .map_err(|error| ResultsError::format(&folder.join(NAME), error))?;
+        let parts = Parts { folder, table: TABLE };
         for number in 1..=so_far.parts {
-            Part::open(folder, number)?;
+            parts.open(number)?;
         }
-        remove_parts(folder, so_far.parts)?;
+        parts.remove(so_far.parts)?;
         Ok(Self {
             folder: folder.to_owned(),
             channels: channels.to_vec(),
@@ -131,27 +121,28 @@ impl FrameWriter {
         if self.written {
             return Ok(());
         }
-        self.write_file(&self.folder.join(NAME), |file| {
-            for number in 1..=self.so_far.parts {
-                let part = Part::open(&self.folder, number);
-                let part = part.map_err(|error| ParquetError::External(error.into()))?;
-                copy_groups(&part.file, &part.metadata, usize::MAX, file)?;
-            }
+        let write = |file: &mut Writer<'_>| {
+            self.parts().copy(1..=self.so_far.parts, file)?;
             match self.so_far.waiting.len() {
                 0 => Ok(()),
                 _ => self.so_far.waiting.write_group(file),
             }
+        };
+        write_whole(&self.folder.join(NAME), |writer| {
+            self.write_file(writer, write).map_err(io_error)
         })?;
         self.written = true;
         Ok(())
     }
 
+    fn parts(&self) -> Parts<'_> {
+        Parts { folder: &self.folder, table: TABLE }
+    }
+
     fn write_part(&mut self) -> Result<(), ResultsError> {
-        let path = part_path(&self.folder, self.so_far.parts + 1);
-        let place = self.folder.join(PARTS);
-        fs::create_dir_all(&place)
-            .map_err(|source| ResultsError::Folder { path: place, source })?;
-        self.write_file(&path, |file| self.so_far.waiting.write_group(file))?;
+        self.parts().write(self.so_far.parts + 1, |writer| {
+            self.write_file(writer, |file| self.so_far.waiting.write_group(file))
+        })?;
         self.so_far.parts += 1;
         self.so_far.waiting.clear();
         Ok(())
@@ -159,59 +150,11 @@ impl FrameWriter {
 
     fn write_file(
         &self,
-        path: &Path,
+        writer: &mut BufWriter<File>,
         write: impl FnOnce(&mut Writer<'_>) -> Result<(), ParquetError>,
-    ) -> Result<(), ResultsError> {
-        let write = |writer: &mut BufWriter<File>| {
-            let mut file = self.layout.begin(writer)?;
-            write(&mut file)?;
-            file.close().map(drop)
-        };
-        write_whole(path, |writer| write(writer).map_err(io_error))
-    }
-}
-
-/// `frames.parts/000001.parquet`: in the order of their names wherever they are listed.
-fn part_path(folder: &Path, number: usize) -> PathBuf {
-    folder.join(PARTS).join(format!("{number:06}.parquet"))
-}
-
-/// A part on the disk: a Parquet file with a row group.
-struct Part {
-    file: File,
-    metadata: ParquetMetaData,
-}
-
-impl Part {
-    fn open(folder: &Path, number: usize) -> Result<Self, ResultsError> {
-        let path = part_path(folder, number);
-        let file = parquet_file::open(&path)?;
-        let metadata =
-            parquet_file::guarded(&path, || ParquetMetaDataReader::new().parse_and_finish(&file))?;
-        Ok(Self { file, metadata })
-    }
-}
-
-/// Removes all parts but the first `kept`, and with the last of them their folder.
-pub(crate) fn remove_parts(folder: &Path, kept: usize) -> Result<(), ResultsError> {
-    let place = folder.join(PARTS);
-    let remove = || -> io::Result<()> {
-        if kept == 0 {
-            return fs::remove_dir_all(&place);
-        }
-        let kept: Vec<PathBuf> = (1..=kept).map(|number| part_path(folder, number)).collect();
-        for entry in fs::read_dir(&place)? {
-            let path = entry?.path();
-            if !kept.contains(&path) {
-                fs::remove_file(path)?;
-            }
-        }
-        Ok(())
-    };
-    match remove() {
-        Err(source) if source.kind() != io::ErrorKind::NotFound => {
-            Err(ResultsError::Write { path: place, source })
-        }
-        _ => Ok(()),
+    ) -> Result<(), ParquetError> {
+        let mut file = self.layout.begin(writer)?;
+        write(&mut file)?;
+        file.close().map(drop)
     }
 }

@@ -33,7 +33,7 @@ impl Table {
 
     /// Reads back the pieces of a file that hold a row with this word in that column, whole: they
     /// may hold rows with other words. `None` where there is no such piece. The tables of a run
-    /// against time have a piece for each operation.
+    /// against time have pieces of their own for each operation.
     ///
     /// # Errors
     /// A file that cannot be read, or is damaged.
@@ -42,7 +42,26 @@ impl Table {
         column: &str,
         word: &str,
     ) -> Result<Option<Self>, ResultsError> {
-        read_groups_with(path, column, word)
+        let mut found: Option<Self> = None;
+        read_groups_with(path, column, word, |rows| match &mut found {
+            None => found = Some(rows),
+            Some(found) => found.extend(rows),
+        })?;
+        Ok(found)
+    }
+
+    /// Calls `take` with the same pieces, one after the other: all of them may be too many for
+    /// memory.
+    ///
+    /// # Errors
+    /// Those of [`Table::read_parquet_with`].
+    pub fn read_parquet_pieces_with(
+        path: &Path,
+        column: &str,
+        word: &str,
+        take: impl FnMut(Self),
+    ) -> Result<(), ResultsError> {
+        read_groups_with(path, column, word, take)
     }
 }
 
@@ -78,22 +97,22 @@ pub(crate) fn read_each_group(
 }
 
 /// Reads the row groups in which a column of words holds this one, one after the other.
-fn read_groups_with(path: &Path, column: &str, word: &str) -> Result<Option<Table>, ResultsError> {
+fn read_groups_with(
+    path: &Path,
+    column: &str,
+    word: &str,
+    mut take: impl FnMut(Table),
+) -> Result<(), ResultsError> {
     let opened = Opened::new(path)?;
-    let mut found: Option<Table> = None;
     for group in 0..opened.reader.num_row_groups() {
         let words = opened.read_some(|name| name == column, group..group + 1)?;
         if !words.words(column).unwrap_or_default().iter().any(|one| one == word) {
             continue;
         }
         let others = opened.read_some(|name| name != column, group..group + 1)?;
-        let rows = opened.in_order(words.into_columns().chain(others.into_columns()));
-        match &mut found {
-            None => found = Some(rows),
-            Some(found) => found.extend(rows),
-        }
+        take(opened.in_order(words.into_columns().chain(others.into_columns())));
     }
-    Ok(found)
+    Ok(())
 }
 
 /// Calls the reader of Parquet, which is not ours and panics at some of what a damaged file holds.

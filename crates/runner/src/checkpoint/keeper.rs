@@ -26,6 +26,11 @@ impl<'a> Keeper<'a> {
         Self { folder: None, every: Duration::MAX, last: Instant::now() }
     }
 
+    /// The folder that it writes to; none where the run stays in memory.
+    pub(crate) fn folder(&self) -> Option<&'a ResultsFolder> {
+        self.folder
+    }
+
     /// Whether the time for a checkpoint has come.
     pub(crate) fn is_due(&self) -> bool {
         self.folder.is_some() && self.last.elapsed() >= self.every

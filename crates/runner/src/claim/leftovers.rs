@@ -17,7 +17,7 @@ const OTHERS: [&str; 2] = [FILE, "checkpoint.bin.partial"];
 
 /// Folders that commands make in the folder of their results, and the endings of what they put
 /// there.
-const MADE: [&str; 5] = ["plots", "figures", "tables", "frames.parts", SHARES];
+const MADE: [&str; 6] = ["plots", "figures", "tables", "frames.parts", "time.parts", SHARES];
 const PUT_THERE: [&str; 7] = [".svg", ".png", ".csv", ".md", ".parquet", ".json", ".lock"];
 
 /// Whether a command wrote a file of that name into the folder of its results.

@@ -3,15 +3,12 @@
 use std::collections::BTreeMap;
 
 use wholestring_report::{
-    BottomPicture, ContactPicture, DrillOff, Packed, contact_columns, drill_off_columns, thinned,
+    BottomPicture, ContactPicture, DrillOff, Packed, Thinned, contact_columns, drill_off_columns,
 };
-use wholestring_results::Table;
+use wholestring_results::{ResultsError, Table};
 
-use super::rows::rows;
-use crate::{
-    column::{numbers, words},
-    parallel::beside,
-};
+use super::{rows::rows, tables::Tables};
+use crate::column::{numbers, words};
 
 /// Rows of time histories that a page holds, all operations together.
 const MAX_ROWS: usize = 12_000;
@@ -30,65 +27,147 @@ pub(super) struct History {
     pub(super) columns: BTreeMap<String, Packed>,
     /// When a line of the schedule with a note began, and the note.
     pub(super) notes: Vec<(f64, String)>,
+    /// What the bit takes away in the window for what it is given; none where no weight is on the
+    /// bit.
+    pub(super) drill_off: Option<DrillOff>,
 }
 
-/// Time histories of an operation that shares the page with `many`, itself included.
-pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
-    let rows = rows(time, None, operation);
-    let times = of_rows(time, "time_s", &rows);
-    let most = MAX_ROWS / many.max(1);
-    let names: Vec<&str> = time
-        .columns()
-        .iter()
-        .map(|column| column.name.as_str())
-        .filter(|name| *name != "time_s" && !numbers(time, name).is_empty())
-        .collect();
-    let of_names = |names: &[&str]| -> Vec<(String, Packed)> {
-        let thin = |name: &&str| {
-            let values = of_rows(time, name, &rows);
-            values.iter().any(|value| value.is_finite()).then(|| {
-                let values = thinned(&times, &[&values], most).1.remove(0);
-                ((*name).to_owned(), Packed::single(values))
-            })
+impl History {
+    /// Of an operation whose window begins at `window_s` and which shares the page with `many`,
+    /// itself included. The table is read piece by piece, twice: how many rows become one is known
+    /// when all are counted.
+    pub(super) fn of(
+        tables: &Tables,
+        operation: &str,
+        window_s: f64,
+        many: usize,
+    ) -> Result<Self, ResultsError> {
+        let (mut samples, mut in_window) = (0, 0);
+        tables.columns_of("time", &["operation", "time_s"], |piece| {
+            let rows = rows(&piece, None, operation);
+            let times_s = of_rows(&piece, "time_s", &rows);
+            samples += rows.len();
+            in_window += times_s.iter().filter(|time_s| **time_s >= window_s).count();
+        })?;
+        let mut reading = Reading {
+            samples,
+            many: many.max(1),
+            times: Thinned::times(samples, MAX_ROWS / many.max(1)),
+            columns: BTreeMap::new(),
+            notes: Vec::new(),
+            last_note: String::new(),
+            drill_off: DrillOffRows::new(in_window, samples, window_s, many),
         };
-        names.iter().filter_map(thin).collect()
-    };
-    // Half of them on another core: who interrupts a long run waits for its page.
-    let (some, others) = names.split_at(names.len() / 2);
-    let (others, some) = beside(|| of_names(others), || of_names(some));
-    let columns = some.into_iter().chain(others);
-    let times = ("time_s".into(), Packed::single(thinned(&times, &[], most).0));
-    History {
-        samples: rows.len(),
-        columns: columns.chain([times]).collect(),
-        notes: notes(time, &rows),
+        tables.pieces_of("time", operation, |piece| reading.take(&piece, operation))?;
+        Ok(reading.end())
     }
 }
 
-/// What the bit takes away in the window for what it is given, of an operation that shares the page
-/// with `many`, itself included; none where no weight is on the bit.
-pub(super) fn drill_off(
-    time: &Table,
-    operation: &str,
-    window_s: f64,
+/// Time histories that are being read.
+struct Reading {
+    samples: usize,
     many: usize,
-) -> Option<DrillOff> {
-    let rows = rows(time, None, operation);
-    let times = of_rows(time, "time_s", &rows);
-    let begun = rows.iter().zip(&times).filter(|(_, time_s)| **time_s >= window_s);
-    let mut window: Vec<usize> = begun.map(|(row, _)| *row).collect();
-    if window.is_empty() {
-        // What ended before its window shows what there is.
-        window = rows;
+    times: Thinned,
+    columns: BTreeMap<String, Thinned>,
+    notes: Vec<(f64, String)>,
+    last_note: String,
+    drill_off: DrillOffRows,
+}
+
+impl Reading {
+    fn take(&mut self, piece: &Table, operation: &str) {
+        let rows = rows(piece, None, operation);
+        let times_s = of_rows(piece, "time_s", &rows);
+        times_s.iter().for_each(|time_s| self.times.push(*time_s));
+        for column in piece.columns() {
+            let name = column.name.as_str();
+            if name == "time_s" || numbers(piece, name).is_empty() {
+                continue;
+            }
+            let thinned = self.columns.entry(name.to_owned());
+            let thinned =
+                thinned.or_insert_with(|| Thinned::column(self.samples, MAX_ROWS / self.many));
+            of_rows(piece, name, &rows).into_iter().for_each(|value| thinned.push(value));
+        }
+        self.take_notes(words(piece, "note"), &rows, &times_s);
+        self.drill_off.take(piece, &rows, &times_s);
     }
-    let step = window.len().div_ceil((MAX_DRILLED / many.max(1)).max(1));
-    let chosen: Vec<usize> = window.into_iter().step_by(step.max(1)).collect();
-    let names = drill_off_columns();
-    let columns = names.map(|name| of_rows(time, name, &chosen));
-    let drills = columns[0].iter().any(|weight| *weight > 0.0);
-    drills.then(|| DrillOff {
-        columns: names.map(String::from).into_iter().zip(columns.map(Packed::single)).collect(),
-    })
+
+    /// Where the note changes to another one.
+    fn take_notes(&mut self, all: &[String], rows: &[usize], times_s: &[f64]) {
+        for (row, time_s) in rows.iter().zip(times_s) {
+            let note = all.get(*row).map_or("", String::as_str);
+            if note != self.last_note {
+                if !note.is_empty() {
+                    let time_s = if time_s.is_nan() { 0.0 } else { *time_s };
+                    self.notes.push((time_s, note.to_owned()));
+                }
+                note.clone_into(&mut self.last_note);
+            }
+        }
+    }
+
+    fn end(self) -> History {
+        let columns = self.columns.into_iter().filter_map(|(name, thinned)| {
+            let values = thinned.values();
+            let any = values.iter().any(|value| value.is_finite());
+            any.then(|| (name, Packed::single(values)))
+        });
+        let times = ("time_s".into(), Packed::single(self.times.values()));
+        History {
+            samples: self.samples,
+            columns: columns.chain([times]).collect(),
+            notes: self.notes,
+            drill_off: self.drill_off.end(),
+        }
+    }
+}
+
+/// Every so many rows of the window, of what the bit takes away.
+struct DrillOffRows {
+    /// Rows before this time, s, are not in the window.
+    from_s: f64,
+    step: usize,
+    place: usize,
+    columns: Vec<Vec<f64>>,
+}
+
+impl DrillOffRows {
+    fn new(in_window: usize, samples: usize, window_s: f64, many: usize) -> Self {
+        // What ended before its window shows what there is.
+        let (rows, from_s) =
+            if in_window > 0 { (in_window, window_s) } else { (samples, f64::NEG_INFINITY) };
+        let step = rows.div_ceil((MAX_DRILLED / many.max(1)).max(1)).max(1);
+        let columns = vec![Vec::new(); drill_off_columns().len()];
+        Self { from_s, step, place: 0, columns }
+    }
+
+    fn take(&mut self, piece: &Table, rows: &[usize], times_s: &[f64]) {
+        let mut chosen = Vec::new();
+        for (row, time_s) in rows.iter().zip(times_s) {
+            // Where no window began, times that are missing count, too.
+            if *time_s >= self.from_s || self.from_s == f64::NEG_INFINITY {
+                if self.place.is_multiple_of(self.step) {
+                    chosen.push(*row);
+                }
+                self.place += 1;
+            }
+        }
+        for (name, column) in drill_off_columns().into_iter().zip(&mut self.columns) {
+            column.extend(of_rows(piece, name, &chosen));
+        }
+    }
+
+    fn end(self) -> Option<DrillOff> {
+        let drills = self.columns[0].iter().any(|weight| *weight > 0.0);
+        drills.then(|| DrillOff {
+            columns: drill_off_columns()
+                .map(String::from)
+                .into_iter()
+                .zip(self.columns.into_iter().map(Packed::single))
+                .collect(),
+        })
+    }
 }
 
 /// The bottom of the hole that an operation left; none where its bit did not stand on solid rock.
@@ -111,21 +190,6 @@ fn of_rows(table: &Table, name: &str, rows: &[usize]) -> Vec<f64> {
     let values = numbers(table, name);
     let number = |row: &usize| values.get(*row).copied().flatten();
     rows.iter().map(|row| number(row).unwrap_or(f64::NAN)).collect()
-}
-
-/// Where the note changes to another one.
-fn notes(time: &Table, rows: &[usize]) -> Vec<(f64, String)> {
-    let (all, times) = (words(time, "note"), numbers(time, "time_s"));
-    let mut last = "";
-    let mut notes = Vec::new();
-    for row in rows {
-        let note = all.get(*row).map_or("", String::as_str);
-        if note != last && !note.is_empty() {
-            notes.push((times[*row].unwrap_or(0.0), note.to_owned()));
-        }
-        last = note;
-    }
-    notes
 }
 
 /// The map of contact of an operation that shares the page with `many`, itself included.

@@ -13,7 +13,8 @@ use super::{
     file::{FILE, PROGRAM},
     frames,
     head::opening_units,
-    history, inputs, page_tables,
+    history::{self, History},
+    inputs, page_tables,
     profile::{PROFILE, write_profile},
     results,
     rows::columns,
@@ -92,12 +93,11 @@ pub(crate) fn gather(
         summary.operations.iter().filter(|solved| solved.statistics.is_some()).collect();
     let many = runs.len();
     let timed = |solved: &&OperationSummary| {
-        let time = tables.of("time", &solved.operation)?;
         let contact = tables.of("contact", &solved.operation)?;
         let spectra = tables.of("spectra", &solved.operation)?;
         let bottom = tables.of("bottom_hole", &solved.operation)?;
-        let history = history::history(&time, &solved.operation, many);
         let window_s = solved.window_from_s(&summary.settings);
+        let history = History::of(tables, &solved.operation, window_s, many)?;
         Ok(TimeRun {
             operation: solved.operation.clone(),
             window_s,
@@ -106,7 +106,7 @@ pub(crate) fn gather(
             notes: history.notes,
             contact: history::contact(&contact, &solved.operation, many),
             frames: None,
-            drill_off: history::drill_off(&time, &solved.operation, window_s, many),
+            drill_off: history.drill_off,
             bottom: history::bottom(&bottom, &solved.operation),
             spectra: spectra::pictures(&spectra, &solved.operation),
         })

@@ -27,6 +27,37 @@ impl Tables {
     }
 }
 
+impl Tables {
+    /// Calls `take` with the pieces of a table that are about an operation, among other rows: of a
+    /// table that is too long for memory.
+    pub(super) fn pieces_of(
+        &self,
+        name: &str,
+        operation: &str,
+        take: impl FnMut(Table),
+    ) -> Result<(), ResultsError> {
+        let path = self.folder.join(format!("{name}.parquet"));
+        match path.is_file() {
+            true => Table::read_parquet_pieces_with(&path, "operation", operation, take),
+            false => Ok(()),
+        }
+    }
+
+    /// The same of some columns alone, with all pieces of the table.
+    pub(super) fn columns_of(
+        &self,
+        name: &str,
+        columns: &[&str],
+        take: impl FnMut(Table),
+    ) -> Result<(), ResultsError> {
+        let path = self.folder.join(format!("{name}.parquet"));
+        match path.is_file() {
+            true => Table::read_parquet_pieces(&path, columns, take),
+            false => Ok(()),
+        }
+    }
+}
+
 /// A whole table of the folder with all of its declared columns, without rows where there is no
 /// such file.
 ///

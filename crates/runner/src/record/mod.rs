@@ -1,6 +1,7 @@
 //! What a run has solved so far, and its way to the disk.
 
 mod frames;
+mod handed_over;
 pub(crate) mod rows;
 mod run_tables;
 
@@ -9,7 +10,7 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wholestring::{
-    dynamics::ScheduleStep,
+    dynamics::{ScheduleStep, Simulation},
     operation::Operation,
     outcome::{Cost, ModelKind},
     well::Hole,
@@ -17,13 +18,13 @@ use wholestring::{
 use wholestring_case::{Case, Records};
 use wholestring_judge::{Checks, Judge};
 use wholestring_results::{
-    ENGINE_VERSION, FramesSoFar, GrowingTable, ResultsError, ResultsFolder, SCHEMA_VERSION,
+    ENGINE_VERSION, FramesSoFar, GrowingTable, ResultsError, ResultsFolder, SCHEMA_VERSION, Status,
     Summary, Table, TableSoFar, digest,
 };
 use wholestring_units::UnitSet;
 
-use self::frames::Frames;
-pub(crate) use self::run_tables::RunTables;
+use self::{frames::Frames, handed_over::PART_ROWS};
+pub(crate) use self::{handed_over::HandedOver, run_tables::RunTables};
 use crate::{
     keep::Keep,
     page::{FILE, PROFILE, Tables, along_the_hole, write_profile},
@@ -179,6 +180,32 @@ impl Record {
         let name = operation.kind.name();
         let mut solved = self.summary.operations.iter();
         solved.any(|solved| solved.model == model && solved.operation == name)
+    }
+
+    /// The rows that an operation under way has handed over.
+    ///
+    /// # Errors
+    /// A checkpoint whose operation has handed over other rows than there are.
+    pub(crate) fn handed_over(
+        &self,
+        folder: &ResultsFolder,
+        simulation: &Simulation,
+    ) -> Result<HandedOver, String> {
+        let rows = simulation.handed_over();
+        let (last, waiting) = self.tables.time.last_part();
+        if !rows.is_multiple_of(PART_ROWS) || rows / PART_ROWS > waiting {
+            return Err("the checkpoint is damaged: its rows against time".to_owned());
+        }
+        let parts = last - rows / PART_ROWS + 1..=last;
+        let path = |number| self.tables.time.part_path(folder, number);
+        Ok(HandedOver::new(parts.map(path).collect()))
+    }
+
+    /// The answer that was added last has failed after all.
+    pub(crate) fn failed(&mut self, reason: String) {
+        if let Some(last) = self.summary.operations.last_mut() {
+            last.status = Status::Failed(reason);
+        }
     }
 
     /// Adds the checks of the answer that was added last.

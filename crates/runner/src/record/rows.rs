@@ -3,16 +3,19 @@
 use std::time::Duration;
 
 use wholestring::{
-    dynamics::{ScheduleStep, TunedHookLoad},
+    dynamics::{ScheduleStep, Simulation, TunedHookLoad},
     operation::Operation,
     outcome::{
-        CONTACT_MAP, HOLE_WEAR, InTime, ModelKind, PROFILE, Profile, Scalars, Solution, TIME_SERIES,
+        CONTACT_MAP, Column, HOLE_WEAR, InTime, ModelKind, PROFILE, Profile, Samples, Scalars,
+        Solution, TIME_SERIES, TimeSeries, samples::ends,
     },
     rock::bit_face::BottomHole,
 };
-use wholestring_results::{Friction, Numerics, OperationSummary, Spectrum, Status};
+use wholestring_results::{
+    Friction, Numerics, OperationSummary, ResultsError, ResultsFolder, Spectrum, Status,
+};
 
-use super::{Record, friction};
+use super::{Record, friction, handed_over::PART_ROWS};
 
 /// What a dynamic run cost.
 #[derive(Debug, Clone, Copy)]
@@ -87,7 +90,9 @@ impl Record {
                 &[("radius_m", &radius_m), ("angle_rad", &angle_rad), ("depth_m", &depth_m)],
             );
         }
-        if let Some(InTime { contact, series, .. }) = in_time {
+        if let Some(InTime { contact, history, .. }) = in_time {
+            // Those before them are in the table.
+            let series = history.series();
             let whose: (&str, &[&str]) = ("operation", &[name]);
             self.tables.contact.append_declared(&[whose], CONTACT_MAP, contact, model);
             let notes = notes(&self.schedule, &series.schedule_line);
@@ -101,6 +106,31 @@ impl Record {
         if let Some(in_time) = in_time {
             self.add_spectra(operation, &in_time, profile);
         }
+    }
+
+    /// Takes rows against time from an operation that continues, as long as they fill a part: they
+    /// go to the disk, so that a run of hours takes no more memory than one of minutes.
+    ///
+    /// # Errors
+    /// A part that cannot be written.
+    pub(crate) fn take_rows(
+        &mut self,
+        folder: &ResultsFolder,
+        operation: &Operation,
+        simulation: &mut Simulation,
+    ) -> Result<(), ResultsError> {
+        while simulation.spare_rows() >= PART_ROWS {
+            let series = simulation.series();
+            let notes = notes(&self.schedule, &series.schedule_line[..PART_ROWS]);
+            let words: [(&str, &[&str]); 2] =
+                [("operation", &[operation.kind.name()]), ("note", &notes)];
+            let model = ModelKind::Dynamic;
+            self.tables.time.append_part(folder, |table| {
+                table.append_first_declared(&words, TIME_SERIES, series, model, PART_ROWS);
+            })?;
+            simulation.hand_over(PART_ROWS);
+        }
+        Ok(())
     }
 
     /// Adds an operation that a method has no answer for: to the summary alone, without numbers.
@@ -137,27 +167,21 @@ impl Record {
     /// Adds the spectra that the case requires; a window that was interrupted before a segment of
     /// it was full is one segment.
     fn add_spectra(&mut self, operation: &Operation, of: &InTime<'_>, profile: &Profile) {
-        let series = of.series;
-        let settle_s = of.numerics.settle_s;
-        let from = series.time_s.partition_point(|time| *time < settle_s);
-        let [first, .., last] = series.time_s[from..] else {
+        let history = of.history;
+        let from = history.row_at(of.numerics.settle_s);
+        let times = history.scalar(TIME, from);
+        let count = times.count();
+        let Some([first_s, last_s]) = ends(&times).filter(|_| count > 1) else {
             return;
         };
-        let interval_s = (last - first) / (series.time_s.len() - from - 1) as f64;
+        let interval_s = (last_s - first_s) / (count - 1) as f64;
         // Rounding to whole steps may leave the window a sample short.
         let segment = (self.records.spectrum_segment_s / interval_s).round() as usize;
-        let scalars = self.records.spectra.iter();
-        let scalars = scalars.map(|s| (s.name(), s.unit(), None, s.of(series)));
-        let probed = series.probes.iter();
-        let probed = probed.map(|p| {
-            let md_m = profile.md_m[p.node];
-            (p.signal.name(), p.signal.unit(), Some(md_m), &p.samples[..])
-        });
-        for (name, unit, md_m, samples) in scalars.chain(probed) {
-            let samples = &samples[from..];
-            let segment = segment.min(samples.len());
+        let spectra = &mut self.tables.spectra;
+        let mut add = |name: &str, unit: &str, md_m: Option<f64>, samples: &dyn Samples| {
+            let segment = segment.min(samples.count());
             if let Some(spectrum) = Spectrum::welch(samples, interval_s, segment) {
-                self.tables.spectra.append(
+                spectra.append(
                     &[
                         ("operation", &[operation.kind.name()]),
                         ("signal", &[name]),
@@ -170,13 +194,24 @@ impl Record {
                     ],
                 );
             }
+        };
+        for signal in &self.records.spectra {
+            let samples = history.scalar(signal.column(), from);
+            add(signal.name(), signal.unit(), None, &samples);
+        }
+        for probe in &history.series().probes {
+            let md_m = profile.md_m[probe.node];
+            let samples = &probe.samples[from..];
+            add(probe.signal.name(), probe.signal.unit(), Some(md_m), &samples);
         }
     }
 }
 
+const TIME: &Column<TimeSeries> = Column::named(TIME_SERIES, "time_s");
+
 /// What a solution in time says of how it was computed, and what it cost.
 fn numerics(of: &InTime<'_>, effort: Effort) -> Numerics {
-    let last_s = of.series.time_s.last().copied().unwrap_or(0.0);
+    let last_s = of.history.series().time_s.last().copied().unwrap_or(0.0);
     let simulated_s = last_s * effort.runs as f64;
     let wall_time_s = effort.took.as_secs_f64();
     Numerics { run: of.numerics.clone(), wall_time_s, real_time_factor: simulated_s / wall_time_s }

@@ -22,7 +22,7 @@ use crate::{
     pace::Pace,
     parallel::beside,
     record::{
-        Record,
+        HandedOver, Record,
         rows::{CarriedOut, Effort},
     },
 };
@@ -208,6 +208,11 @@ fn solve_dynamic(
     // One that was resumed has not got them yet.
     simulation.set_executor(way.executor.clone());
     let took = || before + start.elapsed();
+    if simulation.handed_over() > 0
+        && let Err(reason) = handed_over(keeper.folder(), record, &simulation)
+    {
+        return Status::Failed(reason);
+    }
     // Initialising the string takes seconds. Whoever has asked by now has nothing of this operation
     // to keep.
     if way.cancellation.is_cancelled() && simulation.time_s() == 0.0 {
@@ -227,6 +232,11 @@ fn solve_dynamic(
     let frame_samples = record.frames.as_ref().map(|frames| frames.samples(sample_s));
     let mut pace = Pace::new(POLL_INTERVAL_S, sample_s);
     let status = loop {
+        if let Some(folder) = keeper.folder()
+            && let Err(error) = record.take_rows(folder, operation, &mut simulation)
+        {
+            break Status::Failed(error.to_string());
+        }
         let (time_s, end_s) = (simulation.time_s(), simulation.end_time_s());
         progress.reach(time_s, end_s, waits && simulation.is_settling());
         let samples = simulation.samples();
@@ -258,28 +268,55 @@ fn solve_dynamic(
     drop(progress);
     let effort =
         Effort { took: took(), runs: lift.map_or(1, |lift| lift.runs + usize::from(run_again)) };
+    let earlier = match handed_over(keeper.folder(), record, &simulation) {
+        Ok(earlier) => earlier,
+        Err(reason) => return Status::Failed(reason),
+    };
     let outcome = if status == Status::Interrupted {
-        outcome_beside(&simulation, || {
+        outcome_beside(&simulation, &earlier, || {
             let under_way = UnderWay::new(operation, took(), lift, simulation.checkpoint());
             write_checkpoint(keeper, record, Some(under_way), &way.watch);
         })
     } else {
-        simulation.outcome()
+        simulation.outcome_with(&earlier)
     };
     let bottom = simulation.bottom_hole();
     let carried_out = CarriedOut { status: status.clone(), lift, bottom: bottom.as_ref(), effort };
-    record.add(operation, &Solution::from(&outcome), carried_out);
+    let solution = Solution::from(&outcome).with_earlier(Some(&earlier));
+    record.add(operation, &solution, carried_out);
     // What was not computed to its end has said so already.
     if status == Status::Complete {
         let judge = record.judge(case);
-        record.judged(judge.dynamic(&case.model, operation, &settings, &outcome));
+        record.judged(judge.dynamic(&case.model, operation, &settings, &solution));
     }
-    status
+    match earlier.fault() {
+        Some(reason) if status == Status::Complete => {
+            record.failed(reason.clone());
+            Status::Failed(reason)
+        }
+        _ => status,
+    }
+}
+
+/// The rows that a simulation has handed over: none where it stays in memory.
+fn handed_over(
+    folder: Option<&ResultsFolder>,
+    record: &Record,
+    simulation: &Simulation,
+) -> Result<HandedOver, String> {
+    match folder {
+        Some(folder) => record.handed_over(folder, simulation),
+        None => Ok(HandedOver::none()),
+    }
 }
 
 /// The answers of a run, made while something else is done: who interrupts waits for both.
-fn outcome_beside(simulation: &Simulation, other: impl FnOnce()) -> DynamicOutcome {
-    beside(|| simulation.outcome(), other).0
+fn outcome_beside(
+    simulation: &Simulation,
+    earlier: &HandedOver,
+    other: impl FnOnce(),
+) -> DynamicOutcome {
+    beside(|| simulation.outcome_with(earlier), other).0
 }
 
 /// What is done before an operation's first step.
@@ -301,91 +338,4 @@ pub(super) fn no_answer(model: &str, error: &dyn std::error::Error) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    use wholestring_units::UnitSet;
-
-    use super::*;
-    use crate::{cancellation::CancellationToken, cores, keep::Keep, observer::Silent};
-
-    /// A model that the command line's test data describe.
-    fn slant() -> Case {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cli/tests/data/slant.toml");
-        wholestring_case::load(&path, &[]).expect("a valid case")
-    }
-
-    #[test]
-    fn who_interrupts_the_laying_does_not_wait_for_the_run() {
-        let case = slant();
-        let place = tempfile::tempdir().expect("a folder");
-        let folder = ResultsFolder::create(place.path()).expect("a folder");
-        let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
-        let cancelled = CancellationToken::new();
-        cancelled.cancel();
-        let status = solve_dynamic(
-            &case,
-            &case.operations[0],
-            &way(&cancelled),
-            &mut record,
-            &mut Keeper::new(&folder, Duration::MAX),
-            None,
-        );
-        assert_eq!(status, Status::Interrupted);
-        assert!(record.summary.operations.is_empty());
-    }
-
-    #[test]
-    fn what_comes_before_the_first_step_is_said() {
-        let case = slant();
-        let said = preparation(&case.dynamics, &case.operations[0]);
-        assert_eq!(said, "initialising the string");
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/rock-300.toml");
-        let case = wholestring_case::load(&path, &[]).expect("a valid case");
-        let said = preparation(&case.dynamics, &case.operations[0]);
-        assert!(said.ends_with("running the bit in on the rock"), "{said}");
-    }
-
-    /// An operation without an answer is told among those that have one; a dynamic one ends the run.
-    #[test]
-    fn an_operation_without_answer_keeps_what_was_solved() {
-        let mut case = slant();
-        // Deeper than the string is long, which no case file gets past its checks.
-        case.operations[1].bit_depth_m += 100.0;
-        let place = tempfile::tempdir().expect("a folder");
-        let folder = ResultsFolder::create(place.path()).expect("a folder");
-        for (model, kept) in [(ModelKind::Soft, 2), (ModelKind::Dynamic, 0)] {
-            case.models = vec![model];
-            // What an earlier run left does not pass for this one's.
-            if model == ModelKind::Dynamic {
-                case.operations.remove(0);
-            }
-            let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
-            let cancelled = CancellationToken::new();
-            let stop =
-                solve(&case, &way(&cancelled), &mut record, Some(&folder), None).unwrap_err();
-            let Stop::Unsolved(message) = stop else {
-                panic!("{stop:?}");
-            };
-            assert!(message.contains("has no answer: "), "{message}");
-            let summary = place.path().join("summary.json");
-            let summary = wholestring_results::Summary::read(&summary).expect("a summary");
-            assert_eq!(summary.operations.len(), kept);
-            let failed = |of: &wholestring_results::OperationSummary| {
-                matches!(of.status, wholestring_results::Status::Failed(_))
-            };
-            assert_eq!(summary.operations.iter().filter(|of| failed(of)).count(), kept / 2);
-        }
-    }
-
-    fn way(cancellation: &CancellationToken) -> Way<'_> {
-        Way {
-            keep: Keep::All,
-            csv: false,
-            checkpoint_every: Duration::MAX,
-            watch: Watch { observer: &Silent, case: 0 },
-            cancellation,
-            executor: cores::alone(cancellation),
-        }
-    }
-}
+mod tests;

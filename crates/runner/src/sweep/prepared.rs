@@ -198,11 +198,14 @@ impl PreparedSweep {
     }
 
     /// The files, by their names, with which another machine continues a case that was begun; none
-    /// where it was not, or where frames are kept of it: those are too many to send.
+    /// where it was not, or where frames or parts of a long series are kept of it: those are too
+    /// many to send.
     pub fn begun(&self, case: usize) -> Vec<(String, Vec<u8>)> {
         const FILE: &str = "checkpoint.bin";
         let folder = self.cases.folder(case);
-        if folder.join("frames.parts").is_dir() || self.options.output.existing != Existing::Resume
+        let parts = ["frames.parts", "time.parts"];
+        if parts.iter().any(|parts| folder.join(parts).is_dir())
+            || self.options.output.existing != Existing::Resume
         {
             return Vec::new();
         }

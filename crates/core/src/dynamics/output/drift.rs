@@ -1,6 +1,8 @@
 //! Block averages: how well the mean of an interval of samples is known, and whether it stands
 //! still.
 
+use crate::outcome::samples::{Mapped, Part, Samples, mean, sum};
+
 /// Blocks that are left at the longest: fewer tell no spread.
 const MIN_BLOCKS: usize = 8;
 
@@ -17,25 +19,46 @@ pub(in crate::dynamics) const MATTERS: f64 = 0.005;
 /// the largest `s/√n` of `n` blocks with the standard deviation `s` is taken (Flyvbjerg and
 /// Petersen 1989). It serves where the correlation time is a hundredth of the stretch or less, and
 /// falls short beyond. Theory: `docs/src/theory/statistics.md`.
-pub(in crate::dynamics) fn standard_error(samples: &[f64]) -> f64 {
-    let mut blocks = samples.to_vec();
-    let mut largest: f64 = 0.0;
-    loop {
-        let n = blocks.len();
-        if n < 2 {
-            return largest.sqrt();
-        }
-        let mean = mean(&blocks);
-        let squares: f64 = blocks.iter().map(|x| (x - mean).powi(2)).sum();
-        largest = largest.max(squares / ((n - 1) * n) as f64);
-        if n / 2 < MIN_BLOCKS {
-            return largest.sqrt();
-        }
-        for pair in 0..n / 2 {
-            blocks[pair] = 0.5 * (blocks[2 * pair] + blocks[2 * pair + 1]);
-        }
-        blocks.truncate(n / 2);
+pub(in crate::dynamics) fn standard_error(samples: &(impl Samples + ?Sized)) -> f64 {
+    let counts = block_counts(samples.count());
+    let mut means = vec![-0.0; counts.len()];
+    each_block(samples, counts.len(), |level, block| means[level] += block);
+    for (mean, count) in means.iter_mut().zip(&counts) {
+        *mean /= *count as f64;
     }
+    let mut squares = vec![-0.0; counts.len()];
+    each_block(samples, counts.len(), |level, block| {
+        squares[level] += (block - means[level]).powi(2);
+    });
+    let errors = squares.iter().zip(counts).map(|(squares, n)| squares / ((n - 1) * n) as f64);
+    errors.fold(0.0, f64::max).sqrt()
+}
+
+/// How many blocks of one sample, of two, of four there are, as long as eight are left.
+fn block_counts(samples: usize) -> Vec<usize> {
+    let halved = |count: &usize| Some(count / 2).filter(|half| *half >= MIN_BLOCKS);
+    std::iter::successors(Some(samples).filter(|count| *count >= 2), halved).collect()
+}
+
+/// Calls `take` with the mean of each block, of one sample at the level zero, of two at the next.
+/// Of each level one block waits for its neighbour.
+fn each_block(samples: &(impl Samples + ?Sized), levels: usize, mut take: impl FnMut(usize, f64)) {
+    let mut waiting = vec![None; levels];
+    samples.each(&mut |values| {
+        for value in values {
+            let mut block = *value;
+            for (level, waiting) in waiting.iter_mut().enumerate() {
+                take(level, block);
+                match waiting.take() {
+                    Some(before) => block = 0.5 * (before + block),
+                    None => {
+                        *waiting = Some(block);
+                        break;
+                    }
+                }
+            }
+        }
+    });
 }
 
 /// What a stretch of evenly spaced samples does beside scattering.
@@ -54,12 +77,12 @@ impl Drift {
     /// The line's change has `√12` times the standard error of the mean, which is taken from what
     /// scatters about the line. The means of the halves differ by `√2` standard errors of one; a
     /// start that fades inflates that of the first half, so that the smaller one is taken.
-    pub(in crate::dynamics) fn of(samples: &[f64]) -> Self {
-        let n = samples.len();
+    pub(in crate::dynamics) fn of(samples: &(impl Samples + ?Sized)) -> Self {
+        let n = samples.count();
         let half = n / 2;
         let middle = 0.5 * n.saturating_sub(1) as f64;
         let mean_all = mean(samples);
-        let moment: f64 = (0..n).map(|i| (i as f64 - middle) * (samples[i] - mean_all)).sum();
+        let moment = sum(samples, |i, sample| (i as f64 - middle) * (sample - mean_all));
         // `Σ (i − (n − 1)/2)²`.
         let square = n as f64 * ((n * n) as f64 - 1.0) / 12.0;
         let slope = if n < 2 { 0.0 } else { moment / square };
@@ -67,16 +90,15 @@ impl Drift {
         if half < MIN_BLOCKS {
             return Self { change, errors: 0.0 };
         }
-        let about_line: Vec<f64> =
-            (0..n).map(|i| samples[i] - slope * (i as f64 - middle)).collect();
-        let line_error = 12_f64.sqrt() * standard_error(&about_line);
-        let (first, second) = (&samples[..half], &samples[n - half..]);
-        let min_error = standard_error(first).min(standard_error(second));
+        let value = |i: usize, sample: f64| sample - slope * (i as f64 - middle);
+        let line_error = 12_f64.sqrt() * standard_error(&Mapped { samples, value });
+        let [first, second] = [0..half, n - half..n].map(|rows| Part { samples, rows });
+        let min_error = standard_error(&first).min(standard_error(&second));
         let halves_error = 2_f64.sqrt() * min_error;
         let over = |change: f64, error: f64| {
             if change == 0.0 { 0.0 } else { (change / error).abs() }
         };
-        let between = mean(second) - mean(first);
+        let between = mean(&second) - mean(&first);
         Self { change, errors: over(change, line_error).max(over(between, halves_error)) }
     }
 
@@ -84,11 +106,6 @@ impl Drift {
     pub(in crate::dynamics) fn exceeds(&self, errors: f64, least: f64) -> bool {
         self.errors > errors && self.change.abs() > least
     }
-}
-
-/// The mean; zero of nothing.
-pub(in crate::dynamics) fn mean(samples: &[f64]) -> f64 {
-    samples.iter().sum::<f64>() / samples.len().max(1) as f64
 }
 
 #[cfg(test)]

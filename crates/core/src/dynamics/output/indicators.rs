@@ -2,9 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::statistic::Statistic;
+use super::statistic::{Moments, Statistic};
 use crate::{
-    outcome::{Profile, TimeSeries},
+    outcome::{
+        Column, History, Profile, TIME_SERIES, TimeSeries,
+        samples::{Samples, ends, sum},
+    },
     rod::mesh::Mesh,
 };
 
@@ -93,76 +96,90 @@ pub struct TorqueUse {
 impl StickSlip {
     /// Of the rotary speed of the bit and the surface torque, sampled every `interval_s`; none of
     /// no samples.
-    pub fn of(bit_speed_rad_per_s: &[f64], torque_N_m: &[f64], interval_s: f64) -> Option<Self> {
-        let speed = Statistic::of(bit_speed_rad_per_s)?;
-        let stuck = |speed: &&f64| speed.abs() < STUCK_RAD_PER_S;
-        let stuck = bit_speed_rad_per_s.iter().filter(stuck).count();
+    pub fn of(
+        bit_speed_rad_per_s: &(impl Samples + ?Sized),
+        torque_N_m: &(impl Samples + ?Sized),
+        interval_s: f64,
+    ) -> Option<Self> {
+        let speed = Moments::of(bit_speed_rad_per_s)?;
+        let is_stuck = |_, speed: f64| f64::from(u8::from(speed.abs() < STUCK_RAD_PER_S));
+        let stuck = sum(bit_speed_rad_per_s, is_stuck);
         Some(Self {
             severity: severity(&speed),
-            torque_severity: Statistic::of(torque_N_m).as_ref().and_then(severity),
+            torque_severity: Moments::of(torque_N_m).as_ref().and_then(severity),
             period_s: period_s(bit_speed_rad_per_s, &speed, interval_s),
-            stuck_fraction: stuck as f64 / bit_speed_rad_per_s.len() as f64,
+            stuck_fraction: stuck / bit_speed_rad_per_s.count() as f64,
             bit_speed_max_rad_per_s: speed.max,
         })
     }
 }
 
-fn severity(of: &Statistic) -> Option<f64> {
+fn severity(of: &Moments) -> Option<f64> {
     (of.mean > 0.0).then(|| (of.max - of.min) / (2.0 * of.mean))
 }
 
 /// Mean time between rises through the mean, each after a fall below it.
-fn period_s(speed: &[f64], of: &Statistic, interval_s: f64) -> Option<f64> {
-    if of.std <= STEADY * of.mean.abs() {
+fn period_s(speed: &(impl Samples + ?Sized), moments: &Moments, interval_s: f64) -> Option<f64> {
+    if moments.std <= STEADY * moments.mean.abs() {
         return None;
     }
-    let band = HYSTERESIS * of.std;
+    let band = HYSTERESIS * moments.std;
     let mut below = false;
-    let mut rises: Vec<usize> = Vec::new();
-    for (row, speed) in speed.iter().enumerate() {
-        if *speed < of.mean - band {
-            below = true;
-        } else if below && *speed > of.mean + band {
-            below = false;
-            rises.push(row);
+    let [mut row, mut rises, mut first_rise, mut last_rise] = [0_usize; 4];
+    speed.each(&mut |speeds| {
+        for speed in speeds {
+            if *speed < moments.mean - band {
+                below = true;
+            } else if below && *speed > moments.mean + band {
+                below = false;
+                rises += 1;
+                last_rise = row;
+                if rises == 1 {
+                    first_rise = row;
+                }
+            }
+            row += 1;
         }
-    }
-    let periods = rises.len().checked_sub(1).filter(|periods| *periods >= 2)?;
-    Some((rises[periods] - rises[0]) as f64 * interval_s / periods as f64)
+    });
+    let periods = rises.checked_sub(1).filter(|periods| *periods >= 2)?;
+    Some((last_rise - first_rise) as f64 * interval_s / periods as f64)
 }
 
 /// What the indicators are made from.
 pub(in crate::dynamics) struct Motion<'a> {
     pub mesh: &'a Mesh,
     pub nodes: &'a Profile,
-    pub series: &'a TimeSeries,
-    /// Row of the series at which the window begins.
+    pub history: History<'a>,
+    /// Row of the history at which the window begins.
     pub from: usize,
     /// Whether the operation turns the string.
     pub rotates: bool,
     pub rated_torque_N_m: Option<f64>,
 }
 
+const TIME: &Column<TimeSeries> = Column::named(TIME_SERIES, "time_s");
+const BIT_SPEED: &Column<TimeSeries> = Column::named(TIME_SERIES, "bit_rotary_speed_rad_per_s");
+const TORQUE: &Column<TimeSeries> = Column::named(TIME_SERIES, "surface_torque_N_m");
+
 impl Indicators {
     pub(in crate::dynamics) fn of(m: &Motion<'_>) -> Self {
-        let speed = &m.series.bit_rotary_speed_rad_per_s[m.from..];
-        let torque = &m.series.surface_torque_N_m[m.from..];
-        let time_s = &m.series.time_s[m.from..];
-        let interval_s = match time_s {
-            [first, .., last] => (last - first) / (time_s.len() - 1) as f64,
+        let [speed, torque, time_s] =
+            [BIT_SPEED, TORQUE, TIME].map(|column| m.history.scalar(column, m.from));
+        let interval_s = match (ends(&time_s), time_s.count()) {
+            (Some([first, last]), count) if count > 1 => (last - first) / (count - 1) as f64,
             _ => 0.0,
         };
-        let mean_speed = Statistic::of(speed).map_or(0.0, |of| of.mean);
+        let mean_speed = Moments::of(&speed).map_or(0.0, |moments| moments.mean);
         let whirl = |sign: f64| {
             (m.rotates && mean_speed > 0.0).then(|| whirl(m, mean_speed, sign)).flatten()
         };
         Self {
-            stick_slip: if m.rotates { StickSlip::of(speed, torque, interval_s) } else { None },
+            stick_slip: if m.rotates { StickSlip::of(&speed, &torque, interval_s) } else { None },
             backward_whirl: whirl(-1.0),
             forward_whirl: whirl(1.0),
             top_drive: m
                 .rated_torque_N_m
-                .zip(Statistic::of(torque))
+                .zip(Statistic::of(&torque))
                 .map(|(rated, of)| TorqueUse { p95: of.p95 / rated, max: of.max / rated }),
         }
     }

@@ -1,8 +1,11 @@
 //! The distribution of a quantity over the window.
 
+use std::cmp::Ordering;
+
 use serde::{Deserialize, Serialize};
 
-use super::drift::{Drift, MATTERS, SIGNIFICANT, mean, standard_error};
+use super::drift::{Drift, MATTERS, SIGNIFICANT, standard_error};
+use crate::outcome::samples::{Samples, mean, sorted_at, sum};
 
 /// Distribution of one quantity over the window.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -41,31 +44,54 @@ pub struct Statistic {
     pub drifts: bool,
 }
 
+/// What is known of samples without their order: enough of many of them.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::dynamics) struct Moments {
+    pub(in crate::dynamics) mean: f64,
+    pub(in crate::dynamics) std: f64,
+    pub(in crate::dynamics) min: f64,
+    pub(in crate::dynamics) max: f64,
+}
+
+impl Moments {
+    /// Of samples; none of no samples.
+    pub(in crate::dynamics) fn of(samples: &(impl Samples + ?Sized)) -> Option<Self> {
+        let n = samples.count();
+        if n == 0 {
+            return None;
+        }
+        let mean = mean(samples);
+        let mut ends: Option<[f64; 2]> = None;
+        let squares = sum(samples, |_, x| {
+            let [min, max] = ends.unwrap_or([x; 2]);
+            let of = |a: f64, b: f64, order| if b.total_cmp(&a) == order { b } else { a };
+            ends = Some([of(min, x, Ordering::Less), of(max, x, Ordering::Greater)]);
+            (x - mean).powi(2)
+        });
+        let [min, max] = ends?;
+        Some(Self { mean, std: (squares / n as f64).sqrt(), min, max })
+    }
+}
+
 impl Statistic {
-    /// The distribution of `samples`; none of an empty slice. Percentiles are interpolated linearly
+    /// The distribution of `samples`; none of no samples. Percentiles are interpolated linearly
     /// between order statistics. Its drift is judged by the mean.
-    pub fn of(samples: &[f64]) -> Option<Self> {
+    pub fn of(samples: &(impl Samples + ?Sized)) -> Option<Self> {
         Self::on_scale(samples, mean(samples).abs())
     }
 
     /// The same, but a drift matters above half a percent of `scale`.
-    pub fn on_scale(samples: &[f64], scale: f64) -> Option<Self> {
-        let n = samples.len();
-        if n == 0 {
-            return None;
-        }
-        let mean = samples.iter().sum::<f64>() / n as f64;
-        let variance = samples.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n as f64;
-        let mut shuffled = samples.to_vec();
-        let mut at = |part| percentile(&mut shuffled, part);
+    pub fn on_scale(samples: &(impl Samples + ?Sized), scale: f64) -> Option<Self> {
+        let Moments { mean, std, min, max } = Moments::of(samples)?;
+        let [p05, p95] = percentiles(samples, [0.05, 0.95]);
         let drift = Drift::of(samples);
         Some(Self {
             mean,
-            std: variance.sqrt(),
-            min: at(0.0),
-            max: at(1.0),
-            p05: at(0.05),
-            p95: at(0.95),
+            std,
+            min,
+            max,
+            p05,
+            p95,
             std_error: standard_error(samples),
             drift: drift.change,
             drifts: drift.exceeds(SIGNIFICANT, MATTERS * scale),
@@ -78,6 +104,17 @@ impl Statistic {
         let mut shuffled = samples.to_vec();
         (!samples.is_empty()).then(|| percentile(&mut shuffled, part))
     }
+}
+
+/// Two percentiles of samples, at least one, which may be too many for memory.
+fn percentiles(samples: &(impl Samples + ?Sized), parts: [f64; 2]) -> [f64; 2] {
+    let last = samples.count() - 1;
+    let places = parts.map(|part| part * last as f64);
+    let [low, high] = places.map(|place| place.floor() as usize);
+    let [low_next, high_next] = [low, high].map(|place| (place + 1).min(last));
+    let found = sorted_at(samples, [low, low_next, high, high_next]);
+    let between = |place: f64, at: f64, next: f64| at + (place - place.floor()) * (next - at);
+    [between(places[0], found[0], found[1]), between(places[1], found[2], found[3])]
 }
 
 /// A percentile of samples, at least one, interpolated linearly between order statistics. The

@@ -1,13 +1,12 @@
 //! From the record of a run to its answer.
 
 use super::{
-    drift::mean,
     energy::EnergyBalance,
     indicators::{Indicators, Motion},
     outcome::{DynamicOutcome, Numerics},
     record::{Quantity, Record, Spread},
-    statistic::Statistic,
-    varying::{scales, varying},
+    statistic::{Moments, Statistic},
+    varying::{scales, varying_from},
     wear::Wear,
 };
 use crate::{
@@ -18,7 +17,12 @@ use crate::{
     model::Model,
     mud::Hydraulics,
     operation::Operation,
-    outcome::{HoleWear, Profile, Scalars, hole_depths_m, varying_place},
+    outcome::{
+        Column, History, HoleWear, Profile, ScalarHistory, Scalars, TIME_SERIES, TimeSeries,
+        hole_depths_m,
+        samples::{ends, mean},
+        varying_place,
+    },
     rod::{contact_length, mesh::Mesh, stability::StepPlan},
     statics::buckling::Place,
 };
@@ -31,6 +35,10 @@ pub struct Sources<'a> {
     pub plan: &'a StepPlan,
     pub anchors: &'a [Anchor],
     pub record: &'a Record,
+    /// The rows of the record and, where they are needed and kept, those that it handed over.
+    pub history: History<'a>,
+    /// Row of the history at which the window begins.
+    pub from: usize,
     pub wear: &'a Wear,
     pub bit: &'a Bit,
     pub steps: u64,
@@ -45,6 +53,17 @@ pub struct Sources<'a> {
     pub settled: Option<Settled>,
 }
 
+impl<'a> Sources<'a> {
+    /// A scalar over the window.
+    fn window(&self, column: &'static Column<TimeSeries>) -> ScalarHistory<'a> {
+        self.history.scalar(column, self.from)
+    }
+}
+
+const BIT_DEPTH: &Column<TimeSeries> = Column::named(TIME_SERIES, "bit_depth_m");
+const HOOK_LOAD: &Column<TimeSeries> = Column::named(TIME_SERIES, "hook_load_N");
+const WEIGHT_ON_BIT: &Column<TimeSeries> = Column::named(TIME_SERIES, "weight_on_bit_N");
+
 /// The mean of a scalar whose statistics are taken; zero before the first sample.
 macro_rules! window_mean {
     ($statistics:ident, $scalar:ident) => {{
@@ -56,21 +75,19 @@ macro_rules! window_mean {
 /// The answer.
 pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     let series = &s.record.series;
-    let from = s.record.window_row;
-    let scalars = varying(series);
-    let scales = scales(scalars.each_ref().map(|of| (of.scale, mean(&of.samples[from..]))));
+    let scalars = varying_from(s.history, s.from);
+    let scales = scales(scalars.each_ref().map(|scalar| (scalar.scale, mean(&scalar.samples))));
     let statistics: Vec<(&'static str, Statistic)> = scalars
         .iter()
         .zip(scales)
-        .filter_map(|(of, scale)| Some((of.name, Statistic::on_scale(&of.samples[from..], scale)?)))
+        .filter_map(|(scalar, scale)| {
+            Some((scalar.name, Statistic::on_scale(&scalar.samples, scale)?))
+        })
         .collect();
-    let nodes = profile(s, from);
-    let bit_depths_m = &series.bit_depth_m[from..];
-    let mean_bit_depth_m = mean(bit_depths_m);
-    let bit_travel_m = match bit_depths_m {
-        [first, .., last] => last - first,
-        _ => 0.0,
-    };
+    let nodes = profile(s);
+    let bit_depths_m = s.window(BIT_DEPTH);
+    let mean_bit_depth_m = mean(&bit_depths_m);
+    let bit_travel_m = ends(&bit_depths_m).map_or(0.0, |[first, last]| last - first);
     let scalars = Scalars {
         hook_load_N: window_mean!(statistics, hook_load_N),
         surface_torque_N_m: window_mean!(statistics, surface_torque_N_m),
@@ -90,7 +107,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
         ),
     };
     let indicators = indicators_of(s, &nodes);
-    let back_m = back_m(s, from);
+    let back_m = back_m(s);
     DynamicOutcome {
         scalars,
         statistics,
@@ -135,7 +152,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
 /// The indicators alone, at a hundredth of the time that the whole answer takes.
 pub fn indicators(s: &Sources<'_>) -> Indicators {
     let mut nodes = Profile::default();
-    let back_m = back_m(s, s.record.window_row);
+    let back_m = back_m(s);
     for (i, anchor) in s.anchors.iter().enumerate() {
         nodes.md_m.push(anchor.md_m - back_m);
         push_circling(&mut nodes, s.record, i);
@@ -147,8 +164,8 @@ fn indicators_of(s: &Sources<'_>, nodes: &Profile) -> Indicators {
     Indicators::of(&Motion {
         mesh: s.mesh,
         nodes,
-        series: &s.record.series,
-        from: s.record.window_row,
+        history: s.history,
+        from: s.from,
         rotates: s.operation.kind.rotates(),
         rated_torque_N_m: s.model.rig.top_drive_torque_N_m,
     })
@@ -162,18 +179,17 @@ fn push_circling(p: &mut Profile, record: &Record, i: usize) {
     p.whirl_coherence.push(circling.coherence);
 }
 
-/// How far above its anchors the string was, on average over the samples from row `from` on, m: they
-/// stand where the run ended, the string was where its bit was.
-fn back_m(s: &Sources<'_>, from: usize) -> f64 {
-    let bit_depths_m = &s.record.series.bit_depth_m[from..];
-    let mean_m = bit_depths_m.iter().sum::<f64>() / bit_depths_m.len() as f64;
-    bit_depths_m.last().map_or(0.0, |last| last - mean_m)
+/// How far above its anchors the string was, on average over the window, m: they stand where the run
+/// ended, the string was where its bit was.
+fn back_m(s: &Sources<'_>) -> f64 {
+    let bit_depths_m = s.window(BIT_DEPTH);
+    ends(&bit_depths_m).map_or(0.0, |[_, last]| last - mean(&bit_depths_m))
 }
 
-/// The profile over the samples from row `from` of the series on.
-fn profile(s: &Sources<'_>, from: usize) -> Profile {
+/// The profile over the window.
+fn profile(s: &Sources<'_>) -> Profile {
     let n = s.mesh.nodes.len();
-    let back_m = back_m(s, from);
+    let back_m = back_m(s);
     let record = s.record;
     // Tension and torque live in elements, everything else at nodes.
     let ends = |i: usize| [i.saturating_sub(1), i.min(n - 2)];
@@ -223,10 +239,9 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
         push_circling(&mut p, record, i);
     }
     // At the ends the neighbours are half an element off; hoist and bit are there.
-    let end =
-        |values: &[f64]| Statistic::of(&values[from..]).map_or((0.0, 0.0), |e| (e.mean, e.std));
-    let (hook, hook_std) = end(&s.record.series.hook_load_N);
-    let (weight, weight_std) = end(&s.record.series.weight_on_bit_N);
+    let end = |column| Moments::of(&s.window(column)).map_or((0.0, 0.0), |end| (end.mean, end.std));
+    let (hook, hook_std) = end(HOOK_LOAD);
+    let (weight, weight_std) = end(WEIGHT_ON_BIT);
     (p.tension_N[0], p.tension_std_N[0]) = (hook, hook_std);
     let jet = s.hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
     let pull = s.operation.bit_pull_now_N();

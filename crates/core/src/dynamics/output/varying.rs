@@ -1,10 +1,9 @@
 //! The scalars that vary over a run, and the scales on which their drifts are measured.
 
-use crate::outcome::{DriftScale, TimeSeries, VARYING};
+use crate::outcome::{DriftScale, History, ScalarHistory, TimeSeries, VARYING};
 
 /// A scalar that varies.
 pub struct Varying<'a> {
-    pub name: &'static str,
     pub samples: &'a [f64],
     pub scale: DriftScale,
 }
@@ -12,8 +11,23 @@ pub struct Varying<'a> {
 /// The scalars that vary, with their samples, as the columns against time declare them.
 pub fn varying(series: &TimeSeries) -> [Varying<'_>; VARYING.len()] {
     VARYING.map(|column| Varying {
-        name: column.quantity.name,
         samples: (column.of)(series).kept().expect("a column without gaps has statistics"),
+        scale: column.statistics.expect("those that vary have statistics").scale,
+    })
+}
+
+/// A scalar that varies over a run that may be too long for memory.
+pub struct VaryingHistory<'a> {
+    pub name: &'static str,
+    pub samples: ScalarHistory<'a>,
+    pub scale: DriftScale,
+}
+
+/// The scalars that vary, from a row of the history on.
+pub fn varying_from(history: History<'_>, from: usize) -> [VaryingHistory<'_>; VARYING.len()] {
+    VARYING.map(|column| VaryingHistory {
+        name: column.quantity.name,
+        samples: history.scalar(column, from),
         scale: column.statistics.expect("those that vary have statistics").scale,
     })
 }

@@ -1,5 +1,6 @@
 //! A run in the precision that its settings require.
 
+mod answer;
 mod balance;
 pub mod checkpoint;
 pub mod diverged;
@@ -39,7 +40,7 @@ use crate::{
     },
     model::Model,
     operation::Operation,
-    outcome::TimeSeries,
+    outcome::{EarlierRows, TimeSeries},
     rock::{Alone, Executor, bit_face::BottomHole},
     rod::{
         buckled_element::BuckledElement,
@@ -250,6 +251,21 @@ impl Simulation {
         either!(&mut self.0, run => run.forget(before_s));
     }
 
+    /// Hands over the first rows of [`series`](Self::series), so that a run of hours takes no more
+    /// memory than one of minutes: the caller has kept them, and
+    /// [`outcome_with`](Self::outcome_with) reads them from there. No more than the
+    /// [spare rows](Self::spare_rows) go; what probes recorded stays. What moves does not notice.
+    pub fn hand_over(&mut self, rows: usize) {
+        either!(&mut self.0, run => run.hand_over(rows));
+    }
+
+    /// The [answer](Self::outcome) so far of a run whose first rows were
+    /// [handed over](Self::hand_over), to the same bits as if they were in memory; the series of the
+    /// answer are the rows that are.
+    pub fn outcome_with(&self, earlier: &dyn EarlierRows) -> DynamicOutcome {
+        either!(&self.0, run => run.outcome_with(earlier))
+    }
+
     /// Gives the top drive another controller from now on; its torque goes on from where it is.
     /// Checkpoints hold it. False where the drive has no controller of ours: where it follows its
     /// set point whatever torque that takes, or under a controller of the caller's own.
@@ -296,6 +312,11 @@ accessors! {
     /// What was sampled so far, from time zero or where the window was
     /// [restarted](Self::restart_window): the last row is that of the last sample.
     series: &TimeSeries,
+    /// Rows of [`series`](Self::series) that can be [handed over](Self::hand_over): all but the
+    /// last, and while the string settles those that tell whether it is steady.
+    spare_rows: usize,
+    /// Rows that were handed over.
+    handed_over: usize,
     /// Mean weight on bit of [`outcome`](Self::outcome), N, without the rest of it.
     mean_weight_on_bit_N: f64,
     /// The whole string as it is now: after [`advance`](Self::advance), at the end of a sample.

@@ -11,17 +11,14 @@ use crate::{
         boundary::{
             executor::{RockExecutor, SharedExecutor},
             hole::Borehole,
-            mud::{squeezed::Squeezed, viscous::Viscous},
+            mud::squeezed::Squeezed,
             top_drive::{Gains, TorsionalString},
         },
         kernel::{
             chain::{Chain, node},
             step::{Abilities, MassDamping, StepInput, Stepper},
         },
-        output::{
-            frame::Frame, indicators::Indicators, outcome::DynamicOutcome, scene::Scene,
-            statistic::Statistic, summary,
-        },
+        output::{frame::Frame, scene::Scene},
         settings::{
             DynamicsSettings, HoistControl, SpeedController, Start, TopDriveSettings,
             schedule::ScheduleStep,
@@ -30,7 +27,7 @@ use crate::{
     ends::{BitEnd, TopEnd},
     model::{Model, MudColumn},
     operation::Operation,
-    outcome::TimeSeries,
+    outcome::{TimeSeries, samples::mean},
     rock::{Drilling, Executor, bit_face::BottomHole},
     rod::{
         buckled_element::BuckledElement,
@@ -385,7 +382,7 @@ impl<R: Real> Run<R> {
     /// Mean weight on bit of [`outcome`](Self::outcome), N.
     pub fn mean_weight_on_bit_N(&self) -> f64 {
         let record = &self.state.record;
-        Statistic::of(&record.series.weight_on_bit_N[record.window_row..]).map_or(0.0, |s| s.mean)
+        mean(&record.series.weight_on_bit_N[record.window_row_in_memory()..])
     }
 
     /// The element that buckled most beyond its own load between its nodes, at any time since the
@@ -406,39 +403,6 @@ impl<R: Real> Run<R> {
             operation.kind = operation.kind.without_rotation();
         }
         foreseen::buckled_element(&self.model, &operation, &self.mesh)
-    }
-
-    /// The answer so far: over the window if it has begun, over everything sampled otherwise.
-    pub fn outcome(&self) -> DynamicOutcome {
-        summary::outcome(&self.sources())
-    }
-
-    /// The indicators of the outcome so far, without the rest of it.
-    pub fn indicators(&self) -> Indicators {
-        summary::indicators(&self.sources())
-    }
-
-    fn sources(&self) -> summary::Sources<'_> {
-        let diverged = self.check_numbers().is_err();
-        summary::Sources {
-            model: &self.model,
-            operation: &self.operation,
-            mesh: &self.mesh,
-            plan: &self.plan,
-            anchors: &self.state.anchors,
-            record: &self.state.record,
-            wear: &self.state.wear,
-            bit: &self.state.bit,
-            steps: self.state.steps,
-            energy: self.energy_balance().filter(|_| !diverged),
-            diverged,
-            hydraulics: self.state.viscous.as_ref().map(Viscous::mean),
-            pressures: self.state.viscous.as_ref().map(Viscous::mean_pressures),
-            flow_stretches_m: self.state.viscous.as_ref().map(Viscous::mean_stretches_m),
-            instructions: self.stepper.instructions,
-            settling: self.settling,
-            settled: self.state.settled,
-        }
     }
 }
 

@@ -4,14 +4,14 @@ use crate::{
     dynamics::{
         assemble::hoisting,
         output::{
-            drift::{Drift, MATTERS, SIGNIFICANT, mean},
+            drift::{Drift, MATTERS, SIGNIFICANT},
             varying::{scales, varying},
         },
         settings::{DynamicsSettings, Start},
     },
     model::Model,
     operation::Operation,
-    outcome::{SCALARS, TimeSeries, VARYING},
+    outcome::{SCALARS, TimeSeries, VARYING, samples::mean},
     rod::{mesh::Mesh, torsion},
     statics::soft::{self, SoftSettings},
 };
@@ -142,6 +142,14 @@ impl Settling {
         }
     }
 
+    /// How many of the last samples, every `interval_s`, the next test needs at most.
+    pub(in crate::dynamics) fn needed_samples(&self, interval_s: f64) -> usize {
+        match *self {
+            Self::Fixed(_) => 1,
+            Self::UntilSteady { stretch_s, .. } => (stretch_s / interval_s).ceil() as usize + 1,
+        }
+    }
+
     /// Whether what was sampled so far, every `interval_s`, ends the settling before a window of
     /// `duration_s`; a fixed time never does. It depends on the samples alone, so that a run that
     /// was resumed ends it at the same one.
@@ -200,7 +208,7 @@ fn is_steady(
     length_m: f64,
 ) -> bool {
     let scalars = varying(series).map(|scalar| (scalar.samples.get(from..).unwrap_or(&[]), scalar));
-    let scales = scales(scalars.each_ref().map(|(samples, scalar)| (scalar.scale, mean(samples))));
+    let scales = scales(scalars.each_ref().map(|(samples, scalar)| (scalar.scale, mean(*samples))));
     let bit_m = series.bit_depth_m.get(from..).unwrap_or(&[]);
     let travel_m = match bit_m {
         [first, .., last] => (last - first).abs(),

@@ -84,9 +84,11 @@ pub struct Record {
     sides: Sides,
     contact: MapKeeper,
     samples: u64,
-    /// Scalars against time, from time zero.
+    /// Scalars against time, from time zero but for the rows that were handed over.
     pub series: TimeSeries,
-    /// Row of the series at which the window begins.
+    /// Rows before those of the series: somebody else keeps them.
+    pub handed_over: usize,
+    /// Row at which the window begins, those that were handed over included.
     pub window_row: usize,
     /// Time of the last sample before the window, s.
     pub window_from_s: f64,
@@ -98,11 +100,12 @@ impl Record {
     /// Whether a stored record is one of so many nodes: what it sums and keeps is as long as its
     /// layout requires.
     pub(in crate::dynamics) fn check(&self, nodes: usize) -> Result<(), Damaged> {
-        let rows = self.series.check(nodes)?;
+        let rows = self.series.check(nodes, self.handed_over)?;
+        let all_rows = rows.saturating_add(self.handed_over);
         let fits = self.sums.len() == self.layout.blocks()
             && self.sides.is_of(nodes)
             && self.squeezed_m.len() + 1 == nodes
-            && self.window_row <= rows
+            && self.window_row <= all_rows
             && (rows > 0 || self.samples == 0);
         ensure(fits, "the record")?;
         self.strength.check(nodes, self.layout)?;
@@ -125,6 +128,7 @@ impl Record {
             contact: MapKeeper::new(mesh),
             samples: 0,
             series: TimeSeries::default(),
+            handed_over: 0,
             window_row: 0,
             window_from_s: 0.0,
             max_penetration_m: 0.0,
@@ -141,7 +145,7 @@ impl Record {
         self.sides.restart();
         self.contact.restart();
         self.samples = 0;
-        self.window_row = self.series.time_s.len();
+        self.window_row = self.handed_over + self.series.time_s.len();
         self.window_from_s = before_s;
     }
 
@@ -150,6 +154,7 @@ impl Record {
         let mut probes = std::mem::take(&mut self.series.probes);
         probes.iter_mut().for_each(|probe| probe.samples.clear());
         self.series = TimeSeries { probes, ..TimeSeries::default() };
+        self.handed_over = 0;
         self.window_row = 0;
         self.contact.forget();
     }
@@ -159,9 +164,25 @@ impl Record {
         let times_s = &self.series.time_s;
         let rows = times_s.partition_point(|time_s| *time_s < before_s);
         let rows = rows.min(times_s.len().saturating_sub(1));
-        self.series.drop_first(rows);
-        self.window_row = self.window_row.saturating_sub(rows);
+        if rows > 0 {
+            self.series.drop_first(rows);
+            let dropped = std::mem::take(&mut self.handed_over) + rows;
+            self.series.drop_first_probed(dropped);
+            self.window_row = self.window_row.saturating_sub(dropped);
+        }
         self.contact.drop_rows(before_s);
+    }
+
+    /// Drops the first rows of the series, which somebody else keeps from now on.
+    pub fn hand_over(&mut self, rows: usize) {
+        let rows = rows.min(self.series.time_s.len().saturating_sub(1));
+        self.series.drop_first(rows);
+        self.handed_over += rows;
+    }
+
+    /// Row of the series in memory at which the window begins, at the earliest its first.
+    pub fn window_row_in_memory(&self) -> usize {
+        self.window_row.saturating_sub(self.handed_over)
     }
 
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last

@@ -2,6 +2,7 @@
 
 mod body;
 mod contact_map;
+mod handed_over;
 mod imbalance;
 mod in_hand;
 mod initialise;
