@@ -1,1 +1,1 @@
-import{at as e,ot as t}from"./disclose-version.js";import{n,t as r}from"./Answers.js";function i(i,a){t(a,!0),r(i,{get id(){return a.id},get text(){return a.text},get sound(){return a.sound},takeOver:e=>a.change(...n(e))}),e()}export{i as default};
+import"./disclose-version.js";import{t as e}from"./Answers.js";function t(t,n){e(t,{get id(){return n.id},get text(){return n.text},get valid(){return n.valid},get apply(){return n.replace}})}export{t as default};

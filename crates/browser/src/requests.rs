@@ -15,6 +15,7 @@ use wholestring_screens::{
     examples::{example, list},
     refusal::Refusal,
     survey::{Pasted, survey},
+    trial::Applying,
     units::units,
 };
 
@@ -89,12 +90,14 @@ impl Request {
             "examples" => json(&list()),
             "example" => json(&example(&self.body::<Named>()?.name)?),
             "title" => {
-                let Title { name, problem } = Title::of(file, &self.body::<Text>()?.text, &files);
+                let Title { name, problem, .. } =
+                    Title::of(file, &self.body::<Text>()?.text, &files);
                 json(&Listed { name, problem })
             }
             "check" => json(&check(file, &self.body::<Text>()?.text, &files)),
             "edit" => json(&edit(self.body::<Changes>()?)?),
             "answer" => json(&self.body::<AskedOfModels>()?.answer(file, &files, &none)?),
+            "apply" => json(&self.body::<Applying>()?.apply(file, &files)?),
             "broomstick" => json(&self.body::<Asked>()?.broomstick(file, &files, &none)?),
             "assembly" => json(&self.body::<AskedOfOperation>()?.assembly(file, &files, &none)?),
             other => {

@@ -85,7 +85,7 @@ impl Verdict {
 }
 
 /// A factor that is less than this above the required one is marginal.
-const MARGINAL: f64 = 1.1;
+pub(crate) const MARGINAL: f64 = 1.1;
 
 /// The same of tension: beyond 80 % of the yield, where 90 % is allowed (API RP 7G).
 const MARGINAL_TENSION: f64 = 0.9 / 0.8;

@@ -7,6 +7,7 @@ use wholestring::{
 
 use crate::{
     Check, CheckKind, Severity,
+    check::MARGINAL,
     window::{Window, share},
 };
 
@@ -44,8 +45,8 @@ pub fn checks(settings: &DynamicsSettings, window: &Window<'_>) -> Vec<Check> {
     let speed = window.statistic("bit_rotary_speed_rad_per_s");
     let speed = speed.map_or(0.0, |statistic| statistic.mean);
     for (kind, severity, whirl) in [
-        (CheckKind::BackwardWhirl, Severity::Warning, &indicators.backward_whirl),
-        (CheckKind::ForwardWhirl, Severity::Note, &indicators.forward_whirl),
+        (CheckKind::BackwardWhirl, whirl_severity(true), &indicators.backward_whirl),
+        (CheckKind::ForwardWhirl, whirl_severity(false), &indicators.forward_whirl),
     ] {
         found.extend(whirl.map(|whirl| of_whirl(kind, severity, &whirl, speed)));
     }
@@ -84,17 +85,39 @@ fn top_drive(settings: &DynamicsSettings, window: &Window<'_>) -> Option<Check> 
 
 /// Stick-slip that is reported: a warning where the bit stops.
 fn stick_slip(found: &StickSlip) -> Option<Check> {
-    let level = |severe: bool| if severe { Severity::Warning } else { Severity::Note };
-    match found.severity {
-        Some(severity) if severity >= SEVERE => Some(
-            Check::reported(CheckKind::StickSlip, level(severity >= STOPS))
-                .value(severity)
-                .limit(if severity >= STOPS { STOPS } else { SEVERE }),
-        ),
-        None if found.stuck_fraction > STUCK => {
-            Some(Check::reported(CheckKind::StickSlip, Severity::Warning))
+    let level = stick_slip_severity(found).filter(|level| *level > Severity::Ok)?;
+    let check = Check::reported(CheckKind::StickSlip, level);
+    Some(match found.severity {
+        Some(severity) => {
+            check.value(severity).limit(if severity >= STOPS { STOPS } else { SEVERE })
         }
-        _ => None,
+        None => check,
+    })
+}
+
+/// Severity of stick-slip: a warning where the bit stops; none of a bit of which nothing is known.
+pub fn stick_slip_severity(found: &StickSlip) -> Option<Severity> {
+    match found.severity {
+        Some(severity) if severity >= STOPS => Some(Severity::Warning),
+        Some(severity) if severity >= SEVERE => Some(Severity::Note),
+        Some(_) => Some(Severity::Ok),
+        None if found.stuck_fraction > STUCK => Some(Severity::Warning),
+        None => None,
+    }
+}
+
+/// Severity of whirl, backward or forward.
+pub const fn whirl_severity(is_backward: bool) -> Severity {
+    if is_backward { Severity::Warning } else { Severity::Note }
+}
+
+/// Severity of a top drive's torque over its limit; an error where it stalls.
+pub fn top_drive_severity(torque_use: f64, is_stalled: bool) -> Severity {
+    match () {
+        () if is_stalled => Severity::Error,
+        () if torque_use >= AT_LIMIT => Severity::Warning,
+        () if torque_use >= AT_LIMIT / MARGINAL => Severity::Note,
+        () => Severity::Ok,
     }
 }
 

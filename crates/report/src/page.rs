@@ -138,7 +138,7 @@ pub fn sweep_html(sweep: &Sweep) -> String {
 }
 
 /// Width of a figure with one column of panels, mm.
-const NARROW_MM: f64 = 85.0;
+pub(crate) const NARROW_MM: f64 = 85.0;
 
 /// A picture in a set of units, ready to be shown under a name.
 fn template(name: &str, units: &str, plot: Option<Plot>) -> String {

@@ -2,8 +2,8 @@
 
 use crate::{
     draw::palette,
-    figure::Figure,
-    page::{STYLES, document, escaped},
+    figure::{Direction, Figure},
+    page::{NARROW_MM, STYLES, document, escaped},
     plots::SETS,
 };
 use wholestring_judge::Severity;
@@ -176,8 +176,7 @@ fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
                 Some(figure) => {
                     let mut figure = figure.clone();
                     figure.title.clear();
-                    let element = figure.drawing().element(&format!("{prefix}figure-{index}"));
-                    format!("<figure>{element}</figure>")
+                    figures(&mut figure, &format!("{prefix}figure-{index}"))
                 }
                 None => "<p class=\"note\">No case has answered yet.</p>".to_owned(),
             };
@@ -210,6 +209,20 @@ fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
     )
 }
 
+/// A figure for a wide page and for a narrow one, there with its panels one below the other; of a
+/// map, whose sides are to scale, one for both.
+fn figures(figure: &mut Figure, name: &str) -> String {
+    let wide = figure.drawing().element(name);
+    let is_map = figure.layout.direction == Direction::Plan;
+    if is_map || figure.layout.width_mm <= NARROW_MM {
+        return format!("<figure>{wide}</figure>");
+    }
+    figure.layout.columns = 1;
+    figure.layout.width_mm = NARROW_MM;
+    let narrow = figure.drawing().element(&format!("{name}-narrow"));
+    format!("<figure class=\"wide\">{wide}</figure>\n<figure class=\"narrow\">{narrow}</figure>")
+}
+
 fn table(grid: &Grid) -> String {
     let class = |head: &Head| if head.words { " class=\"words\"" } else { "" };
     let heads: String = grid
@@ -226,10 +239,12 @@ fn table(grid: &Grid) -> String {
 const SENTENCE: usize = 40;
 
 fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
+    let is_sentence = |text: &str| text.chars().count() > SENTENCE;
+    let is_told = row.iter().any(|(text, _)| is_sentence(text));
     let cell = |(head, (text, verdict)): (&Head, &(String, Verdict))| {
         let mut classes = Vec::new();
         classes.extend(head.words.then_some("words"));
-        classes.extend((text.chars().count() > SENTENCE).then_some("sentence"));
+        classes.extend(is_sentence(text).then_some("sentence"));
         let of_severity;
         classes.extend(match verdict {
             Verdict::None => None,
@@ -245,7 +260,12 @@ fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
             true => String::new(),
             false => format!(" class=\"{}\"", classes.join(" ")),
         };
-        format!("<td{class}>{}</td>", escaped(&kept_together(text)))
+        // Where a sentence takes the whole width of a narrow page, the heads are in the cells.
+        let name = match is_told && !text.is_empty() {
+            true => format!(" data-head=\"{}\"", escaped(&head.text)),
+            false => String::new(),
+        };
+        format!("<td{class}{name}>{}</td>", escaped(&kept_together(text)))
     };
     heads.iter().zip(row).map(cell).collect()
 }

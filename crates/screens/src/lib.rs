@@ -17,5 +17,6 @@ pub mod live;
 mod quantities;
 pub mod refusal;
 pub mod survey;
+pub mod trial;
 pub mod units;
 mod values;

@@ -57,7 +57,7 @@ impl Refusal {
 /// A case that is invalid.
 impl From<&Report> for Refusal {
     fn from(report: &Report) -> Self {
-        let mut refusal = Self::new(422, "unsound", "the case is invalid");
+        let mut refusal = Self::new(422, "unsound", "the case is not valid");
         refusal.error.diagnostics = diagnostic::of_report(report);
         refusal
     }

@@ -7,12 +7,12 @@ export type Theme = (typeof THEMES)[number];
 
 const PREFIX = "wholestring.";
 
-function remembered<T extends string>(name: string, known: readonly T[], otherwise: T): T {
+function remembered<T extends string>(name: string, known: readonly T[]): T | null {
   try {
     const kept = localStorage.getItem(PREFIX + name);
-    return known.find((value) => value === kept) ?? otherwise;
+    return known.find((value) => value === kept) ?? null;
   } catch {
-    return otherwise;
+    return null;
   }
 }
 
@@ -27,8 +27,9 @@ function remember(name: string, value: string): void {
 const system = matchMedia("(prefers-color-scheme: dark)");
 
 class Settings {
-  #units = $state<UnitSet>(remembered("units", UNIT_SETS, "si"));
-  #theme = $state<Theme>(remembered("theme", THEMES, "auto"));
+  #chosenUnits = $state<UnitSet | null>(remembered("units", UNIT_SETS));
+  #caseUnits = $state<UnitSet>("si");
+  #theme = $state<Theme>(remembered("theme", THEMES) ?? "auto");
   #system = $state(system.matches);
 
   constructor() {
@@ -39,13 +40,24 @@ class Settings {
     this.#dress();
   }
 
+  /** The units of all numbers: those that the reader has chosen, else those of the case that was shown last. */
   get units(): UnitSet {
-    return this.#units;
+    return this.#chosenUnits ?? this.#caseUnits;
   }
 
   set units(units: UnitSet) {
-    this.#units = units;
+    this.#chosenUnits = units;
     remember("units", units);
+  }
+
+  /** The units that the reader has chosen; null where a case says its own. */
+  get chosenUnits(): UnitSet | null {
+    return this.#chosenUnits;
+  }
+
+  /** Shows numbers in the units of a case, until the reader chooses others. */
+  followCase(units: UnitSet): void {
+    this.#caseUnits = units;
   }
 
   get theme(): Theme {

@@ -62,6 +62,17 @@ wob = "50 kN"
 rop = "10 m/h"
 `;
 
+/** The same with a factor that was fitted, and a plan with low and high. */
+const CALIBRATED = `${SLANT.replace("0.3  # a guess", "0.31  # fitted on the readings")}
+[plan.friction]
+low = 0.15
+high = 0.4
+`;
+
+/** The two sliders of friction. */
+const MULTIPLIER = "Friction multiplier, each section's own factor";
+const UNIFORM = "Friction, one factor for all sections";
+
 /** Opens the answers of a case, and waits until all of them are drawn. */
 async function openAnswers(served, name, options) {
   const page = await openPage(served, options);
@@ -123,9 +134,9 @@ await run({
     const page = await openAnswers(served, "np13.toml");
     await drawn(page);
     const before = await keyNumber(page, "Torque at the surface", "stiff");
-    const slider = page.getByLabel("Friction, all sections", { exact: true });
+    const slider = page.getByLabel(MULTIPLIER, { exact: true });
     await slider.focus();
-    for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowLeft");
+    for (let i = 0; i < 20; i++) await page.keyboard.press("ArrowLeft");
     await until(async () => (await ghosts(page)) > 0, "the answer of the text is drawn pale", 30_000);
     await settled(page);
     const after = await keyNumber(page, "Torque at the surface", "stiff");
@@ -148,7 +159,7 @@ await run({
     const page = await openAnswers(served, "slant.toml");
     await drawn(page);
     for (const [label, row, model] of [
-      ["Friction, all sections", "Torque at the surface", "soft"],
+      [MULTIPLIER, "Torque at the surface", "soft"],
       ["Weight on bit", "Hook load", "soft"],
       ["Mud density", "Hook load", "stiff"],
       ["Bit depth", "Hook load", "soft"],
@@ -176,23 +187,80 @@ await run({
     await served.stop();
   },
 
-  "values that were tried are taken over into the file, comments kept": async () => {
-    const served = await serve({ "slant.toml": SLANT });
+  "values that were tried are applied after a look at what changes, and that is undone": async () => {
+    const served = await serve({ "slant.toml": CALIBRATED });
     const page = await openAnswers(served, "slant.toml");
     await drawn(page);
-    const takeOver = page.getByRole("button", { name: "Apply to case" });
-    check(await takeOver.isDisabled(), "there is nothing to take over at first");
+    const apply = page.getByRole("button", { name: "Apply to case" });
+    check(await apply.isDisabled(), "there is nothing to apply at first");
     await page.getByLabel("Weight on bit", { exact: true }).focus();
     await page.keyboard.press("End");
-    await page.getByLabel("Friction, all sections", { exact: true }).focus();
-    await page.keyboard.press("Home");
+    await page.getByLabel(MULTIPLIER, { exact: true }).focus();
+    for (let i = 0; i < 20; i++) await page.keyboard.press("ArrowLeft");
     await settled(page);
-    await takeOver.click();
-    await until(() => served.read("slant.toml") !== SLANT, "the file is written", 30_000);
+    await until(async () => /casing to 500 m: 0.2 → 0.1\d/.test(await page.locator(".sections").innerText()), "sections say their factors", 30_000);
+    await apply.click();
+    const dialog = page.getByRole("dialog", { name: "Apply to case" });
+    await dialog.getByRole("table").waitFor();
+    equal(served.read("slant.toml"), CALIBRATED, "the file while the dialog asks");
+    const rows = await dialog.locator("tbody tr").allInnerTexts();
+    equal(rows.length, 5, `changes: ${rows}`);
+    check(rows.some((row) => /^Friction, open hole to 1000 m\s+0.31\s+0.2\d+/.test(row)), `a row for each section: ${rows}`);
+    check(rows.some((row) => /^Plan, high friction\s+0.4\s+0.3\d+/.test(row)), `the levels of the plan go along: ${rows}`);
+    const fate = dialog.getByLabel("fitted on the readings");
+    equal(await fate.inputValue(), "mark", "a comment that would be false");
+    equal(await dialog.getByLabel("cased").inputValue(), "keep", "a comment that stays true");
+    await accessible(page, "what would be applied");
+    await picture(page, "apply");
+    await dialog.getByRole("button", { name: "Apply", exact: true }).click();
+    await until(() => served.read("slant.toml") !== CALIBRATED, "the file is written", 30_000);
     const text = served.read("slant.toml");
-    equal(text.match(/^friction = .*$/gm), ["friction = 0  # cased", "friction = 0  # a guess"].map((line) => line), "friction in the file");
+    check(/^friction = 0\.1\d+  # cased$/m.test(text), `the casing's own factor, its comment kept: ${text}`);
+    check(/^friction = 0\.2\d+  # was 0\.31: fitted on the readings$/m.test(text), `the rock's own factor: ${text}`);
     check(/^wob = "100 kN"$/m.test(text), `the weight in the file: ${text}`);
-    await until(async () => (await ghosts(page)) === 0, "what was tried is what stands there", 30_000);
+    await until(async () => (await ghosts(page)) === 0, "what was tried is the case", 30_000);
+    await page.getByRole("button", { name: "Undo" }).click();
+    await until(() => served.read("slant.toml") === CALIBRATED, "the file is what it was", 30_000);
+    equal(page.complaints, [], "complaints");
+    await page.context().close();
+    await served.stop();
+  },
+
+  "a plan with low and high keeps the sliders of friction within them": async () => {
+    const served = await serve({ "slant.toml": CALIBRATED });
+    const page = await openAnswers(served, "slant.toml");
+    await drawn(page);
+    await page.getByRole("group", { name: "Friction factors" }).getByRole("button", { name: "one for all" }).click();
+    const slider = page.getByLabel(UNIFORM, { exact: true });
+    for (const [key, factor] of [["Home", "0.15"], ["End", "0.4"]]) {
+      await slider.focus();
+      await page.keyboard.press(key);
+      await settled(page);
+      await until(async () => (await page.locator(".sections").innerText()).includes(`casing to 500 m: 0.2 → ${factor}`), `${key}: all sections have ${factor}`, 30_000);
+      equal(await page.locator(".answers > .warning").count(), 0, "refusals");
+    }
+    await page.getByRole("group", { name: "Friction factors" }).getByRole("button", { name: "each section's own" }).click();
+    for (const key of ["Home", "End"]) {
+      await page.getByLabel(MULTIPLIER, { exact: true }).focus();
+      await page.keyboard.press(key);
+      await settled(page);
+      equal(await page.locator(".answers > .warning").count(), 0, "refusals");
+    }
+    equal(page.complaints, [], "complaints");
+    await page.context().close();
+    await served.stop();
+  },
+
+  "numbers and sentences are in the units of the case until the reader chooses others": async () => {
+    const served = await serve({ "field.toml": SLANT.replace('name = "slant"', 'name = "slant"\nunits = "field"').replace("30 kN.m", "4 kN.m") });
+    const page = await openAnswers(served, "field.toml");
+    await drawn(page);
+    const limits = page.locator("section[aria-labelledby=limits-title]");
+    const told = () => limits.innerText();
+    await until(async () => /klbf/.test(await told()), "the case's units", 30_000);
+    check(!/ kN| m\b/.test((await told()).replaceAll("\u00a0", " ")), `field units alone: ${await told()}`);
+    await page.getByRole("group", { name: "Units" }).getByRole("button", { name: "SI" }).click();
+    await until(async () => !/klbf|\bft\b/.test(await told()) && /kN/.test(await told()), "SI alone", 30_000);
     equal(page.complaints, [], "complaints");
     await page.context().close();
     await served.stop();
@@ -285,12 +353,12 @@ await run({
     await served.stop();
   },
 
-  "a text that is invalid has no answer": async () => {
+  "a text that is not valid has no answer": async () => {
     const served = await serve({ "broken.toml": SLANT.replace("friction = 0.3", 'friction = "much"') });
     const page = await openAnswers(served, "broken.toml");
-    await page.getByText("The case is invalid").waitFor();
+    await page.getByText("The case is not valid").waitFor();
     equal(await page.locator(".tracks").count(), 0, "tracks");
-    await accessible(page, "a case that is invalid");
+    await accessible(page, "a case that is not valid");
     await page.context().close();
     await served.stop();
   },
@@ -347,7 +415,7 @@ await run({
       for (const theme of ["light", "dark"]) {
         const page = await openAnswers(served, "np13.toml", { width, theme });
         await drawn(page);
-        await page.getByLabel("Friction, all sections", { exact: true }).focus();
+        await page.getByLabel(MULTIPLIER, { exact: true }).focus();
         for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowLeft");
         await until(async () => (await ghosts(page)) > 0, "the answer of the text is drawn pale", 30_000);
         await settled(page);

@@ -36,7 +36,7 @@ await run({
     const page = await openPage(served);
     const id = await page.evaluate(async () => (await (await fetch("/api/cases")).json())[0].id);
     await page.evaluate((id) => (location.hash = `#/answers/${id}`), id);
-    const slider = page.getByLabel("Friction, all sections", { exact: true });
+    const slider = page.getByLabel("Friction multiplier, each section's own factor", { exact: true });
     await slider.focus();
     const shown = () => page.locator("[data-drawn-ms]").getAttribute("data-drawn-ms", { timeout: 30_000 });
     const times = [];

@@ -236,7 +236,7 @@ await run({
     await untilToml(page, 'catalogue = "6-1/2 in x 2-13/16 in collar"');
     const text = await tomlText(page);
     check(!text.includes("6.75 in") && text.includes('component = "collar" # spiral'), "the entry takes the place of the diameters");
-    await page.getByText("Sound.").waitFor();
+    await page.getByText("Valid.").waitFor();
     await end();
   },
 
@@ -266,6 +266,23 @@ await run({
     await page.keyboard.press("Control+Shift+z");
     await page.keyboard.press("Control+y");
     await untilToml(page, "1.4 sg");
+    await end();
+  },
+
+  "values that were tried beside the editor come into its text, and undo takes them back": async () => {
+    const { page, end } = await opened();
+    await page.getByRole("button", { name: "Answers", exact: true }).click();
+    const slider = page.getByLabel("Friction multiplier, each section's own factor", { exact: true });
+    await slider.waitFor();
+    await slider.focus();
+    for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowLeft");
+    await page.getByRole("button", { name: "Apply to case" }).click();
+    const dialog = page.getByRole("dialog", { name: "Apply to case" });
+    await dialog.getByText("Friction, open hole to 1000 m").waitFor();
+    await dialog.getByRole("button", { name: "Apply", exact: true }).click();
+    await untilToml(page, "friction = 0.27  # a guess");
+    await page.getByRole("button", { name: "Undo" }).click();
+    await until(async () => (await tomlText(page)) === CASE, "undo takes all of it back");
     await end();
   },
 

@@ -301,7 +301,7 @@ await run({
     const bad = await cases.locator("option", { hasText: "bad.toml" }).getAttribute("value");
     await cases.selectOption(bad);
     await button(page, "Start").click();
-    await page.getByText("did you mean").first().waitFor().catch(() => page.getByText("invalid").waitFor());
+    await page.getByText("did you mean").first().waitFor().catch(() => page.getByText("not valid").waitFor());
     await cases.selectOption(good);
     const results = await page.getByRole("link", { name: "Results" }).first().getAttribute("href");
     for (const width of [1440, 900, 420])

@@ -12,6 +12,7 @@ use wholestring_screens::cases::Title;
 use super::{Json, blocking, error::ApiError};
 use crate::{
     app::App,
+    results::{CaseVerdict, Verdicts},
     workspace::{CaseFile, Draft, NewFile, Workspace, millis},
 };
 
@@ -31,6 +32,8 @@ pub(crate) struct CaseEntry {
     name: String,
     /// The first that is wrong with it; null where nothing is, or where there was no time to look.
     problem: Option<String>,
+    /// The verdict on it, of its newest results; null where it was not computed yet.
+    verdict: Option<CaseVerdict>,
     /// Whether there is a text of it that was not saved.
     has_draft: bool,
     /// When it was changed, milliseconds since 1970.
@@ -44,27 +47,28 @@ const READING_TIME: Duration = Duration::from_secs(2);
 #[utoipa::path(get, path = "/api/cases", responses((status = 200, body = Vec<CaseEntry>)))]
 async fn list(State(app): State<App>) -> Result<Json<Vec<CaseEntry>>, ApiError> {
     blocking(move || {
+        let verdicts = Verdicts::of(&app.workspace, READING_TIME);
         let begin = Instant::now();
-        let entry = |case: CaseFile| entry(&app.workspace, case, begin.elapsed() < READING_TIME);
+        let is_read = || begin.elapsed() < READING_TIME;
+        let entry = |case: CaseFile| entry(&app.workspace, case, &verdicts, is_read());
         Ok(Json(app.workspace.cases().into_iter().map(entry).collect()))
     })
     .await
 }
 
-fn entry(workspace: &Workspace, case: CaseFile, is_read: bool) -> CaseEntry {
+fn entry(workspace: &Workspace, case: CaseFile, verdicts: &Verdicts, is_read: bool) -> CaseEntry {
     let stem = case.path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    let (name, problem) = match case.read() {
-        Err(error) => (None, Some(error.to_string())),
-        Ok(_) if !is_read => (None, None),
-        Ok(read) => {
-            let Title { name, problem } =
-                Title::of(&case.shown, &read.text, &workspace.beside(&case));
-            (name, problem)
-        }
+    let title = match case.read() {
+        Err(error) => Title { problem: Some(error.to_string()), ..Title::default() },
+        Ok(_) if !is_read => Title::default(),
+        Ok(read) => Title::of(&case.shown, &read.text, &workspace.beside(&case)),
     };
+    let Title { name, problem, settings } = title;
+    let verdict = settings.and_then(|settings| verdicts.on(name.as_deref()?, &settings));
     CaseEntry {
         name: name.or(stem).unwrap_or_default(),
         problem,
+        verdict,
         has_draft: workspace.draft(&case).is_some(),
         modified_ms: millis(case.modified),
         path: case.shown,

@@ -2,14 +2,17 @@
 
 use axum::extract::{Path, State};
 use utoipa_axum::{router::OpenApiRouter, routes};
-use wholestring_screens::edit::{self, Changed, Changes};
+use wholestring_screens::{
+    edit::{self, Changed, Changes},
+    trial::{Applied, Applying},
+};
 
 use super::{Json, blocking, error::ApiError};
 use crate::app::App;
 
 /// The requests of this noun.
 pub(crate) fn routes() -> OpenApiRouter<App> {
-    OpenApiRouter::new().routes(routes!(edit))
+    OpenApiRouter::new().routes(routes!(edit)).routes(routes!(apply))
 }
 
 /// Changes a text; comments, and all that is not named, stay as they are. No file is written.
@@ -31,6 +34,30 @@ async fn edit(
     blocking(move || {
         app.workspace.case(&id)?;
         Ok(Json(edit::edit(changes)?))
+    })
+    .await
+}
+
+/// A text with values in it that were tried, and what changes in it. No file is written.
+#[utoipa::path(
+    post,
+    path = "/api/cases/{id}/apply",
+    request_body = Applying,
+    responses(
+        (status = 200, body = Applied),
+        (status = 404, body = ApiError),
+        (status = 422, body = ApiError)
+    )
+)]
+async fn apply(
+    State(app): State<App>,
+    Path(id): Path<String>,
+    Json(applying): Json<Applying>,
+) -> Result<Json<Applied>, ApiError> {
+    blocking(move || {
+        let file = app.workspace.case(&id)?;
+        let beside = app.workspace.beside(&file);
+        Ok(Json(applying.apply(&file.shown, &beside)?))
     })
     .await
 }

@@ -8,7 +8,7 @@ use crate::workspace::WorkspaceError;
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum JobError {
     /// The case, or the study, is invalid.
-    #[error("the case is invalid")]
+    #[error("the case is not valid")]
     Unsound(Report),
     /// What is asked cannot be so.
     #[error("{0}")]

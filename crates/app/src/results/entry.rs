@@ -50,6 +50,18 @@ pub(super) const PAGE: &str = "report.html";
 const HEAD: usize = 4096;
 
 impl ResultsEntry {
+    pub(super) fn id(&self) -> &str {
+        &self.id
+    }
+
+    pub(super) fn kind(&self) -> &str {
+        &self.kind
+    }
+
+    pub(super) const fn modified_ms(&self) -> u64 {
+        self.modified_ms
+    }
+
     /// What lies at a place.
     pub(crate) fn of(place: &ResultsPlace) -> Self {
         let (folder, summary) = (&place.path, summary(&place.path));

@@ -19,12 +19,20 @@ fn a_text_is_answered_by_both_models_and_written_nowhere() {
     assert!(hook_load(&own) > hook_load(&answer) + 1e3);
     assert_eq!(answer["well"]["string"][0]["to_m"], 1000.0);
     // What the sliders of the page begin with follows the text and what replaces it.
-    let friction = |of: &serde_json::Value| of["set_points"]["values"][0].clone();
+    let friction = |of: &serde_json::Value| of["set_points"]["values"][1].clone();
     assert_eq!(
         (friction(&own)["key"].as_str(), friction(&own)["now"].as_f64()),
         (Some("friction"), Some(0.3))
     );
     assert_eq!(friction(&answer)["now"], 0.2);
+    assert_eq!(own["set_points"]["sections"][0]["label"], "open hole to 1000 m");
+    // Sentences are in the units that are requested.
+    let hoisted = CASE.replace("[operation]", "[rig]\nhoist_capacity = \"1500 kN\"\n\n[operation]");
+    let field = json!({"text": hoisted, "models": ["soft"], "units": "field"});
+    let field = served.post(&format!("/api/cases/{id}/answer"), &field).ok();
+    let sentence = field["limits"][0]["limits"][0]["sentence"].as_str().unwrap();
+    assert!(sentence.contains(" klbf") && !sentence.contains(" kN"), "{sentence}");
+    assert_eq!(field["set_points"]["units"], "si");
     let rows = answer["tracks"][0]["md_m"].as_array().unwrap().len();
     assert_eq!(answer["tracks"][0]["tension_N"].as_array().unwrap().len(), rows);
     assert_eq!(std::fs::read_dir(served.path()).unwrap().count(), 1);

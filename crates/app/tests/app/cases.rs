@@ -3,6 +3,7 @@
 use std::fs;
 
 use serde_json::{Value, json};
+use wholestring_case::InMemory;
 
 use crate::common::{CASE, Served};
 
@@ -37,6 +38,31 @@ fn a_folder_shows_its_cases() {
     assert!(of("modified_ms").iter().all(|time| time.as_u64().unwrap() > 1_600_000_000_000));
     // The ids are the same when they are asked for again.
     assert_eq!(served.get("/api/cases").ok(), cases);
+}
+
+/// A valid file is not a well that can be drilled: the list has the judge's verdict of the newest
+/// result, and whether the case is still what it was then.
+#[test]
+fn a_case_has_the_verdict_of_its_newest_result() {
+    let served = Served::with(&[("a.toml", CASE)]);
+    let verdict = || served.get("/api/cases").ok()[0]["verdict"].clone();
+    assert_eq!(verdict(), Value::Null);
+    let case = wholestring_case::parse("a.toml", CASE.as_bytes(), &InMemory::default(), &[]);
+    let settings = case.expect("a valid case").settings;
+    let checks = json!([
+        {"kind": "goes_down", "severity": "error", "verdict": "error",
+            "sentence": "The string does not go down."},
+        {"kind": "tension", "severity": "ok", "verdict": "OK", "sentence": "Tension"}]);
+    let summary = json!({"case": "slant", "settings": settings,
+        "operations": [{"operation": "trip_in", "model": "soft", "checks": checks}]});
+    let folder = served.path().join("out/a");
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("summary.json"), summary.to_string()).unwrap();
+    let found = verdict();
+    assert_eq!((&found["severity"], &found["is_current"]), (&json!("error"), &json!(true)));
+    assert_eq!(found["words"], "The string does not go down.");
+    fs::write(served.path().join("a.toml"), CASE.replace("1.2 sg", "1.3 sg")).unwrap();
+    assert_eq!(verdict()["is_current"], false);
 }
 
 #[test]

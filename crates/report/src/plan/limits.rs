@@ -5,8 +5,15 @@ use crate::grid_cells::head;
 use crate::operation_words::{four, operation_name};
 use crate::{Grid, StudyPart, Verdict, plots::Shown};
 
-/// The checks that need attention, the most severe first.
-pub(super) fn verdicts(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+/// A sentence of the judge as a page prints its units.
+fn printed(sentence: &str) -> String {
+    sentence.replace("N.m", "N·m").replace("ft-lbf", "ft·lbf")
+}
+
+/// The checks that need attention, the most severe first. Their sentences are in the units of the
+/// case, and so is all of a row.
+pub(super) fn verdicts(plan: &Plan) -> Option<StudyPart> {
+    let shown = Shown::new(&plan.head.dimensions, &plan.head.units);
     let heads = ["verdict", "check", "operation", "friction", "bit at", "what was found"];
     let heads = heads.map(|name| head(name, true)).into();
     let row = |found: &PlanVerdict| {
@@ -17,13 +24,27 @@ pub(super) fn verdicts(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
             plain(format!("{}, {}", operation_name(&found.operation), found.model)),
             plain(found.friction.clone()),
             plain(shown.depth(found.bit_depth_m)),
-            plain(found.sentence.clone()),
+            plain(printed(&found.sentence)),
         ]
     };
     let rows: Vec<_> = plan.checks.iter().map(row).collect();
     let caption = "Of each kind of check and each operation the most severe of all models, depths and \
         frictions.";
     (!rows.is_empty()).then(|| part("Verdict", caption.to_owned(), Grid { heads, rows }))
+}
+
+/// The governing limit of each operation, from sentences that begin with the operation.
+pub(super) fn governing(sentences: &[String]) -> Option<StudyPart> {
+    let heads = vec![head("operation", true), head("limit", true)];
+    let plain = |text: &str| (printed(text.trim_end_matches('.')), Verdict::None);
+    let row = |sentence: &String| {
+        let (operation, limit) = sentence.split_once(": ").unwrap_or(("", sentence));
+        vec![plain(operation), plain(limit)]
+    };
+    let rows: Vec<_> = sentences.iter().map(row).collect();
+    let caption = "Of each operation the limit with the least reserve of those that break \
+        something or stop it, of all depths and frictions.";
+    (!rows.is_empty()).then(|| part("Governing limits", caption.to_owned(), Grid { heads, rows }))
 }
 
 /// Kinds in their order.

@@ -64,9 +64,6 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     let facts = plan.head.facts.iter().filter_map(|fact| shown.fact(fact));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
     let set = SETS.iter().position(|of| *of == units).unwrap_or(0);
-    if !plan.first[set].is_empty() {
-        description += &format!("\n\nGoverning limits. {}", plan.first[set].join(" "));
-    }
     if let Some(message) = &plan.message {
         description += &format!("\n\n{message}");
     }
@@ -90,7 +87,8 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
             painted: false,
         })
     });
-    let mut parts: Vec<StudyPart> = limits::verdicts(plan, shown).into_iter().collect();
+    let mut parts: Vec<StudyPart> = limits::verdicts(plan).into_iter().collect();
+    parts.extend(limits::governing(&plan.first[set]));
     parts.extend(pictures);
     if let Some(of) = &plan.uncertain {
         parts.extend(uncertain::inputs(of));

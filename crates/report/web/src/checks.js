@@ -1,7 +1,7 @@
 // Checks: what an engineer must know of the results, the most severe first.
 
 import { el } from "../../../../web/components/dom.ts";
-import { depthText, plain, quantity } from "../../../../web/components/units.ts";
+import { depthText, inUnits, plain, quantity } from "../../../../web/components/units.ts";
 import { bySeverity, countText, SEVERITIES, severityMark } from "./severities.js";
 import { modelName, readable } from "./solutions.js";
 import { choose, on, state } from "./state.js";
@@ -33,13 +33,6 @@ export function placeText({ md_m, to_md_m }) {
 
 const numberText = (cell) => (typeof cell === "number" ? plain(cell, 4) : quantity(cell.value, cell.dimension, 4, plain));
 
-/** Value and limit in the reader's units, where those are not the sentence's; null where there is no number. */
-function numbers({ value, limit }, messageUnits) {
-  // The sentence has them in its own units.
-  if (value === null || state.units === messageUnits) return null;
-  return limit === null ? numberText(value) : `${numberText(value)} against ${numberText(limit)}`;
-}
-
 /** The list of all checks that need attention; `zoom` shows an interval of depths. */
 export function checkList(report, zoom) {
   const holder = el("div", { class: "check-list" });
@@ -49,7 +42,8 @@ export function checkList(report, zoom) {
   function item(check) {
     const { severity, solved, sentence } = check;
     const [word] = SEVERITIES[severity];
-    const place = placeText(check);
+    // A line has one set of units, that of its sentence; the table has the reader's.
+    const place = inUnits(report.message_units || report.units, () => placeText(check));
     const choosable = many && solved.operation !== state.operation;
     const whose = [many && readable(solved.operation), models && modelName(report, solved)].filter(Boolean).join(", ");
     return el(
@@ -77,7 +71,6 @@ export function checkList(report, zoom) {
         el(
           "span",
           { class: "note" },
-          numbers(check, report.message_units) && ` ${numbers(check, report.message_units)}`,
           place && " ",
           place &&
             el(
@@ -138,10 +131,10 @@ export function checkTable(report) {
       el("td", { class: `verdict severity-${severity}` }, severityMark(severity), ` ${words}`),
       el("th", { scope: "row" }, label),
       el("td", {}, place),
-      el("td", { class: "number" }, value === null ? "–" : numberText(value)),
-      el("td", { class: "number" }, limit === null ? "–" : numberText(limit)),
-      el("td", { class: "number" }, two(factor)),
-      el("td", { class: "number" }, two(required)),
+      el("td", { class: "number", "data-head": "load" }, value === null ? "–" : numberText(value)),
+      el("td", { class: "number", "data-head": "capacity" }, limit === null ? "–" : numberText(limit)),
+      el("td", { class: "number", "data-head": "factor" }, two(factor)),
+      el("td", { class: "number", "data-head": "required" }, two(required)),
     );
   }
 

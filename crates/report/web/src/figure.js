@@ -79,7 +79,7 @@ export function figure(name, otherwise, describe = null) {
     return spot;
   }
 
-  const narrow = matchMedia("(max-width: 800px)");
+  const narrow = matchMedia("screen and (max-width: 800px)");
 
   function draw() {
     const slim = narrow.matches && document.getElementById(`${name}-narrow-${state.units}`);

@@ -145,7 +145,7 @@ export async function checkSheets({ check, open }, page, file, { figures, sheets
       all.map((box) => ({ wide: box.scrollWidth > box.clientWidth, moves: getComputedStyle(box).overflowX })),
     );
     assert.ok(boxes.every((box) => box.moves === "auto"));
-    const sizes = await narrow.locator(`${seen("si")} figure text`).evaluateAll((texts) =>
+    const sizes = await narrow.locator(`${seen("si")} figure:visible text`).evaluateAll((texts) =>
       texts.map((text) => {
         const { width } = text.ownerSVGElement.getBoundingClientRect();
         return (width / text.ownerSVGElement.viewBox.baseVal.width) * Number(text.getAttribute("font-size"));

@@ -18,7 +18,7 @@ await check("every figure is drawn, a map among them", async () => {
     const marks = await figures.nth(i).locator("path[class^=stroke-line][clip-path], path[class*=' stroke-line'], image").count();
     assert.ok(marks > 0, `figure ${i} shows something`);
   }
-  assert.equal(await page.locator("figure image").count(), 2, "a map and its colours");
+  assert.equal(await page.locator("figure:not(.narrow) image").count(), 2, "a map and its colours");
   assert.equal(await page.locator("figure path[d*=NaN]").count(), 0, "no coordinate is missing");
 });
 
@@ -37,11 +37,20 @@ await check("a figure is as wide as the page lets it be, and says its title once
 
 await check("its letters are read on a telephone", async () => {
   const narrow = await open({ viewport: { width: 420, height: 900 } });
-  const sizes = await narrow.locator("figure text").evaluateAll((texts) => texts.map((text) => {
+  const sizes = await narrow.locator("figure:visible text").evaluateAll((texts) => texts.map((text) => {
     const scale = text.ownerSVGElement.getBoundingClientRect().width / text.ownerSVGElement.viewBox.baseVal.width;
     return scale * Number(text.getAttribute("font-size"));
   }));
   assert.ok(sizes.length > 50 && Math.min(...sizes) >= 9, `${Math.min(...sizes)} pixels`);
+  await narrow.context().close();
+});
+
+await check("a wide page and a narrow one have a figure each, and never both", async () => {
+  const narrow = await open({ viewport: { width: 420, height: 900 } });
+  for (const [tab, shown, hidden] of [[page, "wide", "narrow"], [narrow, "narrow", "wide"]]) {
+    assert.ok((await tab.locator(`figure.${shown}:visible`).count()) >= 2, shown);
+    assert.equal(await tab.locator(`figure.${hidden}:visible`).count(), 0, hidden);
+  }
   await narrow.context().close();
 });
 

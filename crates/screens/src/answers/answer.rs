@@ -4,6 +4,8 @@ use serde::Serialize;
 use utoipa::ToSchema;
 use wholestring::outcome::ModelKind;
 use wholestring_case::Case;
+use wholestring_judge::Overall;
+use wholestring_results::OperationSummary;
 use wholestring_runner::{CancellationToken, Error, Instant, Silent, run};
 
 use super::{
@@ -23,13 +25,34 @@ pub struct Answer {
     tracks: Vec<Track>,
     /// Path, hole and string.
     well: WellView,
+    /// The verdict on each operation by each model.
+    verdicts: Vec<OperationVerdict>,
     /// How near its operations are to what pipe and rig bear; by the soft string, and so where that
     /// was asked for.
     limits: Vec<OperationLimits>,
-    /// What may be replaced without touching the text.
+    /// What may be replaced without touching the text, and the units of the case.
     set_points: SetPoints,
     /// Wall-clock time of the solving, s.
     took_s: f64,
+}
+
+/// The verdict on an operation by a model.
+#[derive(Debug, Serialize, ToSchema)]
+pub struct OperationVerdict {
+    /// The model.
+    model: &'static str,
+    /// The operation: `drill`, ...
+    operation: String,
+    /// `ok`, `note`, `warning` or `error`.
+    severity: &'static str,
+    /// The verdict in words.
+    words: String,
+}
+
+fn verdict(operation: &OperationSummary) -> Option<OperationVerdict> {
+    let Overall { severity, words } = Overall::of(&operation.checks)?;
+    let (model, severity) = (operation.model.name(), severity.name());
+    Some(OperationVerdict { model, operation: operation.operation.clone(), severity, words })
 }
 
 /// Solves a case by these models instead of its own. Nothing is written; frames, which are taken of
@@ -40,6 +63,7 @@ pub struct Answer {
 pub fn answer(
     mut case: Case,
     models: Vec<ModelKind>,
+    set_points: SetPoints,
     cancellation: &CancellationToken,
 ) -> Result<Answer, Error> {
     case.models = models;
@@ -52,15 +76,18 @@ pub fn answer(
     if cancellation.is_cancelled() {
         return Err(Error::Interrupted);
     }
-    let operations = serde_json::to_value(&solved.answers.summary().operations);
+    let summary = solved.answers.summary();
+    let verdicts = summary.operations.iter().filter_map(verdict).collect();
+    let operations = serde_json::to_value(&summary.operations);
     let tables = solved.answers.tables();
     let nodes = tables.iter().find(|(name, _)| *name == "nodes");
     Ok(Answer {
         operations: operations.map_err(|error| Error::Failed(error.to_string()))?,
         tracks: nodes.map_or_else(Vec::new, |(_, table)| tracks(table)),
         well: WellView::of(&case),
+        verdicts,
         limits,
-        set_points: SetPoints::of(&case),
+        set_points,
         took_s,
     })
 }
@@ -73,6 +100,10 @@ mod tests {
 
     use super::*;
 
+    fn points(case: &Case) -> SetPoints {
+        SetPoints::of(case, "")
+    }
+
     fn np13() -> Case {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042.toml");
         load(&file, &[]).expect("a valid case")
@@ -83,7 +114,7 @@ mod tests {
     fn an_answer_is_what_a_run_comes_to() {
         let models = vec![ModelKind::Soft, ModelKind::Stiff];
         let token = CancellationToken::new();
-        let found = answer(np13(), models.clone(), &token).expect("an answer");
+        let found = answer(np13(), models.clone(), points(&np13()), &token).expect("an answer");
         let run = run::answer(&Case { models, ..np13() }, None, &Silent, &token).expect("a run");
         let summary = run.answers.summary();
         assert_eq!(summary.operations.len(), 2);
@@ -104,6 +135,7 @@ mod tests {
     fn a_cancelled_answer_is_none() {
         let token = CancellationToken::new();
         token.cancel();
-        assert!(matches!(answer(np13(), vec![ModelKind::Soft], &token), Err(Error::Interrupted)));
+        let found = answer(np13(), vec![ModelKind::Soft], points(&np13()), &token);
+        assert!(matches!(found, Err(Error::Interrupted)));
     }
 }

@@ -5,15 +5,17 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use utoipa::ToSchema;
 use wholestring::{operation::OperationKind, outcome::ModelKind};
-use wholestring_case::{Case, Files, Override, parse};
+use wholestring_case::{Case, Files, parse};
 use wholestring_runner::CancellationToken;
+use wholestring_units::UnitSet;
 
 use super::{
     answer::{self, Answer},
     assembly::{self, AssemblyView},
     broomstick::{self, Broomstick},
+    set_points::SetPoints,
 };
-use crate::refusal::Refusal;
+use crate::{refusal::Refusal, trial};
 
 /// A text, with some values of it replaced.
 #[derive(Debug, Deserialize, ToSchema)]
@@ -21,7 +23,8 @@ use crate::refusal::Refusal;
 pub struct Asked {
     /// The text.
     text: String,
-    /// Values by keys, as `--set KEY=VALUE` has them.
+    /// Values by keys, as `--set KEY=VALUE` has them; `friction_multiplier` times every section's
+    /// own friction and what the plan gives of it, `friction` for all sections alike.
     #[serde(default)]
     set: BTreeMap<String, String>,
 }
@@ -38,6 +41,9 @@ pub struct AskedOfModels {
     /// The models: `soft`, `stiff`. Both by default.
     #[serde(default)]
     models: Vec<String>,
+    /// Units of the sentences: `si`, `metric`, `field`. By default those of the case.
+    #[serde(default)]
+    units: Option<String>,
 }
 
 /// The same, and in which operation.
@@ -57,11 +63,7 @@ pub struct AskedOfOperation {
 impl Asked {
     /// The case that it makes, in a file of this name beside these files.
     fn case(&self, name: &str, files: &dyn Files) -> Result<Case, Refusal> {
-        let set = self.set.iter().map(|(key, value)| {
-            let text = format!("{key}={value}");
-            text.parse::<Override>().map_err(|error| Refusal::bad_input(error.to_string()))
-        });
-        let set: Vec<Override> = set.collect::<Result<_, _>>()?;
+        let set = trial::overrides(&self.text, &self.set)?;
         Ok(parse(name, self.text.as_bytes(), files, &set)?)
     }
 
@@ -91,10 +93,15 @@ impl AskedOfModels {
         files: &dyn Files,
         cancellation: &CancellationToken,
     ) -> Result<Answer, Refusal> {
-        let Self { text, set, models: names } = self;
+        let Self { text, set, models: names, units } = self;
         let models = models(&names)?;
-        let case = Asked { text, set }.case(name, files)?;
-        Ok(answer::answer(case, models, cancellation)?)
+        let units = units.map(|units| units.parse::<UnitSet>());
+        let units = units.transpose().map_err(|error| Refusal::bad_input(error.to_string()))?;
+        let asked = Asked { text, set };
+        let mut case = asked.case(name, files)?;
+        let set_points = SetPoints::of(&case, &asked.text);
+        case.units = units.unwrap_or(case.units);
+        Ok(answer::answer(case, models, set_points, cancellation)?)
     }
 }
 

@@ -139,6 +139,51 @@ mod tests {
         assert_eq!((hoist.dimension, hoist.verdict), ("force", "OK"));
     }
 
+    /// The table of limits and the checks of the same answers are the judge's: none says anything
+    /// else of a kind of limit than the other, short buckled stretches among them.
+    #[test]
+    fn the_table_and_the_checks_say_the_same() {
+        let shipped = |name: &str, set: &[&str]| {
+            let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
+            let set: Vec<_> = set.iter().map(|one| one.parse().expect("a change")).collect();
+            load(&file, &set).expect("a valid case")
+        };
+        let weights = ["20 kN", "45 kN", "60 kN", "150 kN", "240 kN"];
+        let slants = weights.map(|weight| shipped("slant.toml", &[&format!("wob={weight}")]));
+        let others =
+            [shipped("horizontal.toml", &[]), shipped("lateral-that-cannot-be-drilled.toml", &[])];
+        let (mut compared, mut short) = (0, 0);
+        for mut case in slants.into_iter().chain(others) {
+            case.models = vec![wholestring::outcome::ModelKind::Soft];
+            let limits = of_operations(&case);
+            let token = wholestring_runner::CancellationToken::new();
+            let run =
+                wholestring_runner::run::answer(&case, None, &wholestring_runner::Silent, &token);
+            let run = run.expect("a run");
+            for table in limits {
+                let mut operations = run.answers.summary().operations.iter();
+                let solved = operations.find(|one| one.operation == table.operation);
+                let checks = &solved.expect("the operation").checks;
+                for row in &table.limits {
+                    let own = checks.iter().filter(|check| check.kind.name() == row.kind);
+                    let own = own.filter(|check| check.factor.is_some());
+                    let least = own.min_by(|a, b| a.reserve().total_cmp(&b.reserve()));
+                    let least = least.unwrap_or_else(|| panic!("no check of {}", row.kind));
+                    assert_eq!(least.verdict.words(), row.verdict, "{}", row.sentence);
+                    assert_eq!(least.severity.name(), row.severity, "{}", row.sentence);
+                    assert_eq!(least.sentence, row.sentence);
+                    compared += 1;
+                    let length_m = least.to_md_m.zip(least.md_m).map(|(to, from)| to - from);
+                    short += usize::from(length_m.is_some_and(|length_m| length_m < 10.0));
+                }
+                for check in checks.iter().filter(|check| check.factor.is_some()) {
+                    assert!(table.limits.iter().any(|row| row.kind == check.kind.name()));
+                }
+            }
+        }
+        assert!(compared > 100 && short > 0, "{compared} compared, {short} short stretches");
+    }
+
     #[test]
     fn what_is_not_known_is_told_once_for_all_components() {
         let case = slant();

@@ -17,6 +17,6 @@ pub use assembly::{AssemblyView, Axis, Part, Touch};
 pub use broomstick::{Broomstick, Curve, Level};
 pub use column::Column;
 pub use limits::{Limit, OperationLimits, Unchecked};
-pub use set_points::{SetPoint, SetPoints};
+pub use set_points::{SectionFriction, SetPoint, SetPoints};
 pub use tracks::{DRAWN, Track};
 pub use well::{Component, PathView, Section, WellView};

@@ -5,6 +5,9 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 use utoipa::ToSchema;
 use wholestring_case::Case;
+use wholestring_config::node::parse_text;
+
+use crate::trial::{self, Frictions, MULTIPLIER, UNIFORM};
 
 /// Values that a case has and that may be replaced, SI.
 #[derive(Debug, Serialize, ToSchema)]
@@ -12,7 +15,20 @@ pub struct SetPoints {
     /// What may be replaced.
     values: Vec<SetPoint>,
     /// Hole sections, each of which has its friction.
-    sections: usize,
+    sections: Vec<SectionFriction>,
+    /// Why no one friction can be set for all sections; null where it can.
+    no_uniform_friction: Option<&'static str>,
+    /// Units of the case: `si`, `metric` or `field`.
+    units: &'static str,
+}
+
+/// The friction of a hole section.
+#[derive(Debug, Serialize, ToSchema)]
+pub struct SectionFriction {
+    /// The section: `casing to 1500 m`.
+    label: String,
+    /// Kinetic coefficient along the hole.
+    friction: f64,
 }
 
 /// A value that may be replaced.
@@ -30,30 +46,67 @@ pub struct SetPoint {
     range: [f64; 2],
 }
 
+/// The plan leaves no friction that all sections could have.
+const NO_UNIFORM: &str =
+    "low and high of [plan.friction] leave no factor that all sections can have";
+
 impl SetPoints {
-    /// Those of a case.
-    pub fn of(case: &Case) -> Self {
-        let sections = case.model.well.hole.sections();
-        let all = [friction(case), weight(case), speed(case), mud(case), depth(case)];
-        Self { values: all.into_iter().flatten().collect(), sections: sections.len() }
+    /// Those of a case and its text, which says what its plan allows.
+    pub fn of(case: &Case, text: &str) -> Self {
+        let frictions = parse_text(text, 0).map(|root| Frictions::of(&root)).unwrap_or_default();
+        let uniform = uniform_friction(case, &frictions);
+        let no_uniform_friction = uniform.is_none().then_some(NO_UNIFORM);
+        let all = [
+            Some(multiplier(&frictions)),
+            uniform,
+            weight(case),
+            speed(case),
+            mud(case),
+            depth(case),
+        ];
+        let sections = case.model.well.hole.sections().iter().enumerate();
+        let section =
+            |(place, section): (usize, &wholestring::well::HoleSection)| SectionFriction {
+                label: trial::section(case, place).unwrap_or_default(),
+                friction: section.friction.kinetic,
+            };
+        Self {
+            values: all.into_iter().flatten().collect(),
+            sections: sections.map(section).collect(),
+            no_uniform_friction,
+            units: case.units.name(),
+        }
     }
 }
 
-/// Friction of all sections; where they differ, their mean along the hole.
-fn friction(case: &Case) -> Option<SetPoint> {
+/// The factor of every section's own friction, and of what the plan gives of it.
+fn multiplier(frictions: &Frictions) -> SetPoint {
+    SetPoint {
+        key: MULTIPLIER,
+        label: "Friction multiplier, each section's own factor",
+        dimension: "ratio",
+        now: 1.0,
+        range: frictions.scales(),
+    }
+}
+
+/// One friction for all sections, within what the plan allows; where they differ, it begins at
+/// their mean along the hole.
+fn uniform_friction(case: &Case, frictions: &Frictions) -> Option<SetPoint> {
     let sections = case.model.well.hole.sections();
     let lengths = sections.iter().map(|of| of.to_md_m - of.from_md_m.max(0.0));
     let (length_m, sum) = lengths.zip(sections).fold((0.0, 0.0), |(length_m, sum), (own_m, of)| {
         (length_m + own_m, sum + own_m * of.friction.kinetic)
     });
     let now = sum / length_m;
-    // Of cased and open holes, in water and in oil, what is used lies between 0.1 and 0.5.
-    now.is_finite().then(|| SetPoint {
-        key: "friction",
-        label: "Friction, all sections",
+    // Of cased and open holes, in water and in oil, usual factors are between 0.1 and 0.5.
+    let range = frictions.uniforms((2.0 * now).clamp(0.6, 2.0))?;
+    now.is_finite().then_some(SetPoint {
+        key: UNIFORM,
+        label: "Friction, one factor for all sections",
         dimension: "ratio",
         now,
-        range: [0.0, (2.0 * now).clamp(0.6, 2.0)],
+        range,
     })
 }
 
@@ -112,35 +165,93 @@ fn depth(case: &Case) -> Option<SetPoint> {
 mod tests {
     use std::path::Path;
 
-    use wholestring_case::{Override, load};
+    use wholestring_case::{Disk, parse};
 
     use super::*;
 
+    /// A text in place of that of a shipped case's file, as the app has it.
+    fn answered(text: &str, set: &[(&str, String)]) -> Result<SetPoints, crate::refusal::Refusal> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+        let files = Disk::beside(&folder.join("case.toml"));
+        let set = set.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect();
+        let changes = trial::overrides(text, &set)?;
+        let case = parse("case.toml", text.as_bytes(), &files, &changes)?;
+        Ok(SetPoints::of(&case, text))
+    }
+
+    fn shipped(name: &str) -> String {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+        std::fs::read_to_string(folder.join(name)).expect(name)
+    }
+
+    fn written(key: &str, value: f64) -> String {
+        match key {
+            "wob" => format!("{value} N"),
+            "rpm" => format!("{} rpm", value * 60.0 / TAU),
+            "mud.density" => format!("{value} kg/m3"),
+            "bit_depth" => format!("{value} m"),
+            _ => value.to_string(),
+        }
+    }
+
     /// Each value lies within its range, and a case with it replaced by an end is valid and has it.
     #[test]
-    fn what_may_be_replaced_is_sound_at_the_ends_of_its_range() {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042.toml");
-        let case = load(&file, &[]).expect("a valid case");
-        let points = SetPoints::of(&case);
-        let keys: Vec<&str> = points.values.iter().map(|of| of.key).collect();
-        assert_eq!(keys, ["friction", "wob", "rpm", "mud.density", "bit_depth"]);
-        assert_eq!(points.sections, 2);
+    fn what_may_be_replaced_is_valid_at_the_ends_of_its_range() {
+        let text = shipped("np13-x1042.toml");
+        let points = answered(&text, &[]).expect("a valid case");
+        let keys: Vec<&str> = points.values.iter().map(|point| point.key).collect();
+        let expected =
+            ["friction_multiplier", "friction", "wob", "rpm", "mud.density", "bit_depth"];
+        assert_eq!(keys, expected);
+        assert_eq!(points.sections.len(), 2);
         for SetPoint { key, now, range, .. } in points.values {
             assert!((range[0]..=range[1]).contains(&now), "{key}");
             for end in range {
-                let value = match key {
-                    "friction" => format!("{end}"),
-                    "wob" => format!("{end} N"),
-                    "rpm" => format!("{} rpm", end * 60.0 / TAU),
-                    "mud.density" => format!("{end} kg/m3"),
-                    _ => format!("{end} m"),
-                };
-                let set: Override = format!("{key}={value}").parse().expect("an override");
-                let changed = load(&file, &[set]).expect("a valid case");
-                let found = SetPoints::of(&changed).values;
-                let found = found.iter().find(|of| of.key == key).expect("the value");
+                let changed = answered(&text, &[(key, written(key, end))]).expect("a valid case");
+                if key == "friction_multiplier" {
+                    let friction = changed.sections[0].friction;
+                    assert!((friction - 0.3 * end).abs() < 1e-4, "{friction} {end}");
+                    continue;
+                }
+                let found = changed.values.iter().find(|point| point.key == key);
+                let found = found.expect("the value").now;
                 // Units are converted there and back.
-                assert!((found.now - end).abs() <= 1e-9 * end.abs().max(1.0), "{key} {end}");
+                assert!((found - end).abs() <= 1e-9 * end.abs().max(1.0), "{key} {end}");
+            }
+        }
+    }
+
+    /// Where a plan has low and high, every value of the sliders is one that it allows.
+    #[test]
+    fn a_plan_with_low_and_high_is_valid_at_every_friction() {
+        let slant = shipped("slant.toml");
+        let held = |plan: &str| format!("{slant}\n[plan.friction]\n{plan}\n");
+        let cases = [
+            (shipped("forge-16a.toml"), false),
+            (held("low = 0.15\nhigh = 0.35"), true),
+            (held("low = { cased = 0.1 }\nexpected = 0.25\nhigh = { open = 0.3 }"), true),
+            (
+                held("low = { cased = 0.1, open = 0.25 }\nhigh = { cased = 0.22, open = 0.4 }"),
+                false,
+            ),
+            (
+                held("low = 0.1\nhigh = { cased = { kinetic = 0.4, around = 0.25 }, open = 0.5 }"),
+                true,
+            ),
+        ];
+        for (text, has_uniform) in cases {
+            let points = answered(&text, &[]).expect("a valid case");
+            let keys: Vec<&str> = points.values.iter().map(|point| point.key).collect();
+            assert_eq!(keys.contains(&"friction"), has_uniform, "{text}");
+            assert_eq!(points.no_uniform_friction.is_none(), has_uniform);
+            let frictions = points.values.iter().filter(|point| point.key.starts_with("friction"));
+            for SetPoint { key, range: [low, high], .. } in frictions {
+                for step in 0..=40 {
+                    let value = low + (high - low) * f64::from(step) / 40.0;
+                    let value = format!("{:.4}", value.clamp(*low, *high));
+                    let found = answered(&text, &[(key, value.clone())]);
+                    assert!(found.is_ok(), "{key} = {value}: {:?}", found.unwrap_err());
+                }
             }
         }
     }

@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use serde::Serialize;
 use utoipa::ToSchema;
 use wholestring::dynamics::{Simulation, StickSlip, TorsionalString, Whirl};
+use wholestring_judge::{Severity, stick_slip_severity, top_drive_severity, whirl_severity};
 
 /// Torsional periods over which stick-slip is measured.
 const PERIODS: f64 = 2.0;
@@ -29,6 +30,13 @@ pub struct Lamps {
     /// Largest surface torque of that time over what the top drive gives at most, or else over its
     /// rated torque; null where neither is known.
     pub torque_use: Option<f64>,
+    /// Severity of the stick-slip: `ok`, `note` or `warning`; null where there is none to judge.
+    pub stick_slip_severity: Option<&'static str>,
+    /// Severity of the whirl, of the backward one where there are both: `ok`, `note` or `warning`.
+    pub whirl_severity: Option<&'static str>,
+    /// Severity of the top drive's torque: `ok`, `note`, `warning` or `error`; null where its
+    /// limit is not known.
+    pub top_drive_severity: Option<&'static str>,
 }
 
 /// How unsteadily the bit turns.
@@ -115,7 +123,15 @@ impl Watched {
         let largest = self.torque.iter().fold(0.0_f64, |most, of| most.max(of.abs()));
         let (speed, torque) = (self.bit_speed.make_contiguous(), self.torque.make_contiguous());
         let stick_slip = StickSlip::of(speed, torque, self.sample_s).filter(|_| self.rotates);
+        let is_stalled = of.is_top_drive_stalled();
+        let torque_use = self.limit_N_m.map(|limit| largest / limit);
+        let whirl = backward_whirl.or(forward_whirl);
+        let whirl = whirl.map_or(Severity::Ok, |_| whirl_severity(backward_whirl.is_some()));
         Lamps {
+            stick_slip_severity: stick_slip
+                .as_ref()
+                .and_then(stick_slip_severity)
+                .map(Severity::name),
             stick_slip: stick_slip.map(|of| StickSlipLamp {
                 severity: of.severity,
                 period_s: of.period_s,
@@ -123,8 +139,11 @@ impl Watched {
             }),
             backward_whirl,
             forward_whirl,
-            top_drive_stalls: of.is_top_drive_stalled(),
-            torque_use: self.limit_N_m.map(|limit| largest / limit),
+            top_drive_stalls: is_stalled,
+            torque_use,
+            whirl_severity: Some(whirl.name()),
+            top_drive_severity: (is_stalled || torque_use.is_some())
+                .then(|| top_drive_severity(torque_use.unwrap_or(1.0), is_stalled).name()),
         }
     }
 }

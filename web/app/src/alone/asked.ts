@@ -35,6 +35,8 @@ async function ofCase(method: Method, id: string, what: string, body: OfCase, qu
       return cases.ofText("check", id, body, cases.quick, signal);
     case "POST edit":
       return cases.engine("edit", body);
+    case "POST apply":
+      return cases.ofText("apply", id, body);
     case "POST answer":
       return cases.ofText("answer", id, body, body.models?.join() === "soft" ? solvers.soft : solvers.other, signal);
     case "POST broomstick":

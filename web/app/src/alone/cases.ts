@@ -31,7 +31,7 @@ export async function list(): Promise<CaseInList[]> {
   const entry = async (id: string): Promise<CaseInList> => {
     const { text, modified_ms } = folder.caseOf(id);
     const { name, problem } = await ofText<{ name: string | null; problem: string | null }>("title", id, { text });
-    return { id, path: id, name: name ?? id.replace(/\.toml$/i, ""), problem, has_draft: folder.draftOf(id) !== null, modified_ms };
+    return { id, path: id, name: name ?? id.replace(/\.toml$/i, ""), problem, verdict: null, has_draft: folder.draftOf(id) !== null, modified_ms };
   };
   return Promise.all(folder.names().filter(folder.isCase).map(entry));
 }

@@ -2,6 +2,7 @@
 
 import { type Answer, answerCase, type Assembly, assemblyOf, type Broomstick, broomstickOf, type Changed } from "../api/answers";
 import { wasAborted } from "../api/client";
+import { settings } from "../settings.svelte";
 
 /** What is under way is let be for so long, ms, or who moves a slider would never see an answer. */
 const LET_BE = 300;
@@ -86,12 +87,14 @@ export class Answering {
     const going = { abort, since: performance.now(), text: wanted.of.text, urgent: true };
     this.#underWay = going;
     const newest = (): boolean => this.#wanted === wanted;
+    const units = settings.chosenUnits;
     try {
       // Apart, so that the soft string is drawn while the stiff one is solved.
-      const soft = answerCase(this.#id, wanted.of, ["soft"], signal);
-      const stiff = answerCase(this.#id, wanted.of, ["stiff"], signal);
+      const soft = answerCase(this.#id, wanted.of, ["soft"], units, signal);
+      const stiff = answerCase(this.#id, wanted.of, ["stiff"], units, signal);
       await Promise.race([stiff, soft.then(() => new Promise((wake) => setTimeout(wake, TOGETHER)))]);
       this.soft = await soft;
+      settings.followCase(this.soft.set_points.units);
       this.of = wanted.of;
       this.#softSince = wanted.since;
       this.problem = null;

@@ -2,21 +2,18 @@
 
 import type { SetPoint } from "../api/answers";
 import { written } from "./units";
-import type { Change } from "../api/cases";
 
-/** A key of the case and the value that it would get. */
-export type KeyValue = readonly [key: string, value: string];
+/** The two ways to change friction, of which one is used at a time. */
+export const FRICTIONS = ["friction_multiplier", "friction"] as const;
+export type FrictionKey = (typeof FRICTIONS)[number];
 
-/** What a key of `--set` is called in the file. */
-const IN_FILE: Record<string, string> = {
-  bit_depth: "operation.bit_depth",
-  rpm: "operation.rpm",
-  wob: "operation.wob",
-};
+const isFriction = (key: string): boolean => FRICTIONS.some((one) => one === key);
 
 export class WhatIf {
   /** Values by key, SI. */
   values = $state.raw<Readonly<Record<string, number>>>({});
+  /** How friction is changed: each section's own factor is multiplied, or one factor is set for all. */
+  friction = $state<FrictionKey>("friction_multiplier");
 
   get isUsed(): boolean {
     return Object.keys(this.values).length > 0;
@@ -35,26 +32,21 @@ export class WhatIf {
     this.values = {};
   }
 
-  /** What the server is told. */
+  /** Changes friction that way; what was set in the other way is dropped. */
+  chooseFriction(key: FrictionKey): void {
+    this.friction = key;
+    for (const other of FRICTIONS) if (other !== key) this.drop(other);
+  }
+
+  /** Whether a point is shown: of friction the one way alone. */
+  shows = ({ key }: SetPoint): boolean => !isFriction(key) || key === this.friction;
+
+  /** The values that requests are given. */
   set(points: readonly SetPoint[]): Record<string, string> {
-    const told = points.flatMap(({ key, dimension }) => {
+    const pairs = points.flatMap(({ key, dimension }) => {
       const value = this.values[key];
       return value === undefined ? [] : [[key, written(value, dimension)]];
     });
-    return Object.fromEntries(told) as Record<string, string>;
-  }
-
-  /** Keys and values for the file: friction stands in each of its sections. */
-  changes(points: readonly SetPoint[], sections: number): KeyValue[] {
-    return Object.entries(this.set(points)).flatMap(([key, value]): KeyValue[] => {
-      if (key !== "friction") return [[IN_FILE[key] ?? key, value]];
-      return Array.from({ length: sections }, (_, i): KeyValue => [`well.hole.${i}.friction`, value]);
-    });
+    return Object.fromEntries(pairs) as Record<string, string>;
   }
 }
-
-/** A bare number is a number in the file, too. */
-const asValue = (text: string): string | number => (/^-?[\d.]+(e[-+]?\d+)?$/i.test(text) ? Number(text) : text);
-
-/** The changes of a case's text that give it these values. */
-export const editsOf = (changes: readonly KeyValue[]): Change[] => changes.map(([set, to]) => ({ set, to: asValue(to) }));

@@ -3,6 +3,7 @@
 import type { AssemblyAtRest } from "../../../components/assembly_views.ts";
 import type { HoleSection, StringPart } from "../../../components/schematic.ts";
 import { request } from "#asked";
+import type { UnitSet } from "../settings.svelte";
 import { part } from "./client";
 
 /** Numbers of a column. */
@@ -97,12 +98,30 @@ export interface SetPoint {
   range: [number, number];
 }
 
+export interface SetPoints {
+  values: SetPoint[];
+  sections: { label: string; friction: number }[];
+  /** Why no one friction can be set for all sections; null where it can. */
+  no_uniform_friction: string | null;
+  /** Units of the case. */
+  units: UnitSet;
+}
+
+/** The verdict on an operation by a model, in words. */
+export interface OperationVerdict {
+  model: Model;
+  operation: string;
+  severity: Severity;
+  words: string;
+}
+
 export interface Answer {
   operations: Solved[];
   tracks: Along[];
   well: Well;
   limits: OperationLimits[];
-  set_points: { values: SetPoint[]; sections: number };
+  set_points: SetPoints;
+  verdicts: OperationVerdict[];
   took_s: number;
 }
 
@@ -142,8 +161,9 @@ export interface Changed {
 const ask = <T>(id: string, what: string, body: object, signal: AbortSignal): Promise<T> =>
   request("POST", `/cases/${part(id)}/${what}`, body, signal);
 
-export const answerCase = (id: string, of: Changed, models: Model[], signal: AbortSignal): Promise<Answer> =>
-  ask(id, "answer", { ...of, models }, signal);
+/** `units` are those of the sentences; where they are not given, the case's. */
+export const answerCase = (id: string, of: Changed, models: Model[], units: UnitSet | null, signal: AbortSignal): Promise<Answer> =>
+  ask(id, "answer", { ...of, models, units }, signal);
 export const broomstickOf = (id: string, of: Changed, signal: AbortSignal): Promise<Broomstick> =>
   ask(id, "broomstick", of, signal);
 export const assemblyOf = (id: string, of: Changed, operation: string | null, signal: AbortSignal): Promise<Assembly> =>

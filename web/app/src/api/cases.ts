@@ -8,10 +8,22 @@ export interface CaseInList {
   id: string;
   path: string;
   name: string | null;
-  /** Why it is invalid; null where it is. */
+  /** Why it is no valid case; null where it is. */
   problem: string | null;
+  /** The verdict on it, of its newest results; null where there are none. */
+  verdict: CaseVerdict | null;
   has_draft: boolean;
   modified_ms: number;
+}
+
+export interface CaseVerdict {
+  severity: "ok" | "note" | "warning" | "error";
+  words: string;
+  /** The command that it is of. */
+  kind: string;
+  results: string;
+  /** Whether the case is still what it was when it was computed. */
+  is_current: boolean;
 }
 
 export interface Draft {
@@ -112,6 +124,31 @@ export type Change =
   | { insert: string; at: number; value: Value }
   | { move: string; from: number; to: number };
 
+export type Fate = "keep" | "mark" | "remove";
+
+/** Values that were tried, by keys. */
+export interface Applying {
+  text: string;
+  set: Record<string, string>;
+  /** Treatments of comments, by their first lines. */
+  comments: Record<number, Fate>;
+}
+
+/** A comment that may be about a value that changes. */
+export interface Comment {
+  line: number;
+  text: string;
+  fate: Fate;
+  marked: string;
+}
+
+export interface Applied {
+  text: string;
+  changes: { key: string; label: string; old: string | null; new: string }[];
+  comments: Comment[];
+  warnings: string[];
+}
+
 export const listCases = (): Promise<CaseInList[]> => request("GET", "/cases");
 export const readCase = (id: string): Promise<CaseText> => request("GET", `/cases/${part(id)}`);
 export const createCase = (file_name: string, text: string, beside: BesideFile[]): Promise<{ id: string }> =>
@@ -131,6 +168,9 @@ export const checkCase = (id: string, text: string, signal?: AbortSignal): Promi
   request("POST", `/cases/${part(id)}/check`, { text }, signal);
 export const editCase = (id: string, text: string, changes: Change[]): Promise<{ text: string }> =>
   request("POST", `/cases/${part(id)}/edit`, { text, changes });
+/** The text with values in it that were tried, and what changes in it; nothing is written. */
+export const applyToCase = (id: string, applying: Applying): Promise<Applied> =>
+  request("POST", `/cases/${part(id)}/apply`, applying);
 export const listExamples = (): Promise<Omit<Example, "text" | "beside">[]> => request("GET", "/examples");
 export const readExample = (name: string): Promise<Example> => request("GET", `/examples/${part(name)}`);
 /** Reads rows with a heading as a survey; `length_unit` where the heading tells none. */

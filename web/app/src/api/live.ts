@@ -2,6 +2,7 @@
 
 import type { HoleSection } from "../../../components/schematic.ts";
 import { request } from "#asked";
+import type { Severity } from "./answers";
 import { part } from "./client";
 
 export interface LiveEntry {
@@ -92,6 +93,10 @@ export interface Lamps {
   forward_whirl: Whirl | null;
   top_drive_stalls: boolean;
   torque_use: number | null;
+  /** Severities, null where nothing is judged. */
+  stick_slip_severity: Severity | null;
+  whirl_severity: Severity | null;
+  top_drive_severity: Severity | null;
 }
 
 export interface Status {

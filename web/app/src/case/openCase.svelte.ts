@@ -120,7 +120,7 @@ export class OpenCase {
   }
 
   /** Whether what stands here now was checked, and no error was found. */
-  get sound(): boolean {
+  get valid(): boolean {
     return this.#checkedText === this.#text && !this.diagnostics.some(({ level }) => level === "error");
   }
 
@@ -167,6 +167,14 @@ export class OpenCase {
       this.problem = problem;
       this.#checkSoon(0);
     }
+  }
+
+  /** Puts a text that was made of this one in its place; a step that can be undone. */
+  replace({ base, text }: { base: string; text: string }): void {
+    this.#edits = this.#edits.then(() => {
+      if (this.#text === base) this.#put(text, "edit");
+      else this.problem = new Error("The case has changed meanwhile: nothing was applied.");
+    });
   }
 
   undo(): void {

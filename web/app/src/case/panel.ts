@@ -8,7 +8,9 @@ export interface PanelProps {
   /** What stands in the editor now. */
   text: string;
   /** Whether it was checked and has no error. */
-  sound: boolean;
+  valid: boolean;
   /** Changes the case. */
   change: (...changes: Change[]) => void;
+  /** Puts a text, which was made of another one, in its place. */
+  replace: (made: { base: string; text: string }) => void;
 }

@@ -1,0 +1,127 @@
+//! The verdict on a case, of the results that there are of it.
+
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+use serde_json::Value;
+use utoipa::ToSchema;
+use wholestring_judge::Overall;
+use wholestring_results::checks_of;
+
+use super::{ResultsEntry, checks::summary};
+use crate::workspace::Workspace;
+
+/// Parts of the settings that change what a case comes to; models, depths of a plan, records and
+/// names do not.
+const PHYSICS: [&str; 10] =
+    ["bit", "buckling", "ends", "hoist", "mud", "operation", "rig", "string", "top_drive", "well"];
+
+/// Settings are read back with an error in their last digit, relative.
+const READ_BACK: f64 = 1e-12;
+
+/// The judge's verdict on a case, of its newest results.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub(crate) struct CaseVerdict {
+    /// `ok`, `note`, `warning` or `error`.
+    severity: &'static str,
+    /// The verdict in words.
+    words: String,
+    /// The command that it is of: `run`, `plan`, ...
+    kind: String,
+    /// Id of the results in requests.
+    results: String,
+    /// Whether the case is still what it was when it was computed.
+    is_current: bool,
+}
+
+/// Results of a folder that have a verdict.
+#[derive(Debug, Default)]
+pub(crate) struct Verdicts(Vec<Known>);
+
+#[derive(Debug)]
+struct Known {
+    entry: ResultsEntry,
+    case: String,
+    settings: Value,
+    overall: Overall,
+}
+
+impl Verdicts {
+    /// Those of the folder, read for at most so long.
+    pub(crate) fn of(workspace: &Workspace, reading_time: Duration) -> Self {
+        let begin = Instant::now();
+        let places = workspace.results().into_iter();
+        let places = places.take_while(|_| begin.elapsed() < reading_time);
+        let known = places.filter_map(|place| {
+            let mut summary = summary(&place.path)?;
+            let case = summary["case"].as_str()?.to_owned();
+            let checks = checks_of(&summary);
+            let overall = Overall::of(checks.iter().map(|named| &named.check))?;
+            let settings = summary["settings"].take();
+            Some(Known { entry: ResultsEntry::of(&place), case, settings, overall })
+        });
+        let mut all: Vec<Known> = known.collect();
+        all.sort_by_key(|known| std::cmp::Reverse(known.entry.modified_ms()));
+        Self(all)
+    }
+
+    /// The verdict on the case of this name with these settings: of the newest results of just this
+    /// case; where there are none, of the newest of what it was before.
+    pub(crate) fn on(&self, name: &str, settings: &Value) -> Option<CaseVerdict> {
+        let own = || self.0.iter().filter(|known| known.case == name);
+        let current = own().find(|known| is_same_case(&known.settings, settings));
+        let known = current.or_else(|| own().next())?;
+        Some(CaseVerdict {
+            severity: known.overall.severity.name(),
+            words: known.overall.words.clone(),
+            kind: known.entry.kind().to_owned(),
+            results: known.entry.id().to_owned(),
+            is_current: current.is_some(),
+        })
+    }
+}
+
+fn is_same_case(one: &Value, other: &Value) -> bool {
+    PHYSICS.iter().all(|part| is_same(&one[*part], &other[*part]))
+}
+
+fn is_same(one: &Value, other: &Value) -> bool {
+    match (one, other) {
+        (Value::Number(one), Value::Number(other)) => match (one.as_f64(), other.as_f64()) {
+            (Some(one), Some(other)) => (one - other).abs() <= READ_BACK * one.abs(),
+            (one, other) => one == other,
+        },
+        (Value::Array(one), Value::Array(other)) => {
+            one.len() == other.len()
+                && one.iter().zip(other).all(|(one, other)| is_same(one, other))
+        }
+        (Value::Object(one), Value::Object(other)) => {
+            let mut keys = one.keys().chain(other.keys());
+            // A key that a version did not write is one without a value.
+            let none = &Value::Null;
+            keys.all(|key| is_same(one.get(key).unwrap_or(none), other.get(key).unwrap_or(none)))
+        }
+        (one, other) => one == other,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn a_case_is_the_same_but_for_models_and_last_digits() {
+        let one = json!({"model": "soft", "mud": {"density_kg_per_m3": 1200.0}, "well": [1, null]});
+        let other = json!({"model": ["stiff"], "mud": {"density_kg_per_m3": 1200.0000000001},
+            "well": [1, null], "plan": {}});
+        assert!(is_same_case(&one, &other));
+        let heavier = json!({"mud": {"density_kg_per_m3": 1201.0}, "well": [1, null]});
+        assert!(!is_same_case(&one, &heavier));
+        assert!(!is_same_case(
+            &one,
+            &json!({"mud": {"density_kg_per_m3": 1200.0}, "well": [1, 2]})
+        ));
+    }
+}

@@ -1,0 +1,81 @@
+//! The verdict on a whole result.
+
+use serde::Serialize;
+
+use crate::{Check, Severity};
+
+/// The most severe check of a result in words.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Overall {
+    /// Its severity.
+    pub severity: Severity,
+    /// Its sentence, and the number of other errors and warnings; of a result whose checks are all
+    /// kept, that.
+    pub words: String,
+}
+
+impl Overall {
+    /// Of all checks of a result; none of a result without checks.
+    pub fn of<'a>(checks: impl IntoIterator<Item = &'a Check>) -> Option<Self> {
+        let checks: Vec<&Check> = checks.into_iter().collect();
+        // The first of equals: `max_by_key` gives the last.
+        let worst = checks.iter().rev().max_by_key(|check| check.severity)?;
+        let count = |severity| checks.iter().filter(|check| check.severity == severity).count();
+        if worst.severity <= Severity::Note {
+            let words = match count(Severity::Note) {
+                0 => "all limits that were checked are kept".to_owned(),
+                notes => format!("no error and no warning, {}", number(notes, "note")),
+            };
+            return Some(Self { severity: worst.severity, words });
+        }
+        let others = [(Severity::Error, "error"), (Severity::Warning, "warning")];
+        let others = others.into_iter().filter_map(|(severity, noun)| {
+            let own = usize::from(severity == worst.severity);
+            let more = count(severity) - own;
+            (more > 0).then(|| format!("{more} {}{noun}{}", ["", "more "][own], plural(more)))
+        });
+        let others: Vec<String> = others.collect();
+        let words = match others.is_empty() {
+            true => worst.sentence.clone(),
+            false => format!("{} ({})", worst.sentence, others.join(", ")),
+        };
+        Some(Self { severity: worst.severity, words })
+    }
+}
+
+fn number(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", plural(count))
+}
+
+const fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::CheckKind;
+
+    fn check(severity: Severity, sentence: &str) -> Check {
+        Check { sentence: sentence.to_owned(), ..Check::reported(CheckKind::GoesDown, severity) }
+    }
+
+    #[test]
+    fn the_most_severe_check_is_the_verdict() {
+        let words = |checks: &[Check]| Overall::of(checks).map(|overall| overall.words);
+        assert_eq!(words(&[]), None);
+        let kept = check(Severity::Ok, "Hoist");
+        let note = check(Severity::Note, "Helix");
+        let warning = check(Severity::Warning, "Tension");
+        let errors = ["Lock-up", "Hoist"].map(|sentence| check(Severity::Error, sentence));
+        assert_eq!(
+            words(std::slice::from_ref(&kept)).unwrap(),
+            "all limits that were checked are kept"
+        );
+        assert_eq!(words(&[kept.clone(), note]).unwrap(), "no error and no warning, 1 note");
+        assert_eq!(words(&[kept, warning.clone()]).unwrap(), "Tension");
+        let [first, second] = errors;
+        let all = [warning.clone(), first, second, warning];
+        assert_eq!(words(&all).unwrap(), "Lock-up (1 more error, 2 warnings)");
+    }
+}

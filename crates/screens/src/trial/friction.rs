@@ -1,0 +1,284 @@
+//! Friction of a text: every coefficient that it gives, of hole sections and of the levels of its
+//! plan.
+
+use wholestring_case::MAX_FRICTION;
+use wholestring_config::node::{Entries, Node, Value};
+
+/// Casing or rock.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Cased,
+    Open,
+}
+
+impl Kind {
+    const ALL: [Self; 2] = [Self::Cased, Self::Open];
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Cased => "cased",
+            Self::Open => "open",
+        }
+    }
+}
+
+/// Role of a coefficient.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Role {
+    Section,
+    Low,
+    Expected,
+    High,
+}
+
+/// Levels of a plan by their keys.
+const LEVELS: [(&str, Role); 3] =
+    [("low", Role::Low), ("expected", Role::Expected), ("high", Role::High)];
+
+/// Coefficients that are written together: a number, or a table of several.
+#[derive(Debug)]
+struct Given {
+    role: Role,
+    kinds: Vec<Kind>,
+    /// Dotted key and value of each, `kinetic` first.
+    numbers: Vec<(String, f64)>,
+    around: Option<f64>,
+}
+
+impl Given {
+    fn read(key: String, node: &Node, role: Role, kinds: Vec<Kind>) -> Option<Self> {
+        let Value::Table(table) = &node.value else {
+            let numbers = vec![(key, number(node)?)];
+            return Some(Self { role, kinds, numbers, around: None });
+        };
+        let value = |name: &str| Some((format!("{key}.{name}"), number(table.get(name)?)?));
+        let around = value("around");
+        let rest = [value("static"), around.clone()];
+        let numbers = [value("kinetic")?].into_iter().chain(rest.into_iter().flatten()).collect();
+        Some(Self { role, kinds, numbers, around: around.map(|(_, value)| value) })
+    }
+
+    fn kinetic(&self) -> f64 {
+        self.numbers[0].1
+    }
+
+    fn around(&self) -> f64 {
+        self.around.unwrap_or_else(|| self.kinetic())
+    }
+
+    /// Largest coefficient over the kinetic one.
+    fn largest_ratio(&self) -> f64 {
+        let largest = self.numbers.iter().fold(0.0_f64, |largest, (_, value)| largest.max(*value));
+        if self.kinetic() > 0.0 { largest / self.kinetic() } else { 1.0 }
+    }
+
+    fn has_own_around(&self) -> bool {
+        self.around() != self.kinetic()
+    }
+}
+
+fn number(node: &Node) -> Option<f64> {
+    match &node.value {
+        Value::Number { value, .. } => Some(*value),
+        Value::Text { text, .. } => text.trim().parse().ok(),
+        _ => None,
+    }
+}
+
+/// A range that a slider may take.
+pub(crate) type Range = [f64; 2];
+
+/// All coefficients of a text.
+#[derive(Debug, Default)]
+pub(crate) struct Frictions(Vec<Given>);
+
+/// The least coefficient along the hole that one around it may be in a ratio to.
+const LEAST: f64 = 1e-3;
+
+/// Digits of a coefficient that was scaled.
+const SCALED_DIGITS: i32 = 4;
+
+/// Digits of a coefficient that keeps its ratio to another one, which may be at a bound of the
+/// plan.
+const RATIO_DIGITS: i32 = 6;
+
+impl Frictions {
+    /// Those of a text; none of one that gives none.
+    pub(crate) fn of(root: &Entries) -> Self {
+        let mut all = Vec::new();
+        if let Some(Value::Table(well)) = root.get("well").map(|node| &node.value)
+            && let Some(Value::List(sections)) = well.get("hole").map(|node| &node.value)
+        {
+            for (i, section) in sections.iter().enumerate() {
+                let Value::Table(section) = &section.value else { continue };
+                let Some(node) = section.get("friction") else { continue };
+                let is_open = matches!(section.get("kind").map(|node| &node.value),
+                    Some(Value::Text { text, .. }) if text == "open");
+                let kind = if is_open { Kind::Open } else { Kind::Cased };
+                let key = format!("well.hole.{i}.friction");
+                all.extend(Given::read(key, node, Role::Section, vec![kind]));
+            }
+        }
+        let plan = root.get("plan").map(|node| &node.value);
+        let levels = plan.and_then(|plan| match plan {
+            Value::Table(plan) => plan.get("friction"),
+            _ => None,
+        });
+        if let Some(Value::Table(levels)) = levels.map(|node| &node.value) {
+            for (name, role) in LEVELS {
+                let Some(level) = levels.get(name) else { continue };
+                let key = format!("plan.friction.{name}");
+                let Value::Table(table) = &level.value else {
+                    all.extend(Given::read(key, level, role, Kind::ALL.to_vec()));
+                    continue;
+                };
+                for kind in Kind::ALL {
+                    let Some(node) = table.get(kind.name()) else { continue };
+                    let key = format!("{key}.{}", kind.name());
+                    all.extend(Given::read(key, node, role, vec![kind]));
+                }
+            }
+        }
+        Self(all)
+    }
+
+    fn of_kind(&self, role: Role, kind: Kind) -> Option<&Given> {
+        self.0.iter().find(|given| given.role == role && given.kinds.contains(&kind))
+    }
+
+    /// Every coefficient times a factor, with its dotted key: sections, and low, expected and high
+    /// of the plan, which so stay in their order.
+    pub(crate) fn scaled(&self, factor: f64) -> Vec<(String, f64)> {
+        let numbers = self.0.iter().flat_map(|given| &given.numbers);
+        numbers.map(|(key, value)| (key.clone(), rounded(value * factor, SCALED_DIGITS))).collect()
+    }
+
+    /// The same coefficient along the hole for all sections, and for what the plan expects where it
+    /// gives that; those at rest and around the hole stay in their ratio to it.
+    pub(crate) fn uniform(&self, coefficient: f64) -> Vec<(String, f64)> {
+        let set =
+            self.0.iter().filter(|given| matches!(given.role, Role::Section | Role::Expected));
+        let of_given = |given: &Given| -> Vec<(String, f64)> {
+            let kinetic = given.kinetic();
+            let value = |(place, (key, old)): (usize, &(String, f64))| {
+                let ratio = if place > 0 && kinetic > 0.0 { old / kinetic } else { 1.0 };
+                let new = coefficient * ratio;
+                (key.clone(), if place == 0 { new } else { rounded(new, RATIO_DIGITS) })
+            };
+            given.numbers.iter().enumerate().map(value).collect()
+        };
+        set.flat_map(of_given).collect()
+    }
+
+    /// The factors that [`Self::scaled`] may be given.
+    pub(crate) fn scales(&self) -> Range {
+        let numbers = || self.0.iter().flat_map(|given| &given.numbers).map(|(_, value)| *value);
+        let largest = numbers().fold(0.0, f64::max);
+        let most = if largest > 0.0 { (MAX_FRICTION / largest).min(2.0) } else { 2.0 };
+        let of_ratio = self.0.iter().filter(|given| given.has_own_around());
+        let smallest = of_ratio.map(Given::kinetic).fold(f64::INFINITY, f64::min);
+        let least = if smallest.is_finite() { (1.01 * LEAST / smallest).max(0.1) } else { 0.0 };
+        [least.min(1.0), most.max(1.0)]
+    }
+
+    /// The coefficients that [`Self::uniform`] may be given, from nothing to a most: what low and
+    /// high of the plan allow; none where they allow nothing.
+    pub(crate) fn uniforms(&self, most: f64) -> Option<Range> {
+        let mut range = [0.0, most];
+        for given in &self.0 {
+            if !matches!(given.role, Role::Section | Role::Expected) {
+                continue;
+            }
+            range[1] = range[1].min(MAX_FRICTION / given.largest_ratio());
+            if given.has_own_around() {
+                range[0] = range[0].max(LEAST);
+            }
+            let ratio = if given.kinetic() > 0.0 { given.around() / given.kinetic() } else { 1.0 };
+            for kind in &given.kinds {
+                // What a plan expects stands in place of the section's own.
+                if given.role == Role::Section && self.of_kind(Role::Expected, *kind).is_some() {
+                    continue;
+                }
+                if let Some(low) = self.of_kind(Role::Low, *kind) {
+                    range[0] = range[0].max(low.kinetic()).max(low.around() / ratio);
+                }
+                if let Some(high) = self.of_kind(Role::High, *kind) {
+                    range[1] = range[1].min(high.kinetic()).min(high.around() / ratio);
+                }
+            }
+        }
+        let range = [(1e4 * range[0] - 1e-6).ceil() / 1e4, (1e4 * range[1] + 1e-6).floor() / 1e4];
+        (range[0] < range[1]).then_some(range)
+    }
+}
+
+/// A coefficient in no more digits than anybody knows. Larger ones stay the larger.
+fn rounded(value: f64, digits: i32) -> f64 {
+    if value == 0.0 {
+        return 0.0;
+    }
+    let digits = digits - 1 - value.abs().log10().floor() as i32;
+    format!("{value:.*}", digits.max(0) as usize).parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use wholestring_config::node::parse_text;
+
+    use super::*;
+
+    const FORGE: &str = r#"
+[[well.hole]]
+kind = "casing"
+friction = { kinetic = 0.097, around = 0.175 }
+[[well.hole]]
+kind = "open"
+friction = { kinetic = 0.534, around = 0.220 }
+[plan.friction]
+low = { cased = { kinetic = 0.050, around = 0.133 }, open = { kinetic = 0.435, around = 0.150 } }
+high = { cased = { kinetic = 0.191, around = 0.217 }, open = { kinetic = 0.619, around = 0.290 } }
+"#;
+
+    const PLAIN: &str = r#"
+[[well.hole]]
+kind = "casing"
+friction = 0.2
+[[well.hole]]
+kind = "open"
+friction = 0.3
+"#;
+
+    fn frictions(text: &str) -> Frictions {
+        Frictions::of(&parse_text(text, 0).expect("TOML"))
+    }
+
+    #[test]
+    fn every_coefficient_is_scaled_by_itself() {
+        let scaled = frictions(FORGE).scaled(0.8);
+        let value = |key: &str| scaled.iter().find(|(other, _)| other == key).expect(key).1;
+        assert_eq!(scaled.len(), 12);
+        assert_eq!(value("well.hole.0.friction.kinetic"), 0.0776);
+        assert_eq!(value("well.hole.1.friction.around"), 0.176);
+        assert_eq!(value("plan.friction.high.open.kinetic"), 0.4952);
+    }
+
+    #[test]
+    fn a_plan_leaves_a_range_or_none() {
+        assert_eq!(frictions(FORGE).uniforms(2.0), None);
+        assert_eq!(frictions(PLAIN).uniforms(0.6), Some([0.0, 0.6]));
+        let held = format!("{PLAIN}[plan.friction]\nlow = 0.1\nhigh = 0.4\n");
+        assert_eq!(frictions(&held).uniforms(0.6), Some([0.1, 0.4]));
+        let expected = format!("{held}expected = {{ open = 0.25 }}\n");
+        let uniform = frictions(&expected).uniform(0.35);
+        assert_eq!(uniform.len(), 3);
+        assert!(uniform.contains(&("plan.friction.expected.open".to_owned(), 0.35)));
+    }
+
+    #[test]
+    fn a_rounded_coefficient_has_four_digits() {
+        assert_eq!(rounded(0.097 * 0.8, 4), 0.0776);
+        assert_eq!(rounded(0.123456, 4), 0.1235);
+        assert_eq!(rounded(1.23456, 4), 1.235);
+        assert_eq!(rounded(0.0, 4), 0.0);
+    }
+}
