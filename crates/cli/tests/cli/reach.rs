@@ -117,7 +117,7 @@ fn what_cannot_be_asked() {
     for (more, answer) in [
         (&["--to", "100m"][..], "is not below its beginning"),
         (&["--to", "200km"], "100 km are the most"),
-        (&["--from", "0m"], "what stands below the pipe that runs to surface is"),
+        (&["--from", "0m"], "the reach begins with the bit at 0.0 m: expected more than 0.0 m"),
         (&["--from", "1kN"], "is no length"),
         (&["--to", "3km,4km"], "--to takes one depth"),
         (&["--friction", "much"], "`much` is no friction factor"),

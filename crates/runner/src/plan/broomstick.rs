@@ -144,13 +144,13 @@ fn depths_m(request: &BroomstickRequest<'_>) -> Result<Vec<f64>, Error> {
     }
     let hole_m = case.model.well.hole.sections().last().map_or(0.0, |section| section.to_md_m);
     let deepest_m = hole_m.min(case.model.well.path.last_md_m());
-    let shallowest_m = case.setup().shallowest_m();
+    let least_m = case.setup().least_depth_m();
     let mut depths_m = request.bit_depths_m.clone();
-    let is_there = |depth_m: &f64| *depth_m > shallowest_m && *depth_m <= deepest_m;
+    let is_there = |depth_m: &f64| *depth_m > least_m && *depth_m <= deepest_m;
     if let Some(depth_m) = depths_m.iter().find(|depth_m| !is_there(depth_m)) {
         return Err(Error::BadInput(format!(
-            "a bit depth of {depth_m} m is out of range: what stands below the pipe that runs to \
-             surface is {shallowest_m:.1} m long, and hole and survey end at {deepest_m:.1} m"
+            "a bit depth of {depth_m} m is out of range: expected more than {least_m:.1} m, and no \
+             more than {deepest_m:.1} m, where hole and survey end"
         )));
     }
     depths_m.sort_by(f64::total_cmp);

@@ -108,18 +108,17 @@ impl<'a> Request<'a> {
     fn settings(&self) -> Result<ReachSettings, Error> {
         let bad = |text: String| Err(Error::BadInput(text));
         let setup = self.case.setup();
-        let shallowest_m = setup.shallowest_m();
+        let least_m = setup.least_depth_m();
         let end_m = self.case.model.well.path.last_md_m();
-        let from_m = self.from_m.unwrap_or(end_m.max(shallowest_m + 1.0));
+        let from_m = self.from_m.unwrap_or(end_m.max(least_m + 1.0));
         let mut settings = ReachSettings::from_depth(from_m);
         settings.to_m = self.to_m.unwrap_or(settings.to_m);
         settings.soft.helix_side_force = self.helix_side_force;
         settings.stop_at_helix = self.stop_at_helix;
         settings.factors = self.case.plan.limits.factors;
-        if from_m <= shallowest_m {
+        if from_m <= least_m {
             return bad(format!(
-                "the reach begins with the bit at {from_m:.0} m, but what stands below the pipe that \
-                 runs to surface is {shallowest_m:.0} m long"
+                "the reach begins with the bit at {from_m:.1} m: expected more than {least_m:.1} m"
             ));
         }
         if settings.to_m <= from_m {
