@@ -3,6 +3,7 @@
 mod broomstick;
 mod campaign;
 mod charts;
+mod counted;
 mod drawn;
 mod dynamic;
 mod files;
