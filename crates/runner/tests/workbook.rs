@@ -105,7 +105,7 @@ fn every_cell_is_that_of_a_table() {
         let mut heads = roadmap.rows().next().expect("a heading").iter();
         heads.position(|head| *head == heading).unwrap_or_else(|| panic!("{heading}"))
     };
-    let last = roadmap.rows().last().expect("a row");
+    let last = roadmap.rows().next_back().expect("a row");
     let deepest_m = summary.bit_depths_m.last().copied();
     for (operation, level, heading, unit) in [
         ("trip_out", "high", "pick-up hook load high, klbf", UNITS[2].1),

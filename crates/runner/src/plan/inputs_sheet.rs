@@ -126,11 +126,11 @@ fn number(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let exponent = value.abs().log10().floor();
-    if !(-4.0..9.0).contains(&exponent) {
-        return format!("{value:.5e}");
-    }
-    let text = format!("{value:.*}", (5.0 - exponent).max(0.0) as usize);
+    let scientific = format!("{value:.5e}");
+    let exponent = scientific.rsplit_once('e').and_then(|(_, exponent)| exponent.parse().ok());
+    let Some(exponent @ -4..9) = exponent else { return scientific };
+    let decimals = (5 - exponent).max(0) as usize;
+    let text = format!("{value:.decimals$}");
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,
