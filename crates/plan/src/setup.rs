@@ -10,6 +10,9 @@ use wholestring::{
     well::{Friction, Hole, HoleError, HoleKind, HoleSection, Well},
 };
 
+/// Pipe above the assembly at the least, m: a string of its assembly alone is no string.
+const LEAST_PIPE_M: f64 = 1.0;
+
 /// Pipe above the hole's depth with which a string is looked at as a whole, m.
 const LONG_PIPE_M: f64 = 100.0;
 
@@ -112,6 +115,12 @@ impl Setup {
         let whole = self.running().assemble(below_m.max(hole_m) + LONG_PIPE_M);
         let assembly_m = whole.ok().and_then(|string| string.assembly_length_m());
         assembly_m.map_or(below_m, |length_m| length_m.min(below_m))
+    }
+
+    /// Depth of the bit with which a plan begins by default, m: the assembly is in the hole, and a
+    /// little pipe.
+    pub fn shallowest_m(&self) -> f64 {
+        self.assembly_m() + LEAST_PIPE_M
     }
 
     /// Depth of the bit that every depth is deeper than, m: its lowest component, the bit, is whole.

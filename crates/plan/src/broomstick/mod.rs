@@ -13,7 +13,6 @@ mod friction;
 mod point;
 
 pub use buckling_weight::BucklingWeight;
-pub(crate) use depths::LEAST_PIPE_M;
 pub use depths::bit_depths_m;
 pub use expected::ExpectedLoads;
 pub use friction::{FrictionLevel, Frictions, KindFriction, LevelFriction};

@@ -8,7 +8,6 @@ use wholestring::{
 use super::{CampaignPart, CampaignSettings};
 use crate::{
     Setup,
-    broomstick::LEAST_PIPE_M,
     fatigue::FatigueSettings,
     lengths_m,
     wear::{CasingError, CasingWear},
@@ -179,7 +178,7 @@ fn drilling(operations: &[Operation]) -> Option<OperationKind> {
 fn depths_m(setup: &Setup, bit_depths_m: &[f64]) -> Vec<f64> {
     let Some(last_m) = bit_depths_m.last() else { return Vec::new() };
     let apart_m = last_m / PARTS;
-    let mut above_m = setup.assembly_m() + LEAST_PIPE_M;
+    let mut above_m = setup.shallowest_m();
     let mut depths_m = Vec::new();
     for depth_m in bit_depths_m {
         let way_m = depth_m - above_m;
