@@ -16,7 +16,8 @@ const LEAST_PIPE_M: f64 = 1.0;
 /// Pipe above the hole's depth with which a string is looked at as a whole, m.
 const LONG_PIPE_M: f64 = 100.0;
 
-/// A well, a string whose topmost component is as long as the bit's depth asks for, a mud and a rig.
+/// A well, a string whose topmost component is as long as the bit's depth asks for, a mud and a
+/// rig.
 #[derive(Debug, Clone)]
 pub struct Setup {
     /// Path of the hole and its sections, down to the deepest bit.
@@ -59,9 +60,9 @@ impl WallFriction {
 }
 
 impl Setup {
-    /// The model with the bit at a measured depth, m: components are run from the bit up, so that the
-    /// string is cut at the surface at any depth. Where no component runs to the surface, the topmost
-    /// one does.
+    /// The model with the bit at a measured depth, m: components are run from the bit up, so that
+    /// the string is cut at the surface at any depth. Where no component runs to the surface, the
+    /// topmost one does.
     ///
     /// # Errors
     /// A depth that is not more than nothing, or a component that no string can have.
@@ -123,7 +124,8 @@ impl Setup {
         self.assembly_m() + LEAST_PIPE_M
     }
 
-    /// Depth of the bit that every depth is deeper than, m: its lowest component, the bit, is whole.
+    /// Depth of the bit that every depth is deeper than, m: its lowest component, the bit, is
+    /// whole.
     pub fn least_depth_m(&self) -> f64 {
         match &self.running().components[..] {
             [bit, _, ..] => length_m(bit),

@@ -46,9 +46,9 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// The length of hole below a depth, m, that each of some depths of the bit stands for: half the way
-/// to its neighbours, and for the first of them all of the way above it. The depths grow; the lengths
-/// add up to the way from the depth that is given to the last.
+/// The length of hole below a depth, m, that each of some depths of the bit stands for: half the
+/// way to its neighbours, and for the first of them all of the way above it. The depths grow; the
+/// lengths add up to the way from the depth that is given to the last.
 pub fn lengths_m(bit_depths_m: &[f64], below_m: f64) -> Vec<f64> {
     let half_way_m = |pair: &[f64]| 0.5 * (pair[0] + pair[1]);
     let between_m = bit_depths_m.windows(2).map(half_way_m);

@@ -13,8 +13,8 @@ use crate::{
     wear::{CasingError, CasingWear},
 };
 
-/// The way down to the deepest bit in so many parts: a campaign has depths of its own where those of
-/// its plan leave more than one of them.
+/// The way down to the deepest bit in so many parts: a campaign has depths of its own where those
+/// of its plan leave more than one of them.
 const PARTS: f64 = 20.0;
 
 /// Depths nearer to each other than this are one, m.
@@ -41,11 +41,11 @@ pub struct Campaign {
 }
 
 impl Campaign {
-    /// A campaign of the operations of a plan at growing depths of the bit, m. An operation that the
-    /// campaign needs and the plan does not list is taken from its settings, the plan's own first.
-    /// Above the shallowest depth of the plan, from where the assembly is in the hole, and between
-    /// depths that are far apart it has depths of its own; the shallowest of all represents the hole
-    /// above it.
+    /// A campaign of the operations of a plan at growing depths of the bit, m. An operation that
+    /// the campaign needs and the plan does not list is taken from its settings, the plan's own
+    /// first. Above the shallowest depth of the plan, from where the assembly is in the hole, and
+    /// between depths that are far apart it has depths of its own; the shallowest of all
+    /// represents the hole above it.
     ///
     /// # Errors
     /// Those of [`CasingWear::new`].
@@ -149,8 +149,9 @@ impl Campaign {
         duration_s.filter(|duration_s| *duration_s > 0.0)
     }
 
-    /// How long an operation goes on at all depths of the campaign that are nearest to its own, among
-    /// these, m: of one that is looked at there alone. None where it is no part of the campaign.
+    /// How long an operation goes on at all depths of the campaign that are nearest to its own,
+    /// among these, m: of one that is looked at there alone. None where it is no part of the
+    /// campaign.
     pub(crate) fn duration_near_s(&self, operation: &Operation, among_m: &[f64]) -> Option<f64> {
         let nearest = |depth_m: f64| {
             let far = |other_m: &&f64| (**other_m - depth_m).abs();
@@ -173,8 +174,8 @@ fn drilling(operations: &[Operation]) -> Option<OperationKind> {
     on_bottom().find(|kind| kind.rotates()).or_else(|| on_bottom().next())
 }
 
-/// Depths of the bit of a campaign, m: those of a plan, and others above and between them that leave
-/// no two farther apart than one of the [`PARTS`], from where the assembly is in the hole.
+/// Depths of the bit of a campaign, m: those of a plan, and others above and between them that
+/// leave no two farther apart than one of the [`PARTS`], from where the assembly is in the hole.
 fn depths_m(setup: &Setup, bit_depths_m: &[f64]) -> Vec<f64> {
     let Some(last_m) = bit_depths_m.last() else { return Vec::new() };
     let apart_m = last_m / PARTS;

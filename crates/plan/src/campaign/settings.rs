@@ -13,8 +13,8 @@ pub struct CampaignSettings {
     pub round_trips: f64,
     /// How long it turns off bottom at the deepest depth, s. Default none.
     pub off_bottom_s: f64,
-    /// Operations with their set points of which the campaign takes those that it needs and the plan
-    /// does not list. Default none.
+    /// Operations with their set points of which the campaign takes those that it needs and the
+    /// plan does not list. Default none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub operations: Vec<Operation>,
     /// Fatigue of the string.

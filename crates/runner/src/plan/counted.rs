@@ -1,4 +1,5 @@
-//! The parts of a campaign that fatigue and casing wear count, and those that they do not, in words.
+//! The parts of a campaign that fatigue and casing wear count, and those that they do not, in
+//! words.
 
 use wholestring::string::StringSpec;
 use wholestring_plan::{Broomstick, CampaignPart, FrictionLevel};

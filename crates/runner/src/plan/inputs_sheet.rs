@@ -49,8 +49,8 @@ pub(super) fn inputs_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
     }
 }
 
-/// Settings of a plan for a person: without the depths, which the roadmap lists, and the operations of
-/// the campaign alone; wear factors in their own unit.
+/// Settings of a plan for a person: without the depths, which the roadmap lists, and the
+/// operations of the campaign alone; wear factors in their own unit.
 fn as_read(plan: &Json) -> Json {
     let mut plan = plan.clone();
     let Some(settings) = plan.as_object_mut() else { return plan };

@@ -1,4 +1,5 @@
-//! The roadmap of a plan: hook loads and torques of every operation, a row for each depth of the bit.
+//! The roadmap of a plan: hook loads and torques of every operation, a row for each depth of the
+//! bit.
 
 use wholestring::operation::OperationKind;
 use wholestring_report::{Cells, Sheet, SheetColumn, operation_name};
@@ -65,7 +66,7 @@ pub(super) fn roadmap_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
             Some(point.scalars?.surface_torque_N_m)
         });
     }
-    let about = "A row for each depth of the bit: hook load without block and surface torque with low, \
-        expected and high friction";
+    let about = "A row for each depth of the bit: hook load without block and surface torque \
+        with low, expected and high friction";
     Sheet { name: "Roadmap".to_owned(), about: about.to_owned(), columns }
 }
