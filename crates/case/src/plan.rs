@@ -47,8 +47,8 @@ table! {
         /// How many depths of the bit, evenly from the shallowest to that of the operation. The lower
         /// ends of hole sections are added.
         depths: u64 = default(Count { from: 2, to: MAX_DEPTHS as u64 }, DEPTHS);
-        /// Shallowest depth of the bit. Default: a metre more than what stands below the string's
-        /// topmost component.
+        /// Shallowest depth of the bit. Default: a metre more than the length of the bottom-hole
+        /// assembly below the drill pipe. Whatever the depth, the string is cut at the surface.
         shallowest: f64 = optional(depth("500 m"));
         /// Depths of the bit, one by one, in place of `depths` and `shallowest`.
         bit_depths: Vec<Spanned<f64>> = optional(List::of(depth("1500 m"), "depths", MAX_DEPTHS));
@@ -242,7 +242,8 @@ pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader)
         Some(file) => Some(measured::from_file(file, (setup, units), own, files, reader)?),
         None => None,
     };
-    let campaign = campaign?;
+    let mut campaign = campaign?;
+    campaign.operations = campaign_operations(own, operations.as_deref()?);
     let beside = plan_dynamic::Beside {
         setup,
         own,
@@ -386,20 +387,33 @@ fn depths_m(
     listed_once(&listed.value, reader)
 }
 
+/// Operations that the campaign may need and the plan does not list: trips, rotation off bottom and
+/// the drilling of the case.
+fn campaign_operations(own: &[Operation], planned: &[Operation]) -> Vec<Operation> {
+    use OperationKind::{RotateOffBottom, TripIn, TripOut};
+    let others = [TripOut, TripIn, RotateOffBottom].map(|kind| usual(own, kind));
+    let drilling = own.iter().filter(|operation| operation.kind.on_bottom()).copied();
+    let all = others.into_iter().flatten().chain(drilling);
+    all.filter(|one| !planned.iter().any(|other| other.kind == one.kind)).collect()
+}
+
+/// The operation of the case of a kind, or one with the set points of its first; what turns off
+/// bottom has a rotary speed.
+fn usual(own: &[Operation], kind: OperationKind) -> Option<Operation> {
+    let found = own.iter().find(|one| one.kind == kind).copied();
+    let mut operation = found.or_else(|| Some(Operation { kind, ..*own.first()? }))?;
+    if kind == OperationKind::RotateOffBottom && operation.rotary_speed_rad_per_s == 0.0 {
+        operation.rotary_speed_rad_per_s = USUAL_ROTATION_RAD_PER_S;
+    }
+    Some(operation)
+}
+
 fn operations(table: &PlanTable, own: &[Operation], reader: &mut Reader) -> Option<Vec<Operation>> {
     use OperationKind::{RotateOffBottom, TripIn, TripOut};
-    let first = own.first()?;
-    let set = |kind: OperationKind| {
-        let found = own.iter().find(|one| one.kind == kind);
-        found.copied().unwrap_or(Operation { kind, ..*first })
-    };
     let Some(listed) = table.operations.optional()? else {
-        let mut rotating = set(RotateOffBottom);
-        if rotating.rotary_speed_rad_per_s == 0.0 {
-            rotating.rotary_speed_rad_per_s = USUAL_ROTATION_RAD_PER_S;
-        }
         let drilling = own.iter().filter(|one| one.kind.on_bottom()).copied();
-        return Some([set(TripOut), set(TripIn), rotating].into_iter().chain(drilling).collect());
+        let usual = [TripOut, TripIn, RotateOffBottom].map(|kind| usual(own, kind));
+        return Some(usual.into_iter().flatten().chain(drilling).collect());
     };
     once_each(&listed.value, OperationKind::name, reader)?;
     let mut operations = Vec::new();
@@ -411,15 +425,12 @@ fn operations(table: &PlanTable, own: &[Operation], reader: &mut Reader) -> Opti
                 .help(format!("add \"{name}\" to `kind` in [operation]"))
                 .refuse(reader);
         }
-        let mut operation = set(at.value);
+        let operation = usual(own, at.value)?;
         if at.value.rotates() && operation.rotary_speed_rad_per_s == 0.0 {
-            if at.value != RotateOffBottom {
-                return Diagnostic::error(format!("`{name}` of the plan needs `rpm`"))
-                    .at(at.place, "turns the string; `rpm` is missing in [operation]")
-                    .help("such as rpm = 70")
-                    .refuse(reader);
-            }
-            operation.rotary_speed_rad_per_s = USUAL_ROTATION_RAD_PER_S;
+            return Diagnostic::error(format!("`{name}` of the plan needs `rpm`"))
+                .at(at.place, "turns the string; `rpm` is missing in [operation]")
+                .help("such as rpm = 70")
+                .refuse(reader);
         }
         operations.push(operation);
     }

@@ -27,9 +27,10 @@ table! {
             Range::from_to(0.0, 20_000.0).usual(10.0, 13_000.0),
             "1500 m",
         ));
-        /// How often the string is run and pulled.
+        /// How often the string is run and pulled, whether or not the plan lists trips.
         round_trips: f64 = default(Number::up_to(1000.0), CampaignSettings::default().round_trips);
-        /// How long the string turns off bottom at the deepest depth, s unless a unit is given.
+        /// How long the string turns off bottom at the deepest depth, s unless a unit is given, whether
+        /// or not the plan lists that.
         off_bottom: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(0.0, 1e8).usual(60.0, 1e7), "10 h"),
             0.0,
@@ -101,6 +102,7 @@ pub(crate) fn build(
         drilled_from_m: drilled_from.map(|at| at.value),
         round_trips: *table.round_trips.get()?,
         off_bottom_s: *table.off_bottom.get()?,
+        operations: Vec::new(),
         fatigue,
         wear_factors: wear_factors(table, &setup.well.hole, reader)?,
     })

@@ -27,7 +27,7 @@ pub(crate) fn listed_once(listed: &[Spanned<f64>], reader: &mut Reader) -> Optio
     Some(depths_m)
 }
 
-/// A depth must be in the hole, and leave room for the components below the pipe.
+/// A depth must be in the hole, and deeper than the bit is long.
 pub(crate) fn check_depth(at: &Spanned<f64>, setup: &Setup, reader: &mut Reader) -> Option<()> {
     let units = reader.units();
     let length = |value: f64| shown(Dimension::Length, value, units);
@@ -41,14 +41,13 @@ pub(crate) fn check_depth(at: &Spanned<f64>, setup: &Setup, reader: &mut Reader)
         .at(at.place, format!("expected {} or less", length(hole_m)))
         .refuse(reader);
     }
-    let assembly_m = setup.shallowest_m();
-    if at.value <= assembly_m {
+    let least_m = setup.least_depth_m();
+    if at.value <= least_m {
         return Diagnostic::error(format!(
-            "a bit depth of the plan leaves no room for the string: {} stand below its topmost \
-             component",
-            length(assembly_m)
+            "a bit depth of the plan leaves no room for the string: its lowest component is {} long",
+            length(least_m)
         ))
-        .at(at.place, format!("expected more than {}", length(assembly_m)))
+        .at(at.place, format!("expected more than {}", length(least_m)))
         .refuse(reader);
     }
     Some(())

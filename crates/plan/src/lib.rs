@@ -23,7 +23,7 @@ pub use broomstick::{
     Broomstick, BroomstickPoint, BroomstickTask, BucklingWeight, ExpectedLoads, FrictionLevel,
     Frictions, KindFriction, LevelFriction, PointAnswer, Statics, bit_depths_m,
 };
-pub use campaign::{Campaign, CampaignSettings, Share};
+pub use campaign::{Campaign, CampaignPart, CampaignSettings, Share};
 pub use error::PlanError;
 pub use setup::{Setup, WallFriction};
 pub use stage::{Stage, lengths_m};

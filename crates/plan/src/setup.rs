@@ -6,11 +6,18 @@ use wholestring::{
     mud::Mud,
     rig::Rig,
     statics::buckling::Criterion,
-    string::{AssemblyError, ComponentLength, StringSpec},
+    string::{AssemblyError, ComponentLength, ComponentSpec, StringSpec},
     well::{Friction, Hole, HoleError, HoleKind, HoleSection, Well},
 };
 
-/// A well, a string whose topmost component is as long as the bit's depth asks for, a mud and a rig.
+/// Pipe above the assembly at the least, m: a string of its assembly alone is no string.
+const LEAST_PIPE_M: f64 = 1.0;
+
+/// Pipe above the hole's depth with which a string is looked at as a whole, m.
+const LONG_PIPE_M: f64 = 100.0;
+
+/// A well, a string whose topmost component is as long as the bit's depth asks for, a mud and a
+/// rig.
 #[derive(Debug, Clone)]
 pub struct Setup {
     /// Path of the hole and its sections, down to the deepest bit.
@@ -53,13 +60,14 @@ impl WallFriction {
 }
 
 impl Setup {
-    /// The model with the bit at a measured depth, m: pipe is added or laid down at the surface. Where no
-    /// component runs to the surface, the topmost one does.
+    /// The model with the bit at a measured depth, m: components are run from the bit up, so that
+    /// the string is cut at the surface at any depth. Where no component runs to the surface, the
+    /// topmost one does.
     ///
     /// # Errors
-    /// A depth that the components below the topmost one are too long for.
+    /// A depth that is not more than nothing, or a component that no string can have.
     pub fn at(&self, bit_depth_m: f64) -> Result<Model, AssemblyError> {
-        let string = self.running().assemble(bit_depth_m)?;
+        let string = self.running().lower_end(bit_depth_m).assemble(bit_depth_m)?;
         Ok(Model {
             well: self.well.clone(),
             string,
@@ -94,15 +102,35 @@ impl Setup {
         Ok(Self { well: Well { path: self.well.path.clone(), hole }, ..self.clone() })
     }
 
-    /// Length of what stands below the component that runs to the surface, m: the shallowest depth of the
-    /// bit.
+    /// Length of the components below the one that runs to the surface, m.
+    pub fn below_topmost_m(&self) -> f64 {
+        self.running().components.iter().map(length_m).sum()
+    }
+
+    /// Length of the bottom-hole assembly, m: from the bit to where drill pipe begins. Of a string
+    /// without drill pipe that can be told from the rest, what is below its topmost component.
+    pub fn assembly_m(&self) -> f64 {
+        let below_m = self.below_topmost_m();
+        // As long as it can be: a component that is hardly there is not seen as pipe.
+        let hole_m = self.well.hole.sections().last().map_or(0.0, |section| section.to_md_m);
+        let whole = self.running().assemble(below_m.max(hole_m) + LONG_PIPE_M);
+        let assembly_m = whole.ok().and_then(|string| string.assembly_length_m());
+        assembly_m.map_or(below_m, |length_m| length_m.min(below_m))
+    }
+
+    /// Depth of the bit with which a plan begins by default, m: the assembly is in the hole, and a
+    /// little pipe.
     pub fn shallowest_m(&self) -> f64 {
-        let components = self.running().components;
-        let length = |length: ComponentLength| match length {
-            ComponentLength::Metres(length_m) => length_m,
-            ComponentLength::ToSurface => 0.0,
-        };
-        components.iter().map(|component| length(component.length)).sum()
+        self.assembly_m() + LEAST_PIPE_M
+    }
+
+    /// Depth of the bit that every depth is deeper than, m: its lowest component, the bit, is
+    /// whole.
+    pub fn least_depth_m(&self) -> f64 {
+        match &self.running().components[..] {
+            [bit, _, ..] => length_m(bit),
+            _ => 0.0,
+        }
     }
 
     /// The string whose topmost component runs to the surface.
@@ -112,6 +140,14 @@ impl Setup {
             top.length = ComponentLength::ToSurface;
         }
         string
+    }
+}
+
+/// Length of a component, m; none of one that runs to the surface.
+fn length_m(component: &ComponentSpec) -> f64 {
+    match component.length {
+        ComponentLength::Metres(length_m) => length_m,
+        ComponentLength::ToSurface => 0.0,
     }
 }
 
@@ -154,13 +190,48 @@ mod tests {
     #[test]
     fn pipe_is_laid_down_at_the_surface() {
         let setup = setup();
-        assert!((setup.shallowest_m() - 100.0).abs() < 1e-9);
+        assert!((setup.assembly_m() - 100.0).abs() < 1e-9);
         for depth_m in [100.5, 700.0, 2000.0] {
             let string = setup.at(depth_m).expect("a model").string;
             assert!((string.length_m() - depth_m).abs() < 1e-9);
             assert!((string.components()[1].length_m - 99.7).abs() < 1e-9);
         }
-        assert!(matches!(setup.at(50.0), Err(AssemblyError::AssemblyTooLong { .. })));
+        assert!(matches!(setup.at(0.0), Err(AssemblyError::BitDepth(_))));
+    }
+
+    /// A tapered string begins with the bit just below the assembly, its upper pipe not in the hole
+    /// yet; one whose bit is shallower than the assembly has a part of that.
+    #[test]
+    fn a_string_is_cut_at_the_surface() {
+        let mut setup = setup();
+        setup.string.components[2].length = Metres(700.0);
+        let upper =
+            ComponentSpec { name: "upper pipe".into(), ..setup.string.components[2].clone() };
+        setup.string.components.push(upper);
+        assert!((setup.below_topmost_m() - 800.0).abs() < 1e-9);
+        assert!((setup.assembly_m() - 100.0).abs() < 1e-9);
+        for (depth_m, count, top_m) in
+            [(50.0, 2, 49.7), (100.0, 2, 99.7), (500.0, 3, 400.0), (1000.0, 4, 200.0)]
+        {
+            let string = setup.at(depth_m).expect("a model").string;
+            assert!((string.length_m() - depth_m).abs() < 1e-9);
+            let components = string.components();
+            assert_eq!(components.len(), count, "{depth_m}");
+            assert!((components[count - 1].length_m - top_m).abs() < 1e-9, "{depth_m}");
+        }
+        // Off bottom a vertical string hangs by the weight of what is in the hole.
+        let depth_m = 400.0;
+        let model = setup.at(depth_m).expect("a model");
+        let turns = Operation::rotate_off_bottom(depth_m).rotary_speed_rad_per_s(7.0);
+        let found = soft_string(&model, &turns).expect("an answer").scalars.hook_load_N;
+        let weight_N = |index: usize, length_m: f64| {
+            let component = &model.string.components()[index];
+            let steel = component.mass_per_length_kg_per_m;
+            let buoyed = 1.0 - 1200.0 / component.material.density_kg_per_m3;
+            9.80665 * steel * length_m * buoyed
+        };
+        let expected_N = weight_N(0, 0.3) + weight_N(1, 99.7) + weight_N(2, 300.0);
+        assert!((found / expected_N - 1.0).abs() < 1e-3, "{found} for {expected_N}");
     }
 
     #[test]

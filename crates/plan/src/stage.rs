@@ -46,14 +46,14 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// The length of hole below a depth, m, that each of some depths of the bit stands for: half the way to its
-/// neighbours. The depths grow; they add up to the way from the first of them, or from the depth that is given
-/// where that is deeper, to the last.
+/// The length of hole below a depth, m, that each of some depths of the bit stands for: half the
+/// way to its neighbours, and for the first of them all of the way above it. The depths grow; the
+/// lengths add up to the way from the depth that is given to the last.
 pub fn lengths_m(bit_depths_m: &[f64], below_m: f64) -> Vec<f64> {
     let half_way_m = |pair: &[f64]| 0.5 * (pair[0] + pair[1]);
     let between_m = bit_depths_m.windows(2).map(half_way_m);
-    let ends_m = bit_depths_m.first().into_iter().copied();
+    let ends_m = bit_depths_m.first().into_iter().map(|first_m| first_m.min(below_m));
     let ends_m = ends_m.chain(between_m).chain(bit_depths_m.last().copied());
-    let ends_m: Vec<f64> = ends_m.map(|of| of.max(below_m)).collect();
+    let ends_m: Vec<f64> = ends_m.map(|end_m| end_m.max(below_m)).collect();
     ends_m.windows(2).map(|ends_m| ends_m[1] - ends_m[0]).collect()
 }

@@ -322,8 +322,32 @@ fn the_soft_string_buckles_at_its_weight_to_buckle() {
     }
 }
 
-/// Stiff points are the stiff string's own, and a string that cannot be assembled or solved is a row
-/// with a reason.
+/// A tapered string has a broomstick above its lower pipe: at every depth the points are those of a
+/// string whose lower pipe runs to the surface, until its upper pipe is in the hole.
+#[test]
+fn a_tapered_string_is_cut_at_the_surface() {
+    let pipe = |name: &str| ComponentSpec { name: name.to_owned(), ..pipe() };
+    let upper = ComponentSpec { od_m: 0.1492, ..pipe("upper pipe") };
+    let lower = ComponentSpec { length: ComponentLength::Metres(3000.0), ..pipe("lower pipe") };
+    let tapered =
+        StringSpec::from_bit(ComponentSpec::bit(0.2159, 0.3)).component(lower).component(upper);
+    let plain = StringSpec::from_bit(ComponentSpec::bit(0.2159, 0.3)).component(pipe("lower pipe"));
+    let stations =
+        [[0.0, 0.0, 45.0], [322.9, 0.0, 45.0], [1075.0, 65.0, 45.0], [4305.0, 65.0, 45.0]];
+    let [tapered, plain] = [tapered, plain].map(|string| setup(&stations, string, 0.2159));
+    let depths_m = bit_depths_m(&tapered, None, 4305.0, 5);
+    assert!((depths_m[0] - 1.3).abs() < 1e-9, "{depths_m:?}");
+    let of = |setup: &Setup| {
+        solved(&broomstick(setup, Frictions::default(), depths_m.clone(), Statics::Soft))
+    };
+    for (point, other) in of(&tapered).iter().zip(of(&plain)) {
+        let [load_N, expected_N] = [point, &other].map(hook_load_N);
+        assert_eq!(load_N == expected_N, point.bit_depth_m < 3000.0, "{}", point.bit_depth_m);
+    }
+}
+
+/// Stiff points are the stiff string's own, of a bit within the assembly too; a string that cannot be
+/// assembled or solved is a row with a reason.
 #[test]
 fn a_point_without_an_answer_says_why() {
     let stations = [[0.0, 0.0, 0.0], [300.0, 0.0, 0.0], [600.0, 20.0, 0.0], [800.0, 20.0, 0.0]];
@@ -336,17 +360,17 @@ fn a_point_without_an_answer_says_why() {
         &setup,
         &Frictions::default(),
         vec![Operation::trip_out(1.0)],
-        vec![50.0, 800.0],
+        vec![-50.0, 50.0, 800.0],
         vec![Statics::Soft, Statics::Stiff],
     )
     .expect("sound frictions");
     let points = solved(&of);
-    assert_eq!(points.len(), 2 * 2 * 3);
+    assert_eq!(points.len(), 2 * 3 * 3);
     for point in &points {
         match &point.outcome {
-            Ok(_) => assert_eq!(point.bit_depth_m, 800.0),
+            Ok(_) => assert!(point.bit_depth_m > 0.0),
             Err(why) => {
-                assert_eq!(point.bit_depth_m, 50.0);
+                assert_eq!(point.bit_depth_m, -50.0);
                 assert!(why.to_string().contains("50"), "{why}");
             }
         }

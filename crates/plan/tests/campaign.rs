@@ -12,8 +12,9 @@ use wholestring::{
 };
 use wholestring_judge::{CheckKind, Judge, strength::PSI_PA};
 use wholestring_plan::{
-    Broomstick, CampaignSettings, FrictionLevel, Frictions, Setup, Stage, Statics,
+    Broomstick, Campaign, CampaignSettings, FrictionLevel, Frictions, Setup, Share, Stage, Statics,
     fatigue::Damage,
+    lengths_m,
     wear::{CasingWear, WearFactors},
 };
 
@@ -87,17 +88,29 @@ fn shares_add_up_to_the_campaign() {
     .expect("a broomstick")
     .with_campaign(&settings)
     .expect("casing");
-    let points: Vec<_> =
-        broomstick.tasks().iter().flat_map(|task| broomstick.solve(task)).collect();
+    let own = broomstick.campaign_tasks();
+    let mut points: Vec<_> =
+        own.iter().flat_map(|task| broomstick.solve_at(task, &[FrictionLevel::Expected])).collect();
+    points.extend(broomstick.tasks().iter().flat_map(|task| broomstick.solve(task)));
     let mut answers = points.iter().map(|of| (of, of.outcome.as_ref().expect("an answer")));
     let shares: Vec<_> = answers
         .clone()
         .filter_map(|(of, answer)| Some((of.friction, answer.share.clone()?)))
         .collect();
     assert!(shares.iter().all(|(friction, _)| *friction == FrictionLevel::Expected));
-    // Drilling from 1000 m: of the depth of 900 m to 1050 m, and of the two below it; four depths of two trips,
-    // and once off bottom.
-    assert_eq!(shares.len(), 3 + 2 * 4 + 1);
+    // From where the assembly is in the hole the campaign has depths of its own, a twentieth of the way
+    // apart at most.
+    let trips = own.iter().filter(|task| task.operation.kind == OperationKind::TripIn);
+    let mut depths_m: Vec<f64> = trips.map(|task| task.operation.bit_depth_m).collect();
+    depths_m.extend(DEPTHS_M);
+    depths_m.sort_by(f64::total_cmp);
+    assert_eq!((depths_m.len(), depths_m[0]), (5 + 7 + 4 + 4 + 1, 61.3));
+    assert!(depths_m.windows(2).all(|pair| pair[1] - pair[0] <= 1500.0 / 20.0 + 1e-9));
+    // Drilling from 1000 m: of 971 m on; all depths of two trips, and once off bottom.
+    let drilled_m = lengths_m(&depths_m, 1000.0);
+    let drilled = drilled_m.iter().filter(|length_m| **length_m > 0.0).count();
+    assert_eq!(shares.len(), drilled + 2 * depths_m.len() + 1);
+    assert!((drilled_m.iter().sum::<f64>() - 500.0).abs() < 1e-9);
     let mut all = shares[0].1.clone();
     for (_, share) in &shares[1..] {
         all.merge(share);
@@ -114,14 +127,14 @@ fn shares_add_up_to_the_campaign() {
         wear.add(&stage);
         damage.add(&stage, &settings.fatigue);
     };
-    for (bit_depth_m, length_m) in [(900.0, 50.0), (1200.0, 300.0), (1500.0, 150.0)] {
-        stage(&operations[4], bit_depth_m, length_m / 5e-3);
+    for (bit_depth_m, length_m) in depths_m.iter().zip(&drilled_m) {
+        stage(&operations[4], *bit_depth_m, length_m / 5e-3);
     }
-    for (bit_depth_m, length_m) in
-        [(400.0, 250.0), (900.0, 400.0), (1200.0, 300.0), (1500.0, 150.0)]
-    {
+    let lengths_m = lengths_m(&depths_m, 0.0);
+    assert!((lengths_m.iter().sum::<f64>() - 1500.0).abs() < 1e-9);
+    for (bit_depth_m, length_m) in depths_m.iter().zip(lengths_m) {
         for trip in &operations[..2] {
-            stage(trip, bit_depth_m, 2.0 * length_m / 0.3);
+            stage(trip, *bit_depth_m, 2.0 * length_m / 0.3);
         }
     }
     stage(&operations[2], 1500.0, 3600.0);
@@ -144,7 +157,7 @@ fn shares_add_up_to_the_campaign() {
     // What an hour costs at the end: the worst place of the pipe, of the same curve as the damage.
     let [rate] = &all.rates[..] else { panic!("the pipe alone has a grade: {:?}", all.rates) };
     assert_eq!(rate.component, 2);
-    let hours = 150.0 / 5e-3 / 3600.0;
+    let hours = drilled_m[depths_m.len() - 1] / 5e-3 / 3600.0;
     let worst = shares.iter().filter(|(_, of)| !of.rates.is_empty());
     let worst = worst.map(|(_, of)| of.damage.worst(2).expect("the pipe").damage).sum::<f64>();
     assert!((rate.damage_per_hour * hours - worst).abs() <= 1e-12 * worst);
@@ -180,8 +193,103 @@ fn a_campaign_from_a_depth() {
         .collect();
     let [(kind, depth_m, share)] = &shares[..] else { panic!("one share: {}", shares.len()) };
     assert_eq!((*kind, *depth_m), (OperationKind::Slide, 1500.0));
-    // It slides by 100 m and turns not at all.
+    // It slides by 38 m there and turns not at all.
     assert!(share.damage.rows().all(|of| of.damage == 0.0));
     let casings = of.campaign().expect("a campaign").casings(share);
     assert!(casings.iter().any(|of| of.worn_m3_per_m > 0.0));
+}
+
+/// The whole of a campaign: the shares of its points and of what it solves beside them.
+fn whole(operations: &[Operation], depths_m: &[f64], settings: &CampaignSettings) -> Share {
+    let frictions = Frictions::default();
+    let (operations, models) = (operations.to_vec(), vec![Statics::Soft]);
+    let of = Broomstick::new(&setup(), &frictions, operations, depths_m.to_vec(), models)
+        .expect("a broomstick")
+        .with_campaign(settings)
+        .expect("casing");
+    let mut all = Share::default();
+    for task in of.tasks().iter().chain(&of.campaign_tasks()) {
+        for point in of.solve_at(task, &[FrictionLevel::Expected]) {
+            let Some(share) = point.outcome.expect("an answer").share else { continue };
+            if all == Share::default() {
+                all = share;
+            } else {
+                all.merge(&share);
+            }
+        }
+    }
+    all
+}
+
+/// The deepest groove of a campaign, m.
+fn groove_m(share: &Share) -> f64 {
+    let wear = CasingWear::new(&setup().well.hole, &WearFactors::default()).expect("casing");
+    let rows = wear.with(&share.worn).rows();
+    rows.iter().map(|row| row.groove_m.expect("a groove")).fold(0.0, f64::max)
+}
+
+/// Volume of all that a campaign wears, m³.
+fn volume_m3(share: &Share) -> f64 {
+    let wear = CasingWear::new(&setup().well.hole, &WearFactors::default()).expect("casing");
+    wear.with(&share.worn).rows().iter().map(|row| 5.0 * row.worn_m3_per_m).sum()
+}
+
+/// The hole above the shallowest depth of a plan is drilled and tripped through too: a plan of one
+/// depth wears and tires what a plan of forty does, to 2 % of the volume and 5 % of the sum of damage;
+/// the deepest groove, which is of one place, to 10 %.
+#[test]
+fn the_hole_above_the_shallowest_depth_counts() {
+    let settings = CampaignSettings {
+        drilled_from_m: Some(300.0),
+        round_trips: 5.0,
+        off_bottom_s: 3600.0,
+        ..CampaignSettings::default()
+    };
+    let all: Vec<f64> = (1..=40).map(|step| 300.0 + 30.0 * f64::from(step)).collect();
+    let fine = whole(&operations(), &all, &settings);
+    for depths_m in [&[1500.0][..], &[1400.0, 1500.0], &[700.0, 1500.0]] {
+        let coarse = whole(&operations(), depths_m, &settings);
+        let damage = |share: &Share| share.damage.rows().map(|row| row.damage).sum::<f64>();
+        let numbers = |share: &Share| [volume_m3(share), groove_m(share), damage(share)];
+        let pairs = numbers(&coarse).into_iter().zip(numbers(&fine)).zip([0.02, 0.1, 0.05]);
+        for ((found, expected), tolerance) in pairs {
+            let apart = found / expected - 1.0;
+            assert!(apart.abs() < tolerance, "{depths_m:?}: {found} for {expected}");
+        }
+    }
+}
+
+/// A campaign counts an operation that its plan does not list, with the set points that it is given.
+#[test]
+fn an_operation_that_the_plan_does_not_list_counts() {
+    let settings = |operations: Vec<Operation>| CampaignSettings {
+        off_bottom_s: 7200.0,
+        operations,
+        ..CampaignSettings::default()
+    };
+    let listed = whole(&operations(), &DEPTHS_M, &settings(Vec::new()));
+    let expected = groove_m(&listed);
+    assert!(expected > 0.0);
+    for some in [&operations()[4..], &operations()[..1]] {
+        let found = whole(some, &DEPTHS_M, &settings(operations()));
+        assert!((groove_m(&found) / expected - 1.0).abs() < 1e-9);
+        // Without them it is less, and the campaign names the parts that it does not count.
+        let without = groove_m(&whole(some, &DEPTHS_M, &settings(Vec::new())));
+        assert!(without < 0.99 * expected, "{without} for {expected}");
+    }
+    let parts = |operations: Vec<Operation>, settings: &CampaignSettings| {
+        Campaign::new(settings, &setup(), &operations, &DEPTHS_M).expect("casing").parts()
+    };
+    let all = parts(operations(), &settings(Vec::new()));
+    let hours = all.iter().map(|part| part.duration_s.expect("counted") / 3600.0);
+    let expected = [500.0 / 5e-3, 1500.0 / 0.3, 1500.0 / 0.3, 7200.0].map(|time_s| time_s / 3600.0);
+    assert!(hours.zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-9));
+    let some = parts(vec![Operation::trip_in(1500.0)], &settings(Vec::new()));
+    let counted: Vec<bool> = some.iter().map(|part| part.duration_s.is_some()).collect();
+    assert_eq!(counted, [false, true, false, false]);
+    // Nor does what has no speed.
+    let still = Operation { rate_of_penetration_m_per_s: 0.0, ..operations()[4] };
+    let some = parts(vec![still], &settings(operations()[..3].to_vec()));
+    let counted: Vec<bool> = some.iter().map(|part| part.duration_s.is_some()).collect();
+    assert_eq!(counted, [false, true, true, true]);
 }

@@ -245,12 +245,14 @@ fn a_campaign_is_its_stages() {
     let expected = worn_m3_per_m(FACTOR_PER_PA, 1500.0, sliding_m);
     assert_close("volume", whole, expected, 1e-9);
     let depths_m = [1400.0, 1500.0, 1800.0, 2000.0];
-    let parts = lengths_m(&depths_m, 0.0);
+    let parts = lengths_m(&depths_m, 1400.0);
     assert_eq!(parts, [50.0, 200.0, 250.0, 100.0]);
     assert_close("parts", worn(&parts), whole, 1e-12);
     assert!(Stage::moved(&model, &Operation::rotate_off_bottom(2000.0), &solved, 1.0).is_none());
     assert!(lengths_m(&[], 0.0).is_empty());
-    assert_eq!(lengths_m(&[7.0], 0.0), [0.0]);
+    // The first depth stands for the hole above it.
+    assert_eq!(lengths_m(&depths_m, 900.0), [550.0, 200.0, 250.0, 100.0]);
+    assert_eq!(lengths_m(&[7.0], 0.0), [7.0]);
     assert_eq!(lengths_m(&depths_m, 1600.0), [0.0, 50.0, 250.0, 100.0]);
     assert_eq!(lengths_m(&depths_m, 9000.0), [0.0; 4]);
 }

@@ -169,7 +169,7 @@ const FEW: [&str; 4] = [
 fn a_plan_goes_on_in_its_samples() {
     let place = tempfile::tempdir().expect("a folder");
     let (whole, stopped) = (place.path().join("whole"), place.path().join("stopped"));
-    let of = Slant::with(&FEW);
+    let of = Slant::with(&[&FEW[..], &["plan.campaign.round_trips=0"]].concat());
     let done = planned(&of, &whole);
     // Two operations at depths, two weights to buckle, twelve samples.
     let stops = Stops::after(9);

@@ -75,10 +75,8 @@ fn every_cell_is_that_of_a_table() {
 
     let mut file: Xlsx<_> = open_workbook(folder.join("plan.xlsx")).expect("a workbook");
     let names = file.sheet_names();
-    assert_eq!(
-        [names.first(), names.last()].map(|of| of.map(String::as_str)),
-        [Some("Charts"), Some("Columns")]
-    );
+    assert_eq!(names[..4], ["Inputs", "Verdict", "Roadmap", "Charts"]);
+    assert_eq!(names.last().map(String::as_str), Some("Columns"));
     let mut numbers = 0;
     for (sheet, name) in SHEETS {
         let table = Table::read_parquet(&folder.join(format!("{name}.parquet"))).expect("a table");
@@ -88,16 +86,61 @@ fn every_cell_is_that_of_a_table() {
         numbers += compare(sheet, &cells, &table);
     }
     assert!(numbers > 300, "{numbers} numbers");
-    // The verdict comes first, a row for each check, the most severe at the top.
-    assert_eq!(names[1], "Verdict");
+    // A row for each check, the most severe at the top.
     let summary = PlanSummary::read(&folder.join("summary.json")).expect("a summary");
     let verdicts = file.worksheet_range("Verdict").expect("a sheet");
     assert_eq!(verdicts.height(), summary.checks.len() + 1);
     let most_severe = summary.checks.iter().map(|row| row.check.severity).max().expect("checks");
     assert_eq!(verdicts.get((1, 0)).expect("a cell").to_string(), most_severe.name());
+    // The inputs are those of the case, in the reader's units.
+    let inputs = file.worksheet_range("Inputs").expect("a sheet");
+    let has = |line: [&str; 3]| inputs.rows().any(|row| row.iter().zip(line).all(|(a, b)| *a == b));
+    assert!(has(["Mud", "Density", "9.17994 ppg"]), "{inputs:?}");
+    assert!(has(["Rig", "Hoist capacity", "134.885 klbf"]), "{inputs:?}");
+    assert!(has(["Plan", "Campaign, wear factors", "5e-10/psi"]), "{inputs:?}");
+    // A row of the roadmap has all operations at a depth, as the broomstick has them.
+    let roadmap = file.worksheet_range("Roadmap").expect("a sheet");
+    assert_eq!(roadmap.height(), summary.bit_depths_m.len() + 1);
+    let column = |heading: &str| {
+        let mut heads = roadmap.rows().next().expect("a heading").iter();
+        heads.position(|head| *head == heading).unwrap_or_else(|| panic!("{heading}"))
+    };
+    let last = roadmap.rows().next_back().expect("a row");
+    let deepest_m = summary.bit_depths_m.last().copied();
+    for (operation, level, heading, unit) in [
+        ("trip_out", "high", "pick-up hook load high, klbf", UNITS[2].1),
+        ("drill", "low", "drilling torque low, ft·lbf", UNITS[3].1),
+    ] {
+        let mut curve = summary.curve("soft", operation, level);
+        let scalars = curve.find(|point| Some(point.bit_depth_m) == deepest_m).expect("a point");
+        let scalars = scalars.scalars.expect("an answer");
+        let is_torque = heading.contains("torque");
+        let si = if is_torque { scalars.surface_torque_N_m } else { scalars.hook_load_N };
+        let Read::Float(read) = last[column(heading)] else { panic!("{heading}") };
+        assert!((read * unit - si).abs() <= ROUNDED * si.abs(), "{heading}: {read} for {si}");
+    }
     // What a row is and what each column means.
     let columns = file.worksheet_range("Columns").expect("a sheet");
     assert!(columns.rows().all(|row| row[3] != Read::Empty));
+
+    // It prints on a few sheets of paper: of a long table the first rows.
+    let areas: Vec<(String, String)> = file.defined_names().to_vec();
+    let mut printed_rows = 0;
+    let mut longest = 0;
+    for sheet in &names {
+        let rows = file.worksheet_range(sheet).expect("a sheet").height();
+        let is_its = |(name, area): &&(String, String)| {
+            let quoted = [format!("{sheet}!"), format!("'{sheet}'!")];
+            name.contains("Print_Area") && quoted.iter().any(|start| area.starts_with(start))
+        };
+        let last = |area: &str| area.rsplit('$').next().and_then(|row| row.parse().ok());
+        let printed = areas.iter().find(is_its).and_then(|(_, area)| last(area)).unwrap_or(rows);
+        let is_read_first = ["Inputs", "Verdict", "Roadmap", "Columns"].contains(&sheet.as_str());
+        assert!(printed <= 51 || is_read_first, "{sheet}: {printed} of {rows} rows");
+        printed_rows += printed;
+        longest = longest.max(rows);
+    }
+    assert!(longest > 100 && printed_rows < 700, "{longest} rows, {printed_rows} printed");
 }
 
 /// Compares a sheet with its table; how many numbers that were.

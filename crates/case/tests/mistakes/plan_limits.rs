@@ -77,12 +77,30 @@ fn what_is_given_is_meant() {
         plan.limits,
         LimitSettings { factors, overpull_N: 200e3, side_force_per_joint_N: None }
     );
-    let CampaignSettings { drilled_from_m, round_trips, off_bottom_s, fatigue, wear_factors } =
-        plan.campaign.clone();
+    let CampaignSettings {
+        drilled_from_m,
+        round_trips,
+        off_bottom_s,
+        operations,
+        fatigue,
+        wear_factors,
+    } = plan.campaign.clone();
+    // The plan lists all that the campaign needs.
+    assert!(operations.is_empty());
     assert_eq!((drilled_from_m, round_trips, off_bottom_s), (Some(3000.0), 3.0, 7200.0));
     let curve = SnCurve::of_one_slope(2e6, 138e6, 5.0);
     assert_eq!(fatigue.sn_curve, SnCurve { endurance_limit_Pa: Some(50e6), ..curve });
     assert_eq!(fatigue.tensile_strength_Pa, Some(1e9));
     assert!((wear_factors.of_per_Pa(0) * PSI_PA * 1e10 - 2.0).abs() < 1e-9);
     assert!(case.broomstick().is_ok());
+}
+
+/// A plan that lists one operation leaves the others to its campaign, with a rotary speed for what
+/// turns off bottom.
+#[test]
+fn a_campaign_has_the_operations_that_the_plan_does_not_list() {
+    let plan = accepted("operations = \"drill\"").plan;
+    let others: Vec<&str> = plan.campaign.operations.iter().map(|of| of.kind.name()).collect();
+    assert_eq!(others, ["trip_out", "trip_in", "rotate_off_bottom"]);
+    assert!(plan.campaign.operations[2].rotary_speed_rad_per_s > 0.0);
 }

@@ -78,6 +78,9 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
     for phrase in &summary.unchecked {
         text += &format!("not checked: {phrase}\n");
     }
+    for phrase in &summary.not_counted {
+        text += &format!("not counted in fatigue and casing wear: {phrase}\n");
+    }
     for model in summary.models.iter().filter(|_| !summary.measured.is_empty()) {
         let (between, all) = summary.measured_between(model);
         text += &format!(

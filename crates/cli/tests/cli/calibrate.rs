@@ -428,7 +428,7 @@ fn bad_readings_get_an_answer() {
     for (text, more, expected) in [
         (sound.replace("Pick-up (kN)", "Pick-up"), &[][..], "has no unit"),
         (sound.replace("\n300,", "\n1300,"), &[], "hole and survey of its case end at 1200"),
-        (sound.replace("\n300,", "\n100,"), &[], "long below its topmost component"),
+        (sound.replace("\n300,", "\n100,"), &[], "long below its drill pipe"),
         (
             sound.lines().take(2).collect::<Vec<_>>().join("\n"),
             &["--one-factor"],

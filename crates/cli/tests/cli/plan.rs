@@ -429,7 +429,7 @@ fn bad_measured_weights_get_an_answer() {
             "900,,,,,yes,\n5000,330,,,,yes,\n",
             "line 3: the bit is at 5000.0 m, but hole and survey of its case end",
         ),
-        ("3,330,,,,yes,\n", "m long below its topmost component"),
+        ("3,330,,,,yes,\n", "m long below its drill pipe"),
         ("500,330,,,,yes,20000\n", "line 2: "),
     ] {
         let desk = desk_with(rows);

@@ -117,7 +117,7 @@ fn what_cannot_be_asked() {
     for (more, answer) in [
         (&["--to", "100m"][..], "is not below its beginning"),
         (&["--to", "200km"], "100000 m is the most"),
-        (&["--from", "0m"], "the string below the pipe that runs to surface is"),
+        (&["--from", "0m"], "the reach begins with the bit at 0 m: expected more than"),
         (&["--from", "1kN"], "is no length"),
         (&["--to", "3km,4km"], "--to takes one depth"),
         (&["--friction", "much"], "`much` is no friction factor"),

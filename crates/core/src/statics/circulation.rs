@@ -2,7 +2,7 @@
 
 use crate::{
     model::Model,
-    mud::{Conduit, Hydraulics, Motion, hydraulics::pressure_strain},
+    mud::{AnnulusDrag, Conduit, Hydraulics, Motion, hydraulics::pressure_strain},
     operation::Operation,
 };
 
@@ -37,6 +37,33 @@ pub(crate) struct Circulating {
     pub(crate) inner_rise_Pa_per_m: f64,
 }
 
+/// Losses of the flow along a stretch.
+#[derive(Debug, Clone, Copy)]
+struct Losses {
+    drag: AnnulusDrag,
+    inner_rise_Pa_per_m: f64,
+}
+
+/// The losses of stretches; computed once of neighbours that have the same bores and annuli, as
+/// hundreds of elements of one pipe in one casing do.
+fn losses(model: &Model, motion: &Motion, segments: &[Passage]) -> Vec<Losses> {
+    let mut losses: Vec<Losses> = Vec::with_capacity(segments.len());
+    for (index, segment) in segments.iter().enumerate() {
+        let before = index.checked_sub(1);
+        let same = before.filter(|before| segments[*before].conduit == segment.conduit);
+        losses.push(match same {
+            Some(before) => losses[before],
+            None => Losses {
+                drag: segment.conduit.drag(&model.mud, motion),
+                inner_rise_Pa_per_m: segment
+                    .conduit
+                    .bore_gradient_Pa_per_m(&model.mud, motion.flow_m3_per_s),
+            },
+        });
+    }
+    losses
+}
+
 /// What the mud does to stretches, from the bit up, and to the whole string; nothing without a
 /// rheology.
 pub(crate) fn along(
@@ -53,9 +80,12 @@ pub(crate) fn along(
         spin_rad_per_s: operation.rotation_rad_per_s(),
         flow_m3_per_s,
     };
-    let drags: Vec<_> = segments.iter().map(|s| s.conduit.drag(&model.mud, &motion)).collect();
-    let annulus_loss_Pa: f64 =
-        segments.iter().zip(&drags).map(|(s, drag)| s.length_m * drag.gradient_Pa_per_m).sum();
+    let losses = losses(model, &motion, segments);
+    let annulus_loss_Pa: f64 = segments
+        .iter()
+        .zip(&losses)
+        .map(|(s, loss)| s.length_m * loss.drag.gradient_Pa_per_m)
+        .sum();
     let bit_loss_Pa = operation.bit_loss_Pa(flow_m3_per_s);
     let motor_loss_Pa = operation.motor_loss_Pa();
     let below_Pa = bit_loss_Pa + motor_loss_Pa;
@@ -68,8 +98,8 @@ pub(crate) fn along(
     };
     // From the bit up the pressure falls outside and rises inside.
     let (mut outer_Pa, mut inner_Pa) = (annulus_loss_Pa, annulus_loss_Pa + below_Pa);
-    let circulating = segments.iter().zip(&drags).map(|(s, drag)| {
-        let inner_rise_Pa_per_m = s.conduit.bore_gradient_Pa_per_m(&model.mud, flow_m3_per_s);
+    let circulating = segments.iter().zip(&losses).map(|(s, losses)| {
+        let Losses { drag, inner_rise_Pa_per_m } = *losses;
         let rise = s.length_m * inner_rise_Pa_per_m;
         let fall = s.length_m * drag.gradient_Pa_per_m;
         let strain = pressure_strain(

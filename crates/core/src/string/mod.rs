@@ -7,6 +7,7 @@ mod component;
 mod connection;
 mod drill_string;
 mod lateral_force;
+mod lower_end;
 mod material;
 mod nested_casings;
 mod spec;

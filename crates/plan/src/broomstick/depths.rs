@@ -2,16 +2,14 @@
 
 use crate::Setup;
 
-/// Pipe above the assembly at the least, m: a string of its assembly alone is no string.
-const LEAST_PIPE_M: f64 = 1.0;
-
 /// Depths nearer to each other than this are one, m.
 const SAME_M: f64 = 1.0;
 
 /// So many depths of the bit, m, evenly from one to another, and the lower ends of hole sections
-/// between them. Without the first it is the shallowest that the string has.
+/// between them. Without the first they begin where drill pipe does: with the bottom-hole assembly in
+/// the hole and little more.
 pub fn bit_depths_m(setup: &Setup, from_m: Option<f64>, to_m: f64, count: usize) -> Vec<f64> {
-    let from_m = from_m.unwrap_or_else(|| setup.shallowest_m() + LEAST_PIPE_M).min(to_m);
+    let from_m = from_m.unwrap_or_else(|| setup.shallowest_m()).min(to_m);
     let steps = count.max(2) - 1;
     // The ends come as they were given.
     let place = |step: usize| match step {

@@ -99,8 +99,8 @@ impl Broomstick {
     /// # Errors
     /// Casing that cannot be worn.
     pub fn with_campaign(self, settings: &CampaignSettings) -> Result<Self, CasingError> {
-        let hole = &self.setup(FrictionLevel::Expected).well.hole;
-        let campaign = Campaign::new(settings, hole, &self.operations, &self.depths_m)?;
+        let setup = self.setup(FrictionLevel::Expected);
+        let campaign = Campaign::new(settings, setup, &self.operations, &self.depths_m)?;
         Ok(Self { campaign: Some(campaign), ..self })
     }
 
@@ -137,5 +137,24 @@ impl Broomstick {
             self.operations.iter().flat_map(depths).collect::<Vec<_>>()
         };
         self.models.iter().flat_map(|model| operations(*model)).collect()
+    }
+
+    /// The operations of the campaign that are no points of the broomstick, by each of its models:
+    /// at other depths, or not among its operations. To be solved with
+    /// [the expected friction](Self::solve_at) alone.
+    pub fn campaign_tasks(&self) -> Vec<BroomstickTask> {
+        let is_point = |operation: &Operation| {
+            let mut own = self.operations.iter();
+            self.depths_m.contains(&operation.bit_depth_m)
+                && own.any(|own| own.kind == operation.kind)
+        };
+        let campaign = self.campaign.iter().flat_map(Campaign::operations);
+        let others: Vec<Operation> = campaign.filter(|one| !is_point(one)).collect();
+        let task =
+            |model: Statics, operation: &Operation| BroomstickTask { model, operation: *operation };
+        let by = |model: &Statics| -> Vec<BroomstickTask> {
+            others.iter().map(|operation| task(*model, operation)).collect()
+        };
+        self.models.iter().flat_map(by).collect()
     }
 }

@@ -91,6 +91,16 @@ class Plan(BaseResults):
         return tuple(self.summary["unchecked"])
 
     @property
+    def counted(self) -> tuple[str, ...]:
+        """The parts of the campaign that fatigue and casing wear count, with their hours."""
+        return tuple(self.summary.get("counted", ()))
+
+    @property
+    def not_counted(self) -> tuple[str, ...]:
+        """The parts of the campaign that fatigue and casing wear do not count, with the reasons."""
+        return tuple(self.summary.get("not_counted", ()))
+
+    @property
     def missing(self) -> int:
         """Points that are not solved: the plan was interrupted."""
         return int(self.summary["missing"])

@@ -1,7 +1,9 @@
 //! Hook load and surface torque against the depth of the bit.
 
 use super::{
-    Plan, PlanCurve, PlanSpot, PlanSurfaceLimit, depth_figure::over_depth, measured, overlay,
+    Plan, PlanCurve, PlanSpot, PlanSurfaceLimit,
+    depth_figure::{line, over_depth},
+    measured, overlay,
 };
 use crate::operation_words::{colour, on_bottom, operation_name, rotates};
 use crate::{
@@ -118,9 +120,10 @@ fn panel(
                 largest = finite.clone().fold(largest, |most, (_, value)| most.max(value.abs()));
                 let label = plan.levels.get(of.level).map_or("", |level| &level.label);
                 ends.extend(finite.next_back().map(|end| (*end, label)));
-                marks.push(match place {
-                    0 => Mark::Curve { ink, stroke: STROKES[of.level % 3], points },
-                    _ => Mark::Points { ink, shape: Shape::of(of.level), points },
+                let shape = Shape::of(of.level);
+                marks.extend(match place {
+                    0 => line(ink, STROKES[of.level % 3], shape, points),
+                    _ => vec![Mark::Points { ink, shape, points }],
                 });
             }
             if place == 0 {

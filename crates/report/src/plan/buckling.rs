@@ -1,9 +1,13 @@
 //! The weight on bit under which the string begins to buckle.
 
-use super::{Plan, broomstick::STROKES, depth_figure::over_depth};
+use super::{
+    Plan,
+    broomstick::STROKES,
+    depth_figure::{line, over_depth},
+};
 use crate::operation_words::operation_name;
 use crate::{
-    figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Stroke},
+    figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::Shown,
 };
 
@@ -43,7 +47,7 @@ fn panel(plan: &Plan, shown: Shown<'_>, operation: &str) -> Panel {
                 (shown.value(*depth_m, "length"), shown.value(weights_N[shape], "force"))
             });
             let (ink, stroke) = (Ink::Line(shape), STROKES[of.level % STROKES.len()]);
-            marks.push(Mark::Curve { ink, stroke, points: points.collect() });
+            marks.extend(line(ink, stroke, Shape::of(shape), points.collect()));
         }
     }
     if let Some(weight_N) = plan.weight_on_bit_N.filter(|weight| *weight > 0.0) {

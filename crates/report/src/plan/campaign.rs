@@ -44,6 +44,21 @@ fn place(shown: Shown<'_>, md_m: f64) -> Cell {
     plain(format!("{:.0}", shown.value(md_m, "length")))
 }
 
+/// The parts of the campaign, counted and not.
+pub(super) fn parts(plan: &Plan) -> Option<StudyPart> {
+    let row = |word: &str, verdict: Verdict, text: &String| {
+        vec![(word.to_owned(), verdict), plain(text.clone())]
+    };
+    let counted = plan.counted.iter().map(|text| row("counted", Verdict::Agrees, text));
+    let not_counted = plan.not_counted.iter().map(|text| row("not counted", Verdict::Near, text));
+    let rows: Vec<_> = not_counted.chain(counted).collect();
+    let caption = "The parts of the campaign of which fatigue and casing wear are summed, with the friction \
+        that is expected, and what they leave out. Above the shallowest depth of the plan and \
+        between depths that are far apart the campaign has depths of its own.";
+    let heads = vec![head("", true), head("part of the campaign", true)];
+    (!rows.is_empty()).then(|| part("Campaign", caption, Grid { heads, rows }, "plan_wear"))
+}
+
 /// Fatigue of each component.
 pub(super) fn fatigue(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let [length, pressure, dogleg] =

@@ -2,9 +2,25 @@
 
 use super::Plan;
 use crate::{
-    figure::{Axis, Figure, Interval, Key, Layout, Panel, Range},
+    figure::{Axis, Figure, Ink, Interval, Key, Layout, Mark, Panel, Range, Shape, Stroke},
     plots::Shown,
 };
+
+/// A line through points, and a mark at each that has no neighbour: a line of one point is not seen.
+pub(super) fn line(ink: Ink, stroke: Stroke, shape: Shape, points: Vec<(f64, f64)>) -> Vec<Mark> {
+    let is_there = |place: usize| points.get(place).is_some_and(|point| point.1.is_finite());
+    let is_lone = |place: &usize| {
+        let has_above = place.checked_sub(1).is_some_and(is_there);
+        is_there(*place) && !has_above && !is_there(place + 1)
+    };
+    let lone: Vec<(f64, f64)> =
+        (0..points.len()).filter(is_lone).map(|place| points[place]).collect();
+    let mut marks = vec![Mark::Curve { ink, stroke, points }];
+    if !lone.is_empty() {
+        marks.push(Mark::Points { ink, shape, points: lone });
+    }
+    marks
+}
 
 /// Panels side by side over depth, with the hole beside them.
 pub(super) fn over_depth(

@@ -52,6 +52,10 @@ pub struct Plan {
     pub first: [Vec<String>; 3],
     /// What could not be checked, and what is missing for it.
     pub unchecked: Vec<String>,
+    /// The parts of the campaign that fatigue and casing wear count.
+    pub counted: Vec<String>,
+    /// The parts of the campaign that they do not count, with the reasons.
+    pub not_counted: Vec<String>,
     /// Fatigue of each component.
     pub fatigue: Vec<PlanFatigueRow>,
     /// Of each casing the stretch that is worn most.

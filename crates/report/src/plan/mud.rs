@@ -1,9 +1,12 @@
 //! Standpipe pressure, equivalent density, surge and swab against the depth of the bit.
 
-use super::{FAR, Plan, PlanMudRow, depth_figure::over_depth};
+use super::{
+    FAR, Plan, PlanMudRow,
+    depth_figure::{line, over_depth},
+};
 use crate::operation_words::operation_name;
 use crate::{
-    figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Stroke},
+    figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::Shown,
 };
 
@@ -23,13 +26,10 @@ pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
         let point = |row: &PlanMudRow| {
             (shown.value(row.bit_depth_m, "length"), shown.value(of(row), dimension))
         };
-        Mark::Curve {
-            ink: Ink::Line(place),
-            stroke: Stroke::of(place),
-            points: mud.rows.iter().map(point).collect(),
-        }
+        let points = mud.rows.iter().map(point).collect();
+        line(Ink::Line(place), Stroke::of(place), Shape::of(place), points)
     };
-    let mut pressure = vec![curve("pressure", 0, &|row| row.standpipe_Pa)];
+    let mut pressure = curve("pressure", 0, &|row| row.standpipe_Pa);
     let largest_Pa = mud.rows.iter().map(|row| row.standpipe_Pa).fold(0.0, f64::max);
     let near = mud.pump_limit_Pa.filter(|limit_Pa| *limit_Pa <= FAR * largest_Pa);
     pressure.extend(near.map(|limit_Pa| Mark::OwnRule {
@@ -46,8 +46,9 @@ pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
         ("Equivalent density at the shoe", |row| row.at_shoe_kg_per_m3, has_shoe),
     ];
     for (title, of, _) in places.into_iter().filter(|(.., is_there)| *is_there) {
-        let mut marks: Vec<Mark> =
-            (0..STATES.len()).map(|place| curve("density", place, &|row| of(row)[place])).collect();
+        let mut marks: Vec<Mark> = (0..STATES.len())
+            .flat_map(|place| curve("density", place, &|row| of(row)[place]))
+            .collect();
         marks.push(Mark::OwnRule {
             at: shown.value(mud.density_kg_per_m3, "density"),
             label: "mud".to_owned(),

@@ -100,6 +100,7 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     parts.extend(limits::factors(plan));
     parts.extend(limits::nearest(plan, shown));
     parts.extend(peaks::table(plan, shown));
+    parts.extend(campaign::parts(plan));
     parts.extend(campaign::fatigue(plan, shown));
     parts.extend(campaign::wear(plan, shown));
     parts.extend(tables::at_depth(plan, shown));

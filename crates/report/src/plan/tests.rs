@@ -136,6 +136,8 @@ fn plan() -> Plan {
         }],
         first: ["si", "metric", "field"].map(|of| vec![format!("trip out: <tension> in {of}.")]),
         unchecked: vec!["no make-up torque of pipe".into()],
+        counted: vec!["drill from 900 m to 2000 m in 55.0 h".into()],
+        not_counted: vec!["trip in: no <speed>".into()],
         fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-7)],
         wear: vec![wear()],
         events: Vec::new(),
@@ -337,6 +339,26 @@ fn lines_end_with_their_friction() {
     // In the reader's units.
     let field = plan_plots(&plan(), "field");
     assert_eq!(field[0].figure.panels[0].axis.label, "Hook load, off bottom, klbf");
+}
+
+/// A plan of one depth has marks where it would have lines.
+#[test]
+fn a_plan_of_one_depth_is_seen() {
+    let whole = plan();
+    let mut plan = plan();
+    for curve in &mut plan.curves {
+        curve.points = curve.points.split_off(2);
+    }
+    let finite = plan.curves.iter().filter(|of| of.points[0].hook_load_N.is_finite()).count();
+    let plots = plan_plots(&plan, "si");
+    let is_seen = |mark: &&Mark| matches!(mark, Mark::Points { points, .. } if points.len() == 1);
+    let panels = plots[0].figure.panels.iter();
+    let seen = panels.flat_map(|panel| panel.marks.iter().filter(is_seen)).count();
+    assert_eq!(seen, finite);
+    assert!(finite > 3);
+    // Beside its neighbours no point needs a mark.
+    let plots = plan_plots(&whole, "si");
+    assert!(!plots[0].figure.panels[1].marks.iter().any(|mark| is_seen(&mark)));
 }
 
 /// Pressure beside the densities at bit and shoe, five states each and the mud at rest; a limit that is

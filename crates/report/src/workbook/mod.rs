@@ -8,17 +8,21 @@ pub use sheet::{Cells, Sheet, SheetColumn};
 
 use rust_xlsxwriter::{Workbook as File, XlsxError};
 
-/// A workbook: a sheet for each table, and one with all charts, first.
+/// A workbook: sheets that a person reads first, one with all charts, and a sheet for each table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Workbook {
     /// What it is called.
     pub title: String,
     /// What stands over the charts, line by line.
     pub about: Vec<String>,
+    /// Sheets before the charts, printed as a whole.
+    pub first: Vec<Sheet>,
     /// Charts, from left to right, two a line.
     pub charts: Vec<WorkbookChart>,
     /// Tables.
     pub sheets: Vec<Sheet>,
+    /// Rows of each of the tables that are printed; all of them where none is given.
+    pub printed_rows: Option<u32>,
 }
 
 /// Why a workbook cannot be made.
@@ -46,13 +50,17 @@ impl Workbook {
     /// More rows than a sheet has, or a text longer than a cell takes.
     pub fn bytes(&self) -> Result<Vec<u8>, WorkbookError> {
         let mut file = File::new();
+        for sheet in &self.first {
+            sheet::write(file.add_worksheet(), sheet, None)?;
+        }
         if !self.charts.is_empty() {
             chart::write(file.add_worksheet(), &self.title, &self.about, &self.charts)?;
         }
         for sheet in &self.sheets {
-            sheet::write(file.add_worksheet(), sheet)?;
+            sheet::write(file.add_worksheet(), sheet, self.printed_rows)?;
         }
-        sheet::write_meanings(file.add_worksheet(), &self.sheets)?;
+        let all = self.first.iter().chain(&self.sheets);
+        sheet::write_meanings(file.add_worksheet(), all)?;
         Ok(file.save_to_buffer()?)
     }
 }

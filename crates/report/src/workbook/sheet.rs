@@ -68,7 +68,15 @@ fn heading() -> Format {
     format.set_border_bottom(FormatBorder::Thin)
 }
 
-pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> {
+/// Width of a column of words, in letters, beyond which they are wrapped.
+const WIDEST: usize = 60;
+
+/// Writes a sheet, of which so many rows are printed; all where none is given.
+pub(super) fn write(
+    on: &mut Worksheet,
+    sheet: &Sheet,
+    printed_rows: Option<u32>,
+) -> Result<(), XlsxError> {
     on.set_name(&sheet.name)?;
     on.set_freeze_panes(FIRST_ROW, 0)?;
     for (place, column) in (0u16..).zip(&sheet.columns) {
@@ -86,9 +94,14 @@ pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> 
                 }
             }
             Cells::Words(words) => {
+                let wrapped = Format::new().set_text_wrap().set_align(FormatAlign::Top);
                 for (row, word) in (FIRST_ROW..).zip(words) {
-                    widest = widest.max(word.chars().count().min(40));
-                    on.write_string(row, place, word)?;
+                    let letters = word.chars().count();
+                    widest = widest.max(letters.min(WIDEST));
+                    match letters > WIDEST {
+                        true => on.write_string_with_format(row, place, word, &wrapped)?,
+                        false => on.write_string(row, place, word)?,
+                    };
                 }
             }
         }
@@ -99,6 +112,14 @@ pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> 
         on.autofilter(0, 0, rows as u32, last as u16)?;
     }
     on.set_landscape().set_print_fit_to_pages(1, 0).set_repeat_rows(0, 0)?;
+    let mut footer = "&L&A&RPage &P of &N".to_owned();
+    if let (Some(printed), Some(last)) = (printed_rows, sheet.columns.len().checked_sub(1))
+        && rows as u32 > printed
+    {
+        on.set_print_area(0, 0, printed, last as u16)?;
+        footer = format!("&L&A: the first {printed} of {rows} rows&RPage &P of &N");
+    }
+    on.set_footer(footer);
     Ok(())
 }
 
@@ -115,7 +136,10 @@ fn digits(value: f64) -> &'static str {
 }
 
 /// What a row of each sheet is, and what each of its columns means.
-pub(super) fn write_meanings(on: &mut Worksheet, sheets: &[Sheet]) -> Result<(), XlsxError> {
+pub(super) fn write_meanings<'a>(
+    on: &mut Worksheet,
+    sheets: impl Iterator<Item = &'a Sheet>,
+) -> Result<(), XlsxError> {
     on.set_name("Columns")?;
     on.set_freeze_panes(FIRST_ROW, 0)?;
     for (place, head) in (0u16..).zip(["sheet", "column", "unit", "meaning"]) {
@@ -129,7 +153,7 @@ pub(super) fn write_meanings(on: &mut Worksheet, sheets: &[Sheet]) -> Result<(),
         [first].into_iter().chain(rows).collect::<Vec<_>>()
     };
     let wrapped = Format::new().set_text_wrap().set_align(FormatAlign::Top);
-    for (row, texts) in (FIRST_ROW..).zip(sheets.iter().flat_map(of_sheet)) {
+    for (row, texts) in (FIRST_ROW..).zip(sheets.flat_map(of_sheet)) {
         for (place, text) in (0u16..).zip(texts) {
             on.write_string_with_format(row, place, text, &wrapped)?;
         }

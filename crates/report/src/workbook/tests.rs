@@ -15,6 +15,8 @@ fn workbook() -> Workbook {
     Workbook {
         title: "A plan".into(),
         about: vec!["Made for a test".into()],
+        first: Vec::new(),
+        printed_rows: None,
         charts: vec![WorkbookChart {
             title: "Hook load".into(),
             across: "Hook load, kN".into(),

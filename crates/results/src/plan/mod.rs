@@ -74,6 +74,12 @@ pub struct PlanSummary {
     pub surface_limits: Vec<PlanSurfaceLimit>,
     /// What could not be checked, and what is missing for it.
     pub unchecked: Vec<String>,
+    /// The parts of the campaign of which fatigue and casing wear are summed, with their hours.
+    #[serde(default)]
+    pub counted: Vec<String>,
+    /// The parts of the campaign that fatigue and casing wear do not count, with the reasons.
+    #[serde(default)]
+    pub not_counted: Vec<String>,
     /// The mud, down the hole; empty where it has no rheology.
     #[serde(default)]
     pub hydraulics: Vec<PlanHydraulics>,

@@ -85,8 +85,10 @@ pub(super) fn one_table(
     let workbook = Workbook {
         title: look.name.clone(),
         about: Vec::new(),
+        first: Vec::new(),
         charts: Vec::new(),
         sheets: vec![sheet],
+        printed_rows: None,
     };
     Ok(Made::File(workbook.bytes().map_err(Error::failed)?))
 }

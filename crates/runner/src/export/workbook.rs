@@ -57,8 +57,10 @@ pub(super) fn of_folder(
     Ok(Workbook {
         title: kind.noun.to_owned(),
         about: vec![format!("Made by {PROGRAM}. Units are those of the headings.")],
+        first: Vec::new(),
         charts: Vec::new(),
         sheets,
+        printed_rows: None,
     })
 }
 

@@ -145,16 +145,16 @@ fn depths_m(request: &BroomstickRequest<'_>) -> Result<Vec<f64>, Error> {
     }
     let hole_m = case.model.well.hole.sections().last().map_or(0.0, |section| section.to_md_m);
     let deepest_m = hole_m.min(case.model.well.path.last_md_m());
-    let shallowest_m = case.setup().shallowest_m();
+    let least_m = case.setup().least_depth_m();
     let mut depths_m = request.bit_depths_m.clone();
-    let is_there = |depth_m: &f64| *depth_m > shallowest_m && *depth_m <= deepest_m;
+    let is_there = |depth_m: &f64| *depth_m > least_m && *depth_m <= deepest_m;
     if let Some(depth_m) = depths_m.iter().find(|depth_m| !is_there(depth_m)) {
         let depth = |md_m: f64| Dimension::Length.format(md_m, case.units);
         return Err(Error::BadInput(format!(
-            "a bit depth of {} is out of range: the string below the pipe that runs to surface is \
-             {} long, and hole and survey end at {}",
+            "a bit depth of {} is out of range: expected more than {}, and no more than {}, where \
+             hole and survey end",
             depth(*depth_m),
-            depth(shallowest_m),
+            depth(least_m),
             depth(deepest_m)
         )));
     }

@@ -15,19 +15,36 @@ const SURELY: f64 = 1e9;
 /// A share of the campaign, by which model and of which operation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Taken {
-    model: String,
-    operation: String,
-    share: Share,
+    pub(super) model: String,
+    pub(super) operation: String,
+    /// Measured depth of the bit, m.
+    pub(super) bit_depth_m: f64,
+    /// The share, or the verdict of a point that has no answer.
+    pub(super) share: Result<Share, String>,
 }
 
-/// The shares of these points.
-pub(super) fn taken(found: &[BroomstickPoint]) -> Vec<Taken> {
-    let of_point = |of: &BroomstickPoint| {
-        let share = of.outcome.as_ref().ok()?.share.clone()?;
-        let (model, operation) = (of.model.name().to_owned(), of.operation.name().to_owned());
-        Some(Taken { model, operation, share })
+/// The shares of these points of a broomstick.
+pub(super) fn taken(broomstick: &Broomstick, found: &[BroomstickPoint]) -> Vec<Taken> {
+    let Some(campaign) = broomstick.campaign() else { return Vec::new() };
+    let is_part = |point: &&BroomstickPoint| {
+        let (kind, bit_depth_m) = (point.operation, point.bit_depth_m);
+        let mut all = campaign.operations();
+        point.friction == FrictionLevel::Expected
+            && all.any(|own| (own.kind, own.bit_depth_m) == (kind, bit_depth_m))
     };
-    found.iter().filter_map(of_point).collect()
+    let one = |point: &BroomstickPoint| {
+        let share = match &point.outcome {
+            Ok(answer) => Ok(answer.share.clone()?),
+            Err(why) => Err(why.words().to_owned()),
+        };
+        Some(Taken {
+            model: point.model.name().to_owned(),
+            operation: point.operation.name().to_owned(),
+            bit_depth_m: point.bit_depth_m,
+            share,
+        })
+    };
+    found.iter().filter(is_part).filter_map(one).collect()
 }
 
 /// What all of it comes to.
@@ -50,7 +67,8 @@ pub(super) fn came(
     let mut came = Came::default();
     let Some(campaign) = of.campaign() else { return came };
     for model in models.iter().map(|model| model.name()) {
-        let mut shares = taken.iter().filter(|of| of.model == model).map(|of| &of.share);
+        let mut shares =
+            taken.iter().filter(|of| of.model == model).filter_map(|of| of.share.as_ref().ok());
         let Some(first) = shares.next() else { continue };
         let mut all = first.clone();
         shares.for_each(|share| all.merge(share));
@@ -62,7 +80,8 @@ pub(super) fn came(
             taken.iter().filter(|of| of.model == first.name() && !is_replaced(&of.operation));
         let mut all = all.clone();
         by_dynamics[1..].iter().for_each(|(_, share)| all.worn.merge(&share.worn));
-        others.for_each(|of| all.worn.merge(&of.share.worn));
+        let others = others.filter_map(|of| of.share.as_ref().ok());
+        others.for_each(|share| all.worn.merge(&share.worn));
         came.add_wear(campaign, ModelKind::Dynamic.name(), &all);
     }
     came

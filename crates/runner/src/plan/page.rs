@@ -106,6 +106,8 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         first: [UnitSet::Si, UnitSet::Metric, UnitSet::Field]
             .map(|units| governing_sentences(summary, units)),
         unchecked: summary.unchecked.clone(),
+        counted: summary.counted.clone(),
+        not_counted: summary.not_counted.clone(),
         fatigue: summary.fatigue.iter().map(fatigue).collect(),
         wear: summary.wear.iter().map(wear).collect(),
         events: peaks::events(summary, peaks_time),

@@ -13,6 +13,7 @@ use wholestring_results::{
 
 use super::{
     campaign::{Taken, came, taken},
+    counted::Counted,
     dynamic::{Parts, Ran, Run, runs},
     files::Tables,
     governing::governing,
@@ -40,6 +41,8 @@ use crate::{
 enum PlanTask {
     /// An operation at a depth, with every friction.
     Points(BroomstickTask),
+    /// An operation of the campaign that is no point of the plan, with the expected friction.
+    Campaign(BroomstickTask),
     /// The weights to buckle at a depth, m.
     Buckling(f64),
     /// A sample of what is uncertain.
@@ -59,6 +62,7 @@ enum Done {
         BTreeSet<Unchecked>,
         Vec<Taken>,
     ),
+    Campaign(Vec<Taken>),
     Buckling(Vec<PlanBuckling>),
     Sample(Sampled),
     Measured(MeasuredDone),
@@ -166,6 +170,8 @@ impl<'a> Work<'a> {
         let read = measured.tasks(request).into_iter().map(PlanTask::Measured);
         let runs = runs(request.case, broomstick).into_iter().map(PlanTask::Dynamic);
         let samples = (0..sampler.map_or(0, |of| of.points.len())).map(PlanTask::Sample);
+        let campaign = broomstick.campaign_tasks().into_iter().map(PlanTask::Campaign);
+        let points = points.chain(campaign);
         let list: Vec<PlanTask> =
             points.chain(depths).chain(read).chain(runs).chain(samples).collect();
         let every = request.checkpoint_every.unwrap_or_else(|| checkpoint_every(request.case));
@@ -195,7 +201,9 @@ impl<'a> Work<'a> {
     pub(super) fn solve_all(&self) -> Result<(), ResultsError> {
         let mut order: Vec<usize> = (0..self.list.len()).collect();
         let weight = |task: &usize| match self.list[*task] {
-            PlanTask::Points(task) | PlanTask::Measured(MeasuredTask { task, .. }) => {
+            PlanTask::Points(task)
+            | PlanTask::Campaign(task)
+            | PlanTask::Measured(MeasuredTask { task, .. }) => {
                 (1 + u8::from(task.model == Statics::Stiff), task.operation.bit_depth_m)
             }
             PlanTask::Buckling(depth_m) => (1, 10.0 * depth_m),
@@ -225,7 +233,10 @@ impl<'a> Work<'a> {
             PlanTask::Points(task) => {
                 let found = of.solve(&task);
                 let (checks, unchecked) = (checks(&found), unchecked(&found));
-                Done::Points(points(&found), checks, unchecked, taken(&found))
+                Done::Points(points(&found), checks, unchecked, taken(of, &found))
+            }
+            PlanTask::Campaign(task) => {
+                Done::Campaign(taken(of, &of.solve_at(&task, &[FrictionLevel::Expected])))
             }
             PlanTask::Buckling(depth_m) => Done::Buckling(buckling(&of.weights_to_buckle(depth_m))),
             PlanTask::Measured(of) => Done::Measured(self.measured.solve(&of)),
@@ -268,6 +279,7 @@ impl<'a> Work<'a> {
                     all_limits.extend(limits);
                     lacking.extend(unchecked);
                 }
+                Done::Campaign(taken) => all_taken.extend(taken),
                 Done::Buckling(of) => weights.extend(of),
                 Done::Sample(of) => sampled.push(Some(of)),
                 Done::Measured(of) => all_measured.push(of),
@@ -275,6 +287,7 @@ impl<'a> Work<'a> {
             }
         }
         let plan = &case.plan;
+        let parts_of_campaign = Counted::of(self.broomstick, &all_taken, case.units);
         let came = came(self.broomstick, &plan.models, &all_taken, parts.whole_wear());
         // Curve by curve: a task has the frictions of one depth.
         let level = |name: &str| FrictionLevel::ALL.iter().position(|of| of.name() == name);
@@ -337,6 +350,8 @@ impl<'a> Work<'a> {
             governing: governing(&relevant),
             surface_limits: surface::limits(self.broomstick, &plan.limits),
             unchecked,
+            counted: parts_of_campaign.counted,
+            not_counted: parts_of_campaign.not_counted,
             hydraulics,
             fatigue: came.fatigue,
             wear: came.worst_wear,

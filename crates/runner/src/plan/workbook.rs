@@ -1,6 +1,4 @@
-//! `plan.xlsx`: every table as a sheet, and the broomsticks as charts.
-
-use std::iter::once;
+//! `plan.xlsx`: inputs, verdict and roadmap, the broomsticks as charts, and every table as a sheet.
 
 use wholestring_report::{Sheet, Workbook};
 use wholestring_results::{PlanSummary, Table, plan_peaks_table};
@@ -9,9 +7,14 @@ use wholestring_units::UnitSet;
 use super::{
     charts::{BROOMSTICK, BUCKLING, HYDRAULICS, MEASURED, OVERLAY, SURFACE, charts},
     files::Tables,
+    inputs_sheet::inputs_sheet,
+    roadmap_sheet::roadmap_sheet,
     verdict_sheet::verdict_sheet,
 };
 use crate::{page::PROGRAM, sheet::sheet};
+
+/// Rows of a table that are printed: a table of every depth or every joint is to be read on the screen.
+const PRINTED_ROWS: u32 = 50;
 
 /// The workbook of a plan in these units.
 pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
@@ -79,12 +82,15 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     });
     let tables = tables.chain(scattered);
     let tables = tables.map(|(name, table, about)| sheet(name, table, about, units));
-    let sheets: Vec<Sheet> = once(verdict_sheet(summary, units)).chain(tables).collect();
+    let sheets: Vec<Sheet> = tables.collect();
+    let first = [inputs_sheet, verdict_sheet, roadmap_sheet].map(|make| make(summary, units));
     let charts = charts(summary, &sheets);
     Workbook {
         title: format!("{}: plan", summary.case),
         about: vec![format!("Made by {PROGRAM}. Units are those of the headings.")],
+        first: first.into(),
         charts,
         sheets,
+        printed_rows: Some(PRINTED_ROWS),
     }
 }

@@ -110,20 +110,19 @@ impl<'a> Request<'a> {
         let units = self.units.unwrap_or(self.case.units);
         let depth = |md_m: f64| Dimension::Length.format(md_m, units);
         let setup = self.case.setup();
-        let shallowest_m = setup.shallowest_m();
+        let least_m = setup.least_depth_m();
         let end_m = self.case.model.well.path.last_md_m();
-        let from_m = self.from_m.unwrap_or(end_m.max(shallowest_m + 1.0));
+        let from_m = self.from_m.unwrap_or(end_m.max(least_m + 1.0));
         let mut settings = ReachSettings::from_depth(from_m);
         settings.to_m = self.to_m.unwrap_or(settings.to_m);
         settings.soft.helix_side_force = self.helix_side_force;
         settings.stop_at_helix = self.stop_at_helix;
         settings.factors = self.case.plan.limits.factors;
-        if from_m <= shallowest_m {
+        if from_m <= least_m {
             return bad(format!(
-                "the reach begins with the bit at {}, but the string below the pipe that runs to \
-                 surface is {} long",
+                "the reach begins with the bit at {}: expected more than {}",
                 depth(from_m),
-                depth(shallowest_m)
+                depth(least_m)
             ));
         }
         if settings.to_m <= from_m {

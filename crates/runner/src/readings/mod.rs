@@ -179,7 +179,7 @@ fn within(
     checks: &mut Vec<ReadingCheck>,
 ) -> Result<f64, String> {
     let depth_m = row.bit_depth_m;
-    let (least, most) = (assembly.setup.shallowest_m(), deepest_m(assembly));
+    let (least, most) = (assembly.setup.assembly_m(), deepest_m(assembly));
     let shown = |depth_m: f64| {
         let unit = Dimension::Length.unit_in(units);
         format!("{:.1} {}", unit.from_si(depth_m), unit.symbol)
@@ -204,7 +204,7 @@ fn within(
     let depth_m = depth_m.min(most);
     if depth_m <= least {
         return Err(format!(
-            "the bit is at {}, but the string of its case is {} long below its topmost component",
+            "the bit is at {}, but the string of its case is {} long below its drill pipe",
             shown(depth_m),
             shown(least)
         ));

@@ -151,7 +151,7 @@ fn depth(case: &Case) -> Option<SetPoint> {
     let now = case.operations.first()?.bit_depth_m;
     let hole_m = case.model.well.hole.sections().last()?.to_md_m;
     let deepest_m = hole_m.min(case.model.well.path.last_md_m());
-    let shallowest_m = case.setup().shallowest_m().ceil().max(1.0);
+    let shallowest_m = case.setup().below_topmost_m().ceil().max(1.0);
     (shallowest_m < deepest_m).then_some(SetPoint {
         key: "bit_depth",
         label: "Bit depth",

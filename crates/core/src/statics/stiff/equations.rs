@@ -4,7 +4,7 @@
 #[cfg(test)]
 mod tests;
 
-use nalgebra::{Matrix3, Vector2, Vector3};
+use nalgebra::{Matrix3, SMatrix, Vector2, Vector3};
 
 use super::{
     blocks::{Block, Entry, Tridiagonal},
@@ -102,8 +102,8 @@ impl Equations {
         let axes = nodes.map(|node| Matrix3::from_columns(&node.axes));
         let entry = |gradient: &Gradient, end: usize| {
             let sign = if end == 0 { -1.0 } else { 1.0 };
-            let force = axes[end].tr_mul(&gradient.chord) * sign;
-            let moment = seen[end].by.tr_mul(&gradient.directors[end]);
+            let force = transposed_product(&axes[end], &gradient.chord) * sign;
+            let moment = transposed_product(&seen[end].by, &gradient.directors[end]);
             Entry::new(force.x, force.y, force.z, moment.x, moment.y)
         };
         let lengthening = [0, 1].map(|end| entry(&of.lengthening, end));
@@ -113,17 +113,17 @@ impl Equations {
         let sign = |end: usize| if end == 0 { -1.0 } else { 1.0 };
         let block = |row: usize, column: usize| {
             let mut block = Block::zeros();
-            let rr = axes[row].tr_mul(&by_chord[column]) * (sign(row) * sign(column));
+            let rr = transposed_product(&axes[row], &by_chord[column]) * (sign(row) * sign(column));
             block.fixed_view_mut::<3, 3>(0, 0).copy_from(&rr);
-            let rd = axes[row].tr_mul(&by_director[column]) * sign(row);
+            let rd = transposed_product(&axes[row], &by_director[column]) * sign(row);
             block.fixed_view_mut::<3, 2>(0, 3).copy_from(&rd);
-            let dr = by_director[row].tr_mul(&axes[column]) * sign(column);
+            let dr = transposed_product(&by_director[row], &axes[column]) * sign(column);
             block.fixed_view_mut::<2, 3>(3, 0).copy_from(&dr);
             let dd = if row == column {
-                seen[row].by.tr_mul(&(of.director[row] * seen[row].by))
+                transposed_product(&seen[row].by, &(of.director[row] * seen[row].by))
                     + seen[row].second(headings[row], of.gradient.directors[row], of.pull_N_m[row])
             } else {
-                seen[0].by.tr_mul(&(of.director_director * seen[1].by))
+                transposed_product(&seen[0].by, &(of.director_director * seen[1].by))
             };
             block.fixed_view_mut::<2, 2>(3, 3).copy_from(&dd);
             block + lengthening[row] * (lengthening[column].transpose() * axial_N_per_m)
@@ -185,7 +185,7 @@ impl Equations {
         let share = torque_N_m / (1.0 + d1.dot(&d2));
         // On a director it is moment × director, the same at both ends.
         let on = d1.cross(&d2) * share;
-        let forces: [Vector2<f64>; 2] = [0, 1].map(|end| seen[end].by.tr_mul(&on));
+        let forces: [Vector2<f64>; 2] = [0, 1].map(|end| transposed_product(&seen[end].by, &on));
         let cross = |d: Vector3<f64>| d.cross_matrix() * share;
         // ∂(d1 × d2) = −[d2×] ∂d1 + [d1×] ∂d2.
         let by = [-cross(d2) * seen[0].by, cross(d1) * seen[1].by];
@@ -194,7 +194,7 @@ impl Equations {
             force[3] += forces[end].x;
             force[4] += forces[end].y;
             for other in [0, 1] {
-                let change = seen[end].by.tr_mul(&by[other]);
+                let change = transposed_product(&seen[end].by, &by[other]);
                 let block = match (end, other) {
                     (0, 1) => &mut self.matrix.upper[index],
                     (1, 0) => &mut self.matrix.lower[index],
@@ -301,6 +301,15 @@ impl Equations {
 fn seen(string: &StringInHole, state: &State, index: usize) -> [Director; 2] {
     let [upper, lower] = [index, index + 1].map(|node| &state.heading[node]);
     [Director::of(upper, string.elements[index].bend.as_ref()), Director::of(lower, None)]
+}
+
+/// `Aᵀ B` of columns of three numbers, without the loops of a matrix of any size.
+fn transposed_product<const R: usize, const C: usize>(
+    a: &SMatrix<f64, 3, R>,
+    b: &SMatrix<f64, 3, C>,
+) -> SMatrix<f64, R, C> {
+    let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    SMatrix::from_fn(|row, column| dot(&a.data.0[row], &b.data.0[column]))
 }
 
 /// A vector's parts along axes.

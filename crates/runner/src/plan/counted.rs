@@ -1,0 +1,104 @@
+//! The parts of a campaign that fatigue and casing wear count, and those that they do not, in
+//! words.
+
+use wholestring::string::StringSpec;
+use wholestring_plan::{Broomstick, CampaignPart, FrictionLevel};
+use wholestring_units::{Dimension, UnitSet};
+
+use super::campaign::Taken;
+
+/// The parts of a campaign in words.
+#[derive(Debug, Default)]
+pub(super) struct Counted {
+    /// Those that are counted, with their hours.
+    pub(super) counted: Vec<String>,
+    /// Those that are not, with the reasons.
+    pub(super) not_counted: Vec<String>,
+}
+
+impl Counted {
+    /// The parts of the campaign of a broomstick, of which so much was solved.
+    pub(super) fn of(broomstick: &Broomstick, taken: &[Taken], units: UnitSet) -> Self {
+        let Some(campaign) = broomstick.campaign() else { return Self::default() };
+        let mut found = Self::default();
+        for part in campaign.parts() {
+            match (part.operation, part.duration_s) {
+                (Some(_), Some(duration_s)) => {
+                    let hours = duration_s / 3600.0;
+                    found.counted.push(format!("{} in {hours:.1} h", named(&part, units)));
+                }
+                (Some(_), None) => {
+                    let text = format!("{}: its speed is zero", named(&part, units));
+                    found.not_counted.push(text);
+                }
+                (None, _) => {
+                    let text = format!("{}: the case has no such operation", named(&part, units));
+                    found.not_counted.push(text);
+                }
+            }
+        }
+        found.not_counted.extend(unsolved(taken, units));
+        let string = &broomstick.setup(FrictionLevel::Expected).string;
+        let settings = campaign.fatigue_settings();
+        if settings.tensile_strength_Pa.is_none() {
+            found.not_counted.extend(without_strength(string));
+        }
+        found
+    }
+}
+
+/// A part of the campaign with the hole that it goes through.
+fn named(part: &CampaignPart, units: UnitSet) -> String {
+    let name = match part.operation {
+        Some(kind) => kind.name().replace('_', " "),
+        None if part.drills => "drilling".to_owned(),
+        None => "an operation".to_owned(),
+    };
+    match part.from_m < part.to_m {
+        true => format!("{name} from {} to {}", depth(part.from_m, units), depth(part.to_m, units)),
+        false => format!("{name} at {}", depth(part.to_m, units)),
+    }
+}
+
+/// Points of the campaign that have no answer, operation by operation.
+fn unsolved(taken: &[Taken], units: UnitSet) -> Vec<String> {
+    let mut found: Vec<(&Taken, &String, [f64; 2], usize)> = Vec::new();
+    for point in taken {
+        let Err(why) = &point.share else { continue };
+        let at_m = point.bit_depth_m;
+        let is_same = |other: &&mut (&Taken, &String, [f64; 2], usize)| {
+            (&other.0.model, &other.0.operation, other.1) == (&point.model, &point.operation, why)
+        };
+        match found.iter_mut().find(is_same) {
+            Some((_, _, ends_m, count)) => {
+                *ends_m = [ends_m[0].min(at_m), ends_m[1].max(at_m)];
+                *count += 1;
+            }
+            None => found.push((point, why, [at_m; 2], 1)),
+        }
+    }
+    let text = |(point, why, [from_m, to_m], count): &(&Taken, &String, [f64; 2], usize)| {
+        let operation = point.operation.replace('_', " ");
+        let [from, to] = [from_m, to_m].map(|at_m| depth(*at_m, units));
+        let bit = match count {
+            1 => format!("with the bit at {from}"),
+            count => format!("with the bit at {count} depths from {from} to {to}"),
+        };
+        format!("{operation} {bit}, {} string: {why}", point.model)
+    };
+    found.iter().map(text).collect()
+}
+
+/// Components whose fatigue is not computed for want of a strength.
+fn without_strength(string: &StringSpec) -> Option<String> {
+    let bit = usize::from(string.components.len() > 1);
+    let lacking = string.components.iter().skip(bit).filter(|one| one.yield_strength_Pa.is_none());
+    let mut names: Vec<&str> = lacking.map(|component| component.name.as_str()).collect();
+    names.dedup();
+    (!names.is_empty()).then(|| format!("fatigue of {}: no yield strength", names.join(", ")))
+}
+
+fn depth(depth_m: f64, units: UnitSet) -> String {
+    let unit = Dimension::Length.unit_in(units);
+    format!("{:.0} {}", unit.from_si(depth_m) + 0.0, unit.symbol)
+}
