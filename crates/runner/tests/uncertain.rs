@@ -90,7 +90,7 @@ fn hook_load_of_a_slant_has_its_bands() {
         }
     }
     let page = fs::read_to_string(place.path().join("report.html")).expect("a page");
-    assert!(page.contains("What the bands are owed to") && page.contains("What is uncertain"));
+    assert!(page.contains("Sensitivity") && page.contains("What is uncertain"));
     let numbers = fs::read_to_string(place.path().join("hook_load.csv")).expect("numbers");
     assert!(numbers.contains("trip_out_p95_hook_load_N"), "{numbers}");
     // What is certain again has no bands.

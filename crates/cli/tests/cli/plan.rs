@@ -265,7 +265,7 @@ fn a_plan_of_uncertain_numbers() {
         assert!(table.rows() > 0 && desk.path(&format!("out/{name}.csv")).is_file(), "{name}");
     }
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
-    for expected in ["What is uncertain", "Bands", "What the bands are owed to", "Sobol indices"] {
+    for expected in ["What is uncertain", "Bands", "Sensitivity", "Sobol indices"] {
         assert!(page.contains(expected), "{expected}");
     }
     for name in ["report.html", "plan.xlsx"] {

@@ -220,7 +220,7 @@ fn a_reach_of_uncertain_numbers() {
     for expected in [
         "What is uncertain",
         "What stops the samples",
-        "What the bands are owed to",
+        "Sensitivity",
         "Sobol indices",
     ] {
         assert!(page.contains(expected), "{expected}");

@@ -28,7 +28,7 @@ struct Quantity<'a> {
     of: fn(&PlanSpot) -> f64,
 }
 
-/// Slack-off to the left, rotating, pick-up to the right; beside it what drills.
+/// Trip in to the left, rotate off bottom, trip out to the right; beside it what drills.
 pub(super) fn hook_load(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
     let quantity = Quantity {
         title: "Hook load",

@@ -18,7 +18,7 @@ const PICTURES: [(&str, &str, &str); 6] = [
     (
         "hook_load",
         "Hook load",
-        "Slack-off to the left, rotating in the middle, pick-up to the right; the friction stands at \
+        "Trip in to the left, rotate off bottom in the middle, trip out to the right; the friction is at \
          the end of each line. Where a line ends early, the string has no answer below. Dotted \
          across: casing shoes. Dashed down: what the hook load may come to, as the limits judge it: \
          the hoist's capacity over its factor less the block, the tensile yield of the topmost pipe \
@@ -45,7 +45,7 @@ const PICTURES: [(&str, &str, &str); 6] = [
          at the deepest casing shoe: circulating, and tripping at the case's speed with mud shut out of \
          the string or streaming through it. The limit of the pump is its own, without a factor.",
     ),
-    ("uncertain", "What the bands are owed to", uncertain::CAPTION),
+    ("uncertain", "Sensitivity", uncertain::CAPTION),
     (
         "peaks",
         "Setting in motion",

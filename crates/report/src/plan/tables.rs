@@ -110,7 +110,7 @@ fn grid(
 ) -> Grid {
     let mut heads = vec![head(format!("bit depth, {}", shown.symbol("length")), false)];
     let mut columns = Vec::new();
-    // Slack-off to the left, pick-up to the right, then what drills.
+    // Trip in to the left, trip out to the right, then what drills.
     let mut operations = plan.operations();
     operations.sort_by_key(|of| (on_bottom(of), order(of)));
     for operation in operations.into_iter().filter(|of| is_shown(of)) {

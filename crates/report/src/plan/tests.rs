@@ -393,7 +393,7 @@ fn the_page_says_everything() {
     for expected in [
         "Hook load",
         "Surface torque, kN·m, soft string",
-        "slack-off 0.1",
+        "trip in 0.1",
         "<td class=\"words level-error\">exceeded</td>",
         "the string &lt;locks&gt; up",
         "plan_broomstick.parquet",

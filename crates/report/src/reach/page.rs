@@ -37,7 +37,7 @@ fn page(reach: &Reach, units: &str) -> StudyPage {
     let mut parts = Vec::new();
     for plot in reach_plots(reach, units) {
         let (title, caption) = match plot.name.as_str() {
-            "uncertain" => ("What the bands are owed to", uncertain::CAPTION),
+            "uncertain" => ("Sensitivity", uncertain::CAPTION),
             _ => ("Margins against depth", MARGINS),
         };
         parts.push(StudyPart::Figure {
