@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Bha(BaseResults):
-    """Static analysis of the bottom-hole assembly: what the bit does to the hole, contacts, bending, sag.
+    """Static analysis of the bottom-hole assembly: side force, contacts, bending, sag.
 
     :meth:`Case.bha` solves it.
 
