@@ -217,12 +217,8 @@ fn a_reach_of_uncertain_numbers() {
     assert!(desk.path("out/reach_uncertain_stops.csv").is_file());
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
     assert!(page.contains("reach_uncertain_stops"));
-    for expected in [
-        "What is uncertain",
-        "What stops the samples",
-        "Sensitivity",
-        "Sobol indices",
-    ] {
+    for expected in ["What is uncertain", "What stops the samples", "Sensitivity", "Sobol indices"]
+    {
         assert!(page.contains(expected), "{expected}");
     }
 }
