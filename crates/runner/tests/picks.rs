@@ -133,8 +133,9 @@ fn a_page_of_picked_weights() {
     std::fs::write(folder.join("picks.html"), &html).unwrap();
     let log = picked_log(&picks, UnitSet::Si);
     assert!(!html.contains("<b>rig"), "the name is text");
-    // A log, a picture against depth and one for each stand drawn, in three sets of units.
-    assert_eq!(html.matches("<svg class=\"figure\"").count(), 3 * (2 + log.stands.len()));
+    // A log, a picture against depth and one for each stand drawn, in three sets of units, for a
+    // wide page and for a narrow one.
+    assert_eq!(html.matches("<svg class=\"figure\"").count(), 2 * 3 * (2 + log.stands.len()));
     assert!(!html.contains("href=\".svg\""), "no link to what is not there");
     // 8000 rows; a page of ten million is as large.
     assert!(html.len() < 6_000_000, "{}", html.len());

@@ -108,8 +108,8 @@ fn every_cell_is_that_of_a_table() {
     let last = roadmap.rows().next_back().expect("a row");
     let deepest_m = summary.bit_depths_m.last().copied();
     for (operation, level, heading, unit) in [
-        ("trip_out", "high", "pick-up hook load high, klbf", UNITS[2].1),
-        ("drill", "low", "drilling torque low, ft·lbf", UNITS[3].1),
+        ("trip_out", "high", "trip out hook load high, klbf", UNITS[2].1),
+        ("drill", "low", "drill torque low, ft·lbf", UNITS[3].1),
     ] {
         let mut curve = summary.curve("soft", operation, level);
         let scalars = curve.find(|point| Some(point.bit_depth_m) == deepest_m).expect("a point");

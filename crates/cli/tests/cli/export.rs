@@ -15,7 +15,7 @@ fn a_run_as_csv_excel_and_witsml() {
     let head = lines.next().unwrap();
     assert!(head.starts_with("model,operation,bit depth (m),"), "{head}");
     assert!(head.contains("hook load (kN)"), "{head}");
-    assert!(lines.next().unwrap().starts_with("soft,pick-up,600,"), "{csv}");
+    assert!(lines.next().unwrap().starts_with("soft,trip out,600,"), "{csv}");
     assert!(desk.path("out/export/nodes.csv").is_file());
 
     desk.done(&args("export out --to xlsx -o out.xlsx --units field"));
@@ -24,7 +24,7 @@ fn a_run_as_csv_excel_and_witsml() {
     let done = desk.done(&args("export out --to witsml --units field"));
     assert!(text(&done.stderr).contains("each log has one row"), "{}", transcript(&done));
     let xml = desk.text("out/results.xml");
-    assert!(xml.contains("<name>pick-up, soft string</name>"), "{xml}");
+    assert!(xml.contains("<name>trip out, soft string</name>"), "{xml}");
     let hook_load = desk.summary("out").operations[0].scalars.hook_load_N / 4_448.221_615_260_5;
     let row = xml.split("<data>").nth(1).unwrap().split("</data>").next().unwrap();
     let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();

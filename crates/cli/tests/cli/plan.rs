@@ -172,12 +172,12 @@ fn the_governing_limit_of_each_operation_is_given() {
             assert!(least_of_all < least, "{first:?}");
         }
     }
-    let drilling = "drilling, high friction, bit at ";
+    let drilling = "drill, high friction, bit at ";
     assert!(said.contains(drilling), "{said}");
     assert!(desk.text("out/report.html").contains(drilling));
     let pick_up = summary.governing.iter().find(|of| of.operation == "trip_out").unwrap();
     let place = format!("of {} at ", pick_up.check.component.as_deref().unwrap());
-    let sentence = said.lines().find(|line| line.trim_start().starts_with("pick-up, ")).unwrap();
+    let sentence = said.lines().find(|line| line.trim_start().starts_with("trip out, ")).unwrap();
     assert!(sentence.contains(&place), "{sentence}");
 }
 
@@ -250,7 +250,7 @@ fn a_plan_of_uncertain_numbers() {
     let output = desk.done(&few(&[&more[..], &["-o", "out"]].concat()));
     let said = String::from_utf8(output.stdout).unwrap();
     assert!(said.contains("Bands: 5 to 95 % of 40 samples of 2 uncertain numbers, soft"), "{said}");
-    assert!(said.contains("pick-up: hook load ") && said.contains("% to friction"), "{said}");
+    assert!(said.contains("trip out: hook load ") && said.contains("% due to friction"), "{said}");
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let found = summary.uncertain.expect("bands");
     assert_eq!((found.samples, found.solved, found.lacking), (40, 40, 0));

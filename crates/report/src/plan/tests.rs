@@ -372,7 +372,7 @@ fn the_mud_beside_it() {
     assert_eq!(
         labels,
         [
-            "Standpipe pressure, drilling, psi",
+            "Standpipe pressure, drill, psi",
             "Equivalent density at the bit, ppg",
             "Equivalent density at the shoe, ppg"
         ]

@@ -82,8 +82,8 @@ fn sentence(of: &UncertainSummary, band: &UncertainBand, units: UnitSet) -> Stri
         shares.sort_by(|a, b| b.1.total_cmp(&a.1));
         let named = shares.iter().filter(|(_, share)| *share >= NAMED);
         let named: Vec<String> =
-            named.map(|(key, share)| format!("{:.0} % to {key}", 100.0 * share)).collect();
-        text += &format!("; owed {}", named.join(", "));
+            named.map(|(key, share)| format!("{:.0} % due to {key}", 100.0 * share)).collect();
+        text += &format!("; {}", named.join(", "));
         if owed.predicts < PREDICTS && owed.first.iter().all(Option::is_some) {
             text += &format!(
                 " (little sure: the fit predicts {:.0} %)",
