@@ -1,7 +1,6 @@
 """What several tests need."""
 
 import signal
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -11,11 +10,13 @@ CASES = Path(__file__).parents[3] / "cases"
 
 
 @pytest.fixture(autouse=True)
-def _interrupts() -> Iterator[None]:
-    """dask_jobqueue takes over the interrupt when it is imported; the next test wants its own."""
-    handler = signal.getsignal(signal.SIGINT)
-    yield
-    signal.signal(signal.SIGINT, handler)
+def _interrupts() -> None:
+    """Interrupts go to Python, whoever has taken them over.
+
+    A shell has what it runs in the background ignore them, and dask_jobqueue takes them when it is
+    imported.
+    """
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
