@@ -233,7 +233,7 @@ BAD: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("plan", {"checkpoint": "3 m"}, ValueError, "`checkpoint`: .*a time was expected"),
     ("plan", {"resume": True}, ValueError, "resume needs the folder"),
     ("plan", {"resume": True, "overwrite": True}, ValueError, "exclude each other"),
-    ("reach", {"from_": "100 m"}, ws.InputError, "148 m long"),
+    ("reach", {"from_": "0.1 m"}, ws.InputError, "expected more than 0.3 m"),
     ("reach", {"from_": 1e9}, ws.InputError, "below its beginning|most"),
     ("reach", {"from_": float("nan")}, ValueError, "`from_` was given nan: expected a finite"),
     ("reach", {"friction": 3.0}, ws.InputError, "friction factor of 3 is outside 0 to 2"),

@@ -91,7 +91,7 @@ def test_it_is_read_in_light_and_dark_notebooks(slant: ws.Case) -> None:
 
 def test_a_case_and_a_simulation_show_what_they_are(slant: ws.Case, short: ws.Case) -> None:
     tags = Tags(slant._repr_html_())
-    operations = "pick-up, slack-off, rotating off bottom, drilling, sliding"
+    operations = "trip out, trip in, rotate off bottom, drill, slide"
     for text in ("Slant well", "1200 m", "soft, dynamic", operations):
         assert text in tags.text, text
     assert "klbf" not in " ".join(tags.text)
@@ -99,7 +99,7 @@ def test_a_case_and_a_simulation_show_what_they_are(slant: ws.Case, short: ws.Ca
         light = slant.with_(mud__density=1.2)
     assert "Warning" in Tags(light._repr_html_()).text
     sim = short.with_(units="field").simulation()
-    assert "Simulation: drilling" in Tags(sim._repr_html_()).text
+    assert "Simulation: drill" in Tags(sim._repr_html_()).text
     sim.advance(0.1)
     shown = Tags(sim._repr_html_()).text
     assert "0.1 s" in shown

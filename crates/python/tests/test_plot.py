@@ -318,7 +318,7 @@ def test_a_reach_shows_what_is_left() -> None:
         "margin": [0.5, -0.5, 0.9, 0.8],
     }
     (ax,) = plot.reach(rows)
-    assert ax.get_ylabel() == "Drilling: margin, %"
+    assert ax.get_ylabel() == "Drill: margin, %"
     assert ax.get_xlim() == (2000.0, 4000.0)
     assert texts(ax) == {"top drive", "helix"}
     met = [of for of in ax.get_lines() if len(of.get_xdata()) == 1]

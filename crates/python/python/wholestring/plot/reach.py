@@ -65,7 +65,7 @@ def reach(
     ... }
     >>> (sliding,) = ws.plot.reach(rows)
     >>> sliding.get_ylabel()
-    'Sliding: margin, %'
+    'Slide: margin, %'
     """
     what = "a picture of reach"
     shown = Shown(units, results)
