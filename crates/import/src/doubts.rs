@@ -1,4 +1,5 @@
-//! Positions of a file that are not those of its path, and turns that are hardly the hole's, as notes.
+//! Positions of a file that are not those of its path, and turns that are hardly the hole's, as
+//! notes.
 
 use wholestring::well::{Path, Station, USUAL_DOGLEG_RAD_PER_M};
 use wholestring_tabular::{StatedPosition, position_checks, station_doubts};
@@ -9,8 +10,8 @@ use crate::fragment::Note;
 /// Notes on more turns than this are only counted.
 const NOTED: usize = 5;
 
-/// Notes on the positions that a file states against those of its path by minimum curvature; `place`
-/// says where in its file a station is.
+/// Notes on the positions that a file states against those of its path by minimum curvature;
+/// `place` says where in its file a station is.
 pub(crate) fn positions(
     stations: &[Station],
     stated: &[StatedPosition],

@@ -97,8 +97,8 @@ fn an_implausible_set() {
     assert!(found.text.contains("yield_strength = \"930.8 MPa\""), "{}", found.text);
 }
 
-/// Positions that stations state are compared with those of the path, and turns that no pipe endures
-/// are named with the station's line.
+/// Positions that stations state are compared with those of the path, and turns that no pipe
+/// endures are named with the station's line.
 #[test]
 fn stations_are_checked_against_their_own_positions_and_by_what_pipe_endures() {
     let notes = |text: &str| -> Vec<String> {

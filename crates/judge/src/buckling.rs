@@ -61,9 +61,9 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The buckled stretches, those of the helix first; of a shape in which nothing is buckled the place
-/// with the least reserve. A bow in a vertical hole is not reported where the same stretch is a
-/// helix.
+/// The buckled stretches, those of the helix first; of a shape in which nothing is buckled the
+/// place with the least reserve. A bow in a vertical hole is not reported where the same stretch is
+/// a helix.
 pub fn checks(line: &Line<'_>, settings: &LimitSettings) -> Vec<Check> {
     let of_kind = |kind, over: &[f64]| -> Vec<Check> {
         let intervals = beyond_one(&line.profile.md_m, over);

@@ -107,7 +107,8 @@ pub struct Check {
     pub to_md_m: Option<f64>,
     /// The value, of a limit the load, in [`Self::unit`]; none where it is no number.
     pub value: Option<f64>,
-    /// What the value is compared with, of a limit the capacity; none where there is no such number.
+    /// What the value is compared with, of a limit the capacity; none where there is no such
+    /// number.
     pub limit: Option<f64>,
     /// Capacity over load; none of a kind that is no limit.
     pub factor: Option<f64>,
@@ -122,7 +123,8 @@ pub struct Check {
     pub stress: Option<SurfaceStress>,
 }
 
-/// A check as a file holds it; of earlier versions a finding (`level`, `message`) or a limit (`load`,
+/// A check as a file holds it; of earlier versions a finding (`level`, `message`) or a limit
+/// (`load`,
 /// `capacity`, `standing`).
 #[derive(Deserialize)]
 struct Stored {

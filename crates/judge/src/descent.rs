@@ -94,8 +94,8 @@ impl Descent {
         })
     }
 
-    /// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, or
-    /// the rig pushes with all it has, and the string stops or does not press on the bit.
+    /// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack,
+    /// or the rig pushes with all it has, and the string stops or does not press on the bit.
     pub fn in_time(model: &Model, operation: &Operation, window: &Window<'_>) -> Option<Self> {
         if !operation.slides_down() {
             return None;

@@ -53,8 +53,8 @@ pub struct Reached<'a> {
 }
 
 impl Judge {
-    /// The judge with these limits and units, of a soft string that leaves the friction of its helix
-    /// out.
+    /// The judge with these limits and units, of a soft string that leaves the friction of its
+    /// helix out.
     pub fn new(limits: LimitSettings, units: UnitSet) -> Self {
         Self { limits, units, soft_has_helix_friction: false }
     }
@@ -98,7 +98,8 @@ impl Judge {
         let goes_down = descent::goes_down(model, operation, hook_load_N, descent.as_ref());
         let slack = || descent::goes_slack(model, &window);
         checks.checks.extend(goes_down.filter(|check| !check.is_ok()).or_else(slack));
-        // How near a string in motion is to it, nobody knows: what its hook load leaves is friction.
+        // How near a string in motion is to it, nobody knows: what its hook load leaves is
+        // friction.
         let locked = descent.as_ref().filter(|descent| descent.locks_up);
         let words = self.words(model, solution);
         checks.checks.extend(self.lock_up(model, operation, locked, &words));
@@ -110,8 +111,8 @@ impl Judge {
         self.said(checks, model, solution)
     }
 
-    /// The checks of a bottom-hole assembly in static equilibrium: its largest von Mises stress, and
-    /// whether the equilibrium is stable.
+    /// The checks of a bottom-hole assembly in static equilibrium: its largest von Mises stress,
+    /// and whether the equilibrium is stable.
     pub fn assembly(&self, model: &Model, operation: &Operation, assembly: &Assembly) -> Checks {
         let kind = CheckKind::VonMises;
         let Largest { value, from_bit_m } = assembly.largest_von_mises_Pa;
@@ -139,9 +140,9 @@ impl Judge {
         with_sentences(Checks { checks, unchecked: Vec::new() }, &words)
     }
 
-    /// The check of how far an operation goes: to a depth of the bit, m, where a limit stops it, or to
-    /// the last depth that was tried, `to_m`. An operation that is stopped at the first depth already
-    /// is an error.
+    /// The check of how far an operation goes: to a depth of the bit, m, where a limit stops it, or
+    /// to the last depth that was tried, `to_m`. An operation that is stopped at the first depth
+    /// already is an error.
     pub fn reach(&self, reach: &Reached<'_>) -> Check {
         let Reached { operation, stopped, to_m, from_m } = *reach;
         let severity = match stopped {

@@ -96,61 +96,62 @@ macro_rules! kinds {
 
 kinds! {
     limits {
-        /// Effective tension against the tensile yield of body or connection, whichever is less. Default
-        /// 1/0.9: API RP 7G's customary 90 % of the yield.
+        /// Effective tension against the tensile yield of body or connection, whichever is less.
+        /// Default 1/0.9: API RP 7G's customary 90 % of the yield.
         Tension = tension, "Tension": Force, Stops, 1.0 / 0.9;
-        /// Torque against the torsional yield of body or connection, whichever is less. Default 1.25: 80 % of
-        /// the yield, as commonly planned.
+        /// Torque against the torsional yield of body or connection, whichever is less. Default
+        /// 1.25: 80 % of the yield, as commonly planned.
         Torsion = torsion, "Torsion": Torque, Stops, 1.25;
-        /// Torque against the torsional yield of the body under its tension (API RP 7G). Default 1/0.9, as
-        /// tension.
+        /// Torque against the torsional yield of the body under its tension (API RP 7G). Default
+        /// 1/0.9, as tension.
         TensionAndTorsion = tension_and_torsion, "Tension and torsion": Torque, Stops, 1.0 / 0.9;
-        /// Von Mises stress of the body, bending at and between tool joints included, against its minimum
-        /// yield strength. Default 1.25, common for drill pipe.
+        /// Von Mises stress of the body, bending at and between tool joints included, against its
+        /// minimum yield strength. Default 1.25, common for drill pipe.
         VonMises = von_mises, "Von Mises stress": Pressure, Stops, 1.25;
-        /// Pressure inside over that outside against the burst of the body. Default 1.1, as commonly
-        /// planned.
+        /// Pressure inside over that outside against the burst of the body. Default 1.1, as
+        /// commonly planned.
         Burst = burst, "Burst": Pressure, Stops, 1.1;
-        /// Pressure outside over that inside against the collapse of the body under its tension. Default
-        /// 1.1, as commonly planned.
+        /// Pressure outside over that inside against the collapse of the body under its tension.
+        /// Default 1.1, as commonly planned.
         Collapse = collapse, "Collapse": Pressure, Stops, 1.1;
-        /// Torque against the make-up torque of the connections: beyond it they make up further down the
-        /// hole. Default 1.
+        /// Torque against the make-up torque of the connections: beyond it they make up further
+        /// down the hole. Default 1.
         MakeUp = make_up, "Make-up torque": Torque, Stops, 1.0;
         /// Side force of the wall on one joint of pipe against the limit of the case. Default 1.
         SideForce = side_force, "Side force per joint": Force, Continues, 1.0;
         /// Hook load and block against the capacity of the hoist. Default 1/0.9: 90 % of it.
         Hoist = hoist, "Hoist": Force, Stops, 1.0 / 0.9;
-        /// Surface torque against the rated (continuous) torque of the top drive. Default 1: the rating is a
-        /// limit of use.
+        /// Surface torque against the rated (continuous) torque of the top drive. Default 1: the
+        /// rating is a limit of use.
         TopDrive = top_drive, "Top drive, continuous": Torque, Stops, 1.0;
         /// Surface torque against the largest torque of the top drive. Default 1.
         TopDrivePeak = top_drive_peak, "Top drive, peak": Torque, Stops, 1.0;
-        /// Torque that starts the string turning, by the static friction of the case, against the peak torque
-        /// of the top drive, or its rated torque where no peak is given. Default 1.
+        /// Torque that starts the string turning, by the static friction of the case, against the
+        /// peak torque of the top drive, or its rated torque where no peak is given. Default 1.
         Breakaway = breakaway, "Breakaway torque": Torque, Stops, 1.0;
-        /// Pump pressure against the limit of pumps and standpipe. Default 1/0.9: relief valves are commonly
-        /// set there.
+        /// Pump pressure against the limit of pumps and standpipe. Default 1/0.9: relief valves are
+        /// commonly set there.
         PumpPressure = pump_pressure, "Pump pressure": Pressure, Stops, 1.0 / 0.9;
         /// Compression against the critical load of sinusoidal buckling. Default 1.
         SinusoidalBuckling = sinusoidal_buckling, "Sinusoidal buckling": Force, Continues, 1.0;
         /// Compression against the critical load of helical buckling. Default 1.
         HelicalBuckling = helical_buckling, "Helical buckling": Force, Continues, 1.0;
-        /// Of a string that slides down: friction and the requested weight on bit, against what drives it
-        /// down, its own weight, the block and a rig that pushes. Default 1.
+        /// Of a string that slides down: friction and the requested weight on bit, against what
+        /// drives it down, its own weight, the block and a rig that pushes. Default 1.
         LockUp = lock_up, "Lock-up": Force, Stops, 1.0;
-        /// Requested overpull against what the string and the hoist have left of what they are allowed.
-        /// Default 1.
+        /// Requested overpull against what the string and the hoist have left of what they are
+        /// allowed. Default 1.
         Overpull = overpull, "Overpull margin": Force, Continues, 1.0;
     }
     findings {
-        /// Whether the string goes down by its weight: hook load without the block, against zero or the force
-        /// of a rig that pushes.
+        /// Whether the string goes down by its weight: hook load without the block, against zero or
+        /// the force of a rig that pushes.
         GoesDown = goes_down, "Goes down by its weight": Force;
-        /// Requested weight on bit that the string does not have even without friction, block and rig
-        /// pushing, against the weight that is available.
+        /// Requested weight on bit that the string does not have even without friction, block and
+        /// rig pushing, against the weight that is available.
         WeightNotAvailable = weight_not_available, "Weight on bit not available": Force;
-        /// No static equilibrium, or none that was found: the largest force out of balance, where it is known.
+        /// No static equilibrium, or none that was found: the largest force out of balance, where
+        /// it is known.
         NoEquilibrium = no_equilibrium, "No static equilibrium": Force;
         /// Mean weight on bit below its set point.
         WeightOnBitNotReached = weight_on_bit_not_reached, "Weight on bit not reached": Force;
@@ -164,15 +165,15 @@ kinds! {
         TopDriveAtLimit = top_drive_at_limit, "Top drive at its limit": Torque;
         /// The top drive works at its torque limit and does not turn.
         TopDriveStalled = top_drive_stalled, "Top drive stalled": Torque;
-        /// Severity of stick-slip, `(max − min)/(2 mean)` of the bit's rotary speed; no value where the
-        /// bit hardly turns.
+        /// Severity of stick-slip, `(max − min)/(2 mean)` of the bit's rotary speed; no value where
+        /// the bit hardly turns.
         StickSlip = stick_slip, "Stick-slip": Ratio;
         /// Fastest whirl against the rotation, against the rotary speed.
         BackwardWhirl = backward_whirl, "Backward whirl": RotarySpeed;
         /// Fastest whirl with the rotation, against the rotary speed.
         ForwardWhirl = forward_whirl, "Forward whirl": RotarySpeed;
-        /// Deepest penetration of the wall, against the part of the string's clearance for which the law
-        /// of the wall is valid.
+        /// Deepest penetration of the wall, against the part of the string's clearance for which
+        /// the law of the wall is valid.
         WallPenetration = wall_penetration, "Wall penetration": Length;
         /// Energy that the integration gained or lost.
         EnergyResidual = energy_residual, "Energy residual": Ratio;
@@ -180,18 +181,18 @@ kinds! {
         BitTableLeft = bit_table_left, "Bit outside its table": Ratio;
         /// Standard deviation of the tension of a node, against that of its neighbours.
         NodeUnsettled = node_unsettled, "Node not settled": Force;
-        /// Compression of an element beyond its own buckling load: it gives way between its nodes, where no
-        /// wall holds it.
+        /// Compression of an element beyond its own buckling load: it gives way between its nodes,
+        /// where no wall holds it.
         ElementBuckles = element_buckles, "Element buckles between its nodes": Force;
-        /// Standard deviation of the friction torque of a string that the bit shakes, where elements
-        /// from joint to joint leave out how the pipe vibrates between its contacts.
+        /// Standard deviation of the friction torque of a string that the bit shakes, where
+        /// elements from joint to joint leave out how the pipe vibrates between its contacts.
         BendingWavesLeftOut = bending_waves_left_out, "Bending waves left out": Torque;
         /// Sum of lateral forces on components that the soft string leaves out.
         LateralForceLeftOut = lateral_force_left_out, "Lateral force left out": Force;
         /// An equilibrium that a small disturbance would leave.
         UnstableEquilibrium = unstable_equilibrium, "Unstable equilibrium": Ratio;
-        /// A number of the hydraulics that no mud makes, such as the pressure of a sliver of bore; a value
-        /// where it is a pressure.
+        /// A number of the hydraulics that no mud makes, such as the pressure of a sliver of bore;
+        /// a value where it is a pressure.
         ImplausibleHydraulics = implausible_hydraulics, "Implausible hydraulics": Pressure;
         /// Means of the window drift: they depend on when it began.
         WindowDrifts = window_drifts, "Window drifts": Ratio;

@@ -28,9 +28,9 @@ impl SurfaceLoad {
     }
 }
 
-/// The loads of an operation. Of dynamics they are the 95th percentile of tension and torque and the
-/// largest moment, stress, hook load and surface torque of any sample; of a string at rest there is one
-/// value.
+/// The loads of an operation. Of dynamics they are the 95th percentile of tension and torque and
+/// the largest moment, stress, hook load and surface torque of any sample; of a string at rest
+/// there is one value.
 pub struct Loads<'a> {
     pub profile: &'a Profile,
     /// Hook load, N, block excluded.
@@ -41,7 +41,8 @@ pub struct Loads<'a> {
     pub pump_pressure_Pa: Option<SurfaceLoad>,
     /// Pressures and forces of the mud; none without a rheology.
     pub hydraulics: Option<Hydraulics>,
-    /// Components at each row, from the bit: the one above first, the one below where two meet there.
+    /// Components at each row, from the bit: the one above first, the one below where two meet
+    /// there.
     components: Vec<(usize, Option<usize>)>,
     soft: bool,
 }
@@ -142,8 +143,8 @@ impl<'a> Loads<'a> {
         self.components[row].0
     }
 
-    /// Whether a row's bending moment is that of this component: a soft string bends each as the hole does,
-    /// so that where two meet the moment is that of the one above.
+    /// Whether a row's bending moment is that of this component: a soft string bends each as the
+    /// hole does, so that where two meet the moment is that of the one above.
     pub fn bends(&self, row: usize, component: usize) -> bool {
         !self.soft || self.components[row].0 == component
     }

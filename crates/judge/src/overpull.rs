@@ -7,9 +7,9 @@ use crate::{
     strengths::Strengths,
 };
 
-/// Adds the margins of a string that hangs or is pulled off bottom: of each component where it has least,
-/// its tensile yield over the required factor less its tension; of the hoist likewise, less the hook load
-/// and the block.
+/// Adds the margins of a string that hangs or is pulled off bottom: of each component where it has
+/// least, its tensile yield over the required factor less its tension; of the hoist likewise, less
+/// the hook load and the block.
 pub fn limits(
     model: &Model,
     operation: &Operation,

@@ -68,7 +68,8 @@ impl NoAnswer {
         }
     }
 
-    /// The check without its sentence. A string that locks up has a factor of zero: no push moves it.
+    /// The check without its sentence. A string that locks up has a factor of zero: no push moves
+    /// it.
     pub(crate) fn check(&self, settings: &LimitSettings) -> Check {
         let no_equilibrium = Check::reported(CheckKind::NoEquilibrium, Severity::Error);
         match self {

@@ -16,8 +16,7 @@ const LEAST_PIPE_M: f64 = 1.0;
 /// Pipe above the hole's depth with which a string is looked at as a whole, m.
 const LONG_PIPE_M: f64 = 100.0;
 
-/// A well, a string whose topmost component is as long as the bit's depth asks for, a mud and a
-/// rig.
+/// A well, a string that is cut at the surface at any depth of the bit, a mud and a rig.
 #[derive(Debug, Clone)]
 pub struct Setup {
     /// Path of the hole and its sections, down to the deepest bit.

@@ -346,8 +346,8 @@ fn a_tapered_string_is_cut_at_the_surface() {
     }
 }
 
-/// Stiff points are the stiff string's own, of a bit within the assembly too; a string that cannot be
-/// assembled or solved is a row with a reason.
+/// Stiff points are the stiff string's own, of a bit within the assembly too; a string that cannot
+/// be assembled or solved is a row with a reason.
 #[test]
 fn a_point_without_an_answer_says_why() {
     let stations = [[0.0, 0.0, 0.0], [300.0, 0.0, 0.0], [600.0, 20.0, 0.0], [800.0, 20.0, 0.0]];

@@ -98,8 +98,8 @@ fn shares_add_up_to_the_campaign() {
         .filter_map(|(of, answer)| Some((of.friction, answer.share.clone()?)))
         .collect();
     assert!(shares.iter().all(|(friction, _)| *friction == FrictionLevel::Expected));
-    // From where the assembly is in the hole the campaign has depths of its own, a twentieth of the way
-    // apart at most.
+    // From where the assembly is in the hole the campaign has depths of its own, a twentieth of the
+    // way apart at most.
     let trips = own.iter().filter(|task| task.operation.kind == OperationKind::TripIn);
     let mut depths_m: Vec<f64> = trips.map(|task| task.operation.bit_depth_m).collect();
     depths_m.extend(DEPTHS_M);
@@ -235,8 +235,8 @@ fn volume_m3(share: &Share) -> f64 {
 }
 
 /// The hole above the shallowest depth of a plan is drilled and tripped through too: a plan of one
-/// depth wears and tires what a plan of forty does, to 2 % of the volume and 5 % of the sum of damage;
-/// the deepest groove, which is of one place, to 10 %.
+/// depth wears and tires what a plan of forty does, to 2 % of the volume and 5 % of the sum of
+/// damage; the deepest groove, which is of one place, to 10 %.
 #[test]
 fn the_hole_above_the_shallowest_depth_counts() {
     let settings = CampaignSettings {
@@ -259,7 +259,8 @@ fn the_hole_above_the_shallowest_depth_counts() {
     }
 }
 
-/// A campaign counts an operation that its plan does not list, with the set points that it is given.
+/// A campaign counts an operation that its plan does not list, with the set points that it is
+/// given.
 #[test]
 fn an_operation_that_the_plan_does_not_list_counts() {
     let settings = |operations: Vec<Operation>| CampaignSettings {

@@ -1,5 +1,5 @@
-//! One state has one verdict: a run, a plan, the app's limits and a reach judge 200 random strings alike,
-//! word for word.
+//! One state has one verdict: a run, a plan, the app's limits and a reach judge 200 random strings
+//! alike, word for word.
 
 use wholestring::{
     prelude::*,

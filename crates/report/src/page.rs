@@ -213,8 +213,8 @@ struct BhaData<'a> {
     sweeps: Vec<[&'a str; 2]>,
 }
 
-/// The page of a static BHA analysis as the text of an HTML file: its figures in every set of units,
-/// and the tables.
+/// The page of a static BHA analysis as the text of an HTML file: its figures in every set of
+/// units, and the tables.
 ///
 /// No name in it can end the element that it stands in, whatever it holds.
 pub fn bha_html(bha: &Bha) -> String {

@@ -136,8 +136,8 @@ fn a_run_takes_less_than_50_MB() {
     assert!(peak_MB > 1.0 && peak_MB < 50.0, "{text}");
 }
 
-/// A run of 81 000 samples takes little more memory than one of 21 000: its series is on the disk. In
-/// memory the 60 000 samples between them would take 70 MB.
+/// A run of 81 000 samples takes little more memory than one of 21 000: its series is on the disk.
+/// In memory the 60 000 samples between them would take 70 MB.
 #[test]
 #[cfg(target_os = "linux")]
 fn memory_does_not_grow_with_the_simulated_time() {

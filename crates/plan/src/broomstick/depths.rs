@@ -6,8 +6,8 @@ use crate::Setup;
 const SAME_M: f64 = 1.0;
 
 /// So many depths of the bit, m, evenly from one to another, and the lower ends of hole sections
-/// between them. Without the first they begin where drill pipe does: with the bottom-hole assembly in
-/// the hole and little more.
+/// between them. Without the first they begin where drill pipe does: with the bottom-hole assembly
+/// in the hole and little more.
 pub fn bit_depths_m(setup: &Setup, from_m: Option<f64>, to_m: f64, count: usize) -> Vec<f64> {
     let from_m = from_m.unwrap_or_else(|| setup.shallowest_m()).min(to_m);
     let steps = count.max(2) - 1;

@@ -10,8 +10,8 @@ pub use figures::bha_plots;
 
 use crate::{PageHead, PageTable};
 
-/// A static BHA analysis as its page shows it. Numbers are SI; nodes stand from the bit up; each pair
-/// is the part towards the high side and that to the right of it as one looks down the hole.
+/// A static BHA analysis as its page shows it. Numbers are SI; nodes stand from the bit up; each
+/// pair is the part towards the high side and that to the right of it as one looks down the hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bha {
     /// Under the name of the case.

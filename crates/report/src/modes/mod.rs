@@ -1,4 +1,5 @@
-//! What a page reports of linear vibration about the static equilibrium of the string, and its pictures.
+//! What a page reports of linear vibration about the static equilibrium of the string, and its
+//! pictures.
 
 mod figures;
 mod page;

@@ -6,7 +6,8 @@ use crate::{
     plots::Shown,
 };
 
-/// A line through points, and a mark at each that has no neighbour: a line of one point is not seen.
+/// A line through points, and a mark at each that has no neighbour: a line of one point is not
+/// seen.
 pub(super) fn line(ink: Ink, stroke: Stroke, shape: Shape, points: Vec<(f64, f64)>) -> Vec<Mark> {
     let is_there = |place: usize| points.get(place).is_some_and(|point| point.1.is_finite());
     let is_lone = |place: &usize| {

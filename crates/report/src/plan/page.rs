@@ -8,10 +8,10 @@ use crate::{
     uncertain,
 };
 
-/// What the numbers stand for.
-const ABOUT: &str = "Hook load and surface torque against the depth of the bit: the same string, its \
-    topmost pipe as long as the depth asks for, in each operation with low, expected and high \
-    friction. The workbook plan.xlsx has every table, with charts of its own.";
+/// Meaning of the page's numbers.
+const ABOUT: &str = "Hook load and surface torque against the depth of the bit: the string, cut at \
+    the surface at each depth, in each operation with low, expected and high friction. The \
+    workbook plan.xlsx has every table, with charts of its own.";
 
 /// Title and caption of each picture.
 const PICTURES: [(&str, &str, &str); 6] = [
@@ -27,7 +27,7 @@ const PICTURES: [(&str, &str, &str); 6] = [
     (
         "torque",
         "Surface torque",
-        "Of what turns; the friction stands at the end of each line. Dashed down: what the torque \
+        "Of what turns; the friction is at the end of each line. Dashed down: what the torque \
          may come to, as the limits judge it: top drive, make-up and torsional yield of the topmost \
          pipe, each over its factor.",
     ),

@@ -24,7 +24,8 @@ impl Drawing<'_> {
         keys
     }
 
-    /// The levels that cases have, the most severe first: a ring of the most severe is about each point.
+    /// The levels that cases have, the most severe first: a ring of the most severe is about each
+    /// point.
     pub(super) fn judged(&self) -> Vec<Severity> {
         let levels = [Severity::Error, Severity::Warning].into_iter();
         levels

@@ -105,8 +105,8 @@ fn relevant(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     checks.iter().filter(matters).cloned().collect()
 }
 
-/// Of each kind and each operation the most severe check, among equals the one with the least reserve,
-/// in the order of the kinds.
+/// Of each kind and each operation the most severe check, among equals the one with the least
+/// reserve, in the order of the kinds.
 fn worst(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     let mut found: Vec<&PlanCheck> = Vec::new();
     for row in checks {

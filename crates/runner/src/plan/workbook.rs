@@ -13,7 +13,8 @@ use super::{
 };
 use crate::{page::PROGRAM, sheet::sheet};
 
-/// Rows of a table that are printed: a table of every depth or every joint is to be read on the screen.
+/// Rows of a table that are printed: a table of every depth or every joint is to be read on the
+/// screen.
 const PRINTED_ROWS: u32 = 50;
 
 /// The workbook of a plan in these units.

@@ -103,7 +103,8 @@ impl SweepTable {
     }
 
     /// The table: varied keys, model and operation, scalars, statistics, where the window begins
-    /// and what drifts in it, indicators, the lift, checks, how it ended, and where the rest of it lies.
+    /// and what drifts in it, indicators, the lift, checks, how it ended, and where the rest of it
+    /// lies.
     pub(crate) fn table(&self) -> Table {
         let text = |name: &str, of: &dyn Fn(&Row) -> String| {
             Column::words(name, self.rows.iter().map(of).collect())

@@ -179,8 +179,8 @@ fn push_circling(p: &mut Profile, record: &Record, i: usize) {
     p.whirl_coherence.push(circling.coherence);
 }
 
-/// How far above its anchors the string was, on average over the window, m: they stand where the run
-/// ended, the string was where its bit was.
+/// How far above its anchors the string was, on average over the window, m: they stand where the
+/// run ended, the string was where its bit was.
 fn back_m(s: &Sources<'_>) -> f64 {
     let bit_depths_m = s.window(BIT_DEPTH);
     ends(&bit_depths_m).map_or(0.0, |[_, last]| last - mean(&bit_depths_m))

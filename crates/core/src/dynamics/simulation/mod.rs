@@ -223,9 +223,9 @@ impl Simulation {
 
     /// Sets the kinetic coefficient of friction of each section of the hole from now on: cuttings
     /// that gather, a mud that lubricates. It reaches them in proportion to time within `ramp_s`,
-    /// in steps of 16 of the run's; the coefficients of static and rotational friction keep their ratios
-    /// to it. Checkpoints hold it. A [`FrictionCoefficient`](super::FrictionCoefficient) is told of
-    /// it as of the section's.
+    /// in steps of 16 of the run's; the coefficients of static and rotational friction keep their
+    /// ratios to it. Checkpoints hold it. A [`FrictionCoefficient`](super::FrictionCoefficient) is
+    /// told of it as of the section's.
     ///
     /// # Errors
     /// Another count than the hole has sections, a coefficient that is negative or not finite, or
@@ -259,9 +259,9 @@ impl Simulation {
         either!(&mut self.0, run => run.hand_over(rows));
     }
 
-    /// The [answer](Self::outcome) so far of a run whose first rows were
-    /// [handed over](Self::hand_over), to the same bits as if they were in memory; the series of the
-    /// answer are the rows that are.
+    /// The [answer](Self::outcome) so far of a run whose first rows were [handed
+    /// over](Self::hand_over), to the same bits as if they were in memory; the series of the answer
+    /// are the rows that are.
     pub fn outcome_with(&self, earlier: &dyn EarlierRows) -> DynamicOutcome {
         either!(&self.0, run => run.outcome_with(earlier))
     }

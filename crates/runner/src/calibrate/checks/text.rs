@@ -1,4 +1,5 @@
-//! Channels, numbers and depths in the sentences of checks, and the value in the middle of readings.
+//! Channels, numbers and depths in the sentences of checks, and the value in the middle of
+//! readings.
 
 use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::Channel;
