@@ -26,29 +26,29 @@ interrupted.";
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     // To begin with.
-    /// Write a commented case to begin with
+    /// Write a commented case file as a starting point
     New(NewArgs),
-    /// Make a commented case of surveys, tallies, WITSML, EDM and logs
+    /// Build a commented case from surveys, tallies, WITSML, EDM and logs
     Import(ImportArgs),
     /// Open a folder of cases in the browser
     App(AppArgs),
-    /// Is the case valid? One line, or diagnostics. Of a file of another program: what it holds
+    /// Check that a case is valid, or list the contents of another program's file
     Check(CheckArgs),
 
     // The whole string.
     /// Solve a case and write its results
     Run(RunArgs),
-    /// Solve a case for all combinations of some values
+    /// Solve a case for every combination of given values
     Sweep(SweepArgs),
-    /// Solve the cases of a study and make its figures and tables
+    /// Solve the cases of a study and draw its figures and tables
     Study(StudyArgs),
 
     // A well that is planned, and one that is drilled.
-    /// Torque and drag at every depth of the bit, with low, expected and high friction
+    /// Compute torque and drag against bit depth for low, expected and high friction
     Plan(PlanArgs),
-    /// How far the well can go in its last direction, and what stops it
+    /// Find how far the well can be extended in its last direction, and the limit that stops it
     Reach(ReachArgs),
-    /// Find friction factors and block weight from weights and torques that were read
+    /// Fit friction factors and block weight to measured weights and torques
     Calibrate(CalibrateArgs),
 
     // The assembly, the bit.
@@ -56,19 +56,19 @@ pub(crate) enum Command {
     Bha(BhaArgs),
     /// Find natural frequencies, critical speeds and the response to a rotating force
     Modes(ModesArgs),
-    /// Try the bit alone on its rock under every weight at every speed
+    /// Drill with the bit alone at every weight on bit and rotary speed of [bit_test]
     BitTest(BitTestArgs),
 
     // What lies in folders of results.
-    /// Make the page of results again
+    /// Rebuild the report page of a results folder
     Report(ReportArgs),
-    /// Draw what results hold as SVG files; a second run on the same axes
+    /// Draw results as SVG files; two runs can share the axes
     Plot(PlotArgs),
     /// Write results, or the survey or string of a case, as CSV, Excel, text or WITSML
     Export(ExportArgs),
 
     // To look things up.
-    /// Position and dogleg severity along a survey
+    /// Compute position and dogleg severity along a survey
     Survey(SurveyArgs),
     /// List the pipes, collars and casings that a case can name
     Catalogue(CatalogueArgs),

@@ -21,7 +21,7 @@ pub(crate) struct ExportArgs {
     #[arg(long = "to", value_enum, value_name = "FORMAT")]
     pub(crate) format: FormatArg,
 
-    /// What is written; a case file has no results [default: results]
+    /// Content to write; a case file has no results [default: results]
     #[arg(long, value_enum, value_name = "WHAT")]
     pub(crate) what: Option<WhatArg>,
 
@@ -41,13 +41,13 @@ pub(crate) struct ExportArgs {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FormatArg {
-    /// Text with commas; of results a file for each table
+    /// Comma-separated text; for results one file per table
     Csv,
     /// An Excel workbook
     Xlsx,
-    /// A report in columns of one width, of a survey
+    /// Fixed-width report of a survey
     Text,
-    /// WITSML 1.4.1.1: logs against the depth of the bit, trajectory, tubular
+    /// WITSML 1.4.1.1: logs against bit depth, trajectory, tubular
     Witsml,
     /// WITSML 2.0
     Witsml2,
@@ -57,11 +57,11 @@ pub(crate) enum FormatArg {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum WhatArg {
-    /// The tables of a folder
+    /// Tables of a results folder
     Results,
-    /// The stations of the well
+    /// Stations of the well
     Survey,
-    /// The components of the string, from the bit up
+    /// Components of the string, from the bit up
     Tally,
 }
 

@@ -15,25 +15,25 @@ use crate::{
 
 #[derive(Debug, Args)]
 pub(crate) struct ImportArgs {
-    /// Survey, tally, WITSML, Landmark EDM, LAS or log: what it is, its content tells; several
-    /// files make one case
+    /// Survey, tally, WITSML, Landmark EDM, LAS or log, recognised by content; several files make
+    /// one case
     #[arg(value_name = "FILE", required = true)]
     pub(crate) files: Vec<PathBuf>,
 
-    /// The case that is written; one that is there is not written over [default: the screen]
+    /// Case file to write; an existing file is not overwritten [default: the screen]
     #[arg(short, long, value_name = "CASE.toml")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Unit of a quantity that its file does not tell, such as md=ft
+    /// Unit of a quantity whose file does not give one, such as md=ft
     #[arg(long = "unit", value_name = "NAME=UNIT", value_parser = pair)]
     pub(crate) units: Vec<(String, String)>,
 
-    /// Value that no file tells and that is asked for, such as block-weight="25 tf" of a log
+    /// Value that is required and in no file, such as block-weight="25 tf" for a log
     #[arg(long = "value", value_name = "NAME=VALUE", value_parser = pair)]
     pub(crate) values: Vec<(String, String)>,
 
-    /// Which of several is meant, such as tubular="BHA 7"; or the file that a part of the case is
-    /// taken from, such as survey=survey.csv
+    /// Choice where a file holds several, such as tubular="BHA 7", or the file to use for a part of
+    /// the case, such as survey=survey.csv
     #[arg(long = "pick", value_name = "WHAT=NAME", value_parser = pair)]
     pub(crate) picks: Vec<(String, String)>,
 }

@@ -13,7 +13,7 @@ use crate::{
 
 #[derive(Debug, Args)]
 pub(crate) struct NewArgs {
-    /// Name of the case, whose file is NAME.toml; one that is there is not written over
+    /// Name of the case, written to NAME.toml; an existing file is not overwritten
     #[arg(value_name = "NAME", default_value = "my-well")]
     pub(crate) name: PathBuf,
 }

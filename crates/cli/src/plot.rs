@@ -12,7 +12,7 @@ use crate::{failure::Failure, terminal::print_stdout};
 
 #[derive(Debug, Args)]
 pub(crate) struct PlotArgs {
-    /// Folder of results, or those of two runs
+    /// Results folder, or those of two runs
     #[arg(value_name = "DIR", required = true, num_args = 1..=2)]
     pub(crate) folders: Vec<PathBuf>,
 

@@ -14,7 +14,7 @@ pub(crate) struct ReportArgs {
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
 
-    /// Units that the page opens with [default: the case's]
+    /// Units in which the page opens [default: the case's]
     #[arg(long, value_name = "si|metric|field")]
     pub(crate) units: Option<UnitSet>,
 }

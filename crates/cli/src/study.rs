@@ -31,7 +31,7 @@ pub(crate) struct StudyArgs {
     #[arg(long)]
     pub(crate) png: bool,
 
-    /// End with status 4 where an error is found in an answer
+    /// Exit with status 4 if a check of the results is an error
     #[arg(long)]
     pub(crate) strict: bool,
 

@@ -28,7 +28,7 @@ pub(crate) struct SurveyArgs {
     #[arg(short, long, value_name = "OUT.csv")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Unit of the lengths in the survey, such as ft, where the file does not tell it
+    /// Unit of length of the survey, such as ft, if the file does not give it
     #[arg(long, value_name = "UNIT", value_parser = length_unit)]
     pub(crate) unit: Option<&'static Unit>,
 
@@ -36,16 +36,16 @@ pub(crate) struct SurveyArgs {
     #[arg(long, value_enum, default_value_t = PathKind::MinimumCurvature)]
     pub(crate) path: PathKind,
 
-    /// A row at every multiple of this length too, such as 10m
+    /// Interval of additional rows, such as 10m
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     pub(crate) step: Option<f64>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PathKind {
-    /// Circular arcs, the industry's standard
+    /// Circular arcs, the industry standard
     MinimumCurvature,
-    /// Continuous curvature, as the dynamics need it
+    /// Spline with continuous curvature
     Spline,
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct SweepArgs {
     #[arg(long, value_name = "KEY=VALUES", required = true)]
     pub(crate) vary: Vec<String>,
 
-    /// End with status 4 where an error is found in an answer
+    /// Exit with status 4 if a check of the results is an error
     #[arg(long)]
     pub(crate) strict: bool,
 

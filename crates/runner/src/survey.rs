@@ -29,6 +29,13 @@ const COLUMNS: [&str; 7] = [
 /// # Errors
 /// It cannot be read, or is no survey.
 pub fn read(file: &Path, said: &Said) -> Result<ImportedSurvey, Error> {
+    if file.extension().is_some_and(|extension| extension == "toml") {
+        return Err(Error::BadInput(format!(
+            "{0} is a case file: expected a survey as CSV or Excel\nwrite the survey of the case \
+             with `wholestring export --to csv --what survey {0}`",
+            file.display()
+        )));
+    }
     let bytes = bytes(file, "survey")?;
     read_as(&bytes, &file.display().to_string(), said).map_err(|error| explained(&error))
 }

@@ -19,7 +19,7 @@ pub(crate) struct AppArgs {
     /// Folder of the cases; the app reads and writes nothing outside it
     #[arg(value_name = "FOLDER", default_value = ".")]
     pub(crate) folder: PathBuf,
-    /// Port of 127.0.0.1 to serve on; without it, one that is free
+    /// Port of 127.0.0.1 to serve on [default: a free port]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     pub(crate) port: u16,
     /// Print the address and open no browser

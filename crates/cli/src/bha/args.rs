@@ -16,7 +16,7 @@ pub(crate) struct BhaArgs {
     #[command(flatten)]
     pub(crate) case: CaseArgs,
 
-    /// The operation: drill, slide, trip_out, ... [default: the case's first one that drills]
+    /// Operation: drill, slide, trip_out, ... [default: the case's first one that drills]
     #[arg(long, value_name = "KIND")]
     pub(crate) operation: Option<String>,
 
@@ -25,20 +25,21 @@ pub(crate) struct BhaArgs {
     #[arg(long, value_name = "ANGLES")]
     pub(crate) toolface: Option<String>,
 
-    /// Weights on bit, such as `20kN..120kN/20kN` [default: seven up to 1.5 times the operation's]
+    /// Weights on bit, such as `20kN..120kN/20kN` [default: seven values up to 1.5 times the
+    /// operation's]
     #[arg(long, value_name = "FORCES")]
     pub(crate) weight: Option<String>,
 
-    /// Inclinations of a straight hole, such as `5deg..90deg/5deg` [default: these]
+    /// Inclinations of a straight hole, such as `5deg..90deg/5deg` [default: 5deg..90deg/5deg]
     #[arg(long, value_name = "ANGLES")]
     pub(crate) inclination: Option<String>,
 
-    /// Rate at which the holes of --inclination build down to the bit, such as `2deg/30m`; negative
-    /// where they drop [default: 0, straight]
+    /// Build rate of the holes of --inclination, such as `2deg/30m`; negative to drop [default: 0,
+    /// straight]
     #[arg(long, value_name = "RATE", allow_hyphen_values = true)]
     pub(crate) build: Option<String>,
 
-    /// Solve the whole string, not only the assembly and 100 m of pipe above it
+    /// Solve the whole string instead of the assembly and 100 m of pipe above it
     #[arg(long)]
     pub(crate) whole: bool,
 
@@ -53,7 +54,7 @@ pub(crate) struct BhaArgs {
     #[arg(long, value_name = "si|metric|field")]
     pub(crate) units: Option<UnitSet>,
 
-    /// Write the tables as CSV too
+    /// Also write the tables as CSV
     #[arg(long)]
     pub(crate) csv: bool,
 
@@ -61,7 +62,7 @@ pub(crate) struct BhaArgs {
     #[arg(short, long)]
     pub(crate) quiet: bool,
 
-    /// End with status 4 where a check of the results is an error
+    /// Exit with status 4 if a check of the results is an error
     #[arg(long)]
     pub(crate) strict: bool,
 }

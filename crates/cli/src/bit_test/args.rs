@@ -14,7 +14,7 @@ pub(crate) struct BitTestArgs {
     #[arg(long, value_name = "si|metric|field")]
     pub(crate) units: Option<UnitSet>,
 
-    /// End with status 4 where a check of the points is an error
+    /// Exit with status 4 if a check of the points is an error
     #[arg(long)]
     pub(crate) strict: bool,
 

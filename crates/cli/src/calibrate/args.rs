@@ -18,8 +18,8 @@ use crate::shared_args::{OutputArgs, PageArgs};
     arg.help("Folder for the results [default: out/<case name> calibration]")
 }))]
 pub(crate) struct CalibrateArgs {
-    /// Case files: the strings that were in the hole. Of several, a column `case` of the readings
-    /// names one by its file or its name
+    /// Case files, one for each string that was in the hole. With several, the column `case` of the
+    /// readings gives the file or the name of the case
     #[arg(value_name = "CASE.toml", required = true)]
     pub(crate) cases: Vec<PathBuf>,
 
@@ -32,16 +32,16 @@ pub(crate) struct CalibrateArgs {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(crate) overrides: Vec<Override>,
 
-    /// One friction factor for casing and open hole
+    /// Fit one friction factor for cased and open hole
     #[arg(long)]
     pub(crate) one_factor: bool,
 
-    /// A friction factor for each section of the hole, such as for a liner apart from the casing
-    /// above it
+    /// Fit a friction factor for each hole section, such as a liner and the casing above it
+    /// separately
     #[arg(long, conflicts_with = "one_factor")]
     pub(crate) by_section: bool,
 
-    /// Fit rotational friction apart from axial friction
+    /// Fit rotational friction separately from axial friction
     #[arg(long)]
     pub(crate) friction_around: bool,
 
@@ -49,7 +49,7 @@ pub(crate) struct CalibrateArgs {
     #[arg(long)]
     pub(crate) block_weight: bool,
 
-    /// Look for the bit's torque on bottom
+    /// Fit the bit torque on bottom
     #[arg(long)]
     pub(crate) bit_torque: bool,
 
@@ -70,11 +70,11 @@ pub(crate) struct CalibrateArgs {
     #[arg(long, value_name = "TORQUE", value_parser = torque)]
     pub(crate) torque_error: Option<f64>,
 
-    /// Residuals larger than so many of their standard errors are outliers
+    /// Number of standard errors beyond which a residual is an outlier
     #[arg(long, value_name = "N", default_value = "3", value_parser = beyond)]
     pub(crate) outlier: f64,
 
-    /// Leave outliers out of the fit, as Huber's loss finds them; by default both fits are shown
+    /// Exclude the outliers found with Huber's loss from the fit; by default both fits are shown
     #[arg(long)]
     pub(crate) without_outliers: bool,
 
@@ -82,13 +82,12 @@ pub(crate) struct CalibrateArgs {
     #[arg(long, value_name = "PERCENT", default_value = "90", value_parser = confidence)]
     pub(crate) band: f64,
 
-    /// Model that predicts
+    /// Model used for the predictions
     #[arg(long, value_enum, default_value = "soft")]
     pub(crate) model: Model,
 
-    /// Run the whole string in motion with what was found, and put it beside the readings at these
-    /// depths of the bit, such as `6945ft,8391ft` [default: the shallowest, the middle and the
-    /// deepest]
+    /// Run the dynamic model with the fitted values and compare it with the readings at these bit
+    /// depths, such as `6945ft,8391ft` [default: the shallowest, the middle and the deepest]
     #[arg(
         long,
         value_name = "DEPTHS",
@@ -99,7 +98,7 @@ pub(crate) struct CalibrateArgs {
     )]
     pub(crate) check_dynamics: Option<Vec<f64>>,
 
-    /// Runs of that check side by side [default: one per core]
+    /// Number of parallel jobs for --check-dynamics [default: one per core]
     #[arg(short, long, value_name = "N", requires = "check_dynamics")]
     pub(crate) jobs: Option<NonZeroUsize>,
 
@@ -113,9 +112,9 @@ pub(crate) struct CalibrateArgs {
 /// A model that predicts readings.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub(crate) enum Model {
-    /// A string without bending stiffness
+    /// String without bending stiffness
     Soft,
-    /// A string with bending stiffness: minutes
+    /// String with bending stiffness; takes minutes
     Stiff,
 }
 

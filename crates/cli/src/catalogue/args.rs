@@ -8,11 +8,11 @@ use wholestring_units::UnitSet;
 #[derive(Debug, Args)]
 pub(crate) struct CatalogueArgs {
     /// Size, weight, grade, class or kind, such as `5-1/2`, `S-135`, `premium`, `hwdp`, `casing` or
-    /// `rig`; what has all of them is listed
+    /// `rig`; entries that match all of them are listed
     #[arg(value_name = "WORD")]
     pub(crate) words: Vec<String>,
 
-    /// Tubulars of your own, TOML or CSV, as `catalogue` of a case names them
+    /// File of your own tubulars, TOML or CSV, as in the key `catalogue` of a case
     #[arg(long, value_name = "FILE")]
     pub(crate) with: Option<PathBuf>,
 

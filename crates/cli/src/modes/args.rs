@@ -13,7 +13,8 @@ pub(crate) struct ModesArgs {
     #[command(flatten)]
     pub(crate) case: CaseArgs,
 
-    /// Operation whose string at rest it is, such as `drill` [default: the case's first]
+    /// Operation whose static equilibrium the vibration is about, such as `drill` [default: the
+    /// case's first]
     #[arg(long, value_name = "OPERATION")]
     pub(crate) operation: Option<String>,
 

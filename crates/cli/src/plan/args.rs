@@ -24,15 +24,16 @@ pub(crate) struct PlanArgs {
     )]
     pub(crate) output: Option<PathBuf>,
 
-    /// Continue with a plan that was interrupted: leave out what is finished
+    /// Continue an interrupted plan; finished points are skipped
     #[arg(long)]
     pub(crate) resume: bool,
 
-    /// Replace what lies in the folder: other results, or what was not finished
+    /// Overwrite existing results in the folder: another plan or an unfinished one
     #[arg(long, conflicts_with = "resume")]
     pub(crate) overwrite: bool,
 
-    /// Overlay curves from another program: a file of hook loads and torques against bit depth, as measured ones are, CSV or Excel
+    /// Overlay curves from another program: a CSV or Excel file of hook loads and torques against
+    /// bit depth, in the format of measured values
     #[arg(long, value_name = "FILE")]
     pub(crate) overlay: Option<PathBuf>,
 

@@ -12,30 +12,31 @@ pub(crate) struct ReachArgs {
     #[command(flatten)]
     pub(crate) case: CaseArgs,
 
-    /// Depth of the bit to begin with, such as `4000m` [default: the end of the survey]
+    /// Bit depth to start from, such as `4000m` [default: the end of the survey]
     #[arg(long, value_name = "DEPTH")]
     pub(crate) from: Option<String>,
 
-    /// Deepest bit, such as `12km` [default: 15 km, or twice the first depth where that is deeper]
+    /// Deepest bit depth, such as `12km` [default: 15 km, or twice the first depth if that is
+    /// deeper]
     #[arg(long, value_name = "DEPTH")]
     pub(crate) to: Option<String>,
 
-    /// Friction factors of all sections, one after the other, such as `0.2,0.3,0.4` [default: the
-    /// case's own]
+    /// Friction factors to solve for, each applied to all hole sections, such as `0.2,0.3,0.4`
+    /// [default: the case's]
     #[arg(long, value_name = "FACTORS")]
     pub(crate) friction: Option<String>,
 
     /// Operations, such as `drill,slide` [default: trip_out, rotate_off_bottom, drill, trip_in,
-    /// slide and those of the case, as far as it has their set points]
+    /// slide and those of the case, if their set points are given]
     #[arg(long, value_name = "KINDS")]
     pub(crate) operation: Option<String>,
 
-    /// Leave out the friction of what a helix presses to the wall: nothing locks up
+    /// Ignore the friction from the wall force of a helix, so that nothing locks up
     #[arg(long)]
     pub(crate) no_helix_friction: bool,
 
-    /// Count the depth where a helix begins as a stop: the string goes on buckled otherwise. Not
-    /// where the hole is vertical, where it buckles early and is held
+    /// Stop at the depth where helical buckling begins; without it the buckled string goes deeper.
+    /// Not applied to a vertical hole, where buckling begins early and is harmless
     #[arg(long)]
     pub(crate) stop_at_helix: bool,
 
@@ -52,12 +53,11 @@ pub(crate) struct ReachArgs {
     )]
     pub(crate) output: Option<PathBuf>,
 
-    /// Continue with a reach of uncertain numbers that was interrupted: leave out samples that are
-    /// solved
+    /// Continue an interrupted reach with uncertain inputs; solved samples are skipped
     #[arg(long)]
     pub(crate) resume: bool,
 
-    /// Replace what lies in the folder
+    /// Overwrite existing results in the folder
     #[arg(long, conflicts_with = "resume")]
     pub(crate) overwrite: bool,
 

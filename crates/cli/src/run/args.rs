@@ -26,20 +26,20 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["output", "overwrite"])]
     pub(crate) resume: Option<PathBuf>,
 
-    /// Replace what lies in the folder: the results of another case, or an unfinished run
+    /// Overwrite existing results in the folder: another case or an unfinished run
     #[arg(long)]
     pub(crate) overwrite: bool,
 
     #[command(flatten)]
     pub(crate) checkpoint: CheckpointArgs,
 
-    /// Run the case again with every element halved, in the folder `halved` beside its results, and
-    /// print what that changes
+    /// Run the case again with elements of half the length, in the subfolder `halved`, and print
+    /// the differences
     #[arg(long, conflicts_with_all = ["resume", "json"])]
     pub(crate) converge: bool,
 
-    /// Threads that work on solid rock under the bit; the answer is the same
-    /// [default: one per core]
+    /// Number of threads for the solid rock under the bit; results do not depend on it [default:
+    /// one per core]
     #[arg(short, long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
 
@@ -47,11 +47,11 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "si|metric|field")]
     pub(crate) units: Option<UnitSet>,
 
-    /// End with status 4 where an error is found in an answer
+    /// Exit with status 4 if a check of the results is an error
     #[arg(long)]
     pub(crate) strict: bool,
 
-    /// Write the tables as CSV too
+    /// Also write the tables as CSV
     #[arg(long)]
     pub(crate) csv: bool,
 

@@ -14,15 +14,15 @@ pub(crate) struct BatchArgs {
     #[arg(short, long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
 
-    /// Solve the I-th of N equal shares of the cases only
+    /// Solve only the I-th of N equal shares of the cases
     #[arg(long, value_name = "I/N")]
     pub(crate) shard: Option<Shard>,
 
-    /// Leave out what is finished in the folder, and continue with what is not from its checkpoints
+    /// Skip the finished cases in the folder and continue unfinished ones from their checkpoints
     #[arg(long)]
     pub(crate) resume: bool,
 
-    /// Replace what lies in the folder: the results of other cases, or what was not finished
+    /// Overwrite existing results in the folder: other cases or unfinished ones
     #[arg(long, conflicts_with = "resume")]
     pub(crate) overwrite: bool,
 
@@ -33,7 +33,7 @@ pub(crate) struct BatchArgs {
     #[command(flatten)]
     pub(crate) checkpoint: CheckpointArgs,
 
-    /// Write the tables as CSV too
+    /// Also write the tables as CSV
     #[arg(long)]
     pub(crate) csv: bool,
 

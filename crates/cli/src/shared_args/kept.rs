@@ -9,8 +9,8 @@ use crate::failure::Failure;
 /// What is kept of each case.
 #[derive(Debug, Args)]
 pub(crate) struct KeptArgs {
-    /// What is kept of each case
-    /// [default: tables where dynamics solve it, --csv or a figure needs them, else its summary]
+    /// Results to keep of each case [default: tables for the dynamic model, for --csv and where a
+    /// figure needs them; otherwise the summary]
     #[arg(long, value_enum, value_name = "WHAT")]
     keep: Option<KeepArg>,
 }
@@ -18,11 +18,11 @@ pub(crate) struct KeptArgs {
 /// What is kept of a case, each with what stands before it.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum KeepArg {
-    /// Its `summary.json`
+    /// `summary.json`
     Summary,
-    /// Its tables too
+    /// Tables too
     Tables,
-    /// All that a run leaves: its page and its picture too
+    /// All results of a run: the page and the picture too
     All,
 }
 

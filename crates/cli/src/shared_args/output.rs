@@ -11,7 +11,7 @@ pub(crate) struct OutputArgs {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 
-    /// Replace what lies in the folder
+    /// Overwrite existing results in the folder
     #[arg(long)]
     overwrite: bool,
 }

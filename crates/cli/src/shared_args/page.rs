@@ -17,7 +17,7 @@ pub(crate) struct PageArgs {
     #[arg(short, long)]
     pub(crate) quiet: bool,
 
-    /// End with status 4 where a check of the results is an error
+    /// Exit with status 4 if a check of the results is an error
     #[arg(long)]
     pub(crate) strict: bool,
 }

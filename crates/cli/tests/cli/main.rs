@@ -29,6 +29,7 @@ mod report;
 mod resume;
 mod run;
 mod shipped;
+mod shipped_commands;
 mod study;
 mod survey;
 mod sweep;

@@ -190,3 +190,14 @@ fn turns_are_pointed_out_in_the_file() {
     assert!(output.status.success(), "{warned}");
     assert!(warned.contains("slip.csv:4:1") && warned.contains("is 4.1 a slip of 41?"), "{warned}");
 }
+
+/// A case in place of a survey is named as one, with the command that writes its survey.
+#[test]
+fn a_case_is_no_survey() {
+    let desk = Desk::new();
+    let output = desk.run(&["survey", "slant.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    let text = transcript(&output);
+    assert!(text.contains("slant.toml is a case file"), "{text}");
+    assert!(text.contains("wholestring export --to csv --what survey slant.toml"), "{text}");
+}
