@@ -1,14 +1,14 @@
-//! Wells that are ready to run: the case files of this folder and the files that they name, as
-//! texts. What is in them and where it comes from, `README.md` says.
+//! Ready-to-run wells: the case files of this folder and the files that they name, as texts.
+//! `README.md` describes their contents and sources.
 
-/// A case that is ready to run.
+/// A ready-to-run case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ReadyCase {
-    /// Its name, that of its file without the ending.
+    /// Its name: that of its file without the extension.
     pub name: &'static str,
     /// The name of its file.
     pub file_name: &'static str,
-    /// What it is, in a sentence.
+    /// Its description, in a sentence.
     pub title: &'static str,
     /// Its text.
     pub text: &'static str,
@@ -51,7 +51,7 @@ cases! {
         "ISCWSA standard wellpath 04: a horizontal well that turns twice"
         with "iscwsa-04-survey.csv";
     FORGE_16A = "forge-16a":
-        "Utah FORGE 16A(78)-32, a geothermal well in granite, with what the rig has read"
+        "Utah FORGE 16A(78)-32, a geothermal well in granite, with readings of the rig"
         with "forge-16a-survey.csv" with "forge-16a-measured.csv";
     WELL_B_1714 = "well-b-1714":
         "A string that starts to turn off bottom at 1714 m, from a published article";
@@ -79,7 +79,7 @@ mod tests {
             .iter()
             .filter(ends)
             .map(String::as_str)
-            .filter(|of| *of != "Cargo.toml")
+            .filter(|name| *name != "Cargo.toml")
             .collect();
         let beside = ALL.iter().flat_map(|case| case.beside).map(|(name, _)| *name);
         let listed: BTreeSet<&str> = ALL.iter().map(|case| case.file_name).chain(beside).collect();

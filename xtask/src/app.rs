@@ -1,5 +1,5 @@
-//! The page of the local web app: whether its committed bundle is what its sources make, and
-//! whether its screens work in a browser.
+//! The page of the local web app: checks that its committed bundle equals that of its sources, and
+//! that its screens work in a browser.
 
 use std::process::Command;
 
@@ -9,18 +9,18 @@ use crate::{
     web::{Web, installed_browser, unable},
 };
 
-/// What the page is made from.
+/// Sources of the page.
 const WEB: Web = Web("web/app");
 
 /// A test for each screen.
 const SCREENS: [&str; 4] = ["case.mjs", "answers.mjs", "seat.mjs", "work.mjs"];
 
-/// The bundle in `crates/app/assets` is what `web/app` makes, whose types fit.
+/// The bundle in `crates/app/assets` equals that of `web/app`, whose types are correct.
 pub(crate) fn bundle() -> Result<Finding, Failure> {
     WEB.bundle()
 }
 
-/// Each screen does what it is for, by mouse and keyboard.
+/// Each screen works by mouse and keyboard.
 pub(crate) fn browser() -> Result<Finding, Failure> {
     if let Err(reason) = WEB.install() {
         return unable(reason);

@@ -1,4 +1,4 @@
-//! What commands write into the book, between markers.
+//! Text that commands write into the book, between markers.
 
 use std::{fs, path::Path};
 
@@ -6,12 +6,12 @@ use crate::command::Failure;
 
 const END: &str = "<!-- end -->\n";
 
-/// The marker at which what a command writes begins.
+/// The marker at which a command's text begins.
 fn begin(command: &str) -> String {
     format!("<!-- written by `cargo xtask {command} --write`: begin -->\n")
 }
 
-/// A page as it stands before what a command writes, that, and what stands after it.
+/// Splits a page into the text before a command's text, that text, and the text after it.
 pub(crate) fn parts<'a>(page: &'a str, command: &str) -> Result<[&'a str; 3], Failure> {
     let begin = begin(command);
     let missing = || Failure::new(format!("the page lacks {}", begin.trim_end()));
@@ -20,13 +20,13 @@ pub(crate) fn parts<'a>(page: &'a str, command: &str) -> Result<[&'a str; 3], Fa
     Ok([before, written, after])
 }
 
-/// The page with a text in place of what a command wrote before.
+/// The page with a new text in place of a command's earlier one.
 pub(crate) fn replaced(page: &str, command: &str, text: &str) -> Result<String, Failure> {
     let [before, _, after] = parts(page, command)?;
     Ok(format!("{before}{}\n{text}\n{END}{after}", begin(command)))
 }
 
-/// Writes a text in place of what a command wrote into a page before.
+/// Replaces a command's earlier text in a page.
 pub(crate) fn write(page: &Path, command: &str, text: &str) -> Result<(), Failure> {
     let readable = |error| Failure::new(format!("{}: {error}", page.display()));
     let old = fs::read_to_string(page).map_err(readable)?;

@@ -1,5 +1,5 @@
-//! The program and the Python package in an empty root of Debian's packages, as one installs them
-//! who has no Rust: what the system must have, and no more.
+//! The program and the Python package in a minimal Debian root without Rust: checks that the
+//! documented system packages suffice.
 
 use std::{
     fs, io,
@@ -15,20 +15,20 @@ use crate::{
     python_package::{OLDEST, readme_quick_start},
 };
 
-/// Releases of Debian that are tried where none is named.
+/// Releases of Debian that are tested by default.
 const SUITES: [&str; 2] = ["stable", "oldstable"];
 
-/// What the wheel asks of the system.
+/// System packages that the wheel requires.
 const PACKAGES: &str = "--include=python3,python3-venv,ca-certificates";
 
-/// Files of this machine without which no package is fetched from inside: names of servers, and
-/// whose certificates are trusted.
+/// Files of this machine that are needed to download packages inside: name servers and trusted
+/// certificates.
 const NETWORK: [&str; 2] = ["etc/resolv.conf", "etc/ssl/certs/ca-certificates.crt"];
 
-/// Where in the root the program stands.
+/// Folder of the program in the root.
 const DESK: &str = "desk";
 
-/// Tries each of the releases of Debian. Takes minutes, debootstrap, and rights over the machine.
+/// Tests each of the releases of Debian. It takes minutes and requires debootstrap and root rights.
 pub(crate) fn try_all(suites: &[&str]) -> Result<Finding, Failure> {
     if !succeeds(Command::new("debootstrap").arg("--version")) {
         return Err(Failure::new("there is no debootstrap here: install Debian's package"));
@@ -48,7 +48,7 @@ pub(crate) fn try_all(suites: &[&str]) -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// The package as it is given to others, in a folder of its own.
+/// The package as it is distributed, in a folder of its own.
 fn wheel() -> Result<PathBuf, Failure> {
     let folder = target().join("clean-root/wheel");
     if folder.exists() {
@@ -62,7 +62,7 @@ fn wheel() -> Result<PathBuf, Failure> {
     found.map(|file| file.path()).ok_or_else(|| Failure::new("pip has made no wheel"))
 }
 
-/// Makes the root where it is not there from another time.
+/// Creates the root if it does not exist.
 fn made(suite: &str, folder: &Path) -> Result<(), Failure> {
     if folder.join("etc/debian_version").is_file() {
         return Ok(());
@@ -89,7 +89,7 @@ fn furnish(folder: &Path, wheel: &Path) -> io::Result<()> {
     copy(wheel, &desk.join(wheel.file_name().unwrap_or_default()))
 }
 
-/// The README's first example by the program, and its quick start in Python.
+/// Runs the README's first example with the program, and its quick start in Python.
 fn tried(folder: &Path) -> Result<(), Failure> {
     let script = format!(
         "set -e; cd /{DESK}; \
@@ -100,5 +100,5 @@ fn tried(folder: &Path) -> Result<(), Failure> {
     );
     let mut inside = Command::new("chroot");
     inside.arg(folder).args(["/bin/sh", "-c", &script]).env("QUICK_START", readme_quick_start()?);
-    run(&mut inside, "what is given to others must run without Rust")
+    run(&mut inside, "the distributed program and wheel must run without Rust")
 }

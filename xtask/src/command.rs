@@ -1,4 +1,4 @@
-//! Running other programs.
+//! Runs other programs.
 
 use std::{
     env,
@@ -14,7 +14,7 @@ use crate::{
     folders::{root, target},
 };
 
-/// Why a step failed, and the tests counted until then.
+/// Reason why a step failed, and the tests counted until then.
 pub(crate) struct Failure {
     pub(crate) reason: String,
     pub(crate) count: Count,
@@ -26,7 +26,7 @@ impl Failure {
     }
 }
 
-/// All packages, and of the command all that it can have.
+/// All packages, with all features of the command.
 pub(crate) const WORKSPACE: [&str; 3] = ["--workspace", "--features", "wholestring-cli/app"];
 
 /// The cargo that runs this program, in the root of the repository.
@@ -36,7 +36,7 @@ pub(crate) fn cargo() -> Command {
     command
 }
 
-/// Runs the command with its output on the screen; `advice` says what to do when it fails.
+/// Runs the command with its output on the screen; `advice` is printed if it fails.
 pub(crate) fn run(command: &mut Command, advice: &str) -> Result<(), Failure> {
     match command.status() {
         Ok(status) if status.success() => Ok(()),
@@ -45,8 +45,8 @@ pub(crate) fn run(command: &mut Command, advice: &str) -> Result<(), Failure> {
     }
 }
 
-/// A program of the repository, `--bin` or `--example`, built and ready to run. Built as part of
-/// the workspace, so that what it is made of is what the tests have compiled.
+/// A program of the repository, `--bin` or `--example`, built and ready to run. It is built as part
+/// of the workspace, so that it uses the crates compiled for the tests.
 pub(crate) fn program(kind: &str, name: &str) -> Result<Command, Failure> {
     let mut build = cargo();
     build.args(["build", "--quiet"]).args(WORKSPACE).args([kind, name]);
@@ -57,13 +57,13 @@ pub(crate) fn program(kind: &str, name: &str) -> Result<Command, Failure> {
     Ok(program)
 }
 
-/// Whether the command can be started and succeeds; its output is dropped.
+/// Whether the command can be started and succeeds; its output is discarded.
 pub(crate) fn succeeds(command: &mut Command) -> bool {
     let command = command.stdout(Stdio::null()).stderr(Stdio::null());
     command.status().is_ok_and(|status| status.success())
 }
 
-/// What a command prints on standard output; `advice` says what to do when it fails.
+/// Returns the standard output of a command; `advice` is printed if it fails.
 pub(crate) fn printed(command: &mut Command, advice: &str) -> Result<String, Failure> {
     match command.stderr(Stdio::inherit()).output() {
         Ok(output) if output.status.success() => {
@@ -78,7 +78,7 @@ pub(crate) fn printed(command: &mut Command, advice: &str) -> Result<String, Fai
 
 /// Runs a test runner with its output on the screen and counts the tests that it reports.
 pub(crate) fn run_counted(command: &mut Command) -> Result<Count, Failure> {
-    // It writes to a pipe here and would drop its colours.
+    // Its output is a pipe here, for which it would omit its colours.
     if io::stderr().is_terminal() {
         command.env("CARGO_TERM_COLOR", "always");
     }
@@ -109,7 +109,7 @@ fn copy_counting(from: impl Read, mut to: impl Write) -> Count {
     let mut from = BufReader::new(from);
     let mut bytes = Vec::new();
     while from.read_until(b'\n', &mut bytes).is_ok_and(|read| read > 0) {
-        // Nobody may be reading the screen any more; the tests continue.
+        // The screen may be closed; the tests continue.
         let _ = to.write_all(&bytes);
         if let Some(more) = Count::in_line(&String::from_utf8_lossy(&bytes)) {
             count += more;

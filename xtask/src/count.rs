@@ -1,4 +1,4 @@
-//! Counting tests from what test runners print.
+//! Counts tests in the output of test runners.
 
 use std::{fmt, ops::AddAssign};
 
@@ -19,7 +19,7 @@ impl Count {
         let is_pytest = line.starts_with(|first: char| first.is_ascii_digit())
             && line
                 .split_once(" in ")
-                .is_some_and(|(_, time)| time.starts_with(|of: char| of.is_ascii_digit()))
+                .is_some_and(|(_, time)| time.starts_with(|first: char| first.is_ascii_digit()))
             && (line.contains(" passed") || line.contains(" failed"));
         if !is_pytest && !line.starts_with("test result:") && !line.starts_with("Summary [") {
             return None;

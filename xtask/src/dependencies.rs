@@ -1,6 +1,6 @@
-//! The book's table of dependencies: every one that a crate or a page names itself, its licence, who
-//! uses it, and what for. Names, licences and users come from the manifests; what for, a person
-//! writes.
+//! The book's table of dependencies: every direct one of a crate or a page, its licence, its users,
+//! and its purpose. Names, licences and users come from the manifests; the purpose is written by
+//! hand.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -21,14 +21,14 @@ use crate::{
 
 const COMMAND: &str = "dependencies";
 
-/// Folders of pages' sources; npm's lock file has the licences.
+/// Folders of pages' sources; npm's lock file contains the licences.
 const PAGES: [&str; 2] = ["crates/report/web", "web/app"];
 
 /// A dependency as the manifests know it.
 #[derive(Debug, Default, PartialEq)]
 struct Dependency {
     licence: String,
-    /// Who uses it, and whether for tests alone.
+    /// Its users, and whether they use it only for tests.
     users: BTreeMap<String, bool>,
 }
 
@@ -38,18 +38,18 @@ fn page() -> PathBuf {
     root().join("docs/src/dependencies.md")
 }
 
-/// The table has each dependency, none that is gone, and what each is for.
+/// The table has each dependency with its purpose, and no former one.
 pub(crate) fn check_table() -> Result<Finding, Failure> {
     let text = read(&page())?;
     let [_, written, _] = book::parts(&text, COMMAND)?;
     let reasons = reasons(written);
-    let wanted = table(&all()?, &reasons);
+    let expected = table(&all()?, &reasons);
     let stale = |line: &str| {
-        let advice = "run `cargo xtask dependencies --write`, and say what a new one is for";
+        let advice = "run `cargo xtask dependencies --write`, and give the purpose of a new one";
         Failure::new(format!("docs/src/dependencies.md, {line}; {advice}"))
     };
     let there: BTreeSet<&str> = written.lines().filter(|line| !line.is_empty()).collect();
-    let needed: BTreeSet<&str> = wanted.lines().collect();
+    let needed: BTreeSet<&str> = expected.lines().collect();
     if let Some(line) = needed.difference(&there).next() {
         return Err(stale(&format!("missing: {line}")));
     }
@@ -57,12 +57,12 @@ pub(crate) fn check_table() -> Result<Finding, Failure> {
         return Err(stale(&format!("out of date: {line}")));
     }
     match reasons.iter().find(|(_, reason)| reason.is_empty()) {
-        Some((name, _)) => Err(stale(&format!("what {name} is for is not said"))),
+        Some((name, _)) => Err(stale(&format!("the purpose of {name} is missing"))),
         None => Ok(Finding::Done),
     }
 }
 
-/// Writes the table into the book; what each dependency is for stays.
+/// Writes the table into the book; the purpose of each dependency is kept.
 pub(crate) fn write_table() -> Result<Finding, Failure> {
     let text = read(&page())?;
     let [_, written, _] = book::parts(&text, COMMAND)?;
@@ -71,7 +71,7 @@ pub(crate) fn write_table() -> Result<Finding, Failure> {
     book::write(&page(), COMMAND, &table(&all, &reasons))?;
     for name in all.keys() {
         if reasons.get(name.as_str()).is_none_or(|reason| reason.is_empty()) {
-            println!("say in docs/src/dependencies.md what {name} is for");
+            println!("give the purpose of {name} in docs/src/dependencies.md");
         }
     }
     Ok(Finding::Done)
@@ -96,7 +96,7 @@ fn parsed(path: &str) -> Result<Value, Failure> {
     serde_json::from_str(&text).map_err(|error| Failure::new(format!("{path}: {error}")))
 }
 
-/// What the members of the workspace depend on outside it.
+/// External dependencies of the workspace's members.
 fn of_crates(metadata: &Value) -> Dependencies {
     let packages: BTreeMap<&str, &Value> =
         list(&metadata["packages"]).map(|package| (text(&package["id"]), package)).collect();
@@ -114,7 +114,7 @@ fn of_crates(metadata: &Value) -> Dependencies {
             };
             let key = (text(&package["name"]), text(&package["version"]));
             let dependency = found.entry(key).or_default();
-            // The old way to write a choice.
+            // The old notation of alternatives.
             dependency.licence = text(&package["license"]).replace('/', " OR ");
             let for_tests = list(&used["dep_kinds"]).all(|kind| kind["kind"] == "dev");
             let user = packages.get(user).map_or(user, |user| text(&user["name"]));
@@ -135,8 +135,8 @@ fn of_crates(metadata: &Value) -> Dependencies {
     all
 }
 
-/// What a page is made of, and by. npm's two kinds say little here: all of it ends in a bundle or
-/// makes one.
+/// Dependencies of a page and of its build. The two kinds in npm are not distinguished, because all
+/// of them are bundled or make the bundle.
 fn of_page(page: &str, manifest: &Value, lock: &Value, all: &mut Dependencies) {
     for part in ["dependencies", "devDependencies"] {
         let names = manifest[part].as_object().into_iter().flatten();
@@ -149,7 +149,7 @@ fn of_page(page: &str, manifest: &Value, lock: &Value, all: &mut Dependencies) {
     }
 }
 
-/// What each is for, as the table says.
+/// Purposes of the dependencies, from the table.
 fn reasons(table: &str) -> BTreeMap<&str, &str> {
     let rows = table.lines().filter_map(|line| {
         let cells: Vec<&str> = line.strip_prefix("| `")?.split(" | ").collect();
@@ -162,7 +162,8 @@ fn reasons(table: &str) -> BTreeMap<&str, &str> {
 }
 
 fn table(all: &Dependencies, reasons: &BTreeMap<&str, &str>) -> String {
-    let mut table = String::from("| dependency | licence | of | what for |\n|---|---|---|---|\n");
+    let mut table =
+        String::from("| dependency | licence | used by | purpose |\n|---|---|---|---|\n");
     for (name, Dependency { licence, users }) in all {
         let short = |user: &str| user.strip_prefix("wholestring-").unwrap_or(user).to_owned();
         let mut used: Vec<String> = Vec::new();
@@ -221,7 +222,7 @@ mod tests {
         of_page("web", &manifest, &lock, &mut all);
         let old = "| `a` | MIT | x | kept |\n| `gone` | MIT | x | gone |\n";
         let expected = "\
-| dependency | licence | of | what for |
+| dependency | licence | used by | purpose |
 |---|---|---|---|
 | `a` | MIT OR Apache-2.0 | wholestring; tests of ours | kept |
 | `b 1.0.0` | MIT | ours |  |

@@ -1,4 +1,4 @@
-//! What a step found out.
+//! Result of a step.
 
 use crate::count::Count;
 

@@ -1,14 +1,14 @@
-//! Where things are.
+//! Paths of the repository.
 
 use std::{
     env, fs, io,
     path::{Path, PathBuf},
 };
 
-/// The root of the repository: the folder of this package's.
+/// The root of the repository: the parent of this package's folder.
 pub(crate) fn root() -> PathBuf {
-    // Cargo says it at run time too: a target folder that two checkouts share may hold the program
-    // of the other one.
+    // Cargo also sets it at run time: a target folder that two checkouts share may contain the
+    // program of the other one.
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let package = package.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
     package.parent().map(Path::to_path_buf).unwrap_or(package)
@@ -19,7 +19,7 @@ pub(crate) fn target() -> PathBuf {
     root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
-/// Copies a file, or a folder with all that is in it.
+/// Copies a file, or a folder with its contents.
 pub(crate) fn copy(from: &Path, to: &Path) -> io::Result<()> {
     if !from.is_dir() {
         return fs::copy(from, to).map(|_| ());

@@ -1,9 +1,9 @@
 //! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify`
-//! the tests that take minutes too, `cargo xtask changes` tries the examples of changes, `cargo
-//! xtask fuzz` reads damaged inputs for as long as is asked, `cargo xtask peers` measures other
-//! programs beside this one, `cargo xtask accuracy` what the accuracies of the mesh err by, `cargo
-//! xtask playground` makes the app that runs in a browser alone, `cargo xtask portability` tries
-//! other systems and processors.
+//! also runs the tests that take minutes, `cargo xtask changes` tests the examples of changes,
+//! `cargo xtask fuzz` reads damaged inputs for a given time, `cargo xtask peers` compares the speed
+//! with other programs, `cargo xtask accuracy` measures the errors of the mesh accuracies,
+//! `cargo xtask playground` builds the app that runs in a browser alone, `cargo xtask portability`
+//! tests other systems and processors.
 
 mod accuracy;
 mod app;
@@ -43,12 +43,12 @@ use finding::Finding;
 use folders::root;
 use usage::USAGE;
 
-/// The switch with which a step that fails does not end the others.
+/// Option with which a failed step does not end the others.
 const KEEP_GOING: &str = "--keep-going";
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
-/// Cheap steps first, so that a slip is reported early.
+/// Cheap steps first, so that an error is reported early.
 const TEST: &[Step] = &[
     ("Formatting", formatting),
     ("Circles between files", no_cycles),
@@ -104,7 +104,7 @@ fn main() -> ExitCode {
         ["site"] => exit_code(wasm::playground().and_then(|_| site::build())),
         ["bundles"] => exit_code(page::bundle().and_then(|_| app::bundle())),
         ["equations", "--write"] => exit_code(site::write_equations()),
-        ["equations", ref asked @ ..] => exit_code(site::equations(asked)),
+        ["equations", ref arguments @ ..] => exit_code(site::equations(arguments)),
         ["paper"] => exit_code(paper::build()),
         ["packages"] => exit_code(packages::try_all()),
         ["shown"] => exit_code(shown::quick()),
@@ -131,12 +131,12 @@ fn main() -> ExitCode {
     }
 }
 
-/// All steps, or those whose titles are given; past one that fails where that is asked for.
+/// Runs all steps, or those with the given titles; continues after a failed one on request.
 fn test(options: &[&str]) -> ExitCode {
     let (switches, titles): (Vec<_>, Vec<_>) =
         options.iter().partition(|option| **option == KEEP_GOING);
     if let Some(unknown) = titles.iter().find(|title| !TEST.iter().any(|step| step.0 == **title)) {
-        eprintln!("`{unknown}` is no step; those are:");
+        eprintln!("`{unknown}` is not a step; the steps are:");
         TEST.iter().for_each(|step| eprintln!("  {}", step.0));
         return ExitCode::from(2);
     }
@@ -187,7 +187,7 @@ fn formatting() -> Result<Finding, Failure> {
 }
 
 fn lints() -> Result<Finding, Failure> {
-    // The command as it is without its app, too.
+    // The command without its app as well.
     let all = [&WORKSPACE[..], &["--workspace"]];
     for (packages, targets) in all.into_iter().zip(["--all-targets", "--bin=wholestring"]) {
         let mut clippy = cargo();
@@ -198,7 +198,7 @@ fn lints() -> Result<Finding, Failure> {
 }
 
 fn tests() -> Result<Finding, Failure> {
-    // nextest runs the tests of all crates side by side and knows no documentation examples.
+    // nextest runs the tests of all crates in parallel, but not the documentation examples.
     let mut runner = cargo();
     if succeeds(cargo().args(["nextest", "--version"])) {
         runner.args(["nextest", "run", "--no-fail-fast"]).args(WORKSPACE);
@@ -211,23 +211,23 @@ fn tests() -> Result<Finding, Failure> {
     run_counted(&mut runner).map(Finding::Tested)
 }
 
-/// No file uses another that, by way of others, uses it.
+/// No file uses another that, through others, uses it.
 fn no_cycles() -> Result<Finding, Failure> {
     let found = cycles::in_words(&root()).map_err(|error| Failure::new(error.to_string()))?;
     if found.is_empty() {
         return Ok(Finding::Done);
     }
     Err(Failure::new(format!(
-        "{found}files use each other in circles: move what both need to a file of its own"
+        "{found}files use each other in circles: move the shared items to a separate file"
     )))
 }
 
-/// Damaged inputs for every reader, as the fuzzer is asked. Unoptimised checks of arithmetic stay
-/// in.
+/// Runs every reader on damaged inputs, with the fuzzer's options. Unoptimised arithmetic checks
+/// remain enabled.
 fn fuzz(fuzz_options: &[&str]) -> Result<Finding, Failure> {
     run(
         program("--bin", "wholestring-fuzz")?.args(fuzz_options),
-        "a reader did not stand an input: mend it, and keep the input as a test",
+        "a reader failed on an input: fix it, and add the input as a test",
     )?;
     Ok(Finding::Done)
 }
@@ -236,7 +236,7 @@ fn damaged_inputs() -> Result<Finding, Failure> {
     fuzz(&["20"])
 }
 
-/// The end of a chore of one step.
+/// The exit code of a chore of one step.
 fn exit_code(done: Result<Finding, Failure>) -> ExitCode {
     match done {
         Ok(_) => ExitCode::SUCCESS,

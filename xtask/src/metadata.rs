@@ -1,10 +1,10 @@
-//! What cargo knows of the workspace.
+//! Cargo's metadata of the workspace.
 
 use serde_json::Value;
 
 use crate::command::{Failure, cargo, printed};
 
-/// All packages and what each of them uses, as the lock file has it.
+/// All packages and their dependencies, as in the lock file.
 pub(crate) fn all() -> Result<Value, Failure> {
     asked(&["--all-features"])
 }
@@ -21,12 +21,12 @@ fn asked(more: &[&str]) -> Result<Value, Failure> {
         .map_err(|error| Failure::new(format!("`cargo metadata`: {error}")))
 }
 
-/// The parts of a list; none where it is none.
+/// Elements of a list; none for other values.
 pub(crate) fn list(value: &Value) -> impl Iterator<Item = &Value> {
     value.as_array().into_iter().flatten()
 }
 
-/// A text; empty where it is none.
+/// A text; empty for other values.
 pub(crate) fn text(value: &Value) -> &str {
     value.as_str().unwrap_or_default()
 }

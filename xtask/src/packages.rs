@@ -1,5 +1,5 @@
-//! What is published: every crate that is not kept back, in the order of what they use. Cargo packs
-//! them, and builds each of its own package and of the packages before it.
+//! Publication: every crate that is not excluded, in the order of dependencies. Cargo packs them,
+//! and builds each from its own package and the packages before it.
 
 use std::{
     collections::BTreeSet,
@@ -17,13 +17,13 @@ use crate::{
     metadata::{self, list, text},
 };
 
-/// Macros that put a file into a program.
+/// Macros that include a file in a program.
 const INCLUDES: [&str; 3] = ["include", "include_bytes", "include_str"];
 
-/// Texts of the licence that stand in each package: MIT's is to go with every copy.
+/// Licence texts in each package: that of MIT must accompany every copy.
 const LICENCES: [&str; 2] = ["LICENSE-APACHE", "LICENSE-MIT"];
 
-/// Each package holds what it is made of, and says what a registry asks for.
+/// Each package contains its sources, and the fields that a registry requires.
 pub(crate) fn check() -> Result<Finding, Failure> {
     let found = amiss(&metadata::of_members()?);
     let found = found.map_err(|error| Failure::new(format!("the sources: {error}")))?;
@@ -33,31 +33,35 @@ pub(crate) fn check() -> Result<Finding, Failure> {
     }
 }
 
-/// Packs all of them and builds each of its package, as for publication; nothing is uploaded. What
-/// is packed is the working tree.
+/// Packs all of them and builds each from its package, as for publication; nothing is uploaded. The
+/// working tree is packed.
 pub(crate) fn try_all() -> Result<Finding, Failure> {
     check()?;
     let mut command = cargo();
     command.args(["publish", "--workspace", "--dry-run", "--locked", "--allow-dirty"]);
     command.arg("--target-dir").arg(target().join("packages"));
-    // Each package is compiled for the packages after it again: nobody debugs them.
+    // Each package is compiled again for the packages after it; debug information is not needed.
     command.env("CARGO_PROFILE_DEV_DEBUG", "false").env("CARGO_INCREMENTAL", "0");
-    run(&mut command, "each package must compile of what is in it and of other packages")?;
+    run(&mut command, "each package must compile from its own contents and other packages")?;
     Ok(Finding::Done)
 }
 
 /// The members that are published.
 fn published(metadata: &Value) -> Vec<&Value> {
-    let kept = |package: &&Value| package["publish"].as_array().is_none_or(|to| !to.is_empty());
-    list(&metadata["packages"]).filter(|package| package["source"].is_null()).filter(kept).collect()
+    let is_published =
+        |package: &&Value| package["publish"].as_array().is_none_or(|to| !to.is_empty());
+    list(&metadata["packages"])
+        .filter(|package| package["source"].is_null())
+        .filter(is_published)
+        .collect()
 }
 
 fn folder(package: &Value) -> PathBuf {
     Path::new(text(&package["manifest_path"])).parent().map(Path::to_path_buf).unwrap_or_default()
 }
 
-/// What is amiss with the packages, a line each: files from outside of them, and what a registry
-/// or a reader of it asks for.
+/// Errors of the packages, one line each: files from outside of them, and missing fields or texts
+/// that a registry or a reader of it needs.
 fn amiss(metadata: &Value) -> io::Result<Vec<String>> {
     let mut found = Vec::new();
     let mut descriptions = BTreeSet::new();
@@ -73,7 +77,7 @@ fn amiss(metadata: &Value) -> io::Result<Vec<String>> {
         }
         for licence in LICENCES {
             let ours = fs::read(root().join(licence))?;
-            // A link, where the checkout has none, is a file with the place of the other.
+            // In a checkout without links, a link is a file with the path of the other.
             if fs::read(folder.join(licence)).ok() != Some(ours) {
                 found.push(format!("{name} lacks {licence}: make a link to that of the root"));
             }
@@ -111,7 +115,7 @@ fn sources(folder: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// The files that a source includes, as it writes them; what a macro fills in is left out.
+/// The files that a source includes, as written; those completed by a macro are left out.
 fn included(source: &str) -> Vec<String> {
     let words = tokens(source).unwrap_or_default();
     let begins = words.windows(3).enumerate().filter(|(_, words)| {
@@ -128,7 +132,7 @@ fn included(source: &str) -> Vec<String> {
     begins.map(argument).collect()
 }
 
-/// Whether a path that is written in a file leads out of the folder that the file is said from.
+/// Whether a path in a file, whose own path is relative to the package, leads out of the package.
 fn leaves(file: &Path, path: &str) -> bool {
     let mut depth = file.components().count() as i64 - 1;
     Path::new(path).components().any(|part| {

@@ -1,5 +1,5 @@
-//! The pages of a run, a sweep, an assembly, a study, a plan, a reach, a calibration and a bit test: whether their committed bundle is what its
-//! sources make, and whether they work in a browser.
+//! Pages of a run, a sweep, an assembly, a study, a plan, a reach, a calibration and a bit test:
+//! checks that their committed bundle equals that of its sources, and that they work in a browser.
 
 use std::{path::Path, process::Command};
 
@@ -10,15 +10,14 @@ use crate::{
     web::{Web, installed_browser, unable},
 };
 
-/// What the pages are made from.
+/// Sources of the pages.
 const WEB: Web = Web("crates/report/web");
 
-/// A name that would break out of its element if anything could, and a text that looks like code.
+/// A name that would break out of its element without escaping, and a text that looks like code.
 const NASTY: &str = r#"name="Slant </script><script>window.harmed = 1</script> & <b>co</b>""#;
 
-/// A plan with something in every part of its page: a mud that flows, a rig whose limits are near,
-/// numbers that are not known exactly, peaks, and, of [`READ`], what was measured and what another
-/// program computed.
+/// A plan with contents in every part of its page: a mud with flow, a rig near its limits,
+/// uncertain numbers, peaks, and from [`READ`] measured values and those of another program.
 const PLANNED: [&str; 28] = [
     "--set",
     "plan.depths=8",
@@ -50,19 +49,19 @@ const PLANNED: [&str; 28] = [
     "plan.uncertain.samples=20",
 ];
 
-/// Numbers that are not known exactly.
+/// Uncertain numbers.
 const UNCERTAIN: &str = "plan.uncertain.input=[{ key = \"friction\", from = 0.15, to = 0.35 }, \
     { key = \"mud.density\", from = \"1.1 sg\", to = \"1.3 sg\" }]";
 
-/// Weights and torques of the slant well, made up.
+/// Invented weights and torques of the slant well.
 const READ: &str = "crates/cli/tests/data/slant-read.csv";
 
-/// The bundle in `crates/report/assets` is what `crates/report/web` makes.
+/// The bundle in `crates/report/assets` equals that of `crates/report/web`.
 pub(crate) fn bundle() -> Result<Finding, Failure> {
     WEB.bundle()
 }
 
-/// Every plot of a page draws, what can be switched switches, and nothing is fetched.
+/// Every plot of a page is drawn, its switches work, and nothing is fetched.
 pub(crate) fn browser() -> Result<Finding, Failure> {
     if let Err(reason) = WEB.install() {
         return unable(reason);
@@ -79,7 +78,7 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
         "records.frames=20Hz",
         "--set",
         r#"operation.kind=["trip_out", "rotate_off_bottom", "drill"]"#,
-        // Nodes nearer to each other than joints are.
+        // Nodes closer than the joints.
         "--set",
         "mesh.element_length=3.2m",
     ];

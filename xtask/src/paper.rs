@@ -1,4 +1,4 @@
-//! The paper as a PDF, by pandoc and Typst, which pip installs as they are.
+//! The paper as a PDF, built by pandoc and Typst, which pip installs as binaries.
 
 use std::{fs, process::Command};
 
@@ -13,8 +13,8 @@ use crate::{
 const OLDEST: &str = "3.10";
 const TOOLS: [&str; 2] = ["pypandoc_binary>=1.15,<2", "typst>=0.13,<1"];
 
-/// A citation that the bibliography lacks is a warning of pandoc, and an error here. Who wrote it is
-/// `authors` where the journal looks, and `author` where pandoc does.
+/// A citation that is missing in the bibliography is a warning of pandoc, and an error here. The
+/// authors are `authors` for the journal, and `author` for pandoc.
 const BUILD: &str = "\
 import pathlib, pypandoc, sys, typst
 made, pdf = sys.argv[1:]

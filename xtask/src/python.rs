@@ -1,4 +1,4 @@
-//! Python: an interpreter that is new enough, virtual environments, and the example, run on the
+//! Python: a sufficiently new interpreter, virtual environments, and the example, run on the
 //! results of a small case.
 
 use std::{
@@ -41,7 +41,7 @@ pub(crate) fn example() -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// A Python that is as new as `oldest`, such as 3.9.
+/// A Python of at least version `oldest`, such as 3.9.
 pub(crate) fn python(oldest: &str) -> Option<Command> {
     let check = format!("import sys; sys.exit(sys.version_info < ({}))", oldest.replace('.', ", "));
     [&["python3"][..], &["python"], &["py", "-3"]]
@@ -60,8 +60,8 @@ pub(crate) fn python(oldest: &str) -> Option<Command> {
         })
 }
 
-/// The Python of a virtual environment in which `check` runs, with what `pip install` is told to
-/// install; made once and kept.
+/// The Python of a virtual environment in which `check` runs, with these arguments of
+/// `pip install`; created once and kept.
 pub(crate) fn environment(
     mut python: Command,
     folder: &Path,

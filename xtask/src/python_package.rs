@@ -1,6 +1,6 @@
 //! The Python package: installed into a fresh virtual environment as a user does, where the
-//! README's quick start runs; then its tests, the examples in its documentation, and the checkers
-//! of its types and its style.
+//! README's quick start runs; then its tests, the examples in its documentation, and checks of its
+//! types and its style.
 
 use std::{
     env, fs,
@@ -18,10 +18,10 @@ use crate::{
 /// Oldest Python that the package supports.
 pub(crate) const OLDEST: &str = "3.10";
 
-/// Since when it installs groups of dependencies.
+/// First version that installs groups of dependencies.
 const PIP: &str = "pip>=25.1";
 
-/// Whether everything in the group `test` of `pyproject.toml` is there.
+/// Whether everything in the group `test` of `pyproject.toml` is installed.
 const CHECK: &str = "\
 import importlib.metadata as there, re
 try:
@@ -35,7 +35,7 @@ for one in group:
 pub(crate) fn package() -> Result<Finding, Failure> {
     let with_tests = match prepared() {
         Ok(with_tests) => with_tests,
-        // Where nobody looks, what was not tested would pass for tested.
+        // In CI, an untested step would count as passed.
         Err(reason) if env::var_os("CI").is_some() => return Err(Failure::new(reason)),
         Err(reason) => return Ok(Finding::Skipped(reason)),
     };
@@ -58,9 +58,9 @@ pub(crate) fn package() -> Result<Finding, Failure> {
     run_counted(&mut module(&with_tests, "pytest")).map(Finding::Tested)
 }
 
-/// The README's quick start, in an environment that has nothing but the package and what it needs.
+/// The README's quick start, in an environment with only the package and its dependencies.
 fn quick_start() -> Result<(), Failure> {
-    let shown = readme_quick_start()?;
+    let example = readme_quick_start()?;
     let folder = target().join("python-fresh");
     if folder.exists() {
         let removed = fs::remove_dir_all(&folder);
@@ -71,17 +71,17 @@ fn quick_start() -> Result<(), Failure> {
     let fresh = inside(&folder);
     install(&fresh, &[])?;
     run(
-        Command::new(fresh).current_dir(root()).args(["-c", &shown]),
-        "the quick start in README.md must run as it stands",
+        Command::new(fresh).current_dir(root()).args(["-c", &example]),
+        "the quick start in README.md must run unchanged",
     )
 }
 
-/// The Python that the README begins with.
+/// The first Python example of the README.
 pub(crate) fn readme_quick_start() -> Result<String, Failure> {
     let readme = fs::read_to_string(root().join("README.md"));
     let readme = readme.map_err(|error| Failure::new(format!("README.md: {error}")))?;
-    let shown = first_python(&readme).ok_or_else(|| Failure::new("README.md shows no Python"))?;
-    Ok(shown.to_owned())
+    let example = first_python(&readme).ok_or_else(|| Failure::new("README.md shows no Python"))?;
+    Ok(example.to_owned())
 }
 
 /// The first block of Python on a page.
@@ -90,7 +90,7 @@ fn first_python(page: &str) -> Option<&str> {
     rest.split_once("\n```").map(|(block, _)| block)
 }
 
-/// `pip install .`, optimised as the other tests are, and of the parts that these are made of.
+/// `pip install .`, optimised as the other tests are, with the crates compiled for them.
 fn install(python: &Path, options: &[&str]) -> Result<(), Failure> {
     let mut install = module(python, "pip");
     install.env("MATURIN_PEP517_ARGS", "--profile=dev");
@@ -98,7 +98,7 @@ fn install(python: &Path, options: &[&str]) -> Result<(), Failure> {
     run(install.arg("."), "the package must build")
 }
 
-/// The Python of a virtual environment with what the tests need.
+/// The Python of a virtual environment with the dependencies of the tests.
 fn prepared() -> Result<PathBuf, String> {
     let python = python(OLDEST).ok_or(format!("there is no Python {OLDEST} or newer here"))?;
     let folder = target().join("python-package");
@@ -113,7 +113,7 @@ fn prepared() -> Result<PathBuf, String> {
     if has_all() { Ok(python) } else { Err(missing()) }
 }
 
-/// A module of Python, to be run where the package is; none where its name is empty.
+/// A Python module to run in the package's folder; only Python if its name is empty.
 fn module(python: &Path, name: &str) -> Command {
     let mut command = Command::new(python);
     command.current_dir(root().join("crates/python"));

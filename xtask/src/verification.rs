@@ -1,4 +1,4 @@
-//! The book's table of verification, made of what the tests report.
+//! The book's table of verification, from the reports of the tests.
 
 use std::{
     collections::BTreeMap,
@@ -15,14 +15,14 @@ use crate::{
     folders::{root, target},
 };
 
-/// Where the tests of the last run reported to.
+/// File of the reports of the last test run.
 pub(crate) fn reported() -> PathBuf {
     // Absolute: each test runs in the folder of its own package.
     let target = target();
     target.canonicalize().unwrap_or(target).join("verification.jsonl")
 }
 
-/// Removes what an earlier run reported.
+/// Removes the reports of an earlier run.
 pub(crate) fn forget() -> Result<(), Failure> {
     let path = reported();
     match fs::remove_file(&path) {
@@ -37,7 +37,7 @@ fn page() -> PathBuf {
     root().join("docs/src/verification-table.md")
 }
 
-/// Runs every test, those that take minutes too.
+/// Runs every test, including those that take minutes.
 pub(crate) fn all_tests() -> Result<Finding, Failure> {
     forget()?;
     let mut runner = cargo();
@@ -61,8 +61,8 @@ pub(crate) fn write_table() -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// Whether the table in the book has the cases that the tests reported, and no other than are on
-/// record. Its numbers are those of the machine that made it.
+/// Checks that the table in the book has the cases that the tests reported, and no others than
+/// those on record. Its numbers are those of the machine that made it.
 pub(crate) fn check_table() -> Result<Finding, Failure> {
     let text = fs::read_to_string(page()).unwrap_or_default();
     let listed: Vec<&str> = text
@@ -97,11 +97,11 @@ fn read(path: &Path) -> Result<Vec<Line<'static>>, Failure> {
         .collect()
 }
 
-/// What `verification/README.md` says of the cases.
+/// The list of cases in `verification/README.md`.
 struct Cases(Vec<Case>);
 
 struct Case {
-    /// Files, or names of cases without one.
+    /// Names of files, or of cases without a file.
     names: Vec<String>,
     what: String,
     source: String,
@@ -140,18 +140,16 @@ impl Cases {
 const INTRODUCTION: &str = "\
 # Verification, number by number
 
-What the tests of [Verification](verification.md) compare with what, within what and why. `cargo \
-xtask verify`
-runs all of them, those that take minutes too, and writes this page; the numbers are those of the \
-machine
-that did. Where a row stands for several numbers, it is the one nearest to its tolerance. Errors and
-tolerances are parts of the expected value where no unit says otherwise. What stands as it comes \
-is not required:
-a prediction, or a number of the source that is missed, with the reason beside it.
+Each number of the tests of [Verification](verification.md) with its reference, tolerance and the
+reason for the tolerance. `cargo xtask verify` runs all tests, including those that take minutes,
+and writes this page; the numbers are those of the machine that ran them. A row of several numbers shows
+the one nearest to its tolerance. Errors and tolerances are relative to the expected value unless a
+unit is given. Numbers without a limit are predictions, or numbers of a source that are not
+reproduced, with the reason in the last column.
 ";
 
 fn table(lines: &[Line<'_>], cases: &Cases) -> Result<String, Failure> {
-    // By the text, too: 0.01 and 0.1 have the same pieces.
+    // The text is part of the key, because 0.01 and 0.1 have the same pieces.
     type Key<'a> = (Vec<Piece<'a>>, &'a str);
     let mut sorted: BTreeMap<&str, BTreeMap<Key<'_>, &Line<'_>>> = BTreeMap::new();
     for line in lines {
@@ -180,17 +178,17 @@ fn table(lines: &[Line<'_>], cases: &Cases) -> Result<String, Failure> {
 }
 
 fn row(line: &Line<'_>) -> String {
-    let Line { quantity, expected, computed, tolerance, reason, of, .. } = line;
-    let many = if *of > 1 { format!(" (of {of})") } else { String::new() };
+    let Line { quantity, expected, computed, tolerance, reason, of: count, .. } = line;
+    let many = if *count > 1 { format!(" (of {count})") } else { String::new() };
     let apart = error(*expected, *computed, *tolerance);
-    // `climb, rad` is in rad.
+    // The unit of `climb, rad` is rad.
     let unit = unit(quantity);
     let in_unit = |value: f64| format!("{} {unit}", short(value)).trim_end().to_owned();
     let (apart, within) = match tolerance {
         Tolerance::Relative(most) => (short(apart), short(*most)),
         Tolerance::Absolute(most) => (in_unit(apart), in_unit(*most)),
         Tolerance::AtLeast => ("–".to_owned(), "at least".to_owned()),
-        Tolerance::Any => (short(apart), "as it comes".to_owned()),
+        Tolerance::Any => (short(apart), "no limit".to_owned()),
     };
     let cells = [
         format!("{quantity}{many}"),
@@ -205,7 +203,7 @@ fn row(line: &Line<'_>) -> String {
 
 /// Six digits.
 fn number(value: f64) -> String {
-    // Adding zero takes the sign off zero.
+    // Adding zero removes the sign of zero.
     let plain: f64 = format!("{value:.5e}").parse().unwrap_or(value) + 0.0;
     if plain == 0.0 || (1e-3..1e7).contains(&plain.abs()) {
         plain.to_string()
@@ -220,7 +218,7 @@ fn short(value: f64) -> String {
     if plain == 0.0 || plain >= 1e-3 { plain.to_string() } else { format!("{plain:e}") }
 }
 
-/// A stretch of a text: digits sort by their number.
+/// A section of a text: digits are sorted by their number.
 #[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Piece<'a> {
     Number(u64),
@@ -287,12 +285,12 @@ mod tests {
 | quantity | expected | computed | error | within | why |
 |---|---|---|---|---|---|
 | spread (of 3) | 2e-5 | 2.00002e-5 | – | at least | a reason |
-| torque (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | as it comes | a reason |
+| torque (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | no limit | a reason |
 \n## E06: a blow\n\nSource: closed forms.\n
 | quantity | expected | computed | error | within | why |
 |---|---|---|---|---|---|
-| force at 0.01 m (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | as it comes | a reason |
-| force at 0.1 m (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | as it comes | a reason |
+| force at 0.01 m (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | no limit | a reason |
+| force at 0.1 m (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | no limit | a reason |
 | force at 9 m, N (of 3) | 2e-5 | 2.00002e-5 | 2e-10 N | 0.25 N | a reason |
 | force at 10 m (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | 1e-4 | a reason |
 ";

@@ -1,4 +1,5 @@
-//! The engine in WebAssembly: whether it compiles for the browser, and the page that runs it there.
+//! The engine in WebAssembly: checks that it compiles for the browser, and the page that runs it
+//! there.
 
 use std::{
     env,
@@ -18,7 +19,7 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// The page's sources.
 const WEB: Web = Web("web/app");
 
-/// Why nothing can be compiled for the browser here, if that is so.
+/// Reason why nothing can be compiled for the browser here, if so.
 fn lacking() -> Option<String> {
     let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let sysroot = Command::new(rustc).args(["--print", "sysroot"]).output();
@@ -29,7 +30,7 @@ fn lacking() -> Option<String> {
     (!installed).then(|| format!("the target is not installed (`rustup target add {TARGET}`)"))
 }
 
-/// Core alone compiles, without registers of WebAssembly too.
+/// Core alone compiles, with and without SIMD of WebAssembly.
 pub(crate) fn core() -> Result<Finding, Failure> {
     if let Some(reason) = lacking() {
         return Ok(Finding::Skipped(reason));
@@ -41,8 +42,8 @@ pub(crate) fn core() -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// The engine, small and with registers of WebAssembly. Its profile is its own: what a browser
-/// fetches is small.
+/// The engine, optimised for size and with SIMD of WebAssembly. It has its own profile, because
+/// browsers download it.
 fn engine() -> Result<PathBuf, Failure> {
     let mut build = cargo();
     build.args(["build", "--quiet", "--target", TARGET, "--profile", "browser"]);
@@ -66,7 +67,7 @@ pub(crate) fn playground() -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// The page without a server does what it is for, and its answers are those of the program.
+/// The page without a server works, and its results equal those of the program.
 pub(crate) fn browser() -> Result<Finding, Failure> {
     if let Some(reason) = lacking() {
         return Ok(Finding::Skipped(reason));

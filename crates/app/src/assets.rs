@@ -1,4 +1,4 @@
-//! The page and what belongs to it, embedded.
+//! The embedded page and its files.
 
 use std::future::ready;
 
@@ -14,15 +14,15 @@ use crate::{app::App, fingerprint::fingerprint};
 /// The files of `assets/`, by name: `build.rs` lists them.
 const FILES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/assets.rs"));
 
-/// The page itself, which answers for the folder.
+/// The page itself, which is returned for the root path.
 const PAGE: &str = "index.html";
 
-/// A file as it is answered.
+/// A file with its response headers.
 #[derive(Debug, Clone)]
 struct Asset {
     content_type: &'static str,
     bytes: &'static [u8],
-    /// What a browser that has it says.
+    /// The entity tag.
     tag: String,
 }
 
@@ -39,20 +39,20 @@ pub(crate) fn routes() -> Router<App> {
 impl Asset {
     /// The file, unless the browser has it.
     fn answer(&self, headers: &HeaderMap) -> Response {
-        let kept = headers.get(header::IF_NONE_MATCH).and_then(|tags| tags.to_str().ok());
+        let known_tags = headers.get(header::IF_NONE_MATCH).and_then(|tags| tags.to_str().ok());
         let described = [
             (header::CONTENT_TYPE, self.content_type),
             (header::ETAG, self.tag.as_str()),
             (header::CACHE_CONTROL, "no-cache"),
         ];
-        if kept.is_some_and(|tags| tags.split(',').any(|one| one.trim() == self.tag)) {
+        if known_tags.is_some_and(|tags| tags.split(',').any(|one| one.trim() == self.tag)) {
             return (StatusCode::NOT_MODIFIED, described).into_response();
         }
         (described, self.bytes).into_response()
     }
 }
 
-/// What a file of this name holds, for a browser.
+/// The content type of a file by its name.
 fn content_type(name: &str) -> &'static str {
     match name.rsplit('.').next() {
         Some("html") => "text/html; charset=utf-8",

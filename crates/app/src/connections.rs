@@ -1,4 +1,4 @@
-//! Connections: so many at once, each with a head of so many bytes in so many seconds.
+//! Connections: a limited number at once, each with limits on the size and the time of its head.
 
 use std::{convert::Infallible, sync::Arc, time::Duration};
 
@@ -29,13 +29,13 @@ use crate::{
     stop::Stop,
 };
 
-/// What answers on a port.
+/// The services on a port.
 #[derive(Debug, Clone)]
 pub(crate) struct Connections {
     router: Router,
     guard: Arc<Guard>,
     limits: Limits,
-    /// Places for requests with large bodies.
+    /// Permits for requests with large bodies.
     large_bodies: Arc<Semaphore>,
 }
 
@@ -45,15 +45,16 @@ impl Connections {
         Self { router, guard: Arc::new(guard), limits, large_bodies }
     }
 
-    /// Takes connections until it is asked to stop, then waits a bounded time for open answers.
+    /// Accepts connections until it is stopped, then waits a bounded time for open responses.
     pub(crate) async fn serve(self, listener: TcpListener, stop: &Stop) {
         let places = Arc::new(Semaphore::new(self.limits.connections));
         let accept = async {
             loop {
-                // Without a free place nobody is taken: those who come wait with the system.
+                // Without a free permit no connection is accepted, and further clients wait in the
+                // system's queue.
                 let Ok(place) = places.clone().acquire_owned().await else { return };
                 let Ok((stream, _)) = listener.accept().await else {
-                    // Out of file descriptors, for one: they come back as connections end.
+                    // Out of file descriptors, for example, which are freed as connections end.
                     sleep(Duration::from_millis(50)).await;
                     continue;
                 };
@@ -73,7 +74,7 @@ impl Connections {
         let _ = timeout(self.limits.closing_time, places.acquire_many(all)).await;
     }
 
-    /// One connection, request after request.
+    /// Serves one connection, request after request.
     async fn attend(&self, stream: TcpStream, stop: &Stop) {
         let _ = stream.set_nodelay(true);
         let service =
@@ -90,7 +91,7 @@ impl Connections {
             _ = connection.as_mut() => return,
             () = stop.requested() => connection.as_mut().graceful_shutdown(),
         }
-        // What fails here is the other side's: it has gone, or spoke no HTTP.
+        // A failure here is the client's: it has disconnected, or did not send HTTP.
         let _ = connection.await;
     }
 
@@ -111,14 +112,14 @@ impl Connections {
         guard::headers::put(response, host.as_ref())
     }
 
-    /// A request that may be answered, in its turn where its body is large.
+    /// Routes an admitted request, after a permit if its body is large.
     async fn route(&self, request: Request) -> Response {
         let body = request.body().size_hint();
         if body.lower() > self.limits.body_bytes as u64 {
             return self.too_long();
         }
         let is_large = body.upper().is_none_or(|most| most > self.limits.small_body_bytes as u64);
-        // The places are never closed.
+        // The semaphore is never closed.
         let _place = if is_large { self.large_bodies.acquire().await.ok() } else { None };
         match self.router.clone().oneshot(request).await {
             Ok(response) => response,
@@ -128,7 +129,7 @@ impl Connections {
 
     fn too_long(&self) -> Response {
         let most = self.limits.body_bytes >> 20;
-        let message = format!("a request holds at most {most} MB");
+        let message = format!("a request is limited to {most} MB");
         ApiError::new(StatusCode::PAYLOAD_TOO_LARGE, "too_long", message).into_response()
     }
 

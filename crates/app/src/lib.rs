@@ -1,12 +1,12 @@
 //! The local web app: a server on the loopback address, and the page that it serves.
 //!
 //! [`Server::bind`] opens a folder of cases and a port of 127.0.0.1; [`Server::url`] is the address
-//! with which a browser is let in, and [`Server::run`] serves until a [`Stop`] asks it to end.
-//! Nothing here prints.
+//! that admits a browser, and [`Server::run`] serves until a [`Stop`] ends it. This crate prints
+//! nothing.
 //!
-//! A request goes one way: the `guard` decides whether it is answered at all, the router finds its
-//! noun in `api`, and that asks the `workspace`, which reads and writes nothing outside its folder.
-//! What needs neither is answered by `wholestring-screens`.
+//! A request takes one path: the `guard` admits it or not, the router finds its module in `api`,
+//! and that calls the `workspace`, which reads and writes nothing outside its folder. Requests that
+//! need neither are answered by `wholestring-screens`.
 #![warn(missing_docs)]
 
 mod api;

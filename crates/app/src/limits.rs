@@ -1,39 +1,39 @@
-//! How much the server takes at once.
+//! Limits of the server.
 
 use std::time::Duration;
 
-/// How much the server takes at once. What is beyond is refused with a sentence.
+/// Limits of the server. Requests beyond them are refused with a message.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
-    /// The body of a request, bytes.
+    /// Size of the body of a request, bytes.
     pub(crate) body_bytes: usize,
-    /// The same of one that is no upload of files: a text as JSON.
+    /// The same for all but uploads of files: a text as JSON.
     pub(crate) json_bytes: usize,
-    /// A body longer than this is large, bytes, and so is one whose length is not said.
+    /// Size beyond which a body is large, bytes; a body of undeclared length is large, too.
     pub(crate) small_body_bytes: usize,
-    /// Requests with large bodies; further ones wait until one is answered.
+    /// Number of concurrent requests with large bodies; further ones wait.
     pub(crate) large_bodies: usize,
-    /// The head of a request, bytes.
+    /// Size of the head of a request, bytes.
     pub(crate) head_bytes: usize,
-    /// Header fields of a request.
+    /// Number of header fields of a request.
     pub(crate) header_fields: usize,
-    /// Connections; further ones wait until one ends.
+    /// Number of connections; further ones wait.
     pub(crate) connections: usize,
-    /// Time for the head of a request to arrive, on a connection that waits for its next, too.
+    /// Time for the head of a request to arrive, also on an idle connection.
     pub(crate) head_time: Duration,
-    /// Time for the body of a request to arrive and the answer to begin.
+    /// Time for the body of a request to arrive and the response to begin.
     pub(crate) request_time: Duration,
-    /// Strings that are live at once.
+    /// Number of live strings.
     pub(crate) live_strings: usize,
-    /// Memory of the checkpoints of one of them, bytes.
+    /// Memory of the checkpoints of a live string, bytes.
     pub(crate) live_checkpoint_bytes: usize,
-    /// Samples that one of them keeps for who comes late.
+    /// Number of samples that a live string keeps for viewers that join later.
     pub(crate) live_samples: usize,
-    /// Time after which one ends that nobody looks at.
+    /// Time without a viewer after which a live string ends.
     pub(crate) live_idle: Duration,
-    /// Pages that look at live strings at once.
+    /// Number of pages that view live strings.
     pub(crate) live_viewers: usize,
-    /// Time for open answers to end once the server is to stop.
+    /// Time for open responses to finish when the server stops.
     pub(crate) closing_time: Duration,
 }
 

@@ -1,4 +1,4 @@
-//! The server: a port of the loopback address, and what answers on it.
+//! The server on a port of the loopback address.
 
 use std::{
     io,
@@ -16,30 +16,30 @@ use crate::{
     workspace::{Workspace, WorkspaceError},
 };
 
-/// What a server serves, and where.
+/// Folder and port of a server.
 #[derive(Debug, Clone)]
 pub struct Options {
-    /// The folder of the cases, which nothing leaves.
+    /// The folder of the cases, which confines all access.
     pub folder: PathBuf,
-    /// The port of 127.0.0.1; 0: one that is free.
+    /// The port of 127.0.0.1; 0: a free one.
     pub port: u16,
 }
 
-/// Why a server cannot be.
+/// Reason why a server cannot start.
 #[derive(Debug, thiserror::Error)]
 pub enum ServerError {
     /// The folder cannot be used.
     #[error("{0}")]
     Folder(String),
-    /// The port is taken, or may not be used.
+    /// The port is in use, or not permitted.
     #[error("port {port} of 127.0.0.1 cannot be opened: {source}")]
     Port {
         /// The port.
         port: u16,
-        /// What the system says.
+        /// The error of the system.
         source: io::Error,
     },
-    /// The system gave no random numbers or no threads.
+    /// The system provided no random numbers or no threads.
     #[error("the server cannot be started: {0}")]
     System(String),
 }
@@ -50,7 +50,7 @@ impl From<WorkspaceError> for ServerError {
     }
 }
 
-/// A server that has its port and its folder, and waits to be run.
+/// A server with its port and its folder, ready to run.
 #[derive(Debug)]
 pub struct Server {
     listener: TcpListener,
@@ -63,7 +63,7 @@ impl Server {
     /// Opens the folder and the port.
     ///
     /// # Errors
-    /// A folder that is none or cannot be read, a port that cannot be opened.
+    /// A missing or unreadable folder, and a port that cannot be opened.
     pub fn bind(options: &Options) -> Result<Self, ServerError> {
         let workspace = Workspace::open(&options.folder)?;
         let port = options.port;
@@ -77,20 +77,20 @@ impl Server {
         Ok(Self { listener, guard, app, stop: Stop::new() })
     }
 
-    /// The address that lets a browser in: it holds the token of this start.
+    /// The address that admits a browser: it contains the token of this start.
     pub fn url(&self) -> String {
         self.guard.url()
     }
 
-    /// What stops it.
+    /// Handle that stops it.
     pub fn stop(&self) -> Stop {
         self.stop.clone()
     }
 
-    /// Serves until it is asked to stop.
+    /// Serves until it is stopped.
     ///
     /// # Errors
-    /// A system that gives no threads.
+    /// The system provides no threads.
     pub fn run(self) -> Result<(), ServerError> {
         let Self { listener, guard, app, stop } = self;
         let failed = |error: io::Error| ServerError::System(error.to_string());

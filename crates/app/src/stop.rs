@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use tokio::sync::watch;
 
-/// Asks a server to stop. Its clones ask the same server, from any thread.
+/// Stops a server. Its clones stop the same server, from any thread.
 #[derive(Debug, Clone)]
 pub struct Stop(Arc<watch::Sender<bool>>);
 
@@ -13,15 +13,15 @@ impl Stop {
         Self(Arc::new(watch::Sender::new(false)))
     }
 
-    /// Asks to stop, and says whether somebody had asked before.
+    /// Requests the stop, and returns whether it had been requested before.
     pub fn stop(&self) -> bool {
         self.0.send_replace(true)
     }
 
-    /// Waits until somebody asks.
+    /// Waits for a request to stop.
     pub(crate) async fn requested(&self) {
-        let mut asked = self.0.subscribe();
-        // The sender is held here: it cannot be gone.
-        let _ = asked.wait_for(|asked| *asked).await;
+        let mut receiver = self.0.subscribe();
+        // The sender is owned here, so that it cannot be closed.
+        let _ = receiver.wait_for(|is_requested| *is_requested).await;
     }
 }

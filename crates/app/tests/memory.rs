@@ -8,15 +8,15 @@ use std::{fs, io::Write, net::TcpStream};
 use common::{Served, read_answer};
 use serde_json::json;
 
-/// The most memory that this process has held so far, MB: server and client.
+/// Peak memory of this process so far, MB: server and client.
 fn most_memory_MB() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap();
     let line = status.lines().find(|line| line.starts_with("VmHWM:")).unwrap();
     line.split_whitespace().nth(1).unwrap().parse::<u64>().unwrap() / 1024
 }
 
-/// Sends a gigabyte in chunks, as far as it is taken. The status of the answer; 0 where the
-/// connection was closed on what was still to come.
+/// Sends a gigabyte in chunks, as far as it is accepted. Returns the status of the response; 0 if
+/// the connection was closed before the end.
 fn upload(served: &Served, path: &str, content_type: &str, begin: &[u8]) -> (u16, u64) {
     let mut stream = TcpStream::connect(("127.0.0.1", served.port)).unwrap();
     let headers = served.headers();
@@ -40,7 +40,7 @@ fn upload(served: &Served, path: &str, content_type: &str, begin: &[u8]) -> (u16
 #[cfg(target_os = "linux")]
 fn it_stays_below_300_MB() {
     let served = Served::new();
-    // A gigabyte at once, by so many as may come.
+    // A gigabyte each, by as many clients as are admitted.
     std::thread::scope(|scope| {
         for _ in 0..8 {
             scope.spawn(|| {
@@ -50,7 +50,7 @@ fn it_stays_below_300_MB() {
             });
         }
     });
-    // The same as a file that is imported: that is kept on the disk.
+    // The same as an imported file, which is stored on disk.
     std::thread::scope(|scope| {
         for _ in 0..8 {
             scope.spawn(|| {
@@ -63,7 +63,7 @@ fn it_stays_below_300_MB() {
             });
         }
     });
-    // The longest that is taken, and many of them.
+    // The largest accepted request, many times.
     let text = "x".repeat(15 << 20);
     let body = json!({"file_name": "a.txt", "text": text}).to_string();
     std::thread::scope(|scope| {
@@ -74,7 +74,7 @@ fn it_stays_below_300_MB() {
             });
         }
     });
-    // Answers over and over.
+    // Repeated responses.
     for _ in 0..200 {
         assert_eq!(served.get("/api/catalogue").status, 200);
     }

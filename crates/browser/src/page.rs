@@ -1,5 +1,5 @@
-//! How the page calls the engine: it writes bytes into [`room`], calls, and reads what is left at
-//! [`left`]. The clock, and where complaints go, are the page's.
+//! Interface of the page to the engine: it writes bytes into [`room`], calls, and reads the result
+//! at [`left`]. The page provides the clock and the reporting of errors.
 
 use std::{
     cell::{Cell, RefCell},
@@ -14,9 +14,9 @@ use crate::{
 use wholestring_screens::refusal::Refusal;
 
 thread_local! {
-    /// What the page has written.
+    /// Bytes written by the page.
     static GIVEN: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
-    /// What it is to read.
+    /// Bytes to be read by the page.
     static LEFT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
     /// The live string of this worker.
     static SEAT: RefCell<Option<Seat>> = const { RefCell::new(None) };
@@ -26,11 +26,11 @@ thread_local! {
 #[cfg(target_family = "wasm")]
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
-    /// Takes a sentence about a mistake of the program's own.
+    /// Receives a message about an internal error.
     fn complain(sentence: *const u8, bytes: usize);
 }
 
-/// Tells the page why the program ends: it cannot go on after that.
+/// Reports a panic to the page, after which the program cannot continue.
 fn complain_of_panics() {
     if COMPLAINS.replace(true) {
         return;
@@ -38,7 +38,7 @@ fn complain_of_panics() {
     panic::set_hook(Box::new(|about| {
         let sentence = about.to_string();
         #[cfg(target_family = "wasm")]
-        // SAFETY: the page reads so many bytes there, and nothing else.
+        // SAFETY: the page reads this many bytes there, and nothing else.
         unsafe {
             complain(sentence.as_ptr(), sentence.len());
         }
@@ -47,24 +47,24 @@ fn complain_of_panics() {
     }));
 }
 
-/// Room for so many bytes of what is asked. It holds until the next call.
+/// A buffer for the bytes of a request, valid until the next call.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(bytes: usize) -> *mut u8 {
     complain_of_panics();
-    GIVEN.with_borrow_mut(|given| {
-        given.clear();
-        given.resize(bytes, 0);
-        given.as_mut_ptr()
+    GIVEN.with_borrow_mut(|input| {
+        input.clear();
+        input.resize(bytes, 0);
+        input.as_mut_ptr()
     })
 }
 
-/// Where what was left for the page begins.
+/// Start of the bytes for the page.
 #[unsafe(no_mangle)]
 pub extern "C" fn left() -> *const u8 {
     LEFT.with_borrow(Vec::as_ptr)
 }
 
-/// How many bytes were left for the page.
+/// Number of bytes for the page.
 #[unsafe(no_mangle)]
 pub extern "C" fn left_bytes() -> usize {
     LEFT.with_borrow(Vec::len)
@@ -74,7 +74,7 @@ fn leave(bytes: Vec<u8>) {
     LEFT.set(bytes);
 }
 
-/// Leaves an answer, and gives the status that HTTP has for it.
+/// Stores a response, and returns its HTTP status.
 fn answered(with: Result<Vec<u8>, Refusal>) -> u32 {
     let (status, bytes) = match with {
         Ok(bytes) => (200, bytes),
@@ -90,18 +90,18 @@ fn request(bytes: &[u8]) -> Result<Request, Refusal> {
     serde_json::from_slice(bytes).map_err(|error| Refusal::new(400, "bad_json", error.to_string()))
 }
 
-fn with_seat<T>(of: impl FnOnce(&mut Seat) -> Result<T, Refusal>) -> Result<T, Refusal> {
+fn with_seat<T>(once: impl FnOnce(&mut Seat) -> Result<T, Refusal>) -> Result<T, Refusal> {
     SEAT.with_borrow_mut(|seat| match seat {
-        Some(seat) => of(seat),
+        Some(seat) => once(seat),
         None => Err(Refusal::not_found("there is no live string")),
     })
 }
 
-/// Answers a request, as JSON; of the live string where there is one.
+/// Answers a JSON request; one about the live string if there is one.
 #[unsafe(no_mangle)]
 pub extern "C" fn ask() -> u32 {
-    let given = GIVEN.take();
-    answered(request(&given).and_then(|request| {
+    let input = GIVEN.take();
+    answered(request(&input).and_then(|request| {
         let answer = SEAT.with_borrow_mut(|seat| match seat {
             Some(seat) => seat.answer(&request),
             None => request.answer(),
@@ -110,35 +110,35 @@ pub extern "C" fn ask() -> u32 {
     }))
 }
 
-/// Begins a live string as a request of so many bytes says; where more bytes follow, it is the
-/// string of a moment that was kept. Leaves what a list says of it.
+/// Starts a live string from a request of this many bytes; if more bytes follow, they are a saved
+/// moment of the string. Stores its list entry.
 #[unsafe(no_mangle)]
 pub extern "C" fn begin(request_bytes: usize) -> u32 {
-    let given = GIVEN.take();
-    let (head, kept) = given.split_at(request_bytes.min(given.len()));
+    let input = GIVEN.take();
+    let (head, moment) = input.split_at(request_bytes.min(input.len()));
     answered(request(head).and_then(|request| {
-        let seat = Seat::begin(&request, (!kept.is_empty()).then_some(kept))?;
+        let seat = Seat::begin(&request, (!moment.is_empty()).then_some(moment))?;
         let entry = seat.entry()?;
         SEAT.set(Some(seat));
         Ok(entry.into_bytes())
     }))
 }
 
-/// Leaves a moment of the live string, as it is kept.
+/// Stores a moment of the live string, in the saved form.
 #[unsafe(no_mangle)]
 pub extern "C" fn keep() -> u32 {
-    let given = GIVEN.take();
-    answered(request(&given).and_then(|request| with_seat(|seat| seat.kept(&request))))
+    let input = GIVEN.take();
+    answered(request(&input).and_then(|request| with_seat(|seat| seat.kept(&request))))
 }
 
-/// Leaves what is known of a moment that was kept, as JSON.
+/// Stores the description of a saved moment, as JSON.
 #[unsafe(no_mangle)]
 pub extern "C" fn kept() -> u32 {
-    let given = GIVEN.take();
-    answered(kept_moment(&given).map(String::into_bytes))
+    let input = GIVEN.take();
+    answered(kept_moment(&input).map(String::into_bytes))
 }
 
-/// Takes in a page that knows nothing of the live string: all that is there is news to it.
+/// Attaches a page without any state of the live string, so that everything is sent to it.
 #[unsafe(no_mangle)]
 pub extern "C" fn attend() {
     SEAT.with_borrow_mut(|seat| {
@@ -148,11 +148,11 @@ pub extern "C" fn attend() {
     });
 }
 
-/// Does what the page says to the live string; leaves why not, where it cannot be, else nothing.
+/// Handles a message of the page for the live string; stores the reason of a refusal, else nothing.
 #[unsafe(no_mangle)]
 pub extern "C" fn hear() {
-    let given = GIVEN.take();
-    let text = String::from_utf8_lossy(&given);
+    let input = GIVEN.take();
+    let text = String::from_utf8_lossy(&input);
     let refused = SEAT.with_borrow_mut(|seat| seat.as_mut().and_then(|seat| seat.hear(&text)));
     leave(match refused {
         Some(Message::Text(text)) => text.into_bytes(),
@@ -161,8 +161,8 @@ pub extern "C" fn hear() {
     });
 }
 
-/// Takes the live string forward for so many milliseconds at most; how many of them nothing is due
-/// then.
+/// Advances the live string for at most this many milliseconds; returns the milliseconds until the
+/// next turn.
 #[unsafe(no_mangle)]
 pub extern "C" fn go_on(budget_ms: f64) -> f64 {
     let budget = Duration::try_from_secs_f64(1e-3 * budget_ms).unwrap_or_default();
@@ -170,7 +170,7 @@ pub extern "C" fn go_on(budget_ms: f64) -> f64 {
     wait.map_or(f64::INFINITY, |wait| 1e3 * wait.as_secs_f64())
 }
 
-/// Leaves the next message of the live string: 1 for JSON, 2 for samples or a frame, 0 for none.
+/// Stores the next message of the live string: 1 for JSON, 2 for samples or a frame, 0 for none.
 #[unsafe(no_mangle)]
 pub extern "C" fn news() -> u32 {
     match SEAT.with_borrow_mut(|seat| seat.as_mut().and_then(Seat::news)) {

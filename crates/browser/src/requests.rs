@@ -1,4 +1,4 @@
-//! What is asked of a text, and what stays the same.
+//! Requests about a text, and requests for constant data.
 
 use std::collections::BTreeMap;
 
@@ -23,63 +23,63 @@ use wholestring_screens::{
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {
-    /// What is asked: `check`, `answer`, `units`, ...
+    /// The kind of request: `check`, `answer`, `units`, ...
     pub asks: String,
-    /// What requests call the live string that is to begin.
+    /// Identifier of the live string that is to start.
     #[serde(default)]
     pub id: String,
     /// The name of the case's file.
     #[serde(default)]
     pub file: String,
-    /// The files beside it, by their names.
+    /// The files next to it, by name.
     #[serde(default)]
     pub beside: BTreeMap<String, String>,
-    /// What the server of the local app has as the body, or as parts of the address.
+    /// The body, or the parts of the address, of the local app's request.
     #[serde(default)]
     pub body: Value,
 }
 
-/// What is asked of one by its name.
+/// A request by name.
 #[derive(Debug, Deserialize)]
 struct Named {
     name: String,
 }
 
-/// What a list says of a case.
+/// List entry of a case.
 #[derive(Debug, Serialize)]
 struct Listed {
     name: Option<String>,
     problem: Option<String>,
 }
 
-/// Who asks.
+/// The program.
 #[derive(Debug, Serialize)]
 struct Program {
     version: &'static str,
 }
 
 impl Request {
-    /// The files beside the case.
+    /// The files next to the case.
     pub fn files(&self) -> InMemory {
         let bytes = |(name, text): (&String, &String)| (name.clone(), text.as_bytes().to_owned());
         InMemory(self.beside.iter().map(bytes).collect())
     }
 
-    /// The body as what is asked for.
+    /// The body as the requested type.
     ///
     /// # Errors
-    /// One that is something else.
+    /// A body of another type.
     pub fn body<'a, T: Deserialize<'a>>(&'a self) -> Result<T, Refusal> {
         T::deserialize(&self.body).map_err(|error| Refusal::new(400, "bad_json", error.to_string()))
     }
 
-    /// The answer, as JSON.
+    /// The response, as JSON.
     ///
     /// # Errors
-    /// What cannot be answered, and what nobody answers here.
+    /// An invalid request, and one that is not supported in a browser.
     pub fn answer(&self) -> Result<String, Refusal> {
         let (file, files) = (self.file.as_str(), self.files());
-        // There is one thread here: who does not want to wait any more ends all of it.
+        // There is one thread here: a client that no longer waits terminates all of it.
         let none = CancellationToken::new();
         match self.asks.as_str() {
             "program" => json(&Program { version: env!("CARGO_PKG_VERSION") }),
@@ -108,10 +108,10 @@ impl Request {
     }
 }
 
-/// As JSON.
+/// Serializes as JSON.
 ///
 /// # Errors
-/// None that an answer gives.
-pub fn json(of: &impl Serialize) -> Result<String, Refusal> {
-    serde_json::to_string(of).map_err(Refusal::failed)
+/// None for a response.
+pub fn json(serialize: &impl Serialize) -> Result<String, Refusal> {
+    serde_json::to_string(serialize).map_err(Refusal::failed)
 }

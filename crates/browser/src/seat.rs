@@ -21,7 +21,7 @@ use wholestring_screens::{
 
 use crate::requests::{Request, json};
 
-/// How much is kept of a string.
+/// Limits of the memory of a string.
 const KEEPS: Keeps = Keeps { samples: 1 << 16, checkpoint_bytes: 48 << 20 };
 
 /// A message for the page.
@@ -33,7 +33,7 @@ pub enum Message {
     Binary(Vec<u8>),
 }
 
-/// A live string and the page that looks at it.
+/// A live string and the page that views it.
 pub struct Seat {
     engine: Engine,
     string: Arc<LiveString>,
@@ -43,7 +43,7 @@ pub struct Seat {
     is_told: bool,
 }
 
-/// What is known of a string that is kept.
+/// Description of a saved moment.
 #[derive(Debug, Serialize)]
 struct KeptMoment<'a> {
     #[serde(flatten)]
@@ -52,17 +52,18 @@ struct KeptMoment<'a> {
 }
 
 impl Seat {
-    /// Begins a string at time zero, or continues one that was kept.
+    /// Starts a string at time zero, or continues a saved one.
     ///
     /// # Errors
-    /// A case that is invalid, a string that cannot be, and bytes that are none that were kept.
-    pub fn begin(request: &Request, kept: Option<&[u8]>) -> Result<Self, Refusal> {
-        let (case_id, text, start) = match kept {
+    /// An invalid case, a string that cannot be solved, and bytes that are no saved moment.
+    pub fn begin(request: &Request, moment: Option<&[u8]>) -> Result<Self, Refusal> {
+        let (case_id, text, start) = match moment {
             Some(bytes) => {
-                let kept = KeptString::of_bytes(bytes);
-                let kept = kept.ok_or_else(|| Refusal::bad_input("what was kept is damaged"))?;
-                let start = Start::At { bytes: Arc::new(kept.checkpoint), events: kept.events };
-                (kept.case_id, kept.text, start)
+                let string = KeptString::of_bytes(bytes);
+                let string =
+                    string.ok_or_else(|| Refusal::bad_input("the saved string is damaged"))?;
+                let start = Start::At { bytes: Arc::new(string.checkpoint), events: string.events };
+                (string.case_id, string.text, start)
             }
             None => {
                 let new: NewString = request.body()?;
@@ -81,22 +82,22 @@ impl Seat {
         Ok(seat)
     }
 
-    /// Takes in who knows nothing of the string: what is there is news.
+    /// Attaches a page without any state of the string, so that everything is sent to it.
     pub fn attend(&mut self) {
         self.frames.mark_changed();
         self.status.mark_changed();
         (self.viewing, self.is_told) = (Viewing::of(&self.string), false);
     }
 
-    /// What a list says of it.
+    /// Its list entry.
     ///
     /// # Errors
-    /// None that a string gives.
+    /// None for a valid string.
     pub fn entry(&self) -> Result<String, Refusal> {
         json(&LiveEntry::of_string(&self.string))
     }
 
-    /// Goes on for so long at most; how long nothing is due then.
+    /// Advances for at most this long; returns the time until the next turn.
     pub fn go_on(&mut self, budget: Duration) -> Duration {
         let begun = Instant::now();
         loop {
@@ -107,13 +108,13 @@ impl Seat {
         }
     }
 
-    /// Does what the page says; why not, where it cannot be.
+    /// Handles a message of the page; returns the reason of a refusal.
     pub fn hear(&mut self, text: &str) -> Option<Message> {
         let message = self.viewing.hear(text)?;
         Some(Message::Text(Told::Refused { message }.text()))
     }
 
-    /// The next message for the page; none where there is no news.
+    /// The next message for the page; none if nothing is new.
     pub fn news(&mut self) -> Option<Message> {
         if !self.is_told {
             self.is_told = true;
@@ -133,10 +134,10 @@ impl Seat {
         None
     }
 
-    /// Answers what is asked of the string.
+    /// Answers a request about the string.
     ///
     /// # Errors
-    /// What cannot be, and what nobody answers here.
+    /// An invalid request, and one that is not supported in a browser.
     pub fn answer(&mut self, request: &Request) -> Result<String, Refusal> {
         match request.asks.as_str() {
             "entry" => self.entry(),
@@ -154,45 +155,48 @@ impl Seat {
                 json(&schedule(&text, &events, &request.file, &request.files())?)
             }
             other => request.answer().map_err(|_| {
-                Refusal::not_found(format!("`{other}` is not asked of a live string"))
+                Refusal::not_found(format!("`{other}` is not a request to a live string"))
             }),
         }
     }
 
-    /// A moment of it, as it is kept: at a checkpoint, or now.
+    /// A moment in the saved form, at a checkpoint or now.
     ///
     /// # Errors
-    /// A checkpoint that is not there.
+    /// An unknown checkpoint.
     pub fn kept(&mut self, request: &Request) -> Result<Vec<u8>, Refusal> {
         let At { checkpoint } = request.body()?;
         let string = self.string.clone();
         self.done(string.kept_at(checkpoint))?.bytes().map_err(Refusal::failed)
     }
 
-    /// What a request of the string comes to, once its engine has had its turn.
-    fn done<T>(&mut self, of: impl Future<Output = Result<T, LiveError>>) -> Result<T, Refusal> {
-        let (mut of, mut context) = (pin!(of), Context::from_waker(Waker::noop()));
+    /// The result of a request to the string, once its engine has had its turn.
+    fn done<T>(
+        &mut self,
+        future: impl Future<Output = Result<T, LiveError>>,
+    ) -> Result<T, Refusal> {
+        let (mut pinned, mut context) = (pin!(future), Context::from_waker(Waker::noop()));
         for _ in 0..2 {
-            if let Poll::Ready(done) = of.as_mut().poll(&mut context) {
+            if let Poll::Ready(done) = pinned.as_mut().poll(&mut context) {
                 return Ok(done?);
             }
             self.engine.turn(self.string.wanted_now());
         }
-        match of.as_mut().poll(&mut context) {
+        match pinned.as_mut().poll(&mut context) {
             Poll::Ready(done) => Ok(done?),
             Poll::Pending => Err(Refusal::failed("the string does not answer")),
         }
     }
 }
 
-/// What a list says of a string that is kept, and the text of its case.
+/// List entry of a saved string, and the text of its case.
 ///
 /// # Errors
-/// Bytes that are none that were kept.
+/// Bytes that are no saved moment.
 pub fn kept_moment(bytes: &[u8]) -> Result<String, Refusal> {
-    let kept = KeptString::of_bytes(bytes);
-    let kept = kept.ok_or_else(|| Refusal::bad_input("what was kept is damaged"))?;
-    let KeptString { case_id, name, operation, time_s, text, .. } = kept;
+    let string = KeptString::of_bytes(bytes);
+    let string = string.ok_or_else(|| Refusal::bad_input("the saved string is damaged"))?;
+    let KeptString { case_id, name, operation, time_s, text, .. } = string;
     let (case, title) = (case_id, name);
     let name = String::new();
     let entry = KeptEntry { name, case, title, operation, time_s, modified_ms: 0 };
@@ -218,18 +222,18 @@ mod tests {
         loop {
             match seat.news() {
                 Some(Message::Text(text)) => {
-                    let told: Value = serde_json::from_str(&text).expect("JSON");
-                    if told["type"] == kind {
-                        return told;
+                    let message: Value = serde_json::from_str(&text).expect("JSON");
+                    if message["type"] == kind {
+                        return message;
                     }
                 }
                 Some(Message::Binary(bytes)) => assert!(bytes.len() >= 24),
-                None => panic!("nothing of {kind} is told"),
+                None => panic!("no message of type {kind}"),
             }
         }
     }
 
-    /// A string goes on, is taken back, and continues elsewhere from what was kept.
+    /// A string runs, is rewound, and continues elsewhere from a saved moment.
     #[test]
     fn a_string_is_driven_and_kept() {
         let body = json!({ "case": "slant.toml", "text": TEXT, "operation": "drill" });
@@ -246,12 +250,13 @@ mod tests {
         assert!(seat.hear(r#"{"pace": 0}"#).is_some());
         seat.answer(&request("rewind", json!({ "checkpoint": 1 }))).expect("a way back");
         seat.go_on(Duration::ZERO);
-        let kept = seat.kept(&request("keep", json!({ "checkpoint": 1 }))).expect("a moment");
-        let known: Value = serde_json::from_str(&kept_moment(&kept).expect("known")).expect("JSON");
+        let moment = seat.kept(&request("keep", json!({ "checkpoint": 1 }))).expect("a moment");
+        let known: Value =
+            serde_json::from_str(&kept_moment(&moment).expect("known")).expect("JSON");
         assert_eq!((&known["operation"], &known["text"]), (&json!("drill"), &json!(TEXT)));
-        let again = Seat::begin(&request("begin", Value::Null), Some(&kept));
+        let again = Seat::begin(&request("begin", Value::Null), Some(&moment));
         assert!(again.is_ok());
-        let damaged = Seat::begin(&request("begin", Value::Null), Some(&kept[..40]));
+        let damaged = Seat::begin(&request("begin", Value::Null), Some(&moment[..40]));
         assert!(damaged.is_err_and(|refusal| refusal.status == 422));
     }
 

@@ -9,7 +9,7 @@ use wholestring_config::prelude::*;
 
 use crate::{catalogue::OwnCatalogue, component::ComponentTable};
 
-/// The string as the case gives it.
+/// The string specification as the case gives it.
 pub(crate) fn spec(
     tables: &[Spanned<ComponentTable>],
     steel: &Material,
@@ -36,7 +36,7 @@ pub(crate) fn spec(
     valid.then_some(StringSpec { components })
 }
 
-/// The component that most of the string is: the one that runs to the surface, or else the longest.
+/// The main component of the string: the one that runs to the surface, or else the longest.
 pub(crate) fn longest(spec: &StringSpec) -> Option<&ComponentSpec> {
     let length_m = |component: &ComponentSpec| match component.length {
         ComponentLength::ToSurface => f64::INFINITY,
@@ -45,7 +45,7 @@ pub(crate) fn longest(spec: &StringSpec) -> Option<&ComponentSpec> {
     spec.components.iter().max_by(|a, b| length_m(a).total_cmp(&length_m(b)))
 }
 
-/// What is wrong with a component that runs to the surface although others stand above it.
+/// The mistake of a component that runs to the surface although other components are above it.
 fn not_topmost(
     table: &Spanned<ComponentTable>,
     place: Span,
@@ -55,10 +55,10 @@ fn not_topmost(
         return None;
     }
     let diagnostic = Diagnostic::error(format!(
-        "{} runs to the surface, but more components stand above it",
+        "{} runs to the surface, but more components are above it",
         called(table)
     ))
-    .at(place, "nothing is left for the components after it");
+    .at(place, "no length remains for the components after it");
     let other = above.iter().find_map(|table| {
         let length = table.value.length.given()?;
         (length.value == ComponentLength::ToSurface).then_some(length.place)
@@ -68,11 +68,11 @@ fn not_topmost(
             Some(other) => diagnostic.at(other, "this one runs to the surface too"),
             None => diagnostic,
         }
-        .help("components stand from the bit up: only the last one can run to the surface"),
+        .help("components are listed from the bit up: only the last one can run to the surface"),
     )
 }
 
-/// How messages call a component.
+/// Name of a component in messages.
 fn called(table: &Spanned<ComponentTable>) -> String {
     match table.value.component.get() {
         Some(name) => format!("`{}`", short(name)),
@@ -103,12 +103,12 @@ pub(crate) fn assemble(
     let diagnostic = match &error {
         AssemblyError::AssemblyTooLong { assembly_m, bit_depth_m, .. } => {
             bit(Diagnostic::error(format!(
-                "the string is longer than the hole is deep: {} stand below the top component, the \
-             bit is at {}",
+                "the string is longer than the depth of the hole: {} are below the top component, \
+                 the bit is at {}",
                 length(*assembly_m),
                 length(*bit_depth_m)
             ))
-            .at(top, "nothing is left for this component"))
+            .at(top, "no length remains for this component"))
         }
         AssemblyError::LengthMismatch { string_m, bit_depth_m } => bit(Diagnostic::error(format!(
             "the string is {} long, the bit is at {}",
@@ -128,11 +128,11 @@ pub(crate) fn assemble(
             index, field: field @ ("bend_at" | "lateral_force_at"), ..
         } => {
             let table = tables.get(*index);
-            let given = table.and_then(|table| match *field {
+            let entry = table.and_then(|table| match *field {
                 "bend_at" => table.value.bend_at.given(),
                 _ => table.value.lateral_force_at.given(),
             });
-            let place = given.map(|at| at.place).or(table.map(|table| table.place)).unwrap_or(top);
+            let place = entry.map(|at| at.place).or(table.map(|table| table.place)).unwrap_or(top);
             let what = if *field == "bend_at" { "the bend" } else { "the lateral force" };
             Diagnostic::error(format!("{what} is at the end of the string")).at(
                 place,

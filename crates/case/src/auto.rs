@@ -1,9 +1,9 @@
-//! A quantity, or "auto": what the program chooses by itself.
+//! A quantity, or "auto" for a value that the program chooses.
 
 use serde_json::{Value as Json, json};
 use wholestring_config::prelude::*;
 
-/// What stands for a value that the program chooses.
+/// The word for a value that the program chooses.
 pub(crate) const AUTO: &str = "auto";
 
 /// A number, or the program's own choice.
@@ -16,7 +16,7 @@ pub(crate) enum AutoOr {
 }
 
 impl AutoOr {
-    /// The number that is given.
+    /// Returns the number, if one is given.
     pub(crate) fn given(self) -> Option<f64> {
         match self {
             Self::Auto => None,
@@ -27,11 +27,11 @@ impl AutoOr {
 
 /// A quantity, or "auto".
 pub(crate) struct AutoOrQuantity {
-    /// What may be given.
+    /// The quantity that may be given.
     pub(crate) quantity: Quantity,
-    /// What it is, with its article.
+    /// Name of the quantity, with its article.
     pub(crate) noun: &'static str,
-    /// What "auto" means, a sentence.
+    /// Meaning of "auto", a sentence.
     pub(crate) auto: &'static str,
 }
 

@@ -1,9 +1,10 @@
-//! Files that a case names, which stand beside it.
+//! Files that a case names, relative to the folder of the case.
 
 use wholestring_config::prelude::*;
 use wholestring_tabular::TableError;
 
-/// What the file contains. `noun` says what it is; one that cannot be read is a mistake of the case.
+/// Reads the content of the file. `noun` names its kind; a file that cannot be read is a mistake of
+/// the case.
 pub(crate) fn read_beside(
     file: &Spanned<String>,
     noun: &str,
@@ -25,7 +26,8 @@ pub(crate) fn read_beside(
         .refuse(reader)
 }
 
-/// What is wrong with a table in a file, underlined in it where it is a text. `noun` says what the table is.
+/// The mistake of a table in a file, underlined in the file if it is a text. `noun` names the
+/// table.
 pub(crate) fn unfit(
     error: &TableError,
     file: &Spanned<String>,

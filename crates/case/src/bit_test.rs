@@ -1,4 +1,4 @@
-//! `[bit_test]`: the bit alone on its rock.
+//! `[bit_test]`: bit and rock without the string.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,21 +11,21 @@ use wholestring::{
 };
 use wholestring_config::prelude::*;
 
-/// The grid where the case does not say, over the operation's weight on bit and the speed of its
-/// bit.
+/// Default grid, over the operation's weight on bit and the speed of its bit.
 const WEIGHTS: [f64; 5] = [0.25, 0.5, 1.0, 1.5, 2.0];
 const SPEEDS: [f64; 3] = [0.5, 1.0, 1.5];
 
-/// Revolutions and the time between looks, s, where the case does not say.
+/// Default revolutions, and the default time between samples, s.
 const SETTLE: f64 = 2.0;
 const COUNTED: f64 = 4.0;
 const STEP_S: f64 = 5e-4;
 
-/// Most weights, and most speeds.
+/// Maximum number of weights, and of speeds.
 const MAX: usize = 50;
 
 table! {
-    /// The bit alone on its rock, for `wholestring bit-test`: every weight at every speed.
+    /// A test of bit and rock without the string, for `wholestring bit-test`: every weight at every
+    /// speed.
     BitTestTable in "[bit_test]" {
         /// Weights on bit. Default: a quarter, a half, one, one and a half and two times the
         /// operation's.
@@ -46,27 +46,28 @@ table! {
             "rotary speeds",
             MAX,
         ));
-        /// Revolutions before those that count. Raising it forgets more of the beginning.
+        /// Revolutions before those that are averaged. Raising it reduces the influence of the
+        /// start.
         settle_revolutions: f64 = default(number(0.0, 1000.0), SETTLE);
-        /// Revolutions that count. Raising it makes the means surer.
+        /// Revolutions that are averaged. Raising it reduces the scatter of the means.
         revolutions: f64 = default(number(0.5, 1000.0), COUNTED);
         /// Mass that moves along the hole with the bit. Raising it damps the rate of penetration
-        /// and follows the rock more slowly. Default: what weighs as much as the mean of `wob`.
+        /// and follows the rock more slowly. Default: the mass whose weight is the mean of `wob`.
         mass: f64 = optional(Quantity::si(
             Dimension::Mass,
             Range::positive_to(1e6).usual(10.0, 2e5),
             "6 t",
         ));
-        /// Time over which forces are averaged before their standard deviations are taken. Raising
-        /// it takes swings out of them. Default: `sample_interval` of [dynamics], so that they are
-        /// those of a run's samples.
+        /// Time over which forces are averaged before their standard deviations are computed.
+        /// Raising it smooths out swings. Default: `sample_interval` of [dynamics], so that they
+        /// are those of a run's samples.
         averaging: f64 = optional(Quantity::si(
             Dimension::Time,
             Range::positive_to(10.0),
             "10 ms",
         ));
-        /// Time in which the rock is driven at a time, in shorter steps of its own, and after which
-        /// layers of rock that the bit has left are dropped.
+        /// Time step of bit and rock, within which the rock takes shorter steps of its own, and
+        /// after which layers of rock that the bit has left are dropped.
         step: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(1e-5, 2e-3), "0.5 ms"),
             STEP_S,
@@ -78,7 +79,7 @@ fn number(from: f64, to: f64) -> Number {
     Number { unit: "", range: Range::from_to(from, to) }
 }
 
-/// A bit alone on its rock, under every weight at every speed.
+/// A test of bit and rock without the string, under every weight at every speed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BitTest {
     /// Bit, rock, elements and contact.
@@ -87,21 +88,21 @@ pub struct BitTest {
     pub weights_N: Vec<f64>,
     /// Rotary speeds of the bit, rad/s: from slow to fast, all above zero.
     pub rotary_speeds_rad_per_s: Vec<f64>,
-    /// Revolutions at each point before those that count.
+    /// Revolutions at each point before those that are averaged.
     pub settle_revolutions: f64,
-    /// Revolutions that count.
+    /// Revolutions that are averaged.
     pub revolutions: f64,
     /// Mass that moves along the hole with the bit, kg.
     pub mass_kg: f64,
-    /// Time over which forces are averaged before their standard deviations are taken, s: no
+    /// Time over which forces are averaged before their standard deviations are computed, s: no
     /// shorter than the step.
     pub averaging_s: f64,
-    /// Time in which bit and rock are driven at a time, s.
+    /// Time step of bit and rock, s.
     pub step_s: f64,
 }
 
 impl BitTest {
-    /// Time that the bit drills at all points together, s.
+    /// Total drilling time of all points, s.
     pub fn time_s(&self) -> f64 {
         let turned_rad = TAU * (self.settle_revolutions + self.revolutions);
         let speeds = self.rotary_speeds_rad_per_s.iter();
@@ -110,9 +111,9 @@ impl BitTest {
     }
 }
 
-/// What a test takes from the rest of the case.
+/// Inputs of a test from the rest of the case.
 pub(crate) struct Around<'a> {
-    /// What the bit drills.
+    /// The rock under the bit.
     pub(crate) drilling: &'a DrillingSpec,
     pub(crate) bit: &'a BitSettings,
     pub(crate) operations: &'a [Operation],
@@ -120,7 +121,7 @@ pub(crate) struct Around<'a> {
     pub(crate) sample_interval_s: f64,
 }
 
-/// The test: of a case that requires one, or whose operation says enough for one.
+/// Builds the test, of a case that requires one, or whose operation gives enough for one.
 pub(crate) fn build(
     table: &Spanned<BitTestTable>,
     requested: bool,
@@ -130,9 +131,9 @@ pub(crate) fn build(
     let drills = around.operations.iter().find(|one| one.kind.on_bottom());
     let weight_N = drills.map(|operation| operation.weight_on_bit_N);
     let speed = drills.map(|operation| around.bit.drilling_speed_rad_per_s(operation));
-    let (of, whole) = (&table.value, table.place);
-    let weights = of.wob.optional()?;
-    let speeds = of.rpm.optional()?;
+    let (keys, whole) = (&table.value, table.place);
+    let weights = keys.wob.optional()?;
+    let speeds = keys.rpm.optional()?;
     let weights = sorted(weights, weight_N, &WEIGHTS, "kN", 1e3, reader)?;
     let speeds = sorted(speeds, speed, &SPEEDS, "rev/min", PI / 30.0, reader)?;
     let missing = [
@@ -149,8 +150,8 @@ pub(crate) fn build(
             .refuse(reader);
     }
     let mean_N = weights.iter().sum::<f64>() / weights.len() as f64;
-    let mass = of.mass.optional()?;
-    let (averaging, step) = (of.averaging.optional()?, of.step.at()?);
+    let mass = keys.mass.optional()?;
+    let (averaging, step) = (keys.averaging.optional()?, keys.step.at()?);
     if let Some(averaging) = averaging.filter(|at| at.value < step.value) {
         return Diagnostic::error("forces are averaged over less than a step")
             .at(averaging.place, format!("expected at least {} s", number_text(step.value)))
@@ -161,8 +162,8 @@ pub(crate) fn build(
         drilling: around.drilling.clone(),
         weights_N: weights,
         rotary_speeds_rad_per_s: speeds,
-        settle_revolutions: *of.settle_revolutions.get()?,
-        revolutions: *of.revolutions.get()?,
+        settle_revolutions: *keys.settle_revolutions.get()?,
+        revolutions: *keys.revolutions.get()?,
         mass_kg: mass.map_or(mean_N / GRAVITY_M_PER_S2, |at| at.value),
         averaging_s: averaging_s.max(step.value),
         step_s: step.value,
@@ -176,22 +177,23 @@ pub(crate) fn build(
     mistake.refuse(reader)
 }
 
-/// The list of the case, or factors on the operation's number; empty where neither is.
+/// Returns the list of the case, or factors on the operation's number; empty where neither is
+/// given.
 fn sorted(
-    given: Option<&Spanned<Vec<Spanned<f64>>>>,
+    entry: Option<&Spanned<Vec<Spanned<f64>>>>,
     around: Option<f64>,
     factors: &[f64],
     unit: &str,
     worth: f64,
     reader: &mut Reader,
 ) -> Option<Vec<f64>> {
-    let Some(given) = given else {
+    let Some(entry) = entry else {
         let around = around.filter(|number| *number > 0.0);
         return Some(around.map_or_else(Vec::new, |number| {
             factors.iter().map(|factor| factor * number).collect()
         }));
     };
-    let mut list = given.value.clone();
+    let mut list = entry.value.clone();
     list.sort_by(|a, b| a.value.total_cmp(&b.value));
     for pair in list.windows(2) {
         if pair[0].value == pair[1].value {
@@ -210,7 +212,7 @@ fn sorted(
     Some(list.into_iter().map(|at| at.value).collect())
 }
 
-/// The mistake of a bit that is no heavier than what it touches.
+/// The mistake of a bit that is no heavier than the rock elements that it touches.
 fn too_light(test: &BitTest, place: Span) -> Option<Diagnostic> {
     let law = RockLaw { drilling: test.drilling.clone() };
     let [min_kg, _] = law.touched();
@@ -227,7 +229,7 @@ fn too_light(test: &BitTest, place: Span) -> Option<Diagnostic> {
     Some(diagnostic)
 }
 
-/// Where the table stands, if it does.
+/// Place of the table, if the case has it.
 pub(crate) fn place(table: &Field<BitTestTable>) -> Option<Span> {
     table.given().map(|at| at.place)
 }

@@ -8,11 +8,11 @@ use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
 
 use crate::component::ComponentTable;
 
-/// Blades without a length of their own on a component without one, m.
+/// Length above which blades on a component without a length need a length of their own, m.
 const LONGEST_BLADE_M: f64 = 20.0;
 
 impl ComponentTable {
-    /// Blades, which fit their component.
+    /// Adds the blades, which must fit their component.
     pub(crate) fn blades(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
         let od = self.blade_od.optional()?;
         let length = self.blade_length.optional()?;
@@ -26,7 +26,7 @@ impl ComponentTable {
             return Some(());
         };
         if component.joints.is_some() {
-            let mut diagnostic = Diagnostic::error("blades stand beside tool joints")
+            let mut diagnostic = Diagnostic::error("blades are given together with tool joints")
                 .at(od.place, "either of the two touches the wall");
             if let Some(joint) = self.joint_od.given().or(self.joint_spacing.given()) {
                 diagnostic = diagnostic.at(joint.place, "the tool joints");

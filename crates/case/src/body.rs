@@ -1,5 +1,4 @@
-//! What a component has in its body, a bend, steel off the axis, a survey sensor, and what acts
-//! across it.
+//! Parts of a component's body: a bend, steel off the axis, a survey sensor, and a lateral force.
 
 use wholestring::string::{
     BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, LateralForce, MAX_ECCENTRIC,
@@ -11,7 +10,7 @@ use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned, 
 use crate::component::ComponentTable;
 
 impl ComponentTable {
-    /// Gives `component` its bend, its eccentricity, its sensor and its lateral force.
+    /// Sets bend, eccentricity, sensor and lateral force of `component`.
     pub(crate) fn body(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
         component.bend = self.bend(component, reader)?;
         component.eccentricity = self.eccentricity(component, reader)?;
@@ -75,7 +74,7 @@ impl ComponentTable {
         }))
     }
 
-    /// Where on the component something is, m from its lower end: where it is given, or the middle.
+    /// Returns a position on the component, m from its lower end: the given one, or the middle.
     fn place_of(
         &self,
         [name, name_at]: [&str; 2],
@@ -144,10 +143,10 @@ impl ComponentTable {
     }
 }
 
-/// A key that means nothing without another one.
-fn alone<T>(given: Option<&Spanned<T>>, name: &str, partner: &str, reader: &mut Reader) {
-    if let Some(given) = given {
+/// Refuses a key that has no meaning without another one.
+fn alone<T>(entry: Option<&Spanned<T>>, name: &str, partner: &str, reader: &mut Reader) {
+    if let Some(entry) = entry {
         let why = format!("used with `{partner}`, which is not given");
-        reader.report(Diagnostic::idle(name, given.place, why));
+        reader.report(Diagnostic::idle(name, entry.place, why));
     }
 }

@@ -2,7 +2,7 @@
 
 use wholestring::well::CasingPipe;
 
-/// How wide a section is, and the casing that says so.
+/// Width of a section, and the casing that determines it.
 pub(crate) struct Bore {
     pub(crate) diameter_m: f64,
     pub(crate) casing: Option<CasingPipe>,

@@ -1,4 +1,4 @@
-//! How a text becomes a [`Case`].
+//! From a text to a [`Case`].
 
 use std::path::Path as FilePath;
 
@@ -21,12 +21,12 @@ use crate::{
     effort, fit, hole, modes,
     operation::OperationTable,
     overrides::{self, Override},
-    plan, rock, roughness, schema,
+    plan, programme, rock, roughness, schema,
     settings::{Given, settings},
     uncertain_check,
 };
 
-/// Reads a case from its text; `name` is what diagnostics call it.
+/// Reads a case from its text; `name` is its name in diagnostics.
 ///
 /// # Errors
 /// A report of every mistake that was found, if there is one.
@@ -39,7 +39,7 @@ pub fn parse(
     parse_changed(name, text, files, changes, |_, _| {})
 }
 
-/// The same with what else is changed in its tree.
+/// Like [`parse`], with further changes of its tree.
 pub(crate) fn parse_changed(
     name: &str,
     text: &[u8],
@@ -67,19 +67,19 @@ pub(crate) static CASE_FILE: Kind = Kind {
     tables: || &schema::TABLES,
 };
 
-/// Everything that can be checked is checked, also where something else is wrong.
+/// Builds the case. Everything that can be checked is checked, also after a mistake elsewhere.
 fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> Option<Case> {
     if let Some(Value::Text { text, .. }) = root.get("units").map(|node| &node.value)
         && let Ok(units) = text.parse()
     {
         reader.show_in(units);
     }
-    // What a draw of an uncertain number is read with: the texts of now.
+    // Draws of an uncertain number are read with the sources of this moment.
     let sources = reader.sources.clone();
     let case = CaseTable::read(root, Span::default(), reader);
     let own = match case.catalogue.optional() {
         Some(Some(file)) => OwnCatalogue::beside(file, files, reader),
-        given => given.map(|_| OwnCatalogue::default()),
+        entry => entry.map(|_| OwnCatalogue::default()),
     };
     usual::warn_of_bare(reader);
     let models = models(&case, reader);
@@ -101,6 +101,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let rough = well.and_then(|at| at.value.roughness.given());
     let rough = rough.map(|at| &at.value);
     let hole = sections.and_then(|sections| hole::build(sections, rough, own.as_ref(), reader));
+    if let (Some(hole), Some(sections)) = (&hole, sections) {
+        programme::check(hole, sections, reader);
+    }
 
     let last_md_m = path.as_ref().map(|path| path.last_md_m());
     let operation = case.operation.get();
@@ -154,6 +157,10 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         ),
         _ => None,
     };
+    if let (Some(operations), Some(hole), Some(bit_depth_m)) = (&operations, &hole, bit_depth_m) {
+        let kinds: Vec<_> = operations.iter().map(|operation| operation.kind).collect();
+        programme::check_drilling(&kinds, bit_depth_m, bit_place, hole, reader);
+    }
     let sample_interval_s = case.dynamics.get().and_then(DynamicsTable::sample_interval_s);
     let valid = bit.as_ref().zip(operations.as_ref()).zip(sample_interval_s);
     let bit_test = match (&drilling, valid, case.bit_test.at()) {
@@ -211,6 +218,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         if let (Some(hole), Some(sections)) = (&hole, sections) {
             fit::check_clearance(drill_string, components, hole, sections, reader);
             fit::check_gauge(drill_string, components, hole, sections, reader);
+            if let Some(own) = &own {
+                programme::check_drift(drill_string, components, hole, sections, own, reader);
+            }
             let rms = rough.and_then(|table| table.rms.given());
             roughness::check_clearance(drill_string, hole, rms.map(|at| at.place), reader);
         }
@@ -267,12 +277,12 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let beside = plan::Beside { setup: &setup, own: &operations, gel_strength_Pa, files, units };
     let plan = plan::build(case.plan.get()?, &beside, reader)?;
     let name = match case.name.optional()? {
-        Some(given) => given.value.clone(),
+        Some(entry) => entry.value.clone(),
         None => FilePath::new(name)
             .file_stem()
             .map_or_else(|| "case".to_owned(), |stem| stem.to_string_lossy().into_owned()),
     };
-    let given = Given {
+    let inputs = Given {
         name: &name,
         units,
         models: &models,
@@ -284,7 +294,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         drilling: drilling.as_ref(),
         bit_test: bit_test.as_ref(),
     };
-    let settings = settings(&given, &case);
+    let settings = settings(&inputs, &case);
     let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;
     let made = Case {
         name,

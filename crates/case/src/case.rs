@@ -19,9 +19,9 @@ use crate::{bit_test::BitTest, modes::Modes, plan, plan::Plan, records::Records}
 /// A case in which everything has been checked.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// What it is called.
+    /// Name of the case.
     pub name: String,
-    /// Units that people are shown.
+    /// Units of displayed results.
     pub units: UnitSet,
     /// The models to solve, in the order of the case.
     pub models: Vec<ModelKind>,
@@ -31,74 +31,75 @@ pub struct Case {
     pub string: StringSpec,
     /// The operations to solve, in the order of the case.
     pub operations: Vec<Operation>,
-    /// The bit alone on its rock: of a case with `[bit_test]`, and of one whose operation drills
-    /// solid rock.
+    /// Test of bit and rock: of a case with `[bit_test]`, and of one whose operation drills solid
+    /// rock.
     pub bit_test: Option<BitTest>,
-    /// Which natural frequencies are looked for, and what meets them.
+    /// Settings of natural frequencies and their excitation.
     pub modes: Modes,
-    /// What a plan computes.
+    /// Settings of a plan.
     pub plan: Plan,
-    /// What the soft string needs beside these.
+    /// Further inputs of the soft string.
     pub soft: SoftSettings,
-    /// What a dynamic run needs beside these.
+    /// Further inputs of a dynamic run.
     pub dynamics: DynamicsSettings,
     /// Whether the top hangs on a constant lift that is found before each dynamic run, such that
-    /// the mean weight on bit is the operation's: [`wholestring::dynamics::tune_hook_load`].
+    /// the mean weight on bit equals the operation's: [`wholestring::dynamics::tune_hook_load`].
     pub tunes_hook_load: bool,
     /// Wall-clock time between checkpoints of a dynamic run, s.
     pub checkpoint_interval_s: f64,
-    /// What a dynamic run keeps beside its tables.
+    /// Further outputs of a dynamic run, in addition to its tables.
     pub records: Records,
-    /// How the survey file was understood, in sentences; empty where the stations stand in the
-    /// case.
+    /// Interpretation of the survey file, in sentences; empty where the stations are in the case.
     pub survey_notes: Vec<String>,
-    /// What was fitted to readings of the mud, in sentences.
+    /// Results of fits to readings of the mud, in sentences.
     pub mud_notes: Vec<String>,
-    /// What is probably not meant, but can be computed.
+    /// Warnings: input that can be computed but is probably a mistake.
     pub warnings: Report,
     /// The case with all defaults filled in: SI numbers, units in the names of the keys.
     pub settings: serde_json::Value,
 }
 
 impl Case {
-    /// The string at every depth, with every friction, of its plan.
+    /// Returns the string of its plan at every depth with every friction.
     ///
     /// # Errors
-    /// A friction factor or a casing that is out of its range, which the reader of a case has seen to.
+    /// A friction factor or a casing that is out of its range; the reader of a case excludes both.
     pub fn broomstick(&self) -> Result<Broomstick, PlanError> {
-        let of = self.broomstick_at(self.plan.bit_depths_m.clone())?;
-        Ok(of.with_campaign(&self.plan.campaign)?)
+        let broomstick_at = self.broomstick_at(self.plan.bit_depths_m.clone())?;
+        Ok(broomstick_at.with_campaign(&self.plan.campaign)?)
     }
 
-    /// The same at other depths, m, and without the campaign that wears and tires it.
+    /// Like [`broomstick`](Self::broomstick) at other depths, m, without the campaign of wear and
+    /// fatigue.
     ///
     /// # Errors
-    /// A friction factor that is out of its range, which the reader of a case has seen to.
+    /// A friction factor that is out of its range; the reader of a case excludes it.
     pub fn broomstick_at(&self, bit_depths_m: Vec<f64>) -> Result<Broomstick, PlanError> {
         let Plan { frictions, operations, models, .. } = self.plan.clone();
-        let of = Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
-        Ok(of
+        let broomstick =
+            Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
+        Ok(broomstick
             .with_settings(self.soft, self.dynamics.stiff_string())
             .with_judge(self.judge(self.units)))
     }
 
-    /// The judge of the case's answers, with its limits, in these units.
+    /// Returns the judge of the case's results, with its limits, in these units.
     pub fn judge(&self, units: UnitSet) -> Judge {
         let soft_has_helix_friction = self.soft.helix_side_force;
         Judge { soft_has_helix_friction, ..Judge::new(self.plan.limits, units) }
     }
 
-    /// Whether the forces that a model answers with hold the friction of a helix.
+    /// Whether the forces of a model include the friction of a helix.
     pub fn has_helix_friction(&self, model: ModelKind) -> bool {
         model.method().has_helix_friction || model == ModelKind::Soft && self.soft.helix_side_force
     }
 
-    /// What the model is made of, to be made again at other depths and frictions.
+    /// Returns the parts of the model, from which it can be rebuilt at other depths and frictions.
     pub fn setup(&self) -> Setup {
         plan::setup(&self.model, &self.string)
     }
 
-    /// Bit and solid rock, in a run or in a bit test; none where nothing requires them.
+    /// Returns bit and solid rock of a run or a bit test; `None` where neither requires them.
     pub fn drilling(&self) -> Option<&DrillingSpec> {
         match &self.dynamics.bit.law {
             BitLaw::Rock(law) => Some(&law.drilling),

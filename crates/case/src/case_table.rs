@@ -27,10 +27,10 @@ use crate::{
 };
 
 table! {
-    /// A drill string in a well, and what is done with it. Quantities are text with a unit
-    /// ("5-1/2 in", "1.2 sg"); a bare number is SI, except in `stations` (m, deg, deg) and `rpm`.
+    /// A drill string in a well, and its operation. Quantities are text with a unit ("5-1/2 in",
+    /// "1.2 sg"); a bare number is SI, except in `stations` (m, deg, deg) and `rpm`.
     CaseTable in "the case" {
-        /// What the case is called in results. Default: the name of the file.
+        /// Name of the case in results. Default: the name of the file.
         name: String = optional(Text);
         /// "soft" (statics without bending stiffness), "stiff" (statics with it, contact found),
         /// "dynamic" (the whole string in time), or a list that is solved one by one.
@@ -38,49 +38,51 @@ table! {
             List::or_one(ModelRule, "models", MODELS.len()),
             vec![Spanned { value: ModelKind::Soft, place: Span::default() }],
         );
-        /// Units that people are shown: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm,
-        /// sg) or "field" (ft, klbf, ft-lbf, in, ppg). Files for machines are SI always.
+        /// Units of displayed results: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm, sg)
+        /// or "field" (ft, klbf, ft-lbf, in, ppg). Files for machines are always in SI.
         units: UnitSet = default(UNIT_SETS, UnitSet::Si);
-        /// Where the hole runs and how wide it is and how it rubs.
+        /// Path, diameter and friction of the hole.
         well: WellTable = required(Section::<WellTable>::RULE);
         /// Drilling fluid, the same inside the string and in the annulus.
         mud: MudTable = required(Section::<MudTable>::RULE);
-        /// The metal of the string, wherever a component does not say otherwise.
+        /// The metal of the string, for components that do not give their own.
         steel: SteelTable = optional(Section::<SteelTable>::RULE);
-        /// File of tubulars of one's own beside the case, TOML or CSV, such as "my-pipes.toml":
-        /// their names may stand wherever the string names the catalogue.
+        /// File of the user's own tubulars, relative to the case, TOML or CSV, such as
+        /// "my-pipes.toml": the string may use their names wherever it names an entry of the
+        /// catalogue.
         catalogue: String = optional(Text);
         /// The string, component by component from the bit up.
         string: Vec<Spanned<ComponentTable>> = required(List::tables::<ComponentTable>(
             "components ([[string]])", 5000,
         ));
-        /// How the ends of the string are held across the hole.
+        /// Lateral supports of the ends of the string.
         ends: EndsTable = optional(Section::<EndsTable>::RULE);
         /// The bit on the rock.
         bit: BitTable = optional(Section::<BitTable>::RULE);
         /// Solid rock under the bit.
         rock: RockTable = optional(Section::<RockTable>::RULE);
-        /// The bit alone on its rock.
+        /// Test of bit and rock without the string.
         bit_test: BitTestTable = optional(Section::<BitTestTable>::RULE);
-        /// Natural frequencies and what meets them.
+        /// Natural frequencies and their excitation.
         modes: ModesTable = optional(Section::<ModesTable>::RULE);
-        /// What `wholestring plan` computes.
+        /// Inputs of `wholestring plan`.
         plan: PlanTable = optional(Section::<PlanTable>::RULE);
         /// Limits of the rig.
         rig: RigTable = optional(Section::<RigTable>::RULE);
-        /// How the top of the string is moved along the hole in the dynamic model.
+        /// Axial motion of the top of the string in the dynamic model.
         hoist: HoistTable = optional(Section::<HoistTable>::RULE);
-        /// What turns the top of the string in the dynamic model.
+        /// Rotation of the top of the string in the dynamic model.
         top_drive: TopDriveTable = optional(Section::<TopDriveTable>::RULE);
-        /// What the driller is doing.
+        /// The driller's operation.
         operation: OperationTable = required(Section::<OperationTable>::RULE);
-        /// When a compressed string counts as buckled, and what that does to the soft string.
+        /// Buckling criterion of a compressed string, and the effect of buckling on the soft
+        /// string.
         buckling: BucklingTable = optional(Section::<BucklingTable>::RULE);
-        /// How finely the string is cut.
+        /// Mesh of the string.
         mesh: MeshTable = optional(Section::<MeshTable>::RULE);
         /// Settings of the dynamic model.
         dynamics: DynamicsTable = optional(Section::<DynamicsTable>::RULE);
-        /// What a dynamic run keeps beside its tables.
+        /// Further outputs of a dynamic run, in addition to its tables.
         records: RecordsTable = optional(Section::<RecordsTable>::RULE);
     }
 }

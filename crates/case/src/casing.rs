@@ -10,14 +10,14 @@ use wholestring_units::UnitSet;
 use crate::{bore::Bore, catalogue::OwnCatalogue, hole::HoleTable};
 
 impl HoleTable {
-    /// Where the diameter comes from, if the case says it.
+    /// Place of the key that gives the diameter, if the case has one.
     pub(crate) fn diameter_place(&self) -> Option<Span> {
-        let given = self.diameter.given().map(|at| at.place);
-        given.or(self.casing.given().map(|at| at.place))
+        let own_place = self.diameter.given().map(|at| at.place);
+        own_place.or(self.casing.given().map(|at| at.place))
     }
 
-    /// The diameter of the hole, given or that of the casing; `None` after a mistake.
-    /// `own` is nothing after a mistake in it.
+    /// Returns the diameter of the hole, given or that of the casing; `None` after a mistake. `own`
+    /// is `None` after a mistake in the user's catalogue.
     pub(crate) fn bore(&self, own: Option<&OwnCatalogue>, reader: &mut Reader) -> Option<Bore> {
         let diameter = self.diameter.optional()?;
         let Some(name) = self.casing.optional()? else {
@@ -26,10 +26,10 @@ impl HoleTable {
             return Some(Bore { diameter_m: diameter.value, casing: None });
         };
         if let Some(diameter) = diameter {
-            return Diagnostic::error("`diameter` is given beside `casing`")
+            return Diagnostic::error("`diameter` is given together with `casing`")
                 .at(diameter.place, "the casing gives it")
                 .at(name.place, "the casing")
-                .help("leave one of the two out")
+                .help("remove one of the two")
                 .refuse(reader);
         }
         if let Some(kind) = self.kind.at()
@@ -64,7 +64,7 @@ impl HoleTable {
         }
     }
 
-    /// Casing is called by its outside diameter; the string moves in the inside one.
+    /// Warns of an outside diameter: casing is named by it, but the string moves in the inside one.
     fn warn_of_outside_diameter(&self, diameter: &Spanned<f64>, reader: &mut Reader) {
         let sizes = casing::of_outside_diameter(diameter.value);
         let Some(first) = sizes.first() else { return };
@@ -101,7 +101,7 @@ impl HoleTable {
     }
 }
 
-/// The nominal weight in the words of its name.
+/// Returns the nominal weight in the words of its name.
 fn weight(casing: &Casing) -> &str {
     let parted = casing.designation.split_once(" in ");
     parted.map_or("", |(_, weight)| weight)

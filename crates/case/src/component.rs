@@ -8,7 +8,7 @@ use crate::{
     tubular_rules::{diameter, joint_spacing, make_up_torque, mass_per_length, yield_strength},
 };
 
-/// What stands for the length of the component that fills the rest of the string.
+/// The word for the length of the component that fills the rest of the string.
 const TO_SURFACE: &str = "to surface";
 
 /// A length, or "to surface".
@@ -72,7 +72,7 @@ fn direction(example: &'static str) -> Quantity {
 
 fn cavity() -> Choice<Cavity> {
     Choice {
-        noun: "what fills the missing steel's place",
+        noun: "a filling of the missing steel's place",
         words: &[("mud", Cavity::Mud), ("sealed", Cavity::Sealed)],
     }
 }
@@ -80,17 +80,17 @@ fn cavity() -> Choice<Cavity> {
 table! {
     /// A component of the string, from the bit up.
     ComponentTable in "[[string]]" {
-        /// What it is called in messages and results: "bit", "motor", "drill pipe". A first
-        /// component whose last word is "bit" and which fills its hole is held to the hole's axis
-        /// in the dynamic model, all of it; of another one two diameters are.
+        /// Name of the component in messages and results: "bit", "motor", "drill pipe". If the
+        /// first component's last word is "bit" and it fills its hole, the dynamic model holds all
+        /// of it to the hole's axis; of another first component it holds two diameters.
         component: String = required(Text);
         /// Length, m unless a unit is given, or "to surface" for the topmost one, which then fills
         /// the rest of the string.
         length: ComponentLength = required(LengthRule);
         /// Entry of the catalogue of API drill pipe, heavy-weight, collars and coiled tubing, such
-        /// as "5-1/2 in 21.90 lb/ft S-135": gives diameters, joints, mass, yield strength and what
-        /// the connections bear. Drill pipe that is worn ends with its class, "premium" or "class
-        /// 2". Or the name of a tubular of the case's own `catalogue`.
+        /// as "5-1/2 in 21.90 lb/ft S-135": gives diameters, joints, mass, yield strength and the
+        /// capacity of the connections. The designation of worn drill pipe ends with its class,
+        /// "premium" or "class 2". Or the name of a tubular of the case's own `catalogue`.
         catalogue: String = optional(Text);
         /// Outside diameter of the body, m unless a unit is given. Needed without `catalogue`.
         od: f64 = optional(diameter("139.7 mm"));
@@ -101,16 +101,16 @@ table! {
             Range::from_to(0.0, 2.0).usual(0.005, 0.6),
             "118.6 mm",
         ));
-        /// Outside diameter of the tool joints, which then are what touches the wall. Default: the
+        /// Outside diameter of the tool joints, which then touch the wall. Default: the
         /// catalogue's, or no joints.
         joint_od: f64 = optional(diameter("177.8 mm"));
         /// Distance between tool joints. Default: the catalogue's, or no joints.
         joint_spacing: f64 = optional(joint_spacing());
-        /// Diameter over the blades of a stabiliser or reamer, its gauge: blades then are what
-        /// touches the wall, at both edges where they are longer than 0.5 m and than half an
-        /// element, at their middle otherwise. Their mass is counted where `mass_per_length` counts
-        /// it. Default: no blades; a component of 4 m or less that stands out over its neighbours
-        /// touches at its middle with `od`.
+        /// Diameter over the blades of a stabiliser or reamer, its gauge. The blades then touch the
+        /// wall: at both edges where they are longer than 0.5 m and than half an element, at their
+        /// middle otherwise. Their mass is counted where `mass_per_length` includes it. Default: no
+        /// blades; a component of 4 m or less that is larger than its neighbours touches at its
+        /// middle with `od`.
         blade_od: f64 = optional(diameter("212.7 mm"));
         /// Length of the blades, at the middle of the component. Default: all of the component.
         blade_length: f64 = optional(Quantity::si(
@@ -129,62 +129,61 @@ table! {
         shear_modulus: f64 = optional(modulus("76.923 GPa"));
         /// Minimum yield strength, for strength limits. Default: the catalogue's, or unknown.
         yield_strength: f64 = optional(yield_strength());
-        /// Torque that its connections are made up with, for limits: a string that turns with more
-        /// makes them up further. Default: the catalogue's, or unknown.
+        /// Torque to which its connections are made up, for limits: a string that turns with more
+        /// torque makes them up further. Default: the catalogue's, or unknown.
         make_up_torque: f64 = optional(make_up_torque());
-        /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub.
+        /// Bend fixed in its body, which turns with it: of a motor's bent housing or a bent sub.
         /// The angle between the axes above and below, deg unless a unit is given. Stiff and
         /// dynamic models. Default: none. Raising it presses bit and housing against opposite sides
         /// of the hole.
         bend: f64 = optional(bend_angle());
-        /// Distance of the bend from the component's lower end; a node stands there. Default: its
-        /// middle.
+        /// Distance of the bend from the component's lower end; the mesh has a node there. Default:
+        /// its middle.
         bend_at: f64 = optional(Quantity::si(
             Dimension::Length,
             Range::from_to(0.0, 20_000.0),
             "1.9 m",
         ));
         /// Direction at the start to which the part below the bend is bent: the angle from the high
-        /// side, clockwise as one looks down the hole, deg unless a unit is given. Default: 0, the
-        /// high side.
+        /// side, clockwise looking down the hole, deg unless a unit is given. Default: 0, the high
+        /// side.
         bend_toolface: f64 = optional(direction("90 deg"));
-        /// Force across it, fixed in space however the string turns: of a rotary steerable, whose
-        /// pads press the wall on the other side by as much. Stiff and dynamic models; the soft
-        /// string leaves it out, and says so. Default: none. Raising it presses the bit to that
-        /// side, or, from beyond a stabiliser, to the other.
+        /// Lateral force, fixed in space while the string turns: of a rotary steerable whose pads
+        /// press the opposite wall with the same force. Stiff and dynamic models; the soft string
+        /// ignores it, with a warning. Default: none. Raising it presses the bit to that side, or,
+        /// from beyond a stabiliser, to the other.
         lateral_force: f64 = optional(Quantity::si(
             Dimension::Force,
             Range::from_to(0.0, 1e6).usual(100.0, 1e5),
             "15 kN",
         ));
-        /// Distance of that force from the component's lower end; a node stands there. Default: its
-        /// middle.
+        /// Distance of that force from the component's lower end; the mesh has a node there.
+        /// Default: its middle.
         lateral_force_at: f64 = optional(Quantity::si(
             Dimension::Length,
             Range::from_to(0.0, 20_000.0),
             "0.8 m",
         ));
         /// Direction to which the tool is pushed: the angle from the high side at the bit,
-        /// clockwise as one looks down the hole, deg unless a unit is given. Default: 0, the high
-        /// side.
+        /// clockwise looking down the hole, deg unless a unit is given. Default: 0, the high side.
         lateral_force_toolface: f64 = optional(direction("90 deg"));
         /// Distance of its steel's centre of mass from the axis, at most a tenth of od: an
-        /// imbalance that throws it outwards with the square of the rotary speed. Dynamic model
-        /// only. Default: none.
+        /// imbalance whose centrifugal force grows with the square of the rotary speed. Dynamic
+        /// model only. Default: none.
         eccentricity: f64 = optional(Quantity::si(
             Dimension::Diameter,
             Range::from_to(0.0, 0.2).usual(5e-5, 0.02),
             "2 mm",
         ));
         /// Direction of that centre of mass at the start: the angle from the high side, clockwise
-        /// as one looks down the hole, deg unless a unit is given. Default: 0, the high side.
+        /// looking down the hole, deg unless a unit is given. Default: 0, the high side.
         eccentricity_phase: f64 = optional(direction("90 deg"));
-        /// What is in the place of the steel that it lacks on the other side: "mud" (a bore off the
-        /// axis, a slot, a worn side), which makes up for part of it, or "sealed" (an empty
-        /// pocket). Default: "mud".
+        /// Filling of the space where steel is missing on the other side: "mud" (a bore off the
+        /// axis, a slot, a worn side), which compensates part of it, or "sealed" (an empty pocket).
+        /// Default: "mud".
         eccentricity_cavity: Cavity = optional(cavity());
         /// Distance of its survey sensor (the directional sensor of an MWD) from the component's
-        /// lower end: `wholestring bha` gives the sag correction there. Default: it has none.
+        /// lower end: `wholestring bha` gives the sag correction there. Default: no sensor.
         survey_sensor: f64 = optional(Quantity::si(
             Dimension::Length,
             Range::from_to(0.0, 20_000.0).usual(0.05, 40.0),
@@ -194,10 +193,10 @@ table! {
 }
 
 impl ComponentTable {
-    /// Where its outside diameter comes from; `place` is that of the table.
+    /// Place of the key that gives its outside diameter; `place` is that of the table.
     pub(crate) fn od_place(&self, place: Span) -> Span {
-        let given = self.od.given().map(|at| at.place);
+        let own_place = self.od.given().map(|at| at.place);
         let listed = self.catalogue.given().map(|at| at.place);
-        given.or(listed).unwrap_or(place)
+        own_place.or(listed).unwrap_or(place)
     }
 }

@@ -1,4 +1,4 @@
-//! What a key of the settings measures.
+//! Dimensions of the keys of the settings.
 
 use std::{collections::BTreeMap, sync::LazyLock};
 
@@ -7,8 +7,8 @@ use wholestring_units::Dimension;
 
 use crate::{overrides::long_key, schema::TABLES};
 
-/// Keys of the settings that no table declares and whose unit leaves open what they are: key, name
-/// without unit, dimension.
+/// Keys of the settings that no table declares and whose unit does not determine their dimension:
+/// key, name without unit, dimension.
 const OF_THE_RECORD: &[(&str, &str, Dimension)] = &[
     ("radius_m", "radius", Dimension::Diameter),
     ("core_radius_m", "core_radius", Dimension::Diameter),
@@ -16,7 +16,7 @@ const OF_THE_RECORD: &[(&str, &str, Dimension)] = &[
     ("rate_of_penetration_m_per_s", "rate_of_penetration", Dimension::RateOfPenetration),
 ];
 
-/// What a unit measures where nothing else says it.
+/// Dimensions by unit, for keys without another rule.
 const BY_UNIT: &[Dimension] = &[
     Dimension::Length,
     Dimension::Force,
@@ -43,11 +43,10 @@ const BY_UNIT: &[Dimension] = &[
     Dimension::FractureEnergy,
 ];
 
-/// What a key of [`Case::settings`](crate::Case::settings) measures, and its name without the unit;
-/// nothing where it is a bare number or no number.
+/// Returns the dimension of a key of [`Case::settings`](crate::Case::settings), and its name
+/// without the unit; `None` for a bare number or a value that is not a number.
 ///
-/// A key that stands in the case file measures what its table declares, any other what its unit
-/// says.
+/// A key of the case file has the dimension that its table declares, any other that of its unit.
 ///
 /// ```
 /// use wholestring_case::dimension_of;
@@ -68,12 +67,12 @@ pub fn dimension_of(key: &str) -> Option<(Dimension, &str)> {
     BY_UNIT
         .iter()
         .filter_map(|dimension| Some((*dimension, without(key, *dimension)?)))
-        // Of `m_per_s` and `per_s` the longer unit.
+        // The longer unit wins: `m_per_s` over `per_s`.
         .min_by_key(|(_, name)| name.len())
 }
 
-/// What the value of a dotted or short key of the case file measures, lists counted from zero;
-/// nothing where it is a bare number or no number, or where there is no such key.
+/// Returns the dimension of the value of a dotted or short key of the case file, lists counted from
+/// zero; `None` for a bare number, for a value that is not a number, and for an unknown key.
 ///
 /// ```
 /// use wholestring_case::dimension_at;
@@ -88,7 +87,7 @@ pub fn dimension_at(path: &str) -> Option<Dimension> {
     at(&TABLES, &mut long_key(path).split('.')).and_then(declared_by)
 }
 
-/// What a schema says of the place to which keys lead.
+/// Returns the schema of the place to which keys lead.
 fn at<'a>(schema: &'a Json, keys: &mut dyn Iterator<Item = &str>) -> Option<&'a Json> {
     let Some(key) = keys.next() else { return Some(schema) };
     let rest: Vec<&str> = keys.collect();
@@ -102,19 +101,19 @@ fn at<'a>(schema: &'a Json, keys: &mut dyn Iterator<Item = &str>) -> Option<&'a 
     })
 }
 
-/// What a schema says of an item of a list.
+/// Returns the schema of an item of a list.
 fn in_list<'a>(schema: &'a Json, key: &str) -> Option<&'a Json> {
     let is_index = key == "*" || key.bytes().all(|byte| byte.is_ascii_digit());
     let of_place = || schema["prefixItems"].get(key.parse::<usize>().ok()?);
     of_place().or_else(|| schema.get("items").filter(|_| is_index))
 }
 
-/// The name before a dimension's unit.
+/// Returns the name before a dimension's unit.
 fn without(key: &str, dimension: Dimension) -> Option<&str> {
     key.strip_suffix(&dimension.suffix())?.strip_suffix('_')
 }
 
-/// The keys of all tables, with the units that the settings have them in.
+/// The keys of all tables, with the units that they have in the settings.
 static DECLARED: LazyLock<BTreeMap<String, Dimension>> = LazyLock::new(|| {
     let mut declared = BTreeMap::new();
     visit(&TABLES, &mut |key, dimension| {
@@ -141,10 +140,10 @@ fn visit(schema: &Json, each: &mut impl FnMut(&str, Dimension)) {
     }
 }
 
-/// The dimension of a value, of one of a list, or of one of several that it may be.
+/// Returns the dimension of a value, of an item of a list, or of one of several alternatives.
 fn declared_by(value: &Json) -> Option<Dimension> {
     if let Some(name) = value["x-dimension"].as_str() {
-        return Dimension::ALL.iter().find(|of| of.name() == name).copied();
+        return Dimension::ALL.iter().find(|dimension| dimension.name() == name).copied();
     }
     let either = value["anyOf"].as_array().into_iter().flatten();
     either.chain(value.get("items")).find_map(declared_by)
@@ -154,7 +153,7 @@ fn declared_by(value: &Json) -> Option<Dimension> {
 mod tests {
     use super::*;
 
-    /// Two tables that mean different things by one key in one unit would need their names
+    /// If two tables gave one key in one unit different meanings, their names would have to be
     /// distinguished.
     #[test]
     fn a_key_measures_the_same_in_every_table() {
@@ -180,7 +179,7 @@ mod tests {
             ("mass_per_s", Dimension::Frequency),
             ("consistency_Pa_s_n", Dimension::Consistency),
         ] {
-            assert_eq!(dimension_of(key).map(|(of, _)| of), Some(expected), "{key}");
+            assert_eq!(dimension_of(key).map(|(dimension, _)| dimension), Some(expected), "{key}");
         }
     }
 }

@@ -17,10 +17,11 @@ use crate::{
     rig::HoistTable,
 };
 
-/// Wall-clock time between checkpoints where the case does not say, s: what one can bear to lose.
+/// Default wall-clock time between checkpoints, s: an acceptable loss of computing time.
 const CHECKPOINT_INTERVAL_S: f64 = 30.0;
 
-/// Rows that a run keeps in its tables; more fill memory and disk, not insight.
+/// Maximum number of rows in the tables of a run; more rows need memory and disk without adding
+/// insight.
 const MAX_SAMPLES: f64 = 2e6;
 
 /// The contact laws, without their numbers.
@@ -65,8 +66,8 @@ table! {
             },
             AutoOr::Auto,
         );
-        /// How the string lies at time zero: "prepared" (on its contact side with the soft string's
-        /// tension and torque) or "centred" (on the hole's axis, untwisted, at rest).
+        /// Position of the string at time zero: "prepared" (on its contact side with the soft
+        /// string's tension and torque) or "centred" (on the hole's axis, untwisted, at rest).
         start: Start = default(
             Choice {
                 noun: "a start",
@@ -74,9 +75,9 @@ table! {
             },
             DynamicsSettings::default().start,
         );
-        /// Centred start: tension of the string at time zero. "static" (what it has hanging in its
-        /// hole without friction, its weight on the bit included) or "cold" (none: all of its
-        /// weight comes on at once, and the string rings along the hole).
+        /// Centred start: tension of the string at time zero. "static" (the tension of the string
+        /// that hangs in its hole without friction, its weight on the bit included) or "cold"
+        /// (none: its whole weight is applied at once, and the string rings axially).
         start_tension: StartTension = default(
             Choice {
                 noun: "a tension",
@@ -84,8 +85,8 @@ table! {
             },
             CentredStart::default().tension,
         );
-        /// Centred start: time in which the top is brought to its rotary speed, linearly. Raising
-        /// it softens the torsional wave that the start sends down the string.
+        /// Centred start: time in which the top reaches its rotary speed, linearly. Raising it
+        /// softens the torsional wave that the start sends down the string.
         start_ramp: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(0.0, 3600.0), "1 s"),
             CentredStart::default().ramp_s,
@@ -102,9 +103,9 @@ table! {
             },
             DynamicsSettings::default().friction_law,
         );
-        /// Sliding speed at which friction at rest has half decayed to the kinetic one. Raising it
-        /// keeps more of the friction at rest in slow sliding. Used where a hole section has static
-        /// friction.
+        /// Sliding speed at which half of the excess of static over kinetic friction has decayed.
+        /// Raising it keeps more of the static friction in slow sliding. Used where a hole section
+        /// has static friction.
         stribeck_speed: f64 = default(
             Quantity::si(Dimension::TripSpeed, Range::from_to(1e-4, 100.0).usual(1e-3, 10.0), "0.1 m/s"),
             DynamicsSettings::default().stribeck_speed_m_per_s,
@@ -118,20 +119,20 @@ table! {
             },
             Contact::Hertz,
         );
-        /// Linear contact: stiffness of the contact of one node. Means do not move with it from 2e7
-        /// to 2e11 N/m.
+        /// Linear contact: stiffness of the contact of one node. Means do not change with it from
+        /// 2e7 to 2e11 N/m.
         contact_stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e13).usual(1e5, 1e11), "1e8 N/m"),
             1e8,
         );
         /// Linear contact: damping as a fraction of the critical damping of the node on its
-        /// contact. Raising it makes impacts rebound less.
+        /// contact. Raising it reduces the rebound of impacts.
         contact_damping_ratio: f64 = default(
             Number { unit: "", range: Range::from_to(0.0, 2.0) },
             0.05,
         );
-        /// Hertz contact: dissipation of Hunt and Crossley, s/m. Raising it makes impacts rebound
-        /// less.
+        /// Hertz contact: dissipation of Hunt and Crossley, s/m. Raising it reduces the rebound of
+        /// impacts.
         hertz_dissipation: f64 = default(
             Quantity::si(Dimension::DissipationTime, Range::from_to(0.0, 100.0), "0.5 s/m"),
             hertz_dissipation_default(),
@@ -144,9 +145,9 @@ table! {
             Quantity::si(Dimension::Time, Range::from_to(1e-4, 10.0), "10 ms"),
             DynamicsSettings::default().sample_interval_s,
         );
-        /// Wall-clock time between checkpoints, from which `--resume` continues a run that
-        /// was stopped or killed. Lowering it loses less then; each costs some hundredths of a
-        /// second. It leaves the answer as it is.
+        /// Wall-clock time between checkpoints, from which `--resume` continues a run that was
+        /// stopped or killed. Lowering it reduces the loss in that case; each checkpoint costs some
+        /// hundredths of a second. Results do not depend on it.
         checkpoint_interval: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(0.01, 86_400.0), "30 s"),
             CHECKPOINT_INTERVAL_S,
@@ -174,7 +175,7 @@ fn hertz_dissipation_default() -> f64 {
     }
 }
 
-/// What other tables tell of a dynamic run; what is missing has been reported.
+/// Inputs of a dynamic run from other tables; missing ones have been reported.
 pub(crate) struct GivenSettings<'a> {
     pub(crate) hoist: &'a HoistTable,
     pub(crate) bit: Option<BitSettings>,
@@ -183,7 +184,7 @@ pub(crate) struct GivenSettings<'a> {
 }
 
 impl DynamicsTable {
-    /// Where the run ends, s, if the case says it.
+    /// End of the run, s, if the case gives it.
     pub(crate) fn end_s(&self) -> Option<f64> {
         Some(self.settle.get()?.given()? + *self.duration.get()?)
     }
@@ -211,7 +212,7 @@ impl DynamicsTable {
         Some(DynamicsSettings {
             mesh: mesh.settings()?,
             duration_s: *self.duration.get()?,
-            // A program's own choice.
+            // Chosen by the program.
             settle_s: self.settle.get()?.given().unwrap_or(0.0),
             steady: match *self.settle.get()? {
                 AutoOr::Auto => Some(UntilSteady::default()),
@@ -224,7 +225,7 @@ impl DynamicsTable {
             },
             friction_law: *self.friction_law.get()?,
             stribeck_speed_m_per_s: *self.stribeck_speed.get()?,
-            // A program's own.
+            // Set by programs only.
             friction_coefficient: None,
             contact_law: contact_law?,
             damping: RodDamping {
@@ -233,7 +234,7 @@ impl DynamicsTable {
             },
             hoist_control: hoist_control?,
             lift_tolerance: *hoist.tolerance.get()?,
-            // An operation that takes the autodriller by itself takes it as it is by default.
+            // An operation that selects the autodriller by default uses its default settings.
             autodriller: if hoist_control? == Some(HoistControl::Autodriller)
                 || plan.holds_a_weight()
             {
@@ -246,14 +247,14 @@ impl DynamicsTable {
             hoist_line: hoist.line()?,
             bit: bit?,
             sample_interval_s: *self.sample_interval.get()?,
-            // What is recorded of nodes stands in [records].
+            // [records] lists the recorded nodes.
             probes: Vec::new(),
             seed: *self.seed.get()?,
             precision: *self.precision.get()?,
         })
     }
 
-    /// Single precision where it does not serve.
+    /// Warns of single precision where it does not suffice.
     pub(crate) fn check_precision(
         &self,
         operations: &[Operation],
@@ -275,18 +276,18 @@ impl DynamicsTable {
         Some(())
     }
 
-    /// A Stribeck speed without friction at rest that could decay.
+    /// Warns of a Stribeck speed without static friction that could decay.
     pub(crate) fn check_stribeck(&self, hole: &Hole, reader: &mut Reader) {
         let decays = |section: &HoleSection| section.friction.at_rest > section.friction.kinetic;
-        if let Some(given) = self.stribeck_speed.given()
+        if let Some(entry) = self.stribeck_speed.given()
             && !hole.sections().iter().any(decays)
         {
             let why = "used with `static` friction above `kinetic` in a hole section";
-            reader.report(Diagnostic::idle("stribeck_speed", given.place, why));
+            reader.report(Diagnostic::idle("stribeck_speed", entry.place, why));
         }
     }
 
-    /// What only a centred start has, where the start is another.
+    /// Warns of keys of a centred start where the start is another.
     fn warn_of_centred_keys(&self, reader: &mut Reader) {
         if self.start.get() != Some(&Start::Prepared) {
             return;
@@ -308,8 +309,8 @@ impl DynamicsTable {
             (&self.contact_damping_ratio, "contact_damping_ratio", Contact::Linear, "linear"),
             (&self.hertz_dissipation, "hertz_dissipation", Contact::Hertz, "hertz"),
         ] {
-            let Some(given) = field.given().filter(|_| owner != law.value) else { continue };
-            Diagnostic::idle(name, given.place, format!("used with contact_law = \"{word}\""))
+            let Some(entry) = field.given().filter(|_| owner != law.value) else { continue };
+            Diagnostic::idle(name, entry.place, format!("used with contact_law = \"{word}\""))
                 .chosen("the contact law", self.contact_law.place(), "hertz")
                 .report(reader);
         }
@@ -331,10 +332,10 @@ impl DynamicsTable {
             AutoOr::Auto => UntilSteady::default().max_s,
             AutoOr::Given(settle_s) => settle_s,
         };
-        let given = |preferred: Span, is_given: bool, other: Span| {
+        let prefer = |preferred: Span, is_given: bool, other: Span| {
             if is_given { preferred } else { other }
         };
-        let place = given(duration.place, self.duration.given().is_some(), interval.place);
+        let place = prefer(duration.place, self.duration.given().is_some(), interval.place);
         if interval.value > duration.value {
             return Diagnostic::error("the window is shorter than one sample")
                 .at(place, format!("window of {} s", number_text(duration.value)))

@@ -15,8 +15,8 @@ use crate::{
     overrides::{self, Override},
 };
 
-/// The text of a case with these changes written into it; what they leave alone stays as it was
-/// written, comments too. Whether the case is valid, [`parse`](crate::parse) says.
+/// Returns the text of a case with these changes written into it; all other text is preserved,
+/// comments included. Whether the case is valid is decided by [`parse`](crate::parse).
 ///
 /// ```
 /// use wholestring_case::edited;
@@ -30,7 +30,7 @@ use crate::{
 /// ```
 ///
 /// # Errors
-/// A text that is no TOML, and a change of a key that cannot be.
+/// A text that is not TOML, and a change of a key that is not possible.
 pub fn edited(name: &str, text: &str, changes: &[Override]) -> Result<String, Report> {
     let (before, mut reader) = tree(name, text.as_bytes(), &CASE_FILE)?;
     let mut after = before.clone();
@@ -40,7 +40,8 @@ pub fn edited(name: &str, text: &str, changes: &[Override]) -> Result<String, Re
     if reader.has_errors() {
         return Err(reader.into_report());
     }
-    // The tree was read by a parser that recovers; this one reads what it has found sound.
+    // The tree was read by a parser that recovers from errors; this parser reads text that it has
+    // found valid.
     let mut document: DocumentMut =
         text.trim_start_matches('\u{feff}').parse().map_err(|error: toml_edit::TomlError| {
             Report::about_file(name, Diagnostic::error(error.to_string()))
@@ -49,7 +50,7 @@ pub fn edited(name: &str, text: &str, changes: &[Override]) -> Result<String, Re
     Ok(document.to_string())
 }
 
-/// Brings a table from what was read of it to what it is to be.
+/// Changes a table from its original tree to the new one.
 fn change_table(table: &mut dyn TableLike, before: &Entries, after: &Entries) {
     for (key, _) in before.0.iter().filter(|(key, _)| after.get(&key.name).is_none()) {
         table.remove(&key.name);
@@ -81,7 +82,7 @@ fn change(place: &mut Item, before: &Value, after: &Value) {
         }
         _ => {}
     }
-    // A comment behind a value stays behind it.
+    // A comment after a value is kept.
     let decor = place.as_value().map(|old| old.decor().clone());
     *place = item(after);
     if let (Some(decor), Some(new)) = (decor, place.as_value_mut()) {
@@ -121,8 +122,8 @@ fn is_same(one: &Value, other: &Value) -> bool {
 }
 
 /// A value as TOML: tables under their own headings.
-fn item(of: &Value) -> Item {
-    match of {
+fn item(tree: &Value) -> Item {
+    match tree {
         Value::Table(entries) => {
             let mut table = Table::new();
             for (key, node) in &entries.0 {
@@ -135,13 +136,13 @@ fn item(of: &Value) -> Item {
 }
 
 /// A value as TOML, on one line.
-fn value(of: &Value) -> Written {
-    match of {
+fn value(tree: &Value) -> Written {
+    match tree {
         Value::Text { text, .. } => text.into(),
         Value::Number { whole: Some(whole), .. } => (*whole).into(),
         Value::Number { value, .. } => (*value).into(),
         Value::Boolean(truth) => (*truth).into(),
-        // No key is one: the reader says so.
+        // No key has a date as its value, which the reader reports.
         Value::Date => "a date".into(),
         Value::List(items) => {
             Written::Array(items.iter().map(|node| value(&node.value)).collect::<Array>())
@@ -191,7 +192,7 @@ kind = "trip_out"
 "#;
 
     fn changed(changes: &[&str]) -> String {
-        let changes: Vec<Override> = changes.iter().map(|of| of.parse().unwrap()).collect();
+        let changes: Vec<Override> = changes.iter().map(|change| change.parse().unwrap()).collect();
         edited("well.toml", CASE, &changes)
             .unwrap_or_else(|report| panic!("{}", report.render(false)))
     }
@@ -206,7 +207,7 @@ kind = "trip_out"
         assert_eq!(text, expected);
     }
 
-    /// A key that is removed goes with its comment; those beside it, and their comments, stay.
+    /// A key is removed with its comment; the neighbouring keys and their comments are kept.
     #[test]
     fn a_key_is_removed() {
         let removal = |key: &str| {
@@ -224,13 +225,13 @@ kind = "trip_out"
         }
     }
 
-    /// The text says what the overrides do, those with short keys and new tables too.
+    /// The text reads like the case with the overrides, including short keys and new tables.
     #[test]
     fn the_text_is_the_case_with_the_changes() {
         let changes =
             ["friction=0.4", "bit_depth=900m", "rig.block_weight=\"200 kN\"", "model=soft"];
         let text = changed(&changes);
-        let changes: Vec<Override> = changes.iter().map(|of| of.parse().unwrap()).collect();
+        let changes: Vec<Override> = changes.iter().map(|change| change.parse().unwrap()).collect();
         let read = |text: &str, changes: &[Override]| {
             parse("well.toml", text.as_bytes(), &InMemory::default(), changes)
                 .unwrap_or_else(|report| panic!("{}", report.render(false)))

@@ -13,12 +13,12 @@ use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
 
 use crate::case_table::CaseTable;
 
-/// More elements than this make no sense in the longest of wells.
+/// Maximum number of elements, more than the longest of wells needs.
 const MAX_ELEMENTS: usize = 110_000;
-/// More element-steps than this are weeks of computing.
+/// Maximum number of element-steps; more are weeks of computing.
 const MAX_ELEMENT_STEPS: f64 = 1e14;
-/// A shorter step than this, a twentieth of what elements of 0.2 m need, has a mistake for its
-/// cause.
+/// Shortest step, s: a twentieth of the step for elements of 0.2 m; a shorter one results from a
+/// mistake.
 const SHORTEST_STEP_S: f64 = 2e-6;
 
 /// Whether the dynamic runs of the case can be finished.
@@ -61,14 +61,14 @@ pub(crate) fn check_effort(
     advice(Diagnostic::error(message), shortest_s, case).refuse(reader)
 }
 
-/// What the engine refuses, where the reader has found nothing wrong.
+/// Reports a refusal by the engine, where the reader has found no mistake.
 fn refused(error: &SetupError, case: &CaseTable) -> Diagnostic {
     let (SetupError::LightBit { direction, unit, bit, rock }, Some(table)) =
         (error, case.rock.given())
     else {
         return Diagnostic::error(format!("the dynamic model refuses: {error}"));
     };
-    let [bit, rock] = [bit, rock].map(|of| number_text((of * 1e3).round() * 1e-3));
+    let [bit, rock] = [bit, rock].map(|inertia| number_text((inertia * 1e3).round() * 1e-3));
     Diagnostic::error(
         "the bit is too light for the elements that it touches, whose density is scaled",
     )
@@ -77,19 +77,19 @@ fn refused(error: &SetupError, case: &CaseTable) -> Diagnostic {
     .help("lower density_factor or element_size under [rock], or raise element_length under [mesh]")
 }
 
-/// What makes a run shorter, at the places of the case that make it long.
+/// Adds advice to shorten the run, at the places of the case that make it long.
 fn advice(mut diagnostic: Diagnostic, step_s: f64, case: &CaseTable) -> Diagnostic {
-    if let Some(given) = case.mesh.get().and_then(|mesh| mesh.element_length.given()) {
-        diagnostic = diagnostic.at(given.place, "raise the element length");
+    if let Some(entry) = case.mesh.get().and_then(|mesh| mesh.element_length.given()) {
+        diagnostic = diagnostic.at(entry.place, "raise the element length");
     }
     let Some(dynamics) = case.dynamics.get() else {
         return diagnostic;
     };
     let damping = dynamics.damping.get();
-    if let Some(given) = damping.and_then(|damping| damping.stiffness.given())
-        && given.value > 10.0 * step_s
+    if let Some(entry) = damping.and_then(|damping| damping.stiffness.given())
+        && entry.value > 10.0 * step_s
     {
-        diagnostic = diagnostic.at(given.place, "it shortens the time step: lower it");
+        diagnostic = diagnostic.at(entry.place, "it shortens the time step: lower it");
     }
     if step_s < SHORTEST_STEP_S {
         return diagnostic.help(format!(
@@ -98,7 +98,7 @@ fn advice(mut diagnostic: Diagnostic, step_s: f64, case: &CaseTable) -> Diagnost
         ));
     }
     match dynamics.duration.given() {
-        Some(given) => diagnostic.at(given.place, "or shorten the window"),
+        Some(entry) => diagnostic.at(entry.place, "or shorten the window"),
         None => diagnostic,
     }
 }

@@ -1,4 +1,4 @@
-//! Whether the string fits the hole and stays down in the mud.
+//! Whether the string fits the hole and its weight exceeds buoyancy.
 
 use wholestring::{
     mud::Mud,
@@ -13,14 +13,15 @@ use crate::{component::ComponentTable, hole::HoleTable};
 /// Diameters that differ by less than this are equal, m: a thousandth of a millimetre.
 const EQUAL_M: f64 = 1e-6;
 
-/// A bit narrower than this part of its open hole did not drill it: a washout of an eighth is an exception.
+/// Least diameter of a bit as a part of its open hole, which otherwise was drilled by another bit:
+/// a washout of an eighth is an exception.
 const DRILLS: f64 = 0.88;
 
-/// What touches the wall of a hole is this part of it at least.
+/// Least diameter of a wall-contacting component, as a part of the hole's.
 const FILLS: f64 = 0.9;
 
-/// Every component must pass the sections above its place in the hole. The bit may be as wide as
-/// its hole; anything else needs clearance.
+/// Refuses a component that does not pass the sections above its place in the hole. The bit may be
+/// as wide as its hole; anything else needs clearance.
 pub(crate) fn check_clearance(
     string: &DrillString,
     components: &[Spanned<ComponentTable>],
@@ -89,7 +90,7 @@ pub(crate) fn check_clearance(
     }
 }
 
-/// Warns of a bit that is narrower than the open hole it is in, and of stabilisers without blades.
+/// Warns of a bit that is narrower than its open hole, and of stabilisers without blades.
 pub(crate) fn check_gauge(
     string: &DrillString,
     components: &[Spanned<ComponentTable>],
@@ -104,7 +105,7 @@ pub(crate) fn check_gauge(
     };
     let diameter = |reader: &Reader, m: f64| reader.shown(Dimension::Diameter, m);
     let opened = |diameter_m: f64| {
-        // Tool joints open no hole.
+        // Tool joints do not drill.
         let width_m = |part: &Component| part.blades.map_or(part.od_m, |blades| blades.od_m);
         let widest = string.components().iter().skip(1).map(width_m);
         widest.fold(0.0, f64::max) > DRILLS * diameter_m
@@ -155,7 +156,7 @@ fn is_stabiliser(component: &Component) -> bool {
     words.any(|word| word == "stab" || word.starts_with("stabili") || word.ends_with("reamer"))
 }
 
-/// Warns of casings that go into each other.
+/// Warns of casings that do not fit into each other.
 pub(crate) fn check_programme(
     string: &DrillString,
     components: &[Spanned<ComponentTable>],
@@ -164,13 +165,17 @@ pub(crate) fn check_programme(
     let diameters: Vec<(f64, f64)> =
         string.components().iter().map(|part| (part.od_m, part.id_m)).collect();
     let Some(top) = components.last().filter(|_| nested_casings(&diameters)) else { return };
-    Diagnostic::warning("the string has casings of which one goes into another")
+    Diagnostic::warning("the string has casings, one of which fits into another")
         .at(top.place, "one above the other, as a string has them")
-        .help("a casing programme is no string: casings that are in the hole belong under [[well.hole]]")
+        .help(
+            "a casing programme is not a string: casings that are in the hole belong under \
+               [[well.hole]]",
+        )
         .report(reader);
 }
 
-/// A string that weighs less than it is to put on the bit would be pushed into the hole.
+/// Refuses a string that is lighter than its weight on bit, because it would have to be pushed into
+/// the hole.
 pub(crate) fn check_weight_on_bit(
     string: &DrillString,
     mud: &Mud,
@@ -194,8 +199,8 @@ pub(crate) fn check_weight_on_bit(
     }
 }
 
-/// The place that says how wide a component is.
-fn od_place(table: &Spanned<ComponentTable>, joint: bool) -> Span {
+/// Place of the key that gives the width of a component.
+pub(crate) fn od_place(table: &Spanned<ComponentTable>, joint: bool) -> Span {
     let component = &table.value;
     let joint_od = component.joint_od.given().filter(|_| joint);
     component
@@ -208,7 +213,7 @@ fn od_place(table: &Spanned<ComponentTable>, joint: bool) -> Span {
         .unwrap_or(table.place)
 }
 
-/// Buoyancy must leave every component its weight.
+/// Refuses a component that is lighter than the mud that it displaces.
 pub(crate) fn check_weight(
     string: &DrillString,
     components: &[Spanned<ComponentTable>],

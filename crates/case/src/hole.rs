@@ -8,12 +8,11 @@ use crate::{bore::Bore, catalogue::OwnCatalogue, roughness::RoughnessTable};
 table! {
     /// Friction between string and wall: kinetic and static, axial and rotational.
     FrictionTable in "friction" {
-        /// Coefficient while sliding, along the hole and, where `around` does not say otherwise,
-        /// around it.
+        /// Coefficient of sliding friction along the hole and, unless `around` is given, around it.
         kinetic: f64 = required(coefficient());
-        /// Coefficient at rest along the hole, at least the kinetic one; around the hole it is in
-        /// the same ratio to `around`. Raising it makes the string stick longer and break away with
-        /// more. Default: the kinetic one.
+        /// Static coefficient along the hole, at least the kinetic one; around the hole it is in
+        /// the same ratio to `around`. Raising it makes the string stick longer and break away at a
+        /// higher force. Default: the kinetic one.
         r#static: f64 = optional(coefficient());
         /// Coefficient while sliding around the hole: raising it raises torque, not drag. Default:
         /// the kinetic one.
@@ -28,7 +27,7 @@ pub(crate) fn coefficient() -> Number {
     Number { unit: "", range: Range::from_to(0.0, MAX_FRICTION).usual(0.05, 0.8) }
 }
 
-/// Smallest coefficient along the hole that one around it is taken in its ratio to.
+/// Smallest coefficient along the hole for which the one around the hole is taken as a ratio to it.
 const MIN_FRICTION: f64 = 1e-3;
 
 impl FrictionTable {
@@ -94,7 +93,7 @@ table! {
             words: &[("casing", HoleKind::Casing), ("open", HoleKind::Open)],
         });
         /// Measured depth where it begins. Default: the end of the section above, or the surface;
-        /// there can be no other, so that it only serves to check.
+        /// no other value is possible, so that the key serves as a check only.
         from: f64 = optional(Quantity::si(
             Dimension::Length,
             Range::from_to(0.0, 20_000.0),
@@ -119,8 +118,8 @@ table! {
         /// Coefficient of friction between string and wall, or
         /// { kinetic = 0.25, static = 0.3, around = 0.2 }.
         friction: Friction = required(FrictionRule);
-        /// Young's modulus of the wall. Default: 210 GPa in casing; 51.5 GPa in open hole, the rock
-        /// of the article that the dynamics follow. Used by Hertz contact.
+        /// Young's modulus of the wall. Default: 210 GPa in casing; 51.5 GPa in open hole, from the
+        /// article that the dynamics follow. Used by Hertz contact.
         youngs_modulus: f64 = optional(Quantity::si(
             Dimension::Pressure,
             Range::from_to(1e6, 2e12).usual(1e8, 3e11),
@@ -129,13 +128,12 @@ table! {
         /// Poisson's ratio of the wall. Default: 0.3 in casing, 0.33 in open hole. Used by Hertz
         /// contact.
         poisson_ratio: f64 = optional(Number { unit: "", range: Range::from_to(0.0, 0.5) });
-        /// What the amplitudes of [well.roughness] are multiplied by in this section: 0 makes it
-        /// smooth.
+        /// Factor on the amplitudes of [well.roughness] in this section: 0 makes it smooth.
         roughness: f64 = default(Number { unit: "", range: Range::from_to(0.0, 10.0) }, 1.0);
     }
 }
 
-/// The sections, one below the other.
+/// Builds the sections, one below the other.
 pub(crate) fn build(
     tables: &[Spanned<HoleTable>],
     roughness: Option<&RoughnessTable>,
@@ -238,7 +236,7 @@ fn section(table: &HoleTable, from_md_m: f64, bore: Option<Bore>) -> Option<Hole
     })
 }
 
-/// What the core says about the sections, at the one that it says it of.
+/// Reports an error of the core about the sections, at the section that it concerns.
 fn hole_error(error: &HoleError, tables: &[Spanned<HoleTable>]) -> Diagnostic {
     let index = match error {
         HoleError::OutOfRange { index, .. }
@@ -250,7 +248,7 @@ fn hole_error(error: &HoleError, tables: &[Spanned<HoleTable>]) -> Diagnostic {
     Diagnostic::error(error.to_string()).at(place, "this section")
 }
 
-/// A section's share of a roughness that there is none of.
+/// Warns of a section's factor on a roughness that the case does not have.
 fn warn_of_sections(
     roughness: Option<&RoughnessTable>,
     sections: &[Spanned<HoleTable>],
@@ -260,9 +258,9 @@ fn warn_of_sections(
         return;
     }
     for section in sections {
-        if let Some(given) = section.value.roughness.given() {
+        if let Some(entry) = section.value.roughness.given() {
             let why = "used with `rms` or `tortuosity` of [well.roughness]";
-            reader.report(Diagnostic::idle("roughness", given.place, why));
+            reader.report(Diagnostic::idle("roughness", entry.place, why));
         }
     }
 }

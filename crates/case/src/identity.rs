@@ -1,4 +1,4 @@
-//! What makes two cases the same: all that their solutions depend on.
+//! The identity of a case: all inputs that its solutions depend on.
 
 use serde::Serialize;
 use serde_json::Value as Json;
@@ -9,8 +9,8 @@ use wholestring::{
 
 use crate::{bit_test::BitTest, case::Case, records::Records};
 
-/// What the solvers are given and what is kept of their answers, as they have it themselves: what
-/// is added there is part of it.
+/// All inputs of the solvers and settings of recorded results, serialised as the engine's own
+/// types, so that a new field becomes a part of the identity.
 #[derive(Serialize)]
 struct Identity<'a> {
     model: &'a [ModelKind],
@@ -24,13 +24,13 @@ struct Identity<'a> {
 }
 
 impl Case {
-    /// All that its solutions depend on, down to the last digit. Two cases with the same identity
-    /// have the same solutions; name, units and what else is only shown, and the time between
-    /// checkpoints, are no part of it.
+    /// Returns all inputs that its solutions depend on, to the last digit. Two cases with the same
+    /// identity have the same solutions. Name, units and other display settings, and the time
+    /// between checkpoints, are not included.
     ///
-    /// JSON has no infinity: a limit that there is none of is `null`.
+    /// JSON has no infinity: a missing limit is `null`.
     pub fn identity(&self) -> Json {
-        // Every field is named: a new one either belongs to it or is left out for a reason.
+        // Every field is named, so that a new one must be either included or left out for a reason.
         let Self {
             models,
             model,
@@ -40,20 +40,20 @@ impl Case {
             dynamics,
             tunes_hook_load,
             records,
-            // What is shown.
+            // Display only.
             name: _,
             units: _,
             survey_notes: _,
             mud_notes: _,
             warnings: _,
-            // What does not change the answer.
+            // No effect on the results.
             checkpoint_interval_s: _,
-            // The model holds it, cut to the depth of the bit.
+            // Part of the model, cut to the depth of the bit.
             string: _,
-            // What is asked of the string at rest, and at other depths.
+            // Evaluated on the static string, and at other depths.
             modes: _,
             plan: _,
-            // What is reported of the others.
+            // Derived from the other fields.
             settings: _,
         } = self;
         let identity = Identity {

@@ -9,21 +9,21 @@ use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned};
 use crate::component::ComponentTable;
 
 impl ComponentTable {
-    /// Joints given in the case, in part or wholly, in place of the catalogue's.
+    /// Sets joints given in the case, in part or wholly, in place of the catalogue's.
     pub(crate) fn joints(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
         let od = self.joint_od.optional()?;
         let spacing = self.joint_spacing.optional()?;
         let known = component.joints;
         let joints = ToolJoints {
             od_m: match (od, known) {
-                (Some(given), _) => given.value,
+                (Some(entry), _) => entry.value,
                 (None, Some(known)) => known.od_m,
                 (None, None) => {
                     return lacks_partner(spacing, "joint_spacing", "joint_od", reader);
                 }
             },
             spacing_m: match (spacing, known) {
-                (Some(given), _) => given.value,
+                (Some(entry), _) => entry.value,
                 (None, Some(known)) => known.spacing_m,
                 (None, None) => return lacks_partner(od, "joint_od", "joint_spacing", reader),
             },
@@ -58,16 +58,16 @@ impl ComponentTable {
     }
 }
 
-/// One of the two keys that make tool joints, without the other. Neither is no mistake.
+/// Whether one of the two keys for tool joints is missing. Having neither is valid.
 fn lacks_partner(
-    given: Option<&Spanned<f64>>,
+    entry: Option<&Spanned<f64>>,
     name: &str,
     partner: &str,
     reader: &mut Reader,
 ) -> Option<()> {
-    let Some(given) = given else { return Some(()) };
+    let Some(entry) = entry else { return Some(()) };
     Diagnostic::error(format!("`{name}` needs `{partner}`"))
-        .at(given.place, format!("`{partner}` is missing"))
+        .at(entry.place, format!("`{partner}` is missing"))
         .help("tool joints have a diameter and a spacing; plain pipe has neither")
         .refuse(reader)
 }

@@ -1,12 +1,12 @@
 //! Case files: a well, a string, a mud and an operation as a TOML text, read into the engine's
 //! model.
 //!
-//! [`load`] and [`parse`] give a [`Case`] in which everything has been checked, or a [`Report`]
-//! that names every mistake at once, each with its place underlined and what was expected.
+//! [`load`] and [`parse`] return a [`Case`] in which everything has been checked, or a [`Report`]
+//! that lists all mistakes at once, each with its place underlined and the expected value.
 //! [`schema`] describes the file for editors.
 //!
-//! A key is declared once, in the table that it belongs to; the declaration makes the reader, the
-//! list of names that misspellings are compared with, and the schema.
+//! A key is declared once, in the table that it belongs to; the declaration generates the reader,
+//! the list of names that misspellings are compared with, and the schema.
 //!
 //! ```
 //! use wholestring_case::{InMemory, parse};
@@ -61,6 +61,7 @@ mod plan_depths;
 mod plan_dynamic;
 mod plan_factors;
 mod plan_models;
+mod programme;
 mod records;
 mod rig;
 mod rock;

@@ -1,11 +1,11 @@
-//! Whether a text is meant as a case file, sound or not.
+//! Whether a text is intended as a case file, valid or not.
 
 use wholestring_config::table::Keys as _;
 
 use crate::case_table::CaseTable;
 
-/// Whether a text is meant as a case file, by the names of its tables and of its keys above the
-/// first one; its mistakes do not matter, nor does what its file is called.
+/// Whether a text is intended as a case file, by the names of its tables and of its keys above the
+/// first one; neither its mistakes nor the name of its file matter.
 ///
 /// ```
 /// use wholestring_case::is_case;

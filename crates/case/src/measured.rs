@@ -1,4 +1,4 @@
-//! Weights and torques that were read at the surface, in a file beside the case.
+//! Weights and torques that were measured at the surface, in a file that the case names.
 
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_config::prelude::*;
@@ -9,20 +9,20 @@ use wholestring_units::UnitSet;
 
 use crate::beside::{read_beside, unfit};
 
-/// What was read at the surface of the well of a plan.
+/// Surface measurements of the well of a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measured {
     /// Name of the file, as the case has it.
     pub file: String,
-    /// By their order in the file.
+    /// The readings, in the order of the file.
     pub readings: Vec<ImportedReading>,
-    /// How the file was understood, in sentences.
+    /// Interpretation of the file, in sentences.
     pub notes: Vec<String>,
     /// Half of the last digit to which the depths of the bit are written, m.
     pub half_digit_m: f64,
 }
 
-/// The readings of a file, and whether the case can be held against them.
+/// Reads the readings of a file, and checks whether the case can be compared with them.
 pub(crate) fn from_file(
     file: &Spanned<String>,
     (setup, units): (&Setup, UnitSet),
@@ -43,7 +43,7 @@ pub(crate) fn from_file(
                     .at(file.place, "the measured weights")
                     .refuse(reader);
             }
-            // A row that contradicts itself is shown beside the plan, where it is seen.
+            // A row that contradicts itself is reported next to the plan, where it is visible.
             Severity::Warning if check.check.kind != CheckKind::OrderOfLoads => {
                 let diagnostic = Diagnostic::warning(check.check.sentence);
                 diagnostic.at(file.place, "the measured weights").report(reader);
@@ -53,7 +53,7 @@ pub(crate) fn from_file(
     }
     let half_digit_m = imported.half_digit_m;
     let mut readings = imported.readings;
-    let drills = own.iter().any(|of| of.kind == OperationKind::Drill);
+    let drills = own.iter().any(|operation| operation.kind == OperationKind::Drill);
     let mut on_bottom = readings.iter().filter(|row| row.torque_on_bottom_N_m.is_some());
     if let (false, Some(row)) = (drills, on_bottom.next()) {
         let place = match on_bottom.count() {
@@ -71,9 +71,9 @@ pub(crate) fn from_file(
     };
     if setup.rig.block_weight_N.is_none() && readings.iter().any(weighs) {
         let diagnostic =
-            Diagnostic::warning("measured weights hold the block's, which is not given");
+            Diagnostic::warning("measured weights include the block's, which is not given");
         let diagnostic = diagnostic
-            .at(file.place, "compared as if the block weighed nothing")
+            .at(file.place, "compared with a block weight of zero")
             .help("give `block_weight` under [rig]; `wholestring calibrate` finds it");
         reader.report(diagnostic);
     }

@@ -7,25 +7,25 @@ use wholestring_units::Dimension;
 use crate::auto::{AUTO, AutoOr, AutoOrQuantity};
 
 table! {
-    /// How finely the string is cut.
+    /// Mesh of the string.
     MeshTable in "[mesh]" {
-        /// Length of the elements, at most a quarter longer where joints require it: a node stands
-        /// on tool joints and stabilisers. Halving it makes a dynamic run four times slower.
-        /// "auto": from joint to joint, finer where something asks for it, as `accuracy` has it.
+        /// Length of the elements, at most a quarter longer where joints require it, because tool
+        /// joints and stabilisers get nodes. Halving it makes a dynamic run four times slower.
+        /// "auto": from joint to joint, finer where needed, according to `accuracy`.
         element_length: AutoOr = default(
             AutoOrQuantity {
                 quantity: Quantity::si(
                     Dimension::Length, Range::from_to(0.2, 30.0).usual(0.3, 30.0), "3.2 m",
                 ),
                 noun: "a length",
-                auto: "From joint to joint, finer where something asks for it.",
+                auto: "From joint to joint, finer where needed.",
             },
             default_length(),
         );
-        /// How accurate elements that choose their length are to be: "coarse" (from joint to joint,
-        /// the bottom-hole assembly too), "standard" (the assembly at 3 m, more where the body
-        /// touches between joints and where compression nears buckling) or "fine" (half of the
-        /// standard lengths).
+        /// Accuracy of automatically chosen elements: "coarse" (from joint to joint, the
+        /// bottom-hole assembly too), "standard" (the assembly at 3 m, more where the body touches
+        /// between joints and where compression nears buckling) or "fine" (half of the standard
+        /// lengths).
         accuracy: Accuracy = default(
             Choice {
                 noun: "an accuracy",
@@ -38,16 +38,16 @@ table! {
             Accuracy::default(),
         ).used_with(&[AUTO]);
         /// Whether parts of the string have steps of their own: "auto" (the bottom-hole assembly,
-        /// where it is meshed finer than the pipe, takes several steps in one of the pipe, if that
-        /// takes less time) or "one". Default: "auto" where elements choose their length, else
+        /// where its mesh is finer than that of the pipe, takes several steps in one of the pipe,
+        /// if that is faster) or "one". Default: "auto" where the element length is automatic, else
         /// "one".
         regions: Regions = optional(Choice {
             noun: "a choice of regions",
             words: &[("one", Regions::One), ("auto", Regions::Auto)],
         });
-        /// What every length is divided by, given or chosen by itself: for convergence studies,
-        /// such as `--vary mesh.refinement=1,2`. `run --converge` compares the case with twice of
-        /// it.
+        /// Divisor of all element lengths, given or automatic: for convergence studies, such as
+        /// `--vary mesh.refinement=1,2`. `run --converge` compares the case with twice this
+        /// refinement.
         refinement: u64 = default(
             Count { from: 1, to: 16 },
             u64::from(MeshSettings::default().refinement),
@@ -55,7 +55,7 @@ table! {
     }
 }
 
-/// What the engine takes where nobody says.
+/// Default length of the engine.
 fn default_length() -> AutoOr {
     match MeshSettings::default().element_length {
         ElementLength::Uniform(length_m) => AutoOr::Given(length_m),
@@ -64,7 +64,7 @@ fn default_length() -> AutoOr {
 }
 
 impl MeshTable {
-    /// What the engine is told.
+    /// Settings of the engine's mesh.
     pub(crate) fn settings(&self) -> Option<MeshSettings> {
         let chosen = match *self.element_length.get()? {
             AutoOr::Auto => MeshSettings::auto(*self.accuracy.get()?),
@@ -77,7 +77,7 @@ impl MeshTable {
         })
     }
 
-    /// Warns of an accuracy beside a length that is given.
+    /// Warns of an accuracy together with a given length.
     pub(crate) fn warn_of_idle_keys(&self, reader: &mut Reader) {
         let (Some(accuracy), Some(AutoOr::Given(_))) =
             (self.accuracy.given(), self.element_length.get())

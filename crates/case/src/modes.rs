@@ -1,4 +1,4 @@
-//! `[modes]`: natural frequencies and what meets them.
+//! `[modes]`: natural frequencies and their excitation.
 
 use std::f64::consts::PI;
 
@@ -12,25 +12,25 @@ use wholestring::{
 };
 use wholestring_config::prelude::*;
 
-/// Modes of each family where the case does not say.
+/// Default number of modes of each family.
 const COUNT: u64 = 10;
 
-/// Fastest rotary speed where nothing says more, rad/s, and how much faster than its operations a
-/// string is looked at.
+/// Default upper limit of the rotary speed, rad/s, and the default ratio of that limit to the speed
+/// of the operations.
 const FASTEST: f64 = 200.0 * PI / 30.0;
 const FASTER: f64 = 1.5;
 
-/// Order of a bit of three cones or of stabilisers of three blades.
+/// Order of a bit with three cones or of stabilisers with three blades.
 const THREE: f64 = 3.0;
 
-/// A force that is large enough to be seen, N.
+/// Force with a visible response, N.
 const FORCE_N: f64 = 1e3;
 
-/// Most orders.
+/// Maximum number of orders.
 const MAX_ORDERS: usize = 20;
 
-/// Least and largest weight on bit of the map over that of the operation, and what that is where no
-/// operation drills, N.
+/// Default limits of the weight on bit of the map over that of the operation, and the weight that
+/// they refer to where no operation drills, N.
 const LIGHTEST: f64 = 0.2;
 const HEAVIEST: f64 = 2.0;
 const USUAL_N: f64 = 50e3;
@@ -41,7 +41,7 @@ table! {
     ModesTable in "[modes]" {
         /// Modes of each family: lateral of the assembly, axial and torsional of the whole string.
         count: u64 = default(Count { from: 1, to: 100 }, COUNT);
-        /// Length of the assembly, from the bit up, whose lateral modes are looked for. Default: up
+        /// Length of the assembly, from the bit up, whose lateral modes are computed. Default: up
         /// to the drill pipe.
         assembly: f64 = optional(Quantity::si(
             Dimension::Length,
@@ -53,20 +53,21 @@ table! {
         /// Fastest rotary speed of the diagram; a bare number is in rev/min. Default: one and a
         /// half times that of the operations, at least 200 rpm.
         fastest: f64 = optional(speed("200 rpm"));
-        /// Orders that are looked for: how often something pushes in a turn of the string. Default:
-        /// 1 for imbalance, the blades or lobes of the bit's law, or else 3.
+        /// Orders of excitation: number of pulses in one revolution of the string. Default: 1 for
+        /// imbalance, the blades or lobes of the bit's law, or else 3.
         orders: Vec<Spanned<f64>> = optional(List::or_one(
             Number { unit: "", range: Range::positive_to(100.0) },
             "orders",
             MAX_ORDERS,
         ));
-        /// Size of the force that rotates with the string where nothing of it is eccentric.
+        /// Size of the force that rotates with the string where none of its components is
+        /// eccentric.
         force: f64 = default(
             Quantity::si(Dimension::Force, Range::positive_to(1e6).usual(10.0, 1e5), "1 kN"),
             FORCE_N,
         );
-        /// Distance from the bit at which that force acts. Default: the middle of the longest
-        /// stretch of the assembly that nothing holds.
+        /// Distance of that force from the bit. Default: the middle of the longest unsupported
+        /// stretch of the assembly.
         force_at: f64 = optional(Quantity::si(
             Dimension::Length,
             Range::from_to(0.0, 2e4),
@@ -77,14 +78,14 @@ table! {
         lightest: f64 = optional(weight("10 kN"));
         /// Largest weight on bit of the map. Default: twice the operation's.
         heaviest: f64 = optional(weight("150 kN"));
-        /// Fastest motion that the map looks at. Raising it finds faster chatter, in more time.
+        /// Highest frequency of the map. Raising it finds faster chatter, in more time.
         highest_frequency: f64 = default(
             Number { unit: "Hz", range: Range::from_to(0.5, 200.0) },
             HIGHEST_HZ,
         );
-        /// Static over kinetic friction that the map of torsional stability assumes where a hole
-        /// section gives no `static`: 1.2 is usual, 1 leaves the friction of the case. Raising it
-        /// makes the string stick and slip at higher speeds.
+        /// Ratio of static to kinetic friction that the map of torsional stability assumes where a
+        /// hole section gives no `static`: 1.2 is usual, 1 uses the friction of the case unchanged.
+        /// Raising it makes the string stick and slip at higher speeds.
         static_over_kinetic: f64 = default(
             Number { unit: "", range: Range::from_to(1.0, 5.0).usual(1.0, 2.5) },
             1.0,
@@ -101,7 +102,7 @@ fn speed(example: &'static str) -> Quantity {
     Quantity::si(Dimension::RotarySpeed, range, example).bare("rev/min", PI / 30.0)
 }
 
-/// Which natural frequencies are looked for, and what meets them.
+/// Settings of natural frequencies and their excitation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Modes {
     /// Modes of each family.
@@ -110,18 +111,18 @@ pub struct Modes {
     pub assembly_m: f64,
     /// Slowest and fastest rotary speed of the diagram, rad/s.
     pub rotary_rad_per_s: [f64; 2],
-    /// How often something pushes in a turn of the string.
+    /// Orders of excitation: number of pulses in one revolution of the string.
     pub orders: Vec<f64>,
     /// A force that rotates with the string, N.
     pub force_N: f64,
-    /// Where it acts, m from the bit; none in the middle of the longest stretch that is free.
+    /// Position of the force, m from the bit; `None` for the middle of the longest free stretch.
     pub force_from_bit_m: Option<f64>,
     /// Least and largest weight on bit of the map of torsional stability, N.
     pub weights_N: [f64; 2],
-    /// Fastest motion that it looks at, Hz.
+    /// Highest frequency of the map, Hz.
     pub highest_frequency_Hz: f64,
-    /// Static over kinetic friction that it assumes where a section has no friction at rest above
-    /// its kinetic one.
+    /// Ratio of static to kinetic friction that the map assumes where the static friction of a
+    /// section does not exceed the kinetic one.
     pub static_over_kinetic: f64,
 }
 
@@ -143,7 +144,7 @@ pub(crate) fn build(
             .refuse(reader);
     }
     let mut orders: Vec<f64> = match table.orders.optional()? {
-        Some(given) => given.value.iter().map(|at| at.value).collect(),
+        Some(entry) => entry.value.iter().map(|at| at.value).collect(),
         None => vec![1.0, bit_order(&dynamics.bit.law)],
     };
     orders.sort_by(f64::total_cmp);
@@ -176,12 +177,14 @@ pub(crate) fn build(
     })
 }
 
-/// How often the bit pushes in a turn.
+/// Order of excitation of the bit.
 fn bit_order(law: &BitLaw) -> f64 {
     match law {
         BitLaw::Regenerative(law) => f64::from(law.blades),
-        BitLaw::Rate(law) => law.excitation.map_or(THREE, |of| f64::from(of.lobes)),
-        BitLaw::DetournayDefourny(law) => law.excitation.map_or(THREE, |of| f64::from(of.lobes)),
+        BitLaw::Rate(law) => law.excitation.map_or(THREE, |excitation| f64::from(excitation.lobes)),
+        BitLaw::DetournayDefourny(law) => {
+            law.excitation.map_or(THREE, |excitation| f64::from(excitation.lobes))
+        }
         _ => THREE,
     }
 }

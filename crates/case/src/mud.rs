@@ -6,7 +6,8 @@ use wholestring::mud::{
 };
 use wholestring_config::prelude::*;
 
-/// Differences of dial readings from their law that deserve a warning: of the largest reading.
+/// Deviation of dial readings from their law above which a warning is given, as a part of the
+/// largest reading.
 const POOR_FIT: f64 = 0.05;
 
 /// The rheologies, without their numbers.
@@ -46,9 +47,9 @@ table! {
             Range::from_to(0.0, 3000.0).usual(600.0, 2600.0),
             "1.2 sg",
         ));
-        /// Linear lateral drag: force per length of pipe per lateral speed, Pa.s. Zero leaves it to
-        /// the mass-proportional part of the Rayleigh damping. Raising it damps lateral vibration.
-        /// Only the dynamic model uses it.
+        /// Linear lateral drag: force per length of pipe per lateral speed, Pa.s. With zero, only
+        /// the mass-proportional part of the Rayleigh damping remains. Raising it damps lateral
+        /// vibration. Only the dynamic model uses it.
         linear_drag: f64 = default(
             Quantity::si(Dimension::Viscosity, Range::from_to(0.0, 1e4).usual(1e-3, 1e3), "5 Pa.s"),
             0.0,
@@ -60,11 +61,10 @@ table! {
             Number { unit: "", range: Range::from_to(0.0, 100.0) },
             CYLINDER_DRAG_COEFFICIENT,
         );
-        /// How the mud flows: "newtonian", "bingham", "power-law" or "herschel-bulkley" (the
-        /// yield-power law). With it the mud drags along
-        /// the string and about it as the string moves and the pumps run, lifts it with its stream
-        /// and with the bit's jets, and loses pressure on its way. Without it the mud does none of
-        /// that.
+        /// Flow law of the mud: "newtonian", "bingham", "power-law" or "herschel-bulkley" (the
+        /// yield-power law). With it the mud drags on the moving string axially and in rotation,
+        /// lifts it by its flow and by the bit's jets, and loses pressure along its path. Without
+        /// it these effects are absent.
         rheology: Flow = optional(Choice { noun: "a rheology", words: Flow::WORDS });
         /// Viscosity of a Newtonian mud. Raising it raises torque, drag and pressure losses in
         /// proportion, as long as the flow is laminar.
@@ -73,7 +73,7 @@ table! {
             Range::from_to(1e-6, 1e3).usual(5e-4, 1.0),
             "20 cP",
         )).used_with(&[NEWTONIAN]);
-        /// Plastic viscosity of a Bingham mud: what the shear stress gains per shear rate.
+        /// Plastic viscosity of a Bingham mud: increase of the shear stress per shear rate.
         plastic_viscosity: f64 = optional(Quantity::si(
             Dimension::Viscosity,
             Range::from_to(1e-6, 1e3).usual(5e-4, 1.0),
@@ -94,19 +94,20 @@ table! {
             "0.6 Pa.s^n",
         )).used_with(&[POWER_LAW, HERSCHEL_BULKLEY]);
         /// Flow behaviour index of a power-law or Herschel-Bulkley mud: at 1 it does not thin; the
-        /// lower, the more it thins as it is sheared.
+        /// lower, the more it thins under shear.
         flow_behaviour_index: f64 = optional(Number {
             unit: "",
             range: Range::from_to(0.1, 1.0),
         }).used_with(&[POWER_LAW, HERSCHEL_BULKLEY]);
         /// Readings of a rotational rheometer in place of the three numbers of a Herschel-Bulkley
         /// mud: a list of [rev/min, degrees of the dial], such as [[600, 65], [300, 40], [200, 31],
-        /// [100, 21], [6, 7], [3, 6]]. The law of least squares goes through them; `wholestring
-        /// check` tells it and what the readings have beside it.
+        /// [100, 21], [6, 7], [3, 6]]. The law is fitted to them by least squares; `wholestring
+        /// check` shows it next to the readings.
         dial_readings: Vec<Spanned<[f64; 2]>> = optional(List::of(DialRule, "dial readings", 30))
             .used_with(&[HERSCHEL_BULKLEY]);
-        /// Gel strength after the rest before circulation is broken, such as the one after ten minutes. A
-        /// plan's "break_circulation" says what pump pressure breaks it; runs do not use it.
+        /// Gel strength after the rest before circulation is broken, such as the one after ten
+        /// minutes. A plan's "break_circulation" gives the pump pressure that breaks it; runs do
+        /// not use it.
         gel_strength: f64 = optional(Quantity::si(
             Dimension::ShearStress,
             Range::from_to(0.0, 1000.0).usual(0.1, 100.0),
@@ -126,16 +127,16 @@ impl MudTable {
         })
     }
 
-    /// The gel strength, Pa, if it is given; `None` after a mistake.
+    /// Returns the gel strength, Pa, if it is given; the outer `None` follows a mistake.
     pub(crate) fn gel_strength_Pa(&self) -> Option<Option<f64>> {
         Some(self.gel_strength.optional()?.map(|at| at.value))
     }
 
-    /// The rheology with its numbers; `None` after a mistake.
+    /// Returns the rheology with its numbers; the outer `None` follows a mistake.
     fn rheology(&self, reader: &mut Reader) -> Option<Option<Rheology>> {
         let chosen = self.rheology.optional()?;
         for key in self.written() {
-            // Density and drag belong to every mud.
+            // Density and drag apply to every mud.
             let Some(owner) = key.used_with.first() else { continue };
             let owners: Vec<String> =
                 key.used_with.iter().map(|owner| format!("\"{owner}\"")).collect();
@@ -185,7 +186,7 @@ impl MudTable {
         }))
     }
 
-    /// The law through the dial readings; `None` after a mistake.
+    /// Returns the law through the dial readings; `None` after a mistake.
     fn dial_fit(&self, reader: &mut Reader) -> Option<DialFit> {
         let listed = self.dial_readings.optional()??;
         let numbers = [&self.yield_point, &self.consistency_index, &self.flow_behaviour_index];
@@ -197,7 +198,7 @@ impl MudTable {
                 .refuse(reader);
         }
         let Some(fit) = fit_of(&listed.value) else {
-            return Diagnostic::error("no yield-power law goes through these dial readings")
+            return Diagnostic::error("no yield-power law fits these dial readings")
                 .at(
                     listed.place,
                     "expected readings at three speeds or more that grow with the speed",
@@ -214,7 +215,7 @@ impl MudTable {
                 .at(
                     listed.place,
                     format!(
-                        "{} beside the law at {} rev/min",
+                        "{} from the law at {} rev/min",
                         reader.shown(Dimension::ShearStress, fit.largest_Pa),
                         number_text(fit.largest_at_rpm)
                     ),
@@ -225,7 +226,7 @@ impl MudTable {
         Some(fit)
     }
 
-    /// What was fitted to dial readings, in a sentence; nothing where there are none.
+    /// The law that was fitted to dial readings, in a sentence; `None` without readings.
     pub(crate) fn note(&self, reader: &Reader) -> Option<String> {
         let chosen = self.rheology.given().map(|at| at.value);
         let listed =
@@ -258,7 +259,7 @@ fn fit_of(listed: &[Spanned<[f64; 2]>]) -> Option<DialFit> {
     fit_dial_readings(&listed.iter().map(reading).collect::<Vec<_>>())
 }
 
-/// One reading of a rheometer: `[rev/min, degrees]`.
+/// A reading of a rheometer: `[rev/min, degrees]`.
 pub(crate) struct DialRule;
 
 impl DialRule {
@@ -298,7 +299,7 @@ impl Rule for DialRule {
     }
 }
 
-/// A number that the rheology cannot do without; `None` after a mistake.
+/// Returns a number that the rheology requires; `None` after a mistake.
 fn needed_by(
     flow: &Spanned<Flow>,
     field: &Field<f64>,

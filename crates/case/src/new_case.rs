@@ -1,12 +1,12 @@
-//! A case to begin with.
+//! A starting case.
 
 /// The case. Its name is filled in.
 const TEMPLATE: &str = include_str!("new_case.toml");
 
-/// What stands in its place.
+/// The placeholder of the name.
 const NAME: &str = "\"My well\"";
 
-/// The text of a commented case to begin with, called `name`.
+/// Returns the text of a commented starting case with the name `name`.
 pub fn new_case(name: &str) -> String {
     let name = name.replace('\\', "\\\\").replace('"', "\\\"");
     TEMPLATE.replacen(NAME, &format!("\"{name}\""), 1)

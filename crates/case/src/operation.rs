@@ -16,21 +16,20 @@ use crate::{
     schedule::{self, Around, StepTable},
 };
 
-/// What a slide's `rop` is where the case does not say, m/s; the soft string requires its sign
-/// only.
+/// Default `rop` of a slide, m/s; the soft string requires its sign only.
 const SLIDE_ROP_M_PER_S: f64 = 10.0 / 3600.0;
 
 table! {
-    /// What the driller is doing.
+    /// The driller's operation.
     OperationTable in "[operation]" {
-        /// One operation by its name, or a list that is solved one by one. Drillers' words are
-        /// taken too: "pick-up" and "POOH" for "trip_out", "slack-off" and "RIH" for "trip_in",
+        /// One operation by its name, or a list that is solved one by one. Drillers' words are also
+        /// accepted: "pick-up" and "POOH" for "trip_out", "slack-off" and "RIH" for "trip_in",
         /// "rotating off bottom", "sliding", "back-reaming".
         kind: Vec<Spanned<OperationKind>> = required(List::or_one(
             KindRule, "operations", OperationKind::ALL.len(),
         ));
         /// Measured depth of the bit, m unless a unit is given. Default: the last survey station.
-        /// Deeper than that, the hole continues in its last direction.
+        /// Below that, the hole continues in its last direction.
         bit_depth: f64 = optional(Quantity::si(
             Dimension::Length,
             Range::positive_to(20_000.0).usual(10.0, 13_000.0),
@@ -52,16 +51,16 @@ table! {
             Range::from_to(0.0, 5e6).usual(1e3, 7e5),
             "6 tf",
         ));
-        /// Pull on the bit while it is off bottom: what a stuck bit, a fish or a core holds the
-        /// string back by. Tension at the bit; what comes of it at the surface, the overpull, is
-        /// more by what it presses to the wall on the way. Raising it raises the hook load.
+        /// Pull on the bit while it is off bottom: the force with which a stuck bit, a fish or a
+        /// core holds the string back. Tension at the bit; the overpull at the surface is larger
+        /// because of the friction that it adds on the way. Raising it raises the hook load.
         /// Default: none.
         bit_pull: f64 = default(
             Quantity::si(Dimension::Force, Range::from_to(0.0, 1e7).usual(1e3, 3e6), "200 kN"),
             0.0,
         );
         /// Rate of penetration at this weight on bit and rotary speed. Needed by "drill", and by
-        /// "slide" in the dynamic model; all laws of the bit but the rate law find their own.
+        /// "slide" in the dynamic model; all laws of the bit except the rate law compute their own.
         rop: f64 = optional(Quantity::si(
             Dimension::RateOfPenetration,
             Range::positive_to(0.3).usual(0.1 / 3600.0, 200.0 / 3600.0),
@@ -72,10 +71,10 @@ table! {
             Quantity::si(Dimension::TripSpeed, Range::positive_to(10.0).usual(0.003, 3.0), "0.3 m/s"),
             Operation::TRIP_SPEED_M_PER_S,
         );
-        /// What the pumps deliver. They rest while the string trips without rotation. It acts on a
-        /// mud with a rheology: raising it raises the pressure losses and the lift of the stream,
-        /// which lowers the hook load. It turns the motor of `[bit.motor]`: raising it turns the
-        /// bit faster.
+        /// Flow rate of the pumps, which are off while the string trips without rotation. It acts
+        /// on a mud with a rheology: raising it raises the pressure losses and the lift of the
+        /// flow, which lowers the hook load. It turns the motor of `[bit.motor]`: raising it turns
+        /// the bit faster.
         flow_rate: f64 = default(
             Quantity::si(Dimension::FlowRate, Range::from_to(0.0, 0.5).usual(5e-4, 0.15), "2000 L/min"),
             0.0,
@@ -86,8 +85,8 @@ table! {
             Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e8).usual(1e5, 4e7), "80 bar"),
             0.0,
         );
-        /// What the driller changes during a dynamic run, line by line in the order of
-        /// time. One operation alone can have a schedule.
+        /// Changes by the driller during a dynamic run, line by line in the order of time. Only a
+        /// single operation can have a schedule.
         schedule: Vec<Spanned<StepTable>> = optional(List::tables::<StepTable>(
             "lines ([[operation.schedule]])", 5000,
         ));
@@ -95,12 +94,12 @@ table! {
 }
 
 impl OperationTable {
-    /// Where the depth of the bit stands, if the case says it.
+    /// Place of the depth of the bit, if the case gives it.
     pub(crate) fn bit_depth_place(&self) -> Option<Span> {
         self.bit_depth.given().map(|at| at.place)
     }
 
-    /// The depth of the bit: given, or the last station's.
+    /// Returns the depth of the bit: given, or the last station's.
     pub(crate) fn bit_depth_m(&self, last_station_m: Option<f64>) -> Option<f64> {
         match self.bit_depth.optional()? {
             Some(at) => Some(at.value),
@@ -108,7 +107,7 @@ impl OperationTable {
         }
     }
 
-    /// The plan of what changes in the course of a run that ends at `end_s`.
+    /// Returns the schedule of a run that ends at `end_s`.
     pub(crate) fn schedule(
         &self,
         models: &[ModelKind],
@@ -127,7 +126,7 @@ impl OperationTable {
         schedule::build(lines, &around, reader)
     }
 
-    /// Warns of a flow that does nothing.
+    /// Warns of a flow without effect.
     pub(crate) fn check_flow(
         &self,
         mud: &Mud,
@@ -160,29 +159,29 @@ impl OperationTable {
             ),
         ];
         for (field, name, why) in keys {
-            if let (Some(given), false) = (field.given(), why.is_empty()) {
-                reader.report(Diagnostic::idle(name, given.place, why));
+            if let (Some(entry), false) = (field.given(), why.is_empty()) {
+                reader.report(Diagnostic::idle(name, entry.place, why));
             }
         }
         let lines = self.schedule.optional()?.map_or(&[][..], |at| &at.value);
         let scheduled = lines.iter().find_map(|line| line.value.flow_rate.given());
-        if let (Some(given), false) = (scheduled, why.is_empty()) {
-            reader.report(Diagnostic::idle("flow_rate", given.place, why));
+        if let (Some(entry), false) = (scheduled, why.is_empty()) {
+            reader.report(Diagnostic::idle("flow_rate", entry.place, why));
         }
         Some(())
     }
 
     /// Warns of a pull on a bit that is on bottom all the time.
     fn check_pull(&self, kinds: &[Spanned<OperationKind>], reader: &mut Reader) {
-        if let Some(given) = self.bit_pull.given()
+        if let Some(entry) = self.bit_pull.given()
             && kinds.iter().all(|kind| kind.value.on_bottom())
         {
             let why = "used off bottom: on bottom the bit has its `wob`";
-            reader.report(Diagnostic::idle("bit_pull", given.place, why));
+            reader.report(Diagnostic::idle("bit_pull", entry.place, why));
         }
     }
 
-    /// The operations, with the set points that each needs.
+    /// Builds the operations, with the set points that each needs.
     pub(crate) fn build(
         &self,
         bit: (&BitTable, Option<&BitSettings>),
@@ -196,11 +195,12 @@ impl OperationTable {
         let by_rate = law.is_some_and(|law| law.finds_rate().is_none());
         once_each(kinds, OperationKind::name, reader)?;
         self.check_pull(kinds, reader);
-        let find = |wanted: fn(OperationKind) -> bool| kinds.iter().find(|at| wanted(at.value));
+        let find = |matches: fn(OperationKind) -> bool| kinds.iter().find(|at| matches(at.value));
         let rotating = find(OperationKind::rotates);
         let on_bottom = find(OperationKind::on_bottom);
         let in_time = ModelKind::any_in_time(models);
-        let advances = |of: OperationKind| by_rate && of.on_bottom() && (of.rotates() || in_time);
+        let advances =
+            |kind: OperationKind| by_rate && kind.on_bottom() && (kind.rotates() || in_time);
         let advancing = kinds.iter().find(|at| advances(at.value));
         let rpm = set_point(&self.rpm, "rpm", "rpm = 70", rotating, reader);
         let wob = set_point(&self.wob, "wob", "wob = \"60 kN\"", on_bottom, reader);
@@ -219,7 +219,7 @@ impl OperationTable {
         }
         let torque_N_m = law.map_or(Some(None), |law| law.torque_N_m())?;
         if let (Some(kind), None, true) = (on_bottom, torque_N_m, by_rate) {
-            Diagnostic::warning("no bit torque is given: the bit is taken to turn freely")
+            Diagnostic::warning("no bit torque is given: the bit is assumed to turn freely")
                 .at(kind.place, "puts the bit on bottom")
                 .help("give torque = \"3 kN.m\" under [bit]")
                 .report(reader);
@@ -238,8 +238,9 @@ impl OperationTable {
                 .help("such as motor_speed = 120")
                 .refuse(reader);
         }
-        let given = Given { rpm: self.rpm.given(), wob: self.wob.given(), rop: self.rop.given() };
-        law?.warn_of_set_points(&bit.law, &given, reader);
+        let set_points =
+            Given { rpm: self.rpm.given(), wob: self.wob.given(), rop: self.rop.given() };
+        law?.warn_of_set_points(&bit.law, &set_points, reader);
         let bit_depth_m = bit_depth_m?;
         let operation = |at: &Spanned<OperationKind>| {
             bit.drilling_steadily(Operation {
@@ -258,14 +259,15 @@ impl OperationTable {
         };
         let operations: Vec<Operation> = kinds.iter().map(operation).collect();
         for operation in operations.iter().filter(|o| o.kind.on_bottom()) {
-            law?.check_operation(bit, operation, &given, reader)?;
-            given.warn_of_motor(bit, operation, reader);
+            law?.check_operation(bit, operation, &set_points, reader)?;
+            set_points.warn_of_motor(bit, operation, reader);
         }
         Some(operations)
     }
 }
 
-/// A set point, reported if an operation that needs it stands in the case; `None` after a mistake.
+/// Returns a set point, reported if the case has an operation that needs it; `None` after a
+/// mistake.
 fn set_point(
     field: &Field<f64>,
     name: &str,

@@ -6,7 +6,7 @@ use wholestring_config::{names::all_near, prelude::*};
 
 use crate::words::words;
 
-/// Every operation that there is.
+/// All operations.
 const KINDS: &[(&str, OperationKind)] = words!(OperationKind);
 
 /// An operation by name.
@@ -61,7 +61,7 @@ const WORDS: &[(&str, OperationKind)] = {
     ]
 };
 
-/// Abbreviations. They are too short to be near anything.
+/// Abbreviations, which are too short for spelling suggestions.
 const ABBREVIATIONS: &[(&str, OperationKind)] = {
     use OperationKind::{TripIn, TripOut};
     &[
@@ -76,7 +76,7 @@ const ABBREVIATIONS: &[(&str, OperationKind)] = {
     ]
 };
 
-/// What may stand between the parts of a name and around it, as often as one likes.
+/// Separators that may be between the parts of a name and around it, in any number.
 const SEPARATORS: [char; 3] = ['_', ' ', '-'];
 
 /// Whether a text is a word, in any capitals, its parts separated otherwise or not at all.
@@ -93,7 +93,7 @@ fn is_spelt(text: &str, word: &str) -> bool {
     rest.is_empty()
 }
 
-/// The regular expression of the texts that [`is_spelt`] takes for one of the words.
+/// Returns the regular expression of the texts that [`is_spelt`] accepts for one of the words.
 fn spellings(words: impl Iterator<Item = &'static str>) -> String {
     let any_capitals =
         |letter: char| format!("[{}{}]", letter.to_ascii_uppercase(), letter.to_ascii_lowercase());
@@ -135,7 +135,7 @@ impl Rule for KindRule {
         let words: Vec<&str> = KIND.words.iter().map(|(word, _)| *word).collect();
         let mut diagnostic = Diagnostic::error(format!("`{}` is not {}", short(text), KIND.noun))
             .at(node.place, format!("expected {}", any_of(&words)));
-        // Several words may mean one operation, and half a word several.
+        // Several words may name one operation, and half a word several.
         let mut meant: Vec<&str> = Vec::new();
         for near in all_near(text, Self::names().map(|(word, _)| word)) {
             let kind = Self::names().find(|(word, _)| *word == near);

@@ -10,13 +10,14 @@ use wholestring_config::{
 
 use crate::hole::MAX_FRICTION;
 
-/// One `--set KEY=VALUE`.
+/// A `--set KEY=VALUE`.
 ///
 /// The key is a dotted key of the case file, lists counted from zero (`well.hole.0.friction`), or
-/// one of the short keys `friction` (every hole section; coefficients of static and rotational friction
-/// keep their ratio to it), `bit_depth`, `rpm` and `wob`. The value is a TOML value if it reads as
-/// one (`0.3`, `[1, 2]`, `"drill"`), and text otherwise (`300m`, `drill`). A number without a unit
-/// is refused where the key has a dimension: a shell takes away the quotes that `"9.5 ppg"` had.
+/// one of the short keys `friction` (every hole section; coefficients of static and rotational
+/// friction keep their ratio to it), `bit_depth`, `rpm` and `wob`. The value is a TOML value if it
+/// can be read as one (`0.3`, `[1, 2]`, `"drill"`), and text otherwise (`300m`, `drill`). A number
+/// without a unit is refused where the key has a dimension, because a shell removes the quotes of
+/// `"9.5 ppg"`.
 ///
 /// ```
 /// use wholestring_case::Override;
@@ -32,46 +33,48 @@ pub struct Override {
     pub key: String,
     /// Value as written; empty where the key is removed.
     pub value: String,
-    /// Whether the key is removed, so that its default holds.
+    /// Whether the key is removed, so that its default applies.
     removes: bool,
-    /// Where it was written, if not in an argument of its own.
+    /// Source of the override, if it was not an argument of its own.
     quote: Option<Quote>,
 }
 
-/// How diagnostics quote an override, and which parts of the quotation are its key and value.
+/// Quotation of an override in diagnostics, and the parts of the quotation that are its key and
+/// value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Quote {
-    /// What the user knows the text by.
+    /// Name of the text for the user.
     pub name: Arc<str>,
     /// The text.
     pub text: Arc<str>,
-    /// Where the key stands in it, in bytes.
+    /// Range of the key in the text, in bytes.
     pub key: Range<usize>,
-    /// Where the value stands in it, in bytes.
+    /// Range of the value in the text, in bytes.
     pub value: Range<usize>,
-    /// Whether the value stands there as it is.
+    /// Whether the text contains the value verbatim.
     pub verbatim: bool,
 }
 
 impl Override {
-    /// An override that stems from something else than its own `--set`.
+    /// Returns an override with another source than its own `--set`.
     pub fn quoted(key: &str, value: &str, quote: Quote) -> Self {
         let (key, value) = (key.to_owned(), value.to_owned());
         Self { key, value, removes: false, quote: Some(quote) }
     }
 
-    /// One that removes a key, so that its default holds; of an item of a list it is refused.
+    /// Returns an override that removes a key, so that its default applies; removing an item of a
+    /// list is refused.
     pub fn removal(key: &str, quote: Quote) -> Self {
         let (key, value) = (key.to_owned(), String::new());
         Self { key, value, removes: true, quote: Some(quote) }
     }
 
-    /// The value without quotes.
+    /// Returns the value without quotes.
     pub fn bare(&self) -> &str {
         self.value.trim_matches(['"', '\''])
     }
 
-    /// How a diagnostic quotes it.
+    /// Returns its quotation in diagnostics.
     fn quote(&self) -> Quote {
         self.quote.clone().unwrap_or_else(|| {
             let prefix = "--set ";
@@ -88,7 +91,7 @@ impl Override {
     }
 }
 
-/// A text that is no `KEY=VALUE`.
+/// A text that is not `KEY=VALUE`.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("`{}` is not KEY=VALUE, such as operation.bit_depth=300m or friction=0.3", short(.0))]
 pub struct OverrideError(pub String);
@@ -107,7 +110,7 @@ impl std::str::FromStr for Override {
     }
 }
 
-/// The short keys and what they stand for.
+/// The short keys and the keys that they abbreviate.
 pub(crate) const SHORT: &[(&str, &str)] = &[
     ("friction", "well.hole.*.friction"),
     ("bit_depth", "operation.bit_depth"),
@@ -115,15 +118,15 @@ pub(crate) const SHORT: &[(&str, &str)] = &[
     ("wob", "operation.wob"),
 ];
 
-/// Parts of a key between its dots. The deepest key of a case has six; each is a table within the
-/// one before.
+/// Maximum number of parts of a key between its dots. The deepest key of a case has six; each is a
+/// table within the previous one.
 const MAX_PARTS: usize = 32;
 
-/// Puts an override into the tree of the case.
+/// Applies an override to the tree of the case.
 pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) {
     let quote = change.quote();
     let source = reader.add_source(&quote.name, &quote.text);
-    let place = |of: Range<usize>| Span { source, start: of.start, end: of.end };
+    let place = |range: Range<usize>| Span { source, start: range.start, end: range.end };
     let key_place = place(quote.key);
     if change.removes {
         if !remove(root, &parts(&change.key)) {
@@ -136,7 +139,7 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
         Ok(node) => node,
         Err(diagnostic) => return reader.report(diagnostic),
     };
-    // One of a range has no quotes of its own either.
+    // A value of a range has no quotes of its own either.
     let asks_unit = !quote.verbatim || *quote.name == *COMMAND_LINE;
     if !quote.verbatim {
         node.place = place(quote.value);
@@ -150,7 +153,8 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
     put(root, &change.key, &node, key_place, reader);
 }
 
-/// Removes a key from the tree of the case; whether it was there. Items of lists stay.
+/// Removes a key from the tree of the case and returns whether it existed. Items of lists are not
+/// removed.
 fn remove(table: &mut Entries, path: &[&str]) -> bool {
     match path {
         [] => false,
@@ -178,12 +182,12 @@ fn remove_in(entry: &mut Node, path: &[&str]) -> bool {
     }
 }
 
-/// The long form of a key: `operation.wob` of `wob`.
+/// Returns the long form of a key: `operation.wob` of `wob`.
 ///
 /// ```
 /// assert_eq!(wholestring_case::long_key("wob"), "operation.wob");
 /// assert_eq!(wholestring_case::long_key("mud.density"), "mud.density");
-/// ```
+/// Returns the parts of a key between its dots, with a short key expanded.
 pub fn long_key(key: &str) -> &str {
     SHORT.iter().find(|(short, _)| *short == key).map_or(key, |(_, long)| long)
 }
@@ -193,7 +197,7 @@ fn parts(key: &str) -> Vec<&str> {
     long_key(key).split('.').collect()
 }
 
-/// Puts a value into the tree of the case at a dotted or short key.
+/// Sets a value in the tree of the case at a dotted or short key.
 pub(crate) fn put(
     root: &mut Entries,
     key: &str,
@@ -233,9 +237,9 @@ pub(crate) fn put(
     }
 }
 
-/// What stands in the tree of the case at a dotted or short key: nothing, one value, or that of every item
-/// of a list. Of a table of friction coefficients it is the kinetic one, which is what a number in its
-/// place sets.
+/// Returns the values in the tree of the case at a dotted or short key: none, one, or that of every
+/// item of a list. For a table of friction coefficients it returns the kinetic one, because that is
+/// the one that a number in its place sets.
 pub(crate) fn standing<'a>(root: &'a Entries, key: &str) -> Vec<&'a Node> {
     let mut found = Vec::new();
     let path = parts(key);
@@ -274,11 +278,11 @@ fn gather<'a>(node: &'a Node, name: &str, path: &[&str], found: &mut Vec<&'a Nod
     }
 }
 
-/// The value as TOML if it is some, as text otherwise.
+/// Returns the value as TOML if it is valid TOML, as text otherwise.
 fn value_node(text: &str, source: usize, offset: usize) -> Result<Node, Diagnostic> {
     match parse_value(text, source, offset) {
         Ok(node) => Ok(node),
-        // What begins like TOML was meant as TOML.
+        // A value that begins like TOML was meant as TOML.
         Err(diagnostic) if text.starts_with(['[', '{', '"', '\'']) => Err(diagnostic),
         Err(_) => Ok(Node {
             place: Span { source, start: offset, end: offset + text.len() },
@@ -309,7 +313,7 @@ fn set_in_table(
     }
     if table.get(first).is_none() {
         if rest.first() == Some(&"*") {
-            // There is no list to set anything in, which is reported when the case is read.
+            // The list is missing, which is reported when the case is read.
             return Ok(());
         }
         let key = Key { name: (*first).to_owned(), place: key_place };
@@ -322,8 +326,8 @@ fn set_in_table(
     }
 }
 
-/// A number in place of a table of friction coefficients is the kinetic one; the others keep their
-/// ratios to it. Whether that is what was requested.
+/// Replaces the kinetic coefficient of a table of friction coefficients by a number; the others
+/// keep their ratios to it. Returns whether the entry is such a table.
 fn set_friction(entry: &mut Node, node: &Node) -> Result<bool, Problem> {
     let (Value::Table(table), Value::Number { value: new, .. }) = (&mut entry.value, &node.value)
     else {
@@ -341,7 +345,7 @@ fn set_friction(entry: &mut Node, node: &Node) -> Result<bool, Problem> {
             *coefficient = node.clone();
         } else if let Value::Number { value, whole } = &mut coefficient.value {
             let scaled = new * (*value / old);
-            // A number that is no coefficient by itself is refused as such.
+            // A number that is not a valid coefficient is refused as such.
             if scaled > MAX_FRICTION && (0.0..=MAX_FRICTION).contains(new) {
                 let name = &key.name;
                 return Err(Problem {
@@ -398,8 +402,8 @@ fn set_in(
             }
         }
         _ => Err(Problem {
-            message: format!("`{}` holds {noun}, not keys", short(name)),
-            label: format!("nothing is called `{}` in it", short(first)),
+            message: format!("`{}` is {noun} and has no keys", short(name)),
+            label: format!("it has no `{}`", short(first)),
         }),
     }
 }

@@ -1,4 +1,4 @@
-//! What can be drawn of a case, where the rest of it is invalid.
+//! The drawable parts of a case that is invalid elsewhere.
 
 use wholestring::{
     string::DrillString,
@@ -11,13 +11,13 @@ use crate::{
     operation::OperationTable,
 };
 
-/// Survey, path, hole and string of a case, each where it can be read. What is wrong with the rest,
-/// [`parse`](crate::parse) says.
+/// Survey, path, hole and string of a case, each where it can be read. The mistakes of the rest are
+/// reported by [`parse`](crate::parse).
 #[derive(Debug, Default)]
 pub struct Parts {
-    /// The stations, from the case or from the file that it names, as they were read.
+    /// The stations as read, from the case or from the file that it names.
     pub stations: Vec<Station>,
-    /// Where the first station lies, if the survey's file says so.
+    /// Position of the first station, if the survey's file gives it.
     pub tie_in: Option<TieIn>,
     /// The path through the stations.
     pub path: Option<Path>,
@@ -30,7 +30,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// The parts of a text; `name` is what diagnostics call it.
+    /// Reads the parts of a text; `name` is its name in diagnostics.
     pub fn read(name: &str, text: &[u8], files: &dyn Files) -> Self {
         let Ok((root, mut reader)) = tree(name, text, &CASE_FILE) else {
             return Self::default();
@@ -39,7 +39,7 @@ impl Parts {
         let case = CaseTable::read(&root, Span::default(), reader);
         let own = match case.catalogue.optional() {
             Some(Some(file)) => OwnCatalogue::beside(file, files, reader),
-            given => given.map(|_| OwnCatalogue::default()),
+            entry => entry.map(|_| OwnCatalogue::default()),
         };
         let well = case.well.at();
         let mut stations = well.and_then(|at| at.value.stations(at.place, files, reader));

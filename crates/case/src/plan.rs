@@ -1,4 +1,4 @@
-//! `[plan]`: what `wholestring plan` computes.
+//! `[plan]`: inputs of `wholestring plan`.
 
 use serde::Serialize;
 use wholestring::{
@@ -28,33 +28,33 @@ use crate::{
     uncertain_table::{self, UncertainTable},
 };
 
-/// Depths of the bit where the case does not say.
+/// Default number of depths of the bit.
 const DEPTHS: u64 = 30;
 
-/// Most depths.
+/// Maximum number of depths.
 const MAX_DEPTHS: usize = 1000;
 
-/// Rotary speed off bottom of a case that gives none, rad/s: 60 rev/min.
+/// Default rotary speed off bottom of a case without one, rad/s: 60 rev/min.
 const USUAL_ROTATION_RAD_PER_S: f64 = 2.0 * std::f64::consts::PI;
 
 table! {
-    /// What `wholestring plan` computes: hook load and torque against the depth of the bit, and what
-    /// goes with them.
+    /// Inputs of `wholestring plan`: hook load and torque against the depth of the bit, and related
+    /// results.
     PlanTable in "[plan]" {
         /// Low, expected and high friction. Default: expected is the friction of each
         /// `[[well.hole]]`, low 0.1 less, high 0.1 more.
         friction: FrictionsTable = optional(Section::<FrictionsTable>::RULE);
-        /// How many depths of the bit, evenly from the shallowest to that of the operation. The lower
-        /// ends of hole sections are added.
+        /// Number of depths of the bit, evenly from the shallowest to that of the operation. The
+        /// lower ends of hole sections are added.
         depths: u64 = default(Count { from: 2, to: MAX_DEPTHS as u64 }, DEPTHS);
         /// Shallowest depth of the bit. Default: a metre more than the length of the bottom-hole
-        /// assembly below the drill pipe. Whatever the depth, the string is cut at the surface.
+        /// assembly below the drill pipe. At any depth the string is cut at the surface.
         shallowest: f64 = optional(depth("500 m"));
         /// Depths of the bit, one by one, in place of `depths` and `shallowest`.
         bit_depths: Vec<Spanned<f64>> = optional(List::of(depth("1500 m"), "depths", MAX_DEPTHS));
-        /// What is done at every depth, with the set points of [operation]. Default: "trip_out",
-        /// "trip_in", "rotate_off_bottom" and what [operation] drills with. Off bottom a case without
-        /// `rpm` turns with 60 rev/min.
+        /// Operations at every depth, with the set points of [operation]. Default: "trip_out",
+        /// "trip_in", "rotate_off_bottom" and the drilling kind of [operation]. Off bottom a case
+        /// without `rpm` turns with 60 rev/min.
         operations: Vec<Spanned<OperationKind>> = optional(List::or_one(
             KindRule, "operations", OperationKind::ALL.len(),
         ));
@@ -68,8 +68,8 @@ table! {
             ),
             vec![Spanned { value: Statics::Soft, place: Span::default() }],
         );
-        /// Overpull that string and hoist are to have left off bottom. 50,000 to 100,000 lbf are
-        /// commonly planned.
+        /// Overpull that must be available in string and hoist off bottom. 50,000 to 100,000 lbf
+        /// are commonly planned.
         overpull: f64 = default(
             Quantity::si(Dimension::Force, Range::from_to(0.0, 1e7).usual(5e4, 2e6), "445 kN"),
             LimitSettings::default().overpull_N,
@@ -81,18 +81,18 @@ table! {
         );
         /// Required factors of the limits, capacity over load.
         factors: FactorsTable = optional(Section::<FactorsTable>::RULE);
-        /// Weights and torques that were measured, relative to the folder of the case: a table with a
-        /// row for each depth, as `wholestring calibrate` reads it. Drawn on the broomsticks and held
-        /// against them.
+        /// Weights and torques that were measured, relative to the folder of the case: a table with
+        /// a row for each depth, in the format of `wholestring calibrate`. Drawn on the broomsticks
+        /// and compared with them.
         measured: String = optional(Text);
-        /// For what casing wear and fatigue are summed.
+        /// Campaign over which casing wear and fatigue are summed.
         campaign: CampaignTable = optional(Section::<CampaignTable>::RULE);
-        /// How fatigue of the string is computed.
+        /// Fatigue model of the string.
         fatigue: FatigueTable = optional(Section::<FatigueTable>::RULE);
         /// Numbers of the case that are not known exactly. Default: none.
         uncertain: UncertainTable = optional(Section::<UncertainTable>::RULE);
-        /// What the dynamics is asked for: peaks of a string that sets itself in motion, and casing wear.
-        /// Default: nothing.
+        /// Inputs from dynamic runs: peak loads while the string starts to move, and casing wear.
+        /// Default: none.
         dynamic: DynamicTable = optional(Section::<DynamicTable>::RULE);
     }
 }
@@ -101,12 +101,12 @@ table! {
     /// Friction, low, expected and high: each a coefficient, or { cased = 0.2, open = 0.3 } with a
     /// coefficient or a table as of `[[well.hole]]` for each.
     FrictionsTable in "[plan.friction]" {
-        /// The least friction. Default: 0.1 less than what is expected, but 0.05 at the least, where as
-        /// much is expected.
+        /// Low friction. Default: 0.1 less than the expected friction, but not below 0.05 unless
+        /// the expected friction is.
         low: GivenLevel = optional(LevelRule);
         /// The friction that is expected. Default: each section's own.
         expected: GivenLevel = optional(LevelRule);
-        /// The most friction. Default: 0.1 more than what is expected.
+        /// High friction. Default: 0.1 more than the expected friction.
         high: GivenLevel = optional(LevelRule);
     }
 }
@@ -114,14 +114,14 @@ table! {
 table! {
     /// Friction of casings and of the rock at one level.
     LevelTable in "a level of [plan.friction]" {
-        /// Of every casing and liner. Default: as without this level.
+        /// Friction of every casing and liner. Default: as without this level.
         cased: Friction = optional(FrictionRule);
-        /// Of the rock. Default: as without this level.
+        /// Friction of the rock. Default: as without this level.
         open: Friction = optional(FrictionRule);
     }
 }
 
-/// What a level gives of its friction.
+/// The given friction of a level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct GivenLevel {
     cased: Option<Friction>,
@@ -129,7 +129,7 @@ pub(crate) struct GivenLevel {
 }
 
 impl GivenLevel {
-    /// The level, what is not given taken from another one.
+    /// Returns the level, completed from another one.
     fn or(self, other: LevelFriction) -> LevelFriction {
         LevelFriction {
             cased: self.cased.map_or(other.cased, KindFriction::Given),
@@ -152,8 +152,8 @@ impl Rule for LevelRule {
             }
             Value::Table(entries) => {
                 let table = LevelTable::read(entries, node.place, reader);
-                let given = |field: &Field<Friction>| Some(field.optional()?.map(|at| at.value));
-                let (cased, open) = (given(&table.cased), given(&table.open));
+                let value_of = |field: &Field<Friction>| Some(field.optional()?.map(|at| at.value));
+                let (cased, open) = (value_of(&table.cased), value_of(&table.open));
                 Some(GivenLevel { cased: cased?, open: open? })
             }
             _ => {
@@ -169,31 +169,31 @@ impl Rule for LevelRule {
     }
 }
 
-/// What a plan computes.
+/// Settings of a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Plan {
     /// Low, expected and high friction.
     pub frictions: Frictions,
-    /// Depths of the bit, m, growing.
+    /// Depths of the bit, m, increasing.
     pub bit_depths_m: Vec<f64>,
-    /// What is done at every depth.
+    /// Operations at every depth.
     pub operations: Vec<Operation>,
-    /// By which models.
+    /// Models that solve them.
     pub models: Vec<Statics>,
-    /// What its limits must keep.
+    /// Settings of the limits.
     pub limits: LimitSettings,
-    /// For what casing wear and fatigue are summed.
+    /// Campaign over which casing wear and fatigue are summed.
     pub campaign: CampaignSettings,
-    /// What is not known exactly, where anything is said of that.
+    /// Uncertain inputs, if any are given.
     pub uncertain: Option<Uncertain>,
-    /// What was measured; no part of what is computed.
+    /// Measurements, which do not affect the results.
     #[serde(skip)]
     pub measured: Option<Measured>,
-    /// What the dynamics is asked for.
+    /// Inputs from dynamic runs.
     pub dynamic: DynamicPlan,
 }
 
-/// What a model is made of, to be made again at other depths and frictions.
+/// Returns the parts of a model, from which it can be rebuilt at other depths and frictions.
 pub(crate) fn setup(model: &Model, string: &StringSpec) -> Setup {
     Setup {
         well: model.well.clone(),
@@ -205,7 +205,7 @@ pub(crate) fn setup(model: &Model, string: &StringSpec) -> Setup {
     }
 }
 
-/// What a plan is made beside.
+/// Context of a plan.
 pub(crate) struct Beside<'a> {
     /// The string at every depth.
     pub(crate) setup: &'a Setup,
@@ -235,7 +235,7 @@ pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader)
         reader,
     );
     let uncertain = match table.uncertain.optional()? {
-        Some(given) => uncertain_table::build(&given.value, reader)?,
+        Some(entry) => uncertain_table::build(&entry.value, reader)?,
         None => None,
     };
     let measured = match table.measured.optional()? {
@@ -253,8 +253,8 @@ pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader)
         gel_strength_Pa,
         usual_rotation_rad_per_s: USUAL_ROTATION_RAD_PER_S,
     };
-    let asked = table.dynamic.optional()?.and(table.dynamic.given());
-    let dynamic = plan_dynamic::build(asked, &beside, reader);
+    let dynamic_table = table.dynamic.optional()?.and(table.dynamic.given());
+    let dynamic = plan_dynamic::build(dynamic_table, &beside, reader);
     Some(Plan {
         uncertain,
         frictions: frictions?,
@@ -270,7 +270,7 @@ pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader)
 
 fn limits(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<LimitSettings> {
     let factors = match table.factors.optional()? {
-        Some(given) => plan_factors::build(&given.value)?,
+        Some(entry) => plan_factors::build(&entry.value)?,
         None => LimitSettings::default().factors,
     };
     let rig = &setup.rig;
@@ -278,10 +278,10 @@ fn limits(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Limit
         let left_N = capacity_N - rig.block_weight_N.unwrap_or(0.0);
         if overpull.value > left_N {
             let left = reader.shown(Dimension::Force, left_N);
-            let warning = Diagnostic::warning("the hoist has never so much overpull left");
+            let warning = Diagnostic::warning("the hoist never has this much overpull available");
             reader.report(warning.at(
                 overpull.place,
-                format!("the hoist carries {left} beside its block, without a string"),
+                format!("the hoist can lift {left} in addition to its block, without a string"),
             ));
         }
     }
@@ -294,14 +294,14 @@ fn limits(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Limit
 
 fn frictions(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Frictions> {
     let usual = Frictions::default();
-    let Some(given) = table.friction.optional()? else {
+    let Some(entry) = table.friction.optional()? else {
         return Some(usual);
     };
-    let levels = [&given.value.low, &given.value.expected, &given.value.high];
+    let levels = [&entry.value.low, &entry.value.expected, &entry.value.high];
     let places = levels.map(|level| level.place());
     let [low, expected, high] = levels.map(Field::optional);
-    let level = |given: Option<&Spanned<GivenLevel>>, other: LevelFriction| {
-        given.map_or(other, |at| at.value.or(other))
+    let level = |entry: Option<&Spanned<GivenLevel>>, other: LevelFriction| {
+        entry.map_or(other, |at| at.value.or(other))
     };
     let expected = level(expected?, usual.expected);
     let frictions = Frictions {
@@ -309,7 +309,7 @@ fn frictions(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Fr
         expected,
         high: level(high?, expected.beside(&usual.high)),
     };
-    // Each must be at least the one before it in every section, along the hole and around it.
+    // Each level must be at least the previous one in every section, along the hole and around it.
     for [less, more] in [[0, 1], [1, 2]] {
         let [less_level, more_level] = [less, more].map(|place| FrictionLevel::ALL[place]);
         for section in setup.well.hole.sections() {
@@ -362,7 +362,7 @@ fn depths_m(
             check_depth(from, setup, reader)?;
             if from.value >= deepest_m {
                 return Diagnostic::error(
-                    "the shallowest depth of the plan is no shallower than the bit",
+                    "the shallowest depth of the plan is not above the depth of the bit",
                 )
                 .at(
                     from.place,
@@ -373,10 +373,10 @@ fn depths_m(
         }
         return Some(bit_depths_m(setup, shallowest.map(|at| at.value), deepest_m, count));
     };
-    for (given, name) in
+    for (entry, name) in
         [(table.depths.place(), "depths"), (shallowest.map(|at| at.place), "shallowest")]
     {
-        if let Some(place) = given {
+        if let Some(place) = entry {
             let why = "`bit_depths` lists the depths";
             reader.report(Diagnostic::idle(name, place, why));
         }
@@ -397,8 +397,8 @@ fn campaign_operations(own: &[Operation], planned: &[Operation]) -> Vec<Operatio
     all.filter(|one| !planned.iter().any(|other| other.kind == one.kind)).collect()
 }
 
-/// The operation of the case of a kind, or one with the set points of its first; what turns off
-/// bottom has a rotary speed.
+/// Returns the operation of the case of a kind, or one with the set points of its first; an
+/// operation that rotates off bottom has a rotary speed.
 fn usual(own: &[Operation], kind: OperationKind) -> Option<Operation> {
     let found = own.iter().find(|one| one.kind == kind).copied();
     let mut operation = found.or_else(|| Some(Operation { kind, ..*own.first()? }))?;
@@ -420,10 +420,12 @@ fn operations(table: &PlanTable, own: &[Operation], reader: &mut Reader) -> Opti
     for at in &listed.value {
         let name = at.value.name();
         if at.value.on_bottom() && !own.iter().any(|one| one.kind == at.value) {
-            return Diagnostic::error(format!("`{name}` of the plan is no operation of the case"))
-                .at(at.place, "drills with the set points of [operation]")
-                .help(format!("add \"{name}\" to `kind` in [operation]"))
-                .refuse(reader);
+            return Diagnostic::error(format!(
+                "`{name}` of the plan is not an operation of the case"
+            ))
+            .at(at.place, "drills with the set points of [operation]")
+            .help(format!("add \"{name}\" to `kind` in [operation]"))
+            .refuse(reader);
         }
         let operation = usual(own, at.value)?;
         if at.value.rotates() && operation.rotary_speed_rad_per_s == 0.0 {

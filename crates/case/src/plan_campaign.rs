@@ -1,4 +1,4 @@
-//! `[plan.campaign]` and `[plan.fatigue]`: what operations do to string and casing, all together.
+//! `[plan.campaign]` and `[plan.fatigue]`: effects of all operations together on string and casing.
 
 use wholestring::{
     string::StringSpec,
@@ -14,29 +14,29 @@ use wholestring_plan::{
 /// The unit of wear factors, 1/Pa.
 const UNIT_PER_PA: f64 = 1e-10 / 6_894.757_293_168_361;
 
-/// Most wear factors.
+/// Maximum number of wear factors.
 const MAX_CASINGS: usize = 20;
 
 table! {
-    /// The campaign for which casing wear and fatigue are summed, with the expected friction.
+    /// The campaign over which casing wear and fatigue are summed, with the expected friction.
     CampaignTable in "[plan.campaign]" {
-        /// Measured depth from which the section is drilled, to the deepest of the plan. Default: the
-        /// deepest casing shoe.
+        /// Measured depth from which the section is drilled, to the deepest of the plan. Default:
+        /// the deepest casing shoe.
         drilled_from: f64 = optional(Quantity::si(
             Dimension::Length,
             Range::from_to(0.0, 20_000.0).usual(10.0, 13_000.0),
             "1500 m",
         ));
-        /// How often the string is run and pulled, whether or not the plan lists trips.
+        /// Number of times that the string is run and pulled, whether or not the plan lists trips.
         round_trips: f64 = default(Number::up_to(1000.0), CampaignSettings::default().round_trips);
-        /// How long the string turns off bottom at the deepest depth, s unless a unit is given, whether
-        /// or not the plan lists that.
+        /// Duration of rotation off bottom at the deepest depth, s unless a unit is given, whether
+        /// or not the plan lists that operation.
         off_bottom: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(0.0, 1e8).usual(60.0, 1e7), "10 h"),
             0.0,
         );
-        /// Wear factor of the casings, in 1e-10 1/psi. One for all of them or a list, from the surface
-        /// down. Default: 5, no more than a place to start.
+        /// Wear factor of the casings, in 1e-10 1/psi. One for all of them or a list, from the
+        /// surface down. Default: 5, only a first estimate.
         wear_factor: Vec<Spanned<f64>> = optional(List::or_one(
             Number { unit: "1e-10/psi", range: Range::positive_to(1e4).usual(0.3, 50.0) },
             "wear factors",
@@ -46,18 +46,19 @@ table! {
 }
 
 table! {
-    /// Fatigue of the string in doglegs: the S-N curve N = cycles (stress/S)^exponent. Default: curve
-    /// B1 in air of DNV-RP-C203.
+    /// Fatigue of the string in doglegs: the S-N curve N = cycles (stress/S)^exponent. Default:
+    /// curve B1 in air of DNV-RP-C203.
     FatigueTable in "[plan.fatigue]" {
-        /// Cycles to failure at `stress`; `stress` and `exponent` go with it.
+        /// Cycles to failure at `stress`; requires `stress` and `exponent`.
         cycles: f64 = optional(Number { unit: "", range: Range::from_to(1.0, 1e12) });
-        /// Amplitude of the stress at which so many cycles are borne: half of its range.
+        /// Stress amplitude at which the pipe fails after that number of cycles: half of the stress
+        /// range.
         stress: f64 = optional(stress("138 MPa"));
         /// Exponent of the curve above `stress`.
         exponent: f64 = optional(Number { unit: "", range: Range::from_to(1.0, 50.0) });
         /// Exponent below `stress`. Default: `exponent`.
         exponent_below: f64 = optional(Number { unit: "", range: Range::from_to(1.0, 50.0) });
-        /// Amplitude below which nothing is damaged. Default: none.
+        /// Amplitude below which there is no damage. Default: none.
         endurance_limit: f64 = optional(stress("60 MPa"));
         /// Tensile strength of all pipe. Default: by its grade, else its yield strength.
         tensile_strength: f64 = optional(stress("1000 MPa"));
@@ -69,7 +70,7 @@ fn stress(example: &'static str) -> Quantity {
     Quantity::si(Dimension::Pressure, range, example)
 }
 
-/// The campaign, of a string in its hole and with the bit at a deepest depth, m.
+/// Builds the campaign, of a string in its hole with the bit at a deepest depth, m.
 pub(crate) fn build(
     campaign: Option<&CampaignTable>,
     fatigue: Option<&FatigueTable>,
@@ -112,7 +113,8 @@ fn wear_factors(table: &CampaignTable, hole: &Hole, reader: &mut Reader) -> Opti
     let Some(Spanned { value: factors, place }) = table.wear_factor.optional()? else {
         return Some(WearFactors::default());
     };
-    let cased = hole.sections().iter().enumerate().filter(|(_, of)| of.kind == HoleKind::Casing);
+    let cased =
+        hole.sections().iter().enumerate().filter(|(_, section)| section.kind == HoleKind::Casing);
     let cased: Vec<usize> = cased.map(|(index, _)| index).collect();
     if let [one] = &factors[..] {
         if cased.is_empty() {
@@ -144,7 +146,7 @@ fn fatigue_of(
 ) -> Option<FatigueSettings> {
     let [cycles, stress, exponent] =
         [&table.cycles, &table.stress, &table.exponent].map(|field| field.optional());
-    let given = [("cycles", cycles?), ("stress", stress?), ("exponent", exponent?)];
+    let numbers = [("cycles", cycles?), ("stress", stress?), ("exponent", exponent?)];
     let below = table.exponent_below.optional()?;
     let endured = table.endurance_limit.optional()?;
     let tensile = table.tensile_strength.optional()?;
@@ -161,11 +163,12 @@ fn fatigue_of(
             warning
                 .at(below.place, format!("less than `exponent`, {}", number_text(exponent.value)))
                 .help(
-                    "small stresses then damage more than the upper slope says; usually it is greater",
+                    "small stresses then damage more than the upper slope gives; usually it is \
+                     greater",
                 ),
         );
     }
-    let sn_curve = match given.map(|(_, of)| of) {
+    let sn_curve = match numbers.map(|(_, number)| number) {
         [Some(cycles), Some(stress), Some(exponent)] => SnCurve {
             exponent_below: below.map_or(exponent.value, |at| at.value),
             ..SnCurve::of_one_slope(cycles.value, stress.value, exponent.value)
@@ -178,10 +181,10 @@ fn fatigue_of(
             SnCurve::default()
         }
         some => {
-            let missing = given.iter().filter(|(_, of)| of.is_none());
+            let missing = numbers.iter().filter(|(_, number)| number.is_none());
             let missing: Vec<String> = missing.map(|(name, _)| format!("`{name}`")).collect();
             let place = some.into_iter().flatten().next()?.place;
-            return Diagnostic::error("an S-N curve takes `cycles`, `stress` and `exponent`")
+            return Diagnostic::error("an S-N curve needs `cycles`, `stress` and `exponent`")
                 .at(place, format!("without {}", missing.join(" and ")))
                 .refuse(reader);
         }
@@ -192,7 +195,7 @@ fn fatigue_of(
     })
 }
 
-/// Metal bears no stress that alternates, were it but once, at which it breaks.
+/// Warns of an amplitude at which the metal breaks in the first cycle.
 fn bears(
     tensile: &Spanned<f64>,
     stress: Option<&Spanned<f64>>,
@@ -211,20 +214,20 @@ fn bears(
     }
 }
 
-/// What yields has not broken yet.
+/// Warns of a tensile strength below the yield strength.
 fn yields(tensile: &Spanned<f64>, string: &StringSpec, reader: &mut Reader) -> Option<()> {
-    let stronger = string.components.iter().find_map(|of| {
-        let yield_Pa = of.yield_strength_Pa?;
-        (yield_Pa > tensile.value * (1.0 + 1e-9)).then_some((of, yield_Pa))
+    let stronger = string.components.iter().find_map(|component| {
+        let yield_Pa = component.yield_strength_Pa?;
+        (yield_Pa > tensile.value * (1.0 + 1e-9)).then_some((component, yield_Pa))
     });
     match stronger {
-        Some((of, yield_Pa)) => Diagnostic::error(format!(
+        Some((component, yield_Pa)) => Diagnostic::error(format!(
             "the tensile strength is below the yield strength of `{}`",
-            of.name
+            component.name
         ))
         .at(
             tensile.place,
-            format!("{} yields at {}", of.name, reader.shown(Dimension::Pressure, yield_Pa)),
+            format!("{} yields at {}", component.name, reader.shown(Dimension::Pressure, yield_Pa)),
         )
         .help("it is that of all pipe; without it each grade has its own")
         .refuse(reader),

@@ -9,7 +9,7 @@ pub(crate) fn depth(example: &'static str) -> Quantity {
     Quantity::si(Dimension::Length, range, example)
 }
 
-/// Depths, growing; none may be listed twice.
+/// Checks that depths are in increasing order; none may be listed twice.
 pub(crate) fn listed_once(listed: &[Spanned<f64>], reader: &mut Reader) -> Option<Vec<f64>> {
     for (index, at) in listed.iter().enumerate() {
         if let Some(first) = listed[..index].iter().find(|first| first.value == at.value) {
@@ -27,7 +27,7 @@ pub(crate) fn listed_once(listed: &[Spanned<f64>], reader: &mut Reader) -> Optio
     Some(depths_m)
 }
 
-/// A depth must be in the hole, and deeper than the bit is long.
+/// Refuses a depth that is not in the hole, or not below the length of the bit.
 pub(crate) fn check_depth(at: &Spanned<f64>, setup: &Setup, reader: &mut Reader) -> Option<()> {
     let units = reader.units();
     let length = |value: f64| shown(Dimension::Length, value, units);
@@ -44,7 +44,7 @@ pub(crate) fn check_depth(at: &Spanned<f64>, setup: &Setup, reader: &mut Reader)
     let least_m = setup.least_depth_m();
     if at.value <= least_m {
         return Diagnostic::error(format!(
-            "a bit depth of the plan leaves no room for the string: its lowest component is {} long",
+            "a bit depth of the plan is too small for the string: its lowest component is {} long",
             length(least_m)
         ))
         .at(at.place, format!("expected more than {}", length(least_m)))

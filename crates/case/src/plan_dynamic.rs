@@ -1,4 +1,4 @@
-//! `[plan.dynamic]`: what a plan takes from the dynamics.
+//! `[plan.dynamic]`: results of the dynamics in a plan.
 
 use wholestring::{
     operation::{Operation, OperationKind},
@@ -19,40 +19,42 @@ use crate::{
 const EVENTS: &[(&str, Event)] = words!(Event);
 const LEVELS: &[(&str, FrictionLevel)] = words!(FrictionLevel);
 
-/// Most depths: each is a run of the dynamics.
+/// Maximum number of depths: each is a dynamic run.
 const MAX_DEPTHS: usize = 50;
 
 table! {
-    /// What the dynamics is asked for in a plan. Nothing is run without it.
+    /// Inputs of a plan from dynamic runs. Without this table there are no dynamic runs.
     DynamicTable in "[plan.dynamic]" {
-        /// How the string sets itself in motion from rest, to look for peaks of hook load, torque and pump
-        /// pressure: "pick_up_from_slips", "slack_off_from_slips" (to the `trip_speed` of [operation]),
-        /// "break_circulation" (to its `flow_rate`), "break_rotation" (to its `rpm`, pumps off).
+        /// Events in which the string starts to move from rest, for the peaks of hook load, torque
+        /// and pump pressure: "pick_up_from_slips", "slack_off_from_slips" (to the `trip_speed` of
+        /// [operation]), "break_circulation" (to its `flow_rate`), "break_rotation" (to its `rpm`,
+        /// pumps off).
         events: Vec<Spanned<Event>> = optional(List::or_one(
             Choice { noun: "an event", words: EVENTS },
             "events",
             Event::ALL.len(),
         ));
-        /// Operations of the campaign whose casing wear is the dynamics' work of friction: what it drills with,
-        /// or "rotate_off_bottom". They run as `[dynamics]` says.
+        /// Operations of the campaign whose casing wear is computed from the friction work of the
+        /// dynamics: the drilling kind of the campaign, or "rotate_off_bottom". They run with the
+        /// settings of `[dynamics]`.
         wear: Vec<Spanned<OperationKind>> = optional(List::or_one(
             KindRule, "operations", OperationKind::ALL.len(),
         ));
         /// Depths of the bit. Default: the deepest of the plan.
         bit_depths: Vec<Spanned<f64>> = optional(List::or_one(depth("1500 m"), "depths", MAX_DEPTHS));
-        /// Frictions that events are looked at with: "low", "expected", "high". Default: "expected".
+        /// Friction levels of the events: "low", "expected", "high". Default: "expected".
         friction: Vec<Spanned<FrictionLevel>> = optional(List::or_one(
             Choice { noun: "a level of friction", words: LEVELS },
             "levels",
             FrictionLevel::ALL.len(),
         ));
-        /// Time in which the block comes from rest to the trip speed. Lowering it raises the peak.
+        /// Time in which the block reaches the trip speed from rest. Lowering it raises the peak.
         hoist_ramp: f64 = default(time("2 s"), DynamicPlan::default().hoist_ramp_s);
-        /// Time in which the pumps come to the flow rate.
+        /// Time in which the pumps reach the flow rate.
         pump_ramp: f64 = default(time("10 s"), DynamicPlan::default().pump_ramp_s);
-        /// Time in which the rotary comes to its speed.
+        /// Time in which the rotary reaches its speed.
         rotary_ramp: f64 = default(time("5 s"), DynamicPlan::default().rotary_ramp_s);
-        /// How long the string is watched after that. What it comes to is the mean over the last quarter.
+        /// Observation time after the ramp. The steady value is the mean over its last quarter.
         watch: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(1.0, 3600.0).usual(2.0, 600.0), "20 s"),
             DynamicPlan::default().watch_s,
@@ -64,7 +66,7 @@ fn time(example: &'static str) -> Quantity {
     Quantity::si(Dimension::Time, Range::from_to(0.0, 3600.0).usual(0.1, 600.0), example)
 }
 
-/// What a table of the plan is built beside.
+/// Context of a table of the plan.
 pub(crate) struct Beside<'a> {
     pub(crate) setup: &'a Setup,
     /// Operations of the case.
@@ -74,35 +76,35 @@ pub(crate) struct Beside<'a> {
     pub(crate) campaign: &'a CampaignSettings,
     pub(crate) deepest_m: f64,
     pub(crate) gel_strength_Pa: Option<f64>,
-    /// Of what turns off bottom where the case gives no rotary speed.
+    /// Rotary speed off bottom where the case gives none.
     pub(crate) usual_rotation_rad_per_s: f64,
 }
 
-/// What is asked of the dynamics.
+/// Builds the inputs from dynamic runs.
 pub(crate) fn build(
-    given: Option<&Spanned<DynamicTable>>,
+    entry: Option<&Spanned<DynamicTable>>,
     beside: &Beside<'_>,
     reader: &mut Reader,
 ) -> Option<DynamicPlan> {
-    let Some(Spanned { value: table, place }) = given else {
+    let Some(Spanned { value: table, place }) = entry else {
         return Some(DynamicPlan::default());
     };
     let (events, wear) = (table.events.optional()?, table.wear.optional()?);
     let events = events.map_or(&[][..], |at| &at.value);
     let wear = wear.map_or(&[][..], |at| &at.value);
     if events.is_empty() && wear.is_empty() {
-        // A misspelt key says it better.
+        // A misspelt key has a better message.
         if reader.has_errors() {
             return None;
         }
-        return Diagnostic::error("nothing is asked of the dynamics")
+        return Diagnostic::error("no dynamic run is requested")
             .at(*place, "neither `events` nor `wear`")
             .help("such as events = \"pick_up_from_slips\"")
             .refuse(reader);
     }
     once_each(events, Event::name, reader)?;
     once_each(wear, OperationKind::name, reader)?;
-    let cased = |of: &HoleSection| of.kind == HoleKind::Casing;
+    let cased = |section: &HoleSection| section.kind == HoleKind::Casing;
     if let (Some(place), false) =
         (table.wear.place(), beside.setup.well.hole.sections().iter().any(cased))
     {
@@ -145,9 +147,9 @@ pub(crate) fn build(
     })
 }
 
-/// Keys of events that are not asked for.
+/// Warns of keys of events that are not listed.
 fn idle_ramps(table: &DynamicTable, events: &[Spanned<Event>], reader: &mut Reader) {
-    let has = |of: &[Event]| events.iter().any(|at| of.contains(&at.value));
+    let has = |kinds: &[Event]| events.iter().any(|at| kinds.contains(&at.value));
     let lifts = has(&[Event::PickUpFromSlips, Event::SlackOffFromSlips]);
     let keys = [
         ("hoist_ramp", table.hoist_ramp.place(), lifts, "a pick-up or a slack-off from slips"),
@@ -168,13 +170,13 @@ fn idle_ramps(table: &DynamicTable, events: &[Spanned<Event>], reader: &mut Read
     }
 }
 
-/// The set points that events lead to.
+/// Returns the set points that events lead to.
 fn set_points(
     events: &[Spanned<Event>],
     beside: &Beside<'_>,
     reader: &mut Reader,
 ) -> Option<Operation> {
-    let of_kind = |kind| beside.own.iter().find(|of| of.kind == kind).copied();
+    let of_kind = |kind| beside.own.iter().find(|operation| operation.kind == kind).copied();
     let first = *beside.own.first()?;
     let mut set = of_kind(OperationKind::RotateOffBottom).unwrap_or(first);
     if set.rotary_speed_rad_per_s == 0.0 {
@@ -202,7 +204,7 @@ fn set_points(
     Some(set)
 }
 
-/// An operation of the campaign that the dynamics is to wear with.
+/// Returns the operation of the campaign whose wear the dynamics compute.
 fn wears(
     at: &Spanned<OperationKind>,
     beside: &Beside<'_>,
@@ -212,24 +214,24 @@ fn wears(
     let refuse = |message: String, why: &str, help: String, reader: &mut Reader| {
         Diagnostic::error(message).at(at.place, why.to_owned()).help(help).refuse(reader)
     };
-    let found = beside.planned.iter().find(|of| of.kind == at.value).copied();
+    let found = beside.planned.iter().find(|planned| planned.kind == at.value).copied();
     match at.value {
         OperationKind::RotateOffBottom if beside.campaign.off_bottom_s == 0.0 => refuse(
             "the campaign does not turn off bottom".to_owned(),
-            "would wear nothing",
+            "would cause no wear",
             "such as off_bottom = \"10 h\" in [plan.campaign]".to_owned(),
             reader,
         ),
         OperationKind::Drill | OperationKind::RotateOffBottom => found.or_else(|| {
             refuse(
-                format!("`{name}` of the plan's dynamics is no operation of the plan"),
+                format!("`{name}` of the plan's dynamics is not an operation of the plan"),
                 "is not there to wear",
                 format!("add \"{name}\" to `operations` in [plan]"),
                 reader,
             )
         }),
         _ => refuse(
-            format!("`{name}` is none of what the dynamics wears casing with"),
+            format!("casing wear by the dynamics does not support `{name}`"),
             "expected \"drill\" or \"rotate_off_bottom\"",
             "trips count by their side force".to_owned(),
             reader,

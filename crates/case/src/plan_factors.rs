@@ -1,4 +1,4 @@
-//! `[plan.factors]`: what a plan's limits must keep.
+//! `[plan.factors]`: required factors of a plan's limits.
 
 use wholestring_config::prelude::*;
 use wholestring_judge::DesignFactors;
@@ -55,8 +55,8 @@ factors! {
     sinusoidal_buckling;
     /// Load of the helix over compression.
     helical_buckling;
-    /// What drives a string down over what holds it back.
+    /// Driving force over resistance of a string that moves down.
     lock_up;
-    /// Overpull that is left over `overpull`.
+    /// Available overpull over `overpull`.
     overpull;
 }

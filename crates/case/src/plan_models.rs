@@ -1,4 +1,4 @@
-//! Which models plans are made by.
+//! Models of plans.
 
 use wholestring_plan::Statics;
 

@@ -1,16 +1,16 @@
-//! `[records]`: what a dynamic run keeps beside its tables.
+//! `[records]`: further outputs of a dynamic run, in addition to its tables.
 
 use serde::Serialize;
 use wholestring::dynamics::{Channel, DynamicsSettings, NodeSignal, Probe, Signal};
 use wholestring_config::prelude::*;
 
-/// Depths whose signals are kept: they stay in memory until the run ends.
+/// Maximum number of depths with recorded signals, which remain in memory until the run ends.
 const MAX_DEPTHS: usize = 10;
 
-/// Segments that a window is cut into, half overlapping, where the case gives no length.
+/// Default number of segments of a window, half overlapping.
 const SEGMENTS: f64 = 4.0;
 
-/// A segment of fewer samples shows nothing.
+/// Minimum number of samples of a meaningful segment.
 const FEWEST_SAMPLES: f64 = 16.0;
 
 fn usual() -> Vec<Spanned<Channel>> {
@@ -19,16 +19,16 @@ fn usual() -> Vec<Spanned<Channel>> {
 }
 
 table! {
-    /// What a dynamic run keeps beside its tables.
+    /// Further outputs of a dynamic run, in addition to its tables.
     RecordsTable in "[records]" {
-        /// How often the whole string is written to `frames.parquet`, rounded to whole samples;
-        /// never where it is not given. 10 Hz of a string of 1350 nodes are some 0.5 MB a second.
+        /// Rate at which the whole string is written to `frames.parquet`, rounded to whole samples.
+        /// Default: never. 10 Hz of a string of 1350 nodes are some 0.5 MB a second.
         frames: f64 = optional(Quantity::si(
             Dimension::Frequency,
             Range::positive_to(1e4).usual(0.01, 2000.0),
             "10 Hz",
         ));
-        /// What a frame holds of every node: "position" (offset from the hole's axis),
+        /// Quantities of every node in a frame: "position" (offset from the hole's axis),
         /// "coordinates" (north, east, vertical depth), "velocity", "rotation" (rotary speed,
         /// twist), "tilt" (against the hole), "contact", "friction", "force" (tension, torque),
         /// "stress" (bending moment, von Mises).
@@ -40,31 +40,30 @@ table! {
             ),
             usual(),
         );
-        /// Scalars whose power spectral density over the window goes to `spectra.parquet`, by the
-        /// names of their columns in `time.parquet` without the unit; none where it is not given.
+        /// Scalars whose power spectral density over the window is written to `spectra.parquet`, by
+        /// the names of their columns in `time.parquet` without the unit. Default: none.
         spectra: Vec<Spanned<Signal>> = optional(List::or_one(
             Choice { noun: "a signal", words: Signal::BY_NAME }, "signals", Signal::BY_NAME.len(),
         ));
-        /// Quantities of single nodes whose spectra go there too, at each depth of
+        /// Quantities of single nodes whose spectra are written to the same file, at each depth of
         /// `node_spectra_at`: "tension", "torque", "bending_moment", "von_mises_stress",
         /// "contact_force", "offset_high" and "offset_right" (from the hole's axis),
-        /// "velocity_high", "velocity_right", "axial_velocity", "rotary_speed"; none where it is
-        /// not given.
+        /// "velocity_high", "velocity_right", "axial_velocity", "rotary_speed". Default: none.
         node_spectra: Vec<Spanned<NodeSignal>> = optional(List::or_one(
             Choice { noun: "a signal of a node", words: NodeSignal::BY_NAME },
             "signals of nodes",
             NodeSignal::BY_NAME.len(),
         ));
-        /// Measured depths of them with the bit at `bit_depth`. The node that is nearest then is
-        /// taken, and stays the same as the string moves.
+        /// Measured depths of these nodes with the bit at `bit_depth`. The nearest node at that
+        /// moment is recorded, also as the string moves.
         node_spectra_at: Vec<Spanned<f64>> = optional(List::or_one(
             Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "4290 m"),
             "depths",
             MAX_DEPTHS,
         ));
-        /// Length of the segments whose periodograms a spectrum is the mean of; they overlap by
-        /// half. Default: a quarter of the window. A longer one separates closer frequencies (they
-        /// are one over it apart), a shorter one gives a smoother spectrum.
+        /// Length of the segments whose periodograms are averaged to a spectrum; they overlap by
+        /// half. Default: a quarter of the window. A longer one separates closer frequencies (the
+        /// resolution is one over it), a shorter one gives a smoother spectrum.
         spectrum_segment: f64 = optional(Quantity::si(
             Dimension::Time,
             Range::positive_to(86_400.0),
@@ -73,16 +72,16 @@ table! {
     }
 }
 
-/// What a dynamic run keeps beside its tables.
+/// Further outputs of a dynamic run, in addition to its tables.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Records {
-    /// Time between two frames, s; none where none are kept.
+    /// Time between two frames, s; `None` without frames.
     pub frame_interval_s: Option<f64>,
-    /// What a frame holds.
+    /// Quantities in a frame.
     pub channels: Vec<Channel>,
-    /// Scalars of which spectra are kept.
+    /// Scalars with spectra.
     pub spectra: Vec<Signal>,
-    /// Places of the string of which spectra are kept.
+    /// Places on the string with spectra.
     pub probes: Vec<Probe>,
     /// Length of the segments of a spectrum, s.
     pub spectrum_segment_s: f64,
@@ -103,24 +102,24 @@ impl RecordsTable {
         once_each(spectra, Signal::name, reader)?;
         let probes = self.probes(bit_depth_m, reader)?;
         let none = spectra.is_empty() && probes.is_empty();
-        if let (None, Some(given)) = (frames, self.channels.given()) {
-            Diagnostic::idle("channels", given.place, "what a frame holds")
-                .help("no frames are kept: add frames = \"10 Hz\" to [records]")
+        if let (None, Some(entry)) = (frames, self.channels.given()) {
+            Diagnostic::idle("channels", entry.place, "quantities of a frame")
+                .help("no frames are recorded: add frames = \"10 Hz\" to [records]")
                 .report(reader);
         }
-        if let (true, Some(given)) = (none, segment) {
+        if let (true, Some(entry)) = (none, segment) {
             let what = "length of the segments of a spectrum";
-            Diagnostic::idle("spectrum_segment", given.place, what)
-                .help("no spectra are kept: add spectra = \"surface_torque\" to [records]")
+            Diagnostic::idle("spectrum_segment", entry.place, what)
+                .help("no spectra are recorded: add spectra = \"surface_torque\" to [records]")
                 .report(reader);
         }
         let sample_s = dynamics.sample_interval_s;
-        if let Some(given) = frames
-            // A rounded rate is no mistake.
-            && given.value * sample_s > 1.0 + 1e-9
+        if let Some(entry) = frames
+            // Rounding the rate is not a mistake.
+            && entry.value * sample_s > 1.0 + 1e-9
         {
-            return Diagnostic::error("frames are taken at samples: there are not so many")
-                .at(given.place, format!("expected at most {} Hz", number_text(1.0 / sample_s)))
+            return Diagnostic::error("frames cannot be more frequent than samples")
+                .at(entry.place, format!("expected at most {} Hz", number_text(1.0 / sample_s)))
                 .help(format!(
                     "lower it, or lower dynamics.sample_interval, which is {} s",
                     number_text(sample_s)
@@ -129,14 +128,14 @@ impl RecordsTable {
         }
         let window_s = dynamics.duration_s;
         let segment_s = segment.map_or(window_s / SEGMENTS, |at| at.value);
-        if let Some(given) = segment.filter(|_| !none)
-            && !(FEWEST_SAMPLES * sample_s..=window_s).contains(&given.value)
+        if let Some(entry) = segment.filter(|_| !none)
+            && !(FEWEST_SAMPLES * sample_s..=window_s).contains(&entry.value)
         {
             return Diagnostic::error(
-                "a segment of a spectrum must fit in the window and hold 16 samples",
+                "a segment of a spectrum must fit in the window and contain 16 samples",
             )
             .at(
-                given.place,
+                entry.place,
                 format!(
                     "expected {} to {} s",
                     number_text(FEWEST_SAMPLES * sample_s),
@@ -154,7 +153,7 @@ impl RecordsTable {
         })
     }
 
-    /// Every signal at every depth.
+    /// Returns every signal at every depth.
     fn probes(&self, bit_depth_m: Option<f64>, reader: &mut Reader) -> Option<Vec<Probe>> {
         let (signals, depths) = (self.node_spectra.optional()?, self.node_spectra_at.optional()?);
         let (signals, depths) = match (signals, depths) {

@@ -10,27 +10,27 @@ use wholestring::{
 };
 use wholestring_config::prelude::*;
 
-/// Part of the block's weight by which its mass may be off: what rounding leaves.
+/// Tolerance between the block's weight and its mass, for rounding, as a part of the weight.
 const SAME_BLOCK: f64 = 0.05;
 
 table! {
-    /// Limits of the rig. A run warns of an operation that exceeds them; `snubbing_force` alone
-    /// changes what the dynamic model does.
+    /// Limits of the rig. A run warns of an operation that exceeds them; only `snubbing_force`
+    /// changes the dynamic model.
     RigTable in "[rig]" {
-        /// Weight of travelling block and top drive. Never part of the reported hook load. How they
-        /// move with the top of the string is `mass` of `[hoist]`.
+        /// Weight of travelling block and top drive. Never part of the reported hook load. Their
+        /// inertia is `mass` of `[hoist]`.
         block_weight: f64 = optional(force("20 tf"));
         /// Largest load that the hoist carries, block included.
         hoist_capacity: f64 = optional(force("450 tf"));
         /// Largest force with which the rig pushes the string into the hole, the block's weight
-        /// apart: of a snubbing unit, an injector head for coiled tubing, a pull-down. The hook
-        /// load then goes down to its negative; beyond it the string does not go down. Default:
-        /// none, the rig carries and does not push.
+        /// excluded: of a snubbing unit, an injector head for coiled tubing, a pull-down. The hook
+        /// load can then fall to minus this force; where more is needed the string does not go
+        /// down. Default: none, the rig only lifts.
         snubbing_force: f64 = optional(force("250 kN"));
         /// Rated (continuous) torque of the top drive.
         top_drive_torque: f64 = optional(torque("45 kN.m"));
-        /// Largest torque that the top drive gives for a short time. A dynamic run may reach it at
-        /// times; its mean is held against the rated torque.
+        /// Largest torque of the top drive for a short time. A dynamic run may reach it at times;
+        /// its mean is compared with the rated torque.
         top_drive_peak_torque: f64 = optional(torque("70 kN.m"));
         /// Largest pressure of pumps, standpipe and hoses.
         pump_pressure_limit: f64 = optional(Quantity::si(
@@ -108,26 +108,26 @@ impl Control {
 }
 
 table! {
-    /// How the top of the string is moved along the hole in the dynamic model.
+    /// Axial motion of the top of the string in the dynamic model.
     HoistTable in "[hoist]" {
-        /// "autodriller" (the block follows the bit so that the weight on bit holds `wob`),
+        /// "autodriller" (the block follows the bit to keep the weight on bit at `wob`),
         /// "block-velocity" (constant speed), "hook-load" (constant lifting force) or "tuned-lift"
         /// (the constant lifting force under which the mean weight on bit over the window is `wob`:
-        /// the case is run several times to find it, and the summary shows). Default: the
+        /// it is found in several runs of the case, and the summary shows it). Default: the
         /// autodriller where the bit is on bottom, the operation's own constant speed elsewhere.
         control: Control = optional(Choice {
             noun: "a hoist control",
             words: Control::WORDS,
         });
         /// Autodriller: block speed per missing weight on bit. Raising it follows the weight on bit
-        /// faster, until it hunts.
+        /// faster, until the control loop hunts.
         gain: f64 = default(
             Quantity::si(Dimension::HoistGain, Range::positive_to(1e-3), "1e-4 m/s/kN"),
             Autodriller::default().gain_m_per_s_per_N,
         ).used_with(&[AUTODRILLER]);
         /// Autodriller: time in which a lasting lack of weight adds as much speed again as `gain`
-        /// gives at once. Raising it takes out what the gain leaves more slowly; too short, it
-        /// hunts. Default: none.
+        /// gives at once. Raising it removes the remaining deviation more slowly; if it is too
+        /// short, the control loop hunts. Default: none.
         integral_time: f64 = optional(Quantity::si(
             Dimension::Time,
             Range::positive_to(1e5),
@@ -138,13 +138,13 @@ table! {
             Quantity::si(Dimension::Time, Range::positive_to(1e3), "1 s"),
             Autodriller::default().filter_s,
         ).used_with(&[AUTODRILLER]);
-        /// Autodriller: least speed of the block, positive downwards; a negative one lets it pick
+        /// Autodriller: lowest speed of the block, positive downwards; a negative one lets it pick
         /// the string up.
         min_speed: f64 = default(
             Quantity::si(Dimension::TripSpeed, Range::from_to(-10.0, 10.0), "-10 m/h"),
             Autodriller::default().min_speed_m_per_s,
         ).used_with(&[AUTODRILLER]);
-        /// Autodriller: greatest speed of the block. Default: none.
+        /// Autodriller: highest speed of the block. Default: none.
         max_speed: f64 = optional(Quantity::si(
             Dimension::TripSpeed,
             Range::from_to(-10.0, 10.0),
@@ -163,8 +163,8 @@ table! {
             Range::from_to(-1e8, 1e8).usual(-1e6, 2e7),
             "900 kN",
         )).used_with(&[HOOK_LOAD]);
-        /// Tuned lift: how far the mean weight on bit may be from `wob`, as a part of it. Raising
-        /// it takes fewer runs.
+        /// Tuned lift: tolerance of the mean weight on bit, as a part of `wob`. Raising it requires
+        /// fewer runs.
         tolerance: f64 = default(
             Number { unit: "", range: Range::from_to(1e-4, 0.5) },
             WEIGHT_TOLERANCE,
@@ -180,8 +180,8 @@ table! {
             DynamicsSettings::default().hoist_line.damping_N_s_per_m,
         );
         /// Mass of travelling block and top drive, which move with the top of the string. Raising
-        /// it slows the top's axial swings; the reported hook load never holds its weight. Where
-        /// `block_weight` of `[rig]` is another one's by more than 5 %, a warning says so.
+        /// it slows the top's axial swings; the reported hook load never includes its weight. A
+        /// difference of more than 5 % from `block_weight` of `[rig]` gives a warning.
         mass: f64 = default(
             Quantity::si(Dimension::Mass, Range::from_to(0.0, 1e6).usual(500.0, 2e5), "25 t"),
             DynamicsSettings::default().hoist_line.block_mass_kg,
@@ -190,7 +190,7 @@ table! {
 }
 
 impl HoistTable {
-    /// One block, weighed twice: its weight for the rig's limits, its mass for its motion.
+    /// Warns where the block's weight, for the rig's limits, contradicts its mass, for its motion.
     pub(crate) fn check_block(&self, rig: &RigTable, reader: &mut Reader) {
         let (Some(weight), Some(mass)) = (rig.block_weight.given(), self.mass.given()) else {
             return;
@@ -208,7 +208,7 @@ impl HoistTable {
         }
     }
 
-    /// A push that the rig does not give.
+    /// Warns of a push that exceeds the rig's.
     pub(crate) fn check_push(&self, rig: &RigTable, reader: &mut Reader) {
         let Some(load) = self.hook_load.given() else { return };
         let push = rig.snubbing_force.given();
@@ -235,13 +235,13 @@ impl HoistTable {
         })
     }
 
-    /// The autodriller, wherever it is in control.
+    /// Returns the settings of the autodriller, for any control.
     pub(crate) fn autodriller(&self, reader: &mut Reader) -> Option<Autodriller> {
         let (min, max) = (self.min_speed.at()?, self.max_speed.optional()?);
         if let Some(max) = max
             && max.value <= min.value
         {
-            return Diagnostic::error("the block's greatest speed is no more than its least")
+            return Diagnostic::error("the block's highest speed is not above its lowest")
                 .at(
                     max.place,
                     format!("expected more than {}", reader.shown(Dimension::TripSpeed, min.value)),
@@ -263,7 +263,7 @@ impl HoistTable {
         self.control.given().map(|control| word_of(Control::WORDS, &control.value))
     }
 
-    /// The control that was chosen, if one was. A schedule may put the autodriller in control
+    /// Returns the control that was chosen, if one was. A schedule may switch to the autodriller
     /// later.
     pub(crate) fn control(
         &self,
@@ -274,7 +274,7 @@ impl HoistTable {
         let control = chosen.map(|at| word_of(Control::WORDS, &at.value));
         let later = schedule.holds_a_weight().then_some(AUTODRILLER);
         for key in self.written() {
-            // The line that carries the string belongs to every control.
+            // The line that carries the string is a part of every control.
             let [word] = key.used_with[..] else { continue };
             if control == Some(word) || later == Some(word) {
                 continue;
@@ -304,8 +304,8 @@ impl HoistTable {
         Some(Some(control))
     }
 
-    /// Whether the lift is to be found before the run, or is none that could be: nothing to tune it
-    /// for, or no constant one.
+    /// Whether the lift is found before the run, and refuses a case in which that is not possible:
+    /// nothing to tune it for, or no constant lift.
     pub(crate) fn tunes_hook_load(
         &self,
         operations: &[Operation],

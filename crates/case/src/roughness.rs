@@ -1,4 +1,4 @@
-//! `[well.roughness]`: what the wall has that neither survey nor caliper shows.
+//! `[well.roughness]`: deviations of the wall that neither survey nor caliper shows.
 
 use std::f64::consts::TAU;
 
@@ -8,29 +8,29 @@ use wholestring::{
 };
 use wholestring_config::prelude::*;
 
-/// Slope beyond which a wall is no roughness, rad: steps follow it to the first order.
+/// Largest slope of a roughness, rad, because steps follow it to first order.
 const STEEPEST: f64 = 0.3;
 
-/// Peaks of the wall that a tool should pass, in root mean squares.
+/// Height of the wall's peaks that a tool should pass, in root mean squares.
 const PEAK: f64 = 3.0;
 
 table! {
     /// Roughness and micro-tortuosity of the wall, random but the same for the same seed. The
-    /// dynamic model meets it; the soft string lies on a smooth wall.
+    /// dynamic model includes it; the soft string assumes a smooth wall.
     RoughnessTable in "[well.roughness]" {
         /// Root mean square of the radius about the nominal one, m unless a unit is given. Raising
-        /// it makes contact forces vary more while the string moves along.
+        /// it increases the variation of contact forces while the string moves along the hole.
         rms: f64 = default(amplitude("1 mm"), 0.0);
         /// Root mean square distance of the hole's axis from the surveyed path, m unless a unit is
         /// given. Raising it bends the string more between its contacts.
         tortuosity: f64 = default(amplitude("5 mm"), 0.0);
-        /// Shortest wavelength along the hole. Waves shorter than two elements are met at the
-        /// nodes, but not followed; shorter waves make a string that moves along slower to compute.
+        /// Shortest wavelength along the hole. Waves shorter than two elements act at the nodes,
+        /// but are not resolved; shorter waves slow the computation of a string that moves axially.
         shortest_wavelength: f64 = default(wavelength("2 m"), 2.0);
-        /// Longest wavelength, at least 1.2 times the shortest. Each octave between holds as much
-        /// of the roughness.
+        /// Longest wavelength, at least 1.2 times the shortest. Each octave between them contains
+        /// the same part of the roughness.
         longest_wavelength: f64 = default(wavelength("30 m"), 30.0);
-        /// Seed: another one makes another wall with the same statistics.
+        /// Seed: another one gives another wall with the same statistics.
         seed: u64 = default(Whole, 1);
     }
 }
@@ -60,7 +60,7 @@ impl RoughnessTable {
         Some(roughness)
     }
 
-    /// Whether it makes any wall rough.
+    /// Whether any wall is rough.
     pub(crate) fn is_rough(&self) -> bool {
         [&self.rms, &self.tortuosity].iter().any(|field| field.get().is_some_and(|rms| *rms > 0.0))
     }
@@ -70,11 +70,11 @@ impl RoughnessTable {
         if roughness.longest_m >= min_m {
             return Some(());
         }
-        let given = self.longest_wavelength.given();
-        let place = given.or(self.shortest_wavelength.given())?.place;
+        let longest = self.longest_wavelength.given();
+        let place = longest.or(self.shortest_wavelength.given())?.place;
         let mut diagnostic = Diagnostic::error("the band of wavelengths is too narrow").at(
             place,
-            match given {
+            match longest {
                 Some(_) => {
                     format!("expected {} or more", reader.at_least(Dimension::Length, min_m))
                 }
@@ -84,7 +84,7 @@ impl RoughnessTable {
                 }
             },
         );
-        if let (Some(_), Some(shortest)) = (given, self.shortest_wavelength.given()) {
+        if let (Some(_), Some(shortest)) = (longest, self.shortest_wavelength.given()) {
             diagnostic = diagnostic.at(shortest.place, "the shortest wavelength");
         }
         reader.report(diagnostic.help("the longest wavelength is at least 1.2 times the shortest"));
@@ -108,18 +108,18 @@ impl RoughnessTable {
     }
 }
 
-/// Waves that are too high for their length.
+/// Refuses waves that are too high for their length.
 fn check_slope(field: &Field<f64>, roughness: &Roughness, reader: &mut Reader) -> Option<()> {
-    let Some(given) = field.given() else {
+    let Some(entry) = field.given() else {
         return Some(());
     };
     let highest_m = STEEPEST * roughness.shortest_m / TAU;
-    if given.value <= highest_m {
+    if entry.value <= highest_m {
         return Some(());
     }
     Diagnostic::error("the waves of the wall are too steep")
         .at(
-            given.place,
+            entry.place,
             format!("expected {} or less", reader.at_most(Dimension::Diameter, highest_m)),
         )
         .help(format!(
@@ -130,7 +130,7 @@ fn check_slope(field: &Field<f64>, roughness: &Roughness, reader: &mut Reader) -
         .refuse(reader)
 }
 
-/// Tools that the wall's peaks close in on.
+/// Warns of tools that the wall's peaks leave without clearance.
 pub(crate) fn check_clearance(
     string: &DrillString,
     hole: &Hole,

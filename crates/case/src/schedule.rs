@@ -10,29 +10,30 @@ use wholestring::{
 use wholestring_config::prelude::*;
 
 table! {
-    /// A line of the plan: what changes, when, and how fast. What it does not name stays as it is.
+    /// A line of the schedule: a change, its time and its ramp. Set points that it does not name
+    /// are unchanged.
     StepTable in "[[operation.schedule]]" {
-        /// When it begins, from time zero of the run (`settle` and `duration` count from there,
-        /// too). Set points of lines at 0 s without a ramp hold from the start: the string is
-        /// initialised as it moves then.
+        /// Time at which it begins, from time zero of the run (`settle` and `duration` are counted
+        /// from there, too). Set points of lines at 0 s without a ramp apply from the start: the
+        /// string is initialised with that motion.
         at: f64 = required(Quantity::si(
             Dimension::Time,
             Range::from_to(0.0, 172_800.0),
             "30 s",
         ));
-        /// Time in which the set points go to their new values, in proportion to it. Raising it
-        /// starts and stops more gently.
+        /// Time in which the set points change to their new values, linearly. Raising it starts and
+        /// stops more gently.
         ramp: f64 = default(ramp_rule(), 0.0);
         /// Rotary speed at surface; a bare number is in rev/min.
         rpm: f64 = optional(rotary_speed_rule());
         /// Speed of the block, positive downwards.
         block_velocity: f64 = optional(block_velocity_rule());
-        /// Weight on bit that the autodriller holds, with the gain, filter and limits of [hoist].
+        /// Weight on bit of the autodriller, with the gain, filter and limits of [hoist].
         wob: f64 = optional(weight_rule());
-        /// What the pumps deliver; the pressure drop of the bit goes with its square. It acts on a
-        /// mud with a rheology.
+        /// Flow rate of the pumps; the pressure drop of the bit changes with its square. It acts on
+        /// a mud with a rheology.
         flow_rate: f64 = optional(flow_rate_rule());
-        /// What the line is called in the table against time.
+        /// Name of the line in the table against time.
         note: String = optional(Text);
     }
 }
@@ -59,9 +60,9 @@ fn flow_rate_rule() -> Quantity {
     Quantity::si(Dimension::FlowRate, range, "2000 L/min")
 }
 
-/// Why a line that is added to the schedule of a run in hand is refused: a set point or a ramp that
-/// a case could not have. The value of the case's own key decides, so that both have the same
-/// limits.
+/// Returns the reason why a line that is added to the schedule of a run in progress is refused: a
+/// set point or a ramp that a case could not have. It is checked by the rule of the case's own key,
+/// so that both have the same limits.
 ///
 /// ```
 /// use wholestring::dynamics::ScheduleStep;
@@ -90,20 +91,20 @@ pub fn refused_set_point(line: &ScheduleStep) -> Option<String> {
     .find_map(|(name, value, rule)| Some(format!("{name} of {}", rule.refusal(value?)?)))
 }
 
-/// What a schedule is checked against.
+/// Inputs that a schedule is checked against.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Around<'a> {
-    /// The operations that it might belong to.
+    /// The operations that it may belong to.
     pub(crate) kinds: &'a [Spanned<OperationKind>],
     /// The models that solve them.
     pub(crate) models: &'a [ModelKind],
     /// The operation's weight on bit, N.
     pub(crate) wob_N: Option<f64>,
-    /// Where the run ends, s.
+    /// End of the run, s.
     pub(crate) end_s: Option<f64>,
 }
 
-/// The plan that the lines make.
+/// Builds the schedule of the lines.
 pub(crate) fn build(
     lines: &Spanned<Vec<Spanned<StepTable>>>,
     around: &Around<'_>,
@@ -132,7 +133,7 @@ pub(crate) fn build(
     if let Some((index, fault)) = schedule.fault() {
         return fault_at(index, fault, &lines.value).refuse(reader);
     }
-    if let Some(at_rest) = around.models.iter().find(|of| !of.in_time()) {
+    if let Some(at_rest) = around.models.iter().find(|model| !model.in_time()) {
         let name = at_rest.method().long_name;
         let message = match ModelKind::any_in_time(around.models) {
             true => format!("the {name} does not follow the schedule"),
@@ -159,13 +160,13 @@ fn step(
     let flow = table.flow_rate.optional()?;
     let note = table.note.optional()?.map(|at| at.value.clone());
     if let (Some(velocity), Some(wob)) = (velocity, wob) {
-        return Diagnostic::error("the hoist cannot hold a weight and a speed at once")
+        return Diagnostic::error("the hoist cannot keep a weight and a speed at the same time")
             .at(wob.place, "the autodriller holds this weight")
             .at(velocity.place, "the block moves at this speed")
             .help("give one of `wob` and `block_velocity`")
             .refuse(reader);
     }
-    // A misspelt key is reported already.
+    // A misspelt key has been reported.
     let empty = [rpm, velocity, wob, flow].iter().all(Option::is_none) && note.is_none();
     if empty && !reader.has_errors() {
         return Diagnostic::error("this line of the schedule changes nothing")
@@ -180,8 +181,8 @@ fn step(
             .at(rpm.place, "expected no rpm, or 0")
             .at(kind.place, "the operation")
             .help(
-                "what turns is \"rotate_off_bottom\", \"drill\", \"ream\" or \"back_ream\"; \
-                       its schedule may begin with rpm = 0",
+                "operations that rotate: \"rotate_off_bottom\", \"drill\", \"ream\" or \
+                 \"back_ream\"; its schedule may begin with rpm = 0",
             )
             .refuse(reader);
     }
@@ -189,11 +190,11 @@ fn step(
         && (!kind.value.on_bottom() || around.wob_N == Some(0.0))
     {
         return Diagnostic::error(format!("`{}` has no weight on its bit", kind.value.name()))
-            .at(wob.place, "the autodriller would have nothing to hold")
+            .at(wob.place, "the autodriller would have no weight to hold")
             .at(kind.place, "the operation")
             .help(
-                "what stands on bottom is \"drill\" or \"slide\", with a `wob` of its own; \
-                       its schedule may begin with a block_velocity",
+                "operations on bottom: \"drill\" or \"slide\", with a `wob` of its own; its \
+                 schedule may begin with a block_velocity",
             )
             .refuse(reader);
     }
@@ -233,7 +234,7 @@ fn fault_at(index: usize, fault: ScheduleFault, lines: &[Spanned<StepTable>]) ->
     }
 }
 
-/// Whether a line sets what a fault speaks of.
+/// Whether a line sets the set point of a fault.
 fn names(line: &StepTable, what: &str) -> bool {
     match what {
         "rpm" => line.rpm.given().is_some(),

@@ -11,8 +11,8 @@ use crate::case_table::CaseTable;
 /// JSON schema (draft 2020-12) of the case file: every key with its meaning, units, range and
 /// default.
 ///
-/// It is made of the declarations that read the file, so that the two cannot disagree. What no
-/// schema can say (relations between keys, what stands in the survey) is checked by
+/// It is generated from the declarations that read the file, so that the two cannot disagree. Rules
+/// that a schema cannot express (relations between keys, the content of the survey) are checked by
 /// [`crate::parse`].
 pub fn schema() -> Json {
     let mut schema = TABLES.clone();

@@ -10,35 +10,35 @@ use wholestring_units::Unit;
 
 use crate::beside::{read_beside, unfit};
 
-/// No hole bends more sharply than this, rad/m: 10 deg/m is a radius of 5.7 m.
+/// Sharpest turn of a hole, rad/m: 10 deg/m is a radius of 5.7 m.
 const SHARPEST_RAD_PER_M: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
-/// Doubtful turns that are pointed out one by one.
+/// Number of doubtful turns that are reported one by one.
 const MAX_DOUBTS: usize = 5;
 
-/// A survey and where its stations stand.
+/// A survey and the places of its stations.
 #[derive(Debug)]
 pub(crate) struct Stations {
     pub(crate) list: Vec<Station>,
-    /// One for each station, if they stand in the case.
+    /// One for each station, if the case contains them.
     places: Vec<Span>,
     /// The survey as a whole.
     whole: Span,
-    /// Position of the first station, if the survey's file says it.
+    /// Position of the first station, if the survey's file gives it.
     pub(crate) tie_in: Option<TieIn>,
-    /// How the file was understood.
+    /// Interpretation of the file.
     pub(crate) notes: Vec<String>,
-    /// The file, and which of the reader's texts it is, once a place in it was named.
+    /// The file, and its index among the reader's texts, once a place in it was named.
     file: Option<(ImportedSurvey, String, Option<usize>)>,
 }
 
 impl Stations {
-    /// The first station in the case, or the key that names the file.
+    /// Returns the place of the first station in the case, or of the key that names the file.
     pub(crate) fn first_place(&self) -> Span {
         self.places.first().copied().unwrap_or(self.whole)
     }
 
-    /// Points at a station: in the case, or in the file of the survey.
+    /// Returns the place of a station: in the case, or in the file of the survey.
     pub(crate) fn point(
         &mut self,
         diagnostic: Diagnostic,
@@ -68,7 +68,8 @@ impl Stations {
         }
     }
 
-    /// Warns of turns that pipe of this outside diameter, m, does not endure, and of stations that are probably slips.
+    /// Warns of turns that exceed the endurance of pipe of this outside diameter, m, and of
+    /// stations that are probably slips.
     pub(crate) fn check_turns(&mut self, endured_rad_per_m: f64, reader: &mut Reader) {
         let doubts = station_doubts(&self.list, endured_rad_per_m, reader.units());
         let more = doubts.len().saturating_sub(MAX_DOUBTS);
@@ -83,7 +84,7 @@ impl Stations {
         }
     }
 
-    /// Holds the positions that the file has against those of the path through its stations.
+    /// Compares the positions that the file has with those of the path through its stations.
     pub(crate) fn check_positions(&mut self, path: &Path, reader: &mut Reader) {
         let Some((survey, ..)) = &self.file else { return };
         let set = reader.units();
@@ -111,7 +112,7 @@ impl Stations {
         }
     }
 
-    /// What no survey has, although the engine could compute with it.
+    /// Checks for values that no survey has, although the engine could compute with them.
     pub(crate) fn check(&mut self, reader: &mut Reader) -> Option<()> {
         for (index, station) in self.list.clone().iter().enumerate() {
             if !(-1000.0..=20_000.0).contains(&station.md_m) {
@@ -129,7 +130,7 @@ impl Stations {
             let [above, below] = pair else { continue };
             let length_m = below.md_m - above.md_m;
             let turn_rad = angle_between(above, below);
-            // A step too small or backwards is the path's to report.
+            // The path reports a step that is too small or backwards.
             if length_m > 1e-3 && turn_rad / length_m > SHARPEST_RAD_PER_M {
                 let diagnostic = Diagnostic::error(format!(
                     "the hole bends by {} deg within {} below {}",
@@ -169,7 +170,7 @@ impl Rule for LengthUnit {
         };
         let unit = Dimension::Length.find_unit(text);
         if unit.is_none() {
-            let message = format!("`{}` is no unit of length", short(text));
+            let message = format!("`{}` is not a unit of length", short(text));
             reader
                 .report(Diagnostic::error(message).at(node.place, format!("expected {expected}")));
         }
@@ -189,7 +190,7 @@ impl Rule for LengthUnit {
     }
 }
 
-/// One station in the case: `[md, inc, azi]`.
+/// A station in the case: `[md, inc, azi]`.
 pub(crate) struct StationRule;
 
 impl StationRule {
@@ -243,7 +244,7 @@ impl Rule for StationRule {
     }
 }
 
-/// The stations that stand in the case.
+/// Returns the stations in the case.
 pub(crate) fn from_case(listed: &Spanned<Vec<Spanned<[f64; 3]>>>) -> Stations {
     let list = listed.value.iter().map(|at| {
         let [md_m, inclination_rad, azimuth_rad] = at.value;
@@ -259,15 +260,15 @@ pub(crate) fn from_case(listed: &Spanned<Vec<Spanned<[f64; 3]>>>) -> Stations {
     }
 }
 
-/// The stations of a file beside the case.
+/// Reads the stations of a file that the case names.
 pub(crate) fn from_file(
     file: &Spanned<String>,
-    said: &Said,
+    hints: &Said,
     files: &dyn Files,
     reader: &mut Reader,
 ) -> Option<Stations> {
     let bytes = read_beside(file, "survey", files, reader)?;
-    match read_as(&bytes, &file.value, said) {
+    match read_as(&bytes, &file.value, hints) {
         Ok(mut imported) => Some(Stations {
             list: imported.stations.clone(),
             places: Vec::new(),

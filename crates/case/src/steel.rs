@@ -15,11 +15,11 @@ pub(crate) fn modulus(example: &'static str) -> Quantity {
     Quantity::si(Dimension::Pressure, Range::from_to(1e9, 1e12).usual(1e10, 3e11), example)
 }
 
-/// Density of the string's metal where the case does not say, kg/m³.
+/// Default density of the string's metal, kg/m³.
 pub const STEEL_DENSITY_KG_PER_M3: f64 = Material::STEEL.density_kg_per_m3;
 
 table! {
-    /// The metal of the string, wherever a component does not say otherwise.
+    /// The metal of the string, for components that do not give their own.
     SteelTable in "[steel]" {
         /// Density.
         density: f64 = default(density(), STEEL_DENSITY_KG_PER_M3);
@@ -37,15 +37,15 @@ impl SteelTable {
             youngs_modulus_Pa: *self.youngs_modulus.get()?,
             shear_modulus_Pa: *self.shear_modulus.get()?,
         };
-        let given = self.shear_modulus.given().or(self.youngs_modulus.given());
-        if let Some(given) = given {
-            check_moduli(&material, given.place, reader);
+        let entry = self.shear_modulus.given().or(self.youngs_modulus.given());
+        if let Some(entry) = entry {
+            check_moduli(&material, entry.place, reader);
         }
         Some(material)
     }
 }
 
-/// Moduli may be inconsistent, but then probably one of the two was forgotten.
+/// Warns of moduli that are inconsistent, because then one of the two was probably forgotten.
 pub(crate) fn check_moduli(material: &Material, place: Span, reader: &mut Reader) {
     let poisson = material.youngs_modulus_Pa / (2.0 * material.shear_modulus_Pa) - 1.0;
     if !(0.0..=0.5).contains(&poisson) {

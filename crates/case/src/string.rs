@@ -24,35 +24,35 @@ impl ComponentTable {
             None => self.of_diameters(is_bit, place, material, reader)?,
         };
         component.yield_strength_Pa = match self.yield_strength.optional()? {
-            Some(given) => Some(given.value),
+            Some(item) => Some(item.value),
             None => component.yield_strength_Pa,
         };
-        if let Some(given) = self.make_up_torque.optional()? {
+        if let Some(item) = self.make_up_torque.optional()? {
             let yields_N_m = component.connection.torsional_yield_N_m;
-            if yields_N_m.is_some_and(|yields_N_m| given.value > yields_N_m) {
+            if yields_N_m.is_some_and(|yields_N_m| item.value > yields_N_m) {
                 let yields = reader.at_most(Dimension::Torque, yields_N_m.unwrap_or_default());
                 return Diagnostic::error("the connection yields before it is made up")
-                    .at(given.place, format!("expected less than {yields}"))
+                    .at(item.place, format!("expected less than {yields}"))
                     .refuse(reader);
             }
-            component.connection.make_up_torque_N_m = Some(given.value);
+            component.connection.make_up_torque_N_m = Some(item.value);
         }
         self.joints(&mut component, reader)?;
         self.blades(&mut component, reader)?;
         self.body(&mut component, reader)?;
-        if let Some(given) = self.mass_per_length.optional()? {
-            self.check_nominal(&component, given, own, reader);
-            component.mass_per_length_kg_per_m = given.value;
-            check_mass(&component, given.place, reader)?;
+        if let Some(item) = self.mass_per_length.optional()? {
+            self.check_nominal(&component, item, own, reader);
+            component.mass_per_length_kg_per_m = item.value;
+            check_mass(&component, item.place, reader)?;
         }
         Some(component)
     }
 
-    /// Warns of the nominal weight of drill pipe, which leaves tool joints out.
+    /// Warns of the nominal weight of drill pipe, which does not include tool joints.
     fn check_nominal(
         &self,
         component: &ComponentSpec,
-        given: &Spanned<f64>,
+        item: &Spanned<f64>,
         own: &OwnCatalogue,
         reader: &mut Reader,
     ) {
@@ -62,7 +62,7 @@ impl ComponentTable {
             return;
         }
         let (od_m, id_m) = (component.od_m, component.id_m);
-        let Some(pipe) = nominal_pipe(entry.as_ref(), od_m, id_m, given.value) else { return };
+        let Some(pipe) = nominal_pipe(entry.as_ref(), od_m, id_m, item.value) else { return };
         let unit = match reader.units() {
             UnitSet::Si => Dimension::MassPerLength.find_unit("lb/ft"),
             set => Some(Dimension::MassPerLength.unit_in(set)),
@@ -72,10 +72,10 @@ impl ComponentTable {
         let weight = pipe.mass_per_length_kg_per_m(component.material.density_kg_per_m3);
         let mut diagnostic = Diagnostic::warning(format!(
             "{} is the nominal weight of `{}`, without its tool joints",
-            shown(given.value),
+            shown(item.value),
             pipe.designation
         ))
-        .at(given.place, format!("with tool joints it weighs {}", shown(weight)));
+        .at(item.place, format!("with tool joints it weighs {}", shown(weight)));
         if let Some(designation) = designation {
             diagnostic = diagnostic.at(designation.place, "the catalogue's entry");
         }
@@ -98,8 +98,8 @@ impl ComponentTable {
             youngs_modulus_Pa: youngs_modulus.map_or(steel.youngs_modulus_Pa, |at| at.value),
             shear_modulus_Pa: shear_modulus.map_or(steel.shear_modulus_Pa, |at| at.value),
         };
-        if let Some(given) = shear_modulus.or(youngs_modulus) {
-            check_moduli(&material, given.place, reader);
+        if let Some(item) = shear_modulus.or(youngs_modulus) {
+            check_moduli(&material, item.place, reader);
         }
         Some(material)
     }
@@ -112,11 +112,11 @@ impl ComponentTable {
         reader: &mut Reader,
     ) -> Option<ComponentSpec> {
         for (field, name) in [(&self.od, "od"), (&self.id, "id")] {
-            if let Some(given) = field.given() {
-                return Diagnostic::error(format!("`{name}` is given beside `catalogue`"))
-                    .at(given.place, "the catalogue gives it")
+            if let Some(item) = field.given() {
+                return Diagnostic::error(format!("`{name}` is given together with `catalogue`"))
+                    .at(item.place, "the catalogue gives it")
                     .at(designation.place, "the catalogue's entry")
-                    .help("leave one of the two out")
+                    .help("remove one of the two")
                     .refuse(reader);
             }
         }
@@ -191,7 +191,8 @@ impl ComponentTable {
     }
 }
 
-/// A pipe is not heavier than a solid bar as thick as its joints, nor lighter than its own body.
+/// Warns of a pipe that is heavier than a solid bar of the diameter of its joints, or lighter than
+/// its own body.
 fn check_mass(component: &ComponentSpec, place: Span, reader: &mut Reader) -> Option<()> {
     let od_m = component.joints.map_or(component.od_m, |joints| joints.od_m);
     let solid = component.material.density_kg_per_m3 * std::f64::consts::FRAC_PI_4 * od_m.powi(2);

@@ -1,4 +1,4 @@
-//! A case file that is read once and makes many cases.
+//! A case file that is read once for many cases.
 
 use std::{
     collections::BTreeMap,
@@ -29,8 +29,8 @@ pub fn load(path: &Path, changes: &[Override]) -> Result<Case, Report> {
     Template::read(path)?.case(changes)
 }
 
-/// A case file and the files that it names, read once: what becomes of them on the disk while a
-/// sweep runs does not change its later cases.
+/// A case file and the files that it names, read once, so that changes on the disk during a sweep
+/// do not affect its later cases.
 #[derive(Debug)]
 pub struct Template {
     name: String,
@@ -42,44 +42,44 @@ impl Template {
     /// Reads the case file at `path`.
     ///
     /// # Errors
-    /// A report that says why it cannot be read.
+    /// A report of the reason why it cannot be read.
     pub fn read(path: &Path) -> Result<Self, Report> {
         let (name, text) = read_file(path, "case")?;
         let files = Remembered { disk: Some(Box::new(Disk::beside(path))), read: Mutex::default() };
         Ok(Self { name, text, files })
     }
 
-    /// Reads the case that comes through a pipe; the files that it names are sought from the folder
-    /// that the program was begun in.
+    /// Reads a case from a pipe; the files that it names are looked up relative to the working
+    /// directory of the program.
     ///
     /// # Errors
-    /// A report that says why it cannot be read.
+    /// A report of the reason why it cannot be read.
     pub fn read_pipe(path: &Path) -> Result<Self, Report> {
         let (name, text) = read_pipe(path, "case")?;
         let files = Remembered { disk: Some(Box::new(Disk::new(""))), read: Mutex::default() };
         Ok(Self { name, text, files })
     }
 
-    /// The text, as it was read.
+    /// Returns the text as read.
     pub fn bytes(&self) -> &[u8] {
         &self.text
     }
 
-    /// A case from its text and the files that it names, each by the name that it has there;
-    /// `name` is what diagnostics call it. Nothing is read from the disk.
+    /// Returns a case from its text and the files that it names, each by its name in the text;
+    /// `name` is the name in diagnostics. Nothing is read from the disk.
     pub fn in_memory(name: &str, text: &str, files: BTreeMap<String, Vec<u8>>) -> Self {
         let files = Remembered { disk: None, read: Mutex::new(files) };
         Self { name: name.to_owned(), text: text.as_bytes().to_owned(), files }
     }
 
-    /// A case from its text; the files that it names are read when they are first asked for, and
-    /// then kept. `name` is what diagnostics call it.
+    /// Returns a case from its text; the files that it names are read on first use, and then
+    /// cached. `name` is the name in diagnostics.
     pub fn with_files(name: &str, text: &str, files: impl Files + Send + Sync + 'static) -> Self {
         let files = Remembered { disk: Some(Box::new(files)), read: Mutex::default() };
         Self { name: name.to_owned(), text: text.as_bytes().to_owned(), files }
     }
 
-    /// The case with these changes.
+    /// Returns the case with these changes.
     ///
     /// # Errors
     /// A report of every mistake that was found, if there is one.
@@ -87,7 +87,7 @@ impl Template {
         parse(&self.name, &self.text, &self.files, changes)
     }
 
-    /// The case with these changes and a value of each uncertain input of its plan.
+    /// Returns the case with these changes and a value of each uncertain input of its plan.
     ///
     /// # Errors
     /// A report of every mistake that was found, if there is one.
@@ -101,20 +101,20 @@ impl Template {
         parse_changed(&self.name, &self.text, &self.files, changes, change)
     }
 
-    /// The text of the case with these changes: see [`edited`].
+    /// Returns the text of the case with these changes: see [`edited`].
     ///
     /// # Errors
-    /// A text that is no TOML, and a change of a key that cannot be.
+    /// A text that is not TOML, and a change of a key that is not possible.
     pub fn text(&self, changes: &[Override]) -> Result<String, Report> {
         edited(&self.name, &String::from_utf8_lossy(&self.text), changes)
     }
 
-    /// What diagnostics call it.
+    /// Returns its name in diagnostics.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The files that cases were made of until now, each by the name that the case has for it.
+    /// Returns the files that have been used in cases so far, each by its name in the case.
     pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
         self.files.held().clone()
     }
@@ -122,7 +122,7 @@ impl Template {
 
 /// Files that are read when they are first requested.
 struct Remembered {
-    /// Nothing where all that there is was given.
+    /// `None` where all files were given.
     disk: Option<Box<dyn Files + Send + Sync>>,
     read: Mutex<BTreeMap<String, Vec<u8>>>,
 }
@@ -135,7 +135,7 @@ impl fmt::Debug for Remembered {
 
 impl Remembered {
     fn held(&self) -> MutexGuard<'_, BTreeMap<String, Vec<u8>>> {
-        // A thread that panicked with it left whole files all the same.
+        // A thread that panicked while it held the lock left only whole files.
         self.read.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -23,17 +23,17 @@ const PI: &str = "pi";
 const SOFT_TORQUE: &str = "soft-torque";
 const Z_TORQUE: &str = "z-torque";
 
-/// Impedance over the pipe's where the case does not say: SoftTorque sends 0.6 of a wave of its
-/// frequency back and keeps its speed; Z-Torque fits the pipe.
+/// Default impedance over the pipe's: SoftTorque reflects 0.6 of a wave of its frequency and keeps
+/// its speed; Z-Torque matches the pipe.
 const SOFT_RATIO: f64 = 4.0;
 const MATCHED_RATIO: f64 = 1.0;
 
-/// Gains where the case does not say, N·m·s and N·m: a stiff drive.
+/// Default gains, N·m·s and N·m: a stiff drive.
 const PROPORTIONAL_N_M_S: f64 = 38e3;
 const INTEGRAL_N_M: f64 = 100e3;
 
-/// The controllers that a drive with inertia can have, by the words of a case, with the numbers
-/// that they have where it gives none.
+/// Returns the controllers of a drive with inertia, by the words of a case, with their default
+/// numbers.
 pub fn usual_speed_controllers() -> [(&'static str, SpeedController); 3] {
     let (proportional_N_m_s, integral_N_m) = (PROPORTIONAL_N_M_S, INTEGRAL_N_M);
     [
@@ -55,48 +55,49 @@ pub fn usual_speed_controllers() -> [(&'static str, SpeedController); 3] {
 }
 
 table! {
-    /// What turns the top of the string in the dynamic model.
+    /// Rotation of the top of the string in the dynamic model.
     TopDriveTable in "[top_drive]" {
-        /// "constant" (the speed is its set point, whatever torque that takes), "pi" (a drive with
-        /// inertia under a stiff speed control), "soft-torque" (one tuned to take the energy of one
-        /// torsional frequency) or "z-torque" (one that shows the pipe's impedance over a band).
+        /// "constant" (the speed equals its set point, whatever torque that requires), "pi" (a
+        /// drive with inertia under a stiff speed control), "soft-torque" (one tuned to absorb the
+        /// energy of one torsional frequency) or "z-torque" (one with the pipe's impedance over a
+        /// band).
         control: Control = default(
             Choice { noun: "a control of the top drive", words: WORDS },
             Control::Constant,
         );
-        /// Moment of inertia of what turns with the string at its speed: motors, gear and quill.
-        /// Raising it makes the drive stiffer to fast waves. Used by every control but "constant".
+        /// Moment of inertia of the parts that turn with the string at its speed: motors, gear and
+        /// quill. Raising it makes the drive stiffer to fast waves. Used by every control but
+        /// "constant".
         inertia: f64 = default(
             Quantity::si(Dimension::MomentOfInertia, Range::positive_to(1e6).usual(50.0, 1e5), "2900 kg.m2"),
             2900.0,
         ).used_with(&[PI, SOFT_TORQUE, Z_TORQUE]);
-        /// Torque per speed that is missing. Raising it stiffens the drive. Used by "pi" and
-        /// "z-torque".
+        /// Torque per speed deviation. Raising it stiffens the drive. Used by "pi" and "z-torque".
         proportional: f64 = default(
             Quantity::si(Dimension::RotaryDamping, Range::positive_to(1e9).usual(10.0, 1e7), "38 kN.m.s"),
             PROPORTIONAL_N_M_S,
         ).used_with(&[PI, Z_TORQUE]);
-        /// Torque per radian that is missing. Raising it brings the mean speed back sooner. Used by
-        /// "pi" and "z-torque".
+        /// Torque per radian of deviation. Raising it restores the mean speed sooner. Used by "pi"
+        /// and "z-torque".
         integral: f64 = default(
             Quantity::si(Dimension::Torque, Range::from_to(0.0, 1e9).usual(10.0, 1e7), "100 kN.m"),
             INTEGRAL_N_M,
         ).used_with(&[PI, Z_TORQUE]);
-        /// Impedance that the drive shows over that of the uppermost pipe: at 1 it takes all of a
-        /// wave, above it sends more of it back and keeps its speed better. Default: 4 with
+        /// Impedance of the drive over that of the uppermost pipe: at 1 it absorbs all of a wave,
+        /// above 1 it reflects more of it and keeps its speed better. Default: 4 with
         /// "soft-torque", 1 with "z-torque".
         impedance_ratio: f64 = optional(Number { unit: "", range: Range::from_to(0.01, 1000.0) })
             .used_with(&[SOFT_TORQUE, Z_TORQUE]);
         /// "soft-torque": the frequency that it is tuned to. Default: the lowest torsional
-        /// frequency of the string, held at the top and free at the bit. "z-torque": the lower edge
-        /// of its band. Default: a fifth of that frequency.
+        /// frequency of the string, fixed at the top and free at the bit. "z-torque": the lower
+        /// edge of its band. Default: a fifth of that frequency.
         frequency: f64 = optional(Quantity::si(
             Dimension::Frequency,
             Range::from_to(1e-3, 100.0).usual(0.01, 5.0),
             "0.2 Hz",
         )).used_with(&[SOFT_TORQUE, Z_TORQUE]);
-        /// Largest torque that the drive gives: it stalls where the string takes more. Default:
-        /// none. Used by every control but "constant".
+        /// Largest torque of the drive: it stalls where the string needs more. Default: none. Used
+        /// by every control but "constant".
         torque_limit: f64 = optional(Quantity::si(
             Dimension::Torque,
             Range::positive_to(1e7).usual(1e3, 2e5),

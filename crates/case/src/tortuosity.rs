@@ -1,4 +1,4 @@
-//! `[well.tortuosity]`: what a planned path will be drilled as.
+//! `[well.tortuosity]`: deviations of the drilled path from the planned one.
 
 use std::f64::consts::{PI, TAU};
 
@@ -18,23 +18,24 @@ const KINDS: &[(&str, TortuosityKind)] = &[
     ("helical", TortuosityKind::Helical),
 ];
 
-/// No hole bends more sharply than this, rad/m.
+/// Sharpest turn of a hole, rad/m.
 const SHARPEST_RAD_PER_M: f64 = 10.0 * DEGREE;
 
-/// More stations than this make no sense of a plan.
+/// Maximum number of stations of a plan.
 const MOST_STATIONS: f64 = 50_000.0;
 
-/// Stations nearer than this part of a period to each other have measured its waves.
+/// Distance of stations, as a part of a period, below which a survey has measured its waves.
 const MEASURED: f64 = 0.5;
 
 table! {
-    /// Tortuosity of a planned path: its smooth curve is turned by small angles, as planners do it,
-    /// so that a plan has the doglegs that drilling adds. All models follow it. Not for a survey
-    /// with close stations, which has them already.
+    /// Tortuosity of a planned path: small angles are added to its smooth curve, as in planning
+    /// practice, so that a plan has the doglegs that drilling adds. All models follow it. Not for a
+    /// survey with close stations, which already includes them.
     TortuosityTable in "[well.tortuosity]" {
-        /// Its form: "random" (inclination at each course length), "sinusoidal" (a sine of measured
-        /// depth) or "helical" (a helix about the plan). In the first two an angle in inclination
-        /// goes with half of it across the hole, an azimuth that depends on the inclination.
+        /// Form: "random" (inclination at each course length), "sinusoidal" (a sine of measured
+        /// depth) or "helical" (a helix about the plan). In the first two forms an angle in
+        /// inclination is combined with half of it across the hole, an azimuth that depends on the
+        /// inclination.
         kind: TortuosityKind = default(
             Choice { noun: "a form of tortuosity", words: KINDS },
             TortuosityKind::Random,
@@ -50,7 +51,7 @@ table! {
             .bare("deg", DEGREE),
             0.0,
         );
-        /// Length of a wave, or the course length after which the next random angle is taken.
+        /// Length of a wave, or the course length after which the next random angle is drawn.
         /// Raising it lowers doglegs, torque and drag in proportion.
         period: f64 = default(
             Quantity::si(Dimension::Length, Range::from_to(1.0, 10_000.0).usual(9.0, 1000.0), "100 m"),
@@ -60,7 +61,7 @@ table! {
         from: f64 = optional(depth());
         /// Measured depth where it ends. Default: the last station.
         to: f64 = optional(depth());
-        /// Seed of the random angles: another one makes another path with the same statistics.
+        /// Seed of the random angles: another one gives another path with the same statistics.
         seed: u64 = default(Whole, 1);
     }
 }
@@ -70,7 +71,7 @@ fn depth() -> Quantity {
 }
 
 impl TortuosityTable {
-    /// The path with its tortuosity, and a sentence on what that adds.
+    /// Returns the path with its tortuosity, and a sentence on its effect.
     pub(crate) fn wind(
         &self,
         place: Span,
@@ -79,12 +80,12 @@ impl TortuosityTable {
         units: UnitSet,
         reader: &mut Reader,
     ) -> Option<Path> {
-        let of = self.build(&plan, place, reader)?;
-        self.warn(&of, stations, reader);
-        if of.amplitude_rad == 0.0 {
+        let tortuosity = self.build(&plan, place, reader)?;
+        self.warn(&tortuosity, stations, reader);
+        if tortuosity.amplitude_rad == 0.0 {
             return Some(plan);
         }
-        let wound = match plan.with_tortuosity(&of) {
+        let wound = match plan.with_tortuosity(&tortuosity) {
             Ok(wound) => wound,
             Err(error) => {
                 return Diagnostic::error("no path has this tortuosity")
@@ -111,7 +112,7 @@ impl TortuosityTable {
         for ((field, default), md_m) in ends.into_iter().zip(&mut md_m) {
             *md_m = field.optional()?.map_or(default, |at| at.value);
         }
-        let of = Tortuosity {
+        let tortuosity = Tortuosity {
             kind: *self.kind.get()?,
             amplitude_rad: *self.amplitude.get()?,
             period_m: *self.period.get()?,
@@ -121,12 +122,12 @@ impl TortuosityTable {
         let [from_m, to_m] = md_m;
         let (first_m, last_m) = (plan.first_md_m(), plan.last_md_m());
         for field in [&self.from, &self.to] {
-            if let Some(given) = field.given()
-                && !(first_m..=last_m).contains(&given.value)
+            if let Some(entry) = field.given()
+                && !(first_m..=last_m).contains(&entry.value)
             {
-                return Diagnostic::error("the tortuosity leaves the survey")
+                return Diagnostic::error("the tortuosity extends beyond the survey")
                     .at(
-                        given.place,
+                        entry.place,
                         format!(
                             "expected {} to {}",
                             reader.shown(Dimension::Length, first_m),
@@ -150,26 +151,26 @@ impl TortuosityTable {
                 .refuse(reader);
         }
         let amplitude = self.amplitude.place().unwrap_or(place);
-        let sharpest_rad_per_m = TAU * of.amplitude_rad / of.period_m;
+        let sharpest_rad_per_m = TAU * tortuosity.amplitude_rad / tortuosity.period_m;
         if sharpest_rad_per_m > SHARPEST_RAD_PER_M {
-            let most_deg = SHARPEST_RAD_PER_M * of.period_m / TAU / DEGREE;
+            let most_deg = SHARPEST_RAD_PER_M * tortuosity.period_m / TAU / DEGREE;
             return Diagnostic::error("the hole would bend by more than 10 deg per metre")
                 .at(amplitude, format!("expected at most {most_deg:.2} deg"))
                 .help("raise the period or lower the amplitude")
                 .refuse(reader);
         }
-        let count = (to_m - from_m) / of.spacing_m();
-        if of.amplitude_rad > 0.0 && count > MOST_STATIONS {
+        let count = (to_m - from_m) / tortuosity.spacing_m();
+        if tortuosity.amplitude_rad > 0.0 && count > MOST_STATIONS {
             return Diagnostic::error(format!("the tortuosity needs {count:.0} stations"))
                 .at(self.period.place().unwrap_or(place), "expected at most 50000")
                 .help("raise the period")
                 .refuse(reader);
         }
-        Some(of)
+        Some(tortuosity)
     }
 
-    fn warn(&self, of: &Tortuosity, stations: &Stations, reader: &mut Reader) {
-        if of.amplitude_rad == 0.0 {
+    fn warn(&self, tortuosity: &Tortuosity, stations: &Stations, reader: &mut Reader) {
+        if tortuosity.amplitude_rad == 0.0 {
             let others = [
                 self.kind.place(),
                 self.period.given().map(|at| at.place),
@@ -182,12 +183,13 @@ impl TortuosityTable {
             }
             return;
         }
-        if let (Some(seed), false) = (self.seed.given(), of.kind == TortuosityKind::Random) {
+        if let (Some(seed), false) = (self.seed.given(), tortuosity.kind == TortuosityKind::Random)
+        {
             Diagnostic::idle("seed", seed.place, "used with kind = \"random\"")
                 .chosen("the form", self.kind.place(), "random")
                 .report(reader);
         }
-        let within = |md_m: f64| (of.md_m[0]..=of.md_m[1]).contains(&md_m);
+        let within = |md_m: f64| (tortuosity.md_m[0]..=tortuosity.md_m[1]).contains(&md_m);
         let depths = stations.list.iter().map(|station| station.md_m);
         let depths: Vec<f64> = depths.filter(|md_m| within(*md_m)).collect();
         let mut spacings: Vec<f64> = depths.windows(2).map(|pair| pair[1] - pair[0]).collect();
@@ -195,7 +197,7 @@ impl TortuosityTable {
         let Some(median_m) = spacings.get(spacings.len() / 2).filter(|_| spacings.len() > 2) else {
             return;
         };
-        if *median_m <= MEASURED * of.period_m {
+        if *median_m <= MEASURED * tortuosity.period_m {
             let every = reader.shown(Dimension::Length, *median_m);
             Diagnostic::warning("a survey has its tortuosity already")
                 .at(
@@ -207,7 +209,7 @@ impl TortuosityTable {
         }
     }
 
-    /// The record of it.
+    /// Returns its record.
     pub(crate) fn settings(&self) -> Option<Json> {
         let word = KINDS.iter().find(|(_, kind)| Some(kind) == self.kind.get());
         let end = |field: &Field<f64>| field.given().map(|at| at.value);

@@ -1,4 +1,4 @@
-//! The rules of keys that `[[string]]` and the `[[tubular]]` of a catalogue have in common.
+//! The rules of keys that are common to `[[string]]` and the `[[tubular]]` of a catalogue.
 
 use wholestring_config::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Numbers of a case that are not known exactly, and the samples that are drawn of them.
+//! Uncertain numbers of a case, and the samples that are drawn of them.
 
 use serde::{Serialize, Serializer};
 use wholestring_config::{
@@ -12,12 +12,12 @@ use wholestring_plan::{
 
 use crate::overrides::put;
 
-/// What is not known exactly, and how often it is drawn.
+/// Uncertain inputs and their sampling.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Uncertain {
     /// The numbers, each independent of the others.
     pub inputs: Vec<UncertainInput>,
-    /// How many samples are drawn.
+    /// Number of samples.
     pub samples: usize,
     /// Seed of the draw.
     pub seed: u64,
@@ -25,45 +25,45 @@ pub struct Uncertain {
     pub model: Statics,
 }
 
-/// A number of the case that is not known exactly.
+/// An uncertain number of the case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct UncertainInput {
     /// Dotted or short key of the case.
     pub key: String,
-    /// How it is distributed, in `unit`; of a choice, the numbers of its values.
+    /// Its distribution, in `unit`; of a choice, the distribution of the indices of its values.
     #[serde(serialize_with = "as_text")]
     pub distribution: Distribution,
-    /// Its unit as written; empty of a bare number.
+    /// Its unit as written; empty for a bare number.
     pub unit: String,
-    /// Whether a blank stands before the unit.
+    /// Whether a blank precedes the unit.
     #[serde(skip)]
     pub(crate) apart: bool,
-    /// Of a choice, its values as a case has them.
+    /// The values of a choice, in the form of the case.
     pub values: Vec<String>,
-    /// Where key and distribution stand.
+    /// Places of key and distribution.
     #[serde(skip)]
     pub(crate) key_place: Span,
     #[serde(skip)]
     pub(crate) place: Span,
 }
 
-/// Its ends may be infinite, of which JSON has no number.
-fn as_text<S: Serializer>(of: &Distribution, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(&format_args!("{of:?}"))
+/// Serialises a distribution as text, because JSON has no infinite numbers for its ends.
+fn as_text<S: Serializer>(distribution: &Distribution, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(&format_args!("{distribution:?}"))
 }
 
 impl Uncertain {
-    /// A row for each sample, with a value of each input.
+    /// Returns a row for each sample, with a value of each input.
     pub fn points(&self) -> Vec<Vec<f64>> {
         latin_hypercube(&self.distributions(), self.samples, self.seed)
     }
 
-    /// How each input is distributed.
+    /// Returns the distribution of each input.
     pub fn distributions(&self) -> Vec<Distribution> {
-        self.inputs.iter().map(|of| of.distribution).collect()
+        self.inputs.iter().map(|input| input.distribution).collect()
     }
 
-    /// Puts a value of each input into the tree of a case, which is certain then.
+    /// Sets a value of each input in the tree of a case, which is then certain.
     pub(crate) fn put(&self, point: &[f64], root: &mut Entries, reader: &mut Reader) {
         make_certain(root);
         for (input, value) in self.inputs.iter().zip(point) {
@@ -72,7 +72,7 @@ impl Uncertain {
     }
 }
 
-/// Takes out what a case says of its uncertain numbers.
+/// Removes the uncertain numbers from the tree of a case.
 pub(crate) fn make_certain(root: &mut Entries) {
     if let Some(Node { value: Value::Table(plan), .. }) = root.get_mut("plan") {
         plan.0.retain(|(Key { name, .. }, _)| name != "uncertain");
@@ -80,7 +80,7 @@ pub(crate) fn make_certain(root: &mut Entries) {
 }
 
 impl UncertainInput {
-    /// A value as a case has it: `0.3`, `1.2 sg`, one of a choice.
+    /// Returns a value in the form of the case: `0.3`, `1.2 sg`, one of a choice.
     pub fn written(&self, value: f64) -> String {
         if !self.values.is_empty() {
             return self.values.get(value as usize).cloned().unwrap_or_default();
@@ -89,7 +89,7 @@ impl UncertainInput {
         format!("{value}{blank}{}", self.unit)
     }
 
-    /// The same in six digits, for people.
+    /// Returns the same in six digits, for display.
     pub(crate) fn rounded(&self, value: f64) -> String {
         match self.values.is_empty() {
             true => self.written(format!("{value:.5e}").parse().unwrap_or(value)),
@@ -97,7 +97,7 @@ impl UncertainInput {
         }
     }
 
-    /// A value as a table has it: of a choice among numbers the number itself.
+    /// Returns a value in the form of a table: of a choice among numbers the number itself.
     pub fn number(&self, value: f64) -> f64 {
         match self.values.is_empty() {
             true => value,
@@ -105,7 +105,7 @@ impl UncertainInput {
         }
     }
 
-    /// The same in the tree of a case.
+    /// Returns the same as a node of the tree of a case.
     pub(crate) fn node(&self, value: f64) -> Node {
         let Self { place, .. } = *self;
         let text = self.written(value);
@@ -116,7 +116,7 @@ impl UncertainInput {
         Node { place, value }
     }
 
-    /// Between which values it lies, or nearly all of it, in its unit; none of a choice.
+    /// Returns the ends of the range of all or nearly all values, in its unit; `None` for a choice.
     pub(crate) fn ends(&self) -> Option<[f64; 2]> {
         match self.distribution {
             Distribution::Uniform { from, to } | Distribution::Triangular { from, to, .. } => {
@@ -133,7 +133,7 @@ impl UncertainInput {
         }
     }
 
-    /// How it is distributed, as people say it.
+    /// Returns a description of the distribution, for display.
     pub fn said(&self) -> String {
         let with = |value: f64| {
             let blank = if self.apart { " " } else { "" };
@@ -157,7 +157,7 @@ impl UncertainInput {
                 format!("log-normal, {} times or over {}", with(median), number_text(factor))
             }
             Distribution::Choice { count } => {
-                let ends = [self.values.first(), self.values.last()].map(|of| of.cloned());
+                let ends = [self.values.first(), self.values.last()].map(|value| value.cloned());
                 let [first, last] = ends.map(Option::unwrap_or_default);
                 match count <= 4 {
                     true => format!("one of {}", self.values.join(", ")),
@@ -168,5 +168,5 @@ impl UncertainInput {
     }
 }
 
-/// So many standard deviations from its mean lies nearly all of a normal distribution.
+/// Number of standard deviations from its mean that contains nearly all of a normal distribution.
 const MOST: f64 = 3.0;

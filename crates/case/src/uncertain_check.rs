@@ -1,4 +1,4 @@
-//! Whether the uncertain numbers of a case are numbers of the case, and every draw one that it takes.
+//! Whether the uncertain numbers of a case are numbers of the case, and every draw is valid.
 
 use wholestring::operation::Operation;
 use wholestring_config::{diagnostic::Severity, prelude::*};
@@ -10,13 +10,14 @@ use crate::{
     uncertain::{Uncertain, UncertainInput, make_certain},
 };
 
-/// Makes a case of the tree with a change, and says what is wrong with it.
+/// Builds a case from the tree with a change, and returns its mistakes.
 type Make<'a> = &'a dyn Fn(Change<'_>) -> (Option<Case>, Vec<Diagnostic>);
 
 /// Changes a tree.
 type Change<'a> = &'a dyn Fn(&mut Entries, &mut Reader);
 
-/// Checks the uncertain numbers of a case that is valid without them. What is wrong goes to the reader.
+/// Checks the uncertain numbers of a case that is valid without them. Mistakes are reported to the
+/// reader.
 pub(crate) fn check(case: &Case, root: &Entries, reader: &mut Reader, make: Make<'_>) {
     let Some(uncertain) = &case.plan.uncertain else { return };
     if !uncertain.inputs.iter().all(|input| is_number(input, root, reader))
@@ -38,17 +39,19 @@ pub(crate) fn check(case: &Case, root: &Entries, reader: &mut Reader, make: Make
     }
 }
 
-/// Whether what stands at its key is a number, if anything does.
+/// Whether the value at its key is a number, if there is one.
 fn is_number(input: &UncertainInput, root: &Entries, reader: &mut Reader) -> bool {
     for node in standing(root, &input.key) {
         let is_number = match &node.value {
             Value::Number { .. } => true,
-            Value::Text { text, .. } => Dimension::ALL.iter().any(|of| of.parse(text).is_ok()),
+            Value::Text { text, .. } => {
+                Dimension::ALL.iter().any(|dimension| dimension.parse(text).is_ok())
+            }
             _ => false,
         };
         if !is_number {
             let noun = node.value.noun();
-            Diagnostic::error(format!("`{}` is no number of the case", short(&input.key)))
+            Diagnostic::error(format!("`{}` is not a number of the case", short(&input.key)))
                 .at(input.key_place, "expected the key of a number")
                 .at(node.place, format!("it is {noun}"))
                 .report(reader);
@@ -58,7 +61,7 @@ fn is_number(input: &UncertainInput, root: &Entries, reader: &mut Reader) -> boo
     true
 }
 
-/// Whether no two of them set the same number.
+/// Whether no two inputs set the same number.
 fn each_its_own(uncertain: &Uncertain, root: &Entries, reader: &mut Reader) -> bool {
     let inputs = &uncertain.inputs;
     for (place, input) in inputs.iter().enumerate() {
@@ -81,7 +84,7 @@ fn each_its_own(uncertain: &Uncertain, root: &Entries, reader: &mut Reader) -> b
     true
 }
 
-/// Warns where what the case has itself is not to be expected.
+/// Warns where the value of the case itself is outside the distribution.
 fn excludes_own(input: &UncertainInput, root: &Entries, reader: &mut Reader) {
     let Some(ends) = input.ends() else { return };
     let written = ends.map(|end| input.written(end));
@@ -91,13 +94,13 @@ fn excludes_own(input: &UncertainInput, root: &Entries, reader: &mut Reader) {
                 Some(*value < ends[0] || *value > ends[1])
             }
             Value::Text { text, .. } if !input.unit.is_empty() => {
-                let parsed = Dimension::ALL.iter().find_map(|of| {
-                    let si = |text: &str| of.parse(text).ok();
+                let parsed = Dimension::ALL.iter().find_map(|dimension| {
+                    let si = |text: &str| dimension.parse(text).ok();
                     Some([si(text)?, si(&written[0])?, si(&written[1])?])
                 });
                 parsed.map(|[own, from, to]| own < from || own > to)
             }
-            // A bare number is in a unit that only its key knows.
+            // The unit of a bare number is known to its key only.
             _ => None,
         };
         if is_outside == Some(true) {
@@ -107,10 +110,12 @@ fn excludes_own(input: &UncertainInput, root: &Entries, reader: &mut Reader) {
                 Distribution::Uniform { .. } | Distribution::Triangular { .. } => "all",
                 _ => "nearly all",
             };
-            let message =
-                format!("the case's own `{}` is not what is uncertain: {own}", short(&input.key));
+            let message = format!(
+                "the case's own `{}` is outside the uncertain range: {own}",
+                short(&input.key)
+            );
             Diagnostic::warning(message)
-                .at(input.place, format!("{about} of it lies between {from} and {to}"))
+                .at(input.place, format!("{about} values are between {from} and {to}"))
                 .at(node.place, "the case's own")
                 .help("the curves are those of the case, the bands those of the samples: they part")
                 .report(reader);
@@ -119,7 +124,8 @@ fn excludes_own(input: &UncertainInput, root: &Entries, reader: &mut Reader) {
     }
 }
 
-/// The case with an end of what was drawn; none where that is no case, which is reported.
+/// Returns the case with an end of the drawn range; `None` where that is not valid, which is
+/// reported.
 fn with(
     input: &UncertainInput,
     value: f64,
@@ -131,7 +137,7 @@ fn with(
         make_certain(root);
         put(root, &input.key, &input.node(value), input.key_place, checked);
     });
-    let is_error = |of: &&Diagnostic| of.severity == Severity::Error;
+    let is_error = |diagnostic: &&Diagnostic| diagnostic.severity == Severity::Error;
     if let Some(error) = found.iter().find(is_error) {
         let mut error = error.clone();
         let is_told = error
@@ -149,7 +155,7 @@ fn with(
         error.help(draw).report(reader);
         return None;
     }
-    // What is doubted of the draw itself; the rest is told of the case already.
+    // Only doubts of the draw itself; the others have been reported for the case.
     for warning in found {
         if warning.labels.first().is_some_and(|label| label.place == input.place) {
             warning.report(reader);
@@ -158,14 +164,14 @@ fn with(
     case
 }
 
-/// All that the expected curves of a plan depend on.
+/// Returns all inputs of the expected curves of a plan.
 fn planned(case: &Case) -> Option<String> {
     let broomstick = case.broomstick_at(Vec::new()).ok()?;
     let setup = broomstick.setup(FrictionLevel::Expected);
-    // Depths are the plan's.
+    // Depths are set by the plan.
     let operations = case.plan.operations.iter();
     let operations: Vec<Operation> =
-        operations.map(|of| Operation { bit_depth_m: 0.0, ..*of }).collect();
+        operations.map(|operation| Operation { bit_depth_m: 0.0, ..*operation }).collect();
     let stiff = case.dynamics.stiff_string();
     Some(format!("{setup:?} {operations:?} {:?} {:?} {stiff:?}", case.plan.limits, case.soft))
 }
@@ -175,7 +181,7 @@ fn has_no_effect(input: &UncertainInput, root: &Entries, reader: &mut Reader) {
         Diagnostic::warning(format!("`{}` has no effect on the plan", short(&input.key)))
             .at(input.place, "whatever it is, the plan is the same");
     if input.key.contains("friction") && !standing(root, "plan.friction.expected").is_empty() {
-        warning = warning.help("`expected` of [plan.friction] takes its place");
+        warning = warning.help("`expected` of [plan.friction] replaces it");
     }
     warning.report(reader);
 }

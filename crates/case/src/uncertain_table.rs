@@ -1,4 +1,4 @@
-//! `[plan.uncertain]`: numbers of the case that are not known exactly.
+//! `[plan.uncertain]`: uncertain numbers of the case.
 
 use wholestring_config::prelude::*;
 use wholestring_plan::{
@@ -13,30 +13,30 @@ use crate::{
     vary::{Quantity as Amount, Variation},
 };
 
-/// Samples where the case does not say.
+/// Default number of samples.
 const SAMPLES: u64 = 200;
 
-/// Most samples.
+/// Maximum number of samples.
 const MAX_SAMPLES: u64 = 100_000;
 
-/// Most inputs.
+/// Maximum number of inputs.
 const MAX_INPUTS: usize = 50;
 
 table! {
-    /// Numbers of the case that are not known exactly: plan and reach carry bands then, and say which of
-    /// these numbers they owe them to. The bands are those of the expected friction; low and high friction
-    /// stay as they are.
+    /// Uncertain numbers of the case: plan and reach then show uncertainty bands, and the
+    /// contribution of each of these numbers to the bands. The bands are those of the expected
+    /// friction; low and high friction are unchanged.
     UncertainTable in "[plan.uncertain]" {
         /// The numbers, each independent of the others.
         input: Vec<Spanned<InputTable>> = optional(List::tables::<InputTable>(
             "inputs ([[plan.uncertain.input]])", MAX_INPUTS,
         ));
-        /// How many samples are drawn, a Latin hypercube.
+        /// Number of samples, a Latin hypercube.
         samples: u64 = default(Count { from: 10, to: MAX_SAMPLES }, SAMPLES);
-        /// Seed of the draw: the same gives the same samples.
+        /// Seed of the draw: the same seed gives the same samples.
         seed: u64 = default(Whole, 1);
-        /// The model of the samples of a plan, "soft" or "stiff" (some ten times the work).
-        /// A reach has the soft string.
+        /// The model of the samples of a plan, "soft" or "stiff" (some ten times the work). A reach
+        /// uses the soft string.
         model: Statics = default(
             Choice { noun: "a model of samples", words: STATICS },
             Statics::Soft,
@@ -45,28 +45,28 @@ table! {
 }
 
 table! {
-    /// A number of the case and how it is distributed: evenly (`from`, `to`), triangular (`mode` too),
-    /// normally (`mean`, `std`, and `from` or `to` or both where it is cut off), its logarithm normally
-    /// (`median`, `factor`), or one of `values`. Its numbers are written as the key has them, all in one
-    /// unit.
+    /// A number of the case and its distribution: uniform (`from`, `to`), triangular (`mode` too),
+    /// normal (`mean`, `std`, and `from` or `to` or both where it is truncated), log-normal
+    /// (`median`, `factor`), or one of `values`. Its numbers are written in the form of the key,
+    /// all in one unit.
     InputTable in "[[plan.uncertain.input]]" {
-        /// Key of the case as `--set` has it: `mud.density`, `well.hole.1.friction` (lists counted from
-        /// zero), or `friction`, `bit_depth`, `rpm`, `wob`.
+        /// Key of the case in the form of `--set`: `mud.density`, `well.hole.1.friction` (lists
+        /// counted from zero), or `friction`, `bit_depth`, `rpm`, `wob`.
         key: String = required(Text);
-        /// Least value.
+        /// Lower limit.
         from: GivenAmount = optional(AmountRule);
-        /// Largest value.
+        /// Upper limit.
         to: GivenAmount = optional(AmountRule);
-        /// Likeliest value.
+        /// Most likely value.
         mode: GivenAmount = optional(AmountRule);
-        /// Mean of it.
+        /// Mean.
         mean: GivenAmount = optional(AmountRule);
         /// Standard deviation.
         std: GivenAmount = optional(AmountRule);
-        /// Half of it lies below.
+        /// Median: half of the values are below it.
         median: GivenAmount = optional(AmountRule);
-        /// Geometric standard deviation: about two thirds of it lie between the median over this and the
-        /// median times this.
+        /// Geometric standard deviation: about two thirds of the values are between the median over
+        /// this and the median times this.
         factor: f64 = optional(Number { unit: "", range: Range::from_to(1.0, 1e3) });
         /// Values that are equally likely, such as [1, 2, 3], or a range "FROM..TO/STEP", such as
         /// "1..200/1" for seeds.
@@ -94,14 +94,14 @@ impl Rule for AmountRule {
             Value::Number { value, .. } => (*value, String::new(), false),
             Value::Text { text, .. } => {
                 // Draws are decimal numbers: of `5-1/2 in` only the beginning would change.
-                let amount = Amount::read(text).filter(|of| {
+                let amount = Amount::read(text).filter(|amount| {
                     let starts = |letter: char| letter.is_alphabetic() || "°%µ\"'".contains(letter);
-                    of.unit.starts_with(starts)
+                    amount.unit.starts_with(starts)
                 });
                 match amount {
-                    Some(of) => (of.number, of.unit.to_owned(), of.apart),
+                    Some(amount) => (amount.number, amount.unit.to_owned(), amount.apart),
                     None => {
-                        let message = format!("`{}` is no quantity", reader.key);
+                        let message = format!("`{}` is not a quantity", reader.key);
                         return Diagnostic::error(message)
                             .at(node.place, format!("expected {expected}"))
                             .refuse(reader);
@@ -127,7 +127,7 @@ impl Rule for AmountRule {
     }
 }
 
-/// A list of values, or a range of them, as sweeps have them.
+/// A list of values, or a range of them, in the form of sweeps.
 struct ValuesRule;
 
 impl Rule for ValuesRule {
@@ -155,7 +155,7 @@ impl Rule for ValuesRule {
                         .refuse(reader);
                 }
             };
-            // How it is quoted does not matter: values are put into the case's tree as they are.
+            // The quotation does not matter, because values are set in the case's tree unchanged.
             let quote =
                 Quote { name: "".into(), text: "".into(), key: 0..0, value: 0..0, verbatim: false };
             if !variation.take([says, says], quote, item.place, reader) {
@@ -175,9 +175,9 @@ impl Rule for ValuesRule {
     }
 }
 
-/// What is uncertain; nothing of a plan in which nothing is.
+/// Builds the uncertain inputs; `None` for a plan without any.
 pub(crate) fn build(table: &UncertainTable, reader: &mut Reader) -> Option<Option<Uncertain>> {
-    let Some(Spanned { value: given, .. }) = table.input.optional()? else {
+    let Some(Spanned { value: tables, .. }) = table.input.optional()? else {
         let places = [table.samples.place(), table.seed.place(), table.model.place()];
         return match places.into_iter().flatten().next() {
             None => Some(None),
@@ -189,7 +189,7 @@ pub(crate) fn build(table: &UncertainTable, reader: &mut Reader) -> Option<Optio
     };
     let mut inputs: Vec<UncertainInput> = Vec::new();
     let mut valid = true;
-    for at in given {
+    for at in tables {
         let Some(input) = input(&at.value, at.place, reader) else {
             valid = false;
             continue;
@@ -209,14 +209,14 @@ pub(crate) fn build(table: &UncertainTable, reader: &mut Reader) -> Option<Optio
     valid.then_some(Some(uncertain))
 }
 
-/// What a distribution is given by.
+/// Forms of a distribution.
 const FORMS: &str = "`from` and `to`; these and `mode`; `mean` and `std`, with `from` or `to` or both \
     where it is cut off; `median` and `factor`; or `values`";
 
 fn input(table: &InputTable, place: Span, reader: &mut Reader) -> Option<UncertainInput> {
     let key = table.key.at()?;
     if key.value.starts_with("plan.uncertain") {
-        return Diagnostic::error("what is uncertain cannot be uncertain itself")
+        return Diagnostic::error("the inputs of [plan.uncertain] cannot be uncertain themselves")
             .at(key.place, "expected another key of the case")
             .refuse(reader);
     }
@@ -236,27 +236,33 @@ fn input(table: &InputTable, place: Span, reader: &mut Reader) -> Option<Uncerta
     }
     let (factor, values) = (table.factor.optional()?, table.values.optional()?);
     let number = |name: &str| {
-        let found = amounts.iter().find(|(of, _)| *of == name);
+        let found = amounts.iter().find(|(amount, _)| *amount == name);
         found.map(|(_, at)| at.value.number)
     };
     let names: Vec<&str> = amounts.iter().map(|(name, _)| *name).collect();
-    let of = |name: &str| number(name).unwrap_or(f64::NAN);
+    let number_or_nan = |name: &str| number(name).unwrap_or(f64::NAN);
     let distribution = match (&names[..], factor, values) {
-        (["from", "to"], None, None) => Distribution::Uniform { from: of("from"), to: of("to") },
-        (["from", "to", "mode"], None, None) => {
-            Distribution::Triangular { from: of("from"), mode: of("mode"), to: of("to") }
+        (["from", "to"], None, None) => {
+            Distribution::Uniform { from: number_or_nan("from"), to: number_or_nan("to") }
         }
-        (["mean", "std"], None, None) => Distribution::Normal { mean: of("mean"), std: of("std") },
+        (["from", "to", "mode"], None, None) => Distribution::Triangular {
+            from: number_or_nan("from"),
+            mode: number_or_nan("mode"),
+            to: number_or_nan("to"),
+        },
+        (["mean", "std"], None, None) => {
+            Distribution::Normal { mean: number_or_nan("mean"), std: number_or_nan("std") }
+        }
         (["from", "to", "mean", "std"] | ["from" | "to", "mean", "std"], None, None) => {
             Distribution::TruncatedNormal {
-                mean: of("mean"),
-                std: of("std"),
+                mean: number_or_nan("mean"),
+                std: number_or_nan("std"),
                 from: number("from").unwrap_or(f64::NEG_INFINITY),
                 to: number("to").unwrap_or(f64::INFINITY),
             }
         }
         (["median"], Some(factor), None) => {
-            Distribution::LogNormal { median: of("median"), factor: factor.value }
+            Distribution::LogNormal { median: number_or_nan("median"), factor: factor.value }
         }
         ([], None, Some(values)) => Distribution::Choice { count: values.value.values.len() },
         _ => {
@@ -265,8 +271,8 @@ fn input(table: &InputTable, place: Span, reader: &mut Reader) -> Option<Uncerta
             names.extend(values.map(|_| "values"));
             let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
             let message = match names.is_empty() {
-                true => format!("`{}` is uncertain, but not how", short(&key.value)),
-                false => format!("{} alone are no distribution", names.join(", ")),
+                true => format!("`{}` is uncertain, but has no distribution", short(&key.value)),
+                false => format!("{} alone do not define a distribution", names.join(", ")),
             };
             return Diagnostic::error(message)
                 .at(place, "expected a range or a distribution")
@@ -285,7 +291,8 @@ fn input(table: &InputTable, place: Span, reader: &mut Reader) -> Option<Uncerta
             .refuse(reader);
     }
     if let Err(error) = distribution.checked() {
-        let at = |name: &str| amounts.iter().find(|(of, _)| *of == name).map(|(_, at)| at.place);
+        let at =
+            |name: &str| amounts.iter().find(|(amount, _)| *amount == name).map(|(_, at)| at.place);
         let at = match error {
             DistributionError::NotFinite => None,
             DistributionError::Empty { .. } => at("to"),
@@ -301,7 +308,7 @@ fn input(table: &InputTable, place: Span, reader: &mut Reader) -> Option<Uncerta
             .at(at.unwrap_or(place), error.to_string())
             .refuse(reader);
     }
-    // Where its first number stands: a whole table is not worth underlining.
+    // The place of its first number, because underlining a whole table does not help.
     let spot = first.map(|(_, at)| at.place).or_else(|| values.map(|at| at.place));
     Some(UncertainInput {
         key: key.value.trim().to_owned(),

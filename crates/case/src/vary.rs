@@ -1,13 +1,13 @@
-//! Values that a sweep gives to a key, one after the other.
+//! Values of a key in a sweep, one after the other.
 
 use wholestring_config::{diagnostic::Report, prelude::*};
 
 use crate::overrides::{Override, Quote};
 
-/// One `--vary KEY=VALUES`: a key, and the values that it takes.
+/// A `--vary KEY=VALUES`: a key and its values.
 ///
-/// The key is one that `--set` takes. The values are parted by commas; each is a value as `--set`
-/// takes it, or a range `FROM..TO/STEP` of numbers with the same unit, which always includes TO.
+/// The key is any key of `--set`. The values are separated by commas; each is a value in the form
+/// of `--set`, or a range `FROM..TO/STEP` of numbers with the same unit, which always includes TO.
 ///
 /// ```
 /// use wholestring_case::Variation;
@@ -28,20 +28,20 @@ pub struct Variation {
     pub values: Vec<Override>,
 }
 
-/// More values than this make no sense of one key, in a range or in all.
+/// Maximum number of values of one key, in a range or in all.
 const MAX_VALUES: f64 = 10_000.0;
 
-/// No range is written with more characters.
+/// Maximum number of characters of a range.
 const LONGEST: usize = 500;
 
-/// How a range is written.
+/// Form of a range.
 const RANGE: &str = "such as 300m..4305m/300m";
 
 impl Variation {
     /// Reads the arguments of all `--vary`.
     ///
     /// # Errors
-    /// A report of every mistake that needs no case to be seen, with its place underlined.
+    /// A report of every mistake that can be detected without a case, with its place underlined.
     pub fn read_all(arguments: &[String]) -> Result<Vec<Self>, Report> {
         let mut reader = Reader::default();
         let mut variations: Vec<Self> = Vec::new();
@@ -54,7 +54,7 @@ impl Variation {
                 let message = format!("`{}` is varied twice", short(&variation.key));
                 let place = text.place(text.start, text.start + variation.key.len());
                 Diagnostic::error(message)
-                    .at(place, "it stands above already")
+                    .at(place, "it is already defined above")
                     .help("give all values in one --vary, parted by commas")
                     .report(&mut reader);
             }
@@ -64,8 +64,9 @@ impl Variation {
     }
 }
 
-/// Reads the quantities of an option of a front, such as `--weight 20kN..120kN/20kN`: one, several
-/// parted by commas, or ranges `FROM..TO/STEP` as a [`Variation`] has them, in a dimension, SI.
+/// Reads the quantities of an option of a front end, such as `--weight 20kN..120kN/20kN`: one,
+/// several separated by commas, or ranges `FROM..TO/STEP` in the form of a [`Variation`], in a
+/// dimension, SI.
 ///
 /// ```
 /// use wholestring_case::read_values;
@@ -101,13 +102,13 @@ pub fn read_values(option: &str, values: &str, dimension: Dimension) -> Result<V
 }
 
 impl Variation {
-    /// The values without quotes.
+    /// Returns the values without quotes.
     pub fn bare_values(&self) -> impl Iterator<Item = &str> {
         self.values.iter().map(Override::bare)
     }
 
-    /// Takes a value, or those of a range: what it says, and how it is written. Whether it is
-    /// sound.
+    /// Adds a value, or those of a range, from its text and its quotation. Returns whether it is
+    /// valid.
     pub fn take(
         &mut self,
         [says, written]: [&str; 2],
@@ -127,7 +128,8 @@ impl Variation {
                 return false;
             }
         };
-        // Before they are compared with each other, which takes the square of their number.
+        // Checked before they are compared with each other, because the time of that grows with the
+        // square of their number.
         if (self.values.len() + values.len()) as f64 > MAX_VALUES {
             let message = format!("`{}` is given more than {MAX_VALUES} values", short(&self.key));
             reader.report(Diagnostic::error(message).at(place, "expected fewer"));
@@ -136,7 +138,7 @@ impl Variation {
         for value in values {
             if self.values.iter().any(|other| other.value == value.value) {
                 let message = format!("`{}` is given twice", short(&value.value));
-                reader.report(Diagnostic::error(message).at(place, "it stands before already"));
+                reader.report(Diagnostic::error(message).at(place, "already given before"));
                 return false;
             }
             self.values.push(value);
@@ -145,11 +147,11 @@ impl Variation {
     }
 }
 
-/// One argument as diagnostics quote it.
+/// An argument in the form quoted by diagnostics.
 struct Text {
     source: usize,
     quoted: String,
-    /// Where the argument begins in it.
+    /// Offset of the argument in the quotation.
     start: usize,
 }
 
@@ -185,7 +187,7 @@ impl Text {
         self.values(key, values, reader)
     }
 
-    /// The values that stand at the end of it, of a key that stands at its beginning.
+    /// Returns the values at the end of the text, for a key at its beginning.
     fn values(&self, key: &str, values: &str, reader: &mut Reader) -> Option<Variation> {
         let key_start = self.start + key.len() - key.trim_start().len();
         let key = key.trim();
@@ -210,8 +212,8 @@ impl Text {
     }
 }
 
-/// The parts of a text between its commas, with where they begin; commas within brackets and quotes
-/// do not part.
+/// Returns the parts of a text between its commas, with their offsets; commas within brackets and
+/// quotes do not separate.
 fn elements(text: &str) -> Vec<(usize, &str)> {
     let mut parts = Vec::new();
     let (mut start, mut depth, mut quote) = (0, 0_usize, None);
@@ -236,7 +238,7 @@ fn elements(text: &str) -> Vec<(usize, &str)> {
 /// A message and a label.
 type Mistake = (String, String);
 
-/// The values of a range; none if the element is no range.
+/// Returns the values of a range; `None` if the element is not a range.
 fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     if element.is_empty() {
         return Err(("a value is missing between two commas".into(), "expected a value".into()));
@@ -244,12 +246,12 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     let Some((from, rest)) = element.split_once("..") else {
         return Ok(None);
     };
-    // What does not begin like a number, `../survey.csv`, is no range.
+    // An element that does not begin like a number, such as `../survey.csv`, is not a range.
     let Some(from) = Quantity::read(from) else {
         return Ok(None);
     };
-    // Every slash may part its end from its step: thousands of them take the square of their
-    // number.
+    // Every slash may separate the end from the step: the time of thousands of them grows with the
+    // square of their number.
     if element.len() > LONGEST {
         return Err((
             format!("a range is longer than {LONGEST} characters"),
@@ -260,7 +262,7 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
         .match_indices('/')
         .map(|(at, _)| [&rest[..at], &rest[at + 1..]].map(Quantity::read))
         .collect();
-    // A unit may hold a slash too: `10 m/h..30 m/h/5 m/h`.
+    // A unit may contain a slash too: `10 m/h..30 m/h/5 m/h`.
     let alike = parted.iter().find_map(|pair| match pair {
         [Some(to), Some(step)] if to.unit == from.unit && step.unit == from.unit => {
             Some((to.number, step.number))
@@ -284,7 +286,7 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     if step <= 0.0 {
         return Err(("the step of a range is more than zero".into(), "it would never end".into()));
     }
-    // As many whole steps as fit, but for the rounding of decimal fractions.
+    // The number of whole steps, with a tolerance for the rounding of decimal fractions.
     let steps = ((to - from.number).abs() / step + 1e-9).floor();
     if steps >= MAX_VALUES {
         return Err((
@@ -305,7 +307,7 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     Ok(Some(numbers.iter().map(|number| format!("{number}{blank}{unit}")).collect()))
 }
 
-/// Twelve digits: what is left of 0.1 + 2 × 0.1 is 0.3.
+/// Rounds to twelve digits, so that 0.1 + 2 × 0.1 gives 0.3.
 fn rounded(number: f64) -> f64 {
     format!("{number:.11e}").parse().unwrap_or(number)
 }
@@ -314,7 +316,7 @@ fn rounded(number: f64) -> f64 {
 pub(crate) struct Quantity<'a> {
     pub(crate) number: f64,
     pub(crate) unit: &'a str,
-    /// Whether a blank stands between them.
+    /// Whether a blank separates them.
     pub(crate) apart: bool,
 }
 
@@ -324,7 +326,7 @@ impl<'a> Quantity<'a> {
         let end = text
             .char_indices()
             .map(|(at, letter)| at + letter.len_utf8())
-            // The longest: `5e` of `5e3` is no number, but the way to one.
+            // The longest prefix that is a number: `5e` of `5e3` is not one.
             .rfind(|end| text[..*end].parse::<f64>().is_ok_and(f64::is_finite))?;
         let rest = &text[end..];
         Some(Self {
@@ -368,7 +370,7 @@ mod tests {
         }
     }
 
-    /// However the step divides the range: it begins at FROM, ends at TO and goes one way.
+    /// Whatever the step, a range begins at FROM, ends at TO and is monotonic.
     #[test]
     fn a_range_has_both_its_ends() {
         for tenths in 1..40 {
@@ -383,7 +385,7 @@ mod tests {
         }
     }
 
-    /// What no one means is refused before it takes the time of the square of its length.
+    /// Excessive lengths are refused before the quadratic time of reading them is spent.
     #[test]
     fn what_is_far_too_long_is_refused() {
         let refused = |argument: String| {
@@ -399,7 +401,7 @@ mod tests {
         assert!(many.contains("`a` is given more than 10000 values"));
         let many = refused("a=0..5000/1,5001..11000/1".into());
         assert!(many.contains("`a` is given more than 10000 values"));
-        // As many as are allowed.
+        // The maximum that is allowed.
         let all = Variation::read_all(&["a=1..10000/1".into()]).expect("a range");
         assert_eq!(all[0].values.len(), 10_000);
     }

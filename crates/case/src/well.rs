@@ -12,7 +12,7 @@ use crate::{
     tortuosity::TortuosityTable,
 };
 
-/// Beyond the survey's end by more than this a projection deserves a word, m.
+/// Distance beyond the survey's end above which a projection gets a note, m.
 const PROJECTION_M: f64 = 50.0;
 
 table! {
@@ -33,14 +33,14 @@ fn coordinate() -> Quantity {
 }
 
 table! {
-    /// Where the hole runs and how wide it is and how it rubs.
+    /// Path, diameter and friction of the hole.
     WellTable in "[well]" {
-        /// Survey file beside the case, CSV or Excel, with columns md, inc and azi.
+        /// Survey file, relative to the case, CSV or Excel, with columns md, inc and azi.
         survey: String = optional(Text);
         /// The survey itself, instead of a file: a list of [md, inc, azi] in m, deg and deg.
         stations: Vec<Spanned<[f64; 3]>> = optional(List::of(StationRule, "stations", 100_000));
         /// Unit of the lengths in the survey file, such as "m" or "ft", where the file does not
-        /// tell it. Without one, such a file is refused.
+        /// contain it. Without a unit the file is refused.
         survey_unit: &'static Unit = optional(LengthUnit);
         /// Curve through the survey: "minimum-curvature" (circular arcs, as surveys are computed)
         /// or "spline" (continuous curvature, for a string in motion).
@@ -54,8 +54,8 @@ table! {
             },
             Interpolation::MinimumCurvature,
         );
-        /// Position of the first station. Default: what the survey file says, or on the vertical
-        /// under the origin, as deep as its measured depth.
+        /// Position of the first station. Default: the position in the survey file, or on the
+        /// vertical under the origin, as deep as its measured depth.
         tie_in: TieInTable = optional(Section::<TieInTable>::RULE);
         /// Roughness and micro-tortuosity of the wall. Default: a smooth wall.
         roughness: RoughnessTable = optional(Section::<RoughnessTable>::RULE);
@@ -69,7 +69,7 @@ table! {
 }
 
 impl WellTable {
-    /// The survey, from the file or from the case.
+    /// Returns the survey, from the file or from the case.
     pub(crate) fn stations(
         &self,
         place: Span,
@@ -86,7 +86,7 @@ impl WellTable {
             (None, Some(listed)) => {
                 if let Some(unit) = self.survey_unit.optional()? {
                     Diagnostic::warning("`survey_unit` has no effect")
-                        .at(unit.place, "it is said of a survey in a file")
+                        .at(unit.place, "it applies to a survey in a file")
                         .at(listed.place, "`stations` in the case are in m, deg, deg")
                         .report(reader);
                 }
@@ -104,7 +104,7 @@ impl WellTable {
         }
     }
 
-    /// The path through the survey, with its tortuosity.
+    /// Returns the path through the survey, with its tortuosity.
     pub(crate) fn path(
         &self,
         stations: &mut Stations,
@@ -134,10 +134,10 @@ impl WellTable {
     fn tie_in(&self, stations: &Stations) -> Option<TieIn> {
         let under_origin = under_origin(&stations.list);
         match self.tie_in.optional()? {
-            Some(given) if self.tie_in.given().is_some() => Some(TieIn {
-                north_m: *given.value.north.get()?,
-                east_m: *given.value.east.get()?,
-                tvd_m: given.value.tvd.optional()?.map_or(under_origin.tvd_m, |at| at.value),
+            Some(entry) if self.tie_in.given().is_some() => Some(TieIn {
+                north_m: *entry.value.north.get()?,
+                east_m: *entry.value.east.get()?,
+                tvd_m: entry.value.tvd.optional()?.map_or(under_origin.tvd_m, |at| at.value),
             }),
             _ => Some(stations.tie_in.unwrap_or(under_origin)),
         }
@@ -164,7 +164,7 @@ impl WellTable {
                     reader.shown(Dimension::Length, last_m),
                     reader.shown(Dimension::Length, (beyond_m * 100.0).round() / 100.0)
                 ))
-                .at(place, "the hole is taken to continue straight to here")
+                .at(place, "the hole is assumed to continue straight to here")
                 .report(reader);
             }
         }
@@ -194,7 +194,7 @@ impl WellTable {
     }
 }
 
-/// What the core says about the survey, at the station that it says it of.
+/// Reports an error of the core about the survey, at the station that it concerns.
 fn path_error(error: &PathError, stations: &mut Stations, reader: &mut Reader) -> Diagnostic {
     let index = error.index().unwrap_or(0);
     let depth = |reader: &Reader, md_m: f64| reader.shown(Dimension::Length, md_m);

@@ -1,4 +1,4 @@
-//! Cases that are accepted, and what is made of them.
+//! Accepted cases, and the models built from them.
 
 mod common;
 #[path = "../../core/tests/common/np13.rs"]
@@ -16,8 +16,8 @@ use wholestring::{
     well::{Interpolation, Roughness},
 };
 
-/// A plan of three corners runs on the curve by which it was computed: a quarter of a circle of 1200/π m, so that the well ends at
-/// `600 + 1200/π` m; every case that comes with the program names its curve.
+/// A plan of three corners runs on the curve by which it was computed: a quarter of a circle of
+/// 1200/π m, so that the well ends at `600 + 1200/π` m; every shipped case names its curve.
 #[test]
 fn minimum_curvature_is_the_default() {
     let stations = "stations = [[0, 0, 30], [600, 0, 30], [1200, 90, 30], [4305, 90, 30]]";
@@ -80,7 +80,7 @@ fn optional_tables_take_their_defaults() {
     assert_eq!(case.settings, read(EXAMPLE).expect("the example").settings);
     let end = EXAMPLE.find("[mesh]").expect("[mesh]");
     let case = read(&EXAMPLE[..end]).unwrap_or_else(|report| panic!("{report}"));
-    // A library's caller gives the time; a case settles until it is steady.
+    // A caller of the library gives the time; a case settles until it is steady.
     let steady = DynamicsSettings {
         settle_s: 0.0,
         steady: Some(UntilSteady::default()),
@@ -90,7 +90,7 @@ fn optional_tables_take_their_defaults() {
     assert_eq!(case.settings["dynamics"]["settle_s"], "auto");
 }
 
-/// A time stays a time; the word is what there is without one, and the rows that it may take are
+/// A given time is used unchanged; the word is the default, and the rows that it may need are
 /// counted.
 #[test]
 fn settling_is_a_time_or_as_long_as_it_takes() {
@@ -187,7 +187,7 @@ fn friction_may_have_a_value_at_rest() {
     assert_eq!((friction.kinetic, friction.at_rest), (0.2, 0.25));
 }
 
-/// Around the hole the coefficient may be another; at rest it is in the same ratio.
+/// Around the hole the coefficient may differ; the static one is in the same ratio.
 #[test]
 fn friction_may_differ_around_the_hole() {
     let table = "friction = { kinetic = 0.2, static = 0.25, around = 0.3 }\n[[";
@@ -197,14 +197,14 @@ fn friction_may_differ_around_the_hole() {
     assert_eq!(sections[0].friction.at_rest, 0.25);
     assert!((sections[0].friction.around - 1.5).abs() < 1e-15);
     assert_eq!(sections[1].friction.around, 1.0);
-    // A number set in its place keeps the ratios.
+    // A number in its place keeps the ratios.
     for key in ["friction", "well.hole.0.friction"] {
         let case = read_with(&text, &[&format!("{key}=0.1")]).expect("a case");
         let friction = case.model.well.hole.sections()[0].friction;
         assert_eq!((friction.kinetic, friction.at_rest), (0.1, 0.125));
         assert!((friction.around - 1.5).abs() < 1e-15);
     }
-    // A table takes its place whole, and without a ratio there is none to keep.
+    // A table replaces it as a whole, and without a ratio there is none to keep.
     let case = read_with(&text, &["well.hole.0.friction={ kinetic = 0.1 }"]).expect("a case");
     let friction = case.model.well.hole.sections()[0].friction;
     assert_eq!((friction.at_rest, friction.around), (0.1, 1.0));
@@ -239,7 +239,7 @@ fn the_wall_may_be_rough() {
     assert!(read(EXAMPLE).expect("a case").model.well.hole.roughness().is_none());
 }
 
-/// Blades as long as the component where nothing else is said.
+/// Blades are as long as the component by default.
 #[test]
 fn a_stabiliser_may_have_blades() {
     let with = |keys: &str| {
@@ -250,7 +250,7 @@ fn a_stabiliser_may_have_blades() {
             ),
         );
         let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
-        // Its name promises blades: without them there is a warning.
+        // Its name implies blades: without them there is a warning.
         assert_eq!(case.warnings.is_empty(), !keys.is_empty(), "{}", case.warnings);
         case.model.string.components()[1].blades
     };
@@ -383,10 +383,10 @@ fn the_engines_np13_is_the_shipped_one() {
     let case = wholestring_case::load(&file, &[]).unwrap_or_else(|report| panic!("{report}"));
     let built = StringSpec { components: np13::components() };
     let built = built.assemble(case.operations[0].bit_depth_m).unwrap();
-    let numbers = |of: &Component| {
-        let joints = of.joints.map_or([0.0; 2], |of| [of.od_m, of.spacing_m]);
-        let steel = of.material;
-        let own = [of.length_m, of.od_m, of.mass_per_length_kg_per_m];
+    let numbers = |component: &Component| {
+        let joints = component.joints.map_or([0.0; 2], |joint| [joint.od_m, joint.spacing_m]);
+        let steel = component.material;
+        let own = [component.length_m, component.od_m, component.mass_per_length_kg_per_m];
         let metal = [steel.density_kg_per_m3, steel.youngs_modulus_Pa, steel.shear_modulus_Pa];
         [&own[..], &joints, &metal].concat()
     };
@@ -421,10 +421,10 @@ fn kinds_of_bits_have_their_own_numbers() {
     assert_eq!(pdc, cutters_of("law = \"regenerative\""));
     let roller = cutters_of("law = \"detournay-defourny\"\nkind = \"roller cone\"");
     assert_eq!((roller.cutter_inclination, roller.friction), (3.0, 0.3));
-    let told = cutters_of(
+    let explicit = cutters_of(
         "law = \"detournay-defourny\"\nkind = \"roller cone\"\ncutter_inclination = 2\nfriction = 0.2",
     );
-    assert_eq!((told.cutter_inclination, told.friction), (2.0, 0.2));
+    assert_eq!((explicit.cutter_inclination, explicit.friction), (2.0, 0.2));
     let core = cutters_of("law = \"regenerative\"\nkind = \"core\"\ncore_diameter = \"100 mm\"");
     assert_eq!((core.core_radius_m, core.cutter_inclination), (0.05, 0.6));
 }
@@ -445,7 +445,7 @@ fn a_motor_takes_the_operations_flow() {
     let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
     assert!(close(motor.rated_flow_m3_per_s, 30e-3));
     assert!(close(motor.stall_torque_N_m, 1.5 * 0.8 * 12e-3 * 8e6 / std::f64::consts::TAU));
-    // 70 rev/min of the string and 150 of the motor, less what leaks at a quarter of the largest
+    // 70 rev/min of the string and 150 of the motor, less the leakage at a quarter of the largest
     // torque.
     let turns = 70.0 + 150.0 * (1.0 - 0.1 * 3100.0 / motor.max_torque_N_m());
     let speed = case.dynamics.bit.drilling_speed_rad_per_s(&case.operations[0]);

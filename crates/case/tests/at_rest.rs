@@ -1,6 +1,6 @@
-//! The stiff string beside the dynamics brought to rest, in every shipped case that has a steady
-//! state: `cargo test -p wholestring-case --test at_rest -- --include-ignored --nocapture` prints
-//! the table of `docs/src/theory/stiff-string.md`.
+//! The stiff string compared with the dynamics brought to rest, in every shipped case that has a
+//! steady state: `cargo test -p wholestring-case --test at_rest -- --include-ignored --nocapture`
+//! prints the table of `docs/src/theory/stiff-string.md`.
 
 use std::{
     fs,
@@ -21,39 +21,39 @@ use wholestring::{
 use wholestring_case::{Case, load};
 use wholestring_verification::{report_worst, verify};
 
-/// Elements of both, m: two for each joint of pipe. The two have the same elements, and agree or
-/// not on any.
+/// Length of the elements of both, m: two for each joint of pipe. The comparison is valid for any
+/// mesh, because both have the same elements.
 const ELEMENT_M: f64 = 4.8;
 
-/// Until the string is at rest, and the time over which it is looked at, s.
+/// Time until the string is at rest, and the time over which it is averaged, s.
 const SETTLE_S: f64 = 25.0;
 const WINDOW_S: f64 = 5.0;
 
-/// Damping by mass that brings it there, 1/s.
+/// Mass-proportional damping that brings the string to rest, 1/s.
 const DAMPING_PER_S: f64 = 0.5;
 
-/// Slow: an operation trips and turns no faster, m/s, rad/s.
+/// Largest speed of tripping and of rotation, so that operations are slow, m/s, rad/s.
 const TRIP_M_PER_S: f64 = 0.02;
 const TURN_RAD_PER_S: f64 = 3.0;
 
-/// What a bit of solid rock, whose torque and rate come of the rock, is given here.
+/// Torque of a bit of solid rock, which otherwise follows from the rock.
 const TORQUE_N_M: f64 = 2000.0;
 const RATE_M_PER_S: f64 = 0.004;
 
-/// What hook load and torque may differ by, as a part of them; side force per joint and bending
-/// moment at joints, as a part of the largest; and the parts of the joints and of the nodes that
-/// must be so near and on the same side.
+/// Tolerances: hook load and torque, as a part of them; side force per joint and bending moment at
+/// joints, as a part of the largest; and the least parts of the joints and of the nodes that must
+/// be within these and on the same side.
 const SCALARS: f64 = 5e-3;
 const ALONG: f64 = 2e-2;
 const JOINTS: f64 = 0.97;
 const SIDES: f64 = 0.99;
 
-/// A surface torque that varies by more of its mean is that of a string that is not at rest; a
-/// smaller mean is none, N·m.
+/// Largest variation of the surface torque of a string at rest, as a part of its mean; and the
+/// least mean that counts as a torque, N·m.
 const SWINGS: f64 = 1e-2;
 const LEAST_TORQUE_N_M: f64 = 50.0;
 
-/// Operations that must agree, at least.
+/// Minimum number of operations that must agree.
 const LEAST: usize = 28;
 
 /// An operation of a case.
@@ -64,7 +64,7 @@ struct Job {
     settings: DynamicsSettings,
 }
 
-/// The case files of a folder, studies' own files apart.
+/// Returns the case files of a folder, without those of studies.
 fn files(folder: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(folder);
     let mut files: Vec<PathBuf> = fs::read_dir(folder)
@@ -78,8 +78,8 @@ fn files(folder: &str) -> Vec<PathBuf> {
     files
 }
 
-/// Every operation of every case, slow and quiet: nothing shakes the bit, the top turns at a
-/// constant speed, no schedule, friction at rest is that of sliding, and more damping.
+/// Returns every operation of every case, slow and quiet: no excitation of the bit, a constant
+/// speed of the top, no schedule, static friction equal to kinetic friction, and more damping.
 fn jobs() -> Vec<Job> {
     let quiet = |path: PathBuf| {
         let case = load(&path, &[]).unwrap_or_else(|report| panic!("{report}"));
@@ -126,7 +126,8 @@ fn jobs() -> Vec<Job> {
     ["cases", "studies"].into_iter().flat_map(files).flat_map(quiet).collect()
 }
 
-/// The model with the friction of sliding alone: what sticks and slips has no rest.
+/// Returns the model with kinetic friction only, because a string that sticks and slips has no
+/// rest.
 fn slippery(model: &Model) -> Model {
     let sections = model.well.hole.sections().iter().map(|section| {
         let mut section = *section;
@@ -138,17 +139,16 @@ fn slippery(model: &Model) -> Model {
     Model { well: Well { path: model.well.path.clone(), hole }, ..model.clone() }
 }
 
-/// How the two differ.
+/// Differences between the two.
 #[derive(Debug)]
 struct Apart {
     hook: f64,
     torque: f64,
-    /// The parts of the joints that press and bend alike.
+    /// The parts of the joints whose forces and moments agree.
     pressed: f64,
     bent: f64,
     sides: f64,
-    /// How far the torque of the dynamics and its weight on the bit swing about their means, as
-    /// parts of them.
+    /// Swings of the dynamic torque and weight on bit about their means, as parts of them.
     torque_swings: f64,
     weight_swings: f64,
 }
@@ -162,12 +162,12 @@ impl Apart {
             .filter(|node| moving.nodes.side_force_per_joint_N[*node].is_some())
             .collect();
         let all: Vec<usize> = (0..moving.nodes.md_m.len()).collect();
-        // Pipe whose joints are not told apart presses by its length.
+        // Pipe without distinct joints presses along its length.
         let nodes = if joints.is_empty() { &all } else { &joints };
         let sides = |node: &usize| side(stiff, *node) == side(&moving.nodes, *node);
         let torque = moving.statistic("surface_torque_N_m").expect("a statistic");
         let weight = moving.statistic("weight_on_bit_N").expect("a statistic");
-        // One that is not turned has what the bit gives it, or next to none.
+        // A string that does not rotate has the torque of the bit, or next to none.
         let twisted = kind.rotates() && torque.mean > LEAST_TORQUE_N_M;
         Self {
             hook: part(stiff.scalars.hook_load_N, moving.scalars.hook_load_N),
@@ -185,7 +185,7 @@ impl Apart {
     }
 }
 
-/// The share of the nodes at which two columns are as near as they must be.
+/// Returns the share of the nodes at which two columns agree within the tolerance.
 fn alike(nodes: &[usize], found: &[f64], expected: &[f64]) -> f64 {
     let largest = nodes.iter().map(|node| expected[*node].abs()).fold(0.0, f64::max);
     share(nodes, |node| (found[*node] - expected[*node]).abs() <= ALONG * largest)
@@ -195,13 +195,13 @@ fn share(nodes: &[usize], holds: impl Fn(&usize) -> bool) -> f64 {
     nodes.iter().filter(|node| holds(node)).count() as f64 / nodes.len() as f64
 }
 
-/// On which side a node presses its hole.
-fn side(of: &Profile, node: usize) -> i8 {
-    let force = of.side_force_N_per_m[node];
+/// Returns the side on which a node presses its hole.
+fn side(profile: &Profile, node: usize) -> i8 {
+    let force = profile.side_force_N_per_m[node];
     i8::from(force > 0.0) - i8::from(force < 0.0)
 }
 
-/// The largest compression along the soft string over the load of the sinusoid.
+/// Returns the largest compression along the soft string over the load of the sinusoid.
 fn over_sinusoidal(job: &Job) -> f64 {
     let soft =
         soft::solve(&job.model, &job.operation, &SoftSettings::default()).expect("a soft string");
@@ -209,22 +209,22 @@ fn over_sinusoidal(job: &Job) -> f64 {
     pairs.filter_map(|(tension_N, load_N)| Some(-tension_N / (*load_N)?)).fold(0.0, f64::max)
 }
 
-/// Why the two need not agree, as far as it can be told from the string and from what they do.
+/// Returns the reason why the two need not agree, as far as string and motion show it.
 fn reason(
     job: &Job,
     over: f64,
     stiff: &Result<StiffProfile, StiffError>,
     apart: Option<&Apart>,
 ) -> Option<String> {
-    let bent = job.model.string.components().iter().any(|of| of.bend.is_some());
-    let swings = |of: fn(&Apart) -> f64| apart.is_some_and(|apart| of(apart) > SWINGS);
+    let bent = job.model.string.components().iter().any(|component| component.bend.is_some());
+    let swings = |swing: fn(&Apart) -> f64| apart.is_some_and(|apart| swing(apart) > SWINGS);
     match stiff {
         Err(error) if over > 1.0 => Some(format!("buckled: {}", in_a_word(error))),
         Ok(found) if !found.convergence.stable => Some("buckled, and would not stay".to_owned()),
         _ if over > 1.0 => Some("buckled: many states of rest".to_owned()),
         _ if bent && job.operation.kind.rotates() => Some("a bend that turns".to_owned()),
-        _ if swings(|of| of.weight_swings) => Some("the weight on the bit swings".to_owned()),
-        _ if swings(|of| of.torque_swings) => Some("the torque swings".to_owned()),
+        _ if swings(|apart| apart.weight_swings) => Some("the weight on the bit swings".to_owned()),
+        _ if swings(|apart| apart.torque_swings) => Some("the torque swings".to_owned()),
         _ => None,
     }
 }
@@ -237,7 +237,7 @@ fn in_a_word(error: &StiffError) -> &'static str {
     }
 }
 
-/// What came of an operation.
+/// Result of an operation.
 struct Tried {
     apart: Option<Apart>,
     reason: Option<String>,
@@ -253,7 +253,7 @@ fn try_job(job: &Job) -> Tried {
     if let Ok(moving) = &moving
         && at.kind.on_bottom()
     {
-        // The driller's weight is not quite what was asked for.
+        // The driller's weight differs slightly from the requested one.
         at.weight_on_bit_N = moving.scalars.weight_on_bit_N;
         at.bit_torque_N_m = moving.scalars.bit_torque_N_m;
     }
@@ -263,25 +263,25 @@ fn try_job(job: &Job) -> Tried {
     let apart = apart.map(|(stiff, moving)| Apart::of(stiff, moving, at.kind));
     let reason = reason(job, over, &stiff, apart.as_ref());
     let differ = match &apart {
-        Some(of) => format!(
+        Some(apart) => format!(
             "{:.1e} | {} | {:.1} | {:.1} | {:.1}",
-            of.hook,
-            if of.torque > 0.0 { format!("{:.1e}", of.torque) } else { "–".to_owned() },
-            100.0 * of.pressed,
-            100.0 * of.bent,
-            100.0 * of.sides
+            apart.hook,
+            if apart.torque > 0.0 { format!("{:.1e}", apart.torque) } else { "–".to_owned() },
+            100.0 * apart.pressed,
+            100.0 * apart.bent,
+            100.0 * apart.sides
         ),
         None => "– | – | – | – | –".to_owned(),
     };
     let name = job.operation.kind.name().replace('_', " ");
-    let told = reason.as_deref().unwrap_or("");
-    let line = format!("| {} | {name} | {over:.2} | {differ} | {told} |", job.case);
+    let remark = reason.as_deref().unwrap_or("");
+    let line = format!("| {} | {name} | {over:.2} | {differ} | {remark} |", job.case);
     Tried { apart, reason, line }
 }
 
-/// Every operation of every case: hook load and torque within 0.5 %, 99 % of the joints press and
-/// bend alike, within 2 % of the largest, 99 % of the nodes lie on the same side. The rest is
-/// buckled, has a bend that turns, or whirls.
+/// Every operation of every case: hook load and torque within 0.5 %, forces and moments of 99 % of
+/// the joints within 2 % of the largest, 99 % of the nodes on the same side. The remaining
+/// operations are buckled, have a bend that turns, or whirl.
 #[test]
 #[ignore = "minutes: run by cargo xtask verify"]
 fn rests_where_the_dynamics_do_in_every_case() {
@@ -295,8 +295,8 @@ fn rests_where_the_dynamics_do_in_every_case() {
                 loop {
                     let index = next.lock().expect("no panic").next();
                     let Some(index) = index else { break };
-                    let of = try_job(&jobs[index]);
-                    tried.lock().expect("no panic").push((index, of));
+                    let result = try_job(&jobs[index]);
+                    tried.lock().expect("no panic").push((index, result));
                 }
             });
         }
@@ -307,27 +307,37 @@ fn rests_where_the_dynamics_do_in_every_case() {
         "| case | operation | F/Fs | hook load | torque | joints press, % | bend, % | sides, % | |"
     );
     println!("|---|---|---|---|---|---|---|---|---|");
-    for (_, of) in &tried {
-        println!("{}", of.line);
+    for (_, result) in &tried {
+        println!("{}", result.line);
     }
     let held: Vec<&Apart> = tried
         .iter()
-        .filter(|(_, of)| of.reason.is_none())
-        .map(|(_, of)| of.apart.as_ref().unwrap_or_else(|| panic!("{}", of.line)))
+        .filter(|(_, result)| result.reason.is_none())
+        .map(|(_, result)| result.apart.as_ref().unwrap_or_else(|| panic!("{}", result.line)))
         .collect();
     assert!(held.len() >= LEAST, "{} of {} are to agree", held.len(), tried.len());
     type Of = fn(&Apart) -> f64;
     let numbers: [(&str, Of, f64, &str); 5] = [
-        ("hook load", |of| of.hook, SCALARS, "what is asked for"),
-        ("torque", |of| of.torque, SCALARS, "what is asked for"),
-        ("joints that press otherwise", |of| 1.0 - of.pressed, 1.0 - JOINTS, "2 % of the largest"),
-        ("joints that bend otherwise", |of| 1.0 - of.bent, 1.0 - JOINTS, "2 % of the largest"),
-        ("nodes on another side", |of| 1.0 - of.sides, 1.0 - SIDES, "what is asked for"),
+        ("hook load", |apart| apart.hook, SCALARS, "required"),
+        ("torque", |apart| apart.torque, SCALARS, "required"),
+        (
+            "joints that press otherwise",
+            |apart| 1.0 - apart.pressed,
+            1.0 - JOINTS,
+            "2 % of the largest",
+        ),
+        (
+            "joints that bend otherwise",
+            |apart| 1.0 - apart.bent,
+            1.0 - JOINTS,
+            "2 % of the largest",
+        ),
+        ("nodes on another side", |apart| 1.0 - apart.sides, 1.0 - SIDES, "required"),
     ];
-    for (what, of, most, reason) in numbers {
-        let quantity = format!("stiff string beside the dynamics: {what} as a part");
+    for (what, number, most, reason) in numbers {
+        let quantity = format!("stiff string against the dynamics: {what} as a part");
         let row = |apart: &&Apart| {
-            verify("at rest", quantity.clone()).absolute(most, reason).row(0.0, of(apart))
+            verify("at rest", quantity.clone()).absolute(most, reason).row(0.0, number(apart))
         };
         report_worst(held.iter().map(row));
     }

@@ -7,28 +7,28 @@ use common::{EXAMPLE, SURVEY, SURVEY_NAME};
 use serde_json::Value as Json;
 use wholestring_case::{Case, InMemory, Override, parse, schema};
 
-/// Keys that change no answer, and why.
+/// Keys that do not affect the results, with the reason.
 const WITHOUT_EFFECT: &[(&str, &str)] = &[
-    ("name", "what the case is called"),
-    ("units", "what people are shown"),
-    ("dynamics.checkpoint_interval", "how much a kill costs"),
-    ("modes.count", "what is asked of the string at rest"),
-    ("modes.assembly", "what is asked of the string at rest"),
-    ("modes.slowest", "what is asked of the string at rest"),
-    ("modes.fastest", "what is asked of the string at rest"),
-    ("modes.orders", "what is asked of the string at rest"),
-    ("modes.force", "what is asked of the string at rest"),
-    ("modes.force_at", "what is asked of the string at rest"),
-    ("modes.lightest", "what the map of stability covers"),
-    ("modes.heaviest", "what the map of stability covers"),
-    ("modes.highest_frequency", "what the map of stability covers"),
-    ("modes.static_over_kinetic", "what the map of stability assumes"),
-    ("mud.gel_strength", "what a plan's pumps break"),
-    ("plan", "what is asked at other depths and frictions"),
+    ("name", "the name of the case"),
+    ("units", "display only"),
+    ("dynamics.checkpoint_interval", "the loss after a kill"),
+    ("modes.count", "evaluated on the static string"),
+    ("modes.assembly", "evaluated on the static string"),
+    ("modes.slowest", "evaluated on the static string"),
+    ("modes.fastest", "evaluated on the static string"),
+    ("modes.orders", "evaluated on the static string"),
+    ("modes.force", "evaluated on the static string"),
+    ("modes.force_at", "evaluated on the static string"),
+    ("modes.lightest", "the range of the map of stability"),
+    ("modes.heaviest", "the range of the map of stability"),
+    ("modes.highest_frequency", "the range of the map of stability"),
+    ("modes.static_over_kinetic", "an assumption of the map of stability"),
+    ("mud.gel_strength", "the gel that a plan's pumps break"),
+    ("plan", "evaluated at other depths and frictions"),
     ("well.hole.0.from", "where the section above ends: anything else is refused"),
 ];
 
-/// Two values of keys whose schema does not say enough to make two.
+/// Two values of keys whose schema does not suffice to generate them.
 const VALUES: &[(&str, [&str; 2])] = &[
     ("bit.face.insert_shape", ["hemisphere", "cone"]),
     ("bit.face.exposure", ["4 mm", "5 mm"]),
@@ -109,7 +109,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("well.survey_unit", ["m", "ft"]),
 ];
 
-/// What is put before the drill pipe of the example, so that a component has everything.
+/// Text inserted before the drill pipe of the example, so that a component has everything.
 const TOOL: &str = "[[string]]\ncomponent = \"motor\"\nod = \"171 mm\"\nid = \"57 mm\"\nlength = \"9.6 m\"\n\
      bend = \"1.5 deg\"\nbend_at = \"2 m\"\nbend_toolface = \"90 deg\"\neccentricity = \"2 mm\"\n\
      eccentricity_phase = \"90 deg\"\nlateral_force = \"15 kN\"\nlateral_force_at = \"0.8 m\"\nlateral_force_toolface = \"90 deg\"\neccentricity_cavity = \"mud\"\nblade_od = \"212 mm\"\nblade_length = \"0.6 m\"\n";
@@ -256,10 +256,10 @@ fn read(text: &str, change: &Override) -> Result<Case, String> {
     parse("case.toml", text.as_bytes(), &files, changes).map_err(|report| report.render(false))
 }
 
-/// The keys that hold values, dotted, lists counted from zero.
+/// Returns the keys that have values, dotted, lists counted from zero.
 fn leaves(rule: &Json, path: &str, all: &mut Vec<(String, Json)>) {
     let mut below = false;
-    let either = ["anyOf", "oneOf"].map(|of| rule[of].as_array().cloned().unwrap_or_default());
+    let either = ["anyOf", "oneOf"].map(|word| rule[word].as_array().cloned().unwrap_or_default());
     for rule in either.iter().flatten().chain([rule]) {
         let dotted = |key: &str| match path {
             "" => key.to_owned(),
@@ -305,13 +305,13 @@ fn values(path: &str, rule: &Json) -> [String; 2] {
     [first, 1.02 * first].map(|number| number.to_string())
 }
 
-/// Changes the key in every case; the first in which both values are valid shows.
+/// Changes the key in every case; the first in which both values are valid decides.
 fn counts(path: &str, rule: &Json, bases: &[String]) -> Result<(), String> {
     let values = values(path, rule);
     let mut why = String::new();
     for base in bases {
-        // The face of a bit takes its time, and other keys count elsewhere.
-        if base.contains("[rock]") && !["bit", "rock"].iter().any(|of| path.starts_with(of)) {
+        // The face of a bit takes long, and other keys are tested elsewhere.
+        if base.contains("[rock]") && !["bit", "rock"].iter().any(|table| path.starts_with(table)) {
             continue;
         }
         // The component with everything is the second one.
@@ -341,8 +341,8 @@ fn every_key_makes_another_case() {
     let mut keys = Vec::new();
     leaves(&schema, "", &mut keys);
     assert!(keys.len() > 190, "{} keys", keys.len());
-    let is_in = |path: &str, of: &str| {
-        path.strip_prefix(of).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    let is_in = |path: &str, key: &str| {
+        path.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
     };
     let without = |path: &str| WITHOUT_EFFECT.iter().any(|(key, _)| is_in(path, key));
     let mistakes: Vec<String> = keys
@@ -363,7 +363,7 @@ fn what_is_only_shown_makes_no_other_case() {
     }
 }
 
-/// What earlier versions left out of what they compared.
+/// Fields that earlier versions did not compare.
 #[test]
 fn settings_tell_of_bends_eccentricities_and_the_tolerance() {
     let [_, _, _, _, _, _, _, tool, ..] = &bases()[..] else {
@@ -391,7 +391,7 @@ fn settings_tell_of_bends_eccentricities_and_the_tolerance() {
     };
     let tuned = hoist("control = \"tuned-lift\"\ntolerance = 0.02\n");
     assert_eq!(tuned["tolerance"], 0.02);
-    // Numbers of a control that nothing puts in control are not told.
+    // Numbers of a control that is never active are omitted.
     assert_eq!(tuned["gain_m_per_s_per_N"], Json::Null);
     let speed = hoist("control = \"block-velocity\"\nblock_velocity = \"0.1 m/s\"\ngain = 1e-6\n");
     assert_eq!(speed["gain_m_per_s_per_N"], Json::Null);
@@ -401,7 +401,7 @@ fn settings_tell_of_bends_eccentricities_and_the_tolerance() {
     let automatic = hoist("control = \"autodriller\"\ngain = 1e-6\n");
     assert_eq!(automatic["gain_m_per_s_per_N"], 1e-6);
     assert_eq!(automatic["min_speed_m_per_s"], 0.0);
-    // An operation on bottom takes the autodriller by itself, as it is by default.
+    // An operation on bottom selects the autodriller with its default settings.
     let by_itself = hoist("gain = 1e-6\n");
     assert_eq!(by_itself["gain_m_per_s_per_N"], 1e-7);
 }

@@ -1,4 +1,4 @@
-//! What is meant as a case file.
+//! Texts that are intended as a case file.
 
 use wholestring_case::is_case;
 

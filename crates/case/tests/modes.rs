@@ -1,5 +1,5 @@
-//! Small motions of every shipped case: each operation that has an equilibrium has as many modes of
-//! each family as the case requests.
+//! Linear vibration of every shipped case: each operation that has an equilibrium has as many modes
+//! of each family as the case requests.
 
 use std::{collections::BTreeSet, path::Path};
 
@@ -15,11 +15,12 @@ fn every_shipped_case_has_its_modes() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
     let mut without = BTreeSet::new();
     for ready in wholestring_cases::ALL {
-        let case = load(&folder.join(ready.file_name), &[]).unwrap_or_else(|of| panic!("{of}"));
+        let case =
+            load(&folder.join(ready.file_name), &[]).unwrap_or_else(|report| panic!("{report}"));
         let planned = case.plan.operations.iter().chain(&case.operations);
         let mut operations: Vec<Operation> = Vec::new();
         for operation in planned {
-            if operations.iter().all(|of| of.kind != operation.kind) {
+            if operations.iter().all(|other| other.kind != operation.kind) {
                 operations.push(*operation);
             }
         }
@@ -50,7 +51,7 @@ fn every_shipped_case_has_its_modes() {
             assert_eq!(lateral.len(), count, "{name}");
         }
     }
-    // What has no equilibrium has no small motions about it.
+    // Without an equilibrium there is no linear vibration about it.
     let locks_up = BTreeSet::from(["lateral-that-cannot-be-drilled slide".to_owned()]);
     assert_eq!(without, locks_up);
 }

@@ -1,5 +1,5 @@
-//! Ten thousand mutations of the shipped cases: each is accepted or answered, and none panics; what
-//! is accepted runs.
+//! Ten thousand mutations of the shipped cases: each is accepted or refused with a message, and
+//! none panics; accepted ones run.
 
 use std::{
     ops::Range,
@@ -21,10 +21,10 @@ use wholestring_cases::{ALL, ReadyCase};
 
 const MUTATIONS: usize = 10_000;
 
-/// One in so many mutations, if accepted, is also run.
+/// Of accepted mutations, one in this many is also run.
 const SHARE_OF_RUNS: usize = 4;
 
-/// A shipped case and the files beside it.
+/// A shipped case and the files that it names.
 struct Shipped {
     name: String,
     text: String,
@@ -36,13 +36,13 @@ fn shipped() -> Vec<Shipped> {
     let files = InMemory(
         beside.map(|(name, text)| ((*name).to_owned(), text.as_bytes().to_vec())).collect(),
     );
-    let of = |case: &ReadyCase| Shipped {
+    let shipped = |case: &ReadyCase| Shipped {
         name: case.file_name.to_owned(),
         text: case.text.to_owned(),
         files: files.clone(),
     };
-    let mut cases: Vec<Shipped> = ALL.iter().map(of).collect();
-    // Which one a seed changes depends on their order.
+    let mut cases: Vec<Shipped> = ALL.iter().map(shipped).collect();
+    // The case that a seed changes depends on their order.
     cases.sort_by(|one, other| one.name.cmp(&other.name));
     cases
 }
@@ -52,10 +52,10 @@ fn the_shipped_cases_are_sound() {
     for case in shipped() {
         let read = parse(&case.name, case.text.as_bytes(), &case.files, &[]);
         let read = read.unwrap_or_else(|report| panic!("{report}"));
-        // Well B's pipe has a shear modulus that makes its torsional stiffness the recorded one.
-        let told = read.warnings.to_string();
-        let known = case.name.starts_with("well-b") && told.matches("warning: ").count() == 1;
-        assert!(told.is_empty() || known && told.contains("Poisson's ratio"), "{told}");
+        // Well B's pipe has a shear modulus that gives the recorded torsional stiffness.
+        let warnings = read.warnings.to_string();
+        let known = case.name.starts_with("well-b") && warnings.matches("warning: ").count() == 1;
+        assert!(warnings.is_empty() || known && warnings.contains("Poisson's ratio"), "{warnings}");
     }
 }
 
@@ -112,7 +112,7 @@ fn every_mutation_is_accepted_or_answered() {
     assert!(accepted <= MUTATIONS / 2, "{accepted} are accepted");
 }
 
-/// What a solver may take for granted of a case.
+/// Properties of a case that a solver relies on.
 fn check_accepted(case: &Case) {
     assert!(!case.models.is_empty() && !case.operations.is_empty());
     let well = &case.model.well;
@@ -155,7 +155,7 @@ fn check_accepted(case: &Case) {
                 let scalars = profile.scalars;
                 assert!(scalars.hook_load_N.is_finite() && scalars.surface_torque_N_m.is_finite());
             }
-            // A capstan of many turns holds more than a number can.
+            // The force of a capstan of many turns exceeds the range of numbers.
             Err(error) => assert!(!error.to_string().is_empty()),
         }
     }
@@ -167,8 +167,9 @@ fn check_accepted(case: &Case) {
     assert!(settings.len() < 64 << 20);
 }
 
-/// Runs the dynamics for a few hundredths of a second, the mesh coarse enough for a test. The run
-/// ends, diverges or cannot begin, and says so; it never answers with numbers that are none.
+/// Runs the dynamics for a few hundredths of a second, with a mesh coarse enough for a test. The
+/// run ends, diverges or cannot begin, each with a message; its results never contain invalid
+/// numbers.
 fn run_dynamics(case: &Case, operation: &Operation) {
     const MAX_ELEMENTS: f64 = 150.0;
     const RUN_S: f64 = 0.03;
@@ -201,9 +202,9 @@ fn run_dynamics(case: &Case, operation: &Operation) {
     assert_finite(&simulation.outcome());
 }
 
-/// No number of an outcome is infinite or none.
+/// Every number of an outcome is finite.
 fn assert_finite(outcome: &DynamicOutcome) {
-    // Debug prints every field there is, also those of tomorrow.
+    // Debug prints every field, including future ones.
     let text = format!("{outcome:?}");
     for word in ["NaN", "inf"] {
         let found = text.split(|c: char| !c.is_alphanumeric()).any(|part| part == word);
@@ -215,7 +216,7 @@ fn assert_finite(outcome: &DynamicOutcome) {
     }
 }
 
-/// The names of all keys.
+/// Returns the names of all keys.
 fn schema_keys(schema: &serde_json::Value) -> Vec<String> {
     fn visit(schema: &serde_json::Value, keys: &mut Vec<String>) {
         if let Some(properties) = schema.get("properties").and_then(|keys| keys.as_object()) {
@@ -245,7 +246,7 @@ fn mutate(case: &Shipped, keys: &[String], files: &mut InMemory, rng: &mut Rng) 
     }
     for _ in 0..rng.usize(1..4) {
         let changed = mutate_structure(&text, keys, rng);
-        // Most mutations are to be valid TOML: what is not is tried again, once.
+        // Most mutations should be valid TOML: an invalid one is tried again, once.
         text = match DeTable::parse(&changed) {
             Ok(_) => changed,
             Err(_) => mutate_structure(&text, keys, rng),
@@ -303,7 +304,7 @@ fn mutate_survey(survey: &mut Vec<u8>, rng: &mut Rng) {
     *survey = lines.join("\n").into_bytes();
 }
 
-/// Where the keys and values of a case stand.
+/// Places of the keys and values of a case.
 #[derive(Default)]
 struct Sites {
     keys: Vec<Range<usize>>,
@@ -366,19 +367,19 @@ fn mutate_structure(text: &str, keys: &[String], rng: &mut Rng) -> String {
             changed.replace_range(at, &name);
         }),
         15 => pick(&sites.lists, rng).map(|at| {
-            // Headed lists have their first heading as their place.
+            // The place of lists of headed tables is their first heading.
             let heading = text[at.clone()].starts_with("[[");
             changed.replace_range(at, if heading { "[mud]" } else { "[]" });
         }),
         16 => {
             let lines: Vec<&str> = text.lines().collect();
             let drop = rng.usize(..lines.len());
-            let kept = lines.iter().enumerate().filter(|(i, _)| *i != drop);
-            changed = kept.map(|(_, line)| *line).collect::<Vec<_>>().join("\n");
+            let remaining = lines.iter().enumerate().filter(|(i, _)| *i != drop);
+            changed = remaining.map(|(_, line)| *line).collect::<Vec<_>>().join("\n");
             Some(())
         }
         17 => {
-            // A table again, gone, or elsewhere.
+            // A table duplicated, removed, or moved.
             let mut blocks: Vec<&str> = text.split("\n[").collect();
             let (a, b) = (rng.usize(..blocks.len()), rng.usize(..blocks.len()));
             match rng.u8(..3) {
@@ -392,7 +393,7 @@ fn mutate_structure(text: &str, keys: &[String], rng: &mut Rng) -> String {
             Some(())
         }
         _ => pick(keys, rng).map(|key| {
-            // A key that was not there, in some table.
+            // A new key, in some table.
             let ends: Vec<usize> = text.match_indices("]\n").map(|(at, _)| at + 2).collect();
             let at = pick(&ends, rng).unwrap_or(0);
             let value = other_value("1", rng);
@@ -402,7 +403,7 @@ fn mutate_structure(text: &str, keys: &[String], rng: &mut Rng) -> String {
     done.map_or_else(|| text.to_owned(), |()| changed)
 }
 
-/// Numbers that computers and people write.
+/// Returns numbers in forms that computers and people write.
 fn number(rng: &mut Rng) -> String {
     const EXTREMES: &str = "\
         0 -0.0 1 -1 nan -nan inf -inf 1e308 -1e308 1e-308 1e400 4.9e-324 9223372036854775807 \
@@ -476,7 +477,7 @@ fn other_value(old: &str, rng: &mut Rng) -> String {
     }
 }
 
-/// The same quantity, a little or a lot larger or smaller: often still a valid case.
+/// Returns the same quantity, a little or a lot larger or smaller: often still a valid case.
 fn scaled(old: &str, rng: &mut Rng) -> String {
     let quoted = old.starts_with('"');
     let inside = old.trim_matches('"');

@@ -1,4 +1,4 @@
-//! A case for fewer operations is what its text makes of it.
+//! A case for fewer operations equals the one read from its text.
 
 use std::path::Path;
 
@@ -16,12 +16,12 @@ fn change(text: &str) -> Override {
     text.parse().expect("KEY=VALUE")
 }
 
-/// The same by the text.
+/// The same from the text.
 fn read(template: &Template, models: &[ModelKind], only: Option<OperationKind>) -> Case {
-    let names: Vec<String> = models.iter().map(|of| format!("{:?}", of.name())).collect();
+    let names: Vec<String> = models.iter().map(|model| format!("{:?}", model.name())).collect();
     let mut changes = vec![change(&format!("model=[{}]", names.join(", ")))];
     changes.extend(only.map(|only| change(&format!("operation.kind={:?}", only.name()))));
-    // A plan of operations that the case has no more would not be sound.
+    // A plan of operations that the case no longer has would be invalid.
     if let Some(only) = only {
         changes.push(change(&format!("plan.operations=[{:?}]", only.name())));
     }
@@ -36,7 +36,7 @@ fn every_case_that_ships_is_narrowed_as_its_text_would_be() {
         let path = folder.join(shipped.file_name);
         let template = Template::read(&path).unwrap();
         let case = template.case(&[]).unwrap();
-        let kinds = case.operations.iter().map(|of| Some(of.kind));
+        let kinds = case.operations.iter().map(|operation| Some(operation.kind));
         for only in kinds.chain([None]) {
             for models in STATICS {
                 let Some(ours) = case.narrowed(models, only) else { continue };

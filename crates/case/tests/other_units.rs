@@ -1,4 +1,4 @@
-//! A case in other units, in another order, or with other last digits has the same answer.
+//! A case in other units, in another order, or with other last digits has the same results.
 
 mod common;
 
@@ -6,7 +6,8 @@ use common::read;
 use fastrand::Rng;
 use wholestring::statics::soft::{SoftProfile, soft_string};
 
-/// Of the largest force, torque or length: what is left of inputs that differ in their last digits.
+/// Tolerance, as a part of the largest force, torque or length: the effect of inputs that differ in
+/// their last digits.
 const TOLERANCE: f64 = 1e-9;
 
 /// The soft string of every operation of a case.
@@ -24,7 +25,7 @@ fn assert_same(what: &str, a: &str, b: &str) {
         assert_eq!(a.md_m.len(), b.md_m.len(), "{what} {index}: as many steps");
         let (x, y) = (&a.scalars, &b.scalars);
         let force_N = x.hook_load_N.abs().max(x.side_force_total_N);
-        for (of, x, y, scale) in [
+        for (quantity, x, y, scale) in [
             ("hook load", x.hook_load_N, y.hook_load_N, force_N),
             ("side force", x.side_force_total_N, y.side_force_total_N, force_N),
             ("drag", x.axial_friction_N, y.axial_friction_N, force_N),
@@ -33,20 +34,20 @@ fn assert_same(what: &str, a: &str, b: &str) {
             ("stretch", x.stretch_m, y.stretch_m, 1e-4 * a.md_m[a.md_m.len() - 1]),
         ] {
             let apart = (x - y).abs() / scale.max(1e-2);
-            assert!(apart < TOLERANCE, "{what} {index}: {of} {x} for {y}, {apart:.1e} apart");
+            assert!(apart < TOLERANCE, "{what} {index}: {quantity} {x} for {y}, {apart:.1e} apart");
         }
     }
 }
 
-/// In feet the stretch from 363.5 m to 371.5 m, which is a kick-off of a spline, had nine steps for
-/// eight, which changed the torque by 3e-5.
+/// In feet the stretch from 363.5 m to 371.5 m, which is a kick-off of a spline, had nine steps
+/// instead of eight, which changed the torque by 3e-5.
 #[test]
 fn field_units_are_si() {
     assert_same("units", include_str!("units/si.toml"), include_str!("units/field.toml"));
 }
 
-/// The last station is 5e-10 m above the bit, where the path goes on straight: the curvature of the
-/// last metre was lost at its lower end, 1.5e-4 of the torque.
+/// The last station is 5e-10 m above the bit, where the path continues straight: the curvature of
+/// the last metre was lost at its lower end, 1.5e-4 of the torque.
 #[test]
 fn a_bit_below_the_last_station_by_a_last_digit() {
     let [at, below] =
@@ -158,9 +159,9 @@ impl Drawn {
 fn random_cases_in_other_units_and_in_another_order() {
     let mut random = Rng::with_seed(24);
     for round in 0..150 {
-        let drawn = Drawn::new(&mut random);
-        let plain = drawn.text(false, false);
-        assert_same(&format!("{round} units"), &plain, &drawn.text(true, false));
-        assert_same(&format!("{round} order"), &plain, &drawn.text(false, true));
+        let random_case = Drawn::new(&mut random);
+        let plain = random_case.text(false, false);
+        assert_same(&format!("{round} units"), &plain, &random_case.text(true, false));
+        assert_same(&format!("{round} order"), &plain, &random_case.text(false, true));
     }
 }

@@ -1,4 +1,4 @@
-//! What a case says of solid rock, as the engine gets it.
+//! The solid rock of a case, as input of the engine.
 
 mod common;
 
@@ -45,8 +45,8 @@ fn test(case: &Case) -> &BitTest {
 
 const SOUND: &str = "strength = \"60 MPa\"";
 
-/// Of the strength follow the other numbers of the rock, of the diameter of the lowest component
-/// face, elements and block.
+/// The other numbers of the rock follow from the strength; face, elements and block from the
+/// diameter of the lowest component.
 #[test]
 fn a_strength_suffices() {
     let case = on_rock("", SOUND, "");
@@ -63,7 +63,7 @@ fn a_strength_suffices() {
     assert_eq!(found.block.confinement_Pa, 0.0);
     let BitLaw::Rock(law) = &case.dynamics.bit.law else { panic!("{:?}", case.dynamics.bit.law) };
     assert_eq!(&law.drilling, found);
-    // The soft string takes the law's estimate.
+    // The soft string uses the law's estimate.
     let operation = &case.operations[0];
     let steady = law.steady(operation.weight_on_bit_N, operation.rotary_speed_rad_per_s);
     assert_eq!(operation.bit_torque_N_m, steady.torque_N_m);
@@ -119,7 +119,8 @@ fn every_number_of_the_rock_arrives() {
     assert_eq!(found.contact.friction, 0.2);
     assert_eq!(block.size_m, [0.01; 3]);
     assert_eq!(block.numerics.density_factor, 50.0);
-    // 215.9 mm and 41 mm on each side; what is kept of the wall, the layer of the nose, and 69 mm.
+    // 215.9 mm and 41 mm on each side; the stored part of the wall, the layer of the nose, and 69
+    // mm.
     let wall = (found.wall_m / 0.01).round() as usize;
     assert_eq!(block.cells, [32, 32, wall + 1 + 7]);
     // The record of the run has them too.
@@ -138,14 +139,14 @@ fn the_energy_of_a_crushed_band_follows_that_of_crushing() {
     assert!((rock.compressive_fracture_energy_J_per_m2 / 12e3 - 1.0).abs() < 1e-12);
 }
 
-/// An element is no larger than the body leaves room for behind the cutters.
+/// An element is no larger than the clearance between the body and the tips of the cutters allows.
 #[test]
 fn elements_follow_the_cutters() {
     let case = on_rock("", SOUND, "[bit.face]\nexposure = \"6 mm\"");
     assert!((spec(&case).block.size_m[0] - 9e-3).abs() < 1e-12);
 }
 
-/// The mud's pressure is all around unless the case says otherwise.
+/// The mud's pressure acts on all sides by default.
 #[test]
 fn confinement_is_the_pressure() {
     let case = on_rock("", &format!("{SOUND}\npressure = \"10 MPa\""), "");
@@ -182,7 +183,7 @@ fn every_number_of_the_face_arrives() {
     assert_eq!(pdc(&case), expected);
 }
 
-/// What follows from a number follows the one that is given.
+/// Defaults that depend on a number follow the given value.
 #[test]
 fn defaults_follow_what_is_given() {
     let bit = pdc(&on_rock("", SOUND, "[bit.face]\ncutter_diameter = \"13 mm\""));
@@ -257,7 +258,7 @@ fn a_bit_test_beside_another_law() {
     assert!(matches!(case.dynamics.bit.law, BitLaw::Rate(_)));
     assert_eq!(test(&case).weights_N.len(), 5);
     assert!(case.drilling().is_some());
-    // Without one there is no rock, and nothing about it in the record.
+    // Without a bit test there is no rock, and none in the record.
     let plain = read(common::EXAMPLE).expect("the example");
     assert!(plain.drilling().is_none() && plain.bit_test.is_none());
     assert!(plain.settings.get("rock").is_none());

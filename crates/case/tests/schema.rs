@@ -1,4 +1,4 @@
-//! The schema says what the reader does.
+//! The schema agrees with the reader.
 
 mod common;
 
@@ -24,7 +24,7 @@ fn accepts_every_shipped_case() {
     }
 }
 
-/// Wherever the reader knows no key, the schema does not either, and the other way round.
+/// Wherever the reader rejects a key, the schema does too, and vice versa.
 #[test]
 fn refuses_a_misspelt_key_in_every_table() {
     let schema = schema();
@@ -71,7 +71,7 @@ fn refuses_what_the_reader_refuses_for_its_form() {
     }
 }
 
-/// Every default that the schema states is accepted where its key stands in the file.
+/// Every default of the schema is accepted when the file states it.
 #[test]
 fn states_defaults_that_the_reader_accepts() {
     let schema = schema();
@@ -125,7 +125,7 @@ fn without(heading: &str, key: &str) -> String {
     text
 }
 
-/// Every key says what it means.
+/// Every key has a description.
 #[test]
 fn describes_every_key() {
     fn visit(schema: &Json, at: &str) {
@@ -143,7 +143,7 @@ fn describes_every_key() {
     visit(&schema(), "case");
 }
 
-/// Every quantity says which numbers are usual, or stands here with the reason why none are.
+/// Every quantity has usual numbers, or is listed here with the reason why it has none.
 #[test]
 fn quantities_have_usual_numbers() {
     const NONE: &[(&str, &str)] = &[
@@ -157,7 +157,7 @@ fn quantities_have_usual_numbers() {
         ("face", "lengths that the bit's diameter bounds"),
         ("rock", "angles, energies and margins that the rock bounds"),
         ("hoist", "gains and speeds of controllers, of either sign"),
-        ("schedule", "times, and what starts and ends at rest"),
+        ("schedule", "times, and quantities that start and end at rest"),
         ("dynamics", "times and numbers of the method"),
         ("bit_test", "times, and speeds down to one revolution in a minute"),
         ("modes", "speeds from rest on, and a place on the string, which bounds it"),

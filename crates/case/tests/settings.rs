@@ -88,14 +88,14 @@ fn settings(changes: &[&str]) -> Json {
     case.settings
 }
 
-/// Every key and value of one case, and of the others what they write differently.
+/// Every key and value of one case, and the differences of the others.
 #[test]
 fn are_on_record() {
     let plain = settings(&[]);
     insta::assert_snapshot!("plain", serde_json::to_string_pretty(&plain).expect("JSON"));
     for (name, changes) in VARIANTS {
         let changed = settings(changes);
-        let tables = |of: &Json| of.as_object().expect("tables").clone();
+        let tables = |record: &Json| record.as_object().expect("tables").clone();
         let (plain, changed) = (tables(&plain), tables(&changed));
         let different = changed.iter().filter(|(key, value)| plain.get(*key) != Some(value));
         let different: Json = different
@@ -106,7 +106,7 @@ fn are_on_record() {
     }
 }
 
-/// What a component does not have is no key.
+/// Parts that a component does not have are not keys.
 #[test]
 fn components_without_joints_or_bends_do_not_speak_of_them() {
     let keys = |component: &Json| -> BTreeSet<String> {

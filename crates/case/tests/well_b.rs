@@ -1,7 +1,7 @@
 //! E08: the shipped cases of well B against the records of its rig.
 //!
-//! The friction of both cases was fitted on the record at 1714 m. What comes at 2235 m is a
-//! prediction, and reported as it comes.
+//! The friction of both cases was fitted on the record at 1714 m. The result at 2235 m is a
+//! prediction, and reported unchanged.
 
 use std::{fs, ops::Range, path::Path};
 
@@ -10,7 +10,7 @@ use wholestring::{dynamics::TimeSeries, prelude::*, string::DrillString};
 use wholestring_case::{Case, Override, load};
 use wholestring_verification::{Tolerance, verify};
 
-/// What is compared of a window, torques in kN·m.
+/// Compared statistics of a window, torques in kN·m.
 struct Swing {
     mean: f64,
     least: f64,
@@ -24,7 +24,7 @@ fn root() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The record of a depth: the source's own statistics of it.
+/// The record of a depth: the source's own statistics.
 fn recorded(depth_m: u32) -> Swing {
     let file = root().join("verification/E08_aarsnes_field_data.json");
     let data: Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
@@ -60,8 +60,8 @@ fn binned(series: &TimeSeries, values: &[f64], settle_s: f64) -> Vec<f64> {
     bins.iter().map(|(sum, samples)| sum / samples).collect()
 }
 
-/// The delay at which the torque repeats itself best, of so many tenths of a second, s; the
-/// record's 3.9 s is found so, too.
+/// The delay at which the torque best repeats itself, among these tenths of a second, s; the
+/// record's 3.9 s is found in the same way.
 fn period_s(torque: &[f64], delays: Range<usize>) -> f64 {
     let mean = torque.iter().sum::<f64>() / torque.len() as f64;
     let alike = |delay: usize| {
@@ -75,8 +75,8 @@ fn period_s(torque: &[f64], delays: Range<usize>) -> f64 {
 
 /// The same string with the polar inertia and the torsional stiffness of its assembly multiplied.
 ///
-/// The inertia by the mass, with a density at which it weighs as much in the mud as before: what it
-/// takes to move the assembly along and across the hole grows with it, which torsion does not feel.
+/// The inertia is multiplied by way of the mass, with a density that keeps the weight in the mud:
+/// the axial and lateral inertia of the assembly grow with it, which does not affect torsion.
 fn multiplied(model: &Model, inertia: f64, stiffness: f64) -> DrillString {
     let last = model.string.components().len() - 1;
     let mud = model.mud.density_kg_per_m3;
@@ -138,25 +138,25 @@ fn computed(case: &Case, delays: Range<usize>) -> Swing {
 
 fn compare(depth_m: u32, period: Tolerance, peak: Tolerance, reason: &str) {
     let (found, record) = (computed(&shipped(depth_m, &[]), 20..70), recorded(depth_m));
-    let told = "reported as it comes";
+    let reported = "reported as it comes";
     for (quantity, found, expected, tolerance, reason) in [
         ("period, s", found.period_s, record.period_s, period, reason),
         ("peak torque, kN·m", found.peak, record.peak, peak, reason),
-        ("mean torque, kN·m", found.mean, record.mean, Tolerance::Any, told),
-        ("least torque, kN·m", found.least, record.least, Tolerance::Any, told),
+        ("mean torque, kN·m", found.mean, record.mean, Tolerance::Any, reported),
+        ("least torque, kN·m", found.least, record.least, Tolerance::Any, reported),
         (
             "least bit speed, rev/min",
             found.bit_least_rpm,
             record.bit_least_rpm,
             Tolerance::Any,
-            told,
+            reported,
         ),
         (
             "largest bit speed, rev/min",
             found.bit_most_rpm,
             record.bit_most_rpm,
             Tolerance::Any,
-            told,
+            reported,
         ),
     ] {
         println!("{depth_m} m, {quantity}: {found:.2} for {expected}");
@@ -166,19 +166,19 @@ fn compare(depth_m: u32, period: Tolerance, peak: Tolerance, reason: &str) {
     }
 }
 
-/// The fit: period within 10 %, peak within 15 %. It sticks, slips and turns backwards as the
-/// record does.
+/// The fit: period within 10 %, peak within 15 %. The string sticks, slips and turns backwards, as
+/// in the record.
 #[test]
 fn the_fit_at_1714_m_has_the_period_and_the_peak_of_the_record() {
-    let reason = "what a fit of two coefficients is asked to meet";
+    let reason = "the requirement for a fit of two coefficients";
     compare(1714, Tolerance::Relative(0.10), Tolerance::Relative(0.15), reason);
 }
 
 /// The prediction with the same friction.
 #[test]
 fn the_prediction_at_2235_m_is_reported() {
-    let told = "a prediction: reported as it comes";
-    compare(2235, Tolerance::Any, Tolerance::Any, told);
+    let reason = "a prediction: reported as it comes";
+    compare(2235, Tolerance::Any, Tolerance::Any, reason);
 }
 
 /// Kinetic and static friction of the shipped cases, and those of the fit with the authors' moment.
@@ -204,15 +204,15 @@ fn varied(depth_m: u32, [kinetic, at_rest]: [f64; 2], inertia: f64, stiffness: f
     found
 }
 
-/// The authors' program multiplies the polar moment of the assembly by `π`, and so its inertia and
-/// its stiffness. Taken over, that does not explain the miss at 2235 m: whatever the friction, and
-/// with the stiffness left alone, the string swings at 6.3 s and more at 1714 m and at 7.2 s and
-/// more at 2235 m, 1.6 times the record at least, and with friction fitted anew at 1714 m the peak
-/// at 2235 m is missed by a quarter at least.
+/// The authors' program multiplies the polar moment of the assembly by `π`, and thus its inertia
+/// and its stiffness. Applied here, that does not explain the miss at 2235 m: whatever the
+/// friction, and with the stiffness unchanged, the string swings at 6.3 s and more at 1714 m and at
+/// 7.2 s and more at 2235 m, 1.6 times the record at least; with friction fitted again at 1714 m
+/// the peak at 2235 m is missed by a quarter at least.
 ///
-/// The bounds are half of what is missed: the lowest natural period of the string, held at the top
-/// and free at the bit, is 3.9 and 4.8 s without the `π` and 6.3 and 7.4 s with it, for records of
-/// 3.9 and 4.1 s.
+/// The bounds are half of the miss: the lowest natural period of the string, fixed at the top and
+/// free at the bit, is 3.9 and 4.8 s without the `π` and 6.3 and 7.4 s with it, for records of 3.9
+/// and 4.1 s.
 #[test]
 fn the_moment_of_the_authors_program_does_not_explain_the_miss() {
     use std::f64::consts::PI;
@@ -231,7 +231,7 @@ fn the_moment_of_the_authors_program_does_not_explain_the_miss() {
             }
         }
     }
-    // What the fit's lower friction at rest does by itself.
+    // The effect of the fit's lower static friction alone.
     for depth_m in [1714, 2235] {
         varied(depth_m, REFITTED, 1.0, 1.0);
     }

@@ -1,6 +1,6 @@
 //! Natural frequencies of the string of a case, as eigenvalues of the mesh and the masses that its
-//! run would have: `natural_frequencies CASE.toml [KEY=VALUE...]` prints them as JSON. Nothing but
-//! the hoist holds the string along the hole and the top drive about it; across it, a span of three
+//! run would use: `natural_frequencies CASE.toml [KEY=VALUE...]` prints them as JSON. The string is
+//! held axially only by the hoist and in rotation only by the top drive; laterally, a span of three
 //! joints of pipe is pinned at its ends, without tension.
 
 use std::{env, f64::consts::TAU, path::Path, process::ExitCode};
@@ -12,20 +12,21 @@ use wholestring::{
 };
 use wholestring_case::Override;
 
-/// Frequencies of each motion.
+/// Number of frequencies of each motion.
 const COUNT: usize = 3;
 
-/// A stiffness that holds, over the largest that there is.
+/// Stiffness of a rigid support, over the largest stiffness of the chain.
 const HELD: f64 = 1e9;
 
 /// Distance of the span from the bit, m: ordinary pipe in every case.
 const SPAN_FROM_BIT_M: f64 = 500.0;
 
-/// Length of the span in joints, and its joints, m, of pipe that has none.
+/// Length of the span in joints, and the length of a joint, m, of pipe without joints.
 const JOINTS: f64 = 3.0;
 const PLAIN_JOINT_M: f64 = 9.6;
 
-/// A symmetric stiffness matrix of a chain, its diagonal and up to three beside it, and masses.
+/// A symmetric banded stiffness matrix of a chain, its diagonal and up to three off-diagonals, and
+/// masses.
 struct Chain {
     rows: Vec<[f64; 4]>,
     masses: Vec<f64>,
@@ -46,7 +47,7 @@ impl Chain {
         self.add(unknown, unknown, HELD * largest);
     }
 
-    /// How many eigenvalues lie below one, 1/s²: as many as negative pivots (Sylvester's law).
+    /// Number of eigenvalues below this one, 1/s²: the number of negative pivots (Sylvester's law).
     fn below(&self, eigenvalue: f64) -> usize {
         let mut rows = self.rows.clone();
         for (row, mass) in rows.iter_mut().zip(&self.masses) {
@@ -67,8 +68,8 @@ impl Chain {
 
     /// The lowest frequencies, Hz.
     fn lowest_Hz(&self) -> Vec<f64> {
-        let wanted = 0..COUNT.min(self.rows.len());
-        wanted
+        let modes = 0..COUNT.min(self.rows.len());
+        modes
             .map(|mode| {
                 let (mut low, mut high) = (0.0, 1.0);
                 while self.below(high) <= mode {
@@ -88,14 +89,15 @@ impl Chain {
     }
 }
 
-/// Along the string and about its axis: held at the top, free at the bit.
+/// Axial and torsional motion: held at the top, free at the bit.
 fn along_and_about(effort: &Effort) -> [Chain; 2] {
     let nodes = effort.mesh.nodes.len();
     let mut chains = [Chain::new(nodes), Chain::new(nodes)];
     let elements = effort.mesh.elements.iter().zip(&effort.plan.inertia);
     for (i, (element, inertia)) in elements.enumerate() {
-        let of = Stiffness::new(&element.section, element.length_m);
-        let each = [(of.axial, inertia.axial_kg), (of.twist, inertia.polar_kg_m2)];
+        let stiffnesses = Stiffness::new(&element.section, element.length_m);
+        let each =
+            [(stiffnesses.axial, inertia.axial_kg), (stiffnesses.twist, inertia.polar_kg_m2)];
         for (chain, (stiffness, mass)) in chains.iter_mut().zip(each) {
             chain.add(i, i, stiffness);
             chain.add(i + 1, i + 1, stiffness);
@@ -114,14 +116,15 @@ fn along_and_about(effort: &Effort) -> [Chain; 2] {
     chains
 }
 
-/// Across a span of pipe between two nodes, pinned at both; deflection and angle of each node.
+/// Lateral motion of a span of pipe between two nodes, pinned at both; deflection and angle of each
+/// node.
 fn across(effort: &Effort, upper: usize, lower: usize) -> Chain {
     let mut chain = Chain::new(2 * (lower - upper + 1));
     for i in upper..lower {
         let (element, inertia) = (&effort.mesh.elements[i], &effort.plan.inertia[i]);
-        let of = Stiffness::new(&element.section, element.length_m);
-        let (near, far) = (of.bending_near(), of.bending_far);
-        // What the angles against the chord make of deflections and angles.
+        let stiffnesses = Stiffness::new(&element.section, element.length_m);
+        let (near, far) = (stiffnesses.bending_near(), stiffnesses.bending_far);
+        // Angles relative to the chord from deflections and angles.
         let chord = 1.0 / element.length_m;
         let [first, second] = [[chord, 1.0, -chord, 0.0], [chord, 0.0, -chord, 1.0]];
         let start = 2 * (i - upper);
@@ -168,7 +171,7 @@ fn frequencies() -> Result<String, String> {
         let apart = |i: &usize| (nodes[*i].from_bit_m - from_bit_m).abs();
         (0..nodes.len()).min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(0)
     };
-    // Between joints, which have a node on every mesh.
+    // Between joints, which are nodes of every mesh.
     let from_bit_m = SPAN_FROM_BIT_M.min(0.5 * operation.bit_depth_m);
     let span = case.model.string.spans().find(|span| span.to_bit_m > from_bit_m);
     let span = span.ok_or("the string is too short")?;

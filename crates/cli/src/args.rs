@@ -1,4 +1,4 @@
-//! The command line as the user writes it: its commands, each of which declares its arguments.
+//! The command line: its commands, each of which declares its arguments.
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
@@ -22,10 +22,10 @@ const EXIT_STATUS: &str = "\
 Exit status: 0 done; 2 bad input; 3 the run failed; 4 an error was found, with --strict; 130 \
 interrupted.";
 
-// In the order in which help shows them.
+// In the order of the help text.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    // To begin with.
+    // First steps.
     /// Write a commented case file as a starting point
     New(NewArgs),
     /// Build a commented case from surveys, tallies, WITSML, EDM and logs
@@ -43,7 +43,7 @@ pub(crate) enum Command {
     /// Solve the cases of a study and draw its figures and tables
     Study(StudyArgs),
 
-    // A well that is planned, and one that is drilled.
+    // A planned well, and a well being drilled.
     /// Compute torque and drag against bit depth for low, expected and high friction
     Plan(PlanArgs),
     /// Find how far the well can be extended in its last direction, and the limit that stops it
@@ -51,7 +51,7 @@ pub(crate) enum Command {
     /// Fit friction factors and block weight to measured weights and torques
     Calibrate(CalibrateArgs),
 
-    // The assembly, the bit.
+    // Assembly and bit.
     /// Static analysis of the bottom-hole assembly: side force of the bit, contacts, bending, sag
     Bha(BhaArgs),
     /// Find natural frequencies, critical speeds and the response to a rotating force
@@ -59,7 +59,7 @@ pub(crate) enum Command {
     /// Drill with the bit alone at every weight on bit and rotary speed of [bit_test]
     BitTest(BitTestArgs),
 
-    // What lies in folders of results.
+    // Results folders.
     /// Rebuild the report page of a results folder
     Report(ReportArgs),
     /// Draw results as SVG files; two runs can share the axes
@@ -67,7 +67,7 @@ pub(crate) enum Command {
     /// Write results, or the survey or string of a case, as CSV, Excel, text or WITSML
     Export(ExportArgs),
 
-    // To look things up.
+    // Reference data.
     /// Compute position and dogleg severity along a survey
     Survey(SurveyArgs),
     /// List the pipes, collars and casings that a case can name

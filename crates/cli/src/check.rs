@@ -30,7 +30,7 @@ pub(crate) struct CheckArgs {
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let file = &args.case.case;
     let case = if is_pipe(file) {
-        // What comes through a pipe can be read once only.
+        // A pipe can be read only once.
         let template = read(file)?;
         let (name, bytes) = (template.name(), template.bytes());
         let is_case = wholestring_case::is_case(&String::from_utf8_lossy(bytes));
@@ -54,10 +54,10 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     ))
 }
 
-/// Bytes of a file in which a case shows that it is one.
+/// Leading bytes of a file that are searched for the keys of a case.
 const HEAD: u64 = 1 << 16;
 
-/// Whether a file is a case: its content tells, and its name only where that does not.
+/// Whether a file is a case: by its content, and by its name only if the content does not decide.
 fn is_case(file: &Path) -> bool {
     let is_called = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     if !file.is_file() {
@@ -71,13 +71,13 @@ fn is_case(file: &Path) -> bool {
     is_called && import::contents(file).is_err()
 }
 
-/// What the file of another program is, and what it holds.
+/// Format and contents of another program's file.
 fn show(name: &str, contents: Contents) -> Result<(), Failure> {
     let lines: String = contents.lines.iter().map(|line| format!("  {line}\n")).collect();
     print_stdout(&format!("{name}: {}\n{lines}", contents.what))
 }
 
-/// What a run of the case would solve, in a line.
+/// The operations and models that a run of the case would solve, in one line.
 pub(crate) fn outline(case: &Case) -> String {
     let models = case.models.iter().copied().map(ModelKind::name);
     let operations = case.operations.iter().map(|operation| operation.kind.name());
@@ -90,7 +90,7 @@ pub(crate) fn outline(case: &Case) -> String {
     )
 }
 
-/// How the string of each operation is cut, and what holds its step.
+/// Mesh of the string of each operation, and the element that limits its time step.
 fn meshes(case: &Case) -> String {
     if !ModelKind::any_in_time(&case.models) {
         return String::new();
@@ -101,13 +101,13 @@ fn meshes(case: &Case) -> String {
     });
     let each: Vec<(&str, String)> = each.collect();
     match each.as_slice() {
-        // One mesh serves them all.
+        // All operations share one mesh.
         [(_, first), others @ ..] if others.iter().all(|(_, text)| text == first) => first.clone(),
         each => each.iter().map(|(operation, text)| format!("{operation}: {text}")).collect(),
     }
 }
 
-/// The elements by what asked for their length, and the one that holds the step.
+/// The elements, grouped by the reason for their length, and the one that limits the time step.
 fn mesh(effort: &Effort, case: &Case) -> String {
     let length = |si_m: f64| Dimension::Length.format(si_m, case.units);
     let elements = &effort.mesh.elements;
@@ -147,10 +147,10 @@ fn mesh(effort: &Effort, case: &Case) -> String {
     text
 }
 
-/// Added mass that shows, as a part of the string's.
+/// Smallest added mass that is shown, as a fraction of the string's.
 const SHOWN_MASS: f64 = 5e-4;
 
-/// Which element keeps a step from being longer, and by which motion.
+/// The element that limits the time step, and the motion by which it does.
 fn held(step: &str, holder: Option<StepHolder>, effort: &Effort, case: &Case) -> String {
     let Some(holder) = holder else {
         return String::new();
@@ -160,16 +160,16 @@ fn held(step: &str, holder: Option<StepHolder>, effort: &Effort, case: &Case) ->
     let element = &effort.mesh.elements[holder.element];
     let (_, component) = case.model.string.component_at(lower_m + 0.5 * element.length_m);
     let mut text = format!(
-        "{step} is held by the {} motion of the element of {} at {} above the bit ({})",
+        "{step} is limited by the {} motion of the element of {} at {} above the bit ({})",
         holder.motion.name(),
         length(element.length_m),
         length(lower_m),
         component.name,
     );
-    // A region that takes whole parts of the other's step may not need what it may have.
+    // A region that takes integer fractions of the other's step may not use all of its allowance.
     if holder.scaled && effort.plan.added_axial_mass_fraction > SHOWN_MASS {
         text += &format!(
-            ", to which mass scaling has given what it may ({:.1} % of the string in sum)",
+            ", whose mass scaling is at its limit ({:.1} % of the string in total)",
             100.0 * effort.plan.added_axial_mass_fraction,
         );
     }
@@ -177,14 +177,14 @@ fn held(step: &str, holder: Option<StepHolder>, effort: &Effort, case: &Case) ->
     text
 }
 
-/// How the survey was understood, and what was fitted to readings of the mud.
+/// The survey as it was interpreted, and the mud rheology fitted to viscometer readings.
 fn survey(case: &Case) -> String {
     let notes = case.survey_notes.iter();
     let mud = case.mud_notes.iter().map(|note| format!("mud: {note}\n"));
     notes.map(|note| format!("survey: {note}\n")).chain(mud).collect()
 }
 
-/// The rock and the bit's face, and how the bit is expected to drill.
+/// The rock and the bit's face, and the expected drilling response.
 fn rock(spec: &DrillingSpec, case: &Case) -> String {
     let block = &spec.block;
     let show = |dimension: Dimension, si: f64| dimension.format(si, case.units);
@@ -219,7 +219,7 @@ fn rock(spec: &DrillingSpec, case: &Case) -> String {
     text
 }
 
-/// What a test of the bit would go through.
+/// The points of a bit test.
 fn points(test: &BitTest, case: &Case) -> String {
     let forces = test.weights_N.iter();
     let forces = forces.map(|force| Dimension::Force.format(*force, case.units));

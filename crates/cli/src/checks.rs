@@ -2,17 +2,18 @@
 
 use wholestring_results::{Check, OperationSummary, Severity, Summary, Unchecked};
 
-/// Space before what does not fit in the first line.
+/// Indent of lines after the first, characters.
 const INDENT: usize = 4;
 
 /// Length of a stand of pipe, m.
 const STAND_M: f64 = 30.0;
 
-/// Narrower than this nothing is wrapped.
+/// Smallest width at which lines are wrapped, characters.
 const NARROWEST: usize = 40;
 
 /// The checks of all operations that need attention, the most severe first, in lines of at most
-/// `width` characters; then what could not be checked. What two models find alike is one line.
+/// `width` characters; then the checks that could not be evaluated. A finding shared by two models
+/// is one line.
 pub(crate) fn lines(summary: &Summary, width: Option<usize>, color: bool) -> String {
     let mut groups: Vec<(&OperationSummary, Vec<&str>, &Check)> = Vec::new();
     for solved in &summary.operations {
@@ -43,7 +44,8 @@ pub(crate) fn lines(summary: &Summary, width: Option<usize>, color: bool) -> Str
     text
 }
 
-/// Whether two models find the same: kind, severity, component, and a place within a stand of pipe.
+/// Whether two models report the same: kind, severity, component, and a place within a stand of
+/// pipe.
 fn is_alike(one: &Check, other: &Check) -> bool {
     let near = match (one.md_m, other.md_m) {
         (Some(one), Some(other)) => (one - other).abs() < STAND_M,

@@ -1,4 +1,4 @@
-//! The table at the end of a run: models and operations side by side, in the user's units.
+//! The table at the end of a run: models and operations side by side, in the chosen units.
 
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
 use wholestring_runner::{ComparedRow, Comparison, checks::quantities::deviation};
@@ -16,7 +16,7 @@ const WIDE: usize = 4;
 struct Column {
     operation: String,
     heading: String,
-    /// Where the same operation already has a column to the left.
+    /// Whether the same operation already has a column to the left.
     joined: bool,
     cells: Vec<String>,
     width: usize,
@@ -63,8 +63,8 @@ pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> 
     text
 }
 
-/// What is to be known about the table, in lines: columns that are not complete, and what the
-/// dynamic ones cost and how sound they are.
+/// Notes below the table: incomplete columns, and the cost and numerical quality of the dynamic
+/// ones.
 pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
     let mut notes = String::new();
     let incomplete = |solved: &OperationSummary| solved.status != Status::Complete;
@@ -82,19 +82,21 @@ pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
     }
     let all = || summary.operations.iter().filter_map(|solved| solved.numerics.as_ref());
     if all().next().is_some() {
-        let largest = |of: fn(&Numerics) -> f64| all().map(of).fold(0.0, f64::max);
-        let took_s: f64 = all().map(|of| of.wall_time_s).sum();
-        let simulated_s: f64 = all().map(|of| of.real_time_factor * of.wall_time_s).sum();
-        let shortest_step_s = all().map(|of| of.run.time_step_s).fold(f64::INFINITY, f64::min);
-        let parts = largest(|of| f64::from(of.run.assembly_steps.unwrap_or(1)));
+        let largest = |numerics: fn(&Numerics) -> f64| all().map(numerics).fold(0.0, f64::max);
+        let took_s: f64 = all().map(|numerics| numerics.wall_time_s).sum();
+        let simulated_s: f64 =
+            all().map(|numerics| numerics.real_time_factor * numerics.wall_time_s).sum();
+        let shortest_step_s =
+            all().map(|numerics| numerics.run.time_step_s).fold(f64::INFINITY, f64::min);
+        let parts = largest(|numerics| f64::from(numerics.run.assembly_steps.unwrap_or(1)));
         let within =
             if parts > 1.0 { format!(", {parts} in it of the assembly") } else { String::new() };
         notes += &format!(
             "Dynamics: {} elements, step {:.3} ms{within}, added axial mass {:.2} %; \
              {simulated_s:.1} s simulated in {took_s:.1} s, {}\n",
-            largest(|of| of.run.elements as f64),
+            largest(|numerics| numerics.run.elements as f64),
             shortest_step_s * 1e3,
-            largest(|of| of.run.added_axial_mass_fraction) * 100.0,
+            largest(|numerics| numerics.run.added_axial_mass_fraction) * 100.0,
             real_time_factor(simulated_s / took_s),
         );
     }
@@ -131,14 +133,14 @@ fn columns(comparison: &Comparison<'_>) -> Vec<Column> {
         let heading = format!("{}{incomplete}", solved.model.name());
         let values = solved.values.iter().zip(&comparison.rows);
         let cells = values.map(|(value, row)| cell(*value, row.decimals));
-        // The name of an operation needs the room of its one column where it has only one.
+        // The name of an operation with only one column must fit in that column.
         let all = comparison.columns.iter();
         let alone = all.filter(|other| other.operation == solved.operation);
         let across = if alone.count() == 1 { operation.len() } else { 0 };
         push(heading, cells.collect(), across);
         if let Some(deviations) = &solved.deviations {
-            let deviations = deviations.iter().map(|of| match of {
-                Some(of) => format!("{}{}", deviation(of.std), drift::mark(of.drift)),
+            let deviations = deviations.iter().map(|spread| match spread {
+                Some(spread) => format!("{}{}", deviation(spread.std), drift::mark(spread.drift)),
                 None => String::new(),
             });
             push("± std".to_owned(), drift::aligned(deviations.collect()), 0);
@@ -152,7 +154,7 @@ fn cell(value: Option<f64>, decimals: usize) -> String {
         return "–".to_owned();
     };
     let text = format!("{value:.decimals$}");
-    // What rounds to zero has no sign.
+    // A value that rounds to zero has no sign.
     match text.strip_prefix('-') {
         Some(digits) if digits.bytes().all(|byte| matches!(byte, b'0' | b'.')) => digits.to_owned(),
         _ => text,
@@ -163,7 +165,7 @@ fn heading_width(heading: &str) -> usize {
     heading.chars().count()
 }
 
-/// Columns in blocks that fit the screen; an operation is not torn apart.
+/// Columns in blocks that fit the screen; the columns of an operation stay together.
 fn blocks(columns: Vec<Column>, stub: usize, width: Option<usize>) -> Vec<Vec<Column>> {
     let mut groups: Vec<Vec<Column>> = Vec::new();
     for column in columns {

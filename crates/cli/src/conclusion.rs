@@ -1,14 +1,14 @@
-//! What is reported at the end of many cases or points.
+//! The conclusion of a batch of cases or points.
 
 use wholestring_results::{Check, Severity};
 use wholestring_runner::{BatchOutcome, sweep};
 
 use crate::{failure::Failure, terminal::print_stdout};
 
-/// Says how many were finished, of `items` that are together a `noun`, as in the command.
+/// Prints the number finished of `items`, which together are a `noun`, as in the command.
 ///
 /// # Errors
-/// Some failed, or the user stopped it.
+/// Some failed, or the user interrupted the batch.
 pub(crate) fn conclude(
     outcome: &BatchOutcome,
     noun: &str,
@@ -30,12 +30,13 @@ pub(crate) fn conclude(
         }
     }
     let failed = outcome.failed.iter();
-    let failed: Vec<String> = failed.map(|of| format!("  {}: {}", of.name, of.reason)).collect();
+    let failed: Vec<String> =
+        failed.map(|failed| format!("  {}: {}", failed.name, failed.reason)).collect();
     let failures = failed.join("\n");
     if outcome.is_interrupted() {
         let failures = if failed.is_empty() { failures } else { failures + "\n" };
         return Err(Failure::Interrupted(format!(
-            "{failures}interrupted: what was computed is in {place}\nto continue, run the {noun} \
+            "{failures}interrupted: partial results are in {place}\nto continue, run the {noun} \
              again with --resume"
         )));
     }
@@ -43,15 +44,15 @@ pub(crate) fn conclude(
         return Ok(());
     }
     Err(Failure::Failed(format!(
-        "error: {} of {all} {items} failed\n{failures}\nwhat was computed is in {place}",
+        "error: {} of {all} {items} failed\n{failures}\npartial results are in {place}",
         failed.len(),
     )))
 }
 
-/// Ends with the status of `--strict` where a check is an error.
+/// Fails with the status of `--strict` if a check is an error.
 ///
 /// # Errors
-/// Where it is strict and some check is an error: names and labels of those.
+/// `strict` is set and some check is an error: names and labels of those.
 pub(crate) fn refuse_errors<'a>(
     strict: bool,
     checks: impl Iterator<Item = (String, &'a Check)>,
@@ -70,7 +71,7 @@ pub(crate) fn refuse_errors<'a>(
     }
 }
 
-/// Says in which cases errors were found; none may have been, if it is strict.
+/// Prints the cases with errors, which fail the batch if `strict` is set.
 pub(crate) fn judge(outcome: &BatchOutcome, strict: bool, quiet: bool) -> Result<(), Failure> {
     let (found, cases) = (outcome.with_errors.len(), outcome.all);
     if found == 0 {
@@ -79,7 +80,7 @@ pub(crate) fn judge(outcome: &BatchOutcome, strict: bool, quiet: bool) -> Result
     if strict {
         let wrong = outcome.with_errors.iter();
         let wrong: Vec<String> =
-            wrong.map(|of| format!("  {}: {}", of.name, of.operations.join(", "))).collect();
+            wrong.map(|row| format!("  {}: {}", row.name, row.operations.join(", "))).collect();
         return Err(Failure::Refused(format!(
             "error: errors were found in {found} of {cases} cases\n{}",
             wrong.join("\n")

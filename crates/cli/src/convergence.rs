@@ -1,4 +1,4 @@
-//! `wholestring run --converge`: what an answer changes by when every element is halved.
+//! `wholestring run --converge`: change of the results when every element is halved.
 
 use wholestring::outcome::ModelKind;
 use wholestring_case::{Case, Override};
@@ -14,7 +14,7 @@ use crate::{
     screen_table::Table, shared_args::CaseArgs, stopped::stopped, terminal::print_stdout,
 };
 
-/// Folder of the finer run, in that of the run.
+/// Folder of the finer run, within that of the run.
 const HALVED: &str = "halved";
 
 /// Refuses a case that has no elements to halve.
@@ -28,12 +28,12 @@ pub(crate) fn check(case: &Case) -> Result<(), Failure> {
     ))
 }
 
-/// Runs a case again, of which `given` is the answer, with every element halved, and prints both
-/// side by side.
+/// Repeats a run, whose results are `base`, with every element halved, and prints both side by
+/// side.
 pub(crate) fn halve(
     args: &RunArgs,
     case: &Case,
-    given: &Outcome,
+    base: &Outcome,
     units: UnitSet,
 ) -> Result<(), Failure> {
     let refinement: Override = format!("mesh.refinement={}", 2 * case.dynamics.mesh.refinement)
@@ -42,7 +42,7 @@ pub(crate) fn halve(
     let mut overrides = args.case.overrides.clone();
     overrides.push(refinement);
     let finer = load(&CaseArgs { case: args.case.case.clone(), overrides }, true)?;
-    let output = Output { folder: Some(given.folder.join(HALVED)), ..args.output() };
+    let output = Output { folder: Some(base.folder.join(HALVED)), ..args.output() };
     let request = Request {
         output,
         units: Some(units),
@@ -61,22 +61,22 @@ pub(crate) fn halve(
     }
     print_stdout(&format!(
         "{}Results with halved elements in {}\n",
-        tables(&given.summary, &halved.summary, units),
+        tables(&base.summary, &halved.summary, units),
         halved.folder.display()
     ))
 }
 
 /// A table for each operation that has elements.
-fn tables(given: &Summary, halved: &Summary, units: UnitSet) -> String {
-    let [one, two] = [given, halved].map(|summary| Comparison::of(summary, units));
-    let operations = given.operations.iter().zip(&halved.operations);
+fn tables(base: &Summary, halved: &Summary, units: UnitSet) -> String {
+    let [one, two] = [base, halved].map(|summary| Comparison::of(summary, units));
+    let operations = base.operations.iter().zip(&halved.operations);
     let columns = one.columns.iter().zip(&two.columns);
     let mut text = String::new();
-    for ((given, halved), (before, after)) in operations.zip(columns) {
-        let [Some(coarse), Some(fine)] = [given, halved].map(elements) else {
+    for ((base, halved), (before, after)) in operations.zip(columns) {
+        let [Some(coarse), Some(fine)] = [base, halved].map(elements) else {
             continue;
         };
-        let title = format!("{}: {coarse} elements as given, {fine} halved", given.operation);
+        let title = format!("{}: {coarse} elements as given, {fine} halved", base.operation);
         text += &table(&title, &one, before, after);
         text.push('\n');
     }
@@ -90,19 +90,21 @@ fn elements(operation: &OperationSummary) -> Option<usize> {
 fn table(
     title: &str,
     rows: &Comparison<'_>,
-    given: &ComparedColumn<'_>,
+    base: &ComparedColumn<'_>,
     halved: &ComparedColumn<'_>,
 ) -> String {
     let headings = ["", "", "as given", "halved", "change", "std as given", "std halved"];
     let mut table = Table::new(title, 2, &headings);
     for (index, row) in rows.rows.iter().enumerate() {
-        let (Some(before), Some(after)) = (given.values[index], halved.values[index]) else {
+        let (Some(before), Some(after)) = (base.values[index], halved.values[index]) else {
             continue;
         };
         let number = |value: f64| format!("{value:.0$}", row.decimals);
         let std = |column: &ComparedColumn<'_>| {
-            let deviation = column.deviations.as_ref().and_then(|of| of[index]);
-            deviation.map_or_else(String::new, |of| format!("{:.1$}", of.std, row.decimals + 1))
+            let deviation = column.deviations.as_ref().and_then(|deviation| deviation[index]);
+            deviation.map_or_else(String::new, |deviation| {
+                format!("{:.1$}", deviation.std, row.decimals + 1)
+            })
         };
         table.row(vec![
             row.label.to_owned(),
@@ -110,14 +112,14 @@ fn table(
             number(before),
             number(after),
             change(before, after, row.decimals),
-            std(given),
+            std(base),
             std(halved),
         ]);
     }
     table.text()
 }
 
-/// A change in percent of what was; of what shows as zero, none.
+/// A change in percent of the first value; none if that value prints as zero.
 fn change(before: f64, after: f64, decimals: usize) -> String {
     let least = 0.5 * 0.1_f64.powi(decimals as i32);
     if before.abs() < least {

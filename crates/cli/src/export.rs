@@ -1,4 +1,5 @@
-//! `wholestring export`: results, the survey and the string of a case in the formats of other programs.
+//! `wholestring export`: results, the survey and the string of a case in the formats of other
+//! programs.
 
 use std::path::PathBuf;
 
@@ -30,7 +31,7 @@ pub(crate) struct ExportArgs {
         short,
         long,
         value_name = "FILE",
-        help = "File, or folder for the tables of results as CSV [default: in DIR, or beside the case]"
+        help = "File, or folder for the tables of results as CSV [default: in DIR, or next to the case]"
     )]
     pub(crate) output: Option<PathBuf>,
 

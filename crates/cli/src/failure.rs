@@ -1,4 +1,4 @@
-//! Why a command failed, and the exit status that says so.
+//! Failures of a command, and their exit statuses.
 
 use std::fmt;
 
@@ -8,16 +8,16 @@ use wholestring_runner::{Error, FolderRefused};
 
 use crate::color::color;
 
-/// A command that did not end well.
+/// Failure of a command.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// The input is invalid: what, where, what was expected.
+    /// The input is invalid: the mistake, its place, the expected form.
     BadInput(String),
-    /// The run could not be finished.
+    /// The run could not finish.
     Failed(String),
-    /// An error was found in an answer, and `--strict` lets none pass.
+    /// A check of a result is an error, and `--strict` is set.
     Refused(String),
-    /// The user stopped it.
+    /// The user interrupted the run.
     Interrupted(String),
 }
 
@@ -52,7 +52,7 @@ impl From<ResultsError> for Failure {
     }
 }
 
-/// A failure that the error says all of.
+/// A failure whose message is that of the error.
 pub(crate) fn failed(error: &dyn std::error::Error) -> Failure {
     Failure::Failed(format!("error: {error}"))
 }
@@ -70,7 +70,7 @@ impl From<Error> for Failure {
             Error::Unsound(unsound) => Self::BadInput(unsound.render(color())),
             Error::BadInput(_) => Self::BadInput(message),
             Error::NotResumable { noun, .. } => {
-                Self::BadInput(format!("{message}\nrun the {noun} without --resume to begin anew"))
+                Self::BadInput(format!("{message}\nrun the {noun} without --resume to start again"))
             }
             Error::Folder(refused) => Self::BadInput(format!("{message}\n{}", way_out(&refused))),
             Error::Results(_) | Error::Failed(_) => Self::Failed(message),
@@ -79,18 +79,18 @@ impl From<Error> for Failure {
     }
 }
 
-/// What to do about a folder that results cannot go to.
+/// Advice for a folder that refuses results.
 fn way_out(refused: &FolderRefused) -> String {
     match refused {
         FolderRefused::Occupied { .. } => {
-            "name another folder with -o, or add --overwrite to replace what lies there".to_owned()
+            "name another folder with -o, or add --overwrite to replace its contents".to_owned()
         }
         FolderRefused::Unfinished { path, kind } => {
             let way_on = match kind.as_str() {
                 "run" => format!("run the case with --resume {}", path.display()),
                 _ => "add --resume".to_owned(),
             };
-            format!("to continue with it, {way_on}; to begin anew, add --overwrite")
+            format!("to continue with it, {way_on}; to start again, add --overwrite")
         }
         FolderRefused::Busy { .. } => {
             "wait until it has ended, or name another folder with -o".to_owned()

@@ -1,4 +1,4 @@
-//! `wholestring import`: a case from the files of other programs.
+//! `wholestring import`: a case from files of other programs.
 
 use std::path::{Path, PathBuf};
 
@@ -41,10 +41,10 @@ pub(crate) struct ImportArgs {
 impl ImportArgs {
     fn choices(&self) -> Result<Choices, Failure> {
         let mut choices = Choices::default();
-        let said = [("--unit", &self.units), ("--value", &self.values), ("--pick", &self.picks)];
-        for (option, said) in said {
-            for (index, (name, value)) in said.iter().enumerate() {
-                if said[..index].iter().any(|(other, _)| other == name) {
+        let options = [("--unit", &self.units), ("--value", &self.values), ("--pick", &self.picks)];
+        for (option, pairs) in options {
+            for (index, (name, value)) in pairs.iter().enumerate() {
+                if pairs[..index].iter().any(|(other, _)| other == name) {
                     let text = format!("error: {option} {name}= is given twice");
                     return Err(Failure::BadInput(text));
                 }
@@ -62,11 +62,11 @@ impl ImportArgs {
 pub(crate) fn import(args: &ImportArgs) -> Result<(), Failure> {
     let imported = import::read(&args.files, &args.choices()?)?;
     let Some(output) = &args.output else {
-        print_stderr(&said(&imported));
+        print_stderr(&contents(&imported));
         return print_stdout(&imported.text);
     };
     let written = import::write(&imported, output)?;
-    let mut text = said(&imported);
+    let mut text = contents(&imported);
     for path in &written {
         text += &format!("wrote {}\n", path.display());
     }
@@ -74,8 +74,8 @@ pub(crate) fn import(args: &ImportArgs) -> Result<(), Failure> {
     conclusion(&imported, output, &written)
 }
 
-/// What each file is, and what is to be said of it.
-fn said(imported: &Imported) -> String {
+/// Format of each file, and notes about it.
+fn contents(imported: &Imported) -> String {
     let mut text = String::new();
     let alone = imported.files.len() == 1;
     for (index, (name, what)) in imported.files.iter().enumerate() {
@@ -93,15 +93,15 @@ fn said(imported: &Imported) -> String {
     text
 }
 
-/// Whether the case that was written can be solved, and what comes next.
+/// Whether the written case can be solved, and the next step.
 fn conclusion(imported: &Imported, output: &Path, written: &[PathBuf]) -> Result<(), Failure> {
-    let shown = in_shell(&output.display().to_string());
+    let path = in_shell(&output.display().to_string());
     if !imported.missing.is_empty() {
         let mut text = format!("{} still needs\n", output.display());
         for missing in &imported.missing {
             text += &format!("  {missing}\n");
         }
-        return print_stdout(&format!("{text}then: wholestring check {shown}\n"));
+        return print_stdout(&format!("{text}then: wholestring check {path}\n"));
     }
     let case = Template::read(output)?.case(&[])?;
     if !case.warnings.is_empty() {
@@ -111,13 +111,13 @@ fn conclusion(imported: &Imported, output: &Path, written: &[PathBuf]) -> Result
     let overlay = overlay.filter(|path| path.ends_with("-overlay.csv"));
     let overlay: String = overlay.map(|path| format!(" --overlay {}", in_shell(&path))).collect();
     print_stdout(&format!(
-        "{} is valid: {}\nnext: wholestring plan {shown}{overlay}\n",
+        "{} is valid: {}\nnext: wholestring plan {path}{overlay}\n",
         output.display(),
         check::outline(&case)
     ))
 }
 
-/// `name=value`, neither of them empty.
+/// `name=value`, both non-empty.
 fn pair(text: &str) -> Result<(String, String), String> {
     match text.split_once('=').map(|(name, value)| (name.trim(), value.trim())) {
         Some((name, value)) if !name.is_empty() && !value.is_empty() => {

@@ -6,7 +6,7 @@ use wholestring_case::{Case, Template};
 
 use crate::{color::color, failure::Failure, shared_args::CaseArgs, terminal::print_stderr};
 
-/// Reads the case with its overrides, and shows its warnings.
+/// Reads the case with its overrides and prints its warnings.
 pub(crate) fn load(args: &CaseArgs, quiet: bool) -> Result<Case, Failure> {
     Ok(load_with_template(args, quiet)?.1)
 }
@@ -16,12 +16,12 @@ pub(crate) fn read(path: &Path) -> Result<Template, Failure> {
     Ok(if is_pipe(path) { Template::read_pipe(path)? } else { Template::read(path)? })
 }
 
-/// Whether something comes through it that can be read once only: `/dev/stdin`, `<(...)`.
+/// Whether the path is a pipe, which can be read only once: `/dev/stdin`, `<(...)`.
 pub(crate) fn is_pipe(path: &Path) -> bool {
     path.metadata().is_ok_and(|there| !there.is_file() && !there.is_dir())
 }
 
-/// The case of a text with the changes; its warnings are shown.
+/// The case of a template with the overrides; its warnings are printed.
 pub(crate) fn case_of(template: &Template, args: &CaseArgs, quiet: bool) -> Result<Case, Failure> {
     let case = template.case(&args.overrides)?;
     if !quiet && !case.warnings.is_empty() {
@@ -30,7 +30,7 @@ pub(crate) fn case_of(template: &Template, args: &CaseArgs, quiet: bool) -> Resu
     Ok(case)
 }
 
-/// The same, and the text that it was made of, from which other cases can be made.
+/// The same, with the template, from which other cases can be made.
 pub(crate) fn load_with_template(
     args: &CaseArgs,
     quiet: bool,

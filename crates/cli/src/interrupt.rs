@@ -1,11 +1,11 @@
-//! Ctrl-C: the first asks to stop, the second stops at once.
+//! Ctrl-C: the first requests a stop, the second exits at once.
 
 use std::process;
 
 use wholestring_runner::CancellationToken;
 
-/// Listens for Ctrl-C from now on. Where the system allows no listening, Ctrl-C ends the program
-/// as it does any other.
+/// Handles Ctrl-C from now on. If the system does not allow a handler, Ctrl-C ends the program as
+/// usual.
 pub(crate) fn listen() -> CancellationToken {
     let token = CancellationToken::new();
     let cancelled = token.clone();

@@ -1,4 +1,4 @@
-//! `wholestring new`: a commented case to begin with.
+//! `wholestring new`: a commented case to start from.
 
 use std::{io, path::PathBuf};
 
@@ -20,41 +20,41 @@ pub(crate) struct NewArgs {
 
 pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
     let path = file(&args.name);
-    let shown = path.display();
+    let path_text = path.display();
     let stem = path.file_stem().map(|stem| stem.to_string_lossy());
     let Some(stem) = stem.filter(|stem| !stem.chars().any(char::is_control)) else {
         return Err(Failure::BadInput(format!(
             "error: `{}` is no name of a file",
-            shown.to_string().escape_debug()
+            path_text.to_string().escape_debug()
         )));
     };
     let text = new_case(&stem);
-    // Nothing that is there is written over.
+    // Existing files are not overwritten.
     if let Err((_, error)) = write_new_files(&[(path.clone(), text.as_bytes())]) {
         return Err(match error.kind() {
             io::ErrorKind::AlreadyExists => Failure::BadInput(format!(
-                "error: {shown} is there already\nhelp: give another name: wholestring new NAME"
+                "error: {path_text} is there already\nhelp: give another name: wholestring new NAME"
             )),
-            io::ErrorKind::NotFound => {
-                Failure::BadInput(format!("error: cannot write {shown}: there is no such folder"))
-            }
+            io::ErrorKind::NotFound => Failure::BadInput(format!(
+                "error: cannot write {path_text}: there is no such folder"
+            )),
             _ => ResultsError::Write { path: path.clone(), source: error }.into(),
         });
     }
     print_stdout(&format!(
-        "wrote {shown}: change what is yours, then\n  wholestring check {0}\n  wholestring run \
+        "wrote {path_text}: adapt it, then\n  wholestring check {0}\n  wholestring run \
          {0}\n",
-        in_shell(&shown.to_string())
+        in_shell(&path_text.to_string())
     ))
 }
 
-/// `NAME.toml`, also where the ending is given.
+/// `NAME.toml`, also if the extension is given.
 fn file(name: &std::path::Path) -> PathBuf {
     let is_toml = name.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     if is_toml {
         return name.to_owned();
     }
-    // Not `with_extension`, which would cut `well-1.2` short.
+    // Not `with_extension`, which would truncate `well-1.2`.
     let mut whole = name.as_os_str().to_owned();
     whole.push(".toml");
     whole.into()

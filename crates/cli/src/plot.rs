@@ -1,4 +1,4 @@
-//! `wholestring plot`: the pictures of a run, of two on the same axes, of a sweep, or of a bit
+//! `wholestring plot`: the plots of a run, of two runs on the same axes, of a sweep, or of a bit
 //! test, as files.
 
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! The progress of what is solved, on the terminal.
+//! Progress bars on the terminal.
 
 use std::{
     collections::HashMap,
@@ -23,14 +23,14 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 
 /// Shows a run: a bar for each operation.
 pub(crate) struct RunScreen {
-    /// Show no bars.
+    /// Hides the bars.
     quiet: bool,
-    /// Tell no notes.
+    /// Hides the notes.
     without_notes: bool,
     shown: Mutex<Shown>,
 }
 
-/// What stands on the screen.
+/// Current content of the screen.
 enum Shown {
     Nothing,
     Preparing(ProgressBar),
@@ -51,12 +51,12 @@ impl RunScreen {
         Self { quiet, without_notes, shown: Mutex::new(Shown::Nothing) }
     }
 
-    /// Shows this in place of what stood there.
+    /// Replaces the current content of the screen.
     fn show(&self, new: Shown) {
-        let mut shown = lock(&self.shown);
-        // The old is taken away before the new is drawn again.
-        *shown = Shown::Nothing;
-        *shown = new;
+        let mut current = lock(&self.shown);
+        // The old content is removed before the new is drawn.
+        *current = Shown::Nothing;
+        *current = new;
     }
 }
 
@@ -103,11 +103,11 @@ impl Observer for RunScreen {
 
 /// Shows a batch: one bar for all of its cases.
 pub(crate) struct BatchScreen {
-    /// What it is called: `sweep`.
+    /// Name of the batch: `sweep`.
     noun: &'static str,
-    /// What its cases are called.
+    /// Name of its cases.
     items: &'static str,
-    /// Whether it shows how fast it is.
+    /// Whether the speed is shown.
     with_pace: bool,
     quiet: bool,
     shown: Mutex<Option<BatchBar>>,
@@ -116,12 +116,12 @@ pub(crate) struct BatchScreen {
 struct BatchBar {
     bar: ProgressBar,
     start: Instant,
-    /// Milliseconds of the operation of each case that is solved now: reached, and where it ends.
+    /// Milliseconds of the operation that each running case solves: reached, and end.
     operations: HashMap<usize, (u64, u64)>,
 }
 
 impl BatchScreen {
-    /// The screen of a sweep, or of several that are a study.
+    /// The screen of a sweep, or of the sweeps of a study.
     pub(crate) fn sweep(noun: &'static str, quiet: bool) -> Self {
         Self { noun, items: "cases", with_pace: true, quiet, shown: Mutex::new(None) }
     }
@@ -141,13 +141,13 @@ impl BatchScreen {
         Self { noun: "reach", items: "samples", with_pace: false, ..Self::sweep("", quiet) }
     }
 
-    /// The screen of dynamic runs that check something.
+    /// The screen of dynamic runs of a check.
     pub(crate) fn dynamics(quiet: bool) -> Self {
         Self { noun: "dynamics", items: "runs", ..Self::sweep("", quiet) }
     }
 
-    fn count(&self, ended: usize, of: usize) -> String {
-        format!("{ended} of {of} {}", self.items)
+    fn count(&self, ended: usize, total: usize) -> String {
+        format!("{ended} of {total} {}", self.items)
     }
 }
 
@@ -167,14 +167,14 @@ impl Observer for BatchScreen {
     fn warning(&self, text: &str) {
         let warning = format!("warning: {text}\n");
         match &*lock(&self.shown) {
-            Some(shown) => shown.bar.suspend(|| print_stderr(&warning)),
+            Some(batch) => batch.bar.suspend(|| print_stderr(&warning)),
             None => print_stderr(&warning),
         }
     }
 
     fn batch_started(&self, size: &BatchSize) {
-        // Besides its simulated time, a case counts as one millisecond, so that soft strings move
-        // the bar too.
+        // In addition to its simulated time, a case counts as one millisecond, so that soft strings
+        // move the bar too.
         let length = size.cases as u64 + milliseconds(size.simulated_s);
         let bar = bar(length, self.quiet);
         bar.set_prefix(self.noun);
@@ -186,12 +186,12 @@ impl Observer for BatchScreen {
     }
 
     fn started(&self, task: &Task<'_>, _: f64, end_s: f64) {
-        // Nobody knows how many trials there will be.
+        // The number of trials is not known in advance.
         if task.trial.is_none()
-            && let Some(shown) = &mut *lock(&self.shown)
+            && let Some(batch) = &mut *lock(&self.shown)
         {
             let end = milliseconds(end_s);
-            shown.operations.insert(task.case, (0, end));
+            batch.operations.insert(task.case, (0, end));
         }
     }
 
@@ -201,19 +201,19 @@ impl Observer for BatchScreen {
             && let Some((reached, end)) = operations.get_mut(&task.case)
         {
             let (now, ends) = (milliseconds(progress.time_s), milliseconds(progress.end_s));
-            // It is shorter than it was thought to be.
+            // The operation is shorter than expected.
             bar.dec_length(end.saturating_sub(ends));
             bar.inc(now.saturating_sub(*reached));
             (*reached, *end) = (now, ends);
         }
     }
 
-    fn case_ended(&self, of: &CaseEnded) {
+    fn case_ended(&self, ended: &CaseEnded) {
         let Some(BatchBar { bar, start, .. }) = &*lock(&self.shown) else {
             return;
         };
-        bar.inc(1 + milliseconds(of.reused_s));
-        let count = self.count(of.ended, of.of);
+        bar.inc(1 + milliseconds(ended.reused_s));
+        let count = self.count(ended.ended, ended.of);
         bar.set_message(if self.with_pace {
             let simulated_s = bar.position() as f64 * 1e-3;
             let speed = simulated_s / start.elapsed().as_secs_f64();
@@ -224,8 +224,8 @@ impl Observer for BatchScreen {
     }
 
     fn batch_ended(&self) {
-        if let Some(shown) = lock(&self.shown).take() {
-            shown.bar.finish_and_clear();
+        if let Some(batch) = lock(&self.shown).take() {
+            batch.bar.finish_and_clear();
         }
     }
 }
@@ -235,8 +235,7 @@ fn milliseconds(seconds: f64) -> u64 {
     (seconds * 1e3).round() as u64
 }
 
-/// Where progress is shown: on standard error, unless that is no terminal or nothing is to be
-/// shown.
+/// Target of the progress bars: standard error, hidden if that is no terminal or if `quiet` is set.
 fn screen(quiet: bool) -> ProgressDrawTarget {
     if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() }
 }
@@ -247,7 +246,7 @@ pub(crate) fn bar(length: u64, quiet: bool) -> ProgressBar {
     let style = ProgressStyle::with_template("{prefix} {bar:32} {msg}{left}");
     let style = style.expect("the template is valid");
     let left = |state: &ProgressState, to: &mut dyn fmt::Write| {
-        // Nobody knows before something is done.
+        // Unknown before the first progress.
         let (done, all) = (state.pos(), state.len().unwrap_or(0));
         if done > 0 && done < all {
             let _ = write!(to, ", {} left", duration(state.eta()));
@@ -257,15 +256,15 @@ pub(crate) fn bar(length: u64, quiet: bool) -> ProgressBar {
     bar
 }
 
-/// What an operation is called on the screen.
+/// Title of an operation on the screen.
 fn title(operation: &str) -> String {
     operation.replace('_', " ")
 }
 
-/// Wall-clock time between two movements of what shows that something is done.
+/// Wall-clock time between two updates of a spinner.
 const TICK: Duration = Duration::from_millis(100);
 
-/// Shows what is done before an operation's time begins, and for how long already.
+/// Shows the preparation of an operation and its elapsed time.
 fn preparation(operation: &str, what: &str, quiet: bool) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(None, screen(quiet));
     let style = ProgressStyle::with_template("{prefix} {spinner} {msg}, {elapsed}");
@@ -290,7 +289,7 @@ impl OwnBar {
         Self { bar, start: Instant::now(), from_s }
     }
 
-    /// Shows how far it has come.
+    /// Moves the bar to this progress.
     fn reach(&self, progress: &Progress) {
         let (time_s, end_s) = (progress.time_s, progress.end_s);
         self.bar.set_length(milliseconds(end_s));

@@ -1,4 +1,4 @@
-//! `wholestring report`: the page of what lies in a folder, made again.
+//! `wholestring report`: rebuilds the page of a results folder.
 
 use std::path::PathBuf;
 

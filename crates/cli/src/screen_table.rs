@@ -3,10 +3,10 @@
 /// Space between columns.
 const GAP: usize = 2;
 
-/// Rows of cells under headings. Words stand to the left, numbers to the right.
+/// Rows of cells under headings. Words are aligned left, numbers right.
 pub(crate) struct Table {
     title: String,
-    /// How many columns hold words; they come first.
+    /// Number of columns of words; they precede the numbers.
     words: usize,
     rows: Vec<Vec<String>>,
 }
@@ -20,7 +20,7 @@ impl Table {
         }
     }
 
-    /// Adds a row of as many cells as there are headings.
+    /// Adds a row, with one cell for each heading.
     pub(crate) fn row(&mut self, cells: Vec<String>) {
         self.rows.push(cells);
     }

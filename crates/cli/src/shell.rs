@@ -1,5 +1,5 @@
-//! `wholestring completions` and `wholestring man`: what a shell and a manual know of the command
-//! line, made from its own declaration.
+//! `wholestring completions` and `wholestring man`: shell completions and manual page, generated
+//! from the declaration of the command line.
 
 use std::io;
 
@@ -17,7 +17,7 @@ pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
     print_stdout(&String::from_utf8_lossy(&script))
 }
 
-/// Prints the manual page, its commands below it.
+/// Prints the manual page with all commands.
 pub(crate) fn man() -> Result<(), Failure> {
     let page = page().map_err(|error| {
         Failure::Failed(format!("error: the manual page cannot be made: {error}"))
@@ -31,9 +31,9 @@ fn page() -> io::Result<Vec<u8>> {
     let mut page = Vec::new();
     clap_mangen::Man::new(command.clone()).render(&mut page)?;
     let name = command.get_name().to_owned();
-    let commands = command.get_subcommands().filter(|of| !of.is_hide_set());
-    for of in commands.filter(|of| of.get_name() != "help") {
-        section(&name, of, &mut page)?;
+    let commands = command.get_subcommands().filter(|command| !command.is_hide_set());
+    for command in commands.filter(|command| command.get_name() != "help") {
+        section(&name, command, &mut page)?;
     }
     Ok(page)
 }
@@ -48,7 +48,7 @@ fn section(program: &str, command: &Command, page: &mut Vec<u8>) -> io::Result<(
     let man = clap_mangen::Man::new(command.clone());
     man.render_description_section(&mut own)?;
     man.render_options_section(&mut own)?;
-    // Its own headings go one level down.
+    // The headings of a command's own page move one level down.
     for line in String::from_utf8_lossy(&own).lines() {
         match line.strip_prefix(".SH ") {
             Some("DESCRIPTION") => {}

@@ -1,8 +1,8 @@
-//! How fast a simulation is and how long it takes, in words.
+//! Speed and duration of a simulation, in words.
 
 use std::time::Duration;
 
-/// Simulated over real time, as a reader has it at a glance.
+/// Simulated over real time, rounded for reading.
 pub(crate) fn real_time_factor(times: f64) -> String {
     if times >= 100.0 {
         format!("{times:.0} × real time")
@@ -13,7 +13,7 @@ pub(crate) fn real_time_factor(times: f64) -> String {
     }
 }
 
-/// A time that is still to come, as exact as anybody can say.
+/// A remaining time, rounded to its precision.
 pub(crate) fn duration(time: Duration) -> String {
     let seconds = time.as_secs();
     match seconds {

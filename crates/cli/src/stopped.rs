@@ -1,4 +1,4 @@
-//! A run that did not come to its end.
+//! A run that did not finish.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use wholestring_runner::run::{Outcome, Stop};
 
 use crate::failure::Failure;
 
-/// Why the run did not come to its end, and where what it computed lies.
+/// The reason why the run did not finish, and the folder of its partial results.
 pub(crate) fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
     let place = outcome.folder.display();
     match stop {
@@ -16,16 +16,16 @@ pub(crate) fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
             } else {
                 String::new()
             };
-            Failure::Interrupted(format!("interrupted: what was computed is in {place}{how}"))
+            Failure::Interrupted(format!("interrupted: partial results are in {place}{how}"))
         }
         Stop::Unsolved(reason) => {
-            Failure::Failed(format!("error: {reason}\nwhat was computed is in {place}"))
+            Failure::Failed(format!("error: {reason}\npartial results are in {place}"))
         }
         Stop::Unwritten(error) => error.into(),
     }
 }
 
-/// Says where the results are that are not whole.
+/// Reports the folder of the incomplete results.
 ///
 /// # Errors
 /// The work was interrupted.
@@ -34,7 +34,7 @@ pub(crate) fn unless_interrupted(interrupted: bool, folder: &Path) -> Result<(),
         false => Ok(()),
         true => {
             let place = folder.display();
-            Err(Failure::Interrupted(format!("interrupted: what was computed is in {place}")))
+            Err(Failure::Interrupted(format!("interrupted: partial results are in {place}")))
         }
     }
 }

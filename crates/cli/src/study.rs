@@ -1,4 +1,4 @@
-//! `wholestring study`: solves the cases of a study, and makes its figures and tables.
+//! `wholestring study`: solves the cases of a study, and writes its figures and tables.
 
 use std::path::{Path, PathBuf};
 

@@ -4,12 +4,12 @@ use std::io::{self, Write};
 
 use crate::failure::Failure;
 
-/// Prints to standard error. Where that is closed or full there is nobody left to tell.
+/// Prints to standard error. A closed or full stream is ignored, because nothing could report it.
 pub(crate) fn print_stderr(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
-/// Prints to standard output. A reader that has seen enough (`| head`) is no failure.
+/// Prints to standard output. A reader that closes the pipe early (`| head`) is no failure.
 pub(crate) fn print_stdout(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
@@ -20,7 +20,7 @@ pub(crate) fn print_stdout(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// A path as an argument.
+/// A path quoted as a shell argument.
 pub(crate) fn in_shell(path: &str) -> String {
     if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.to_owned() }
 }

@@ -1,4 +1,4 @@
-//! Numbers without a unit that may have been meant in another one.
+//! Numbers without a unit that may have been intended in another one.
 
 use crate::source::Span;
 
@@ -7,8 +7,8 @@ use crate::source::Span;
 pub(crate) struct Bare {
     pub(crate) key: &'static str,
     pub(crate) place: Span,
-    /// What it was taken as.
+    /// Its interpretation.
     pub(crate) text: String,
-    /// What may have been meant.
+    /// The probable intention.
     pub(crate) meant: String,
 }

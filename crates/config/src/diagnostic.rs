@@ -1,4 +1,4 @@
-//! What is wrong, where, and what was expected.
+//! Diagnostics: the mistake, its place, and the expected form.
 
 use std::fmt;
 
@@ -8,39 +8,39 @@ use annotate_snippets::{
 
 use crate::source::{Source, Span};
 
-/// Whether a case can be used in spite of it.
+/// Severity of a diagnostic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Severity {
     /// The case cannot be used.
     Error,
-    /// The case can be used, but probably does not say what was meant.
+    /// The case can be used, but is probably mistaken.
     Warning,
 }
 
 /// An underlined place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Label {
-    /// What is underlined.
+    /// The underlined text.
     pub place: Span,
-    /// What stands beside the underline; may be empty.
+    /// Text next to the underline; may be empty.
     pub text: String,
 }
 
-/// One mistake.
+/// A diagnostic.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// How bad it is.
+    /// Its severity.
     pub severity: Severity,
-    /// What is wrong, in one sentence without a full stop.
+    /// The mistake, in one sentence without a full stop.
     pub message: String,
     /// The places concerned; the first is the mistake itself.
     pub labels: Vec<Label>,
-    /// What was expected, the nearest right name, how to put it right: one line each.
+    /// The expected form, the nearest valid name, advice for the correction: one line each.
     pub help: Vec<String>,
 }
 
 impl Diagnostic {
-    /// A mistake.
+    /// An error.
     pub fn error(message: impl Into<String>) -> Self {
         Self {
             severity: Severity::Error,
@@ -50,25 +50,25 @@ impl Diagnostic {
         }
     }
 
-    /// What can be used, but is hardly meant.
+    /// A warning about a usable but probably unintended value.
     pub fn warning(message: impl Into<String>) -> Self {
         Self { severity: Severity::Warning, ..Self::error(message) }
     }
 
-    /// A key that is valid and has no effect where it stands; `why` stands beside it.
+    /// A valid key that has no effect at its place; `why` is the text next to the place.
     pub fn idle(key: &str, place: Span, why: impl Into<String>) -> Self {
         Self::warning(format!("`{key}` has no effect here")).at(place, why)
     }
 
-    /// Underlines the word that was chosen, or says which one is taken where none is given.
+    /// Underlines the chosen word, or names the default if none is given.
     pub fn chosen(self, what: &str, chosen: Option<Span>, default: &str) -> Self {
         match chosen {
             Some(place) => self.at(place, what),
-            None => self.help(format!("{what} is \"{default}\" where none is given")),
+            None => self.help(format!("{what} is \"{default}\" by default")),
         }
     }
 
-    /// Underlines a place; `text` stands beside the line.
+    /// Underlines a place; `text` is written next to the line.
     pub fn at(mut self, place: Span, text: impl Into<String>) -> Self {
         self.labels.push(Label { place, text: text.into() });
         self
@@ -81,16 +81,16 @@ impl Diagnostic {
     }
 }
 
-/// Diagnostics together with the texts that they point into.
+/// Diagnostics with the texts that they refer to.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Report {
-    /// The case file first, then what else was read.
+    /// The case file, followed by the other files.
     pub sources: Vec<Source>,
     /// In the order of their places; at most a hundred.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// More than a person reads at once.
+/// Maximum number of diagnostics shown in full.
 const SHOWN: usize = 20;
 
 impl Report {
@@ -102,12 +102,12 @@ impl Report {
         }
     }
 
-    /// Whether there is nothing to say.
+    /// Whether it has no diagnostics.
     pub fn is_empty(&self) -> bool {
         self.diagnostics.is_empty()
     }
 
-    /// How many of the diagnostics are errors.
+    /// Number of errors among the diagnostics.
     pub fn errors(&self) -> usize {
         self.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count()
     }
@@ -193,7 +193,7 @@ impl fmt::Display for Report {
 
 impl std::error::Error for Report {}
 
-/// The place as a range that the text can be cut at, on one line.
+/// The place as a range at character boundaries, on one line.
 fn span_within(text: &str, place: Span) -> std::ops::Range<usize> {
     let mut start = place.start.min(text.len());
     while !text.is_char_boundary(start) {

@@ -11,13 +11,13 @@ use crate::{
     source,
 };
 
-/// What diagnostics call the file, and what it holds.
+/// Name of the file in diagnostics, and its contents.
 pub fn read_file(path: &Path, noun: &str) -> Result<(String, Vec<u8>), Report> {
     let name = path.display().to_string();
     with_reason(name, source::read_file(path), noun)
 }
 
-/// The same of what comes through a pipe.
+/// The same for a pipe.
 pub fn read_pipe(path: &Path, noun: &str) -> Result<(String, Vec<u8>), Report> {
     with_reason(path.display().to_string(), source::read_pipe(path), noun)
 }
@@ -40,7 +40,7 @@ fn with_reason(
     }
 }
 
-/// The keys and values of a file, and the reader that knows its text.
+/// The keys and values of a file, and the reader with its text.
 pub fn tree(name: &str, text: &[u8], kind: &'static Kind) -> Result<(Entries, Reader), Report> {
     let text = match as_text(text, kind) {
         Ok(text) => text,
@@ -57,7 +57,7 @@ pub fn tree(name: &str, text: &[u8], kind: &'static Kind) -> Result<(Entries, Re
     }
 }
 
-/// The text of a file, or why it is none.
+/// The text of a file, or the reason why it is not text.
 fn as_text<'a>(bytes: &'a [u8], kind: &Kind) -> Result<&'a str, Diagnostic> {
     let noun = kind.noun;
     const MAX_BYTES: usize = 8 << 20;

@@ -1,11 +1,11 @@
-//! Files of settings in TOML, declared once: [`table!`](table::table) makes of one declaration the
-//! struct, its reader, the names that misspellings are compared with, and the JSON schema.
+//! Settings files in TOML, declared once: [`table!`](table::table) generates from one declaration
+//! the struct, its reader, the names that misspellings are compared with, and the JSON schema.
 //!
-//! [`tagged!`](tagged::tagged) does so for keys that a word of the table chooses among.
+//! [`tagged!`](tagged::tagged) does so for groups of keys among which a word of the table chooses.
 //!
 //! All mistakes of a file are found in one pass and reported together, each with its place
-//! underlined, what was expected and the nearest right name. The language knows no table of its
-//! own: cases and studies declare theirs.
+//! underlined, the expected form and the nearest valid name. The crate declares no table itself:
+//! cases and studies declare theirs.
 //!
 //! ```
 //! use wholestring_config::{Json, diagnostic::Report, file, kind::Kind, prelude::*};

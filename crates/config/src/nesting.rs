@@ -1,18 +1,18 @@
-//! How deep brackets stand in each other.
+//! Depth of nested brackets.
 
 use std::ops::Range;
 
 use toml_parser::{Source, lexer::TokenKind};
 
-/// Nothing that a case says stands in more brackets.
+/// Maximum nesting, which no valid case exceeds.
 pub(crate) const MAX_DEPTH: usize = 80;
 
-/// The bracket with which a text is nested deeper than [`MAX_DEPTH`], in bytes; none where it is
-/// not.
+/// The bracket at which a text is nested deeper than [`MAX_DEPTH`], in bytes; none if there is no
+/// such bracket.
 ///
-/// The parser has the same limit, but past some mistakes it forgets it and takes a frame of the
-/// stack for each bracket that is open: so nobody may hand it what has more. A bracket of the other
-/// kind closes none.
+/// The parser has the same limit, but after some mistakes it loses count and takes a stack frame
+/// for each open bracket, so that deeper texts must never reach it. A bracket of the other kind
+/// closes none.
 pub(crate) fn too_deep(text: &str) -> Option<Range<usize>> {
     let mut open = Vec::new();
     for token in Source::new(text).lex() {
@@ -40,14 +40,14 @@ mod tests {
     #[test]
     fn brackets_that_are_open_are_counted() {
         assert_eq!(too_deep("a = [[1, 2], [3, 4]]\n[b]\n[[c]]\nd = { e = '{' }"), None);
-        // As many as one likes beside each other, in texts and comments.
+        // Any number in sequence, in texts and comments.
         assert_eq!(too_deep(&"[a]\nb = { c = \"[\" } # {{[\n".repeat(1000)), None);
         let deepest = format!("a = {}{}", "[".repeat(MAX_DEPTH), "]".repeat(MAX_DEPTH));
         assert_eq!(too_deep(&deepest), None);
         assert_eq!(too_deep(&format!("a = [{}", &deepest[4..])), Some(84..85));
     }
 
-    /// Closed by the wrong kind, they are open still.
+    /// Closed by the wrong kind, they are still open.
     #[test]
     fn the_wrong_bracket_closes_nothing() {
         assert!(too_deep(&"{ [ } ]".repeat(MAX_DEPTH + 1)).is_some());

@@ -1,4 +1,4 @@
-//! The case file as a tree in which every key and value knows its place.
+//! The case file as a tree in which every key and value has its place.
 
 use toml::{
     Spanned,
@@ -14,30 +14,30 @@ use crate::{
     source::Span,
 };
 
-/// A value and where it stands.
+/// A value with its place.
 #[derive(Debug, Clone)]
 pub struct Node {
-    /// Where it stands.
+    /// Its place.
     pub place: Span,
-    /// What it is.
+    /// The value.
     pub value: Value,
 }
 
-/// A value as TOML has them.
+/// A TOML value.
 #[derive(Debug, Clone)]
 pub enum Value {
     /// Text in quotes.
     Text {
         /// The text, without its quotes.
         text: String,
-        /// Where its first character stands in the source, if it stands there as it is.
+        /// Place of its first character in the source, if it is written without escapes.
         verbatim_from: Option<usize>,
     },
     /// A number.
     Number {
         /// Its value.
         value: f64,
-        /// Set where it was written without point or exponent.
+        /// The integer, if it was written without point or exponent.
         whole: Option<i64>,
     },
     /// True or false.
@@ -51,7 +51,7 @@ pub enum Value {
 }
 
 impl Value {
-    /// What it is, in a user's words.
+    /// The kind of value, for messages.
     pub fn noun(&self) -> &'static str {
         match self {
             Self::Text { .. } => "text",
@@ -68,12 +68,12 @@ impl Value {
 #[derive(Debug, Clone, Default)]
 pub struct Entries(pub Vec<(Key, Node)>);
 
-/// A key and where it stands.
+/// A key with its place.
 #[derive(Debug, Clone)]
 pub struct Key {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// Where it stands.
+    /// Its place.
     pub place: Span,
 }
 
@@ -91,7 +91,7 @@ impl Entries {
     }
 }
 
-/// Reads a whole TOML text; on mistakes of syntax, what they are and where.
+/// Reads a whole TOML text; returns the syntax errors with their places if there are any.
 pub fn parse_text(text: &str, source: usize) -> Result<Entries, Vec<Diagnostic>> {
     shallow(text, source, 0).map_err(|mistake| vec![mistake])?;
     let (table, errors) = DeTable::parse_recoverable(text);
@@ -102,7 +102,7 @@ pub fn parse_text(text: &str, source: usize) -> Result<Entries, Vec<Diagnostic>>
     for error in &errors {
         let understood = error.message() == "duplicate key" || not_quoted(error);
         diagnostics.push(syntax_error(error, text, source, 0));
-        // What comes after a broken line may only be its consequence.
+        // Mistakes after a broken line may only be its consequence.
         if !understood {
             break;
         }
@@ -123,7 +123,7 @@ pub fn parse_value(text: &str, source: usize, offset: usize) -> Result<Node, Dia
     }
 }
 
-/// Refuses what is nested too deep for the parser.
+/// Refuses nesting too deep for the parser.
 fn shallow(text: &str, source: usize, offset: usize) -> Result<(), Diagnostic> {
     let Some(bracket) = too_deep(text) else {
         return Ok(());
@@ -135,31 +135,31 @@ fn shallow(text: &str, source: usize, offset: usize) -> Result<(), Diagnostic> {
         .help("a bracket is closed by one of its kind: { by }, [ by ]"))
 }
 
-/// What the parser says, in the words of somebody who has not read the TOML specification.
+/// The parser's message, reworded for users who have not read the TOML specification.
 fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usize) -> Diagnostic {
     let span = error.span().unwrap_or(0..0);
     let place = Span { source, start: span.start + offset, end: span.end + offset };
-    let said = error.message();
+    let message = error.message();
     let found = text.get(span.clone()).unwrap_or_default().trim();
-    if said == "duplicate key" {
+    if message == "duplicate key" {
         let line_start = text[..span.start].rfind('\n').map_or(0, |end| end + 1);
         let help = if text[line_start..].trim_start().starts_with("[[") {
-            "where there may be several, each is headed by double brackets"
+            "for a table that may occur several times, use double brackets"
         } else {
             "keep one of the two"
         };
         return Diagnostic::error(format!("`{}` is given twice", short(found)))
-            .at(place, "it stands above already")
+            .at(place, "it is already defined above")
             .help(help);
     }
     if let Some(written) = text_with_backslash(text, span.start) {
         return Diagnostic::error("a backslash in double quotes begins an escape")
-            .at(place, said)
+            .at(place, message)
             .help(in_single_quotes(written));
     }
     if let Some((written, help)) = foot_or_inch_mark(text, span.start) {
         return Diagnostic::error(format!(
-            "`{}` is a quantity and stands in quotes",
+            "`{}` is a quantity, which needs quotes",
             short(written)
         ))
         .at(place, "a foot or inch mark is a quotation mark to TOML")
@@ -167,27 +167,27 @@ fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usiz
     }
     if let Some(written) = parted_thousands(text, span.start) {
         return Diagnostic::error(format!("`{}` is not a number of TOML", short(written)))
-            .at(place, said)
+            .at(place, message)
             .help(format!(
                 "write {}, or in quotes with its unit: \"{} ft\"",
                 written.replace(',', "_"),
                 short(written)
             ));
     }
-    let diagnostic = Diagnostic::error("this is not TOML").at(place, said);
+    let diagnostic = Diagnostic::error("this is not TOML").at(place, message);
     if not_quoted(error) {
         if found.is_empty() {
             return Diagnostic::error("a value is missing after `=`").at(place, "expected a value");
         }
-        return Diagnostic::error("text and quantities with a unit stand in quotes")
+        return Diagnostic::error("text and quantities with a unit need quotes")
             .at(place, "not in quotes")
             .help(format!("write \"{}\"", short(found)));
     }
     diagnostic
 }
 
-/// A length with a foot or inch mark as the value of a line, `8.5"` in double quotes or in none, and how
-/// it is written.
+/// A length with a foot or inch mark as the value of a line, `8.5"` with double quotes or without,
+/// and its correct notation.
 fn foot_or_inch_mark(text: &str, at: usize) -> Option<(&str, String)> {
     let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
     let (_, value) = text[line_start..].lines().next()?.split_once('=')?;
@@ -206,7 +206,7 @@ fn foot_or_inch_mark(text: &str, at: usize) -> Option<(&str, String)> {
     Some((written, help))
 }
 
-/// A number as the value of a line whose thousands are parted by commas.
+/// A number as the value of a line whose thousands are separated by commas.
 fn parted_thousands(text: &str, at: usize) -> Option<&str> {
     let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
     let (_, value) = text[line_start..].lines().next()?.split_once('=')?;
@@ -218,12 +218,12 @@ fn parted_thousands(text: &str, at: usize) -> Option<&str> {
     (first && others).then_some(value)
 }
 
-/// What stands in the double quotes around a place of a line, if a backslash is in it.
+/// The text in the double quotes around a place of a line, if it contains a backslash.
 fn text_with_backslash(text: &str, at: usize) -> Option<&str> {
     let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
     let line = text[line_start..].lines().next()?;
     let at = at - line_start;
-    // Quotes by turns open and close; in single ones a backslash is only that.
+    // Quotes alternately open and close; in single ones a backslash has no special meaning.
     let (mut open, mut single) = (None, false);
     for (place, letter) in line.char_indices() {
         match (letter, open) {
@@ -241,10 +241,10 @@ fn text_with_backslash(text: &str, at: usize) -> Option<&str> {
     None
 }
 
-/// How a path with backslashes is written.
+/// The notation of a path with backslashes.
 pub fn in_single_quotes(path: &str) -> String {
     format!(
-        "a path in single quotes is taken as it stands: '{}'; forward slashes do as well",
+        "a path in single quotes is taken literally: '{}'; forward slashes work as well",
         short(path)
     )
 }
@@ -274,7 +274,8 @@ fn node(value: &Spanned<DeValue<'_>>, text: &str, source: usize, offset: usize) 
         DeValue::Integer(integer) => {
             let whole = i64::from_str_radix(integer.as_str(), integer.radix()).ok();
             Value::Number {
-                // A whole number too large for 64 bits is out of every range: infinity says so.
+                // An integer too large for 64 bits is outside every range, which infinity
+                // represents.
                 value: whole.map_or(f64::INFINITY, |whole| whole as f64),
                 whole,
             }

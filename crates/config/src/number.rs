@@ -1,4 +1,4 @@
-//! Numbers of a single unit: decimal ones and whole ones.
+//! Numbers of a fixed unit: decimals and integers.
 
 use serde_json::{Value as Json, json};
 use wholestring_units::number_text;
@@ -22,13 +22,13 @@ pub fn check_range(
     reader: &mut Reader,
 ) -> Option<f64> {
     match out_of_range(value, range, unit, worth, node, reader) {
-        // Minus zero would print as such.
+        // Negative zero would be printed with its sign.
         None => Some(value + 0.0),
         Some(mistake) => mistake.refuse(reader),
     }
 }
 
-/// The mistake of a number that is not believed.
+/// The error for a number outside its range.
 pub fn out_of_range(
     value: f64,
     range: &Range,
@@ -57,7 +57,7 @@ pub fn out_of_range(
     let mut diagnostic = Diagnostic::error(message).at(node.place, expected);
     if let Some(part) = per_cent(value, range, unit) {
         let part = number_text(part);
-        diagnostic = diagnostic.help(format!("if {written} % is meant, write {part}"));
+        diagnostic = diagnostic.help(format!("for {written} %, write {part}"));
     }
     if !unit.is_empty() && value.is_finite() && matches!(node.value, Value::Number { .. }) {
         diagnostic = diagnostic.help(format!("a number without unit is in {unit}"));
@@ -65,7 +65,7 @@ pub fn out_of_range(
     Some(diagnostic)
 }
 
-/// The part that a number beyond its range would be in per cent, where it would be usual.
+/// The fraction for a number beyond its range that would be usual as a percentage.
 fn per_cent(value: f64, range: &Range, unit: &str) -> Option<f64> {
     let part = value / 100.0;
     let is_usual = match range.usual_numbers() {
@@ -75,12 +75,12 @@ fn per_cent(value: f64, range: &Range, unit: &str) -> Option<f64> {
     (unit.is_empty() && value > range.max && range.max <= 2.0 && is_usual).then_some(part)
 }
 
-/// A plain number, in a unit that texts do not name.
+/// A plain number, in a unit that the file does not name.
 #[derive(Debug, Clone, Copy)]
 pub struct Number {
-    /// The unit that it is in; empty where it has none.
+    /// Its unit; empty if it has none.
     pub unit: &'static str,
-    /// What is believed.
+    /// The accepted range.
     pub range: Range,
 }
 
@@ -117,7 +117,7 @@ impl Rule for Number {
     }
 }
 
-/// A whole number, zero or more.
+/// An integer, zero or more.
 #[derive(Debug, Clone, Copy)]
 pub struct Whole;
 
@@ -143,10 +143,10 @@ impl Rule for Whole {
     }
 }
 
-/// A whole number between two others.
+/// An integer between two others.
 #[derive(Debug, Clone, Copy)]
 pub struct Count {
-    /// The least.
+    /// The smallest.
     pub from: u64,
     /// The largest.
     pub to: u64,

@@ -1,4 +1,4 @@
-//! What a declaration of tables is written with, under one import.
+//! Imports for the declaration of tables.
 
 pub use crate::{
     diagnostic::Diagnostic,

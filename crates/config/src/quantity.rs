@@ -15,7 +15,7 @@ use crate::{
     usual::Entry,
 };
 
-/// How a text that may be a quantity begins.
+/// Pattern of the beginning of a text that may be a quantity.
 const NUMBER_PATTERN: &str = r"^\s*[-+\u2212]?[0-9.\u00BC-\u00BE\u2153-\u215E]";
 
 /// A quantity: text with a unit, or a bare number.
@@ -23,7 +23,7 @@ const NUMBER_PATTERN: &str = r"^\s*[-+\u2212]?[0-9.\u00BC-\u00BE\u2153-\u215E]";
 pub struct Quantity {
     dimension: Dimension,
     range: Range,
-    /// The unit of a bare number and of ranges in messages, and what it is worth in SI.
+    /// The unit of a bare number and of ranges in messages, and its SI value.
     bare: (&'static str, f64),
     example: &'static str,
 }
@@ -34,17 +34,17 @@ impl Quantity {
         Self { dimension, range, bare: (dimension.si_symbol(), 1.0), example }
     }
 
-    /// Why the key does not take a value, SI; none where it does.
+    /// The reason why the key does not accept a value, SI; none if it does.
     pub fn refusal(&self, si: f64) -> Option<String> {
         if self.range.holds(si) {
             return None;
         }
         let (unit, worth) = self.bare;
-        let (shown, expected) = (number_text(si / worth), self.range.text(unit, worth));
-        Some(format!("{shown} {unit}: expected {expected}"))
+        let (number, expected) = (number_text(si / worth), self.range.text(unit, worth));
+        Some(format!("{number} {unit}: expected {expected}"))
     }
 
-    /// The same, but a bare number is in `unit`, which is worth so much in SI.
+    /// The same with a bare number in `unit`, whose SI value is `worth`.
     pub fn bare(self, unit: &'static str, worth: f64) -> Self {
         Self { bare: (unit, worth), ..self }
     }
@@ -65,8 +65,8 @@ impl Rule for Quantity {
         };
         let (number, si) = match &node.value {
             Value::Number { value, .. } => {
-                // Zero is zero in every unit; revolutions per minute and degrees are what everybody
-                // writes.
+                // Zero is the same in every unit; revolutions per minute and degrees are the usual
+                // notation.
                 if worth == 1.0 && *value != 0.0 && reader.asks_unit(node.place) {
                     let mistake = entry(*value, *value).needs_unit(reader);
                     return mistake.refuse(reader);
@@ -108,7 +108,7 @@ impl Rule for Quantity {
             return mistake.refuse(reader);
         }
         entry.check(reader);
-        // Minus zero would print as such.
+        // Negative zero would be printed with its sign.
         Some(si + 0.0)
     }
 
@@ -148,7 +148,7 @@ impl Rule for Quantity {
 }
 
 impl Quantity {
-    /// The units that it may have.
+    /// The permitted units.
     fn units(&self) -> String {
         let units = self.dimension.units().iter();
         let symbols: Vec<&str> = units.map(|unit| unit.symbol).collect();
@@ -169,7 +169,7 @@ impl Quantity {
                 let diagnostic = Diagnostic::error(format!("`{}` is not a number", short(found)))
                     .at(place, such_as);
                 if found.contains(',') {
-                    diagnostic.help("decimals stand after a point; thousands are not separated")
+                    diagnostic.help("decimals follow a point; thousands are not separated")
                 } else {
                     diagnostic
                 }

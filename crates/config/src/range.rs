@@ -1,9 +1,9 @@
-//! Numbers within the range that is believed.
+//! Numbers within an accepted range.
 
 use serde_json::{Value as Json, json};
 use wholestring_units::number_text;
 
-/// The numbers that are believed, in SI, and those among them that are usual.
+/// The accepted numbers, in SI, and the usual ones among them.
 #[derive(Debug, Clone, Copy)]
 pub struct Range {
     pub(crate) min: f64,
@@ -18,29 +18,29 @@ impl Range {
         Self { min, min_excluded: false, max, usual: None }
     }
 
-    /// More than zero, up to `max`.
+    /// Greater than zero, up to `max`.
     pub const fn positive_to(max: f64) -> Self {
         Self { min: 0.0, min_excluded: true, max, usual: None }
     }
 
-    /// The same, but a number outside of these is doubted: mostly its unit is another one's. Zero
-    /// is not, where it is believed at all: it switches something off.
+    /// The same, but a number outside of these causes a warning, because its unit is probably
+    /// wrong. Zero does not, if it is accepted, because it switches something off.
     pub const fn usual(self, from: f64, to: f64) -> Self {
         Self { usual: Some((from, to)), ..self }
     }
 
-    /// The numbers that are usual, where the key says so.
+    /// The usual numbers, if the key has them.
     pub fn usual_numbers(&self) -> Option<(f64, f64)> {
         self.usual
     }
 
-    /// Whether a number is believed.
+    /// Whether a number is accepted.
     pub fn holds(&self, value: f64) -> bool {
         let above = if self.min_excluded { value > self.min } else { value >= self.min };
         above && value <= self.max
     }
 
-    /// `expected 0.02 to 2 m`, with numbers divided by what one unit is worth.
+    /// `expected 0.02 to 2 m`, with numbers divided by the SI value of the unit.
     pub(crate) fn text(&self, unit: &str, worth: f64) -> String {
         let show = |value: f64| number_text(value / worth);
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
@@ -51,7 +51,7 @@ impl Range {
         }
     }
 
-    /// Adds the range to the schema of a number in a unit that is worth so much in SI.
+    /// Adds the range to the schema of a number whose unit has the SI value `worth`.
     pub fn describe(&self, schema: &mut Json, worth: f64) {
         let min = if self.min_excluded { "exclusiveMinimum" } else { "minimum" };
         schema[min] = json!(self.min / worth);

@@ -1,4 +1,4 @@
-//! Collects what is wrong while a case is read, so that all of it is reported at once.
+//! Collects the mistakes while a case is read, so that all are reported at once.
 
 use serde_json::Value as Json;
 use wholestring_units::{Dimension, UnitSet, number_text};
@@ -20,26 +20,26 @@ pub struct Reader {
     pub sources: Vec<Source>,
     /// The key whose value is being read, for messages.
     pub key: &'static str,
-    /// Numbers without a unit that may have been meant in another one than SI.
+    /// Numbers without a unit that may have been intended in a unit other than SI.
     pub(crate) bare: Vec<Bare>,
-    /// The units that people are shown.
+    /// The display units.
     units: Option<UnitSet>,
-    /// Where a number without a unit is refused.
+    /// Places where a number without a unit is refused.
     asking: Vec<Span>,
     diagnostics: Vec<Diagnostic>,
-    /// Whether nothing is kept of what is found.
+    /// Whether diagnostics are discarded.
     is_muted: bool,
-    /// What is read; nothing for arguments.
+    /// The kind of file; none for arguments.
     kind: Option<&'static Kind>,
 }
 
 impl Diagnostic {
-    /// Hands it to the reader.
+    /// Adds it to the reader's diagnostics.
     pub fn report(self, reader: &mut Reader) {
         reader.report(self);
     }
 
-    /// Hands it to the reader; there is no value then.
+    /// Adds it to the reader's diagnostics, and returns no value.
     pub fn refuse<T>(self, reader: &mut Reader) -> Option<T> {
         reader.report(self);
         None
@@ -51,7 +51,7 @@ pub fn shown(dimension: Dimension, si: f64, set: UnitSet) -> String {
     rounded(dimension, si, set, f64::round)
 }
 
-/// The same rounded up: a bound that is kept by what is written as it.
+/// The same rounded up, so that the written bound is valid.
 pub fn at_least(dimension: Dimension, si: f64, set: UnitSet) -> String {
     rounded(dimension, si, set, |thousandths| (thousandths - LAST_DIGITS).ceil())
 }
@@ -61,7 +61,7 @@ pub fn at_most(dimension: Dimension, si: f64, set: UnitSet) -> String {
     rounded(dimension, si, set, |thousandths| (thousandths + LAST_DIGITS).floor())
 }
 
-/// Thousandths of a unit that the conversion of a whole number may be off by.
+/// Tolerance for converted whole numbers, in thousandths of a unit.
 const LAST_DIGITS: f64 = 1e-6;
 
 fn rounded(dimension: Dimension, si: f64, set: UnitSet, round: fn(f64) -> f64) -> String {
@@ -71,32 +71,32 @@ fn rounded(dimension: Dimension, si: f64, set: UnitSet, round: fn(f64) -> f64) -
     format!("{} {}", number_text(value), unit.symbol)
 }
 
-/// More mistakes than this are kept by nobody: the file is probably something else.
+/// Maximum number of mistakes kept: with more, the file is probably something else.
 const MAX: usize = 100;
 
 impl Reader {
-    /// A reader of such a file.
+    /// A reader of this kind of file.
     pub fn of(kind: &'static Kind) -> Self {
         Self { kind: Some(kind), ..Self::default() }
     }
 
-    /// The schema of the tables of what is read; nothing for arguments.
+    /// The schema of the tables of the file; none for arguments.
     pub fn tables(&self) -> Option<&'static Json> {
         self.kind.map(|kind| (kind.tables)())
     }
 
-    /// Adds a text that places can point into; its index.
+    /// Adds a text that places can refer to, and returns its index.
     pub fn add_source(&mut self, name: &str, text: &str) -> usize {
         self.sources.push(Source { name: name.to_owned(), text: text.to_owned() });
         self.sources.len() - 1
     }
 
-    /// The units that the case is shown in.
+    /// The display units of the case.
     pub fn units(&self) -> UnitSet {
         self.units.unwrap_or(UnitSet::Si)
     }
 
-    /// A quantity in the units that the case is shown in, to a thousandth of its unit.
+    /// A quantity in the display units of the case, to a thousandth of its unit.
     pub fn shown(&self, dimension: Dimension, si: f64) -> String {
         shown(dimension, si, self.units())
     }
@@ -111,13 +111,13 @@ impl Reader {
         at_most(dimension, si, self.units())
     }
 
-    /// Says which units the case is shown in.
+    /// Sets the display units of the case.
     pub fn show_in(&mut self, units: UnitSet) {
         self.units = Some(units);
     }
 
-    /// Requires a unit where this number is read as a quantity, or each of this list: a shell may
-    /// have taken the quotes away, and the unit's absence says nothing.
+    /// Requires a unit for this number, or each of this list, if it is read as a quantity, because
+    /// a shell may have removed the quotes and the missing unit has no meaning.
     pub fn ask_unit(&mut self, node: &Node) {
         let items = match &node.value {
             Value::List(items) => items.as_slice(),
@@ -138,7 +138,7 @@ impl Reader {
         source.is_some_and(|source| source.name == COMMAND_LINE)
     }
 
-    /// Reads what has been read before, so that all that is wrong with it is reported already.
+    /// Reads a value again without reporting its mistakes twice.
     pub(crate) fn muted<T>(&mut self, read: impl FnOnce(&mut Self) -> T) -> T {
         let before = std::mem::replace(&mut self.is_muted, true);
         let value = read(self);
@@ -146,14 +146,14 @@ impl Reader {
         value
     }
 
-    /// Remembers a number without a unit that may have been meant in another one.
+    /// Records a number without a unit that may have been intended in another one.
     pub(crate) fn note_bare(&mut self, bare: Bare) {
         if !self.is_muted {
             self.bare.push(bare);
         }
     }
 
-    /// Keeps a diagnostic, if there are not too many already.
+    /// Keeps a diagnostic, unless there are too many already.
     pub fn report(&mut self, diagnostic: Diagnostic) {
         if self.is_muted {
             return;
@@ -162,21 +162,21 @@ impl Reader {
             if diagnostic.severity == Severity::Warning || self.has_errors() {
                 return;
             }
-            // An error is never lost behind warnings.
+            // An error is never dropped in favour of warnings.
             self.diagnostics.pop();
         }
         self.diagnostics.push(diagnostic);
     }
 
-    /// Whether a mistake was found.
+    /// Whether there is an error.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
     }
 
-    /// Everything that was found, in the order of the places.
+    /// All diagnostics, in the order of their places.
     pub fn into_report(self) -> Report {
         let diagnostics = self.diagnostics;
-        // One argument may set several values, and be wrong for each.
+        // One argument may set several values, each with a mistake.
         let mut unique: Vec<Diagnostic> = Vec::new();
         for diagnostic in diagnostics {
             if !unique.contains(&diagnostic) {
@@ -191,12 +191,12 @@ impl Reader {
         Report { sources: self.sources, diagnostics }
     }
 
-    /// What the user wrote at a place, short enough to quote.
+    /// The user's text at a place, shortened for quoting.
     pub fn written(&self, place: Span) -> String {
         short(self.text_at(place))
     }
 
-    /// What the user wrote at a place.
+    /// The user's text at a place.
     pub fn text_at(&self, place: Span) -> &str {
         let text = self.sources.get(place.source).map(|source| &source.text);
         text.and_then(|text| text.get(place.start..place.end)).unwrap_or_default()
@@ -227,8 +227,8 @@ impl Reader {
         None
     }
 
-    /// Reports the keys of a table that are none of `names`; the names that they were probably
-    /// meant to be.
+    /// Reports the keys of a table that are not in `names`, and returns the names that they were
+    /// probably meant to be.
     pub fn check_names(
         &mut self,
         table: &Entries,

@@ -1,4 +1,4 @@
-//! What a value must look like: one rule reads it, checks it and describes it in the schema.
+//! Rules of values: one rule reads a value, checks it and describes it in the schema.
 
 use serde_json::{Value as Json, json};
 use wholestring_units::number_text;
@@ -11,13 +11,13 @@ use crate::{
     source::Span,
 };
 
-/// How a value is read and described.
+/// Reading and description of a value.
 pub trait Rule {
-    /// What is read.
+    /// The type of the value.
     type Value;
-    /// Reads a value; what is wrong with it goes to the reader.
+    /// Reads a value; mistakes are added to the reader's diagnostics.
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<Self::Value>;
-    /// What the value is where its key does not stand in the file.
+    /// The value if its key is missing in the file.
     fn absent(&self, _table: Span, _reader: &mut Reader) -> Option<Self::Value> {
         None
     }
@@ -27,24 +27,24 @@ pub trait Rule {
     fn heading(&self) -> Option<&'static str> {
         None
     }
-    /// A value as it is written, for messages.
+    /// An example of the value, for messages.
     fn example(&self) -> Option<String> {
         None
     }
-    /// A default as people write it.
+    /// A default in its usual notation.
     fn written(&self, default: &Json) -> String {
         match default.as_f64() {
             Some(number) => number_text(number),
             None => default.to_string(),
         }
     }
-    /// The value as the schema shows defaults.
+    /// The value as JSON for the defaults of the schema.
     fn json(&self, _value: &Self::Value) -> Json {
         Json::Null
     }
 }
 
-/// A text that says something.
+/// A non-empty text.
 #[derive(Debug, Clone, Copy)]
 pub struct Text;
 
@@ -79,7 +79,7 @@ impl Rule for Text {
     }
 }
 
-/// A text of some lines.
+/// A text of several lines.
 #[derive(Debug, Clone, Copy)]
 pub struct Prose;
 
@@ -111,9 +111,9 @@ impl Rule for Prose {
 
 /// One of a few words.
 pub struct Choice<T: 'static> {
-    /// What is chosen, for messages.
+    /// The noun for messages.
     pub noun: &'static str,
-    /// The words and what they mean.
+    /// The words and their values.
     pub words: &'static [(&'static str, T)],
 }
 
@@ -153,7 +153,7 @@ impl<T: Copy + PartialEq> Rule for Choice<T> {
     }
 }
 
-/// A value and the place it stands at.
+/// A value with its place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spanned<T> {
     /// The value.
@@ -162,7 +162,7 @@ pub struct Spanned<T> {
     pub place: Span,
 }
 
-/// Refuses a list that names one thing twice.
+/// Refuses duplicates in a list.
 pub fn once_each<T: Copy + PartialEq>(
     list: &[Spanned<T>],
     name: fn(T) -> &'static str,
@@ -188,28 +188,28 @@ pub fn word_of<T: PartialEq>(words: &[(&'static str, T)], value: &T) -> &'static
 pub struct List<R> {
     /// The rule of an item.
     pub item: R,
-    /// Whether one item may stand without brackets.
+    /// Whether a single item may be written without brackets.
     pub or_one: bool,
-    /// What it is a list of, for messages.
+    /// The noun of its items, for messages.
     pub noun: &'static str,
-    /// More are refused.
+    /// Maximum number of items.
     pub most: usize,
 }
 
 impl<R> List<R> {
-    /// At most so many, in brackets.
+    /// A list of at most this many items, in brackets.
     pub const fn of(item: R, noun: &'static str, most: usize) -> Self {
         Self { item, or_one: false, noun, most }
     }
 
-    /// At most so many; one may stand without brackets.
+    /// A list of at most this many items; a single one may be written without brackets.
     pub const fn or_one(item: R, noun: &'static str, most: usize) -> Self {
         Self { item, or_one: true, noun, most }
     }
 }
 
 impl List<()> {
-    /// At most so many tables of one kind.
+    /// A list of at most this many tables of one kind.
     pub const fn tables<T>(noun: &'static str, most: usize) -> List<Section<T>> {
         List::of(Section::<T>::RULE, noun, most)
     }
@@ -287,19 +287,19 @@ impl<R: Rule> Rule for List<R> {
     }
 }
 
-/// A key that stands in the file.
+/// A key that is present in the file.
 #[derive(Debug, Clone)]
 pub struct Written {
-    /// What it is called.
+    /// Its name.
     pub name: &'static str,
-    /// Where its value stands.
+    /// Place of its value.
     pub place: Span,
-    /// The words of the table's choice with which it has an effect; all, where none is listed.
+    /// The words of the table's choice with which it has an effect; empty for all.
     pub used_with: Vec<&'static str>,
 }
 
 impl Written {
-    /// A key with the place of its value, if it stands in the file.
+    /// A key with the place of its value, if it is present in the file.
     pub fn key(
         name: &'static str,
         place: Option<Span>,
@@ -308,7 +308,7 @@ impl Written {
         Some(Self { name, place: place?, used_with: used_with.to_vec() })
     }
 
-    /// Whether it has an effect where this word is chosen.
+    /// Whether it has an effect with this word.
     pub fn is_used_with(&self, word: &str) -> bool {
         self.used_with.is_empty() || self.used_with.contains(&word)
     }
@@ -316,17 +316,17 @@ impl Written {
 
 /// A table with keys of its own.
 pub trait Table: Sized {
-    /// How messages call it: `[mud]`.
+    /// Its name in messages: `[mud]`.
     const HEADING: &'static str;
-    /// Reads the table; what is wrong with it goes to the reader.
+    /// Reads the table; mistakes are added to the reader's diagnostics.
     fn read(entries: &Entries, place: Span, reader: &mut Reader) -> Self;
-    /// The keys that stand in the file.
+    /// The keys that are present in the file.
     fn written(&self) -> Vec<Written>;
     /// JSON schema of the table.
     fn schema() -> Json;
 }
 
-/// The rule of a [`Table`]; where it does not stand in the file, all its keys are absent.
+/// The rule of a [`Table`]; if it is missing in the file, all its keys are absent.
 pub struct Section<T>(std::marker::PhantomData<T>);
 
 impl<T> Section<T> {

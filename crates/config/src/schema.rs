@@ -1,8 +1,8 @@
-//! What the schema of a file's tables says of its keys.
+//! Queries about the keys of a file's tables, from its schema.
 
 use serde_json::Value as Json;
 
-/// The tables that have a key of this name, as messages call them.
+/// The tables that have a key of this name, by their names in messages.
 pub fn homes_of(tables: &Json, name: &str) -> Vec<String> {
     fn visit(schema: &Json, name: &str, homes: &mut Vec<String>) {
         match schema {

@@ -1,4 +1,4 @@
-//! Texts that diagnostics point into, and where files beside the case are read from.
+//! Texts that diagnostics refer to, and the source of files next to the case.
 
 use std::{
     io::{self, Read},
@@ -8,7 +8,7 @@ use std::{
 /// A text that a diagnostic can quote: the case file, a `--set` argument, a survey.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
-    /// What the user knows it by: a file's name, or `command line`.
+    /// Its name for the user: a file's name, or `command line`.
     pub name: String,
     /// Its text.
     pub text: String,
@@ -17,7 +17,7 @@ pub struct Source {
 /// The name of a source that is an argument of the command.
 pub const COMMAND_LINE: &str = "command line";
 
-/// A stretch of one source, in bytes.
+/// A range of one source, in bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Span {
     /// Index of the source in its [`Report`](crate::diagnostic::Report).
@@ -28,9 +28,9 @@ pub struct Span {
     pub end: usize,
 }
 
-/// Where the files that a case names are read from.
+/// Source of the files that a case names.
 pub trait Files {
-    /// The content of the file at `path`, as the case writes it.
+    /// The contents of the file at `path`, as written in the case.
     fn read(&self, path: &str) -> io::Result<Vec<u8>>;
 }
 
@@ -41,12 +41,12 @@ pub struct Disk {
 }
 
 impl Disk {
-    /// Files as seen from `folder`.
+    /// Files relative to `folder`.
     pub fn new(folder: impl Into<PathBuf>) -> Self {
         Self { folder: folder.into() }
     }
 
-    /// Files beside the case at `path`.
+    /// Files in the folder of the case at `path`.
     pub fn beside(path: &Path) -> Self {
         Self::new(path.parent().unwrap_or(Path::new("")))
     }
@@ -58,18 +58,18 @@ impl Files for Disk {
     }
 }
 
-/// More than any survey or case holds; a file this large was named by mistake.
+/// Larger than any survey or case; a file of this size was named by mistake.
 const LARGEST_FILE_BYTES: u64 = 64 << 20;
 
-/// Reads a case, a study, a survey or another file of a user, of at most 64 MB.
+/// Reads a case, a study, a survey or another user file, of at most 64 MB.
 ///
 /// # Errors
-/// Whatever the system says, and a sentence for what is no regular file or larger.
+/// Errors of the system, and a sentence for anything but a regular file or for a larger one.
 pub fn read_file(path: &Path) -> io::Result<Vec<u8>> {
     read_bounded(path)
 }
 
-/// Reads a regular file of a bearable size. A device or pipe could block or never end.
+/// Reads a regular file of limited size. A device or pipe could block or never end.
 fn read_bounded(path: &Path) -> io::Result<Vec<u8>> {
     let about = std::fs::metadata(path)?;
     if about.is_dir() {
@@ -87,10 +87,10 @@ fn read_bounded(path: &Path) -> io::Result<Vec<u8>> {
     std::fs::read(path)
 }
 
-/// Reads what comes through a pipe, to its end.
+/// Reads a pipe to its end.
 ///
 /// # Errors
-/// Whatever the system says, and a sentence for more than 64 MB.
+/// Errors of the system, and a sentence for more than 64 MB.
 pub fn read_pipe(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     std::fs::File::open(path)?.take(LARGEST_FILE_BYTES + 1).read_to_end(&mut bytes)?;

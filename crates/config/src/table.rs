@@ -12,30 +12,29 @@ use crate::{
     table_schema::TableSchema,
 };
 
-/// Keys of a table: all that it has, or a group of them that is declared by itself.
-/// [`keys!`](crate::table::keys) declares such a group, and `..group: Group;` puts it into a table
-/// or another group.
+/// Keys of a table: all of them, or a separately declared group. [`keys!`](crate::table::keys)
+/// declares such a group, and `..group: Group;` puts it into a table or another group.
 pub trait Keys: Sized {
-    /// What they are called, in the order of the declaration.
+    /// Their names, in the order of the declaration.
     fn names() -> Vec<&'static str>;
-    /// Reads them; what is wrong with them goes to the reader.
+    /// Reads them; mistakes are added to the reader's diagnostics.
     fn read_keys(here: &Here<'_>, reader: &mut Reader) -> Self;
-    /// Those that stand in the file.
+    /// Those that are present in the file.
     fn written_keys(&self) -> Vec<Written>;
     /// Adds them to the schema of their table.
     fn describe_keys(table: &mut TableSchema);
 }
 
-/// What became of a key.
+/// Result of reading a key.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Field<T> {
-    /// It does not stand in the file, and that is no mistake or has been reported.
+    /// It is missing in the file, which is permitted or has been reported.
     Absent,
-    /// What stands in the file is wrong, which has been reported.
+    /// Its value is invalid, which has been reported.
     Bad,
-    /// It stands in the file.
+    /// It is present in the file.
     Given(Spanned<T>),
-    /// It does not stand in the file; this is the default. The place is that of its table.
+    /// It is missing in the file; this is the default. The place is that of its table.
     Default(Spanned<T>),
 }
 
@@ -53,7 +52,7 @@ impl<T> Field<T> {
         }
     }
 
-    /// The value and its place, if it stands in the file.
+    /// The value and its place, if it is present in the file.
     pub fn given(&self) -> Option<&Spanned<T>> {
         match self {
             Self::Given(at) => Some(at),
@@ -61,12 +60,12 @@ impl<T> Field<T> {
         }
     }
 
-    /// Where the value stands, if it stands in the file.
+    /// The place of the value, if it is present in the file.
     pub fn place(&self) -> Option<Span> {
         self.given().map(|at| at.place)
     }
 
-    /// `None` where the value is wrong, `Some(None)` where there is none.
+    /// `None` if the value is invalid, `Some(None)` if it is missing.
     pub fn optional(&self) -> Option<Option<&Spanned<T>>> {
         match self {
             Self::Bad => None,
@@ -76,80 +75,80 @@ impl<T> Field<T> {
 }
 
 impl Field<String> {
-    /// The text, an empty one where there is none; nothing where it is wrong.
+    /// The text, an empty one if it is missing; none if it is invalid.
     pub fn text(&self) -> Option<String> {
-        let given = self.optional()?;
-        Some(given.map_or_else(String::new, |at| at.value.clone()))
+        let value = self.optional()?;
+        Some(value.map_or_else(String::new, |at| at.value.clone()))
     }
 }
 
-/// What happens where a key does not stand in the file.
+/// Treatment of a missing key.
 pub enum Need<T> {
-    /// It must stand there.
+    /// It is required.
     Required,
-    /// Required, but not beside this other key.
+    /// Required, unless this other key is present.
     RequiredUnless(&'static str),
-    /// It may be left out.
+    /// It may be omitted.
     Optional,
-    /// This is taken in its place.
+    /// This value replaces it.
     Default(T),
 }
 
-/// A key: its rule and whether it must be there.
+/// A key: its rule and whether it is required.
 pub struct Key<R: Rule> {
-    /// What a value must look like.
+    /// The rule of its value.
     pub rule: R,
-    /// What happens where it does not stand in the file.
+    /// Treatment if it is missing in the file.
     pub need: Need<R::Value>,
-    /// The words of the table's choice with which it has an effect; all, where none is listed.
+    /// The words of the table's choice with which it has an effect; empty for all.
     pub used_with: &'static [&'static str],
 }
 
-/// A key that must be there.
+/// A required key.
 pub fn required<R: Rule>(rule: R) -> Key<R> {
     Key { rule, need: Need::Required, used_with: &[] }
 }
 
-/// A key that must be there where `other` is not.
+/// A key that is required if `other` is missing.
 pub fn required_unless<R: Rule>(other: &'static str, rule: R) -> Key<R> {
     Key { rule, need: Need::RequiredUnless(other), used_with: &[] }
 }
 
-/// A key that may be left out.
+/// An optional key.
 pub fn optional<R: Rule>(rule: R) -> Key<R> {
     Key { rule, need: Need::Optional, used_with: &[] }
 }
 
-/// A key that has a default.
+/// A key with a default.
 pub fn default<R: Rule>(rule: R, value: R::Value) -> Key<R> {
     Key { rule, need: Need::Default(value), used_with: &[] }
 }
 
-/// The table that is being read.
+/// The table being read.
 #[derive(Debug, Clone, Copy)]
 pub struct Here<'a> {
     /// Its keys and values.
     pub entries: &'a Entries,
-    /// Where it stands.
+    /// Its place.
     pub place: Span,
-    /// How messages call it.
+    /// Its name in messages.
     pub heading: &'static str,
-    /// The keys that misspelt ones were probably meant to be: they are not missed as well.
+    /// The probable names of misspelt keys, which are not reported as missing as well.
     pub meant: &'a [&'static str],
-    /// Keys that another group of the table has read: what is wrong with them is reported.
+    /// Keys that another group of the table has read, whose mistakes have been reported.
     pub reported: &'a [&'static str],
-    /// Whether a key that must stand here is missed: not in a group that nothing uses.
+    /// Whether missing required keys are reported: not in a group that nothing uses.
     pub is_used: bool,
 }
 
 impl<R: Rule> Key<R> {
-    /// The same, but it has an effect with these words of the table's choice only: of a law, of a
+    /// The same, but it has an effect only with these words of the table's choice: of a law, of a
     /// control.
     pub fn used_with(self, words: &'static [&'static str]) -> Self {
         Self { used_with: words, ..self }
     }
 
-    /// Reads the key, or takes what there is in its place.
+    /// Reads the key, or returns its replacement.
     pub fn read(self, name: &'static str, here: &Here<'_>, reader: &mut Reader) -> Field<R::Value> {
         if here.reported.contains(&name) && here.entries.get(name).is_some() {
             reader.muted(|reader| self.read_or_default(name, here, reader))
@@ -199,7 +198,7 @@ impl<R: Rule> Key<R> {
             None => format!("`{name}`"),
         };
         let mut diagnostic = Diagnostic::error(format!("{} lacks {called}", here.heading));
-        // The whole file is not worth underlining.
+        // The whole file is not underlined.
         if here.place.end > here.place.start {
             diagnostic = diagnostic.at(here.place, format!("{called} is missing"));
         }
@@ -232,14 +231,14 @@ impl<R: Rule> Key<R> {
     }
 }
 
-/// The name of a field as the case file has it: `static` is a word of Rust's own.
+/// The name of a field in the case file: `static` is reserved in Rust.
 pub fn name(field: &'static str) -> &'static str {
     field.trim_start_matches("r#")
 }
 
-/// Declares a group of keys that stands in a table, or in several: its struct and its
-/// [`Keys`]. The doc comments become the descriptions of the schema. `..group: Group;` puts another
-/// group in its place.
+/// Declares a group of keys of a table, or of several tables: its struct and its [`Keys`]. The doc
+/// comments become the descriptions of the schema. `..group: Group;` inserts another group at that
+/// position.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __keys {
@@ -325,8 +324,8 @@ macro_rules! __keys {
 }
 pub use __keys as keys;
 
-/// Declares a table of the case file: its keys as [`keys!`](crate::table::keys) does, and the
-/// heading under which they stand.
+/// Declares a table of the case file: its keys as [`keys!`](crate::table::keys) does, and their
+/// heading.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __table {

@@ -1,4 +1,4 @@
-//! The schema of a table as it is being made.
+//! The schema of a table under construction.
 
 use serde_json::{Map, Value as Json, json};
 
@@ -10,11 +10,11 @@ pub fn users_of(used: &[Used], name: &str) -> Vec<&'static str> {
     used.iter().filter(|(_, keys)| keys.contains(&name)).map(|(word, _)| *word).collect()
 }
 
-/// The schema of a table as it is being made.
+/// The schema of a table under construction.
 #[derive(Default)]
 pub struct TableSchema {
     properties: Map<String, Json>,
-    /// Their names as they were declared: what belongs together stands together.
+    /// Their names in the order of the declaration, which keeps related keys together.
     order: Vec<String>,
     required: Vec<String>,
     /// A key that chooses among words, and the keys that each word uses.
@@ -38,7 +38,7 @@ impl TableSchema {
         schema
     }
 
-    /// Adds a key. A group that several words use is described once for each, always alike.
+    /// Adds a key. A group that several words use is described identically for each.
     pub(crate) fn add(&mut self, name: &str, schema: Json, is_required: bool) {
         if is_required {
             self.required.push(name.to_owned());
@@ -51,7 +51,7 @@ impl TableSchema {
         self.properties.insert(name.to_owned(), schema);
     }
 
-    /// Adds keys that the words of `tag` use, each those listed with it.
+    /// Adds keys that the words of `tag` use, each word those listed with it.
     pub(crate) fn add_tagged(
         &mut self,
         tag: &'static str,
@@ -63,7 +63,7 @@ impl TableSchema {
         self.tag = outer;
     }
 
-    /// The tag and its words that use a key; none where no word does.
+    /// The tag and its words that use a key; none if no word does.
     pub(crate) fn users_of(&self, name: &str) -> Option<(&'static str, Vec<&'static str>)> {
         let (tag, used) = self.tag.as_ref()?;
         let users = users_of(used, name);

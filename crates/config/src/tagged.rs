@@ -1,14 +1,14 @@
 //! Keys that a word chooses among: the tag, and for each of its words a group of keys.
 //!
-//! [`tagged!`](crate::tagged::tagged) makes of one list of groups the words of the tag, the choice
-//! between the groups, and for each key the words that use it. All keys stand in the same table of
-//! the file, so that another word leaves the file as it is: keys that only other words use are read
-//! and checked, and have no effect.
+//! [`tagged!`](crate::tagged::tagged) generates from one list of groups the words of the tag, the
+//! choice between the groups, and for each key the words that use it. All keys are in the same
+//! table of the file, so that another word needs no further change: keys that only other words use
+//! are read and checked, and have no effect.
 //!
 //! ```
 //! use wholestring_config::prelude::*;
 //!
-//! /// What each damping makes of its keys.
+//! /// The damping ratio from its keys.
 //! trait Damping {
 //!     fn ratio(&self) -> Option<f64>;
 //! }
@@ -89,15 +89,15 @@ use crate::{
     table_schema::{TableSchema, Used, users_of},
 };
 
-/// The keys that a word of a tag uses.
+/// The keys of a word of a tag.
 pub trait Variant: Keys {
     /// The word.
     const WORD: &'static str;
-    /// What it means, in a phrase.
+    /// Its meaning, in a phrase.
     const MEANING: &'static str;
 }
 
-/// Adds the names that are not there yet.
+/// Adds the names that are missing so far.
 pub fn add_names(names: &mut Vec<&'static str>, more: Vec<&'static str>) {
     for name in more {
         if !names.contains(&name) {
@@ -106,7 +106,7 @@ pub fn add_names(names: &mut Vec<&'static str>, more: Vec<&'static str>) {
     }
 }
 
-/// Adds the keys that are not there yet, with the words that use them.
+/// Adds the keys that are missing so far, with the words that use them.
 pub fn add_written(written: &mut Vec<Written>, used: &[Used], more: Vec<Written>) {
     for key in more {
         if !written.iter().any(|known| known.name == key.name) {
@@ -115,7 +115,7 @@ pub fn add_written(written: &mut Vec<Written>, used: &[Used], more: Vec<Written>
     }
 }
 
-/// Describes the tag by its words and what they mean, and the keys that each word uses.
+/// Describes the tag by its words and their meanings, and the keys of each word.
 pub fn describe(
     (tag, doc): (&'static str, &str),
     meanings: &[(&str, &str)],
@@ -135,7 +135,7 @@ pub fn describe(
 }
 
 impl Here<'_> {
-    /// The same for a group that some word uses, beside keys that have been read.
+    /// The same for a group of some word, after other keys have been read.
     pub fn beside<'a>(&'a self, reported: &'a [&'static str], is_used: bool) -> Here<'a> {
         Here { reported, is_used: self.is_used && is_used, ..*self }
     }
@@ -143,8 +143,8 @@ impl Here<'_> {
 
 /// Declares keys that a word chooses among: the enum of the words with `WORDS`, the struct of all
 /// keys, its [`Keys`](crate::table::Keys), and `chosen`, the group of the word by the trait that
-/// all groups implement. Groups before the words (`..group: Group;`) are read first; what several
-/// words use is reported once.
+/// all groups implement. Groups before the words (`..group: Group;`) are read first; mistakes in
+/// keys shared by several words are reported once.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __tagged {
@@ -164,7 +164,7 @@ macro_rules! __tagged {
         }
 
         impl $words {
-            /// The words and what they mean.
+            /// The words and their values.
             pub(crate) const WORDS: &[(&str, Self)] =
                 &[$( (<$keys as $crate::tagged::Variant>::WORD, Self::$variant), )+];
         }
@@ -179,7 +179,7 @@ macro_rules! __tagged {
         }
 
         impl $name {
-            /// Each word and the keys that it uses.
+            /// Each word with its keys.
             fn used() -> Vec<$crate::table_schema::Used> {
                 vec![$( (
                     <$keys as $crate::tagged::Variant>::WORD,
@@ -193,7 +193,7 @@ macro_rules! __tagged {
                 $crate::table_schema::users_of(&Self::used(), name)
             }
 
-            /// The word that was chosen, or is the default.
+            /// The chosen word, or the default.
             #[allow(dead_code)]
             pub(crate) fn word(&self) -> Option<&'static str> {
                 Some(match self.$tag.get()? {
@@ -201,7 +201,7 @@ macro_rules! __tagged {
                 })
             }
 
-            /// The keys of the word that was chosen, or is the default.
+            /// The keys of the chosen word, or of the default.
             pub(crate) fn chosen(&self) -> Option<&(dyn $trait + 'static)> {
                 Some(match self.$tag.get()? {
                     $( $words::$variant => &self.$field, )+

@@ -1,5 +1,5 @@
-//! Numbers that can be computed with, but are hardly meant: a unit was forgotten, or another one
-//! was meant.
+//! Numbers that are accepted but probably unintended: a unit was forgotten, or another one was
+//! intended.
 
 use wholestring_units::{Dimension, Unit, UnitSet, number_text};
 
@@ -12,14 +12,14 @@ use crate::{
     source::COMMAND_LINE,
 };
 
-/// How many units a help line names.
+/// Maximum number of units in a help line.
 const MAX_UNITS: usize = 3;
 
-/// How many numbers without a unit are underlined, of all keys and of one key.
+/// Maximum number of underlined numbers without a unit, of all keys and of one key.
 const MAX_BARE: usize = 6;
 const MAX_BARE_OF_A_KEY: usize = 2;
 
-/// What stands in the file for a quantity.
+/// The written value of a quantity.
 pub(crate) struct Entry<'a> {
     pub(crate) dimension: Dimension,
     pub(crate) range: &'a Range,
@@ -43,7 +43,7 @@ impl Entry<'_> {
         };
         let sets = std::iter::once(&set).chain(UnitSet::ALL);
         let everyday = sets.map(|set| self.dimension.unit_in(*set));
-        // Who writes in feet and pounds means `lbf` before `N`.
+        // Users who write in feet and pounds mean `lbf` before `N`.
         let own =
             self.dimension.units().iter().filter(|unit| set == UnitSet::Field && unit.is_field());
         let mut units: Vec<&'static Unit> = Vec::new();
@@ -59,7 +59,7 @@ impl Entry<'_> {
         units
     }
 
-    /// In which units the number would make sense.
+    /// The units in which the number would be sensible.
     pub(crate) fn advice(&self, reader: &Reader) -> Option<String> {
         let units = self.fitting_units(reader.units());
         let first = units.first()?;
@@ -73,7 +73,7 @@ impl Entry<'_> {
         ))
     }
 
-    /// Warns of a number that is believed, but not usual.
+    /// Warns about a number that is accepted, but not usual.
     pub(crate) fn check(&self, reader: &mut Reader) {
         let Some(side) = unusual(self.si, self.range) else {
             return self.note_bare(reader);
@@ -98,17 +98,17 @@ impl Entry<'_> {
         reader.report(diagnostic);
     }
 
-    /// Remembers a number in SI, where people are shown another unit.
+    /// Records a number in SI if other units are displayed.
     fn note_bare(&self, reader: &mut Reader) {
         let (own, set) = (self.dimension.si_symbol(), reader.units());
-        let shown = self.dimension.unit_in(set).symbol;
-        // A survey or a table of a bit says its units itself.
+        let symbol = self.dimension.unit_in(set).symbol;
+        // A survey or a table of a bit has its own units.
         let in_the_case = self.node.place.source == 0;
         if set != UnitSet::Field
             || !self.is_bare()
             || !in_the_case
             || self.unit != own
-            || shown == own
+            || symbol == own
             || self.si == 0.0
         {
             return;
@@ -127,8 +127,7 @@ impl Entry<'_> {
         });
     }
 
-    /// The unit of a set, or another of its kind, in which the number is as large as such numbers
-    /// are.
+    /// The unit of a set, or another of the same kind, in which the number has the usual magnitude.
     fn plausible(&self, set: UnitSet) -> Option<&'static Unit> {
         let is_of_set = |unit: &&Unit| (set == UnitSet::Field) == unit.is_field();
         if self.range.usual_numbers().is_some() {
@@ -138,7 +137,7 @@ impl Entry<'_> {
         self.range.holds(unit.to_si(self.number)).then_some(unit)
     }
 
-    /// A number without a unit that is usual in none.
+    /// A number without a unit that is usual in no unit.
     fn unit_of_no_size(&self, from: f64, to: f64, reader: &Reader) -> Diagnostic {
         let show = |si: f64| self.dimension.format(si, reader.units());
         let symbols: Vec<&str> = self.dimension.units().iter().map(|unit| unit.symbol).collect();
@@ -148,14 +147,14 @@ impl Entry<'_> {
             .help(format!("units of {}: {}", self.dimension.name(), symbols.join(", ")))
     }
 
-    /// A number without a unit, where the shell may have taken the quotes away.
+    /// A number without a unit, whose quotes the shell may have removed.
     pub(crate) fn needs_unit(&self, reader: &Reader) -> Diagnostic {
         let set = reader.units();
         let fitting = self.fitting_units(set);
         let unit = match (fitting.first(), self.range.usual_numbers()) {
             (Some(unit), _) => unit.symbol,
             (None, Some((from, to))) => return self.unit_of_no_size(from, to, reader),
-            // Nothing is known of its size: what it was in a file.
+            // Its magnitude is unknown: the interpretation of a file.
             (None, None) => self.unit,
         };
         let symbols = self.dimension.units().iter().map(|unit| unit.symbol);
@@ -171,8 +170,7 @@ impl Entry<'_> {
             .at(place, "expected a unit after the number");
         match argument {
             Some((key, _)) => diagnostic.help(format!(
-                "such as {}={with_unit}: without a blank it needs no quotes, which a shell takes \
-                 away",
+                "such as {}={with_unit}: without a blank it needs no quotes, which a shell removes",
                 key.trim_end()
             )),
             None => diagnostic.help(format!("such as \"{with_unit}\"")),
@@ -190,7 +188,7 @@ fn with_unit(written: &str, unit: &str) -> String {
     format!("{}{unit}..{}", from.trim(), rest.join("/"))
 }
 
-/// `small` or `large`, where a number is not usual.
+/// `small` or `large`, if a number is not usual.
 fn unusual(si: f64, range: &Range) -> Option<&'static str> {
     let (from, to) = range.usual_numbers()?;
     match si {
@@ -201,7 +199,7 @@ fn unusual(si: f64, range: &Range) -> Option<&'static str> {
     }
 }
 
-/// Warns of a number in the only unit it can have.
+/// Warns about a number in the only unit it can have.
 pub(crate) fn check_number(
     value: f64,
     range: &Range,
@@ -217,7 +215,7 @@ pub(crate) fn check_number(
     reader.report(Diagnostic::warning(message).at(node.place, usual.trim_end()));
 }
 
-/// Warns, once, of numbers without a unit in a case that is shown in field units.
+/// Warns, once, about numbers without a unit in a case that is shown in field units.
 pub fn warn_of_bare(reader: &mut Reader) {
     let bare = std::mem::take(&mut reader.bare);
     let Some(first) = bare.first() else {
@@ -225,20 +223,19 @@ pub fn warn_of_bare(reader: &mut Reader) {
     };
     let mut diagnostic =
         Diagnostic::warning("a number without unit is SI, with units = \"field\" too");
-    let mut shown: Vec<&Bare> = Vec::new();
+    let mut listing: Vec<&Bare> = Vec::new();
     for number in &bare {
-        let of_key = shown.iter().filter(|other| other.key == number.key).count();
-        if shown.len() < MAX_BARE && of_key < MAX_BARE_OF_A_KEY {
+        let of_key = listing.iter().filter(|other| other.key == number.key).count();
+        if listing.len() < MAX_BARE && of_key < MAX_BARE_OF_A_KEY {
             diagnostic = diagnostic.at(number.place, &number.text);
-            shown.push(number);
+            listing.push(number);
         }
     }
-    let more = bare.len() - shown.len();
+    let more = bare.len() - listing.len();
     if more > 0 {
         diagnostic = diagnostic.help(format!("and {more} more"));
     }
-    reader
-        .report(diagnostic.help(format!("write the unit that is meant, such as {}", first.meant)));
+    reader.report(diagnostic.help(format!("write the intended unit, such as {}", first.meant)));
 }
 
 /// `ppg, sg or g/cm3`.

@@ -1,8 +1,8 @@
-//! Calls of other people's code that may panic on a damaged file, contained in one place.
+//! Calls of third-party code that may panic on a damaged file, contained in one place.
 //!
-//! A reader of a foreign format is somebody else's, and a byte that nobody thought of can make it
-//! panic. [`contain`] turns that into an error, and nothing is printed: to whoever gave the file it
-//! is a damaged file and no fault of the program.
+//! A reader of a foreign format is third-party code, and an unexpected byte may make it panic.
+//! [`contain`] turns that into an error, and nothing is printed, because the cause is a damaged
+//! file and not a fault of the program.
 #![warn(missing_docs)]
 
 use std::{
@@ -13,21 +13,21 @@ use std::{
 };
 
 thread_local! {
-    /// How many calls of [`contain`] this thread is in.
+    /// Number of nested calls of [`contain`] in this thread.
     static DEPTH: Cell<usize> = const { Cell::new(0) };
 }
 
-/// What a contained panic said.
+/// The message of a contained panic.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Panicked(pub String);
 
-/// Calls `of`; a panic in it, on this thread, is an error and prints nothing.
+/// Calls `once`; a panic in it, on this thread, is an error and prints nothing.
 ///
-/// What `of` was changing when it panicked may be half changed: give it what is dropped afterwards.
-/// Memory that runs out and a stack that overflows end the program all the same.
+/// State that `once` modifies may be inconsistent after a panic, so it should be state that is
+/// dropped afterwards. Exhausted memory and a stack overflow end the program nevertheless.
 ///
 /// # Errors
-/// What the panic said.
+/// The message of the panic.
 ///
 /// ```
 /// use wholestring_contain::{Panicked, contain};
@@ -35,25 +35,25 @@ pub struct Panicked(pub String);
 /// assert_eq!(contain(|| 6 * 7), Ok(42));
 /// assert_eq!(contain(|| -> u8 { panic!("no") }), Err(Panicked("no".into())));
 /// ```
-pub fn contain<T>(of: impl FnOnce() -> T) -> Result<T, Panicked> {
+pub fn contain<T>(once: impl FnOnce() -> T) -> Result<T, Panicked> {
     static QUIET: Once = Once::new();
     QUIET.call_once(|| {
         let previous_hook = panic::take_hook();
         panic::set_hook(Box::new(move |info| {
-            // A thread that is ending has no such count any more: its panics are reported.
+            // The count of a thread that is ending no longer exists; its panics are reported.
             if DEPTH.try_with(Cell::get).unwrap_or(0) == 0 {
                 previous_hook(info);
             }
         }));
     });
     DEPTH.set(DEPTH.get() + 1);
-    let done = panic::catch_unwind(AssertUnwindSafe(of));
+    let done = panic::catch_unwind(AssertUnwindSafe(once));
     DEPTH.set(DEPTH.get() - 1);
-    done.map_err(|said| Panicked(message(&*said)))
+    done.map_err(|payload| Panicked(message(&*payload)))
 }
 
-fn message(said: &(dyn Any + Send)) -> String {
-    match (said.downcast_ref::<&str>(), said.downcast_ref::<String>()) {
+fn message(payload: &(dyn Any + Send)) -> String {
+    match (payload.downcast_ref::<&str>(), payload.downcast_ref::<String>()) {
         (Some(text), _) => (*text).to_owned(),
         (_, Some(text)) => text.clone(),
         _ => "it panicked".to_owned(),

@@ -211,9 +211,11 @@ fn apart(a: &SoftProfile, b: &SoftProfile) -> (f64, &'static str) {
     let force_N = x.hook_load_N.abs().max(x.side_force_total_N).max(1e3);
     let torque_N_m = x.surface_torque_N_m.abs().max(1.0);
     let depth_m = a.md_m[a.md_m.len() - 1];
-    let neutral = |of: &SoftProfile| of.scalars.neutral_point_m.unwrap_or(f64::NEG_INFINITY);
+    let neutral =
+        |profile: &SoftProfile| profile.scalars.neutral_point_m.unwrap_or(f64::NEG_INFINITY);
     let neutral_m = if neutral(a) == neutral(b) { 0.0 } else { neutral(a) - neutral(b) };
-    let pump_Pa = |of: &SoftProfile| of.hydraulics.map_or(0.0, |mud| mud.pump_pressure_Pa);
+    let pump_Pa =
+        |profile: &SoftProfile| profile.hydraulics.map_or(0.0, |mud| mud.pump_pressure_Pa);
     let all = [
         ("hook load", (x.hook_load_N - y.hook_load_N) / force_N),
         ("axial friction", (x.axial_friction_N - y.axial_friction_N) / force_N),

@@ -1,9 +1,8 @@
 //! Surveys, tallies and results in the formats of other programs: WITSML 1.4.1.1, 2.0 and 2.1, and
 //! the fixed-width text of survey reports.
 //!
-//! What goes out is what a case holds, SI inside; a [`Look`] says whose names and in which units.
-//! Numbers keep [`DIGITS`] significant digits in WITSML; a report has as many decimals as reports
-//! have.
+//! The input is the contents of a case in SI; a [`Look`] gives the names and the units of the file.
+//! Numbers keep [`DIGITS`] significant digits in WITSML; a report has the usual number of decimals.
 #![warn(missing_docs)]
 
 mod log;

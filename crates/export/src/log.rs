@@ -1,15 +1,15 @@
-//! A log against the depth of the bit.
+//! A log against bit depth.
 
 use wholestring_units::Dimension;
 
 /// Curves against the measured depth of the bit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Log {
-    /// What it is called: `trip out, soft string, expected friction`.
+    /// Its name: `trip out, soft string, expected friction`.
     pub name: String,
-    /// Measured depths of the bit, m, growing.
+    /// Measured depths of the bit, m, ascending.
     pub bit_depths_m: Vec<f64>,
-    /// What was found at each.
+    /// Results at each depth.
     pub curves: Vec<Curve>,
 }
 
@@ -20,10 +20,10 @@ pub struct Curve {
     pub mnemonic: &'static str,
     /// Its class in WITSML 1.4.1.1: `hookload (average)`.
     pub class: &'static str,
-    /// What it is, in a sentence.
+    /// Its meaning, in a sentence.
     pub meaning: &'static str,
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
-    /// Its values, SI; none where there is no answer.
+    /// Its values, SI; none if there is no result.
     pub values: Vec<Option<f64>>,
 }

@@ -1,21 +1,22 @@
-//! Whose names stand in a file, and its units.
+//! Names in a file, and its units.
 
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-/// Whose names stand in a file, when it was made, and its units.
+/// Names in a file, its time of creation, and its units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Look {
     /// Name of the case, for the well.
     pub name: String,
-    /// When the file is made, as XML writes it: `2026-01-31T12:00:00Z`.
+    /// Time of creation in XML notation: `2026-01-31T12:00:00Z`.
     pub created: String,
     /// Program and version.
     pub program: String,
-    /// Field units or SI; metric ones are SI here, for WITSML has no tonne of force in use.
+    /// Field units or SI; metric units are written as SI, because WITSML has no tonne-force in
+    /// common use.
     pub units: UnitSet,
 }
 
-/// A unit as WITSML calls it, both generations: what they share, and one way to write it here.
+/// A WITSML unit: its symbol, common to both generations, and one conversion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Uom {
     pub(crate) symbol: &'static str,
@@ -28,7 +29,7 @@ impl Uom {
         self.unit.from_si(si)
     }
 
-    /// The same as WITSML 2 calls it, where that differs from what 1.4.1.1 does.
+    /// The same with its symbol in WITSML 2, if that differs from 1.4.1.1.
     pub(crate) fn of_series_2(self) -> Self {
         let symbol = match self.symbol {
             "dega/30m" => "1/30 dega/m",
@@ -40,7 +41,7 @@ impl Uom {
 }
 
 impl Look {
-    /// The unit of a dimension, as WITSML calls it.
+    /// The WITSML unit of a dimension.
     pub(crate) fn uom(&self, dimension: Dimension) -> Uom {
         let set = match self.units {
             UnitSet::Field => UnitSet::Field,

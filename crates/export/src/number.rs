@@ -3,7 +3,7 @@
 /// Significant digits of the numbers in WITSML: a tenth of a millimetre in 10 km.
 pub const DIGITS: usize = 8;
 
-/// A number to [`DIGITS`], without zeros behind and without a power of ten; nothing of one that is not
+/// A number to [`DIGITS`], without trailing zeros and without a power of ten; none if it is not
 /// finite.
 ///
 /// ```
@@ -15,6 +15,6 @@ pub const DIGITS: usize = 8;
 /// ```
 pub fn number(value: f64) -> Option<String> {
     let rounded: f64 = format!("{value:.*e}", DIGITS - 1).parse().ok()?;
-    // Without the sign of a zero.
+    // Without negative zero.
     rounded.is_finite().then(|| (rounded + 0.0).to_string())
 }

@@ -1,4 +1,4 @@
-//! A survey as a text report in columns of one width, as well planning programs print it.
+//! A survey as a text report in columns of fixed width, like that of well planning programs.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use wholestring_units::Dimension;
 
 use crate::{look::Look, survey::Row};
 
-/// Letters of a column.
+/// Width of a column, characters.
 const WIDTH: usize = 12;
 
 /// Decimals of lengths and positions, of angles, and of dogleg severities.
@@ -14,11 +14,11 @@ const LENGTH_DECIMALS: usize = 2;
 const ANGLE_DECIMALS: usize = 3;
 const SEVERITY_DECIMALS: usize = 2;
 
-/// The report: what it is of, headings in three lines, a row for each station.
+/// The report: a title, headings in three lines, a row for each station.
 ///
 /// Lengths have two decimals, angles three.
 pub fn survey_report(look: &Look, rows: &[Row]) -> String {
-    // Metres and feet; whoever has metric units surveys in metres.
+    // Metres and feet; metric units have surveys in metres.
     let unit = |dimension: Dimension| dimension.unit_in(look.units);
     let length = unit(Dimension::Length);
     let severity = unit(Dimension::DoglegSeverity);
@@ -63,7 +63,7 @@ pub fn survey_report(look: &Look, rows: &[Row]) -> String {
     text
 }
 
-/// A number without the sign of a rounded zero.
+/// A number without negative zero after rounding.
 fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
@@ -72,7 +72,7 @@ fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// A text of one line.
+/// A text on one line.
 fn plain(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

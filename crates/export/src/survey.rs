@@ -1,4 +1,4 @@
-//! A survey as others read it: stations with their positions by minimum curvature.
+//! A survey in the usual form: stations with their positions by minimum curvature.
 
 use wholestring::well::{Interpolation, Path, PathError, Station, TieIn};
 
@@ -17,12 +17,12 @@ pub struct Row {
     pub north_m: f64,
     /// East, m.
     pub east_m: f64,
-    /// Dogleg severity since the station above, rad/m; zero at the first.
+    /// Dogleg severity from the preceding station, rad/m; zero at the first.
     pub dogleg_severity_rad_per_m: f64,
 }
 
 /// The rows of stations that begin at a tie-in. Positions are by minimum curvature, whichever curve
-/// the case runs through the stations: that is what readers of surveys take them for.
+/// the case uses between the stations, because readers of surveys assume it.
 ///
 /// # Errors
 /// There is no path through the stations.

@@ -1,4 +1,4 @@
-//! What is written, and that what can be read again is the same.
+//! Written formats, and the equality of data that are read again.
 
 use insta::assert_snapshot;
 use wholestring::well::{Station, TieIn};
@@ -33,8 +33,8 @@ fn stations() -> Vec<Station> {
 
 const TIE_IN: TieIn = TieIn { north_m: 12.5, east_m: -3.25, tvd_m: 0.0 };
 
-/// Lengths are written to a hundredth of a foot, angles to a thousandth of a degree: half of that is
-/// rounded away, and no more.
+/// Lengths are written to a hundredth of a foot, angles to a thousandth of a degree: the rounding
+/// error is at most half of that.
 #[test]
 fn a_report_is_read_again() {
     let rows = rows(&stations(), TIE_IN).unwrap();
@@ -137,7 +137,7 @@ fn logs_against_depth() {
     assert_snapshot!("log_v21", logs(&look(UnitSet::Si), &both[..1], Version::V21).unwrap());
 }
 
-/// Symbols of WITSML are ones that readers of units here know.
+/// Symbols of WITSML are known to the unit parser.
 #[test]
 fn units_are_known() {
     for units in [UnitSet::Si, UnitSet::Field] {

@@ -1,4 +1,4 @@
-//! Memory that is counted, and no more of it than a reader may take.
+//! Memory allocation with a count and a limit.
 
 use std::{
     alloc::{GlobalAlloc, Layout, System},
@@ -6,14 +6,14 @@ use std::{
     sync::atomic::{AtomicUsize, Ordering::Relaxed},
 };
 
-/// No file may make the program take more, bytes.
+/// Limit of memory for any file, bytes.
 pub(crate) const CAP: usize = 1 << 30;
 
 static HELD: AtomicUsize = AtomicUsize::new(0);
 static PEAK: AtomicUsize = AtomicUsize::new(0);
 
-/// The system's memory, counted. What would go over [`CAP`] is not given: the process ends then,
-/// and whoever started it reports the input.
+/// The system's allocator with a count. An allocation beyond [`CAP`] fails: the process then ends,
+/// and its parent reports the input.
 pub(crate) struct Counting;
 
 // SAFETY: all memory is the system's.
@@ -41,7 +41,7 @@ unsafe impl GlobalAlloc for Counting {
     }
 
     unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        // While it is copied both are held.
+        // Both are allocated during the copy.
         if !take(size) {
             return ptr::null_mut();
         }
@@ -63,12 +63,12 @@ fn take(bytes: usize) -> bool {
     true
 }
 
-/// Begins to look for the peak anew.
+/// Resets the peak.
 pub(crate) fn forget_peak() {
     PEAK.store(HELD.load(Relaxed), Relaxed);
 }
 
-/// The most memory that was held since, bytes.
+/// Peak memory since then, bytes.
 pub(crate) fn peak() -> usize {
     PEAK.load(Relaxed)
 }

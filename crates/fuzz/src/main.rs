@@ -1,10 +1,10 @@
-//! Reads damaged inputs with every reader of wholestring, and reports which ones a reader failed
-//! on.
+//! Reads damaged inputs with every reader of wholestring, and reports the inputs on which a reader
+//! failed.
 //!
-//! An input is made from a number: a sound file of its kind, changed by its bytes, words, numbers
-//! and lines. A reader may accept or refuse it; it may not panic, end the program, take a gigabyte
-//! of memory or two seconds. Inputs are read in processes of their own, so that an input which ends
-//! one is reported and the next ones are read.
+//! An input is generated from a number: a valid file of its kind with changed bytes, words, numbers
+//! and lines. A reader may accept or refuse it; it must not panic, end the program, or use more
+//! than a gigabyte of memory or two seconds. Inputs are read in separate processes, so that an
+//! input that ends a process is reported and the next ones are read.
 
 mod allocator;
 mod mutation;
@@ -34,10 +34,10 @@ usage: wholestring-fuzz [SECONDS | --inputs N] [--seed S] [READER...]
        wholestring-fuzz --one READER INPUT [--seed S]    read one input, and write it to \
        target/fuzz";
 
-/// Longer than anybody waits; workers get it in milliseconds.
+/// Practically unlimited time; workers receive it in milliseconds.
 const ENDLESS: Duration = Duration::from_secs(365 * 86_400);
 
-/// How many inputs of all readers together, or for how long in all.
+/// Total number of inputs of all readers, or the total time.
 enum Amount {
     Time(Duration),
     Inputs(u64),
@@ -58,7 +58,7 @@ fn main() -> ExitCode {
 }
 
 fn number(text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| format!("`{text}` is no whole number"))
+    text.parse().map_err(|_| format!("`{text}` is not a whole number"))
 }
 
 fn work(reader: &str, rest: &[&str]) -> Result<ExitCode, String> {
@@ -102,7 +102,7 @@ fn watch(arguments: &[&str]) -> Result<ExitCode, String> {
                     Ok(seconds) => amount = Amount::Time(Duration::from_secs(seconds)),
                     Err(_) => {
                         let known = readers::names().join(", ");
-                        return Err(format!("`{name}` is no reader; there are {known}"));
+                        return Err(format!("`{name}` is not a reader; the readers are {known}"));
                     }
                 },
             },
@@ -115,7 +115,7 @@ fn watch(arguments: &[&str]) -> Result<ExitCode, String> {
     Ok(report(&outcomes, seed))
 }
 
-/// Has every reader read, as many at a time as there are processors.
+/// Runs every reader, as many at a time as there are processors.
 fn read_all(
     chosen: &[&'static str],
     amount: &Amount,
@@ -124,7 +124,7 @@ fn read_all(
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let side_by_side = thread::available_parallelism().map_or(1, usize::from).min(chosen.len());
     let inputs = match amount {
-        // The readers take turns: each has its share of the time of all processors.
+        // The readers run in turn: each has its share of the time of all processors.
         Amount::Time(all) => Inputs {
             seed,
             from: 0,
@@ -147,7 +147,7 @@ fn read_all(
         }
     };
     thread::scope(|scope| {
-        // Where the system refuses a thread, those that there are do all of it.
+        // If the system refuses a thread, the existing ones do all of the work.
         for _ in 1..side_by_side {
             if thread::Builder::new().spawn_scoped(scope, work).is_err() {
                 break;
@@ -165,7 +165,7 @@ fn read_all(
         .collect()
 }
 
-/// Prints a line for each reader, and each fault with the way to it.
+/// Prints a line for each reader, and each fault with the command that reproduces it.
 fn report(outcomes: &[(&'static str, Outcome)], seed: u64) -> ExitCode {
     println!(
         "{:<14}{:>10}{:>10}{:>10}{:>8}  {:<22}peak memory, MB",
@@ -202,7 +202,7 @@ fn report(outcomes: &[(&'static str, Outcome)], seed: u64) -> ExitCode {
 mod tests {
     use super::*;
 
-    /// A worker reads what the watcher writes: a time without end was more than it could hold.
+    /// A worker parses the parent's arguments: an unlimited time exceeded its number format.
     #[test]
     fn a_number_of_inputs_has_a_time_that_workers_read() {
         let milliseconds = ENDLESS.as_millis().to_string();

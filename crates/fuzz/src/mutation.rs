@@ -1,22 +1,22 @@
-//! Damage: of bytes, of the words and numbers of a text, of its lines.
+//! Mutations: of bytes, of the words and numbers of a text, of its lines.
 
 use fastrand::Rng;
 
-/// Inputs do not grow beyond this, bytes.
+/// Maximum size of inputs, bytes.
 const LONGEST: usize = 1 << 18;
 
-/// Numbers at the edges of what numbers can be.
+/// Numbers at the limits of number formats.
 const NUMBERS: &str = "\
     0 -0 1 -1 2 0.1 1e-305 5e-324 1e308 -1e308 1e309 nan inf -inf 1e5 1000000 65535 65536 \
     2147483648 4294967296 9223372036854775807 18446744073709551616 99999999999999999999999 0x10 \
     1_000 1,5 1,500.0 ٣ 5-1/2 1/0 0.30000000000000004";
 
-/// Bytes at the edges.
+/// Extreme bytes.
 const BYTES: &[u8] =
     &[0, 1, 2, 0x7f, 0x80, 0xff, 0xfe, 0xc0, 0xe2, 0xf0, b'\n', b'\r', b'\t', b'"', b'='];
 
-/// A damaged copy of one of the seeds, by a few changes. A text is changed by its words too, of
-/// which `words` are more.
+/// Returns a damaged copy of one of the seeds, with a few changes. A text is also changed by words,
+/// including `words`.
 pub(crate) fn damaged(seeds: &[Vec<u8>], words: &[&str], is_text: bool, rng: &mut Rng) -> Vec<u8> {
     let Some(seed) = rng.choice(seeds) else {
         return Vec::new();
@@ -77,18 +77,18 @@ fn bytes(input: &mut Vec<u8>, seeds: &[Vec<u8>], rng: &mut Rng) {
     }
 }
 
-/// Puts a piece in many times over.
+/// Inserts a piece many times.
 fn repeat(input: &mut Vec<u8>, at: usize, piece: &[u8], rng: &mut Rng) {
     if piece.is_empty() {
         return;
     }
-    // Seldom as long as an input may be: those take as long to read as hundreds of others.
+    // The longest inputs are rare, because each takes as long to read as hundreds of others.
     let doublings = rng.u8(..17).min(rng.u8(..17)).min(rng.u8(..17));
     let times = (1 << doublings).min(LONGEST / piece.len());
     input.splice(at..at, piece.repeat(times));
 }
 
-/// The words of a text: where runs of letters and digits, or else single signs, begin and end.
+/// The words of a text: ranges of runs of letters and digits, or of single signs.
 fn words_of(input: &[u8]) -> Vec<std::ops::Range<usize>> {
     let in_word = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_' || byte >= 0x80;
     let mut words: Vec<std::ops::Range<usize>> = Vec::new();
@@ -98,7 +98,7 @@ fn words_of(input: &[u8]) -> Vec<std::ops::Range<usize>> {
                 if in_word(byte)
                     && word.end == at
                     && in_word(input[word.start])
-                    // `-1.5e3` is one.
+                    // `-1.5e3` is one word.
                     || byte == b'.' && word_is_number(&input[word.clone()]) && word.end == at =>
             {
                 word.end = at + 1;
@@ -122,7 +122,7 @@ fn text(input: &mut Vec<u8>, more: &[&str], rng: &mut Rng) {
     };
     match rng.u8(..12) {
         0..=2 => {
-            // A number in the place of a number, or of whatever word it met.
+            // A number in place of a number, or of any word.
             let numbers: Vec<_> =
                 words.iter().filter(|word| input[word.start].is_ascii_digit()).collect();
             let word = rng.choice(numbers).cloned().unwrap_or(word);
@@ -147,7 +147,7 @@ fn text(input: &mut Vec<u8>, more: &[&str], rng: &mut Rng) {
         }
         8 => lines(input, rng),
         9 => {
-            // So many parts of a key, brackets in brackets, digits of a number.
+            // Repeats parts of a key, nested brackets, or digits of a number.
             let next = (word.end + 1).min(input.len());
             let piece = input[word.start..next].to_vec();
             repeat(input, word.end, &piece, rng);
@@ -160,7 +160,7 @@ fn text(input: &mut Vec<u8>, more: &[&str], rng: &mut Rng) {
     }
 }
 
-/// A line goes, comes twice, or changes its place.
+/// Deletes, duplicates or moves a line.
 fn lines(input: &mut Vec<u8>, rng: &mut Rng) {
     let mut lines: Vec<Vec<u8>> =
         input.split_inclusive(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect();

@@ -1,4 +1,4 @@
-//! The process that watches: it starts one that reads, and reports how that ended.
+//! The watching process: it starts a reading process, and reports how that ended.
 
 use std::{
     env,
@@ -15,28 +15,28 @@ use crate::{
     worker::{FAULT, Inputs, LONGEST},
 };
 
-/// A reading process that stays at an input so many times [`LONGEST`] is ended: beside other programs
-/// an input takes many times as long as alone, and one that is slow is read twice.
+/// Multiple of [`LONGEST`] after which a reading process is ended: next to other programs an input
+/// takes many times as long as alone, and a slow one is read twice.
 const GIVEN_UP: u32 = 30;
 
-/// How often a reading process is looked at.
+/// Interval at which a reading process is checked.
 const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
-/// An input that a reader did not stand.
+/// An input on which a reader failed.
 pub(crate) struct Fault {
     pub(crate) reader: &'static str,
     pub(crate) input: u64,
     pub(crate) what: String,
 }
 
-/// What came of a reader.
+/// Result of a reader.
 pub(crate) struct Outcome {
     pub(crate) tally: Tally,
     pub(crate) faults: Vec<Fault>,
 }
 
-/// Has a reader read its inputs, in processes of their own: one that ends early is followed by
-/// another, from the input after.
+/// Runs a reader on its inputs in separate processes: one that ends early is followed by another,
+/// from the next input on.
 pub(crate) fn run(reader: &'static str, inputs: Inputs, folder: &Path) -> io::Result<Outcome> {
     let begin = Instant::now();
     let mut outcome = Outcome { tally: Tally::default(), faults: Vec::new() };
@@ -70,14 +70,14 @@ pub(crate) fn run(reader: &'static str, inputs: Inputs, folder: &Path) -> io::Re
                 from = input + 1;
             }
         }
-        // A reader that fails at everything is not run a million times.
+        // A reader that fails on every input is not restarted a million times.
         if outcome.faults.len() > 100 {
             return Ok(outcome);
         }
     }
 }
 
-/// Runs one process to its end; how it failed, if it did, and the faults that it reported.
+/// Runs one process to its end; returns its failure, if any, and the faults that it reported.
 fn one_process(
     reader: &'static str,
     inputs: Inputs,
@@ -115,7 +115,7 @@ fn one_process(
     Ok((ended, faults))
 }
 
-/// Reads a pipe to its end beside everything else.
+/// Reads a pipe to its end in a thread of its own.
 fn drain(pipe: Option<impl Read + Send + 'static>) -> io::Result<thread::JoinHandle<String>> {
     thread::Builder::new().spawn(move || {
         let mut bytes = Vec::new();
@@ -126,7 +126,8 @@ fn drain(pipe: Option<impl Read + Send + 'static>) -> io::Result<thread::JoinHan
     })
 }
 
-/// Waits for a process; why it ended early, if it did. One that stays at an input is ended.
+/// Waits for a process; returns the reason if it ended early. One that exceeds the time limit at an
+/// input is ended.
 fn wait(child: &mut Child, counted: &Path) -> io::Result<Option<String>> {
     let (mut at, mut since) = (u64::MAX, Instant::now());
     loop {

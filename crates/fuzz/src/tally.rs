@@ -1,4 +1,4 @@
-//! What became of the inputs of a reader, in a file that outlives the process that wrote it.
+//! Counts of the outcomes of a reader's inputs, in a file that outlives the process that wrote it.
 
 use std::{
     fs::File,
@@ -6,13 +6,13 @@ use std::{
     time::Duration,
 };
 
-/// Numbers of a tally.
+/// Number of numbers in a tally.
 const NUMBERS: usize = 8;
 
-/// What became of inputs.
+/// Counts of outcomes of inputs.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Tally {
-    /// The input that is being read, or the one after the last.
+    /// The current input, or the one after the last.
     pub(crate) next: u64,
     pub(crate) accepted: u64,
     pub(crate) refused: u64,
@@ -28,7 +28,7 @@ impl Tally {
         self.accepted + self.refused + self.panicked
     }
 
-    /// Takes in what another process counted.
+    /// Adds the counts of another process.
     pub(crate) fn join(&mut self, other: &Self) {
         self.next = other.next;
         self.accepted += other.accepted;
@@ -42,7 +42,7 @@ impl Tally {
         }
     }
 
-    /// Writes it in the place of what stood there.
+    /// Writes it over the previous contents.
     pub(crate) fn write(&self, file: &mut File) -> io::Result<()> {
         let numbers: [u64; NUMBERS] = [
             self.next,
@@ -59,7 +59,7 @@ impl Tally {
         file.write_all(&bytes)
     }
 
-    /// Reads what was written; nothing of a file that holds none yet.
+    /// Reads a written tally; an empty file gives zeros.
     pub(crate) fn read(file: &mut File) -> io::Result<Self> {
         let mut bytes = Vec::new();
         file.seek(SeekFrom::Start(0))?;

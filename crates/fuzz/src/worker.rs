@@ -1,4 +1,4 @@
-//! The process that reads: it may end at any input, and what it counted stays.
+//! The reading process: it may end at any input, and its counts remain.
 
 use std::{
     fs::{self, OpenOptions},
@@ -11,24 +11,24 @@ use wholestring_contain::contain;
 
 use crate::{allocator, readers::Reader, tally::Tally};
 
-/// An input that takes longer than this, of a processor's time where the system tells that, is a fault.
+/// Time limit of an input; processor time if the system reports it.
 pub(crate) const LONGEST: Duration = Duration::from_secs(2);
 
-/// What a line that reports a fault begins with; the input's number and a sentence follow.
+/// Beginning of a line that reports a fault; the input's number and a sentence follow.
 pub(crate) const FAULT: &str = "fault ";
 
-/// Which inputs.
+/// Range of inputs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Inputs {
     pub(crate) seed: u64,
     pub(crate) from: u64,
-    /// As many as these at most.
+    /// Maximum number of inputs.
     pub(crate) count: u64,
-    /// For at most so long.
+    /// Maximum time.
     pub(crate) time: Duration,
 }
 
-/// The input of that number: the same on every machine.
+/// The input of a number: the same on every machine.
 pub(crate) fn input(reader: &Reader, seed: u64, number: u64) -> Vec<u8> {
     let name = reader.name.bytes().fold(0xcbf2_9ce4_8422_2325, |sum: u64, byte| {
         (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
@@ -37,18 +37,17 @@ pub(crate) fn input(reader: &Reader, seed: u64, number: u64) -> Vec<u8> {
     reader.input(&mut rng)
 }
 
-/// What the processors have done for this process, to a hundredth of a second, where the system
-/// tells.
+/// Processor time of this process, to a hundredth of a second, if the system reports it.
 fn processor_time() -> Option<Duration> {
     let stat = fs::read_to_string("/proc/self/stat").ok()?;
-    // Behind the program's name: the state, and ten numbers before these two.
+    // After the program's name: the state, and ten numbers before these two.
     let mut ticks = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
     let mut next = || ticks.next()?.parse::<u64>().ok();
     Some(Duration::from_millis(10 * (next()? + next()?)))
 }
 
-/// Reads the inputs; panics, and inputs that take too long, are reported on standard output, a line
-/// each.
+/// Reads the inputs; reports panics, and inputs that exceed the time limit, on standard output, one
+/// line each.
 pub(crate) fn work(reader: &mut Reader, inputs: Inputs, counted: &Path) -> std::io::Result<()> {
     let mut file = OpenOptions::new().write(true).create(true).truncate(false).open(counted)?;
     let mut tally = Tally { next: inputs.from, ..Tally::default() };
@@ -67,13 +66,13 @@ pub(crate) fn work(reader: &mut Reader, inputs: Inputs, counted: &Path) -> std::
             Ok(false) => tally.refused += 1,
             Err(panicked) => {
                 tally.panicked += 1;
-                let said = panicked.0.lines().next().unwrap_or_default().to_owned();
-                println!("{FAULT}{number} panics: {said}");
+                let message = panicked.0.lines().next().unwrap_or_default().to_owned();
+                println!("{FAULT}{number} panics: {message}");
             }
         }
         let (mut took, peak) = (start.elapsed(), allocator::peak() as u64);
         if took > LONGEST {
-            // Whatever else the machine did meanwhile is not the reader's.
+            // Other load of the machine at the time is not counted.
             let (again, before) = (Instant::now(), processor_time());
             drop(contain(|| reader.read(&bytes)));
             let used = processor_time().zip(before).map(|(after, before)| after - before);
@@ -93,7 +92,7 @@ pub(crate) fn work(reader: &mut Reader, inputs: Inputs, counted: &Path) -> std::
     tally.write(&mut file)
 }
 
-/// Writes an input beside the others that were requested, and reads it alone, uncontained.
+/// Writes an input to the folder of the requested ones, and reads it alone, without protection.
 pub(crate) fn one(
     reader: &mut Reader,
     seed: u64,

@@ -1,4 +1,4 @@
-//! What is said of files that they do not tell themselves.
+//! Choices of the user that files do not contain.
 
 use std::{
     cell::RefCell,
@@ -9,7 +9,7 @@ use wholestring_units::{Dimension, Unit};
 
 use crate::{error::ImportErrorKind, fragment::Value};
 
-/// Units and values that files do not tell, and which of several things is meant.
+/// Units and values that files do not give, and selections where a file holds several items.
 ///
 /// On the command line they are `--unit NAME=UNIT`, `--value NAME=QUANTITY` and `--pick WHAT=NAME`.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -17,33 +17,33 @@ pub struct Choices {
     units: BTreeMap<String, String>,
     values: BTreeMap<String, String>,
     picks: BTreeMap<String, String>,
-    /// The names of those that a file asked for.
+    /// Names of the choices that a file used.
     used: RefCell<BTreeSet<String>>,
 }
 
 impl Choices {
-    /// Says a unit: `md` is in `ft`.
+    /// Sets a unit: `md` is in `ft`.
     pub fn unit(mut self, name: impl Into<String>, unit: impl Into<String>) -> Self {
         self.units.insert(name.into(), unit.into());
         self
     }
 
-    /// Says a value: `block-weight` is `25 tf`.
+    /// Sets a value: `block-weight` is `25 tf`.
     pub fn value(mut self, name: impl Into<String>, quantity: impl Into<String>) -> Self {
         self.values.insert(name.into(), quantity.into());
         self
     }
 
-    /// Chooses one of several: the `tubular` called `BHA 7`.
+    /// Picks one of several: the `tubular` called `BHA 7`.
     pub fn pick(mut self, what: impl Into<String>, name: impl Into<String>) -> Self {
         self.picks.insert(what.into(), name.into());
         self
     }
 
-    /// The unit that is said of a quantity, by the first of its names that is said.
+    /// Returns the unit given for a quantity, by the first of its names that has one.
     ///
     /// # Errors
-    /// What is said is no unit of the dimension.
+    /// The unit given does not have the dimension.
     pub(crate) fn unit_of(
         &self,
         names: &[&str],
@@ -61,17 +61,17 @@ impl Choices {
         unit.map(Some).ok_or_else(wrong)
     }
 
-    /// What `--unit NAME=` says of a name, as it is written.
+    /// Returns the text of `--unit NAME=` for a name, as written.
     pub(crate) fn said(&self, name: &str) -> Option<(&str, &str)> {
-        let (name, said) = self.units.get_key_value(name)?;
+        let (name, symbol) = self.units.get_key_value(name)?;
         self.used.borrow_mut().insert(format!("--unit {name}"));
-        Some((name, said))
+        Some((name, symbol))
     }
 
-    /// The value that is said of a name, in the unit that it is said in.
+    /// Returns the value given for a name, in the unit given.
     ///
     /// # Errors
-    /// What is said is no quantity of the dimension.
+    /// The value given is not a quantity of the dimension.
     pub(crate) fn quantity(
         &self,
         name: &str,
@@ -89,14 +89,14 @@ impl Choices {
         }
     }
 
-    /// The name that is picked of several.
+    /// Returns the picked name of one of several.
     pub(crate) fn picked(&self, what: &str) -> Option<&str> {
         let name = self.picks.get(what)?;
         self.used.borrow_mut().insert(format!("--pick {what}"));
         Some(name)
     }
 
-    /// Those that no file asked for, as options.
+    /// Returns the choices that no file used, as options.
     pub(crate) fn unused(&self) -> Vec<String> {
         let units = self.units.keys().map(|name| format!("--unit {name}"));
         let values = self.values.keys().map(|name| format!("--value {name}"));

@@ -1,5 +1,4 @@
-//! Positions of a file that are not those of its path, and turns that are hardly the hole's, as
-//! notes.
+//! Notes on positions in a file that differ from those of its path, and on implausible turns.
 
 use wholestring::well::{Path, Station, USUAL_DOGLEG_RAD_PER_M};
 use wholestring_tabular::{StatedPosition, position_checks, station_doubts};
@@ -7,11 +6,11 @@ use wholestring_units::UnitSet;
 
 use crate::fragment::Note;
 
-/// Notes on more turns than this are only counted.
+/// Maximum number of turns with a note each; further ones are counted.
 const NOTED: usize = 5;
 
 /// Notes on the positions that a file states against those of its path by minimum curvature;
-/// `place` says where in its file a station is.
+/// `place` returns the location of a station in its file.
 pub(crate) fn positions(
     stations: &[Station],
     stated: &[StatedPosition],
@@ -30,7 +29,7 @@ pub(crate) fn positions(
     notes.collect()
 }
 
-/// Notes on the doubtful turns of a survey; `place` says where in its file a station is.
+/// Notes on the doubtful turns of a survey; `place` returns the location of a station in its file.
 pub(crate) fn notes(
     stations: &[Station],
     set: UnitSet,
@@ -51,7 +50,7 @@ pub(crate) fn notes(
     notes
 }
 
-/// The units of sentences on a survey whose lengths are in feet or not.
+/// Units of sentences on a survey, depending on whether its lengths are in feet.
 pub(crate) fn unit_set(units: &str) -> UnitSet {
     if units.contains("ft") { UnitSet::Field } else { UnitSet::Si }
 }

@@ -1,49 +1,49 @@
-//! Why a file cannot be imported.
+//! Errors of an import.
 
 use wholestring_tabular::TableError;
 use wholestring_units::Dimension;
 
-/// What is wrong, in one sentence, with what was expected and how to say it.
+/// Description of an error in one sentence, with the expected value and the option to set.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ImportErrorKind {
-    /// The system does not give it.
+    /// The file cannot be opened or read.
     #[error("it cannot be read: {reason}")]
     Unreadable {
-        /// What the system says.
+        /// Message of the system.
         reason: String,
     },
     /// A table that cannot be read.
     #[error("{}", .0.sentence())]
     Table(TableError),
-    /// None of the formats that are known.
+    /// The format is not supported.
     #[error(
         "{found}; expected a survey or a tally as text or Excel, WITSML, Landmark EDM, LAS, or a \
          log as CSV or Excel"
     )]
     NotRecognised {
-        /// What it is instead.
+        /// Description of the format found.
         found: String,
     },
     /// XML that is not well formed.
     #[error("it is not well-formed XML: {reason}")]
     NotXml {
-        /// What the parser says.
+        /// Message of the parser.
         reason: String,
     },
-    /// A document type, with which XML can be made to grow without end.
-    #[error("it declares a document type (DTD), which is not read; take the line out")]
+    /// A document type, which can make XML expand without limit.
+    #[error("it declares a document type (DTD), which is not read; remove the line")]
     DocumentType,
-    /// More of something than is read.
+    /// A limit on an amount is exceeded.
     #[error("it holds {found}; at most {most} are read")]
     TooMuch {
-        /// How much of what.
+        /// The amount found and its kind.
         found: String,
-        /// How much is read.
+        /// The limit.
         most: String,
     },
-    /// A quantity whose unit nothing tells.
+    /// A quantity without a unit.
     #[error(
-        "the {what} has no unit; say it: --unit {name}={}, or one of {}", example(*dimension),
+        "the {what} has no unit; give it with --unit {name}={}, or one of {}", example(*dimension),
         units(*dimension)
     )]
     MissingUnit {
@@ -51,92 +51,92 @@ pub enum ImportErrorKind {
         what: String,
         /// Its name in `--unit`.
         name: String,
-        /// What it measures.
+        /// Its dimension.
         dimension: Dimension,
     },
-    /// A unit of something else, or none that is known.
-    #[error("'{found}' is no unit of {}; expected {}", dimension.name(), units(*dimension))]
+    /// A unit of another dimension, or an unknown one.
+    #[error("'{found}' is not a unit of {}; expected {}", dimension.name(), units(*dimension))]
     WrongUnit {
-        /// The unit as it is written.
+        /// The unit as written.
         found: String,
-        /// What is measured.
+        /// The dimension.
         dimension: Dimension,
     },
-    /// What is said with `--unit` is no unit of the quantity.
+    /// A value of `--unit` that is not a unit of the quantity.
     #[error("--unit {name}={said}: expected a unit of {}: {}", dimension.name(), units(*dimension))]
     SaidUnit {
         /// The name in `--unit`.
         name: String,
-        /// The unit as it is said.
+        /// The unit as given.
         said: String,
-        /// What is measured.
+        /// The dimension.
         dimension: Dimension,
     },
-    /// A quantity that no file tells.
+    /// A quantity that is in no file.
     #[error("the {what} is missing; give it with --value {name}=\"{example}\"{hint}")]
     MissingValue {
         /// The quantity in words.
         what: String,
         /// Its name in `--value`.
         name: String,
-        /// One as it may be said.
+        /// An example of its value.
         example: String,
-        /// What it probably is, and why; empty, or a sentence that begins with `; `.
+        /// Its probable value with the reason: empty, or a sentence that begins with `; `.
         hint: String,
     },
-    /// What is said with `--value` is no such quantity.
+    /// A value of `--value` that is not such a quantity.
     #[error("--value {name}=\"{said}\": {reason}")]
     SaidValue {
         /// The name in `--value`.
         name: String,
-        /// The quantity as it is said.
+        /// The quantity as given.
         said: String,
-        /// What is wrong with it.
+        /// The error in it.
         reason: String,
     },
     /// A number was expected.
     #[error("'{found}' is not a number; the {what} was expected")]
     NotANumber {
-        /// What should stand there.
+        /// The expected quantity.
         what: String,
-        /// What stands there.
+        /// The text found.
         found: String,
     },
-    /// A number that cannot be.
+    /// A number outside its range.
     #[error("the {what} {found} is out of range; expected {expected}")]
     OutOfRange {
-        /// What it is.
+        /// The quantity.
         what: String,
         /// The number with its unit.
         found: String,
-        /// The range.
+        /// The allowed range.
         expected: String,
     },
-    /// Something without which nothing can be made of the file.
+    /// An element without which the file is useless.
     #[error("{what} is missing")]
     Missing {
-        /// What.
+        /// The missing element.
         what: String,
     },
-    /// Several things of which one must be picked.
+    /// Several items of which one must be picked.
     #[error("it holds {} of the kind '{what}': {}; pick one: --pick {what}=NAME", names.len(), listed(names))]
     Ambiguous {
-        /// What they are, as `--pick` calls it.
+        /// Their kind, as in `--pick`.
         what: String,
         /// Their names.
         names: Vec<String>,
     },
-    /// A name that is picked and not there.
+    /// A picked name that is not present.
     #[error("there is no {what} '{name}'; it holds: {}", listed(names))]
     NoSuch {
-        /// What it should be.
+        /// Its kind.
         what: String,
         /// The name that was picked.
         name: String,
-        /// The names that are there.
+        /// The names that are present.
         names: Vec<String>,
     },
-    /// Two files hold the same part of a case.
+    /// The same part of a case in two files.
     #[error("it holds the {what}, and so does {first}; pick one: --pick {what}={first}")]
     InTwoFiles {
         /// The part.
@@ -144,18 +144,18 @@ pub enum ImportErrorKind {
         /// The other file.
         first: String,
     },
-    /// An option that no file asked for.
-    #[error("{} says nothing that a file asks for", .options.join(" and "))]
+    /// Options that no file used.
+    #[error("no file uses {}", .options.join(" and "))]
     Unused {
         /// The options.
         options: Vec<String>,
     },
-    /// Another reason, which is a sentence.
+    /// Another reason, as a sentence.
     #[error("{0}")]
     Refused(String),
 }
 
-/// How many units or names a sentence lists.
+/// Maximum number of units or names in a sentence.
 const LISTED: usize = 20;
 
 fn example(dimension: Dimension) -> &'static str {
@@ -175,9 +175,9 @@ fn listed(names: &[String]) -> String {
     text.join(", ")
 }
 
-/// Why a file cannot be imported, and where in it.
+/// Error of an import, with its place in a file.
 ///
-/// Its `Display` gives file, place and sentence.
+/// Its `Display` writes file, place and sentence.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{file}{}: {kind}", place.as_ref().map_or(String::new(), |place| format!(", {place}")))]
 pub struct ImportError {
@@ -191,17 +191,17 @@ impl ImportError {
         Self { file: file.to_owned(), place, kind: Box::new(kind) }
     }
 
-    /// The file's name as it was given.
+    /// The file's name as given.
     pub fn file(&self) -> &str {
         &self.file
     }
 
-    /// Where in it: `line 12`, `sheet 'BHA', cell C4`.
+    /// Place in the file: `line 12`, `sheet 'BHA', cell C4`.
     pub fn place(&self) -> Option<&str> {
         self.place.as_deref()
     }
 
-    /// What is wrong.
+    /// Kind of error.
     pub fn kind(&self) -> &ImportErrorKind {
         &self.kind
     }

@@ -1,4 +1,4 @@
-//! The formats that are read, and how one is recognised by its content.
+//! Supported formats, recognised by content.
 
 use crate::{
     choices::Choices,
@@ -9,28 +9,28 @@ use crate::{
     log, tables, witsml, xml,
 };
 
-/// A format that is read.
+/// A supported format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// Rows of cells: text or a workbook.
     Table,
-    /// WITSML but for logs: trajectories, tubulars, runs, geometries, mud reports.
+    /// WITSML except logs: trajectories, tubulars, runs, geometries, mud reports.
     Witsml,
     /// An export of Landmark's Engineer's Data Model.
     Edm,
-    /// What the sensors of a rig said.
+    /// A log of the sensors of a rig.
     Log(log::Kind),
 }
 
 impl Format {
-    /// The format of a file, by its first bytes; its name does not count.
+    /// Determines the format of a file by its first bytes; its name is ignored.
     ///
     /// # Errors
-    /// It cannot be read, or is none of the formats.
+    /// It cannot be read, or its format is not supported.
     pub fn of(input: &mut Input) -> Result<Self, ImportError> {
         let name = input.name().to_owned();
         let head = input.head()?;
-        // The texts within an archive that is not compressed are none of the file's.
+        // Texts within an uncompressed archive are not those of the file.
         if wholestring_tabular::is_workbook(head) {
             return Ok(Format::Table);
         }
@@ -61,7 +61,7 @@ impl Format {
         }
     }
 
-    /// What a file of this format is, and what it holds.
+    /// Describes a file of this format and its contents.
     pub(crate) fn contents(self, input: Input) -> Result<Contents, ImportError> {
         match self {
             Format::Table => tables::contents(input),

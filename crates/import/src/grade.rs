@@ -2,7 +2,8 @@
 
 use wholestring::well::casing;
 
-/// Grades and their minimum yield strength, psi: API Spec 5DP, and two that makers agree on (Z, V).
+/// Grades and their minimum yield strength, psi: API Spec 5DP, and two on which makers agree (Z,
+/// V).
 const GRADES: [(&str, f64); 6] = [
     ("E75", 75_000.0),
     ("X95", 95_000.0),
@@ -15,22 +16,22 @@ const GRADES: [(&str, f64); 6] = [
 /// Psi, Pa.
 const PSI_PA: f64 = 6_894.757_293_168_361;
 
-/// Minimum yield strength of a grade of drill pipe, or of casing as API Spec 5CT has it, psi: `S-135`, `G105`, `s 135`,
-/// `L-80`, `P110`.
+/// Minimum yield strength of a grade of drill pipe, or of casing in the notation of API Spec 5CT,
+/// psi: `S-135`, `G105`, `s 135`, `L-80`, `P110`.
 pub(crate) fn yield_psi(grade: &str) -> Option<f64> {
     let plain = |text: &str| -> String {
         text.chars().filter(|c| c.is_alphanumeric()).take(8).collect::<String>().to_uppercase()
     };
-    let wanted = plain(grade);
-    let pipe = GRADES.iter().find(|(name, _)| *name == wanted).map(|(_, psi)| *psi);
+    let name = plain(grade);
+    let pipe = GRADES.iter().find(|(grade, _)| *grade == name).map(|(_, psi)| *psi);
     pipe.or_else(|| {
         let mut grades = casing::grades().filter(|grade| !grade.name.is_empty());
-        let casing = grades.find(|grade| plain(grade.name) == wanted)?;
+        let casing = grades.find(|grade| plain(grade.name) == name)?;
         Some((casing.yield_strength_Pa / PSI_PA).round())
     })
 }
 
-/// The grade that a name of a pipe holds as a word: `DP 5 in S-135`.
+/// The grade that a pipe name contains as a word: `DP 5 in S-135`.
 pub(crate) fn in_name(name: &str) -> Option<&str> {
     let words = name.split([' ', ',', '(', ')', '/', ';']);
     words.into_iter().find(|word| word.len() > 2 && yield_psi(word).is_some())

@@ -1,4 +1,4 @@
-//! From files to a case, and to what they hold.
+//! Entry points of the import.
 
 use crate::{
     case_text,
@@ -12,11 +12,11 @@ use crate::{
     merge::{self, Source},
 };
 
-/// Makes one case of some files.
+/// Makes one case from several files.
 ///
 /// # Errors
-/// A file is none that is known or cannot be read, a unit is missing, several things may be meant,
-/// or two files hold the same.
+/// A file has an unsupported format or cannot be read, a unit is missing, several items are
+/// possible, or two files hold the same part.
 pub fn import(inputs: Vec<Input>, choices: &Choices) -> Result<Imported, ImportError> {
     let mut sources = Vec::with_capacity(inputs.len());
     for mut input in inputs {
@@ -36,10 +36,10 @@ pub fn import(inputs: Vec<Input>, choices: &Choices) -> Result<Imported, ImportE
     Ok(Imported { picks, ..case_text::write(draft) })
 }
 
-/// What a file is, and what it holds.
+/// Describes a file and its contents.
 ///
 /// # Errors
-/// It is none of the formats, or damaged.
+/// Its format is not supported, or it is damaged.
 pub fn contents(mut input: Input) -> Result<Contents, ImportError> {
     Format::of(&mut input)?.contents(input)
 }

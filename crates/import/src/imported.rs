@@ -1,4 +1,4 @@
-//! A case that was made of files.
+//! A case made from files.
 
 use wholestring_units::UnitSet;
 
@@ -7,41 +7,41 @@ use crate::{
     log::picking::Picks,
 };
 
-/// What the names of files of readings have after the case's.
+/// Suffix of the names of readings files, after the case's name.
 pub(crate) const MEASURED: &str = "-measured.csv";
 pub(crate) const OVERLAY: &str = "-overlay.csv";
 
-/// A file beside the case.
+/// A file that accompanies the case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beside {
-    /// What its name has after the case's: `-measured.csv`.
+    /// Suffix of its name, after the case's name: `-measured.csv`.
     pub ending: &'static str,
-    /// What it holds.
+    /// Contents of the file.
     pub text: String,
 }
 
-/// A case that was made of files.
+/// A case made from files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Imported {
     /// The case file: TOML with comments.
     pub text: String,
-    /// The units that the case shows.
+    /// The units of the case.
     pub units: UnitSet,
-    /// How weights were picked from a log, to be drawn.
+    /// Evidence of weights picked from a log, for drawing.
     pub picks: Vec<Picks>,
-    /// Files that stand beside it.
+    /// Files that accompany it.
     pub beside: Vec<Beside>,
-    /// What each file is: its name and a few words.
+    /// Each input file: its name and a short description.
     pub files: Vec<(String, String)>,
-    /// What is to be said, with the file that it is said of; none where it is said of all.
+    /// Notes, with the file that they concern; `None` if they concern all.
     pub notes: Vec<(Option<String>, Note)>,
-    /// What the case still needs before it can be solved, in sentences.
+    /// Parts that the case still lacks before it can be solved, in sentences.
     pub missing: Vec<String>,
 }
 
 impl Imported {
     /// The case file under a name, such as `well` for `well.toml`: [`text`](Self::text), and the
-    /// keys that name the files beside it.
+    /// keys with the names of the accompanying files.
     pub fn text_as(&self, stem: &str) -> String {
         let mut text = self.text.clone();
         if self.beside.iter().any(|file| file.ending == MEASURED) {

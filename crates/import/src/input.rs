@@ -1,13 +1,13 @@
-//! A file that is imported.
+//! A file to import.
 
 use std::io::{BufRead, BufReader, Cursor, Read};
 
 use crate::error::{ImportError, ImportErrorKind};
 
-/// Bytes at the beginning of a file by which it is recognised.
+/// Number of bytes at the beginning of a file by which its format is recognised.
 const HEAD: usize = 1 << 16;
 
-/// A file: its name in messages, and its bytes as they are read.
+/// A file: its name in messages and a reader of its bytes.
 pub struct Input<'a> {
     name: String,
     reader: BufReader<Box<dyn Read + Send + 'a>>,
@@ -20,7 +20,7 @@ impl std::fmt::Debug for Input<'_> {
 }
 
 impl<'a> Input<'a> {
-    /// A file that is read as it is needed.
+    /// A file that is read on demand.
     pub fn new(name: impl Into<String>, bytes: impl Read + Send + 'a) -> Self {
         Self { name: name.into(), reader: BufReader::with_capacity(HEAD, Box::new(bytes)) }
     }
@@ -35,7 +35,7 @@ impl<'a> Input<'a> {
         &self.name
     }
 
-    /// Its first bytes, which are read again after this: at most 64 KiB.
+    /// Its first bytes, at most 64 KiB; they are read again later.
     ///
     /// # Errors
     /// It cannot be read.
@@ -45,7 +45,7 @@ impl<'a> Input<'a> {
         head.map_err(|error| unreadable(&name, &error))
     }
 
-    /// All its bytes, at most so many.
+    /// All its bytes, up to `most`.
     ///
     /// # Errors
     /// It cannot be read, or is longer.
@@ -62,13 +62,13 @@ impl<'a> Input<'a> {
         Ok(bytes)
     }
 
-    /// Its name, and what reads it from its beginning.
+    /// Its name, and a reader from its beginning.
     pub(crate) fn into_parts(self) -> (String, impl BufRead + Send + 'a) {
         (self.name, self.reader)
     }
 }
 
-/// The error of a file that the system does not give.
+/// The error of a file that cannot be read.
 pub(crate) fn unreadable(name: &str, error: &std::io::Error) -> ImportError {
     ImportError::new(name, None, ImportErrorKind::Unreadable { reason: error.to_string() })
 }

@@ -1,10 +1,10 @@
 //! Cases from the files of other programs: surveys and tallies in text and Excel, WITSML, Landmark
 //! EDM, LAS and the logs of a rig.
 //!
-//! Each file gives a [`Fragment`]: parts of a case whose every value knows where it was found and as
-//! what. [`import`] joins the fragments of several files and writes one commented case. Nothing is
-//! guessed in silence: a unit that a file does not tell is an error that names the [`Choices`]; what
-//! is assumed and what is left out stands in the case as a sentence.
+//! Each file gives a [`Fragment`]: parts of a case whose every value has its place and text in the
+//! file. [`import`] joins the fragments of several files and writes one commented case. No value is
+//! guessed silently: a unit that is missing in a file is an error that names the [`Choices`], and
+//! every assumption and omission is written to the case as a sentence.
 //!
 //! ```
 //! use wholestring_import::{Choices, Input, import};
@@ -13,7 +13,7 @@
 //! let files = vec![Input::of_bytes("survey.csv", survey)];
 //! let imported = import(files, &Choices::default())?;
 //! assert!(imported.text.contains("[\"1100 ft\", 3, 45]"));
-//! // No string, no hole and no mud: the case says what it still needs.
+//! // No string, no hole and no mud: the case lists the missing parts.
 //! assert_eq!(imported.missing.len(), 3);
 //! # Ok::<(), wholestring_import::ImportError>(())
 //! ```

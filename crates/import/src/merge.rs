@@ -1,4 +1,4 @@
-//! One case of the fragments of several files.
+//! One case from the fragments of several files.
 
 use wholestring_tabular::ImportedReading;
 
@@ -8,42 +8,42 @@ use crate::{
     fragment::{Block, Entry, Fragment, Note, Part, Survey},
 };
 
-/// A file and what it gives.
+/// A file and its contribution.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Source {
     pub(crate) name: String,
     pub(crate) fragment: Fragment,
 }
 
-/// Something, and the file that it comes from, by its place among them.
+/// A value and the index of the file that it comes from.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Of<T> {
+pub(crate) struct Sourced<T> {
     pub(crate) file: usize,
-    pub(crate) of: T,
+    pub(crate) item: T,
 }
 
 /// A case before it is written: every part from one file, every key from one.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Draft {
-    /// Names of the files, and what they are.
+    /// Names of the files and their kinds.
     pub(crate) files: Vec<(String, String)>,
-    pub(crate) name: Option<Of<Entry>>,
-    pub(crate) survey: Option<Of<Survey>>,
-    pub(crate) hole: Option<Of<Vec<Block>>>,
-    pub(crate) string: Option<Of<Vec<Block>>>,
-    pub(crate) mud: Vec<Of<Entry>>,
-    pub(crate) rig: Vec<Of<Entry>>,
-    pub(crate) operation: Vec<Of<Entry>>,
-    pub(crate) bit: Vec<Of<Entry>>,
+    pub(crate) name: Option<Sourced<Entry>>,
+    pub(crate) survey: Option<Sourced<Survey>>,
+    pub(crate) hole: Option<Sourced<Vec<Block>>>,
+    pub(crate) string: Option<Sourced<Vec<Block>>>,
+    pub(crate) mud: Vec<Sourced<Entry>>,
+    pub(crate) rig: Vec<Sourced<Entry>>,
+    pub(crate) operation: Vec<Sourced<Entry>>,
+    pub(crate) bit: Vec<Sourced<Entry>>,
     /// Weights and torques that were measured, of all files.
     pub(crate) measured: Vec<ImportedReading>,
     /// Those of another program.
     pub(crate) overlay: Vec<ImportedReading>,
-    /// By file; none of what is said of the whole.
+    /// Notes by file; `None` for those on the whole case.
     pub(crate) notes: Vec<(Option<usize>, Note)>,
 }
 
-/// Joins fragments: a part that two files hold is an error unless one is picked.
+/// Joins fragments: a part in two files is an error unless one is picked.
 pub(crate) fn merge(mut sources: Vec<Source>, choices: &Choices) -> Result<Draft, ImportError> {
     let mut draft = Draft::default();
     for part in Part::ALL {
@@ -51,10 +51,11 @@ pub(crate) fn merge(mut sources: Vec<Source>, choices: &Choices) -> Result<Draft
     }
     for (file, Source { name, fragment }) in sources.into_iter().enumerate() {
         if draft.name.is_none() {
-            draft.name = fragment.name.map(|of| Of { file, of });
+            draft.name = fragment.name.map(|name| Sourced { file, item: name });
         }
-        draft.survey = draft.survey.or(fragment.survey.map(|of| Of { file, of }));
-        let blocks = |own: Vec<Block>| (!own.is_empty()).then_some(Of { file, of: own });
+        draft.survey =
+            draft.survey.or(fragment.survey.map(|survey| Sourced { file, item: survey }));
+        let blocks = |own: Vec<Block>| (!own.is_empty()).then_some(Sourced { file, item: own });
         draft.hole = draft.hole.or(blocks(fragment.hole));
         draft.string = draft.string.or(blocks(fragment.string));
         for (all, own) in [
@@ -63,7 +64,7 @@ pub(crate) fn merge(mut sources: Vec<Source>, choices: &Choices) -> Result<Draft
             (&mut draft.operation, fragment.operation),
             (&mut draft.bit, fragment.bit),
         ] {
-            all.extend(own.entries.into_iter().map(|of| Of { file, of }));
+            all.extend(own.entries.into_iter().map(|entry| Sourced { file, item: entry }));
         }
         draft.measured.extend(fragment.measured);
         draft.overlay.extend(fragment.overlay);
@@ -73,7 +74,7 @@ pub(crate) fn merge(mut sources: Vec<Source>, choices: &Choices) -> Result<Draft
     Ok(draft)
 }
 
-/// Leaves a part in one of the files that hold it: the one that is picked.
+/// Keeps a part in the picked one of the files that contain it, and drops it from the others.
 fn pick(
     part: Part,
     sources: &mut [Source],
@@ -101,7 +102,7 @@ fn pick(
     for (&file, name) in holders.iter().zip(&names) {
         if !is_picked(name) {
             sources[file].fragment.drop_part(part);
-            let text = format!("the {}, for that of {picked} was picked", part.name());
+            let text = format!("the {}, because that of {picked} was picked", part.name());
             notes.push((Some(file), Note::LeftOut(text)));
         }
     }

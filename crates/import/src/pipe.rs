@@ -1,6 +1,6 @@
-//! What is called pipe.
+//! Names of pipe.
 
-/// Whether a component's name is that of pipe, of which a string has as much as it needs.
+/// Whether a component's name is that of pipe, which fills the string to the surface.
 pub(crate) fn is_pipe(name: &str) -> bool {
     const WORDS: [&str; 10] =
         ["dp", "hwdp", "pipe", "drillpipe", "tubing", "ct", "coil", "coiled", "casing", "liner"];

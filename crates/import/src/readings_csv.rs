@@ -1,11 +1,11 @@
-//! Weights and torques as a file that a plan and a calibration read.
+//! Weights and torques as a file for a plan and a calibration.
 
 use std::fmt::Write;
 
 use wholestring_tabular::ImportedReading;
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-/// A column: its heading, what it measures, and its value.
+/// A column: its heading, dimension and value.
 struct Column {
     heading: &'static str,
     dimension: Dimension,
@@ -13,47 +13,62 @@ struct Column {
 }
 
 const COLUMNS: [Column; 7] = [
-    Column { heading: "Bit depth", dimension: Dimension::Length, value: |of| Some(of.bit_depth_m) },
-    Column { heading: "Pick-up", dimension: Dimension::Force, value: |of| of.pick_up_N },
-    Column { heading: "Slack-off", dimension: Dimension::Force, value: |of| of.slack_off_N },
-    Column { heading: "Rotating", dimension: Dimension::Force, value: |of| of.rotating_N },
-    Column { heading: "Torque", dimension: Dimension::Torque, value: |of| of.torque_N_m },
+    Column {
+        heading: "Bit depth",
+        dimension: Dimension::Length,
+        value: |reading| Some(reading.bit_depth_m),
+    },
+    Column { heading: "Pick-up", dimension: Dimension::Force, value: |reading| reading.pick_up_N },
+    Column {
+        heading: "Slack-off",
+        dimension: Dimension::Force,
+        value: |reading| reading.slack_off_N,
+    },
+    Column {
+        heading: "Rotating",
+        dimension: Dimension::Force,
+        value: |reading| reading.rotating_N,
+    },
+    Column { heading: "Torque", dimension: Dimension::Torque, value: |reading| reading.torque_N_m },
     Column {
         heading: "Torque on bottom",
         dimension: Dimension::Torque,
-        value: |of| of.torque_on_bottom_N_m,
+        value: |reading| reading.torque_on_bottom_N_m,
     },
     Column {
         heading: "Mud density",
         dimension: Dimension::Density,
-        value: |of| of.mud_density_kg_per_m3,
+        value: |reading| reading.mud_density_kg_per_m3,
     },
 ];
 
-/// Twelve significant digits: beyond what any reading has, and without the last bits of a factor.
+/// Twelve significant digits: more than any reading has, and without the rounding errors of
+/// conversion factors.
 fn number(si: f64, unit: &Unit) -> String {
     let value = unit.from_si(si);
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     format!("{rounded}")
 }
 
-/// A row for each reading in these units, which stand in the headings; columns that no reading has
-/// are left out.
+/// A row for each reading in these units, which are given in the headings; columns without any
+/// reading are left out.
 pub(crate) fn readings_csv(readings: &[ImportedReading], units: UnitSet) -> String {
-    let used = |column: &&Column| readings.iter().any(|of| (column.value)(of).is_some());
+    let used = |column: &&Column| readings.iter().any(|reading| (column.value)(reading).is_some());
     let columns: Vec<&Column> = COLUMNS.iter().filter(used).collect();
     let unit = |column: &Column| column.dimension.unit_in(units);
-    let headings: Vec<String> =
-        columns.iter().map(|of| format!("{} ({})", of.heading, unit(of).symbol)).collect();
-    let held_out = readings.iter().any(|of| of.held_out);
+    let headings: Vec<String> = columns
+        .iter()
+        .map(|column| format!("{} ({})", column.heading, unit(column).symbol))
+        .collect();
+    let held_out = readings.iter().any(|reading| reading.held_out);
     let mut text = headings.join(",");
     text.push_str(if held_out { ",use\n" } else { "\n" });
-    for of in readings {
-        let cells = columns
-            .iter()
-            .map(|column| (column.value)(of).map_or(String::new(), |si| number(si, unit(column))));
+    for reading in readings {
+        let cells = columns.iter().map(|column| {
+            (column.value)(reading).map_or(String::new(), |si| number(si, unit(column)))
+        });
         let _ = write!(text, "{}", cells.collect::<Vec<_>>().join(","));
-        text.push_str(match (held_out, of.held_out) {
+        text.push_str(match (held_out, reading.held_out) {
             (false, _) => "\n",
             (true, true) => ",no\n",
             (true, false) => ",yes\n",
@@ -92,7 +107,7 @@ mod tests {
     }
 
     proptest! {
-        /// Written in any units and read back they are the same to eleven digits.
+        /// Written in any units and read back, readings are equal to eleven digits.
         #[test]
         fn read_back(all in prop::collection::vec(reading(), 1..20)) {
             for units in [UnitSet::Si, UnitSet::Metric, UnitSet::Field] {
@@ -114,7 +129,7 @@ mod tests {
 
     #[test]
     fn headings_in_field_units() {
-        let of = ImportedReading {
+        let reading = ImportedReading {
             place: String::new(),
             bit_depth_m: 304.8,
             pick_up_N: Some(444_822.161_526_05),
@@ -128,7 +143,7 @@ mod tests {
             keys: Vec::new(),
         };
         assert_eq!(
-            readings_csv(&[of], UnitSet::Field),
+            readings_csv(&[reading], UnitSet::Field),
             "Bit depth (ft),Pick-up (klbf),Torque (ft-lbf)\n1000,100,1000\n"
         );
     }

@@ -1,4 +1,4 @@
-//! What no file tells and is taken to be so stands in the case, as a sentence.
+//! Assumed values are listed in the case, each as a sentence.
 
 #[allow(dead_code, reason = "other tests have more of it")]
 mod rig_log;
@@ -17,26 +17,26 @@ fn assumed(name: &str, bytes: &[u8], choices: &Choices) -> Vec<String> {
 
 #[track_caller]
 fn holds(found: &[String], sentence: &str) {
-    assert!(found.iter().any(|of| of.contains(sentence)), "{sentence}: {found:#?}");
+    assert!(found.iter().any(|found| found.contains(sentence)), "{sentence}: {found:#?}");
 }
 
 #[test]
 fn angles_without_a_unit_are_in_degrees() {
     let headed = b"MD (m),Inc,Azi\n0,0,0\n100,1,45\n";
-    let said = "no unit for inclination and azimuth: read in degrees";
-    holds(&assumed("a.csv", headed, &Choices::default()), said);
+    let sentence = "no unit for inclination and azimuth: read in degrees";
+    holds(&assumed("a.csv", headed, &Choices::default()), sentence);
     let half = b"MD (m),Inc (rad),Azi\n0,0,0\n100,0.1,45\n";
     let found = assumed("a.csv", half, &Choices::default());
     holds(&found, "no unit for azimuth: read in degrees");
     let all = b"MD (m),Inc (deg),Azi (deg)\n0,0,0\n100,1,45\n";
     let found = assumed("a.csv", all, &Choices::default());
-    assert!(!found.iter().any(|of| of.contains("degrees")), "{found:?}");
-    // Without headings nothing tells what the columns are, either.
+    assert!(!found.iter().any(|found| found.contains("degrees")), "{found:?}");
+    // Without headings, the meaning of the columns is assumed as well.
     let bare = b"0 0 0\n100 1 45\n";
     let found = assumed("a.txt", bare, &Choices::default().unit("md", "m"));
-    let said = "three columns read as measured depth in m as was said, inclination in deg, azimuth in \
-                deg";
-    holds(&found, said);
+    let sentence = "three columns read as measured depth in m as given, inclination in deg, \
+                    azimuth in deg";
+    holds(&found, sentence);
 }
 
 #[test]
@@ -48,8 +48,8 @@ fn a_rotary_speed_and_an_index_without_a_unit() {
     rig.drills_a_stand();
     let text = rig.las();
     let choices = Choices::default().value("block-weight", "245 kN");
-    let told = assumed("rig.las", text.as_bytes(), &choices);
-    assert!(!told.iter().any(|of| of.contains("has no unit")), "{told:?}");
+    let notes = assumed("rig.las", text.as_bytes(), &choices);
+    assert!(!notes.iter().any(|found| found.contains("has no unit")), "{notes:?}");
     let bare = text.replace("TIME.s:", "TIME. :").replace("RPMA.rpm:", "RPMA. :");
     let found = assumed("rig.las", bare.as_bytes(), &choices);
     holds(&found, "RPMA has no unit and is taken to be in rpm");

@@ -20,7 +20,7 @@ fn refusal(text: &str, choices: &Choices) -> String {
     imported(text, choices).expect_err("refused").to_string()
 }
 
-/// The case text and what is said of it.
+/// The case text with its notes.
 fn whole(imported: &Imported) -> String {
     let mut text = imported.text.clone();
     text.push_str("--- notes\n");
@@ -77,7 +77,7 @@ fn sets_of_units() {
     assert!(refused.contains("the largest od_body of CD_ASSEMBLY_COMP is 8.5"), "{refused}");
     let refused = refusal(MINI, &Choices::default().unit("edm", "metric"));
     assert!(refused.contains("expected edm=api or edm=si"), "{refused}");
-    // Single units override: metres for feet, here.
+    // Single units take precedence: metres for feet, here.
     let found = imported(MINI, &api().unit("length", "m")).expect("imported");
     assert!(found.text.contains("to = \"1000 m\""), "{}", found.text);
     assert!(found.text.contains("[1700, 6, 0.5]"), "{}", found.text);
@@ -85,7 +85,7 @@ fn sets_of_units() {
     assert!(refusal(MINI, &api().unit("lenght", "m")).contains("says nothing"));
 }
 
-/// A set that is not the file's gives what cannot be: inches taken for millimetres do not stay.
+/// A wrong set of units gives impossible values: inches read as millimetres are refused.
 #[test]
 fn an_implausible_set() {
     let steel =
@@ -97,8 +97,8 @@ fn an_implausible_set() {
     assert!(found.text.contains("yield_strength = \"930.8 MPa\""), "{}", found.text);
 }
 
-/// Positions that stations state are compared with those of the path, and turns that no pipe
-/// endures are named with the station's line.
+/// Positions stated at stations are compared with those of the path, and turns that no pipe endures
+/// are reported with the station's line.
 #[test]
 fn stations_are_checked_against_their_own_positions_and_by_what_pipe_endures() {
     let notes = |text: &str| -> Vec<String> {
@@ -114,10 +114,9 @@ fn stations_are_checked_against_their_own_positions_and_by_what_pipe_endures() {
         text.replace(middle, &format!("{middle} tvd=\"1500\""))
     };
     let agreeing = notes(&stated("1699.63"));
-    assert!(has(&agreeing, "differ from those of the file as rounding makes them"), "{agreeing:?}");
+    assert!(has(&agreeing, "agree with those of the file within rounding"), "{agreeing:?}");
     let off = notes(&stated("1600"));
-    let warning =
-        "true vertical depth of the file is 99.63 ft less than what follows from its angles";
+    let warning = "true vertical depth of the file is 99.63 ft less than computed from its angles";
     assert!(has(&off, warning), "{off:?}");
     assert!(!has(&off, "deg/100ft"), "{off:?}");
     let bent = notes(&MINI.replace("inclination=\"6\"", "inclination=\"86\""));
@@ -134,34 +133,34 @@ fn one_of_several() {
     assert!(refused.contains("--pick case=NAME"), "{refused}");
     let refused = refusal(WELL, &api().pick("well", "WS-9"));
     assert!(refused.contains("there is no well 'WS-9'; it holds: 'WS-1', 'WS-2'"), "{refused}");
-    // One case alone is in its wellbore: it needs no more.
+    // The wellbore has one case, so that no further choice is needed.
     let found = imported(WELL, &api().pick("wellbore", "WS-1 T2")).expect("imported");
-    let said = |text: &str| found.notes.iter().any(|(_, note)| note.text().contains(text));
-    assert!(said("case '6 in drilling'"), "{:?}", found.notes);
-    assert!(said("refers to the hole sections 'HG9'"), "{:?}", found.notes);
-    assert!(said("refers to the fluid 'FL7'"), "{:?}", found.notes);
-    // Its depths are from the sea: the path begins at minus the elevation of the datum.
-    assert!(said("the path begins at -82 ft"), "{:?}", found.notes);
+    let has_note = |text: &str| found.notes.iter().any(|(_, note)| note.text().contains(text));
+    assert!(has_note("case '6 in drilling'"), "{:?}", found.notes);
+    assert!(has_note("refers to the hole sections 'HG9'"), "{:?}", found.notes);
+    assert!(has_note("refers to the fluid 'FL7'"), "{:?}", found.notes);
+    // Its depths are relative to sea level: the path begins at minus the elevation of the datum.
+    assert!(has_note("the path begins at -82 ft"), "{:?}", found.notes);
     assert!(found.text.contains("    [\"0 ft\", 0, 0],"), "{}", found.text);
 }
 
-/// Ids are those of their well: rows of another well with the same ids stay out.
+/// Ids are local to their well: rows of another well with the same ids are excluded.
 #[test]
 fn ids_repeat_from_well_to_well() {
     let found = imported(WELL, &well()).expect("imported");
     assert!(!found.text.contains("999"), "{}", found.text);
     assert!(found.text.contains("od = \"8.5 in\""), "{}", found.text);
-    // A row that does not say its well, where two may own it.
+    // A row without its well, where two wells may own it.
     let lost = WELL.replace(
         "<CD_HOLE_SECT well_id=\"WSWELL0001\" wellbore_id=\"WSWB000001\" hole_sect_group_id=\"HG2\" hole_sect_id=\"HS3\"",
         "<CD_HOLE_SECT hole_sect_group_id=\"HG2\" hole_sect_id=\"HS3\"",
     );
     assert_ne!(lost, WELL);
     let refused = refusal(&lost, &well());
-    assert!(refused.contains("does not say of which well"), "{refused}");
+    assert!(refused.contains("does not name its well"), "{refused}");
 }
 
-/// Where rows stand does not matter.
+/// The order of rows does not matter.
 #[test]
 fn rows_in_any_order() {
     let first = imported(MINI, &api()).expect("imported");
@@ -180,7 +179,7 @@ fn rows_in_any_order() {
     assert_eq!(numbers(&first.text), numbers(&second.text));
 }
 
-/// Casing strings that hang from the surface one within the other: the string sees the innermost.
+/// Casing strings from the surface, one inside the other: the string meets the innermost.
 #[test]
 fn nested_casings() {
     let found = imported(WELL, &well()).expect("imported");
@@ -209,7 +208,7 @@ fn rows_that_cannot_be() {
         change("hole_size=\"8.5\" length=\"700\"", "hole_size=\"\" length=\"700\"")
             .contains("diameter of the hole section is missing")
     );
-    assert!(change("md=\"1700\"", "md=\"1500\"").contains("two stations stand at 1500 ft"));
+    assert!(change("md=\"1700\"", "md=\"1500\"").contains("two stations at 1500 ft have"));
     assert!(change("id_body=\"4.778\"", "id_body=\"5.778\"").contains("less than the outside one"));
     let refused = change("<export>", "<!DOCTYPE a><export>");
     assert!(refused.contains("DOCTYPE") || refused.contains("DTD"), "{refused}");
@@ -217,7 +216,7 @@ fn rows_that_cannot_be() {
     assert!(refusal(none, &api()).contains("none of which is a row of Landmark's tables"));
 }
 
-/// What is not there is said, and leaves the rest.
+/// Missing rows are noted, and the rest is imported.
 #[test]
 fn rows_that_are_not_there() {
     let change = |from: &str, to: &str| {
@@ -240,7 +239,7 @@ fn rows_that_are_not_there() {
     assert!(notes.contains("the only one of its wellbore"), "{notes}");
     let (found, notes) = change("od_body=\"8.5\" id_body=\"0\"", "od_body=\"\" id_body=\"\"");
     assert!(found.text.contains("od = \"8.5 in\""), "{}", found.text);
-    assert!(found.text.contains("for the bit has no od_body"), "{notes}");
+    assert!(found.text.contains("because the bit has no od_body"), "{notes}");
     let (found, _) = change("od_body=\"5.5\"", "od_body=\"5.25\"");
     assert!(!found.text.contains("catalogue ="), "{}", found.text);
     let (_, notes) = change("sect_type_code=\"DP\"", "sect_type_code=\"QQ\"");
@@ -253,7 +252,8 @@ fn what_a_file_holds() {
     insta::assert_snapshot!(format!("{}\n{}", found.what, found.lines.join("\n")));
 }
 
-/// Its drag chart becomes a file that a plan lays over its own curves; that of another case stays out.
+/// Its drag chart becomes a file that a plan draws over its own curves; that of another case is
+/// excluded.
 #[test]
 fn the_drag_chart() {
     let found = imported(WELL, &well()).expect("imported");
@@ -268,7 +268,7 @@ fn the_drag_chart() {
     assert_eq!(first, "500,60.2,59.6,59.9,100,2300");
 }
 
-/// An export in metres and kilograms reads as such, and its drag chart in kN.
+/// An export in metres and kilograms is recognised, and its drag chart is in kN.
 #[test]
 fn the_si_set() {
     let found = imported(MINI, &Choices::default().unit("edm", "si")).expect("imported");
@@ -285,7 +285,7 @@ fn the_si_set() {
 proptest::proptest! {
     #![proptest_config(proptest::test_runner::Config::with_cases(300))]
 
-    /// Whatever became of some bytes: a case or a sentence, no panic.
+    /// Any changed bytes give a case or an error, and no panic.
     #[test]
     fn damaged_bytes(
         changes in proptest::collection::vec((0..MINI.len(), proptest::prelude::any::<u8>()), 1..8),
@@ -300,7 +300,7 @@ proptest::proptest! {
         }
     }
 
-    /// Values that cannot be, in any column.
+    /// Impossible values in any column.
     #[test]
     fn damaged_values(place in 0..2000_usize, value in "-?[0-9]{0,3}(e[0-9]{1,3})?|NaN|inf|[a-z]{0,5}") {
         let starts: Vec<usize> = MINI.match_indices("=\"").map(|(at, _)| at + 2).collect();

@@ -1,4 +1,4 @@
-//! An export as large as they come: how long it takes and how much memory.
+//! A large export: import time and memory.
 //!
 //! `cargo test --release -p wholestring-import --test edm_large -- --ignored --nocapture` prints both.
 
@@ -9,20 +9,20 @@ use std::{
 
 use wholestring_import::{Choices, Input, import};
 
-/// As large as the largest export that is public.
+/// As large as the largest public export.
 const BYTES: usize = 200 << 20;
 
 /// Tables that are not read: rows of forty numbers.
 const OTHER: [&str; 4] = ["TU_LOAD_PROFILE", "CD_PORE_PRESSURE", "WP_HYD_RESULT", "CD_FORMATION"];
 
-/// An export that is made as it is read: a whole well at its end, and before it rows of other
-/// tables, and stations of other paths as one row in so many. Stations are kept until the file ends.
+/// An export generated on reading: a whole well at its end, and before it rows of other tables,
+/// with stations of other paths at a fixed interval. Stations are kept until the file ends.
 struct Made {
     row: Vec<u8>,
     at: usize,
-    given: usize,
+    returned: usize,
     rows: usize,
-    /// One row in so many is a station.
+    /// Interval of rows that are stations.
     every: usize,
     end: &'static [u8],
 }
@@ -31,7 +31,7 @@ impl Made {
     fn next(&mut self) -> io::Result<()> {
         self.row.clear();
         self.at = 0;
-        if self.given >= BYTES {
+        if self.returned >= BYTES {
             self.row.extend_from_slice(self.end);
             self.end = b"";
             return Ok(());
@@ -65,12 +65,12 @@ impl Read for Made {
         let count = into.len().min(self.row.len() - self.at);
         into[..count].copy_from_slice(&self.row[self.at..self.at + count]);
         self.at += count;
-        self.given += count;
+        self.returned += count;
         Ok(count)
     }
 }
 
-/// The most memory that the program had, MB, where the system says it.
+/// Peak memory of the program, MB, if the system reports it.
 fn peak_mb() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
@@ -83,12 +83,12 @@ fn peak_mb() -> Option<f64> {
 fn two_hundred_megabytes() {
     let well = include_str!("samples/own/edm-well.xml");
     let body = well.split_once("<TOPLEVEL>").expect("rows").1;
-    // A tenth of the bytes in stations, as large exports have them; and nothing but stations.
+    // A tenth of the bytes in stations, as in large exports; and stations only.
     for every in [3, 1] {
         let made = Made {
             row: b"<export><TOPLEVEL>".to_vec(),
             at: 0,
-            given: 0,
+            returned: 0,
             rows: 0,
             every,
             end: body.as_bytes(),

@@ -1,4 +1,4 @@
-//! A log of a third of a year in rows a second apart: how long its import takes and how much memory.
+//! A log of a third of a year at one row per second: import time and memory.
 //!
 //! `cargo test --release -p wholestring-import --test log_large -- --ignored --nocapture` prints both.
 
@@ -17,14 +17,14 @@ use wholestring_import::{Choices, Input, import};
 
 const ROWS: usize = 10_000_000;
 
-/// What is asked for: so long on one core, and so much memory.
+/// Limits: import time on one core, and memory.
 const LONGEST_S: f64 = 60.0;
 const MOST_MB: f64 = 1000.0;
 
-/// Channels that no weight is picked from, as every recorder writes some.
+/// Channels from which no weight is picked, as every recorder writes some.
 const OTHERS: &str = "2450.00 610.0 0.012 -999.25";
 
-/// A day of a rig that is written over and over, and how a format writes a row of it.
+/// One day of a rig, written repeatedly, and a format's function that writes a row.
 struct Made {
     day: Arc<Vec<String>>,
     lasts_s: f64,
@@ -91,7 +91,7 @@ const WITSML: &str = "<logs xmlns=\"http://www.witsml.org/schemas/1series\" vers
     <mnemonicList>TIME,DBTM,DMEA,BPOS,HKLA,TQA,RPMA,SPPA,MFIA,GAS,DEXP</mnemonicList>\
     <unitList>s,m,m,m,kN,kN.m,rpm,kPa,L/min,%,Euc</unitList>\n";
 
-/// The date and the time of day. Months have 28 days: time goes on, whatever the calendar.
+/// Date and time of day. Months have 28 days, so that time always increases.
 fn clock(time_s: f64) -> ([u64; 2], [u64; 3]) {
     let seconds = time_s as u64;
     let (days, second) = (seconds / 86_400, seconds % 86_400);
@@ -123,7 +123,7 @@ fn csv_row(into: &mut String, time_s: f64, values: &str) {
     into.push('\n');
 }
 
-/// The most memory that the program had, MB, where the system says it.
+/// Peak memory of the program, MB, if the system reports it.
 fn peak_mb() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
@@ -142,7 +142,7 @@ fn ten_million_rows_are_imported() {
     rig.drills_a_stand();
     let text = rig.las();
     let rows = text.split_once("~A\n").expect("rows").1.lines();
-    // Without their time.
+    // Rows without their time.
     let day: Vec<String> =
         rows.map(|row| row.split_once(' ').expect("a time").1.to_owned()).collect();
     let (stands, lasts_s) = (14, day.len() as f64);

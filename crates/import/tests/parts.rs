@@ -19,7 +19,7 @@ fn a_part_that_two_files_hold_is_picked() {
         of(&files, &Choices::default()).unwrap_err(),
         "runs/gyro.csv: it holds the survey, and so does plan.csv; pick one: --pick survey=plan.csv"
     );
-    // By its whole name, or by the last part of it.
+    // By its full path, or by the last component of it.
     for (picked, depth, other) in [
         ("plan.csv", "[600, 5, 10]", "runs/gyro.csv"),
         ("runs/gyro.csv", "[610, 6, 20]", "plan.csv"),
@@ -27,11 +27,11 @@ fn a_part_that_two_files_hold_is_picked() {
     ] {
         let imported = of(&files, &Choices::default().pick("survey", picked)).unwrap();
         assert!(imported.text.contains(depth), "{picked}: {}", imported.text);
-        let left_out = format!("the survey, for that of {picked} was picked");
+        let left_out = format!("the survey, because that of {picked} was picked");
         let note = imported.notes.iter().find(|(_, note)| note.text() == left_out);
         let (file, note) = note.unwrap_or_else(|| panic!("{:?}", imported.notes));
         assert_eq!((file.as_deref(), note.kind()), (Some(other), "left out"));
-        // What only one file holds is not asked for.
+        // A part that only one file contains needs no choice.
         assert!(imported.text.contains("[[string]]"));
     }
     assert_eq!(

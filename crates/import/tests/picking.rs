@@ -1,4 +1,4 @@
-//! Weights and torques that are picked from logs whose answer is known.
+//! Weights and torques picked from logs with known values.
 
 mod rig_log;
 
@@ -39,35 +39,35 @@ fn a_day(manner: Manner) -> Rig {
 }
 
 fn of(picks: &Picks, kind: Kind) -> impl Iterator<Item = &Window> {
-    picks.windows.iter().filter(move |of| of.kind == kind)
+    picks.windows.iter().filter(move |window| window.kind == kind)
 }
 
-/// The picked values lie within 4.5 standard errors of the truth, as the noise of the log makes them:
-/// of the hundreds that the tests take, one in a hundred thousand lies farther.
+/// Checks that the picked values are within 4.5 standard errors of the truth for the noise of the
+/// log: of the hundreds of values in the tests, one in a hundred thousand exceeds this.
 fn assert_true(picks: &Picks, manner: &Manner) {
     let holds = |found: &Estimate, truth: f64, noise: f64, what: &str| {
         let error = 1.2533 * noise / (found.rows as f64).sqrt();
         let off = (found.value - truth).abs();
         assert!(off <= 4.5 * error, "{what}: {found:?} is not {truth}, {off} off, error {error}");
     };
-    for of in &picks.windows {
-        let depth = of.bit_depth_m;
-        let weight = match of.kind {
+    for window in &picks.windows {
+        let depth = window.bit_depth_m;
+        let weight = match window.kind {
             Kind::PickUp => Some(TRUTH.pick_up_N),
             Kind::SlackOff => Some(TRUTH.slack_off_N),
             Kind::Rotating => Some(TRUTH.rotating_N),
             Kind::Drilling => None,
         };
-        if let (Some(found), Some(truth)) = (&of.weight_N, weight) {
+        if let (Some(found), Some(truth)) = (&window.weight_N, weight) {
             let truth = truth(depth) + manner.block_N;
-            holds(found, truth, manner.weight_noise_N, of.kind.words());
+            holds(found, truth, manner.weight_noise_N, window.kind.words());
         }
-        if let Some(found) = &of.torque_N_m {
-            let drills = of.kind == Kind::Drilling;
+        if let Some(found) = &window.torque_N_m {
+            let drills = window.kind == Kind::Drilling;
             let truth = if drills { TRUTH.torque_on_bottom_N_m } else { TRUTH.torque_N_m };
             let truth = truth(depth);
-            // A wave that is sampled as it falls: its mean is told no better than by as many rows
-            // without order.
+            // A wave is sampled at arbitrary phases: its mean has the error of as many unordered
+            // rows.
             let swing = manner.stick_slip * truth * (0.5 * (1.0 + 0.09_f64)).sqrt();
             let noise = manner.torque_noise_N_m.hypot(swing);
             holds(found, truth, noise, "torque");
@@ -76,9 +76,12 @@ fn assert_true(picks: &Picks, manner: &Manner) {
 }
 
 fn assert_out_of_slips(picks: &Picks, rig: &Rig) {
-    for of in &picks.windows {
+    for window in &picks.windows {
         for (from_s, to_s) in &rig.slips {
-            assert!(of.to_s < *from_s || of.from_s > *to_s, "{of:?} in slips {from_s} to {to_s}");
+            assert!(
+                window.to_s < *from_s || window.from_s > *to_s,
+                "{window:?} in slips {from_s} to {to_s}"
+            );
         }
     }
 }
@@ -92,12 +95,12 @@ fn weights_and_torques_come_out_within_the_noise_at_any_rate() {
         assert_true(&picks, &manner);
         assert_out_of_slips(&picks, &rig);
         let counts = Kind::ALL.map(|kind| of(&picks, kind).count());
-        // Six stands out and three drilled; six in and three drilled; three drilled.
-        // In rows 10 s apart, 7 m down at 0.15 m/s are too short.
+        // Six stands out and three drilled; six in and three drilled; three drilled. In rows 10 s
+        // apart, 7 m down at 0.15 m/s are too short.
         let slack_off = if step_s < 10.0 { 9 } else { 6 };
         assert_eq!(counts, [9, slack_off, 3, 3], "{step_s} s: {:?}", picks.counts);
         let counts = &picks.counts;
-        // The last connection out and the first one in are one.
+        // The last connection out and the first one in are the same.
         assert_eq!((counts.connections, counts.slips_alone), (14, 0), "{step_s} s");
         assert_eq!((counts.stands, counts.drilled), (15, 3), "{step_s} s");
         let trips: Vec<_> = counts.trips.iter().map(|trip| (trip.out, trip.stands)).collect();
@@ -116,27 +119,28 @@ fn spikes_silences_and_swings_move_nothing() {
         assert_out_of_slips(&picks, &rig);
         let counts = &picks.counts;
         assert_eq!((counts.connections, counts.drilled), (14, 3), "{step_s} s: {counts:?}");
-        // A silence may take a window; it does not take many.
+        // A gap may remove a window, but not many.
         assert!(picks.windows.len() >= 20, "{step_s} s: {} {counts:?}", picks.windows.len());
     }
 }
 
-/// The standard errors that are told are those of the noise.
+/// The reported standard errors agree with the noise.
 #[test]
 fn standard_errors_are_those_of_the_noise() {
     let mut off = Vec::new();
     for seed in 1..=12 {
         let picks = picked(&a_day(Manner { seed, ..Manner::default() }));
-        for of in of(&picks, Kind::Rotating) {
-            let found = of.weight_N.unwrap();
+        for window in of(&picks, Kind::Rotating) {
+            let found = window.weight_N.unwrap();
             off.push(
-                (found.value - 245e3 - (TRUTH.rotating_N)(of.bit_depth_m)) / found.standard_error,
+                (found.value - 245e3 - (TRUTH.rotating_N)(window.bit_depth_m))
+                    / found.standard_error,
             );
         }
     }
     let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
-    // Of 36 normal values the root mean square lies within 1 ± 3/√72; the best of several windows of a
-    // stand, of which there is one here, does not narrow it.
+    // Of 36 normal values the root mean square is within 1 ± 3/√72; choosing the best of several
+    // windows of a stand, of which there is one here, does not narrow it.
     assert!((rms - 1.0).abs() < 0.36, "{rms} of {}", off.len());
 }
 
@@ -145,20 +149,20 @@ fn readings_stand_by_stand_and_depth_by_depth() {
     let rig = a_day(Manner::default());
     let picks = picked(&rig);
     let readings = picks.readings();
-    let told = |of: fn(&wholestring_tabular::ImportedReading) -> Option<f64>| {
-        readings.iter().filter_map(of).count()
+    let count = |reading: fn(&wholestring_tabular::ImportedReading) -> Option<f64>| {
+        readings.iter().filter_map(reading).count()
     };
-    assert_eq!(told(|of| of.pick_up_N), 9);
-    assert_eq!(told(|of| of.slack_off_N), 9);
-    assert_eq!(told(|of| of.rotating_N), 3);
-    assert_eq!(told(|of| of.torque_N_m), 3);
-    assert_eq!(told(|of| of.torque_on_bottom_N_m), 3);
+    assert_eq!(count(|reading| reading.pick_up_N), 9);
+    assert_eq!(count(|reading| reading.slack_off_N), 9);
+    assert_eq!(count(|reading| reading.rotating_N), 3);
+    assert_eq!(count(|reading| reading.torque_N_m), 3);
+    assert_eq!(count(|reading| reading.torque_on_bottom_N_m), 3);
     assert!(readings[0].place.starts_with("stand 1, 0.0"), "{}", readings[0].place);
     // Weights are those of the weight indicator.
     let first = &readings[0];
     let truth = (TRUTH.pick_up_N)(first.bit_depth_m) + 245e3;
     assert!((first.pick_up_N.unwrap() - truth).abs() < 5e3);
-    let works: Vec<_> = picks.details.iter().map(|of| of.work).collect();
+    let works: Vec<_> = picks.details.iter().map(|detail| detail.work).collect();
     assert!(works.contains(&Work::TrippedOut) && works.contains(&Work::TrippedIn), "{works:?}");
 }
 
@@ -186,7 +190,7 @@ fn a_weight_of_the_block_that_cannot_be_is_refused() {
     insta::assert_snapshot!(errors.join("\n"));
 }
 
-/// A sensor that was set to zero with the block on it: the same weights come out.
+/// A sensor zeroed with the block on it gives the same weights.
 #[test]
 fn a_zeroed_sensor_is_noticed_and_the_block_added() {
     let manner = Manner { zeroed: true, ..Manner::default() };
@@ -228,7 +232,7 @@ fn without_a_height_of_the_block_the_bit_tells_it() {
     assert_eq!(picks.windows.len(), 24, "{:?}", picks.counts);
 }
 
-/// The height of the block is set anew in the middle of stands, with and without the bit's depth.
+/// The zero of the block's height changes in the middle of stands, with and without bit depth.
 #[test]
 fn a_new_zero_of_the_block_is_no_motion() {
     let mut rig = a_day(Manner::default());
@@ -253,12 +257,12 @@ fn a_log_that_tells_too_little_is_refused() {
         pick(records, "rig.csv", kN(), &limits, &said("245 kN")).unwrap_err().to_string()
     };
     let errors = [
-        without(|of| of.time_s = f64::NAN),
-        without(|of| of.time_s *= 30.0),
-        without(|of| of.hook_load_N = f64::NAN),
-        without(|of| of.bit_depth_m = f64::NAN),
-        without(|of| of.hole_depth_m = -999.25),
-        without(|of| of.hook_load_N = of.hook_load_N.min(250e3)),
+        without(|record| record.time_s = f64::NAN),
+        without(|record| record.time_s *= 30.0),
+        without(|record| record.hook_load_N = f64::NAN),
+        without(|record| record.bit_depth_m = f64::NAN),
+        without(|record| record.hole_depth_m = -999.25),
+        without(|record| record.hook_load_N = record.hook_load_N.min(250e3)),
         pick([Ok(rig.records[0])], "rig.csv", kN(), &Thresholds::default(), &said("1 kN"))
             .unwrap_err()
             .to_string(),
@@ -267,23 +271,23 @@ fn a_log_that_tells_too_little_is_refused() {
     insta::assert_snapshot!(errors.join("\n"));
 }
 
-/// A floater that heaves: the weights swing by a seventh of the string's.
+/// A floater with heave: the weights swing by a seventh of the string's weight.
 #[test]
 fn what_is_not_steady_is_refused() {
     let manner = Manner { heave: (120e3, 9.7), ..Manner::default() };
     let picks = picked(&a_day(manner));
-    let weights = picks.windows.iter().filter(|of| of.weight_N.is_some()).count();
+    let weights = picks.windows.iter().filter(|window| window.weight_N.is_some()).count();
     assert_eq!(weights, 0, "{:?}", picks.windows);
     let unsteady = |((_, why), _): (&(Kind, Refusal), &usize)| *why == Refusal::Unsteady;
     assert!(picks.counts.refused.iter().any(unsteady), "{:?}", picks.counts.refused);
 }
 
-/// A string that sticks at times: its torque off bottom is no friction of a turning one.
+/// A string that sticks at times: its torque off bottom is not the friction of a turning string.
 #[test]
 fn a_string_that_stands_still_at_times_gives_no_torque() {
     let manner = Manner { stick_slip: 1.3, ..Manner::default() };
     let picks = picked(&a_day(manner));
-    assert_eq!(of(&picks, Kind::Rotating).filter(|of| of.torque_N_m.is_some()).count(), 0);
+    assert_eq!(of(&picks, Kind::Rotating).filter(|window| window.torque_N_m.is_some()).count(), 0);
     assert_eq!(of(&picks, Kind::Drilling).count(), 0);
     assert!(picks.counts.refused.contains_key(&(Kind::Drilling, Refusal::Swinging)));
 }
@@ -310,14 +314,14 @@ fn any_number() -> impl Strategy<Value = f64> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
-    /// Whatever the noise and the rate, no window lies in slips and every value is true.
+    /// For any noise and rate, no window is in slips and every value is true.
     #[test]
     fn no_window_is_in_slips(seed in 1_u64.., step_s in 0.5..10.0, stick_slip in 0.0..0.6) {
         let manner = Manner { seed, step_s, stick_slip, faults: Some(300), ..Manner::default() };
         let rig = a_day(manner);
         let picks = picked(&rig);
         assert_out_of_slips(&picks, &rig);
-        // The slowest log leaves rotation off bottom and drilling.
+        // The slowest log leaves only rotation off bottom and drilling.
         prop_assert!(picks.windows.len() >= 6, "{:?}", picks.counts);
     }
 
@@ -331,30 +335,30 @@ proptest! {
         }
         let scaled = picked_as(&rig, &said(&format!("{} kN", 245.0 * scale))).unwrap();
         prop_assert_eq!(picks.windows.len(), scaled.windows.len());
-        for (of, other) in picks.windows.iter().zip(&scaled.windows) {
-            prop_assert_eq!((of.from_s, of.to_s), (other.from_s, other.to_s));
-            if let (Some(of), Some(other)) = (of.weight_N, other.weight_N) {
-                let off: f64 = scale * of.value / other.value - 1.0;
+        for (window, other) in picks.windows.iter().zip(&scaled.windows) {
+            prop_assert_eq!((window.from_s, window.to_s), (other.from_s, other.to_s));
+            if let (Some(own), Some(other)) = (window.weight_N, other.weight_N) {
+                let off: f64 = scale * own.value / other.value - 1.0;
                 prop_assert!(off.abs() < 1e-12);
             }
         }
     }
 
-    /// Rows of anything: an answer or an error, and no panic.
+    /// Random rows give a result or an error, and no panic.
     #[test]
     fn rows_of_anything_do_no_harm(
         rows in prop::collection::vec(prop::array::uniform8(any_number()), 0..300),
         times in any::<bool>(),
     ) {
-        let records = rows.iter().enumerate().map(|(at, of)| Ok(Record {
-            time_s: if times { at as f64 } else { of[0] },
-            bit_depth_m: of[1],
-            hole_depth_m: of[2],
-            block_position_m: of[3],
-            hook_load_N: of[4],
-            torque_N_m: of[5],
-            rotary_speed_rad_per_s: of[6],
-            weight_on_bit_N: of[7],
+        let records = rows.iter().enumerate().map(|(at, row)| Ok(Record {
+            time_s: if times { at as f64 } else { row[0] },
+            bit_depth_m: row[1],
+            hole_depth_m: row[2],
+            block_position_m: row[3],
+            hook_load_N: row[4],
+            torque_N_m: row[5],
+            rotary_speed_rad_per_s: row[6],
+            weight_on_bit_N: row[7],
             ..Record::NONE
         }));
         let picks = pick(records, "rig.csv", kN(), &Thresholds::default(), &said("10 kN"));

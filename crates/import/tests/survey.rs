@@ -1,4 +1,4 @@
-//! Surveys, as planning programs print them and as people keep them.
+//! Surveys as planning programs print them and as people write them.
 
 use std::{collections::BTreeMap, fs, path::Path};
 
@@ -22,14 +22,14 @@ fn of(text: &str) -> Imported {
 
 fn refused(text: &str, choices: &Choices) -> String {
     let file = vec![Input::of_bytes("survey.txt", text.as_bytes())];
-    import(file, choices).map(|of| of.text).unwrap_err().to_string()
+    import(file, choices).map(|import| import.text).unwrap_err().to_string()
 }
 
 /// The stations of the case: measured depth in m, angles in degrees.
 fn stations(imported: &Imported) -> Vec<[f64; 3]> {
     let lines = imported.text.lines().map(str::trim);
     let lines = lines.filter_map(|line| line.strip_prefix('[')?.strip_suffix("],"));
-    // A depth has its unit, or is in metres.
+    // A depth has a unit, or is in metres.
     let number = |text: &str| match text.trim_matches('"') {
         bare if bare == text => bare.parse().unwrap(),
         quantity => Dimension::Length.parse(quantity).unwrap(),
@@ -51,7 +51,7 @@ fn a_report_of_a_planning_program() {
     assert_snapshot!(imported.text);
 }
 
-/// What a survey lacks for a case is filled in by hand: then the case is valid.
+/// Once the missing parts are filled in by hand, the case of a survey is valid.
 #[test]
 fn the_case_is_sound_once_it_has_a_hole_a_mud_and_a_string() {
     let bytes = sample("own/survey-wellpath-report.txt");
@@ -66,7 +66,7 @@ fn the_case_is_sound_once_it_has_a_hole_a_mud_and_a_string() {
     });
     let text = lines.collect::<Vec<_>>().join("\n").replace("\"1800 m\"", "\"900 m\"");
     let text = text.replace("\"900 m\"\ncasing", "\"400 m\"\ncasing");
-    // The operation that is assumed turns the string.
+    // The assumed operation turns the string.
     let rpm = if text.contains("rpm = ") { "" } else { "\nrpm = 60\n" };
     let text = text + rpm;
     let case = wholestring_case::Template::in_memory("case.toml", &text, BTreeMap::new()).case(&[]);
@@ -75,7 +75,7 @@ fn the_case_is_sound_once_it_has_a_hole_a_mud_and_a_string() {
     }
 }
 
-/// Two pages of a report, as they are printed: headings again, feet with dates and numbers of pages.
+/// Two pages of a printed report: repeated headings, and page feet with dates and numbers.
 const PAGES: &str = "\
 Company:   Made up                              Database:   DEMO
 Well:      S-1                                  North Reference:   Grid
@@ -105,11 +105,11 @@ Projected to bit
 #[test]
 fn pages_with_headings_and_feet() {
     let imported = of(PAGES);
-    let depths: Vec<f64> = stations(&imported).iter().map(|of| of[0]).collect();
+    let depths: Vec<f64> = stations(&imported).iter().map(|station| station[0]).collect();
     assert_eq!(depths, [0.0, 1000.0, 1030.0, 1060.0, 1090.0]);
     assert!(imported.text.contains("name = \"S-1 ST1\""), "{}", imported.text);
-    noted(&imported, "checked", "as rounding makes them");
-    noted(&imported, "checked", "as rounding makes it");
+    noted(&imported, "checked", "within rounding");
+    noted(&imported, "checked", "within rounding");
     noted(&imported, "read", "north reference is 'Grid' (line 2)");
     assert_snapshot!("pages", imported.text);
 }
@@ -128,15 +128,15 @@ Well: S-2
 1200.00     6.00   225.00   1199.63    7.40 S     7.40 W    3.00
 ");
     let foot = 0.3048;
-    let depths: Vec<f64> = stations(&imported).iter().map(|of| of[0]).collect();
+    let depths: Vec<f64> = stations(&imported).iter().map(|station| station[0]).collect();
     let expected = [0.0, 1000.0 * foot, 1100.0 * foot, 1200.0 * foot];
     assert!(depths.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{depths:?}");
     noted(&imported, "checked", "north by 0.00 ft, east by 0.00 ft");
-    noted(&imported, "read", "the mark '*' behind a number in line 8 is passed over");
+    noted(&imported, "read", "the mark '*' after a number in line 8 is ignored");
     assert!(imported.text.contains("# line 3, well"), "{}", imported.text);
 }
 
-/// Feet under `TVD (m)`: the reading is right, the file is not, and that is said.
+/// Feet under `TVD (m)`: the reading is right, the file is wrong, and a note reports it.
 #[test]
 fn positions_in_another_unit_are_found_out() {
     let imported = of("\
@@ -145,12 +145,12 @@ MD (m),Inc (deg),Azi (deg),TVD (m),N (m),E (m),DLS (deg/30m)
 1000,0,0,3280.8,0,0,0
 1030,3,0,3379.2,2.6,0,9.0
 ");
-    noted(&imported, "checked", "as feet to metres: is a unit wrong?");
+    noted(&imported, "checked", "that of feet to metres: is a unit wrong?");
     noted(&imported, "checked", "north of the file is 1.81 m more");
-    noted(&imported, "checked", "which is more than rounding makes");
+    noted(&imported, "checked", "which exceeds rounding");
 }
 
-/// Rows that are missing, too.
+/// Missing rows are found, too.
 #[test]
 fn positions_of_another_path_are_found_out() {
     let imported = of("\
@@ -159,7 +159,7 @@ MD (m),Inc (deg),Azi (deg),TVD (m)
 1000,0,0,1000
 1500,40,0,1499
 ");
-    noted(&imported, "checked", "stations that are missing?");
+    noted(&imported, "checked", "missing stations?");
 }
 
 #[test]
@@ -175,22 +175,25 @@ fn mixed_units_and_units_that_are_said() {
     let bare = "MD,Inc,Azi,TVD\n0,0,0,0\n1000,0,0,304.8\n1100,0,0,335.28\n";
     assert_eq!(
         refused(bare, &Choices::default()),
-        "survey.txt, line 1, column 1: the measured depth has no unit; say it: --unit md=m, or one \
-         of m, ft, mm, in, cm, km, yd, usft"
+        "survey.txt, line 1, column 1: the measured depth has no unit; give it with --unit md=m, \
+         or one of m, ft, mm, in, cm, km, yd, usft"
     );
     let both = Choices::default().unit("md", "ft").unit("tvd", "m");
-    // The unit of depths serves positions that have none, and then nobody asks for theirs.
+    // The unit of depths also applies to positions without one, so that theirs is unused.
     let unused = refused(bare, &both);
     assert!(unused.contains("--unit tvd says nothing"), "{unused}");
     let half = "MD (ft),Inc,Azi,TVD\n0,0,0,0\n1000,0,0,304.8\n1100,0,0,335.28\n";
-    let asked = refused(half, &Choices::default());
-    assert!(asked.contains("the true vertical depth has no unit; say it: --unit tvd=m"), "{asked}");
+    let error = refused(half, &Choices::default());
+    assert!(
+        error.contains("the true vertical depth has no unit; give it with --unit tvd=m"),
+        "{error}"
+    );
     let imported = imported_as("a.csv", half.as_bytes(), Choices::default().unit("tvd", "m"));
     noted(&imported, "checked", "true vertical depth by 0.00 ft");
     let wrong = refused(half, &Choices::default().unit("md", "m"));
-    assert!(wrong.contains("in 'ft' by the file and in 'm' by what was said"), "{wrong}");
+    assert!(wrong.contains("in 'ft' in the file and in 'm' as given"), "{wrong}");
     let none = refused("0 0 0\n1000 0 0\n", &Choices::default());
-    assert!(none.contains("say it: --unit md=m"), "{none}");
+    assert!(none.contains("give it with --unit md=m"), "{none}");
 }
 
 const TWO: &str = "\
@@ -206,7 +209,7 @@ MD (ft),Inc (deg),Azi (deg),TVD (ft)
 2000,0.5,90,2000
 ";
 
-/// Plan and survey, one below the other: nobody can say which is meant but the user.
+/// Plan and survey in one text: the user must choose one.
 #[test]
 fn two_surveys_in_a_text() {
     let question = refused(TWO, &Choices::default());
@@ -218,13 +221,13 @@ fn two_surveys_in_a_text() {
     let pick = |name: &str| Choices::default().pick("table", name);
     let plan = imported_as("survey.txt", TWO.as_bytes(), pick("Plan 2"));
     assert_eq!(stations(&plan).len(), 3);
-    noted(&plan, "left out", "the survey 'As drilled', for 'Plan 2' was picked");
+    noted(&plan, "left out", "the survey 'As drilled', because 'Plan 2' was picked");
     let drilled = imported_as("survey.txt", TWO.as_bytes(), pick("As drilled"));
     assert_eq!(stations(&drilled)[1], [609.6, 0.5, 90.0]);
     assert!(drilled.text.contains("lines 9 to 10"), "{}", drilled.text);
     let other = refused(TWO, &pick("Plan 3"));
     assert!(other.contains("there is no table 'Plan 3'"), "{other}");
-    // Columns of blanks stand elsewhere in the second.
+    // Columns separated by blanks have other positions in the second table.
     let blanks = TWO.replace(',', "    ");
     let drilled = imported_as("survey.txt", blanks.as_bytes(), pick("As drilled"));
     assert_eq!(stations(&drilled)[1], [609.6, 0.5, 90.0]);
@@ -233,7 +236,7 @@ fn two_surveys_in_a_text() {
     assert!(error.to_string().contains("holds 2 surveys, one below the other"), "{error}");
 }
 
-/// A station that runs backwards is no second survey.
+/// A decreasing depth is not a second survey.
 #[test]
 fn a_depth_that_runs_backwards_is_an_error() {
     let text = "MD (m),Inc,Azi\n0,0,0\n30,1,1\nreamed,,\n20,1,1\n";
@@ -295,7 +298,7 @@ fn sheets_of_a_workbook() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Whatever is cut out of a report or put into it, there is a case or a sentence.
+    /// Any deletion in a report or insertion into it gives a case or an error.
     #[test]
     fn damaged_reports_get_an_answer(at in 0..PAGES.len(), length in 0usize..200, with in "\\PC{0,40}") {
         let mut start = at;

@@ -1,4 +1,4 @@
-//! Limits along the string: of each component the place with the least reserve.
+//! Limits along the string: the place with the least reserve of each component.
 
 use wholestring::model::Model;
 

@@ -1,11 +1,11 @@
-//! Checks of a bit test: points without an answer, at which the bit does not drill, or at which the
-//! rock is moved rather than deformed.
+//! Checks of a bit test: points without a result, points at which the bit does not drill, and
+//! points at which the rock is moved rather than deformed.
 
 use wholestring::rock::TrialOutcome;
 
 use crate::{Check, CheckKind, Severity};
 
-/// Kinetic energy of the rock, over the work of its deformation, from which it is reported.
+/// Ratio of the rock's kinetic energy to the work of its deformation, above which it is reported.
 const MUCH_KINETIC: f64 = 0.05;
 
 /// A point of a bit test.
@@ -13,14 +13,14 @@ const MUCH_KINETIC: f64 = 0.05;
 pub struct TriedPoint<'a> {
     /// Name of the point.
     pub name: &'a str,
-    /// Reason why it has no outcome; none of a point that is finished or not begun.
+    /// Reason why it has no outcome; `None` for a point that is finished or has not started.
     pub failure: Option<&'a str>,
     /// Outcome, where it is finished.
     pub outcome: Option<&'a TrialOutcome>,
 }
 
-/// The checks of all points of a bit test, the most severe first. A bit that drills at none of the
-/// finished points is an error: their table holds no rate of penetration.
+/// Returns the checks of all points of a bit test, the most severe first. A bit that drills at none
+/// of the finished points is an error, because their table holds no rate of penetration.
 pub fn bit_test_checks(points: &[TriedPoint<'_>]) -> Vec<Check> {
     let mut outcomes = points.iter().filter_map(|point| point.outcome).peekable();
     let none_drills = outcomes.peek().is_some() && outcomes.all(|outcome| !drills(outcome));

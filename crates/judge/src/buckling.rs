@@ -1,4 +1,4 @@
-//! Compression against the critical loads of its place.
+//! Compression compared with the critical load at its depth.
 
 use wholestring::{
     model::Model,
@@ -15,7 +15,7 @@ use crate::{
 /// A stretch shorter than this is a note, m: a joint of pipe, of which no wave is shorter.
 const SHORTEST_M: f64 = 10.0;
 
-/// The compression along a string, and what it is compared with.
+/// The compression along a string and the critical loads it is compared with.
 pub struct Line<'a> {
     model: &'a Model,
     bit_depth_m: f64,
@@ -26,7 +26,8 @@ pub struct Line<'a> {
 }
 
 impl<'a> Line<'a> {
-    /// Of the tensions of a profile, of a dynamic run its means, and its critical loads.
+    /// Takes the tensions and critical loads of a profile; for a dynamic run the tensions are its
+    /// means.
     pub fn of(model: &'a Model, operation: &Operation, profile: &'a Profile) -> Self {
         let over = |loads_N: &[Option<f64>]| -> Vec<f64> {
             let rows = profile.tension_N.iter().zip(loads_N);
@@ -45,8 +46,8 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Whether a row is beyond the load that its weight holds in a vertical hole, and the wall
-    /// holds no more under that compression.
+    /// Whether the compression at a row exceeds the load that the string's weight supports in a
+    /// vertical hole, while the wall gives no further support under that compression.
     fn is_bowed_by_weight_alone(&self, row: usize) -> bool {
         let place = Place::above(self.model, self.bit_depth_m, self.profile.md_m[row]);
         let place = place.seen_by(self.model.buckling);
@@ -61,9 +62,9 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The buckled stretches, those of the helix first; of a shape in which nothing is buckled the
-/// place with the least reserve. A bow in a vertical hole is not reported where the same stretch is
-/// a helix.
+/// Returns the buckled stretches, the helical ones first. For a shape in which nothing is buckled,
+/// returns the place with the least reserve. A bow in a vertical hole is not reported where the
+/// same stretch is a helix.
 pub fn checks(line: &Line<'_>, settings: &LimitSettings) -> Vec<Check> {
     let of_kind = |kind, over: &[f64]| -> Vec<Check> {
         let intervals = beyond_one(&line.profile.md_m, over);

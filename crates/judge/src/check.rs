@@ -1,18 +1,20 @@
-//! One comparison of a result with what it must keep.
+//! One comparison of a result with its limit.
+
+use std::cmp::Ordering;
 
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::{CheckKind, strength::SurfaceStress};
 
-/// How serious a check is. Worse ones are greater.
+/// Severity of a check. Worse ones are greater.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Severity {
-    /// The limit is kept.
+    /// The limit is met.
     Ok,
     /// Worth knowing when the result is read.
     Note,
-    /// A limit is not kept by the required factor, the string buckles, or a number is less certain
+    /// A limit is not met by the required factor, the string buckles, or a number is less certain
     /// than it looks.
     Warning,
     /// The operation cannot be carried out, or the result must not be used.
@@ -20,7 +22,7 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// Every severity, growing.
+    /// Every severity, in increasing order.
     pub const ALL: [Self; 4] = [Self::Ok, Self::Note, Self::Warning, Self::Error];
 
     /// Name in results and on the screen.
@@ -37,10 +39,10 @@ impl Severity {
 /// The verdict of a check in words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Verdict {
-    /// The factor is kept.
+    /// The factor is met.
     #[serde(rename = "OK", alias = "kept")]
     Ok,
-    /// The factor is kept by less than a tenth.
+    /// The factor is met by less than a tenth.
     #[serde(rename = "marginal", alias = "near")]
     Marginal,
     /// The load is less than the capacity, but not by the required factor.
@@ -61,7 +63,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The word for people.
+    /// The word shown to users.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Ok => "OK",
@@ -90,42 +92,41 @@ pub(crate) const MARGINAL: f64 = 1.1;
 /// The same of tension: beyond 80 % of the yield, where 90 % is allowed (API RP 7G).
 const MARGINAL_TENSION: f64 = 0.9 / 0.8;
 
-/// One comparison of a result with what it must keep, in SI units, and its verdict.
+/// One comparison of a result with its limit, in SI units, and its verdict.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Check {
-    /// What is compared or reported.
+    /// Quantity that is compared, or state that is reported.
     pub kind: CheckKind,
-    /// How serious it is.
+    /// Its severity.
     pub severity: Severity,
     /// The verdict in words.
     pub verdict: Verdict,
-    /// The component; none of the rig and of the whole string.
+    /// The component; `None` for the rig and for the whole string.
     pub component: Option<String>,
-    /// Measured depth of the place, or of the upper end of its interval, m; none without a place.
+    /// Measured depth of the place, or of the upper end of its interval, m; `None` without a place.
     pub md_m: Option<f64>,
-    /// Measured depth of the lower end of its interval, m; none of a point and without a place.
+    /// Measured depth of the lower end of its interval, m; `None` for a point and without a place.
     pub to_md_m: Option<f64>,
-    /// The value, of a limit the load, in [`Self::unit`]; none where it is no number.
+    /// The value, for a limit the load, in [`Self::unit`]; `None` where it is not a number.
     pub value: Option<f64>,
-    /// What the value is compared with, of a limit the capacity; none where there is no such
-    /// number.
+    /// Number that the value is compared with, for a limit the capacity; `None` where there is no
+    /// such number.
     pub limit: Option<f64>,
-    /// Capacity over load; none of a kind that is no limit.
+    /// Capacity over load; `None` for a kind that is not a limit.
     pub factor: Option<f64>,
-    /// The required factor; none of a kind that is no limit.
+    /// The required factor; `None` for a kind that is not a limit.
     pub required: Option<f64>,
-    /// SI unit of value and limit; empty of a ratio.
+    /// SI unit of value and limit; empty for a ratio.
     pub unit: String,
     /// The check as a sentence in the user's units.
     pub sentence: String,
-    /// Of a von Mises stress, the point of the body and its stresses; not written.
+    /// The point of the body and its stresses, for a von Mises stress; not written.
     #[serde(skip)]
     pub stress: Option<SurfaceStress>,
 }
 
-/// A check as a file holds it; of earlier versions a finding (`level`, `message`) or a limit
-/// (`load`,
-/// `capacity`, `standing`).
+/// A check as stored in a file. Files of earlier versions store a finding (`level`, `message`) or a
+/// limit (`load`, `capacity`, `standing`).
 #[derive(Deserialize)]
 struct Stored {
     kind: CheckKind,
@@ -153,7 +154,7 @@ struct Stored {
     sentence: String,
 }
 
-/// A check as a checkpoint holds it: the fields of [`Check`] in their order, without names.
+/// A check as stored in a checkpoint: the fields of [`Check`] in their order, without names.
 #[derive(Deserialize)]
 struct Packed {
     kind: CheckKind,
@@ -240,7 +241,8 @@ impl Check {
         }
     }
 
-    /// A load against a capacity that must be larger by a factor; none where nothing loads it.
+    /// A load compared with a capacity that must be larger by a factor; `None` where there is no
+    /// load.
     pub(crate) fn load(kind: CheckKind, load: f64, capacity: f64, required: f64) -> Option<Self> {
         if load.is_nan() || load <= 0.0 || !capacity.is_finite() {
             return None;
@@ -267,7 +269,7 @@ impl Check {
         })
     }
 
-    /// A state that is reported by what reads or fits, with its sentence.
+    /// A state that is reported on reading or fitting, with its sentence.
     pub fn of_readings(
         kind: CheckKind,
         severity: Severity,
@@ -282,7 +284,7 @@ impl Check {
         Self { value: Some(value), ..self }
     }
 
-    /// The same with what the number is compared with.
+    /// The same with the number that the value is compared with.
     pub(crate) fn limit(self, limit: f64) -> Self {
         Self { limit: Some(limit), ..self }
     }
@@ -302,14 +304,14 @@ impl Check {
         Self { component: Some(name.to_owned()), ..self }
     }
 
-    /// The same, no more serious than that. The verdict in words stays: an exceeded limit is
-    /// exceeded, for however short a time.
+    /// The same with its severity limited to `most`. The verdict in words is unchanged: an exceeded
+    /// limit is exceeded, for however short a time.
     pub(crate) fn at_most(self, most: Severity) -> Self {
         Self { severity: self.severity.min(most), ..self }
     }
 
-    /// Factor over the required one: what the load may grow by, less than one where the factor is
-    /// not kept. Infinite of a kind that is no limit.
+    /// Factor over the required one, by which the load may still grow; less than one where the
+    /// required factor is not met. Infinite for a kind that is not a limit.
     pub fn reserve(&self) -> f64 {
         match (self.factor, self.required) {
             (Some(factor), Some(required)) => factor / required,
@@ -317,7 +319,19 @@ impl Check {
         }
     }
 
-    /// Whether it needs no attention: a limit that is kept.
+    /// Order of severity among checks of one kind: severity, then the lower reserve, then the value
+    /// that is farther on the wrong side of the number that it is compared with.
+    pub fn cmp_severity(&self, other: &Self) -> Ordering {
+        let excess = |check: &Self| {
+            let excess = check.value.unwrap_or(0.0) - check.limit.unwrap_or(0.0);
+            if check.kind.is_worse_below() { -excess } else { excess }
+        };
+        let reserve = other.reserve().total_cmp(&self.reserve());
+        let severity = self.severity.cmp(&other.severity).then(reserve);
+        severity.then_with(|| excess(self).total_cmp(&excess(other)))
+    }
+
+    /// Whether it needs no attention: a limit that is met.
     pub fn is_ok(&self) -> bool {
         self.severity == Severity::Ok
     }

@@ -4,19 +4,19 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Check, CheckKind, Severity, Unchecked};
 
-/// The checks of an operation, the most severe first, and what could not be checked.
+/// The checks of an operation, the most severe first, and the limits that could not be checked.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Checks {
-    /// Of each kind of limit one for each component that it concerns and those of the rig; then the
-    /// states that are reported.
+    /// For each kind of limit, one check for each component that it concerns and those of the rig;
+    /// then the reported states.
     pub checks: Vec<Check>,
-    /// What could not be checked.
+    /// Limits that could not be checked.
     pub unchecked: Vec<Unchecked>,
 }
 
 impl Checks {
-    /// The checks in the order in which people read them: the most severe first, among equals what
-    /// stops the operation, then why, as they were made.
+    /// Sorts the checks in the order in which people read them: the most severe first; among equals
+    /// those that stop the operation, then their causes, in the order in which they were made.
     pub(crate) fn ordered(mut self) -> Self {
         self.checks.sort_by_key(|check| std::cmp::Reverse(check.severity));
         self
@@ -42,20 +42,20 @@ impl Checks {
         self.checks.iter().filter(|check| check.factor.is_some())
     }
 
-    /// The most severe check that needs attention; none where all limits are kept.
+    /// The most severe check that needs attention; `None` where all limits are met.
     pub fn most_severe(&self) -> Option<&Check> {
         let open = self.checks.iter().filter(|check| !check.is_ok());
-        // The first of equals: `max_by_key` gives the last.
+        // Takes the first of equals, because `max_by_key` returns the last.
         open.rev().max_by_key(|check| check.severity)
     }
 
-    /// The checks of a result's summary: all that need attention, and of each kind of limit the one
-    /// with the least reserve.
+    /// The checks of a result's summary: all that need attention, and for each kind of limit the
+    /// one with the least reserve.
     pub fn governing_of_each_kind(&self) -> Vec<Check> {
         let governs =
             |check: &Check| self.worst(check.kind).is_some_and(|worst| std::ptr::eq(worst, check));
-        let shown = self.checks.iter();
-        shown
+        let selected = self.checks.iter();
+        selected
             .filter(|check| {
                 check.severity >= Severity::Warning || check.factor.is_none() || governs(check)
             })

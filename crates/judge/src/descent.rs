@@ -1,8 +1,8 @@
 //! Whether a string goes down: by its weight, with the block and the rig pushing, or not at all.
 //!
-//! One rule for every model and every command. The hook load of the solver, with the pull of the
-//! mud that it has, decides what the string needs at the top; the block (where its weight is known)
-//! and a rig that pushes decide what the top can give. Where the solver does not count the friction
+//! One rule serves every model and every command. The hook load of the solver, with its pull of the
+//! mud, decides how much the string needs at the top; the block (where its weight is known) and a
+//! rig that pushes decide how much the top can give. Where the solver does not count the friction
 //! of a helix, this rule does.
 
 use std::convert::Infallible;
@@ -19,16 +19,18 @@ use wholestring::{
 
 use crate::{Check, CheckKind, LimitSettings, Severity, Verdict, root::root, window::Window};
 
-/// Part of the string's buoyed weight below which a load is none: no indicator shows it.
+/// Part of the string's buoyed weight below which a load counts as zero, because no indicator shows
+/// it.
 const NONE: f64 = 1e-3;
 
 /// A string that goes down by less than this part of the block's travel does not follow it.
 const FOLLOWS: f64 = 0.1;
 
-/// Part of the requested weight, less than which does not arrive in a dynamic run.
+/// Part of the requested weight below which it counts as not reached in a dynamic run.
 const ARRIVES: f64 = 0.8;
 
-/// To this a stretch gives the solver's tension, N: a thousand of them miss a hook load by 1 mN.
+/// Accuracy to which a stretch reproduces the solver's tension, N: a thousand stretches miss a hook
+/// load by 1 mN.
 const EXACT_N: f64 = 1e-6;
 
 /// First trial of the force along a stretch that locks up without it, N.
@@ -37,35 +39,35 @@ const LARGE_N: f64 = 1e5;
 /// Doublings of that force until it is too large.
 const MAX_DOUBLINGS: usize = 30;
 
-/// What drives a string down, what holds it back, and what arrives at the bit.
+/// Forces that drive a string down, forces that hold it back, and the weight that reaches the bit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Descent {
     /// Hook load without the block, N.
     pub hook_load_N: f64,
-    /// Weight of the block, N; none where it is not known.
+    /// Weight of the block, N; `None` where it is not known.
     pub block_N: Option<f64>,
-    /// Largest push of a rig that pushes, N; none of a rig that only carries.
+    /// Largest push of a rig that pushes, N; `None` for a rig that only carries.
     pub injector_N: Option<f64>,
-    /// Friction along the hole, N.
+    /// Axial friction, N.
     pub drag_N: f64,
     /// Requested weight on bit, N.
     pub requested_N: f64,
-    /// Weight that arrives at the bit with the whole string slacked off, block and rig pushing, N;
-    /// negative by what is missing to move the string.
+    /// Weight that reaches the bit with the whole string slacked off, block and rig pushing, N;
+    /// negative by the force that is missing to move the string.
     pub arrives_N: f64,
     /// Measured depth above which the helix absorbs any push, m.
     pub absorbed_above_md_m: Option<f64>,
-    /// Whether it does not get there: the string locks up.
+    /// Whether the string locks up before it reaches its depth.
     pub locks_up: bool,
-    /// Whether its own weight drives it, or a rig whose work is to push.
+    /// Whether its own weight drives it down, or a rig whose purpose is to push.
     pub by_its_weight: bool,
-    /// Whether it is an answer in time.
+    /// Whether the result is that of a dynamic run.
     pub in_time: bool,
 }
 
 impl Descent {
-    /// Of a state of equilibrium with this hook load and axial friction, N. None of a string
-    /// that does not slide down.
+    /// Descent in a static equilibrium with this hook load and axial friction, N. `None` for a
+    /// string that does not slide down.
     pub fn at_rest(
         model: &Model,
         operation: &Operation,
@@ -94,8 +96,9 @@ impl Descent {
         })
     }
 
-    /// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack,
-    /// or the rig pushes with all it has, and the string stops or does not press on the bit.
+    /// Descent in a dynamic run, whose wall forces are those of the string as it lies: the hook is
+    /// slack, or the rig pushes with its full force, and the string stops or does not press on the
+    /// bit.
     pub fn in_time(model: &Model, operation: &Operation, window: &Window<'_>) -> Option<Self> {
         if !operation.slides_down() {
             return None;
@@ -140,7 +143,8 @@ impl Descent {
         }
     }
 
-    /// The limit: friction and requested weight against friction and the weight that arrives.
+    /// The lock-up limit: friction and requested weight compared with friction and the weight that
+    /// reaches the bit.
     pub(crate) fn lock_up(
         &self,
         model: &Model,
@@ -153,7 +157,7 @@ impl Descent {
         let check = Check::load(CheckKind::LockUp, load_N, capacity_N, required)?;
         let check = match self.locks_up {
             true => Check { verdict: Verdict::Exceeded, severity: Severity::Error, ..check },
-            // What rounding makes of a string that gets there.
+            // Rounding alone, for a string that reaches its depth.
             false if check.verdict == Verdict::Exceeded => {
                 Check { verdict: Verdict::Marginal, severity: Severity::Note, ..check }
             }
@@ -169,8 +173,8 @@ impl Descent {
     }
 }
 
-/// A requested weight on bit that the string does not have even without friction: with the bit so
-/// shallow nothing can be said of friction.
+/// A requested weight on bit that the string does not have even without friction; with the bit so
+/// shallow no statement on friction is possible.
 pub(crate) fn weight_not_available(
     model: &Model,
     operation: &Operation,
@@ -186,8 +190,8 @@ pub(crate) fn weight_not_available(
     (requested_N > 0.0 && left_N < -NONE * weight_N(model)).then(check)
 }
 
-/// Whether a string goes down by its weight: of every operation that goes down, and of another
-/// where nothing hangs on the hook. A block or a rig that pushes makes it a warning.
+/// Whether a string goes down by its weight: for every operation that goes down, and for any other
+/// one in which the hook load is not positive. A block or a rig that pushes makes it a warning.
 pub(crate) fn goes_down(
     model: &Model,
     operation: &Operation,
@@ -211,7 +215,7 @@ pub(crate) fn goes_down(
     (goes_down || !hangs).then(check)
 }
 
-/// The same of a dynamic run that goes slack at times only.
+/// The same for a dynamic run that goes slack only at times.
 pub(crate) fn goes_slack(model: &Model, window: &Window<'_>) -> Option<Check> {
     let least_N = window.statistic("hook_load_N")?.min;
     let limit_N = 0.0 - model.rig.push_N();
@@ -229,7 +233,7 @@ fn weight_N(model: &Model) -> f64 {
     weights.sum()
 }
 
-/// The least hook load of a string that goes down. A rig that pushes does so up to its force.
+/// The smallest hook load of a string that goes down. A rig that pushes does so up to its force.
 fn least_hook_load_N(model: &Model) -> f64 {
     match model.rig.snubbing_force_N {
         Some(push_N) => -push_N * (1.0 - NONE),
@@ -248,10 +252,10 @@ fn follows(window: &Window<'_>) -> bool {
     block_travel_m <= 0.0 || went_m >= FOLLOWS * block_travel_m
 }
 
-/// The string in stretches that give the solver's own tension: what the solver counts and a stretch
-/// does not (the pull of the mud, friction of a wall load by another rule) is a force along it. So
-/// the string goes down by this rule where it does by the hook load; the friction of a helix that
-/// the solver does not count comes on top.
+/// Divides the string into stretches that reproduce the solver's own tension. Effects that the
+/// solver counts and a stretch does not (the pull of the mud, friction of a wall load by another
+/// rule) become a force along the stretch. The string therefore goes down by this rule where it
+/// does by the hook load; the friction of a helix that the solver does not count is added.
 fn calibrated(
     model: &Model,
     operation: &Operation,
@@ -269,8 +273,8 @@ fn calibrated(
     stretches
 }
 
-/// Adds to a stretch the force along it with which its compression at the lower end becomes that
-/// at the upper, N: with the wall load of a helix where the solver counts that.
+/// Adds to a stretch the axial force, N, with which its compression at the lower end becomes that
+/// at the upper end; includes the wall load of a helix where the solver counts that.
 fn correct(
     stretch: &mut Segment,
     [lower_N, upper_N]: [f64; 2],
@@ -279,8 +283,8 @@ fn correct(
 ) {
     let length_m = stretch.length_m;
     let plain = *stretch;
-    // By how much too large the compression becomes at the upper end. It falls with the force, but
-    // not evenly where the helix begins within the stretch.
+    // Excess of the compression at the upper end. It falls with the force, but not evenly where the
+    // helix begins within the stretch.
     let excess_N = |force_N: f64| {
         let weight_along_N_per_m = plain.weight_along_N_per_m + force_N / length_m;
         let stretch = Segment { weight_along_N_per_m, ..plain };
@@ -296,7 +300,7 @@ fn correct(
     stretch.weight_along_N_per_m += zero(excess_N) / length_m;
 }
 
-/// The force at which a function that falls by about as much as it grows is zero, N.
+/// The force, N, at which a function that falls by about as much as the force grows is zero.
 fn zero(function_N: impl Fn(f64) -> f64) -> f64 {
     let at_none = (0.0, function_N(0.0));
     if at_none.1.abs() <= EXACT_N {

@@ -5,10 +5,11 @@ use wholestring_units::{Dimension, UnitSet};
 
 use crate::quantities::{deviation, shown, symbol};
 
-/// Travel of the bit in the window from which it is named as what may change a mean, m.
+/// Travel of the bit in the window, m, from which it is named as a possible cause of a changing
+/// mean.
 const TRAVELS_M: f64 = 1.0;
 
-/// Scalars that drift over the window, as a sentence; none where none of the table does.
+/// Scalars that drift over the window, as a sentence; `None` where no scalar of the table does.
 pub fn sentence(
     statistics: &[(&str, Statistic)],
     bit_travel_m: f64,
@@ -22,10 +23,10 @@ pub fn sentence(
             let (_, statistic) =
                 known.find(|(name, statistic)| *name == quantity.name && statistic.drifts)?;
             let verb = if statistic.drift < 0.0 { "falls" } else { "rises" };
-            let shown = deviation(shown(quantity.kind, statistic.drift.abs(), units));
+            let change = deviation(shown(quantity.kind, statistic.drift.abs(), units));
             let symbol = symbol(quantity.kind, units);
             let label = scalar.label.to_lowercase();
-            Some(format!("{label} {verb} by {shown} {symbol}"))
+            Some(format!("{label} {verb} by {change} {symbol}"))
         })
         .collect();
     let (first, rest) = drifts.split_first()?;

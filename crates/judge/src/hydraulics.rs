@@ -1,11 +1,11 @@
-//! Numbers of the hydraulics that no mud makes.
+//! Numbers of the hydraulics that are physically implausible.
 
 use wholestring::mud::Hydraulics;
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{Check, CheckKind, Severity};
 
-/// A check of the first number of the hydraulics that is beyond what mud makes.
+/// A check of the first number of the hydraulics that is outside the range of drilling muds.
 pub(crate) fn implausible(hydraulics: &Hydraulics, units: UnitSet) -> Option<Check> {
     let (name, value) = hydraulics.implausible()?;
     let ranges = Hydraulics::PLAUSIBLE.iter();
@@ -27,7 +27,8 @@ pub(crate) fn implausible(hydraulics: &Hydraulics, units: UnitSet) -> Option<Che
     Some(Check::of_readings(CheckKind::ImplausibleHydraulics, Severity::Error, numbers, sentence))
 }
 
-/// A number's name in words, its quantity and the dimension of that: the name ends with its unit.
+/// A number's name in words, its quantity and the dimension of that quantity: the name ends with
+/// its unit.
 fn described(name: &str) -> (String, &'static str, Dimension) {
     let (stem, noun, dimension) = match (name.strip_suffix("_N_m"), name.strip_suffix("_Pa")) {
         (Some(stem), _) => (stem, "torque", Dimension::Torque),

@@ -1,13 +1,13 @@
-//! Stretches of depth on which something is beyond its limit.
+//! Stretches of depth on which a quantity exceeds its limit.
 
-/// Two stretches nearer than this are reported as one, m: critical loads jump where a hole or a
-/// string changes, and so come in pieces.
+/// Stretches closer together than this are reported as one, m: critical loads jump where the hole
+/// or the string changes, which splits a stretch into pieces.
 const MERGED_M: f64 = 100.0;
 
 /// A stretch of measured depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
-    /// Where it begins and ends, m.
+    /// Its two ends, m.
     pub md_m: [f64; 2],
     /// Row where the measure is largest.
     pub worst: usize,
@@ -80,7 +80,7 @@ mod tests {
                 Interval { md_m: [1300.0, 1600.0], worst: 8 }
             ]
         );
-        // What is near is one.
+        // Stretches that are close together are merged.
         let near: Vec<f64> = md_m.iter().map(|md| 0.1 * md).collect();
         let found = beyond_one(&near, &measure);
         assert_eq!(found, [Interval { md_m: [10.0, 160.0], worst: 8 }]);

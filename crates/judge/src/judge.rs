@@ -1,4 +1,4 @@
-//! The judge: from the answer of a solver to its checks.
+//! The judge: derives the checks from a solver's result.
 
 use wholestring::{
     dynamics::DynamicsSettings,
@@ -25,36 +25,39 @@ use crate::{
     window::Window,
 };
 
-/// Compares answers of the solvers with what they must keep, and says it in the units of a user.
+/// Compares results of the solvers with their limits and words the verdicts in the user's units.
 ///
 /// Each method returns the checks of one operation, the most severe first.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Judge {
-    /// What limits are compared with.
+    /// Settings of the limits.
     pub limits: LimitSettings,
     /// Units of the sentences.
     pub units: UnitSet,
-    /// Whether the soft string counts the friction of its helix, so that it need not be counted
+    /// Whether the soft string counts the friction of its helix, so that it is not counted again
     /// here.
     pub soft_has_helix_friction: bool,
 }
 
-/// How far an operation goes.
+/// Depth that an operation reaches.
 #[derive(Debug, Clone, Copy)]
 pub struct Reached<'a> {
-    /// The operation, for people.
+    /// The operation, as shown to users.
     pub operation: &'a str,
-    /// Depth of the bit where it is stopped, m, and what stops it; none where nothing does.
+    /// Depth of the bit at which it is stopped, m, and the limit that stops it; `None` where none
+    /// does.
     pub stopped: Option<(f64, &'a str)>,
     /// First depth that was tried, m.
     pub from_m: f64,
+    /// Depth of the bit of the case's operation, m, which a planned well must reach.
+    pub planned_m: f64,
     /// Last depth that was tried, m.
     pub to_m: f64,
 }
 
 impl Judge {
-    /// The judge with these limits and units, of a soft string that leaves the friction of its
-    /// helix out.
+    /// Creates a judge with these limits and units, for a soft string that leaves out the friction
+    /// of its helix.
     pub fn new(limits: LimitSettings, units: UnitSet) -> Self {
         Self { limits, units, soft_has_helix_friction: false }
     }
@@ -64,7 +67,7 @@ impl Judge {
         let solution = Solution::from(profile);
         let mut checks = self.at_rest(model, operation, &solution);
         checks.checks.extend(lateral_force::left_out(model));
-        self.said(checks, model, &solution)
+        self.worded(checks, model, &solution)
     }
 
     /// The checks of a stiff string.
@@ -76,10 +79,10 @@ impl Judge {
         checks.checks.extend(numerics::element_buckles(element));
         let deepest = profile.deepest_penetration_m;
         checks.checks.extend(numerics::penetration_at_rest(model, deepest));
-        self.said(checks, model, &solution)
+        self.worded(checks, model, &solution)
     }
 
-    /// The checks of a dynamic run that was computed to its end; none of a run without a sample in
+    /// The checks of a dynamic run that was computed to its end; none for a run without a sample in
     /// its window.
     pub fn dynamic(
         &self,
@@ -98,8 +101,8 @@ impl Judge {
         let goes_down = descent::goes_down(model, operation, hook_load_N, descent.as_ref());
         let slack = || descent::goes_slack(model, &window);
         checks.checks.extend(goes_down.filter(|check| !check.is_ok()).or_else(slack));
-        // How near a string in motion is to it, nobody knows: what its hook load leaves is
-        // friction.
+        // The margin to lock-up of a moving string is not known: the part that its hook load leaves
+        // is friction.
         let locked = descent.as_ref().filter(|descent| descent.locks_up);
         let words = self.words(model, solution);
         checks.checks.extend(self.lock_up(model, operation, locked, &words));
@@ -108,7 +111,7 @@ impl Judge {
         checks.checks.extend(motion::checks(settings, &window));
         checks.checks.extend(numerics::checks(model, solution, &window));
         checks.checks.extend(steadiness::checks(operation, window.run()));
-        self.said(checks, model, solution)
+        self.worded(checks, model, solution)
     }
 
     /// The checks of a bottom-hole assembly in static equilibrium: its largest von Mises stress,
@@ -132,7 +135,7 @@ impl Judge {
         with_sentences(checks, &words)
     }
 
-    /// The checks of a string whose linear vibration about static equilibrium grow or not.
+    /// The checks of a string whose linear vibration about static equilibrium grows or decays.
     pub fn small_motions(&self, model: &Model, is_stable: bool) -> Checks {
         let check = || Check::reported(CheckKind::UnstableEquilibrium, Severity::Warning);
         let checks = (!is_stable).then(check).into_iter().collect();
@@ -140,14 +143,14 @@ impl Judge {
         with_sentences(Checks { checks, unchecked: Vec::new() }, &words)
     }
 
-    /// The check of how far an operation goes: to a depth of the bit, m, where a limit stops it, or
-    /// to the last depth that was tried, `to_m`. An operation that is stopped at the first depth
-    /// already is an error.
+    /// The check of the depth that an operation reaches: the depth of the bit, m, at which a limit
+    /// stops it, or the last depth that was tried, `to_m`. An operation that is stopped at the
+    /// first depth already, or above the planned depth, is an error.
     pub fn reach(&self, reach: &Reached<'_>) -> Check {
-        let Reached { operation, stopped, to_m, from_m } = *reach;
+        let Reached { operation, stopped, to_m, from_m, planned_m } = *reach;
         let severity = match stopped {
             None => Severity::Ok,
-            Some((depth_m, _)) if depth_m <= from_m => Severity::Error,
+            Some((depth_m, _)) if depth_m <= from_m || depth_m < planned_m => Severity::Error,
             Some(_) => Severity::Note,
         };
         let text = Text { units: self.units };
@@ -155,6 +158,10 @@ impl Judge {
             None => format!("{operation}: nothing stops it down to {}", text.depth(to_m)),
             Some((depth_m, limit)) if depth_m <= from_m => {
                 format!("{operation}: stopped at {} already: {limit}", text.depth(depth_m))
+            }
+            Some((depth_m, limit)) if depth_m < planned_m => {
+                let [depth, planned] = [depth_m, planned_m].map(|md_m| text.depth(md_m));
+                format!("{operation}: stopped at {depth}, short of the planned {planned}: {limit}")
             }
             Some((depth_m, limit)) => {
                 format!(
@@ -167,14 +174,19 @@ impl Judge {
         Check { sentence, ..Check::reported(CheckKind::Reach, severity).value(depth_m).limit(to_m) }
     }
 
-    /// The verdict on an operation for which a model has no answer.
+    /// The reason why a model has no result, in a sentence.
+    pub fn reason(&self, why: &NoAnswer) -> String {
+        crate::sentence::unsolved(why, &why.check(&self.limits), self.units)
+    }
+
+    /// The verdict on an operation for which a model has no result.
     pub fn unsolved(&self, why: &NoAnswer) -> Checks {
         let check = why.check(&self.limits);
-        let sentence = crate::sentence::unsolved(why, &check, self.units);
+        let sentence = self.reason(why);
         Checks { checks: vec![Check { sentence, ..check }], unchecked: Vec::new() }
     }
 
-    /// The limits of any answer, and whether it goes down.
+    /// The limits of any result, and whether the string goes down.
     pub fn limits(&self, model: &Model, operation: &Operation, solution: &Solution<'_>) -> Checks {
         let checks = match solution.in_time {
             None => self.at_rest(model, operation, solution),
@@ -185,10 +197,10 @@ impl Judge {
                 checks
             }
         };
-        self.said(checks, model, solution)
+        self.worded(checks, model, solution)
     }
 
-    /// The same of a soft string of which nothing but its loads is known.
+    /// The same for a soft string of which only the loads are known.
     pub fn soft_limits(&self, model: &Model, operation: &Operation, loads: &SoftLoads) -> Checks {
         let mut checks = Checks::default();
         let surface_N = [loads.hook_load_N, loads.axial_friction_N];
@@ -200,7 +212,7 @@ impl Judge {
         with_sentences(checks, &words)
     }
 
-    /// Whether and how the string goes down; none of one that does not slide down.
+    /// Whether and how the string goes down; `None` for one that does not slide down.
     pub fn descent(
         &self,
         model: &Model,
@@ -223,7 +235,7 @@ impl Judge {
             || model == ModelKind::Soft && self.soft_has_helix_friction
     }
 
-    /// The checks of a state of equilibrium, without sentences but that of lock-up.
+    /// The checks of a static equilibrium, without sentences except that of lock-up.
     fn at_rest(&self, model: &Model, operation: &Operation, solution: &Solution<'_>) -> Checks {
         let mut checks = Checks::default();
         let surface_N = [solution.scalars.hook_load_N, solution.scalars.axial_friction_N];
@@ -234,8 +246,8 @@ impl Judge {
         checks
     }
 
-    /// Adds whether a string goes down, of a state of equilibrium with this hook load and friction
-    /// along the hole, N.
+    /// Adds whether a string goes down, for a static equilibrium with this hook load and axial
+    /// friction, N.
     fn add_descent(
         &self,
         model: &Model,
@@ -288,7 +300,7 @@ impl Judge {
         Words::of_solution(&model.rig, self.units, solution, helix)
     }
 
-    fn said(&self, checks: Checks, model: &Model, solution: &Solution<'_>) -> Checks {
+    fn worded(&self, checks: Checks, model: &Model, solution: &Solution<'_>) -> Checks {
         with_sentences(checks, &self.words(model, solution))
     }
 }

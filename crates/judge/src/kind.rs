@@ -2,17 +2,17 @@
 
 use wholestring::outcome::QuantityKind;
 
-/// What it means that the load of a limit is larger than its capacity.
+/// Consequence of a load that is larger than its capacity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Consequence {
     /// Something breaks, or the operation stops.
     Stops,
-    /// The string buckles, or a requested reserve is not there; the operation goes on.
+    /// The string buckles, or a requested reserve is missing; the operation continues.
     Continues,
 }
 
-/// Declares limits and findings: for programs a name, for people a label, the kind of quantity; for
-/// limits besides the consequence, the required factor by default and its meaning.
+/// Declares limits and findings: a name for programs, a label for people and the kind of quantity;
+/// for limits also the consequence, the required factor by default and its meaning.
 macro_rules! kinds {
     (
         limits {
@@ -23,7 +23,7 @@ macro_rules! kinds {
             $($(#[$meaning:meta])* $finding:ident = $name:ident, $label:literal: $quantity:ident;)+
         }
     ) => {
-        /// What a check compares or reports.
+        /// Quantity that a check compares, or state that it reports.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum CheckKind {
             $($(#[$about])* $limit,)+
@@ -61,7 +61,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// Consequence of an exceeded limit; none of a kind that is no limit.
+            /// Consequence of an exceeded limit; `None` for a kind that is not a limit.
             pub const fn consequence(self) -> Option<Consequence> {
                 match self {
                     $(Self::$limit => Some(Consequence::$consequence),)+
@@ -83,7 +83,7 @@ macro_rules! kinds {
         }
 
         impl DesignFactors {
-            /// The required factor of a kind; one of a kind that is no limit.
+            /// The required factor of a kind; one for a kind that is not a limit.
             pub const fn required(&self, kind: CheckKind) -> f64 {
                 match kind {
                     $(CheckKind::$limit => self.$limit_name,)+
@@ -136,11 +136,10 @@ kinds! {
         SinusoidalBuckling = sinusoidal_buckling, "Sinusoidal buckling": Force, Continues, 1.0;
         /// Compression against the critical load of helical buckling. Default 1.
         HelicalBuckling = helical_buckling, "Helical buckling": Force, Continues, 1.0;
-        /// Of a string that slides down: friction and the requested weight on bit, against what
-        /// drives it down, its own weight, the block and a rig that pushes. Default 1.
+        /// Friction and requested weight on bit of a string that slides down, against its drive:
+        /// its own weight, the block and a rig that pushes. Default 1.
         LockUp = lock_up, "Lock-up": Force, Stops, 1.0;
-        /// Requested overpull against what the string and the hoist have left of what they are
-        /// allowed. Default 1.
+        /// Requested overpull against the allowable that string and hoist have left. Default 1.
         Overpull = overpull, "Overpull margin": Force, Continues, 1.0;
     }
     findings {
@@ -191,8 +190,8 @@ kinds! {
         LateralForceLeftOut = lateral_force_left_out, "Lateral force left out": Force;
         /// An equilibrium that a small disturbance would leave.
         UnstableEquilibrium = unstable_equilibrium, "Unstable equilibrium": Ratio;
-        /// A number of the hydraulics that no mud makes, such as the pressure of a sliver of bore;
-        /// a value where it is a pressure.
+        /// A physically implausible number of the hydraulics, such as the pressure of a sliver of
+        /// bore; a value where it is a pressure.
         ImplausibleHydraulics = implausible_hydraulics, "Implausible hydraulics": Pressure;
         /// Means of the window drift: they depend on when it began.
         WindowDrifts = window_drifts, "Window drifts": Ratio;
@@ -218,21 +217,21 @@ kinds! {
         BlockNotInReadings = block_not_in_readings, "Block not in readings": Ratio;
         /// A block that weighs nothing or less.
         NoBlock = no_block, "No block": Ratio;
-        /// A hole in which friction changes nothing that was read.
+        /// A hole in which friction changes none of the readings.
         NoFriction = no_friction, "No friction": Ratio;
         /// A reading far from its prediction.
         Outlier = outlier, "Outlier": Ratio;
-        /// Outliers that a robust loss finds, and what is found without them.
+        /// Outliers that a robust loss detects, and the result without them.
         Outliers = outliers, "Outliers": Ratio;
         /// Two parameters that the readings hardly distinguish.
         NotToldApart = not_told_apart, "Parameters not distinguished": Ratio;
         /// A fragment that the case would refuse.
         CaseFragment = fragment, "Case fragment": Ratio;
-        /// Readings beside the string in motion.
+        /// Readings compared with the dynamic run.
         CheckByDynamics = dynamics, "Check by the dynamics": Ratio;
         /// Work that was interrupted.
         Interrupted = interrupted, "Interrupted": Ratio;
-        /// More outliers than a robust loss can tell from readings.
+        /// More outliers than a robust loss can distinguish from readings.
         TooManyOutliers = too_many_outliers, "Too many outliers": Ratio;
         /// An estimated error that no instrument has.
         EstimatedError = estimated_error, "Estimated error": Ratio;
@@ -246,9 +245,9 @@ kinds! {
         BlockWeight = block_weight, "Block weight": Ratio;
         /// A bit depth that is rounded beyond the end of hole and survey.
         RoundedDepth = rounded_depth, "Rounded depth": Ratio;
-        /// A point of a bit test, or of an assembly's sweep, without an answer.
+        /// A point of a bit test, or of an assembly's sweep, without a result.
         PointFailed = point_failed, "Point without an answer": Ratio;
-        /// A bit that breaks nothing of the rock.
+        /// A bit that breaks no rock.
         BitDoesNotDrill = bit_does_not_drill, "Bit does not drill": Ratio;
         /// Kinetic energy of the rock, over the work of its deformation.
         RockKineticEnergy = rock_kinetic_energy, "Kinetic energy of the rock": Ratio;
@@ -268,7 +267,7 @@ const FORMER_NAMES: [(&str, CheckKind); 4] = [
 ];
 
 impl CheckKind {
-    /// Whether something breaks or stops where it is exceeded.
+    /// Whether exceeding it breaks something or stops the operation.
     pub const fn stops(self) -> bool {
         matches!(self.consequence(), Some(Consequence::Stops))
     }
@@ -278,12 +277,18 @@ impl CheckKind {
         self.consequence().is_some()
     }
 
-    /// SI unit of value and limit; empty of a ratio.
+    /// Whether a reported state is the worse the lower its value is; the others are the worse the
+    /// higher.
+    pub(crate) const fn is_worse_below(self) -> bool {
+        matches!(self, Self::GoesDown)
+    }
+
+    /// SI unit of value and limit; empty for a ratio.
     pub const fn unit(self) -> &'static str {
         self.quantity().unit()
     }
 
-    /// The kind of a name, those of earlier versions included.
+    /// The kind with this name, names of earlier versions included.
     pub fn named(name: &str) -> Option<Self> {
         let now = Self::ALL.iter().copied().find(|kind| kind.name() == name);
         let former = || FORMER_NAMES.iter().find(|(former, _)| *former == name);

@@ -4,7 +4,8 @@ use wholestring::model::Model;
 
 use crate::{Check, CheckKind, Severity};
 
-/// Of the soft string, which has no stiffness that could carry them.
+/// Reports the lateral forces that the soft string leaves out, because it has no stiffness that
+/// could carry them.
 pub fn left_out(model: &Model) -> Option<Check> {
     let components = model.string.components().iter();
     let forces = components.filter_map(|component| component.lateral_force);

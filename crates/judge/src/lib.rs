@@ -1,12 +1,12 @@
-//! Verdicts on a solved operation: what exceeds a limit, what stops the string, and what a result
-//! can be trusted for.
+//! Verdicts on a solved operation: exceeded limits, causes of a stop, and the reliability of a
+//! result.
 //!
-//! A [`Judge`] compares the answer of a solver with the strength of the string, the ratings of the
-//! rig and the critical loads of its place. Each comparison is a [`Check`]: kind, severity, place,
-//! value, limit, factor, required factor and one sentence in the user's units. A limit that is kept
-//! and a state that forbids the operation are the same type, so that a run, a plan, a reach and
-//! every front show one verdict in one wording. What could not be compared is an [`Unchecked`] with
-//! the number that is missing.
+//! A [`Judge`] compares the result of a solver with the strength of the string, the ratings of the
+//! rig and the critical loads at each depth. Each comparison is a [`Check`]: kind, severity, place,
+//! value, limit, factor, required factor and one sentence in the user's units. A limit that is met
+//! and a state that forbids the operation have the same type, so that a run, a plan, a reach and
+//! every front show one verdict in one wording. A limit that could not be compared is an
+//! [`Unchecked`] with the number that is missing.
 //!
 //! Theory and sources: `docs/src/findings.md`, `docs/src/theory/strength.md`.
 #![warn(missing_docs)]

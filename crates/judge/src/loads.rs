@@ -13,7 +13,7 @@ use crate::{strength::BodyLoads, window::Window};
 /// Two places nearer than this are one, m.
 const SAME_M: f64 = 1e-6;
 
-/// A load at the surface. Of a state of equilibrium there is one value.
+/// A load at the surface. A static equilibrium has a single value.
 #[derive(Debug, Clone, Copy)]
 pub struct SurfaceLoad {
     /// Its mean over the window.
@@ -28,21 +28,21 @@ impl SurfaceLoad {
     }
 }
 
-/// The loads of an operation. Of dynamics they are the 95th percentile of tension and torque and
-/// the largest moment, stress, hook load and surface torque of any sample; of a string at rest
-/// there is one value.
+/// The loads of an operation. For a dynamic run they are the 95th percentile of tension and torque
+/// and the largest moment, stress, hook load and surface torque of any sample; a static equilibrium
+/// has a single value.
 pub struct Loads<'a> {
     pub profile: &'a Profile,
     /// Hook load, N, block excluded.
     pub hook_load_N: SurfaceLoad,
     /// Magnitude of the surface torque, N·m.
     pub surface_torque_N_m: SurfaceLoad,
-    /// Pressure that the pump delivers at, Pa; none without a rheology.
+    /// Discharge pressure of the pump, Pa; `None` without a rheology.
     pub pump_pressure_Pa: Option<SurfaceLoad>,
-    /// Pressures and forces of the mud; none without a rheology.
+    /// Pressures and forces of the mud; `None` without a rheology.
     pub hydraulics: Option<Hydraulics>,
-    /// Components at each row, from the bit: the one above first, the one below where two meet
-    /// there.
+    /// Components at each row, from the bit: the one above first, then the one below where two
+    /// meet.
     components: Vec<(usize, Option<usize>)>,
     soft: bool,
 }
@@ -79,7 +79,7 @@ impl<'a> Loads<'a> {
         }
     }
 
-    /// Of a soft string of which nothing else is known.
+    /// The loads of a soft string of which nothing else is known.
     pub fn of_soft(model: &Model, operation: &Operation, loads: &'a SoftLoads) -> Self {
         let SoftLoads { hook_load_N, surface_torque_N_m, hydraulics, profile, .. } = loads;
         let pump_Pa = hydraulics.map(|hydraulics| hydraulics.pump_pressure_Pa);
@@ -111,7 +111,7 @@ impl<'a> Loads<'a> {
         value(&p.torque_N_m).max(value(&p.torque_p05_N_m)).max(value(&p.torque_p95_N_m))
     }
 
-    /// Largest von Mises stress of any sample, Pa; known of dynamics.
+    /// Largest von Mises stress of any sample, Pa; known for a dynamic run.
     pub fn largest_von_mises_Pa(&self, row: usize) -> Option<f64> {
         self.profile.von_mises_stress_max_Pa.get(row).copied()
     }
@@ -143,14 +143,14 @@ impl<'a> Loads<'a> {
         self.components[row].0
     }
 
-    /// Whether a row's bending moment is that of this component: a soft string bends each as the
-    /// hole does, so that where two meet the moment is that of the one above.
+    /// Whether a row's bending moment belongs to this component: a soft string bends each component
+    /// as the hole does, so that where two meet the moment is that of the one above.
     pub fn bends(&self, row: usize, component: usize) -> bool {
         !self.soft || self.components[row].0 == component
     }
 }
 
-/// Components at each row, from the bit: the one above first, the one below where two meet there.
+/// Components at each row, from the bit: the one above first, then the one below where two meet.
 fn components(
     model: &Model,
     operation: &Operation,

@@ -1,4 +1,4 @@
-//! How the string turns: stalls, stick-slip, whirl.
+//! Checks of the string's rotation: stall, stick-slip and whirl.
 
 use wholestring::{
     dynamics::{DynamicsSettings, StickSlip, Whirl},
@@ -11,13 +11,13 @@ use crate::{
     window::{Window, share},
 };
 
-/// A top drive slower than this part of its set speed does not turn, ...
-const STANDS: f64 = 0.1;
+/// A top drive slower than this part of its set speed counts as not turning.
+const NOT_TURNING: f64 = 0.1;
 
-/// ... and stalls where it stands for more than this share of the time.
+/// A top drive that does not turn for more than this share of the time stalls.
 const STALLED: f64 = 0.5;
 
-/// A torque of this part of the limit is the limit: what is left is the inertia of the drive.
+/// A torque of this part of the limit counts as the limit: the rest is the inertia of the drive.
 const AT_LIMIT: f64 = 0.98;
 
 /// A share of the time at the limit that is reported.
@@ -29,17 +29,17 @@ const SEVERE: f64 = 0.5;
 /// A severity at which the bit just stops.
 const STOPS: f64 = 1.0;
 
-/// A bit that stands for more than this share of the time does not turn.
+/// A bit that is stuck for more than this share of the time counts as not turning.
 const STUCK: f64 = 0.95;
 
-/// Of all that turns.
+/// Returns the checks of all parts that rotate.
 pub fn checks(settings: &DynamicsSettings, window: &Window<'_>) -> Vec<Check> {
     let mut found = Vec::new();
     let limit = top_drive(settings, window);
     let stalled = limit.as_ref().is_some_and(|check| check.kind == CheckKind::TopDriveStalled);
     found.extend(limit);
     let indicators = window.run().indicators;
-    // What a stalled drive does to the bit is no stick-slip.
+    // The effect of a stalled drive on the bit is not stick-slip.
     let of_bit = indicators.stick_slip.filter(|_| !stalled);
     found.extend(of_bit.and_then(|found| stick_slip(&found)));
     let speed = window.statistic("bit_rotary_speed_rad_per_s");
@@ -57,25 +57,25 @@ const SET_SPEED: &Column<TimeSeries> = Column::named(TIME_SERIES, "rotary_speed_
 const SPEED: &Column<TimeSeries> = Column::named(TIME_SERIES, "rotary_speed_rad_per_s");
 const TORQUE: &Column<TimeSeries> = Column::named(TIME_SERIES, "surface_torque_N_m");
 
-/// A top drive that gives all that it may.
+/// A top drive that delivers its full torque.
 fn top_drive(settings: &DynamicsSettings, window: &Window<'_>) -> Option<Check> {
     let limit_N_m = settings.top_drive.torque_limit_N_m()?;
     let [set, speed, torque_N_m] = [SET_SPEED, SPEED, TORQUE].map(|column| window.scalar(column));
-    let stands = window.share_of(
+    let stopped_share = window.share_of(
         [SET_SPEED, SPEED],
         |[set, _]| set > 0.0,
-        |[set, speed]| speed < STANDS * set,
+        |[set, speed]| speed < NOT_TURNING * set,
     );
     let at_limit = share(&torque_N_m, |torque| torque.abs() >= AT_LIMIT * limit_N_m);
     let found = |kind, severity, torque_N_m: f64| {
         Some(Check::reported(kind, severity).value(torque_N_m).limit(limit_N_m))
     };
     let mean_N_m = mean(&torque_N_m).abs();
-    if stands > STALLED && mean_N_m >= STANDS * limit_N_m {
+    if stopped_share > STALLED && mean_N_m >= NOT_TURNING * limit_N_m {
         return found(CheckKind::TopDriveStalled, Severity::Error, mean_N_m);
     }
     if at_limit > OFTEN {
-        let slow = mean(&speed) < (1.0 - STANDS) * mean(&set);
+        let slow = mean(&speed) < (1.0 - NOT_TURNING) * mean(&set);
         let severity = if slow { Severity::Error } else { Severity::Warning };
         let largest_N_m = window.largest_torque_N_m();
         return found(CheckKind::TopDriveAtLimit, severity, largest_N_m);
@@ -95,7 +95,8 @@ fn stick_slip(found: &StickSlip) -> Option<Check> {
     })
 }
 
-/// Severity of stick-slip: a warning where the bit stops; none of a bit of which nothing is known.
+/// Severity of stick-slip: a warning where the bit stops; `None` where no speed of the bit is
+/// known.
 pub fn stick_slip_severity(found: &StickSlip) -> Option<Severity> {
     match found.severity {
         Some(severity) if severity >= STOPS => Some(Severity::Warning),

@@ -1,4 +1,4 @@
-//! How far the numbers of a dynamic run can be trusted.
+//! Reliability of the numbers of a dynamic run.
 
 use wholestring::{
     dynamics::TableUse,
@@ -11,35 +11,35 @@ use wholestring::{
 
 use crate::{Check, CheckKind, Severity, window::Window};
 
-/// Parts of the string's mean clearance. A wall is to hold a pipe at the clearance that the hole
-/// leaves it: a tenth more moves the pipe as far as hole sizes are known; as much again, and it is
-/// another hole.
+/// Part of the string's mean clearance. A wall is to hold a pipe at the clearance that the hole
+/// leaves it. A tenth more moves the pipe by as much as hole sizes are uncertain; with as much
+/// again it is another hole.
 const DEEP: f64 = 0.1;
 const THROUGH: f64 = 1.0;
 
-/// Energy that the integration gained or lost: as much as torque and drag of a good model and a rig
-/// differ by, ...
+/// Energy that the integration gained or lost, as a share: as much as torque and drag of a good
+/// model differ from those of a rig.
 const RESIDUAL: f64 = 0.05;
 
-/// ... and so much that friction, of which torque and drag are made, is no longer what was
-/// computed.
+/// Share beyond which friction, which determines torque and drag, is no longer the computed one.
 const LOST: f64 = 0.2;
 
-/// A node whose tension varies by this many times as much as that of the median of its neighbours,
-/// ...
+/// Ratio of the variation of a node's tension to the median of its neighbours above which the node
+/// counts as unsettled.
 const RESTLESS: f64 = 10.0;
 
-/// ... within this distance, m, ...
+/// Distance within which nodes are neighbours, m.
 const NEIGHBOURS_M: f64 = 100.0;
 
-/// ... and by more than this part of the largest tension or compression, never settled.
+/// Part of the largest tension or compression by which the tension of an unsettled node must also
+/// vary.
 const SWINGS: f64 = 0.02;
 
 /// A bit whose weight varies by more than this part of its mean shakes the string.
 const SHAKEN: f64 = 0.02;
 
-/// Of an equilibrium: whether it would stay as it is; and where the string would roll around its hole
-/// instead, for ever.
+/// Reports whether a static equilibrium is stable, and where the string would roll around its hole
+/// for ever instead.
 pub fn equilibrium(convergence: &Convergence) -> Option<Check> {
     let check = || Check::reported(CheckKind::UnstableEquilibrium, Severity::Warning);
     let check = (!convergence.stable).then(check)?;
@@ -49,12 +49,12 @@ pub fn equilibrium(convergence: &Convergence) -> Option<Check> {
     })
 }
 
-/// Of an equilibrium: how far the wall gives way, m, and at which measured depth.
+/// Reports the penetration of the wall in static equilibrium, m, and its measured depth.
 pub fn penetration_at_rest(model: &Model, [deepest_m, md_m]: [f64; 2]) -> Option<Check> {
     Some(penetration(mean_clearance_m(model), deepest_m)?.at(md_m))
 }
 
-/// Of a run that was computed to its end.
+/// Returns the checks of a run that was computed to its end.
 pub fn checks(model: &Model, solution: &Solution<'_>, window: &Window<'_>) -> Vec<Check> {
     let numerics = window.run().numerics;
     let mut found = Vec::new();
@@ -79,7 +79,7 @@ fn penetration(clearance_m: f64, deepest_m: f64) -> Option<Check> {
     Some(Check::reported(CheckKind::WallPenetration, severity).value(deepest_m).limit(limit_m))
 }
 
-/// Mean radial clearance along the string, of what touches the wall, m.
+/// Mean radial clearance, m, of the parts of the string that touch the wall.
 fn mean_clearance_m(model: &Model) -> f64 {
     let length_m = model.string.length_m();
     let clearances = model.string.spans().map(|span| {
@@ -93,7 +93,7 @@ fn mean_clearance_m(model: &Model) -> f64 {
 
 fn energy_residual(residual: f64) -> Option<Check> {
     let size = residual.abs();
-    // A run that is not a number any more has lost all of it.
+    // A run whose energy is no longer a number has lost all of it.
     let (severity, limit) = if size <= RESIDUAL {
         return None;
     } else if size <= LOST {
@@ -112,7 +112,7 @@ fn bit_table(table: &TableUse) -> Option<Check> {
     })
 }
 
-/// The element that buckles most between its nodes: the string folds there as no pipe does.
+/// Reports the element that buckles most between its nodes: the string folds there as no pipe does.
 pub fn element_buckles(element: Option<&BuckledElement>) -> Option<Check> {
     element.map(|element| {
         Check::reported(CheckKind::ElementBuckles, Severity::Error)
@@ -122,7 +122,7 @@ pub fn element_buckles(element: Option<&BuckledElement>) -> Option<Check> {
     })
 }
 
-/// A shaken string of which most elements reach from one contact to the next.
+/// Reports a shaken string in which most elements reach from one contact to the next.
 fn bending_waves(profile: &Profile, window: &Window<'_>) -> Option<Check> {
     let weight = window.statistic("weight_on_bit_N")?;
     let friction = window.statistic("friction_torque_N_m")?;

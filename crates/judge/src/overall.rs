@@ -9,16 +9,16 @@ use crate::{Check, Severity};
 pub struct Overall {
     /// Its severity.
     pub severity: Severity,
-    /// Its sentence, and the number of other errors and warnings; of a result whose checks are all
-    /// kept, that.
+    /// Its sentence, and the number of other errors and warnings; for a result whose limits are all
+    /// met, that statement.
     pub words: String,
 }
 
 impl Overall {
-    /// Of all checks of a result; none of a result without checks.
+    /// Summarizes all checks of a result; `None` for a result without checks.
     pub fn of<'a>(checks: impl IntoIterator<Item = &'a Check>) -> Option<Self> {
         let checks: Vec<&Check> = checks.into_iter().collect();
-        // The first of equals: `max_by_key` gives the last.
+        // Takes the first of equals, because `max_by_key` returns the last.
         let worst = checks.iter().rev().max_by_key(|check| check.severity)?;
         let count = |severity| checks.iter().filter(|check| check.severity == severity).count();
         if worst.severity <= Severity::Note {
@@ -60,20 +60,35 @@ mod tests {
         Check { sentence: sentence.to_owned(), ..Check::reported(CheckKind::GoesDown, severity) }
     }
 
+    /// Among reported states of one severity the one farther from its limit is the more severe,
+    /// whichever comes first: a hook load farther below zero, a compression farther above the
+    /// critical one.
+    #[test]
+    fn states_without_a_factor_are_ranked() {
+        let hook_load = |value_N: f64| check(Severity::Error, "").value(value_N).limit(0.0);
+        let [slack, pushed] = [9e3, -64e3].map(hook_load);
+        assert!(pushed.cmp_severity(&slack).is_gt() && slack.cmp_severity(&pushed).is_lt());
+        let buckled = |value_N: f64| {
+            Check::reported(CheckKind::HelicalBuckling, Severity::Warning).value(value_N).limit(5e3)
+        };
+        assert!(buckled(8e3).cmp_severity(&buckled(6e3)).is_gt());
+        assert!(hook_load(1.0).cmp_severity(&buckled(1e9)).is_gt());
+    }
+
     #[test]
     fn the_most_severe_check_is_the_verdict() {
         let words = |checks: &[Check]| Overall::of(checks).map(|overall| overall.words);
         assert_eq!(words(&[]), None);
-        let kept = check(Severity::Ok, "Hoist");
+        let passed = check(Severity::Ok, "Hoist");
         let note = check(Severity::Note, "Helix");
         let warning = check(Severity::Warning, "Tension");
         let errors = ["Lock-up", "Hoist"].map(|sentence| check(Severity::Error, sentence));
         assert_eq!(
-            words(std::slice::from_ref(&kept)).unwrap(),
+            words(std::slice::from_ref(&passed)).unwrap(),
             "all limits that were checked are kept"
         );
-        assert_eq!(words(&[kept.clone(), note]).unwrap(), "no error and no warning, 1 note");
-        assert_eq!(words(&[kept, warning.clone()]).unwrap(), "Tension");
+        assert_eq!(words(&[passed.clone(), note]).unwrap(), "no error and no warning, 1 note");
+        assert_eq!(words(&[passed, warning.clone()]).unwrap(), "Tension");
         let [first, second] = errors;
         let all = [warning.clone(), first, second, warning];
         assert_eq!(words(&all).unwrap(), "Lock-up (1 more error, 2 warnings)");

@@ -1,4 +1,4 @@
-//! Requested overpull against what is left: of each component and of the hoist.
+//! Requested overpull against the remaining allowable of each component and of the hoist.
 
 use wholestring::{model::Model, operation::Operation};
 
@@ -7,9 +7,9 @@ use crate::{
     strengths::Strengths,
 };
 
-/// Adds the margins of a string that hangs or is pulled off bottom: of each component where it has
-/// least, its tensile yield over the required factor less its tension; of the hoist likewise, less
-/// the hook load and the block.
+/// Adds the margins of a string that hangs or is pulled off bottom. For each component this is the
+/// least value along it of its tensile yield over the required factor, less its tension; for the
+/// hoist likewise, less the hook load and the block.
 pub fn limits(
     model: &Model,
     operation: &Operation,

@@ -1,16 +1,16 @@
-//! Scalars of an answer in the units that people see.
+//! Scalars of a result in the units that users see.
 
 use std::f64::consts::TAU;
 
 use wholestring::outcome::QuantityKind;
 use wholestring_units::{Dimension, UnitSet};
 
-/// The dimension in whose units people see a kind of quantity; none where no unit converts it.
+/// The dimension in whose units users see a kind of quantity; `None` where no unit converts it.
 pub fn dimension(kind: QuantityKind) -> Option<Dimension> {
     Dimension::ALL.iter().copied().find(|dimension| dimension.name() == kind.dimension())
 }
 
-/// Symbol of the unit in which people see a kind of quantity: turns of the string say more than
+/// Symbol of the unit in which users see a kind of quantity. Turns of the string are clearer than
 /// radians.
 pub fn symbol(kind: QuantityKind, units: UnitSet) -> &'static str {
     match (kind, dimension(kind)) {
@@ -29,14 +29,14 @@ pub fn shown(kind: QuantityKind, si: f64, units: UnitSet) -> f64 {
     }
 }
 
-/// A deviation with two significant digits; `0` where it is less than anybody measures.
-pub fn deviation(shown: f64) -> String {
-    if !shown.is_finite() {
+/// A deviation with two significant digits; `0` where it is below any measurement.
+pub fn deviation(value: f64) -> String {
+    if !value.is_finite() {
         return "–".to_owned();
     }
-    if shown < 1e-4 {
+    if value < 1e-4 {
         return "0".to_owned();
     }
-    let decimals = (1.0 - libm::log10(shown).floor()).clamp(0.0, 4.0) as usize;
-    format!("{shown:.decimals$}")
+    let decimals = (1.0 - libm::log10(value).floor()).clamp(0.0, 4.0) as usize;
+    format!("{value:.decimals$}")
 }

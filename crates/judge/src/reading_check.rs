@@ -1,13 +1,13 @@
-//! Checks of readings at the surface, and of what was found from them.
+//! Checks of readings at the surface, and of results derived from them.
 
 use serde::{Deserialize, Serialize};
 
 use crate::{Check, CheckKind, Severity};
 
-/// A check of readings, or of what was found from them.
+/// A check of readings, or of a result derived from them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReadingCheck {
-    /// Lines of the readings in their file; empty where it is not a matter of some of them.
+    /// Lines of the readings in their file; empty where it does not concern single lines.
     pub lines: Vec<String>,
     /// The check; value and limit are SI.
     #[serde(flatten)]
@@ -21,7 +21,7 @@ impl ReadingCheck {
         Self { lines: Vec::new(), check }
     }
 
-    /// The same with its value and what that is compared with, SI.
+    /// The same with its value and the number that it is compared with, SI.
     #[must_use]
     pub fn numbers(mut self, [value, limit]: [Option<f64>; 2]) -> Self {
         (self.check.value, self.check.limit) = (value, limit);

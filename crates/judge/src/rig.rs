@@ -1,7 +1,7 @@
 //! Limits of hoist, top drive and pump.
 //!
-//! Of dynamics a rating is exceeded where the mean exceeds it: an error. A load that exceeds it at
-//! times is a warning; within a known peak torque, a note.
+//! In a dynamic run a rating is exceeded where the mean exceeds it, which is an error. A load that
+//! exceeds it at times is a warning; within a known peak torque, a note.
 
 use wholestring::{
     model::Model,
@@ -48,11 +48,15 @@ pub fn limits(
     check(CheckKind::TopDrive, torque_N_m, rated_N_m, most, Missing::TopDriveTorque);
     let most = Severity::Error;
     check(CheckKind::TopDrivePeak, torque_N_m, peak_N_m, most, Missing::TopDrivePeakTorque);
-    let (pump_Pa, limit_Pa) = (loads.pump_pressure_Pa, rig.pump_pressure_limit_Pa);
-    let missing = if limit_Pa.is_none() { Missing::PumpPressureLimit } else { Missing::Rheology };
-    let load = pump_Pa.unwrap_or(SurfaceLoad { mean: 0.0, largest: 0.0 });
-    let limit_Pa = pump_Pa.and(limit_Pa);
-    check(CheckKind::PumpPressure, load, limit_Pa, Severity::Warning, missing);
+    // The pressure of a string that trips is surge or swab; the pumps do not deliver it.
+    if operation.kind.circulates() {
+        let (pump_Pa, limit_Pa) = (loads.pump_pressure_Pa, rig.pump_pressure_limit_Pa);
+        let missing =
+            if limit_Pa.is_none() { Missing::PumpPressureLimit } else { Missing::Rheology };
+        let load = pump_Pa.unwrap_or(SurfaceLoad { mean: 0.0, largest: 0.0 });
+        let limit_Pa = pump_Pa.and(limit_Pa);
+        check(CheckKind::PumpPressure, load, limit_Pa, Severity::Warning, missing);
+    }
     let start = breakaway_torque_N_m(model, operation, loads);
     if let (Some(start_N_m), Some(capacity_N_m)) = (start, peak_N_m.or(rated_N_m)) {
         let required = settings.factors.breakaway;
@@ -60,8 +64,9 @@ pub fn limits(
     }
 }
 
-/// Torque that starts a string off bottom turning, N·m: each stretch's friction torque times static
-/// over kinetic friction of its hole. None of another operation, and where both are the same.
+/// Torque that starts a string off bottom turning, N·m: each stretch's friction torque times the
+/// ratio of static to kinetic friction of its hole. `None` for another operation, and where both
+/// are the same.
 fn breakaway_torque_N_m(model: &Model, operation: &Operation, loads: &Loads<'_>) -> Option<f64> {
     if operation.kind != OperationKind::RotateOffBottom {
         return None;

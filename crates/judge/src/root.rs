@@ -1,21 +1,22 @@
-//! Where a function of one number changes sign.
+//! Zero of a function of one variable.
 
-/// Steps after which a zero is found whatever the function: bisection of a range of 1e5 to 1e-10
-/// takes 50.
+/// Largest number of steps: a zero of any function is found within it, because bisection of a range
+/// of 1e5 to 1e-10 takes 50.
 const STEPS: usize = 200;
 
-/// Where a function changes sign between two places where its signs differ, to within `tolerance`:
-/// by Brent's method (R. P. Brent, *Algorithms for Minimization without Derivatives*, 1973, chapter
-/// 4). `ends` are places with the function's values there. Finds a jump over zero as well.
+/// Returns the place at which a function changes sign between two places where its signs differ, to
+/// within `tolerance`: by Brent's method (R. P. Brent, *Algorithms for Minimization without
+/// Derivatives*, 1973, chapter 4). `ends` are the two places with the function's values. Finds a
+/// jump across zero as well.
 ///
 /// # Errors
 /// That of the function.
 pub fn root<E>(
-    mut of: impl FnMut(f64) -> Result<f64, E>,
+    mut function: impl FnMut(f64) -> Result<f64, E>,
     ends: [(f64, f64); 2],
     tolerance: f64,
 ) -> Result<f64, E> {
-    // `b` is the best place so far, `a` the one before, and the zero lies between `b` and `c`.
+    // `b` is the best place so far, `a` the one before, and the zero is between `b` and `c`.
     let [mut a, mut b] = ends;
     let mut c = a;
     let (mut last, mut before_last) = (b.0 - a.0, b.0 - a.0);
@@ -47,13 +48,13 @@ pub fn root<E>(
         a = b;
         let step = if last.abs() > least { last } else { least.copysign(half) };
         let next = b.0 + step;
-        b = (next, of(next)?);
+        b = (next, function(next)?);
     }
     Ok(b.0)
 }
 
-/// How far the zero is from `b` by the inverse parabola through three places, by the secant where
-/// two of them are one.
+/// Distance of the zero from `b` by the inverse parabola through three places, by the secant where
+/// two of them coincide.
 fn interpolated(a: (f64, f64), b: (f64, f64), c: (f64, f64)) -> f64 {
     let s = b.1 / a.1;
     if a.0 == c.0 {
@@ -69,13 +70,13 @@ mod tests {
     use super::*;
     use std::convert::Infallible;
 
-    fn found(of: impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, usize) {
+    fn found(function: impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, usize) {
         let mut count = 0;
         let counted = |x: f64| {
             count += 1;
-            Ok::<f64, Infallible>(of(x))
+            Ok::<f64, Infallible>(function(x))
         };
-        let Ok(x) = root(counted, [(from, of(from)), (to, of(to))], 1e-12);
+        let Ok(x) = root(counted, [(from, function(from)), (to, function(to))], 1e-12);
         (x, count)
     }
 

@@ -19,27 +19,27 @@ use crate::{Check, CheckKind, NoAnswer};
 
 pub(crate) use self::text::Text;
 
-/// What sentences need beside a check.
+/// Data that sentences need in addition to a check.
 pub(crate) struct Words<'a> {
     text: Text,
     rig: &'a Rig,
     model: ModelKind,
-    /// Whether the answer's forces hold the friction of a helix.
+    /// Whether the result's forces include the friction of a helix.
     has_helix_friction: bool,
-    /// Hook load, block excluded, of dynamics its mean, N.
+    /// Hook load, block excluded, N; for a dynamic run its mean.
     hook_load_N: f64,
-    /// Weight on bit, of dynamics its mean, N.
+    /// Weight on bit, N; for a dynamic run its mean.
     weight_on_bit_N: f64,
     indicators: Option<&'a Indicators>,
     bit_table: Option<TableUse>,
     statistics: &'a [(&'static str, Statistic)],
     bit_travel_m: f64,
-    /// The element of the mesh that buckles between its nodes, if one does.
+    /// The element of the mesh that buckles between its nodes; `None` without one.
     buckled_element: Option<BuckledElement>,
 }
 
 impl<'a> Words<'a> {
-    /// Of an answer.
+    /// The words for a result.
     pub(crate) fn of_solution(
         rig: &'a Rig,
         units: UnitSet,
@@ -64,7 +64,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// Of a soft string of which nothing but its loads is known.
+    /// The words for a soft string of which only the loads are known.
     pub(crate) fn of_loads(rig: &'a Rig, units: UnitSet, hook_load_N: f64) -> Self {
         Self {
             text: Text { units },
@@ -101,7 +101,7 @@ pub fn shorter_element(element: &BuckledElement, units: UnitSet) -> String {
 }
 
 impl Check {
-    /// A limit as a sentence in other units; the check's own sentence where it is no limit with
+    /// A limit as a sentence in other units; the check's own sentence where it is not a limit with
     /// numbers.
     pub fn sentence_in(&self, units: UnitSet) -> String {
         if self.value.is_none() || self.limit.is_none() || self.factor.is_none() {
@@ -111,7 +111,7 @@ impl Check {
     }
 }
 
-/// The sentence on an operation without an answer.
+/// The sentence on an operation without a result.
 pub(crate) fn unsolved(why: &NoAnswer, check: &Check, units: UnitSet) -> String {
     let text = Text { units };
     let place = text.place(check);

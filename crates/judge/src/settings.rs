@@ -1,8 +1,8 @@
-//! What limits are compared with beside the model.
+//! Settings of the limits, in addition to the model.
 
 use crate::DesignFactors;
 
-/// What limits are compared with.
+/// Settings of the limits.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct LimitSettings {
     /// The required factors.
@@ -10,7 +10,7 @@ pub struct LimitSettings {
     /// Requested overpull, N. Default 445 kN, 100,000 lbf: 50,000 to 100,000 lbf are commonly
     /// planned.
     pub overpull_N: f64,
-    /// Largest side force of the wall on one joint of pipe, N; not checked where it is none.
+    /// Largest side force of the wall on one joint of pipe, N; not checked where it is `None`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub side_force_per_joint_N: Option<f64>,
 }

@@ -1,17 +1,17 @@
-//! Whether the means of a dynamic run stand still, and where they are taken.
+//! Whether the means of a dynamic run are steady, and the depth at which they are taken.
 
 use wholestring::{operation::Operation, outcome::InTime};
 
 use crate::{Check, CheckKind, Severity};
 
-/// Travel of the bit in the window from which a drift is one of the place as much as of the start,
-/// m.
+/// Travel of the bit in the window, m, from which a drift depends on depth as much as on the start.
 const TRAVELS_M: f64 = 1.0;
 
-/// How far from the requested depth the bit may be on average over the window, m.
+/// Largest difference, m, between the requested depth and the mean depth of the bit over the
+/// window.
 const ELSEWHERE_M: f64 = 1.0;
 
-/// Of a run that was computed to its end.
+/// Returns the checks of a run that was computed to its end.
 pub fn checks(operation: &Operation, run: &InTime<'_>) -> Vec<Check> {
     let numerics = run.numerics;
     let mut found = Vec::new();
@@ -25,7 +25,7 @@ pub fn checks(operation: &Operation, run: &InTime<'_>) -> Vec<Check> {
         let severity = if travels { Severity::Note } else { Severity::Warning };
         found.push(Check::reported(CheckKind::WindowDrifts, severity));
     }
-    // Who gives the time has chosen the place.
+    // A user who gives the time has thereby chosen the depth.
     let off_m = numerics.mean_bit_depth_m - operation.bit_depth_m;
     if numerics.settled.is_some() && off_m.abs() >= ELSEWHERE_M {
         found.push(

@@ -10,7 +10,7 @@ use crate::{CheckKind, Checks, Missing, strength::Body};
 /// Strength of a component.
 pub struct Strength<'a> {
     pub connection: ConnectionStrength,
-    /// Its body; none where the yield strength is not known.
+    /// Its body; `None` where the yield strength is not known.
     pub body: Option<Body<'a>>,
 }
 
@@ -28,7 +28,7 @@ const OF_YIELD: [CheckKind; 6] = [
 ];
 
 impl<'a> Strengths<'a> {
-    /// The strengths of a model's string. Numbers that are missing go to `checks`, but those of a
+    /// The strengths of a model's string. Missing numbers are added to `checks`, except those of a
     /// bit.
     pub fn of(model: &'a Model, checks: &mut Checks) -> Self {
         let strength = |component: &'a Component| {

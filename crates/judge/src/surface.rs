@@ -12,9 +12,9 @@ use crate::{
 pub struct SurfaceLimit {
     /// The kind of limit.
     pub kind: CheckKind,
-    /// The component; none of the rig.
+    /// The component; `None` for the rig.
     pub component: Option<String>,
-    /// The capacity: N, of the hoist with the block, or N·m.
+    /// The capacity: N, for the hoist with the block, or N·m.
     pub capacity: f64,
     /// The required factor.
     pub required: f64,
@@ -22,11 +22,11 @@ pub struct SurfaceLimit {
     pub allowed: f64,
 }
 
-/// Limits of hook load, then of surface torque, as far as rig and topmost component have them. The
-/// allowed loads are those by which a [`Judge`](crate::Judge) judges at the surface; components
+/// Limits of hook load, then of surface torque, as far as rig and topmost component define them.
+/// The allowed loads are those by which a [`Judge`](crate::Judge) judges at the surface; components
 /// below may be weaker.
 pub fn surface_limits(model: &Model, settings: &LimitSettings) -> Vec<SurfaceLimit> {
-    // What is missing is said with the checks.
+    // Missing numbers are reported with the checks.
     let strengths = Strengths::of(model, &mut Checks::default());
     let top = strengths.count().checked_sub(1);
     let of_top = |value: fn(&Strength<'_>) -> Option<f64>| value(strengths.component(top?));

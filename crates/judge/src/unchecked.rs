@@ -1,4 +1,4 @@
-//! What could not be checked, and the number that is missing.
+//! Limits that could not be checked, and the missing number.
 
 use serde::{Deserialize, Serialize};
 
@@ -47,15 +47,16 @@ impl Missing {
 pub struct Unchecked {
     /// The kind of limit.
     pub kind: CheckKind,
-    /// The component; none of the rig.
+    /// The component; `None` for the rig.
     pub component: Option<String>,
-    /// What is missing.
+    /// The missing number.
     pub missing: Missing,
 }
 
 impl Unchecked {
-    /// One phrase for each number that is missing: `Burst, Collapse of jar, motor (no yield
-    /// strength)`. The components stand behind the limits, since those of others were checked.
+    /// Returns one phrase for each missing number: `Burst, Collapse of jar, motor (no yield
+    /// strength)`. The components follow the limits, because those of other components were
+    /// checked.
     pub fn phrases<'a>(unchecked: impl IntoIterator<Item = &'a Unchecked>) -> Vec<String> {
         let mut all: Vec<&Unchecked> = unchecked.into_iter().collect();
         all.sort_by(|a, b| a.missing.cmp(&b.missing).then(a.kind.cmp(&b.kind)));

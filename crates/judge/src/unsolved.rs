@@ -1,4 +1,4 @@
-//! The verdict on an operation for which a model has no answer.
+//! The verdict on an operation for which a model has no result.
 
 use std::fmt;
 
@@ -9,14 +9,14 @@ use wholestring::{
 
 use crate::{Check, CheckKind, LimitSettings, Severity, Verdict};
 
-/// Why a model has no answer.
+/// Reason why a model has no result.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NoAnswer {
-    /// The string cannot be as long as the bit is deep.
+    /// The string cannot reach from the surface to the depth of the bit.
     Assembly(AssemblyError),
-    /// The soft string has none.
+    /// The soft string has no result.
     Soft(SoftError),
-    /// The stiff string has none.
+    /// The stiff string has no result.
     Stiff(StiffError),
 }
 
@@ -68,8 +68,8 @@ impl NoAnswer {
         }
     }
 
-    /// The check without its sentence. A string that locks up has a factor of zero: no push moves
-    /// it.
+    /// The check without its sentence. A string that locks up has a factor of zero, because no push
+    /// moves it.
     pub(crate) fn check(&self, settings: &LimitSettings) -> Check {
         let no_equilibrium = Check::reported(CheckKind::NoEquilibrium, Severity::Error);
         match self {

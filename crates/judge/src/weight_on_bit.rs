@@ -1,4 +1,4 @@
-//! Weight on bit against what it is to be.
+//! Weight on bit against its set point.
 
 use wholestring::{
     dynamics::{DynamicsSettings, HoistControl},
@@ -11,11 +11,11 @@ use crate::{
     window::{Window, share},
 };
 
-/// A mean that is off its target by more than this part of it is reported: what a weight indicator
-/// shows.
+/// A mean that is off its target by more than this part of it is reported: the resolution of a
+/// weight indicator.
 const OFF: f64 = 0.05;
 
-/// A mean that is off by more than this is the answer to another question.
+/// A mean that is off by more than this belongs to a different operation than the requested one.
 const FAR_OFF: f64 = 0.2;
 
 /// A standard deviation beyond this part of the mean is reported: the weight then swings by half of
@@ -28,7 +28,7 @@ const BOUNCES: f64 = 0.01;
 const WEIGHT: &Column<TimeSeries> = Column::named(TIME_SERIES, "weight_on_bit_N");
 const SET_WEIGHT: &Column<TimeSeries> = Column::named(TIME_SERIES, "weight_on_bit_set_N");
 
-/// Of an operation with the bit on bottom.
+/// Returns the checks of an operation with the bit on bottom.
 pub fn checks(
     operation: &Operation,
     settings: &DynamicsSettings,
@@ -58,8 +58,8 @@ pub fn checks(
     found
 }
 
-/// The weight that is requested, N, and whether something is there to hold it; none where nothing
-/// is requested, or it changes in the window.
+/// The requested weight, N, and whether a control holds it; `None` where no weight is requested, or
+/// it changes in the window.
 fn target_N(
     operation: &Operation,
     settings: &DynamicsSettings,

@@ -11,12 +11,12 @@ use wholestring::{
 /// The window of a run, with at least one sample.
 pub struct Window<'a> {
     run: &'a InTime<'a>,
-    /// The first row of the history that is in it.
+    /// The first row of the history in the window.
     from: usize,
 }
 
 impl<'a> Window<'a> {
-    /// The rows from the beginning of the window; none where there are none.
+    /// The rows from the beginning of the window; `None` where there are none.
     pub fn of(run: &'a InTime<'a>) -> Option<Self> {
         if run.statistics.is_empty() {
             return None;
@@ -25,7 +25,7 @@ impl<'a> Window<'a> {
         (from < run.history.rows()).then_some(Self { run, from })
     }
 
-    /// The window of a solution in time.
+    /// The window of a dynamic run's solution.
     pub fn of_solution(solution: &'a Solution<'a>) -> Option<Self> {
         Self::of(solution.in_time.as_ref()?)
     }
@@ -47,7 +47,7 @@ impl<'a> Window<'a> {
         statistic.map_or(0.0, |statistic| statistic.max.max(-statistic.min))
     }
 
-    /// Largest pressure that the pump delivers at, Pa; none without a rheology.
+    /// Largest discharge pressure of the pump, Pa; `None` without a rheology.
     pub fn largest_pump_pressure_Pa(&self) -> Option<f64> {
         let mut largest_Pa: Option<f64> = None;
         self.scalar(PUMP_PRESSURE).each(&mut |pressures_Pa| {
@@ -62,7 +62,8 @@ impl<'a> Window<'a> {
         self.run.history.scalar(column, self.from)
     }
 
-    /// The share of the rows that count for which a condition holds, of two scalars; zero of none.
+    /// The share of the rows that count for which a condition on two scalars holds; zero without
+    /// rows.
     pub fn share_of(
         &self,
         columns: [&'static Column<TimeSeries>; 2],
@@ -90,7 +91,7 @@ impl<'a> Window<'a> {
 const TIME: &Column<TimeSeries> = Column::named(TIME_SERIES, "time_s");
 const PUMP_PRESSURE: &Column<TimeSeries> = Column::named(TIME_SERIES, "pump_pressure_Pa");
 
-/// The share of samples for which a condition holds; zero of none.
+/// The share of samples for which a condition holds; zero without samples.
 pub fn share(samples: &impl Samples, holds: impl Fn(f64) -> bool) -> f64 {
     let count = sum(samples, |_, sample| f64::from(u8::from(holds(sample))));
     count / samples.count().max(1) as f64

@@ -1,4 +1,4 @@
-//! Fronts show verdicts and make none: their sources have no word of a verdict.
+//! Fronts show verdicts and make none: their sources contain no word of a verdict.
 
 use std::{
     fs,
@@ -37,7 +37,7 @@ const PHRASES: [&str; 19] = [
     "is valid",
 ];
 
-/// Comparisons of which a front would make a level of its own.
+/// Comparisons from which a front would derive a level of its own.
 const COMPARED: [&str; 9] = [
     ".reserve <",
     ".reserve >",
@@ -50,7 +50,7 @@ const COMPARED: [&str; 9] = [
     "torque_use >",
 ];
 
-/// Lines that hold one of these words and make no verdict: a part of the line, and why.
+/// Lines that contain one of these words and make no verdict: a part of the line, and the reason.
 const DECLARED: [(&str, &str); 8] = [
     ("``\"", "a docstring lists the judge's words"),
     (">>> ", "an example in a docstring"),
@@ -68,13 +68,16 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if path.is_dir() && name != "node_modules" {
             sources(&path, found);
-        } else if path.extension().is_some_and(|ending| SOURCES.iter().any(|of| ending == *of)) {
+        } else if path
+            .extension()
+            .is_some_and(|ending| SOURCES.iter().any(|source| ending == *source))
+        {
             found.push(path);
         }
     }
 }
 
-/// The word of a verdict that a line of source holds; none of a comment and of a declared line.
+/// The word of a verdict in a line of source; `None` for a comment and for a declared line.
 fn verdict_in(line: &str) -> Option<&'static str> {
     let line = line.trim();
     let is_comment = ["//", "#", "*", "/*", "<!--"].iter().any(|mark| line.starts_with(mark));
@@ -92,11 +95,11 @@ fn verdict_in(line: &str) -> Option<&'static str> {
         };
         lower.match_indices(*word).any(|(at, _)| begins(at) && ends(at))
     };
-    let said = words.map(Verdict::words).into_iter().find(|word| is_own(word));
+    let verdict = words.map(Verdict::words).into_iter().find(|word| is_own(word));
     let quoted_ok = ["\"OK\"", "'OK'", "`OK`", ">OK<"].into_iter().find(|word| line.contains(word));
     let phrase = PHRASES.into_iter().find(is_own);
     let compared = COMPARED.into_iter().find(|sign| line.contains(sign));
-    said.or(quoted_ok).or(phrase).or(compared)
+    verdict.or(quoted_ok).or(phrase).or(compared)
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! How long a calibration of the well of S4 takes, 25 depths and 100 readings, on one core:
-//! `cargo bench -p wholestring-plan --bench calibration`.
+//! Duration of a calibration of the well of S4, 25 depths and 100 readings, on one core: `cargo
+//! bench -p wholestring-plan --bench calibration`.
 
 #[path = "../tests/oracle/mod.rs"]
 #[allow(dead_code)]

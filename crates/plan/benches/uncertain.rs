@@ -1,4 +1,4 @@
-//! How long a sample of a plan takes on one core, and its parts: the operations at every depth, and
+//! Duration of a sample of a plan on one core, and its parts: the operations at every depth, and
 //! the weights to buckle. The string of NP13-X1042 in a hole like its own, 30 depths, 6 operations:
 //! `cargo bench -p wholestring-plan --bench uncertain`.
 
@@ -25,7 +25,7 @@ fn setup() -> Setup {
         HoleSection::open(2986.53..DEPTH_M, 0.2159, 0.3),
     ]);
     let mut components = np13::components();
-    // All of it has limits.
+    // All components have limits.
     for component in &mut components {
         component.yield_strength_Pa = Some(931e6);
     }
@@ -44,8 +44,8 @@ fn setup() -> Setup {
 
 fn operations() -> Vec<Operation> {
     let (turns_rad_per_s, goes_m_per_s) = (7.3, 10.0 / 3600.0);
-    let turning = |of: Operation| of.rotary_speed_rad_per_s(turns_rad_per_s);
-    let advancing = |of: Operation| of.rate_of_penetration_m_per_s(goes_m_per_s);
+    let turning = |operation: Operation| operation.rotary_speed_rad_per_s(turns_rad_per_s);
+    let advancing = |operation: Operation| operation.rate_of_penetration_m_per_s(goes_m_per_s);
     vec![
         Operation::trip_out(DEPTH_M),
         Operation::trip_in(DEPTH_M),
@@ -56,7 +56,7 @@ fn operations() -> Vec<Operation> {
     ]
 }
 
-/// The least time of a piece of work, s: what disturbs a measurement only adds to it.
+/// Shortest duration of a piece of work, s, because disturbances only add to a measurement.
 fn least_s(mut work: impl FnMut()) -> f64 {
     let once = |_| {
         let begun = Instant::now();
@@ -69,7 +69,7 @@ fn least_s(mut work: impl FnMut()) -> f64 {
 fn main() {
     let setup = setup();
     let depths_m = bit_depths_m(&setup, None, DEPTH_M, 30);
-    let of = Broomstick::new(
+    let broomstick = Broomstick::new(
         &setup,
         &Frictions::default(),
         operations(),
@@ -79,13 +79,13 @@ fn main() {
     .expect("a broomstick");
     let loads_s = least_s(|| {
         for bit_depth_m in &depths_m {
-            let found = of.expected_loads(Statics::Soft, *bit_depth_m, &operations());
+            let found = broomstick.expected_loads(Statics::Soft, *bit_depth_m, &operations());
             assert!(black_box(found).iter().all(Result::is_ok));
         }
     });
     let weights_s = least_s(|| {
-        let found = of.expected_weights_to_buckle(DEPTH_M);
-        assert!(black_box(found).iter().all(|of| of.weights_N.is_ok()));
+        let found = broomstick.expected_weights_to_buckle(DEPTH_M);
+        assert!(black_box(found).iter().all(|point| point.weights_N.is_ok()));
     });
     println!("{} depths of 6 operations: {:.1} ms", depths_m.len(), 1e3 * loads_s);
     println!("the weights to buckle at the deepest: {:.1} ms", 1e3 * weights_s);

@@ -1,14 +1,14 @@
-//! Why there is no plan.
+//! Errors of a plan.
 
 use wholestring::well::HoleError;
 
 use crate::wear::CasingError;
 
-/// Why there is no plan.
+/// The reason why there is no plan.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlanError {
-    /// Frictions make no hole.
+    /// The friction factors are not valid for the hole.
     #[error(transparent)]
     Hole(#[from] HoleError),
     /// A casing cannot be worn.

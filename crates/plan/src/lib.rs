@@ -1,8 +1,9 @@
-//! What a drilling engineer plans with: the same string at many depths and frictions, what its parts bear,
-//! how far the well can go, and what friction was.
+//! Drilling engineers' plans: the same string at many depths and frictions, the limits of its
+//! parts, the reach of the well, and calibrated friction.
 //!
-//! Everything here is computed from the engine's models ([`wholestring`]), in SI, angles in radians; nothing
-//! reads files, prints or starts threads. A [`Setup`] gives the model at any depth of the bit.
+//! All results are computed from the engine's models ([`wholestring`]), in SI, angles in radians;
+//! nothing reads files, prints or starts threads. A [`Setup`] gives the model at any depth of the
+//! bit.
 #![warn(missing_docs)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -1,4 +1,4 @@
-//! What a model at any depth of the bit and any friction is made of.
+//! Parts of a model, for any depth of the bit and any friction.
 
 use wholestring::{
     ends::Ends,
@@ -10,10 +10,11 @@ use wholestring::{
     well::{Friction, Hole, HoleError, HoleKind, HoleSection, Well},
 };
 
-/// Pipe above the assembly at the least, m: a string of its assembly alone is no string.
+/// Least length of pipe above the assembly, m, because a string of its assembly alone is not a
+/// string.
 const LEAST_PIPE_M: f64 = 1.0;
 
-/// Pipe above the hole's depth with which a string is looked at as a whole, m.
+/// Length of pipe above the hole's depth for evaluations of the string as a whole, m.
 const LONG_PIPE_M: f64 = 100.0;
 
 /// A well, a string that is cut at the surface at any depth of the bit, a mud and a rig.
@@ -27,29 +28,29 @@ pub struct Setup {
     pub mud: Mud,
     /// Hoist and top drive.
     pub rig: Rig,
-    /// How the ends of the string are held across the hole.
+    /// Lateral supports of the ends of the string.
     pub ends: Ends,
-    /// Whose buckling loads compression is compared with.
+    /// Criterion of the buckling loads that compression is compared with.
     pub buckling: Criterion,
 }
 
 /// Friction factors of a well: of its casings and of its open hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WallFriction {
-    /// Of every casing and liner.
+    /// Friction of every casing and liner.
     pub cased: Friction,
-    /// Of the rock.
+    /// Friction of the rock.
     pub open: Friction,
 }
 
 impl WallFriction {
-    /// The same everywhere.
+    /// Returns the same friction everywhere.
     pub const fn uniform(coefficient: f64) -> Self {
         let friction = Friction::uniform(coefficient);
         Self { cased: friction, open: friction }
     }
 
-    /// Of one kind of hole.
+    /// Returns the friction of one kind of hole.
     pub const fn of(&self, kind: HoleKind) -> Friction {
         match kind {
             HoleKind::Casing => self.cased,
@@ -59,12 +60,12 @@ impl WallFriction {
 }
 
 impl Setup {
-    /// The model with the bit at a measured depth, m: components are run from the bit up, so that
-    /// the string is cut at the surface at any depth. Where no component runs to the surface, the
-    /// topmost one does.
+    /// Returns the model with the bit at a measured depth, m: components are run from the bit up,
+    /// so that the string is cut at the surface at any depth. Where no component runs to the
+    /// surface, the topmost one does.
     ///
     /// # Errors
-    /// A depth that is not more than nothing, or a component that no string can have.
+    /// A depth that is not positive, or a component that no string can have.
     pub fn at(&self, bit_depth_m: f64) -> Result<Model, AssemblyError> {
         let string = self.running().lower_end(bit_depth_m).assemble(bit_depth_m)?;
         Ok(Model {
@@ -77,7 +78,7 @@ impl Setup {
         })
     }
 
-    /// The same with other friction factors.
+    /// Returns the same with other friction factors.
     ///
     /// # Errors
     /// A factor that is out of its range.
@@ -85,7 +86,7 @@ impl Setup {
         self.with_friction_of(|section| friction.of(section.kind))
     }
 
-    /// The same with the friction that each section is given.
+    /// Returns the same with the friction that is given for each section.
     ///
     /// # Errors
     /// A factor that is out of its range.
@@ -101,29 +102,31 @@ impl Setup {
         Ok(Self { well: Well { path: self.well.path.clone(), hole }, ..self.clone() })
     }
 
-    /// Length of the components below the one that runs to the surface, m.
+    /// Returns the length of the components below the one that runs to the surface, m.
     pub fn below_topmost_m(&self) -> f64 {
         self.running().components.iter().map(length_m).sum()
     }
 
-    /// Length of the bottom-hole assembly, m: from the bit to where drill pipe begins. Of a string
-    /// without drill pipe that can be told from the rest, what is below its topmost component.
+    /// Returns the length of the bottom-hole assembly, m: from the bit to the lower end of drill
+    /// pipe. For a string without distinguishable drill pipe, the length below its topmost
+    /// component.
     pub fn assembly_m(&self) -> f64 {
         let below_m = self.below_topmost_m();
-        // As long as it can be: a component that is hardly there is not seen as pipe.
+        // At its largest length, because a component that is hardly in the hole is not recognised
+        // as pipe.
         let hole_m = self.well.hole.sections().last().map_or(0.0, |section| section.to_md_m);
         let whole = self.running().assemble(below_m.max(hole_m) + LONG_PIPE_M);
         let assembly_m = whole.ok().and_then(|string| string.assembly_length_m());
         assembly_m.map_or(below_m, |length_m| length_m.min(below_m))
     }
 
-    /// Depth of the bit with which a plan begins by default, m: the assembly is in the hole, and a
-    /// little pipe.
+    /// Returns the default shallowest depth of the bit of a plan, m: the assembly is in the hole,
+    /// with a little pipe.
     pub fn shallowest_m(&self) -> f64 {
         self.assembly_m() + LEAST_PIPE_M
     }
 
-    /// Depth of the bit that every depth is deeper than, m: its lowest component, the bit, is
+    /// Returns the lower limit of all depths of the bit, m: its lowest component, the bit, is
     /// whole.
     pub fn least_depth_m(&self) -> f64 {
         match &self.running().components[..] {
@@ -132,7 +135,7 @@ impl Setup {
         }
     }
 
-    /// The string whose topmost component runs to the surface.
+    /// Returns the string whose topmost component runs to the surface.
     fn running(&self) -> StringSpec {
         let mut string = self.string.clone();
         if let Some(top) = string.components.last_mut() {
@@ -142,7 +145,7 @@ impl Setup {
     }
 }
 
-/// Length of a component, m; none of one that runs to the surface.
+/// Returns the length of a component, m; none of one that runs to the surface.
 fn length_m(component: &ComponentSpec) -> f64 {
     match component.length {
         ComponentLength::Metres(length_m) => length_m,
@@ -198,8 +201,8 @@ mod tests {
         assert!(matches!(setup.at(0.0), Err(AssemblyError::BitDepth(_))));
     }
 
-    /// A tapered string begins with the bit just below the assembly, its upper pipe not in the hole
-    /// yet; one whose bit is shallower than the assembly has a part of that.
+    /// A tapered string begins with the bit just below the assembly, before its upper pipe is in
+    /// the hole; one whose bit is shallower than the assembly has a part of that.
     #[test]
     fn a_string_is_cut_at_the_surface() {
         let mut setup = setup();
@@ -218,7 +221,7 @@ mod tests {
             assert_eq!(components.len(), count, "{depth_m}");
             assert!((components[count - 1].length_m - top_m).abs() < 1e-9, "{depth_m}");
         }
-        // Off bottom a vertical string hangs by the weight of what is in the hole.
+        // Off bottom the hook load of a vertical string is the weight in the hole.
         let depth_m = 400.0;
         let model = setup.at(depth_m).expect("a model");
         let turns = Operation::rotate_off_bottom(depth_m).rotary_speed_rad_per_s(7.0);

@@ -1,25 +1,26 @@
-//! A part of a campaign: an operation that goes on for a time.
+//! A part of a campaign: an operation with its duration.
 
 use std::f64::consts::TAU;
 
 use wholestring::{model::Model, operation::Operation, outcome::Solution};
 
-/// A solved operation, and how long it goes on: what fatigue and wear are summed of.
+/// A solved operation and its duration, the terms of the sums of fatigue and wear.
 #[derive(Debug, Clone, Copy)]
 pub struct Stage<'a> {
     /// The model.
     pub model: &'a Model,
     /// The operation.
     pub operation: &'a Operation,
-    /// What a method answers of it.
+    /// The solution of a method.
     pub solution: Solution<'a>,
-    /// How long it goes on, s.
+    /// Its duration, s.
     pub duration_s: f64,
 }
 
 impl<'a> Stage<'a> {
-    /// An operation that moves the string by a length, m, at its own speed: drilling at its rate of
-    /// penetration, tripping and reaming at its trip speed. None of one that does not move.
+    /// Returns an operation that moves the string by a length, m, at its own speed: drilling at its
+    /// rate of penetration, tripping and reaming at its trip speed. `None` for one that does not
+    /// move.
     pub fn moved(
         model: &'a Model,
         operation: &'a Operation,
@@ -35,20 +36,20 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// Revolutions of the string.
+    /// Returns the revolutions of the string.
     pub fn revolutions(&self) -> f64 {
         self.operation.rotation_rad_per_s() * self.duration_s / TAU
     }
 
-    /// How far the string moves along the hole, m.
+    /// Returns the axial travel of the string, m.
     pub fn travel_m(&self) -> f64 {
         self.operation.axial_velocity_m_per_s().abs() * self.duration_s
     }
 }
 
-/// The length of hole below a depth, m, that each of some depths of the bit stands for: half the
-/// way to its neighbours, and for the first of them all of the way above it. The depths grow; the
-/// lengths add up to the way from the depth that is given to the last.
+/// Returns the length of hole below a depth, m, that each of some depths of the bit represents:
+/// half the distance to its neighbours, and for the first of them all of the distance above it. The
+/// depths increase; the lengths add up to the distance from the given depth to the last.
 pub fn lengths_m(bit_depths_m: &[f64], below_m: f64) -> Vec<f64> {
     let half_way_m = |pair: &[f64]| 0.5 * (pair[0] + pair[1]);
     let between_m = bit_depths_m.windows(2).map(half_way_m);

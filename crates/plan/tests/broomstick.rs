@@ -1,5 +1,5 @@
-//! Broomsticks against the soft string called by itself, an independent integration, closed forms, and
-//! what friction must do whatever the well.
+//! Broomsticks against the soft string called directly, an independent integration, closed forms,
+//! and effects of friction that hold in any well.
 
 use std::{f64::consts::FRAC_PI_3, fs, path::Path as FilePath};
 
@@ -55,8 +55,8 @@ fn common() -> Setup {
     setup(&stations, StringSpec::from_bit(pipe()), 0.2159)
 }
 
-fn levels(of: [f64; 3]) -> Frictions {
-    let [low, expected, high] = of.map(LevelFriction::uniform);
+fn levels(coefficients: [f64; 3]) -> Frictions {
+    let [low, expected, high] = coefficients.map(LevelFriction::uniform);
     Frictions { low, expected, high }
 }
 
@@ -78,12 +78,12 @@ fn broomstick(setup: &Setup, frictions: Frictions, depths_m: Vec<f64>, by: Stati
     Broomstick::new(setup, &frictions, operations(), depths_m, vec![by]).expect("sound frictions")
 }
 
-fn solved(of: &Broomstick) -> Vec<BroomstickPoint> {
-    of.tasks().iter().flat_map(|task| of.solve(task)).collect()
+fn solved(broomstick: &Broomstick) -> Vec<BroomstickPoint> {
+    broomstick.tasks().iter().flat_map(|task| broomstick.solve(task)).collect()
 }
 
-fn hook_load_N(of: &BroomstickPoint) -> f64 {
-    of.outcome.as_ref().expect("an answer").scalars.hook_load_N
+fn hook_load_N(point: &BroomstickPoint) -> f64 {
+    point.outcome.as_ref().expect("an answer").scalars.hook_load_N
 }
 
 /// At the well's depth a broomstick ends where an integration of its own to 1e-11 does, at three of
@@ -94,9 +94,9 @@ fn a_broomstick_ends_where_an_independent_integration_does() {
         .join("../../verification/A06_common_case_soft_string.json");
     let data: serde_json::Value =
         serde_json::from_slice(&fs::read(file).expect("the file")).expect("JSON");
-    let of = broomstick(&common(), levels([0.1, 0.2, 0.3]), vec![4305.0], Statics::Soft);
+    let broomstick = broomstick(&common(), levels([0.1, 0.2, 0.3]), vec![4305.0], Statics::Soft);
     let keys = ["pu_offbottom", "so_offbottom", "rot_offbottom", "rotary_drilling_WOB60_TOB5_hook"];
-    for point in solved(&of) {
+    for point in solved(&broomstick) {
         let Some(place) = operations().iter().position(|own| own.kind == point.operation) else {
             continue;
         };
@@ -117,9 +117,9 @@ fn a_broomstick_ends_where_an_independent_integration_does() {
     }
 }
 
-/// Every point is the soft string's own answer at that depth, to the last digit; and rotating the
-/// string hangs by its weight over the true vertical depth, whatever the friction: to 1e-6, what the
-/// default step of 1 m leaves.
+/// Every point is the soft string's own result at that depth, to the last digit; and with rotation
+/// the hook load is its weight over the true vertical depth, whatever the friction: to 1e-6, the
+/// error of the default step of 1 m.
 #[test]
 fn points_are_the_soft_string_s_own() {
     let setup = common();
@@ -127,15 +127,15 @@ fn points_are_the_soft_string_s_own() {
     // Even depths, and the shoe.
     assert_eq!(depths_m.len(), 7);
     assert!(depths_m.contains(&(0.3 * 4305.0)) && depths_m.contains(&300.0));
-    let of = broomstick(&setup, levels([0.15, 0.25, 0.4]), depths_m.clone(), Statics::Soft);
+    let broomstick = broomstick(&setup, levels([0.15, 0.25, 0.4]), depths_m.clone(), Statics::Soft);
     let weight_N_per_m =
         G * (STEEL - MUD) * std::f64::consts::FRAC_PI_4 * (OD_M * OD_M - ID_M * ID_M);
-    let points = solved(&of);
+    let points = solved(&broomstick);
     assert_eq!(points.len(), depths_m.len() * operations().len() * 3);
     for point in &points {
         let own = operations().into_iter().find(|own| own.kind == point.operation);
         let operation = Operation { bit_depth_m: point.bit_depth_m, ..own.expect("it") };
-        let model = of.setup(point.friction).at(point.bit_depth_m).expect("a model");
+        let model = broomstick.setup(point.friction).at(point.bit_depth_m).expect("a model");
         let alone = soft_string(&model, &operation).expect("an answer");
         assert_eq!(point.outcome.as_ref().expect("an answer").scalars, alone.scalars);
         if point.operation == OperationKind::RotateOffBottom {
@@ -145,16 +145,16 @@ fn points_are_the_soft_string_s_own() {
     }
 }
 
-/// Loads alone are those of the whole point, of either model, to the last digit; a depth that the
-/// string cannot be at has none.
+/// The loads equal those of the whole point, of either model, to the last digit; a depth that is
+/// impossible for the string has none.
 #[test]
 fn expected_loads_are_those_of_the_point() {
     for by in Statics::ALL {
-        let of = broomstick(&common(), levels([0.1, 0.2, 0.3]), vec![900.0], by);
-        let found = of.expected_loads(by, 900.0, &operations());
-        assert_eq!(found.len(), of.tasks().len());
-        for (task, found) in of.tasks().iter().zip(found) {
-            let whole = &of.solve(task)[FrictionLevel::Expected as usize];
+        let broomstick = broomstick(&common(), levels([0.1, 0.2, 0.3]), vec![900.0], by);
+        let found = broomstick.expected_loads(by, 900.0, &operations());
+        assert_eq!(found.len(), broomstick.tasks().len());
+        for (task, found) in broomstick.tasks().iter().zip(found) {
+            let whole = &broomstick.solve(task)[FrictionLevel::Expected as usize];
             let answer = whole.outcome.as_ref().expect("an answer");
             let found = found.expect("an answer");
             let PointAnswer { scalars, .. } = answer;
@@ -164,28 +164,28 @@ fn expected_loads_are_those_of_the_point() {
             let of_point: Vec<&Check> = whole.checks.limits().collect();
             assert_eq!(limits, of_point, "{by:?}");
         }
-        let none = of.expected_loads(by, -1.0, &operations());
+        let none = broomstick.expected_loads(by, -1.0, &operations());
         assert!(none.len() == operations().len() && none.iter().all(Result::is_err));
     }
-    let of = broomstick(&common(), levels([0.1, 0.2, 0.3]), vec![900.0], Statics::Soft);
-    let expected = of.expected_weights_to_buckle(900.0);
-    let all = of.weights_to_buckle(900.0);
-    let of_level = all.into_iter().filter(|of| of.friction == FrictionLevel::Expected);
+    let broomstick = broomstick(&common(), levels([0.1, 0.2, 0.3]), vec![900.0], Statics::Soft);
+    let expected = broomstick.expected_weights_to_buckle(900.0);
+    let all = broomstick.weights_to_buckle(900.0);
+    let of_level = all.into_iter().filter(|weight| weight.friction == FrictionLevel::Expected);
     assert_eq!(expected, of_level.collect::<Vec<_>>());
 }
 
-/// In a straight hole at 60° from the vertical the string is pulled by `w L (cos θ + μ sin θ)`, let
-/// down by `w L (cos θ − μ sin θ)` and turned by `μ w sin θ r L`, at every depth: to rounding, for
-/// nothing varies along it.
+/// In a straight hole at 60° from the vertical the string is pulled by `w L (cos θ + μ sin θ)`,
+/// lowered by `w L (cos θ − μ sin θ)` and turned by `μ w sin θ r L`, at every depth: to rounding,
+/// because nothing varies along it.
 #[test]
 fn a_slanted_hole_has_straight_broomsticks() {
     let setup =
         setup(&[[0.0, 60.0, 0.0], [2000.0, 60.0, 0.0]], StringSpec::from_bit(pipe()), 0.2159);
-    let of =
+    let broomstick =
         broomstick(&setup, levels([0.1, 0.2, 0.35]), vec![250.0, 900.0, 2000.0], Statics::Soft);
     let weight_N_per_m =
         G * (STEEL - MUD) * std::f64::consts::FRAC_PI_4 * (OD_M * OD_M - ID_M * ID_M);
-    for point in solved(&of) {
+    for point in solved(&broomstick) {
         let friction = [0.1, 0.2, 0.35][point.friction as usize];
         let weight_N = weight_N_per_m * point.bit_depth_m;
         let drag = friction * FRAC_PI_3.sin();
@@ -201,13 +201,13 @@ fn a_slanted_hole_has_straight_broomsticks() {
     }
 }
 
-/// More friction: more to pull, less to let down, more to turn. Without any, all levels and all
-/// operations off bottom are one.
+/// More friction: more to pull, less to lower, more to turn. Without any, all levels and all
+/// operations off bottom coincide.
 #[test]
 fn friction_parts_what_it_must() {
     let depths_m = vec![500.0, 1500.0, 4305.0];
-    let of = broomstick(&common(), Frictions::default(), depths_m.clone(), Statics::Soft);
-    for three in solved(&of).chunks(3) {
+    let solver = broomstick(&common(), Frictions::default(), depths_m.clone(), Statics::Soft);
+    for three in solved(&solver).chunks(3) {
         let [low, expected, high] =
             [0, 1, 2].map(|level| three[level].outcome.as_ref().expect("an answer").scalars);
         match three[0].operation {
@@ -237,7 +237,7 @@ fn friction_parts_what_it_must() {
     }
 }
 
-/// Low and high friction: the section's own, less and more, never below the least that is left.
+/// Low and high friction: the section's own, less and more, never below the lower limit.
 #[test]
 fn frictions_that_are_not_given_are_the_section_s_own() {
     let own = |kinetic: f64| Friction { kinetic, at_rest: 1.5 * kinetic, around: 0.5 };
@@ -247,32 +247,33 @@ fn frictions_that_are_not_given_are_the_section_s_own() {
     assert!((shifted(0.1, 0.3).at_rest - 0.6).abs() < 1e-12);
     assert_eq!(shifted(0.1, 0.3).around, 0.5);
     assert_eq!(shifted(-0.1, 0.12).kinetic, KindFriction::LEAST);
-    // A smooth hole does not get rough by taking away.
+    // A smooth hole does not become rough by a negative shift.
     assert_eq!(shifted(-0.1, 0.02).kinetic, 0.02);
     assert_eq!(shifted(0.1, 0.0).kinetic, 0.1);
 }
 
-/// In a straight hole at 60° with a friction of 0.8 a string that slides down is pressed the more the
-/// farther from the bit, by `w (μ sin θ − cos θ)` a metre: it buckles at its top, under so much less
-/// weight. One that turns buckles at the bit, under `2 √(EI w sin θ / r)`, and a helix begins under
-/// `√2` times that. To 2e-4: the search's 1e-4, and what the advance of the bit takes of the torque.
+/// In a straight hole at 60° with a friction of 0.8 the compression of a sliding string grows with
+/// the distance from the bit, by `w (μ sin θ − cos θ)` a metre: it buckles at its top, under a
+/// weight that is lower by that amount. A rotating one buckles at the bit, under `2 √(EI w sin θ /
+/// r)`, and a helix begins under `√2` times that. To 2e-4: the search's 1e-4, and the share of the
+/// torque for the advance of the bit.
 #[test]
 fn weights_to_buckle_are_those_of_a_straight_hole() {
     let hole_m = 0.2159;
     let stations = [[0.0, 60.0, 0.0], [600.0, 60.0, 0.0]];
     let setup = setup(&stations, StringSpec::from_bit(pipe()), hole_m);
-    let of = broomstick(&setup, levels([0.0, 0.4, 0.8]), vec![600.0], Statics::Soft);
+    let broomstick = broomstick(&setup, levels([0.0, 0.4, 0.8]), vec![600.0], Statics::Soft);
     let bending = Material::STEEL.youngs_modulus_Pa * std::f64::consts::PI / 64.0
         * (OD_M.powi(4) - ID_M.powi(4));
     let weight_N_per_m =
         G * (STEEL - MUD) * std::f64::consts::FRAC_PI_4 * (OD_M * OD_M - ID_M * ID_M);
     let clearance_m = 0.5 * (hole_m - OD_M);
     let sinusoidal_N = 2.0 * (bending * weight_N_per_m * FRAC_PI_3.sin() / clearance_m).sqrt();
-    let found = of.weights_to_buckle(600.0);
+    let found = broomstick.weights_to_buckle(600.0);
     assert_eq!(found.len(), 6);
     for one in found {
         let [sinusoidal, helical] =
-            one.weights_N.expect("an answer").map(|of| of.expect("it buckles"));
+            one.weights_N.expect("an answer").map(|weight_N| weight_N.expect("it buckles"));
         let friction = [0.0, 0.4, 0.8][one.friction as usize];
         let grows = match one.operation {
             OperationKind::Slide => friction * FRAC_PI_3.sin() - FRAC_PI_3.cos(),
@@ -299,15 +300,17 @@ fn the_soft_string_buckles_at_its_weight_to_buckle() {
     let stations = [[0.0, 0.0, 0.0], [500.0, 0.0, 0.0], [1400.0, 60.0, 40.0], [2500.0, 60.0, 60.0]];
     let string = StringSpec::from_bit(ComponentSpec::bit(0.2159, 0.3))
         .catalogue("6-1/2 in x 2-13/16 in collar", ComponentLength::Metres(100.0))
-        .and_then(|of| of.catalogue("5 in 19.50 lb/ft S-135", ComponentLength::Metres(2300.0)))
+        .and_then(|string| {
+            string.catalogue("5 in 19.50 lb/ft S-135", ComponentLength::Metres(2300.0))
+        })
         .expect("a string");
     let setup = setup(&stations, string, 0.2224);
-    let of = broomstick(&setup, Frictions::default(), vec![2500.0], Statics::Soft);
-    let model = |level| of.setup(level).at(2500.0).expect("a model");
-    for one in of.weights_to_buckle(2500.0) {
+    let broomstick = broomstick(&setup, Frictions::default(), vec![2500.0], Statics::Soft);
+    let model = |level| broomstick.setup(level).at(2500.0).expect("a model");
+    for one in broomstick.weights_to_buckle(2500.0) {
         let own = operations().into_iter().find(|own| own.kind == one.operation).expect("it");
         let [sinusoidal, helical] =
-            one.weights_N.expect("an answer").map(|of| of.expect("it buckles"));
+            one.weights_N.expect("an answer").map(|weight_N| weight_N.expect("it buckles"));
         assert!(0.0 < sinusoidal && sinusoidal < helical);
         for (weight_N, shape) in [(sinusoidal, 0), (helical, 1)] {
             let buckles = |weight_N: f64| {
@@ -337,26 +340,28 @@ fn a_tapered_string_is_cut_at_the_surface() {
     let [tapered, plain] = [tapered, plain].map(|string| setup(&stations, string, 0.2159));
     let depths_m = bit_depths_m(&tapered, None, 4305.0, 5);
     assert!((depths_m[0] - 1.3).abs() < 1e-9, "{depths_m:?}");
-    let of = |setup: &Setup| {
+    let points = |setup: &Setup| {
         solved(&broomstick(setup, Frictions::default(), depths_m.clone(), Statics::Soft))
     };
-    for (point, other) in of(&tapered).iter().zip(of(&plain)) {
+    for (point, other) in points(&tapered).iter().zip(points(&plain)) {
         let [load_N, expected_N] = [point, &other].map(hook_load_N);
         assert_eq!(load_N == expected_N, point.bit_depth_m < 3000.0, "{}", point.bit_depth_m);
     }
 }
 
-/// Stiff points are the stiff string's own, of a bit within the assembly too; a string that cannot
-/// be assembled or solved is a row with a reason.
+/// Stiff points are the stiff string's own, also with a bit within the assembly; a string that
+/// cannot be assembled or solved is a row with a reason.
 #[test]
 fn a_point_without_an_answer_says_why() {
     let stations = [[0.0, 0.0, 0.0], [300.0, 0.0, 0.0], [600.0, 20.0, 0.0], [800.0, 20.0, 0.0]];
     let string = StringSpec::from_bit(ComponentSpec::bit(0.2159, 0.3))
         .catalogue("6-1/2 in x 2-13/16 in collar", ComponentLength::Metres(100.0))
-        .and_then(|of| of.catalogue("5 in 19.50 lb/ft S-135", ComponentLength::Metres(2300.0)))
+        .and_then(|string| {
+            string.catalogue("5 in 19.50 lb/ft S-135", ComponentLength::Metres(2300.0))
+        })
         .expect("a string");
     let setup = setup(&stations, string, 0.2224);
-    let of = Broomstick::new(
+    let broomstick = Broomstick::new(
         &setup,
         &Frictions::default(),
         vec![Operation::trip_out(1.0)],
@@ -364,7 +369,7 @@ fn a_point_without_an_answer_says_why() {
         vec![Statics::Soft, Statics::Stiff],
     )
     .expect("sound frictions");
-    let points = solved(&of);
+    let points = solved(&broomstick);
     assert_eq!(points.len(), 2 * 3 * 3);
     for point in &points {
         match &point.outcome {
@@ -375,12 +380,12 @@ fn a_point_without_an_answer_says_why() {
             }
         }
     }
-    let stiff = points.iter().find(|of| {
-        of.model == Statics::Stiff
-            && of.bit_depth_m == 800.0
-            && of.friction == FrictionLevel::Expected
+    let stiff = points.iter().find(|point| {
+        point.model == Statics::Stiff
+            && point.bit_depth_m == 800.0
+            && point.friction == FrictionLevel::Expected
     });
-    let model = of.setup(FrictionLevel::Expected).at(800.0).expect("a model");
+    let model = broomstick.setup(FrictionLevel::Expected).at(800.0).expect("a model");
     let alone = stiff::solve(&model, &Operation::trip_out(800.0), &Default::default());
     assert_eq!(hook_load_N(stiff.expect("a point")), alone.expect("an answer").scalars.hook_load_N);
 }

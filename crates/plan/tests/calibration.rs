@@ -1,5 +1,4 @@
-//! Calibration of a known well against a solution of its own, and how often its regions hold the
-//! truth.
+//! Calibration of a known well against an independent solution, and the coverage of its regions.
 
 mod oracle;
 mod well_of_s4;
@@ -20,7 +19,7 @@ use wholestring_verification::verify;
 const REGION: f64 = 7.814_73;
 
 fn values(found: &Calibration) -> Vec<f64> {
-    found.estimates.iter().map(|of| of.value).collect()
+    found.estimates.iter().map(|estimate| estimate.value).collect()
 }
 
 /// Values, errors, profile intervals and the sum of squares, each against the independent solution.
@@ -49,17 +48,17 @@ fn s4_friction_of_casing_and_open_hole_and_block_weight() {
         // At an end all others at their best make the square greater by that of 1.96.
         let sought = normal_within(0.95).powi(2);
         for end in estimate.interval.map(|end| end.expect("an end")) {
-            let others: Vec<usize> = (0..3).filter(|&of| of != place).collect();
-            let whole = |of: &[f64]| {
+            let others: Vec<usize> = (0..3).filter(|&index| index != place).collect();
+            let whole = |pair: &[f64]| {
                 let mut p = best.clone();
                 p[place] = end;
-                p[others[0]] = of[0];
-                p[others[1]] = of[1];
+                p[others[0]] = pair[0];
+                p[others[1]] = pair[1];
                 p
             };
-            let held = |of: &[f64]| chi2(&whole(of));
-            let from: Vec<f64> = others.iter().map(|&of| best[of]).collect();
-            let scale: Vec<f64> = others.iter().map(|&of| scale[of]).collect();
+            let held = |pair: &[f64]| chi2(&whole(pair));
+            let from: Vec<f64> = others.iter().map(|&index| best[index]).collect();
+            let scale: Vec<f64> = others.iter().map(|&index| scale[index]).collect();
             let least_there = held(&nelder_mead(held, &from, &scale));
             // The excess grows by 2 · 1.96 for each standard error.
             let off = ((least_there - least) - sought) / (2.0 * sought.sqrt());
@@ -75,14 +74,14 @@ fn s4_friction_of_casing_and_open_hole_and_block_weight() {
         .absolute(0.5, "the file's; steps of 5 m")
         .report(least, found.chi2);
     assert!(found.chi2 < 100.0, "{}", found.chi2);
-    for of in &found.estimates[..2] {
-        assert!((0.15..0.35).contains(&of.value), "{of:?}");
+    for estimate in &found.estimates[..2] {
+        assert!((0.15..0.35).contains(&estimate.value), "{estimate:?}");
     }
     assert!(found.confused.is_empty() && found.points.iter().all(|point| !point.outlier));
     assert!(found.interpolation_error < 0.02);
 }
 
-/// Errors that are not given come out as those that were made.
+/// Estimated errors agree with those in the data.
 #[test]
 fn s4_errors_of_readings_are_estimated() {
     let oracle = Oracle::read();
@@ -90,17 +89,17 @@ fn s4_errors_of_readings_are_estimated() {
     let settings = Settings { errors: [None; 3], ..settings() };
     let model = SoftPredictions::new(&assemblies);
     let found = calibrate(&model, &readings(&Oracle::data()), &[], &[], &settings).expect("a fit");
-    for (of, made) in found.errors.iter().zip([12e3, 6e3, 500.0]) {
-        assert!(!of.given);
+    for (error, made) in found.errors.iter().zip([12e3, 6e3, 500.0]) {
+        assert!(!error.given);
         // The standard error of a root mean square of n numbers is 1/√(2 n) of it: within three.
-        let most = 3.0 / (2.0 * of.readings as f64).sqrt();
-        verify("S4", format!("estimated error of the {} over that made", of.kind.name()))
+        let most = 3.0 / (2.0 * error.readings as f64).sqrt();
+        verify("S4", format!("estimated error of the {} over that made", error.kind.name()))
             .absolute(most, "three standard errors of a root mean square of so many")
-            .report(1.0, of.value / made);
+            .report(1.0, error.value / made);
     }
 }
 
-/// A well that is not that of the readings is fitted too, but its residuals tell.
+/// A well that differs from that of the readings is fitted too, but its residuals show it.
 #[test]
 fn a_wrong_well_shows_in_the_residuals() {
     let oracle = Oracle::read();
@@ -119,7 +118,7 @@ fn a_wrong_well_shows_in_the_residuals() {
     assert!(found.chi2 > 200.0, "{}", found.chi2);
 }
 
-/// Casing alone, or open hole alone, cannot tell the other.
+/// Readings in casing alone, or in open hole alone, do not determine the other.
 #[test]
 fn what_readings_cannot_tell_is_said() {
     let oracle = Oracle::read();
@@ -132,43 +131,45 @@ fn what_readings_cannot_tell_is_said() {
     let both = Settings { parameters: vec![Parameter::Friction, Parameter::Open], ..settings() };
     let twice = calibrate(&model, &shallow, &[], &[], &both).expect_err("one number");
     assert_eq!(twice, CalibrationError::Twice(Parameter::Friction, Parameter::Open));
-    // Pick-up weights at two neighbouring depths cannot tell three numbers apart.
-    let few: Vec<Reading> =
-        readings(&rows[20..]).into_iter().filter(|of| of.channel == Channel::PickUp).collect();
+    // Pick-up weights at two neighbouring depths do not separate three parameters.
+    let few: Vec<Reading> = readings(&rows[20..])
+        .into_iter()
+        .filter(|reading| reading.channel == Channel::PickUp)
+        .collect();
     let found = calibrate(&model, &few, &[], &[], &settings()).expect("a fit");
     assert!(!found.confused.is_empty() && found.condition > 100.0, "{}", found.condition);
     let one = calibrate(&model, &few[..2], &[], &[], &settings()).expect_err("too few");
     assert_eq!(one, CalibrationError::TooFew { readings: 2, parameters: 3 });
 }
 
-/// A factor that would be negative is zero, and is said to be so.
+/// A factor that would be negative is zero, and is reported at its bound.
 #[test]
 fn no_factor_is_negative() {
     let oracle = Oracle::read();
     let assemblies = [assembly(&oracle)];
     let model = SoftPredictions::new(&assemblies);
-    let mut of = readings(&oracle.rows(&Oracle::depths(), [0.0, 0.3, 180e3]));
-    // Less torque than nothing in casing.
-    for reading in &mut of {
+    let mut readings = readings(&oracle.rows(&Oracle::depths(), [0.0, 0.3, 180e3]));
+    // Negative torque in casing.
+    for reading in &mut readings {
         if reading.channel == Channel::OffBottomTorque {
             reading.value -= 1e3;
         }
     }
-    let found = calibrate(&model, &of, &[], &[], &settings()).expect("a fit");
+    let found = calibrate(&model, &readings, &[], &[], &settings()).expect("a fit");
     let cased = &found.estimates[0];
     assert!(cased.at_bound && cased.value == 0.0 && cased.standard_error.is_none());
     assert_eq!(cased.interval[0], Some(0.0));
     assert!(cased.interval[1].expect("an end") > 0.0 && !found.estimates[1].at_bound);
 }
 
-/// Friction around the hole that is not that along it.
+/// Friction around the hole that differs from that along it is found separately.
 #[test]
 fn friction_around_the_hole_is_found_apart() {
     let oracle = Oracle::read();
     let assemblies = [assembly(&oracle)];
     let model = SoftPredictions::new(&assemblies);
-    let mut of = readings(&oracle.rows(&Oracle::depths(), [0.2, 0.3, 180e3]));
-    for reading in &mut of {
+    let mut readings = readings(&oracle.rows(&Oracle::depths(), [0.2, 0.3, 180e3]));
+    for reading in &mut readings {
         if reading.channel == Channel::OffBottomTorque {
             reading.value *= 0.5;
         }
@@ -177,7 +178,7 @@ fn friction_around_the_hole_is_found_apart() {
     parameters.extend([Parameter::CasedAround, Parameter::OpenAround]);
     let found = calibrate(
         &model,
-        &of,
+        &readings,
         &[],
         &[],
         &Settings { parameters, around_apart: true, ..settings() },
@@ -188,7 +189,7 @@ fn friction_around_the_hole_is_found_apart() {
     }
 }
 
-/// A model that is asked the same again and again.
+/// A model that caches repeated requests.
 struct Remembering<'a> {
     model: SoftPredictions<'a>,
     known: RefCell<HashMap<[u64; 6], Loads>>,
@@ -199,22 +200,22 @@ impl Predict for Remembering<'_> {
         self.model.reaches(setup, bit_depth_m, part)
     }
 
-    fn loads(&self, asked: &[Asked]) -> Result<Vec<Loads>, CalibrationError> {
-        let one = |asked: &Asked| {
-            let Factors { cased, open, cased_around, open_around, .. } = asked.factors;
-            let numbers = [asked.bit_depth_m, cased, open, cased_around, open_around];
-            let mut key = [asked.motion as u64; 6];
+    fn loads(&self, requests: &[Asked]) -> Result<Vec<Loads>, CalibrationError> {
+        let one = |request: &Asked| {
+            let Factors { cased, open, cased_around, open_around, .. } = request.factors;
+            let numbers = [request.bit_depth_m, cased, open, cased_around, open_around];
+            let mut key = [request.motion as u64; 6];
             for (key, number) in key.iter_mut().zip(numbers) {
                 *key = number.to_bits();
             }
             if let Some(loads) = self.known.borrow().get(&key) {
                 return Ok(*loads);
             }
-            let loads = self.model.one(asked)?;
+            let loads = self.model.one(request)?;
             self.known.borrow_mut().insert(key, loads);
             Ok(loads)
         };
-        asked.iter().map(one).collect()
+        requests.iter().map(one).collect()
     }
 }
 
@@ -237,7 +238,8 @@ impl Noise {
     }
 }
 
-/// Of 200 sets of readings with known noise, the region of 95 % holds the truth of so many.
+/// The number of 200 sets of readings with known noise for which the region of 95 % contains the
+/// truth.
 #[test]
 fn regions_hold_the_truth_as_often_as_they_say() {
     let oracle = Oracle::read();
@@ -251,45 +253,52 @@ fn regions_hold_the_truth_as_often_as_they_say() {
     let mut noise = Noise(4);
     let settings = Settings { profiles: false, ..settings() };
     for _ in 0..200 {
-        let mut of = sound.clone();
+        let mut sound = sound.clone();
         let mut chi2_at_truth = 0.0;
-        for reading in &mut of {
+        for reading in &mut sound {
             let z = noise.normal();
             let error = settings.errors[reading.channel.error().place()].expect("given");
             reading.value += error * z;
             chi2_at_truth += z * z;
         }
-        let found = calibrate(&model, &of, &[], &[], &settings).expect("a fit");
+        let found = calibrate(&model, &sound, &[], &[], &settings).expect("a fit");
         sets += 1;
         held += usize::from(chi2_at_truth - found.chi2 <= REGION);
-        for (held, (of, truth)) in held_alone.iter_mut().zip(found.estimates.iter().zip(truth)) {
-            let [from, to] = of.interval.map(|end| end.expect("an end"));
+        for (held, (estimate, truth)) in
+            held_alone.iter_mut().zip(found.estimates.iter().zip(truth))
+        {
+            let [from, to] = estimate.interval.map(|end| end.expect("an end"));
             *held += usize::from((from..to).contains(&truth));
         }
     }
     let part = |held: usize| 100.0 * held as f64 / f64::from(sets);
-    verify("S4", "sets of readings whose region of 95 % holds the truth, %")
-        .absolute(4.0, "90 to 98 % were asked of 200 sets; their standard error is 1.5 %")
+    verify("S4", "sets of readings whose region of 95 % contains the truth, %")
+        .absolute(4.0, "90 to 98 % are required of 200 sets; their standard error is 1.5 %")
         .report(94.0, part(held));
-    for (of, held) in PARAMETERS.iter().zip(held_alone) {
+    for (parameter, held) in PARAMETERS.iter().zip(held_alone) {
         verify(
             "S4",
-            format!("sets whose interval of 95 % of the {} holds the truth, %", of.words()),
+            format!(
+                "sets whose interval of 95 % of the {} contains the truth, %",
+                parameter.words()
+            ),
         )
         .absolute(4.0, "as of the region")
         .report(94.0, part(held));
     }
 }
 
-/// A reading that is held out changes nothing that is found, and is predicted as a band at its depth is.
+/// A reading that is held out does not change the results, and is predicted like a band at its
+/// depth.
 #[test]
 fn what_is_held_out_is_predicted() {
     let oracle = Oracle::read();
     let assemblies = [assembly(&oracle)];
     let model = SoftPredictions::new(&assemblies);
     let all = readings(&Oracle::data());
-    let deepest_m = all.iter().map(|of| of.bit_depth_m).fold(0.0, f64::max);
-    let (held, used): (Vec<_>, Vec<_>) = all.iter().partition(|of| of.bit_depth_m == deepest_m);
+    let deepest_m = all.iter().map(|reading| reading.bit_depth_m).fold(0.0, f64::max);
+    let (held, used): (Vec<_>, Vec<_>) =
+        all.iter().partition(|reading| reading.bit_depth_m == deepest_m);
     let depths = [(0, deepest_m)];
     let found = calibrate(&model, &used, &held, &depths, &settings()).expect("a fit");
     let alone = calibrate(&model, &used, &[], &depths, &settings()).expect("a fit");
@@ -297,7 +306,7 @@ fn what_is_held_out_is_predicted() {
     assert_eq!(found.held_out.len(), held.len());
     assert_eq!(found.points.len(), used.len());
     for point in &found.held_out {
-        let is = |of: &&BandPoint| of.channel == point.reading.channel;
+        let is = |band: &&BandPoint| band.channel == point.reading.channel;
         let band = alone.bands.iter().find(is).expect("a band");
         assert_eq!(point.predicted, band.predicted);
         // Noise of its known size: no reading of the file is five standard errors off.
@@ -313,7 +322,7 @@ fn bands_are_those_of_samples() {
     let oracle = Oracle::read();
     let assemblies = [assembly(&oracle)];
     let model = SoftPredictions::new(&assemblies);
-    // Errors ten times as large, that the bands are wide and what is not linear shows.
+    // Errors ten times as large, so that the bands are wide and nonlinearity shows.
     let errors = settings().errors.map(|error| error.map(|error| 5.0 * error));
     let settings = Settings { errors, ..settings() };
     let rows = Oracle::data();
@@ -323,11 +332,11 @@ fn bands_are_those_of_samples() {
     let best = values(&found);
     let likelihood = |p: &[f64]| -0.5 * oracle.chi2(&rows, p) / 25.0;
     let peak = likelihood(&best);
-    // Metropolis with the covariance found; what is drawn is of the likelihood, not of a Gaussian.
+    // Metropolis with the covariance found; the draws are from the likelihood, not from a Gaussian.
     let lower = cholesky(&found.covariance);
     let mut noise = Noise(11);
     let (mut at, mut height) = (best.clone(), peak);
-    let mut drawn: Vec<[f64; 4]> = Vec::new();
+    let mut samples_drawn: Vec<[f64; 4]> = Vec::new();
     for step in 0..12_000 {
         let z: Vec<f64> = (0..3).map(|_| noise.normal()).collect();
         let mut to = at.clone();
@@ -339,14 +348,14 @@ fn bands_are_those_of_samples() {
             (at, height) = (to, there);
         }
         if step >= 500 && step % 4 == 0 {
-            drawn.push(oracle.predict(depth_m, [at[0], at[1], at[2]]));
+            samples_drawn.push(oracle.predict(depth_m, [at[0], at[1], at[2]]));
         }
     }
     for (place, channel) in CHANNELS.into_iter().enumerate() {
         let band = found.bands.iter().find(|band| band.channel == channel).expect("a band");
-        let mut of: Vec<f64> = drawn.iter().map(|of| of[place]).collect();
-        of.sort_by(f64::total_cmp);
-        let quantile = |part: f64| of[(part * (of.len() - 1) as f64).round() as usize];
+        let mut samples: Vec<f64> = samples_drawn.iter().map(|loads| loads[place]).collect();
+        samples.sort_by(f64::total_cmp);
+        let quantile = |part: f64| samples[(part * (samples.len() - 1) as f64).round() as usize];
         let half_width = 0.5 * (quantile(0.95) - quantile(0.05));
         let name = channel.name().replace('_', "-");
         verify("S4", format!("{name}: half-width of the band over that of samples"))
@@ -362,22 +371,22 @@ fn bands_are_those_of_samples() {
     assert_eq!(ErrorKind::ALL.len(), found.errors.len());
 }
 
-fn cholesky(of: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let mut lower = vec![vec![0.0; of.len()]; of.len()];
-    for row in 0..of.len() {
+fn cholesky(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let mut lower = vec![vec![0.0; matrix.len()]; matrix.len()];
+    for row in 0..matrix.len() {
         for column in 0..=row {
             let sum: f64 = (0..column).map(|k| lower[row][k] * lower[column][k]).sum();
             lower[row][column] = match row == column {
-                true => (of[row][row] - sum).sqrt(),
-                false => (of[row][column] - sum) / lower[column][column],
+                true => (matrix[row][row] - sum).sqrt(),
+                false => (matrix[row][column] - sum) / lower[column][column],
             };
         }
     }
     lower
 }
 
-/// Readings that were written wrongly are found by Huber's loss and no others, whether their errors are given or
-/// not; the fit without them is that of the sound ones.
+/// Huber's loss finds the wrong readings and no others, whether errors are given or not; the fit
+/// without them is that of the unchanged ones.
 #[test]
 fn outliers_are_those_that_were_made() {
     let oracle = Oracle::read();
@@ -387,50 +396,51 @@ fn outliers_are_those_that_were_made() {
     let settings = Settings { errors: [None; 3], profiles: false, ..settings() };
     // A tight hole, two digits in the wrong order, a torque by half.
     let wrong = [(12, 120e3), (33, -150e3), (70, 150e3), (59, -8e3)];
-    let mut of = sound.clone();
+    let mut changed = sound.clone();
     for (place, off) in wrong {
-        of[place].value += off;
+        changed[place].value += off;
     }
-    let found = outliers(&model, &of, &settings).expect("a fit");
-    let places: Vec<usize> = (0..of.len()).filter(|&place| found.outlier[place]).collect();
-    let mut expected: Vec<usize> = wrong.iter().map(|of| of.0).collect();
+    let found = outliers(&model, &changed, &settings).expect("a fit");
+    let places: Vec<usize> = (0..changed.len()).filter(|&place| found.outlier[place]).collect();
+    let mut expected: Vec<usize> = wrong.iter().map(|(place, _)| *place).collect();
     expected.sort_unstable();
     assert_eq!((places, found.too_many), (expected, None), "{:?}", found.scales);
     let none = outliers(&model, &sound, &settings).expect("a fit");
     assert!(none.outlier.iter().filter(|is| **is).count() <= 1, "{:?}", none.scales);
-    // Where a third of the readings are off, up and down, it is not a matter of outliers.
-    for (row, readings) in of.chunks_mut(4).enumerate().filter(|(row, _)| row % 3 == 0) {
+    // Where a third of the readings are off, up and down, they are not outliers.
+    for (row, readings) in changed.chunks_mut(4).enumerate().filter(|(row, _)| row % 3 == 0) {
         let factor = if row % 2 == 0 { 1.5 } else { 0.5 };
-        readings.iter_mut().for_each(|of| of.value *= factor);
+        readings.iter_mut().for_each(|reading| reading.value *= factor);
     }
-    let many = outliers(&model, &of, &settings).expect("a fit");
+    let many = outliers(&model, &changed, &settings).expect("a fit");
     assert!(many.too_many.is_some() && !many.outlier.contains(&true), "{many:?}");
 }
 
-/// Neither a block nor a bit weighs or turns less than nothing; zeros in place of readings are refused by name.
+/// Neither the weight of a block nor the torque of a bit is negative; zeros in place of readings
+/// are refused by name.
 #[test]
 fn no_block_is_negative() {
     let oracle = Oracle::read();
     let assemblies = [assembly(&oracle)];
     let model = SoftPredictions::new(&assemblies);
-    let mut of = readings(&oracle.rows(&Oracle::depths(), [0.2, 0.3, 0.0]));
-    for reading in of.iter_mut().filter(|of| !of.channel.is_torque()) {
+    let mut readings = readings(&oracle.rows(&Oracle::depths(), [0.2, 0.3, 0.0]));
+    for reading in readings.iter_mut().filter(|reading| !reading.channel.is_torque()) {
         reading.value -= 30e3;
     }
-    let found = calibrate(&model, &of, &[], &[], &settings()).expect("a fit");
+    let found = calibrate(&model, &readings, &[], &[], &settings()).expect("a fit");
     let block = &found.estimates[2];
     assert!(block.at_bound && block.value == 0.0, "{block:?}");
     assert_eq!((block.interval[0], block.standard_error), (Some(0.0), None));
-    for reading in of.iter_mut().filter(|of| of.channel.is_torque()) {
+    for reading in readings.iter_mut().filter(|reading| reading.channel.is_torque()) {
         reading.value = 0.0;
     }
-    let zero = calibrate(&model, &of, &[], &[], &settings()).expect_err("zeros");
+    let zero = calibrate(&model, &readings, &[], &[], &settings()).expect_err("zeros");
     assert_eq!(zero, CalibrationError::AllZero(ErrorKind::Torque));
     assert!(zero.to_string().contains("the torques are all zero"), "{zero}");
 }
 
-/// Predictions in a box that is narrower than the intervals are made anew in a wider one: the ends are found, and
-/// they are those of a wide box.
+/// Predictions in a box that is narrower than the intervals are made anew in a wider one: the ends
+/// are found, and they are those of a wide box.
 #[test]
 fn intervals_beyond_a_narrow_box_are_found() {
     let oracle = Oracle::read();

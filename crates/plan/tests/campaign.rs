@@ -70,9 +70,9 @@ fn operations() -> Vec<Operation> {
     ]
 }
 
-/// Drilled from the shoe, tripped twice, turned for an hour at the end: the shares of the points add up to the
-/// stages by hand, and those of the frictions that are not expected count nothing. Limits are those of each
-/// solution.
+/// Drilled from the shoe, tripped twice, turned for an hour at the end: the shares of the points
+/// add up to the stages by hand, and those of frictions other than the expected one are not
+/// counted. Limits are those of each solution.
 #[test]
 fn shares_add_up_to_the_campaign() {
     let (setup, operations) = (setup(), operations());
@@ -92,10 +92,11 @@ fn shares_add_up_to_the_campaign() {
     let mut points: Vec<_> =
         own.iter().flat_map(|task| broomstick.solve_at(task, &[FrictionLevel::Expected])).collect();
     points.extend(broomstick.tasks().iter().flat_map(|task| broomstick.solve(task)));
-    let mut answers = points.iter().map(|of| (of, of.outcome.as_ref().expect("an answer")));
+    let mut answers =
+        points.iter().map(|point| (point, point.outcome.as_ref().expect("an answer")));
     let shares: Vec<_> = answers
         .clone()
-        .filter_map(|(of, answer)| Some((of.friction, answer.share.clone()?)))
+        .filter_map(|(point, answer)| Some((point.friction, answer.share.clone()?)))
         .collect();
     assert!(shares.iter().all(|(friction, _)| *friction == FrictionLevel::Expected));
     // From where the assembly is in the hole the campaign has depths of its own, a twentieth of the
@@ -141,7 +142,7 @@ fn shares_add_up_to_the_campaign() {
     let casings = broomstick.campaign().expect("a campaign").casings(&all);
     assert_eq!(casings.len(), 200);
     for (found, expected) in casings.iter().zip(wear.rows()) {
-        let [found, expected] = [found, &expected].map(|of| of.worn_m3_per_m);
+        let [found, expected] = [found, &expected].map(|row| row.worn_m3_per_m);
         assert!((found - expected).abs() <= 1e-12 * expected, "{found} for {expected}");
     }
     assert!(all.damage.rows().count() > 100);
@@ -154,12 +155,13 @@ fn shares_add_up_to_the_campaign() {
         assert!((found - expected).abs() <= 1e-12 * expected, "{found} for {expected}");
     }
 
-    // What an hour costs at the end: the worst place of the pipe, of the same curve as the damage.
+    // The damage per hour at the end: the worst place of the pipe, by the same curve as the damage.
     let [rate] = &all.rates[..] else { panic!("the pipe alone has a grade: {:?}", all.rates) };
     assert_eq!(rate.component, 2);
     let hours = drilled_m[depths_m.len() - 1] / 5e-3 / 3600.0;
-    let worst = shares.iter().filter(|(_, of)| !of.rates.is_empty());
-    let worst = worst.map(|(_, of)| of.damage.worst(2).expect("the pipe").damage).sum::<f64>();
+    let worst = shares.iter().filter(|(_, share)| !share.rates.is_empty());
+    let worst =
+        worst.map(|(_, share)| share.damage.worst(2).expect("the pipe").damage).sum::<f64>();
     assert!((rate.damage_per_hour * hours - worst).abs() <= 1e-12 * worst);
 
     let (point, _) = answers.next_back().expect("a point");
@@ -170,7 +172,7 @@ fn shares_add_up_to_the_campaign() {
     assert!(expected.worst(CheckKind::VonMises).is_some());
 }
 
-/// A section that is drilled from a depth of the case's own, by sliding where nothing turns.
+/// A section that is drilled from a given depth, by sliding where nothing turns.
 #[test]
 fn a_campaign_from_a_depth() {
     let setup = setup();
@@ -181,35 +183,36 @@ fn a_campaign_from_a_depth() {
         ..CampaignSettings::default()
     };
     let frictions = Frictions::default();
-    let of =
+    let with_campaign =
         Broomstick::new(&setup, &frictions, operations, DEPTHS_M.to_vec(), vec![Statics::Soft])
             .expect("a broomstick")
             .with_campaign(&settings)
             .expect("casing");
-    let tasks = of.tasks();
-    let solved = tasks.iter().flat_map(|task| of.solve(task));
+    let tasks = with_campaign.tasks();
+    let solved = tasks.iter().flat_map(|task| with_campaign.solve(task));
     let shares: Vec<_> = solved
-        .filter_map(|of| Some((of.operation, of.bit_depth_m, of.outcome.ok()?.share?)))
+        .filter_map(|point| Some((point.operation, point.bit_depth_m, point.outcome.ok()?.share?)))
         .collect();
     let [(kind, depth_m, share)] = &shares[..] else { panic!("one share: {}", shares.len()) };
     assert_eq!((*kind, *depth_m), (OperationKind::Slide, 1500.0));
-    // It slides by 38 m there and turns not at all.
-    assert!(share.damage.rows().all(|of| of.damage == 0.0));
-    let casings = of.campaign().expect("a campaign").casings(share);
-    assert!(casings.iter().any(|of| of.worn_m3_per_m > 0.0));
+    // It slides by 38 m there without rotation.
+    assert!(share.damage.rows().all(|row| row.damage == 0.0));
+    let casings = with_campaign.campaign().expect("a campaign").casings(share);
+    assert!(casings.iter().any(|casing| casing.worn_m3_per_m > 0.0));
 }
 
-/// The whole of a campaign: the shares of its points and of what it solves beside them.
+/// Returns the whole of a campaign: the shares of its points and of its other tasks.
 fn whole(operations: &[Operation], depths_m: &[f64], settings: &CampaignSettings) -> Share {
     let frictions = Frictions::default();
     let (operations, models) = (operations.to_vec(), vec![Statics::Soft]);
-    let of = Broomstick::new(&setup(), &frictions, operations, depths_m.to_vec(), models)
-        .expect("a broomstick")
-        .with_campaign(settings)
-        .expect("casing");
+    let with_campaign =
+        Broomstick::new(&setup(), &frictions, operations, depths_m.to_vec(), models)
+            .expect("a broomstick")
+            .with_campaign(settings)
+            .expect("casing");
     let mut all = Share::default();
-    for task in of.tasks().iter().chain(&of.campaign_tasks()) {
-        for point in of.solve_at(task, &[FrictionLevel::Expected]) {
+    for task in with_campaign.tasks().iter().chain(&with_campaign.campaign_tasks()) {
+        for point in with_campaign.solve_at(task, &[FrictionLevel::Expected]) {
             let Some(share) = point.outcome.expect("an answer").share else { continue };
             if all == Share::default() {
                 all = share;
@@ -221,22 +224,22 @@ fn whole(operations: &[Operation], depths_m: &[f64], settings: &CampaignSettings
     all
 }
 
-/// The deepest groove of a campaign, m.
+/// Returns the deepest groove of a campaign, m.
 fn groove_m(share: &Share) -> f64 {
     let wear = CasingWear::new(&setup().well.hole, &WearFactors::default()).expect("casing");
     let rows = wear.with(&share.worn).rows();
     rows.iter().map(|row| row.groove_m.expect("a groove")).fold(0.0, f64::max)
 }
 
-/// Volume of all that a campaign wears, m³.
+/// Returns the worn volume of a campaign, m³.
 fn volume_m3(share: &Share) -> f64 {
     let wear = CasingWear::new(&setup().well.hole, &WearFactors::default()).expect("casing");
     wear.with(&share.worn).rows().iter().map(|row| 5.0 * row.worn_m3_per_m).sum()
 }
 
 /// The hole above the shallowest depth of a plan is drilled and tripped through too: a plan of one
-/// depth wears and tires what a plan of forty does, to 2 % of the volume and 5 % of the sum of
-/// damage; the deepest groove, which is of one place, to 10 %.
+/// depth has the wear and damage of a plan of forty, to 2 % of the volume and 5 % of the sum of
+/// damage; the deepest groove, a local value, to 10 %.
 #[test]
 fn the_hole_above_the_shallowest_depth_counts() {
     let settings = CampaignSettings {
@@ -259,8 +262,7 @@ fn the_hole_above_the_shallowest_depth_counts() {
     }
 }
 
-/// A campaign counts an operation that its plan does not list, with the set points that it is
-/// given.
+/// A campaign includes an operation that its plan does not list, with the given set points.
 #[test]
 fn an_operation_that_the_plan_does_not_list_counts() {
     let settings = |operations: Vec<Operation>| CampaignSettings {
@@ -288,7 +290,7 @@ fn an_operation_that_the_plan_does_not_list_counts() {
     let some = parts(vec![Operation::trip_in(1500.0)], &settings(Vec::new()));
     let counted: Vec<bool> = some.iter().map(|part| part.duration_s.is_some()).collect();
     assert_eq!(counted, [false, true, false, false]);
-    // Nor does what has no speed.
+    // Neither is an operation without a speed.
     let still = Operation { rate_of_penetration_m_per_s: 0.0, ..operations()[4] };
     let some = parts(vec![still], &settings(operations()[..3].to_vec()));
     let counted: Vec<bool> = some.iter().map(|part| part.duration_s.is_some()).collect();

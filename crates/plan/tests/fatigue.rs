@@ -31,13 +31,13 @@ fn s3c() -> Value {
 
 /// The file's pipe with tool joints of half a spacing, m.
 fn jointed(data: &Value, half_spacing_m: f64) -> Component {
-    let of = |key: &str| number(&data["pipe"], key);
+    let number = |key: &str| number(&data["pipe"], key);
     let joints = ToolJoints { od_m: 0.1683, spacing_m: 2.0 * half_spacing_m };
-    Component { joints: Some(joints), ..pipe(of("od"), of("id"), 75e3 * PSI_PA) }
+    Component { joints: Some(joints), ..pipe(number("od"), number("id"), 75e3 * PSI_PA) }
 }
 
-/// S3c: curvature at the joint, stress, Goodman, cycles and damage of a joint that is drilled through three
-/// sections, and Miner's sum.
+/// S3c: curvature at the joint, stress, Goodman, cycles and damage of a joint that is drilled
+/// through three sections, and Miner's sum.
 #[test]
 fn s3c_three_sections() {
     let data = s3c();
@@ -51,7 +51,7 @@ fn s3c_three_sections() {
         let body = jointed(&data, 4.8);
         let load = tension_N * rate - weight_N_per_m * input("inc_deg").to_radians().sin();
         let span = JointSpan::of(&body).expect("joints");
-        // Where the pipe's weight is more than its tension lifts it, the joints bend it the other way.
+        // Where the lateral load exceeds the effect of tension, the joints bend it the other way.
         let beyond = span.bending(tension_N, load.abs()).at_joint_per_m.copysign(load);
         let curvature_per_m = rate + beyond;
         let bending_Pa = 210e9 * curvature_per_m.abs() * 0.5 * body.od_m;
@@ -114,7 +114,8 @@ fn s3c_permissible_dogleg() {
     }));
     assert_eq!(EnduranceCurve::of(75e3 * PSI_PA), EnduranceCurve::E75);
     assert_eq!(EnduranceCurve::of(135e3 * PSI_PA), EnduranceCurve::S135);
-    // Nothing is left beyond what a curve ends at, and a push bends no joint more.
+    // The endurance limit is zero beyond the end of a curve, and a compression does not increase
+    // the bending of a joint.
     assert_eq!(EnduranceCurve::E75.bending_Pa(67_001.0 * PSI_PA), 0.0);
     assert_eq!(EnduranceCurve::S135.bending_Pa(133_401.0 * PSI_PA), 0.0);
     assert_close("S-135", EnduranceCurve::S135.bending_Pa(-1.0) / PSI_PA, 20_000.0, 1e-12);
@@ -124,7 +125,7 @@ fn s3c_permissible_dogleg() {
     assert_eq!(pushed, none);
 }
 
-/// The default curve meets its two slopes at the knee, and both are the printed ones.
+/// The default curve has its two slopes meet at the knee, and both are the printed ones.
 #[test]
 fn the_curve_of_the_default() {
     let curve = SnCurve::default();
@@ -154,7 +155,8 @@ fn mean_stress_and_grades() {
     assert_eq!(minimum_tensile_strength_Pa(500e6), 500e6);
 }
 
-/// A weightless string in an arc, under the pull of its bit: tension and curvature are the same everywhere.
+/// A weightless string in an arc, under the pull of its bit: tension and curvature are the same
+/// everywhere.
 fn in_an_arc(length_m: f64, tension_N: f64) -> (Model, Operation) {
     let data = s3c();
     let body = jointed(&data, 4.8);
@@ -187,8 +189,8 @@ fn in_an_arc(length_m: f64, tension_N: f64) -> (Model, Operation) {
     (Model::new(Well { path, hole }, string, mud), operation)
 }
 
-/// Through the whole path: in an arc of 3 deg/30 m without weight the pipe bends by `x coth x` more at its
-/// joints, each hour turns 7200 times, and the whole pipe is damaged alike, whatever it passes.
+/// Through the whole path: in an arc of 3 deg/30 m without weight the pipe bends by `x coth x` more
+/// at its joints, each hour turns 7200 times, and the damage is uniform along the whole pipe.
 #[test]
 fn damage_along_a_string_that_drills() {
     let settings = FatigueSettings { sn_curve: RULE, tensile_strength_Pa: Some(TENSILE_PA) };
@@ -235,8 +237,8 @@ fn damage_along_a_string_that_drills() {
     assert!(damage.worst(7).is_none());
 }
 
-/// The same metal goes on down the hole: what one depth has taken adds up in the joints that the next depth
-/// works on, and pipe that is added later has only the later damage.
+/// The same metal moves down the hole: the damage of one depth adds up in the joints that the next
+/// depth damages further, and pipe that is added later has only the later damage.
 #[test]
 fn pipe_is_added_at_the_surface() {
     let settings = FatigueSettings { sn_curve: RULE, tensile_strength_Pa: Some(TENSILE_PA) };
@@ -256,7 +258,7 @@ fn pipe_is_added_at_the_surface() {
         let expected = if old { each[0] + each[1] } else { each[1] };
         assert_close("damage", row.damage, expected, 1e-8);
     }
-    // What does not turn is not damaged.
+    // A string that does not turn has no damage.
     let (model, drill) = in_an_arc(400.0, 5e5);
     let slide = Operation::slide(400.0)
         .weight_on_bit_N(-5e5)
@@ -268,14 +270,14 @@ fn pipe_is_added_at_the_surface() {
     assert!(still.rows().all(|row| row.damage == 0.0));
 }
 
-/// Where a pipe meets a thicker component, each is damaged by its own bending: the soft string bends both as the
-/// hole.
+/// Where a pipe meets a thicker component, each is damaged by its own bending: in the soft string
+/// both have the curvature of the hole.
 #[test]
 fn neighbours_damage_each_other_not() {
     let settings = FatigueSettings { sn_curve: RULE, tensile_strength_Pa: Some(TENSILE_PA) };
     let (mut model, drill) = in_an_arc(400.0, 1e5);
-    let of = |name, od_m, length| ComponentSpec::uniform(name, od_m, 0.0714, length, steel());
-    let components = vec![of("pipe", 0.127, Metres(200.0)), of("collar", 0.2032, ToSurface)];
+    let part = |name, od_m, length| ComponentSpec::uniform(name, od_m, 0.0714, length, steel());
+    let components = vec![part("pipe", 0.127, Metres(200.0)), part("collar", 0.2032, ToSurface)];
     model.string = StringSpec { components }.assemble(400.0).expect("a string");
     let solved = soft_string(&model, &drill).expect("a sound model");
     let mut damage = Damage::default();

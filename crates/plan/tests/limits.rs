@@ -1,5 +1,5 @@
-//! Limits of solved operations, against closed forms through the whole path: model, soft or stiff string,
-//! limits.
+//! Limits of solved operations, against closed forms through the whole path: model, soft or stiff
+//! string, limits.
 
 mod common;
 
@@ -32,13 +32,14 @@ fn five_inch(name: &str, length: ComponentLength, yield_strength_Pa: f64) -> Com
     }
 }
 
-/// The same, worn to what its class leaves.
+/// The same, worn to the limit of its class.
 fn worn(new: &ComponentSpec, class: PipeClass) -> ComponentSpec {
     let od_m = new.id_m + class.wall_left() * (new.od_m - new.id_m);
     ComponentSpec { od_m, class, ..new.clone() }
 }
 
-/// A string in a hole of 0.3 m through stations of measured depth, inclination and azimuth, m and degrees.
+/// A string in a hole of 0.3 m through stations of measured depth, inclination and azimuth, m and
+/// degrees.
 fn in_hole(
     stations: &[[f64; 3]],
     friction: f64,
@@ -136,7 +137,8 @@ fn a_pipe_that_hangs() {
     let governing = found.governing().expect("a limit");
     assert_eq!(governing.kind, CheckKind::Hoist);
 
-    // Nothing turns, flows or presses: no such limit is listed, and what is not known is told.
+    // Without rotation, flow or compression there is no such limit, and unknown strengths are
+    // reported.
     use CheckKind::*;
     for kind in [Torsion, TensionAndTorsion, TopDrive, Burst, Collapse, HelicalBuckling, LockUp] {
         assert!(found.worst(kind).is_none(), "{kind:?}");
@@ -146,9 +148,9 @@ fn a_pipe_that_hangs() {
     assert_eq!(lacks, [(MakeUp, Some("pipe")), (TopDrivePeak, None), (PumpPressure, None)]);
 }
 
-/// What is allowed at the surface is where the limits begin to be short: a hook load or a torque
-/// that is a little less keeps its factor, one that is a little more does not. The pipe's are those
-/// of the topmost component, and what is not known has none.
+/// The allowable load at the surface separates the verdicts: a hook load or a torque that is
+/// slightly less meets the required factor, one that is slightly more does not. The pipe's are
+/// those of the topmost component, and unknown strengths have none.
 #[test]
 fn what_is_allowed_at_the_surface() {
     let connection = ConnectionStrength {
@@ -183,18 +185,18 @@ fn what_is_allowed_at_the_surface() {
     );
     for of_surface in &allowed {
         for (part, is_kept) in [(1.0 - 1e-6, true), (1.0 + 1e-6, false)] {
-            let asked = part * of_surface.allowed;
+            let load = part * of_surface.allowed;
             let is_torque = of_surface.kind.quantity() == QuantityKind::Torque;
             let hangs_N = 3000.0 * weight_N_per_m(&model, 0);
-            // Nothing rubs in a vertical hole: the bit's torque is that at the surface, and a pull
-            // at the bit makes up what the hook load lacks.
+            // There is no friction in a vertical hole: the bit's torque equals that at the surface,
+            // and a pull at the bit makes up the difference of the hook load.
             let operation = match is_torque {
                 true => Operation::drill(3000.0)
                     .rotary_speed_rad_per_s(12.0)
                     .rate_of_penetration_m_per_s(1e-3)
                     .weight_on_bit_N(5e4)
-                    .bit_torque_N_m(asked),
-                false => Operation::trip_out(3000.0).bit_pull_N(asked - hangs_N),
+                    .bit_torque_N_m(load),
+                false => Operation::trip_out(3000.0).bit_pull_N(load - hangs_N),
             };
             let solved = soft_string(&model, &operation).expect("a sound model");
             let found = limits(&model, &operation, &(&solved).into(), &settings);
@@ -203,13 +205,13 @@ fn what_is_allowed_at_the_surface() {
             assert_close("of the surface", at_top.reserve(), 1.0, 3e-6);
         }
     }
-    // Of a rig without ratings and a pipe without yield strength nothing is known.
+    // Without ratings of the rig and the pipe's yield strength no limit is known.
     let bare = ComponentSpec { yield_strength_Pa: None, ..five_inch("bare", ToSurface, YIELD_PA) };
     assert!(surface_limits(&vertical(1000.0, vec![bare]), &settings).is_empty());
 }
 
-/// Each component of a tapered string bears most at its own top, whichever of two rows that is; the bit is
-/// asked for nothing, a body without yield strength is told.
+/// Each component of a tapered string has its largest load at its own top, whichever of two rows
+/// that is; the bit has no limit, and a body without yield strength is reported.
 #[test]
 fn each_component_has_its_limit() {
     let plain =
@@ -226,7 +228,7 @@ fn each_component_has_its_limit() {
     let found = soft(&model, &Operation::trip_out(2500.0), &LimitSettings::default());
     let hung_N = |components: usize| -> f64 {
         let below = model.string.components()[..components].iter().enumerate();
-        below.map(|(index, of)| weight_N_per_m(&model, index) * of.length_m).sum()
+        below.map(|(index, component)| weight_N_per_m(&model, index) * component.length_m).sum()
     };
     for (name, count, md_m) in [("weak", 3, 1000.0), ("strong", 4, 0.0)] {
         let tension = of(&found, CheckKind::Tension, Some(name));
@@ -241,8 +243,8 @@ fn each_component_has_its_limit() {
     assert_eq!(["bit", "plain", "weak", "strong"].map(lacks), [0, 6, 0, 0]);
 }
 
-/// S3b through the whole path: drilling in a vertical hole, the top carries the weight less that on the bit
-/// and the torque of the bit, against the torsional yield under that tension.
+/// S3b through the whole path: drilling in a vertical hole, the top carries the weight less that on
+/// the bit and the torque of the bit, against the torsional yield under that tension.
 #[test]
 fn s3b_through_the_whole_path() {
     let data = verification("S3b_torque_under_tension_overpull.json");
@@ -261,7 +263,8 @@ fn s3b_through_the_whole_path() {
             .weight_on_bit_N(weight_N - tension_N)
             .bit_torque_N_m(2e4);
         let found = soft(&model, &drill, &LimitSettings::default());
-        // The tension that is asked for is that at the top; where it is none, the pipe below is pressed.
+        // The tension for the torsional yield is that at the top; where it is zero, the pipe below
+        // is in compression.
         if tension_N == 0.0 {
             continue;
         }
@@ -285,8 +288,9 @@ fn s3b_through_the_whole_path() {
     }));
 }
 
-/// Weightless pipe with tool joints in an arc under a tension: bent by `x coth x` more than the hole at its
-/// joints. Von Mises of it, new and worn, by the closed forms; and of the stiff string.
+/// Weightless pipe with tool joints in an arc under a tension: bent by `x coth x` more than the
+/// hole at its joints. Its von Mises stress, new and worn, by the closed forms; and of the stiff
+/// string.
 #[test]
 fn bending_at_joints_counts() {
     let (tension_N, torque_N_m, rate_per_m) = (4e5, 8e3, (3.0_f64 / 30.0).to_radians());
@@ -302,7 +306,7 @@ fn bending_at_joints_counts() {
     let settings = LimitSettings::default();
     let mut rows = Vec::new();
     for class in PipeClass::ALL {
-        // Weightless whatever is left of it.
+        // Weightless at any wear.
         let body = worn(&pipe, class);
         let model = model(body);
         let body = &model.string.components()[0];
@@ -327,7 +331,7 @@ fn bending_at_joints_counts() {
     assert_close("stiff", of(&stiff, CheckKind::VonMises, Some("pipe")).load, largest, 1e-9);
 }
 
-/// What a mud that flows presses from inside is most at the surface: the pressure of the pump.
+/// The internal pressure of a flowing mud is largest at the surface: the pressure of the pump.
 #[test]
 fn burst_and_the_pump() {
     let mud = Mud {
@@ -354,15 +358,22 @@ fn burst_and_the_pump() {
     assert_close("Barlow", burst.capacity / PSI_PA, 17_104.5, 1e-9);
     assert!(found.worst(CheckKind::Collapse).is_none());
 
-    // Without a rheology nobody knows what the pump must give.
+    // While the string trips the pumps rest: its pressure is surge or swab, and the limit of the
+    // pump does not apply.
+    let trip = Operation::trip_in(2000.0).trip_speed_m_per_s(0.5);
+    let found = soft(&model, &trip, &settings);
+    assert!(found.worst(CheckKind::PumpPressure).is_none());
+    assert!(found.unchecked.iter().all(|unchecked| unchecked.kind != CheckKind::PumpPressure));
+
+    // Without a rheology the pump pressure is not known.
     let still = Model { mud: Mud::of_density(1200.0), ..model };
     let found = soft(&still, &turn, &settings);
-    let lacks = found.unchecked.iter().find(|of| of.kind == CheckKind::PumpPressure);
+    let lacks = found.unchecked.iter().find(|unchecked| unchecked.kind == CheckKind::PumpPressure);
     assert_eq!(lacks.expect("a note").missing, Missing::Rheology);
 }
 
-/// Where the pressure outside is the larger: collapse under the tension that is there, by API TR 5C3. Loads
-/// by hand.
+/// Where the external pressure is the larger: collapse under the local tension, by API TR 5C3.
+/// Loads by hand.
 #[test]
 fn collapse_under_tension() {
     let model = vertical(1000.0, vec![five_inch("pipe", ToSurface, YIELD_PA)]);
@@ -376,13 +387,14 @@ fn collapse_under_tension() {
     let collapse = of(&found, CheckKind::Collapse, Some("pipe"));
     let md_m = collapse.check.md_m.expect("a place");
     assert_close("load", collapse.load, weight_Pa_per_m * md_m, 1e-12);
-    // Nearly nothing pulls at the bit, where the mud presses most.
+    // The pull at the bit is nearly zero, where the mud pressure is largest.
     assert!(md_m > 999.0);
     let untouched = 15_672.0 * PSI_PA;
     assert_close("capacity", collapse.capacity, untouched, 2e-3);
 }
 
-/// A string that slides down a slant: what drives it is `w L cos θ`, what holds it `μ w L sin θ` and the bit.
+/// A string that slides down a slant: the driving force is `w L cos θ`, the resistance `μ w L sin
+/// θ` and the bit.
 #[test]
 fn sliding_down_a_slant() {
     let (friction, inc_deg, length_m) = (0.2, 60.0_f64, 1500.0);
@@ -405,9 +417,9 @@ fn sliding_down_a_slant() {
         let expected = weight_N * cos / (friction * weight_N * sin + asked_N);
         assert_close("lock-up", lock_up.factor.expect("a factor"), expected, 1e-6);
         assert_eq!(lock_up.verdict == Verdict::Exceeded, expected < 1.0, "{asked_N}");
-        // Nothing is kept for a pull where nothing is pulled.
+        // No overpull is required for an operation without a pull.
         assert!(found.worst(CheckKind::Overpull).is_none());
-        // What the block weighs pushes too.
+        // The weight of the block pushes too.
         let mut pushed = model.clone();
         pushed.rig.block_weight_N = Some(1e4);
         let found = soft(&pushed, &down, &LimitSettings::default());
@@ -421,7 +433,8 @@ fn sliding_down_a_slant() {
     }
 }
 
-/// Compression of a level pipe against Dawson and Paslay's `2 √(EI w/r)` and the helix's `√2` of it.
+/// Compression of a level pipe against Dawson and Paslay's `2 √(EI w/r)` and the helix's `√2` of
+/// it.
 #[test]
 fn buckling_of_a_level_pipe() {
     let pipe = five_inch("pipe", ToSurface, YIELD_PA);
@@ -443,15 +456,15 @@ fn buckling_of_a_level_pipe() {
     ] {
         let limit = of(&found, kind, Some("pipe"));
         assert_close(kind.name(), limit.factor, critical_N / pressed_N, 1e-6);
-        // Buckled, but neither broken nor stopped.
+        // Exceeded, but neither broken nor stopped.
         assert_eq!(limit.check.verdict, Verdict::Exceeded);
         assert_eq!(limit.check.severity, Severity::Warning);
         assert!(!kind.stops());
     }
 }
 
-/// What is given of connections takes the place of what is stronger: tool joints that yield before the body, a
-/// make-up torque that is passed.
+/// Given strengths of connections replace higher ones: tool joints that yield before the body, a
+/// make-up torque that is exceeded.
 #[test]
 fn connections_that_are_given() {
     let connection = ConnectionStrength {
@@ -479,11 +492,11 @@ fn connections_that_are_given() {
     let unknown = ComponentSpec { yield_strength_Pa: None, ..pipe };
     let found = soft(&vertical(1000.0, vec![unknown]), &drill, &settings);
     assert_eq!(of(&found, CheckKind::Torsion, Some("pipe")).capacity, 4.2e4);
-    let lacks: Vec<_> = found.unchecked.iter().map(|of| of.kind).collect();
+    let lacks: Vec<_> = found.unchecked.iter().map(|unchecked| unchecked.kind).collect();
     assert!(!lacks.contains(&CheckKind::Torsion) && lacks.contains(&CheckKind::VonMises));
 }
 
-/// Factors are those that are asked for.
+/// Required factors are those that are given.
 #[test]
 fn factors_are_required() {
     let model = vertical(3000.0, vec![five_inch("pipe", ToSurface, YIELD_PA)]);
@@ -506,8 +519,8 @@ fn factors_are_required() {
     assert_eq!(bad.bad_factor(), Some((CheckKind::Burst, -1.0)));
 }
 
-/// A pull on the bit of a bent pipe, by hand: at the worst point of the worst place stand the stresses of
-/// `worst_stress`.
+/// A pull on the bit of a bent pipe, by hand: the worst point of the worst place has the stresses
+/// of `worst_stress`.
 #[test]
 fn the_worst_point_is_told() {
     let pipe = five_inch("pipe", ToSurface, YIELD_PA);
@@ -536,8 +549,8 @@ fn second_moment_m4(model: &Model) -> f64 {
     model.string.components()[0].second_moment_m4()
 }
 
-/// A pipe below a stiffer one bears its own bending where the two meet, not the other's: the soft string bends
-/// both as the hole.
+/// A pipe below a stiffer one has its own bending where the two meet, not the other's: in the soft
+/// string both have the curvature of the hole.
 #[test]
 fn each_component_bends_by_its_own_stiffness() {
     let weightless = Mud::of_density(steel().density_kg_per_m3);

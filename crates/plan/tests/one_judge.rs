@@ -51,15 +51,15 @@ fn setup(random: &mut Random) -> (Setup, f64) {
     let string = StringSpec {
         components: vec![ComponentSpec::bit(0.2159, 0.3), heavy, pipe("pipe", ToSurface)],
     };
-    let given = |random: &mut Random, part: f64, value: [f64; 2]| {
+    let maybe = |random: &mut Random, part: f64, value: [f64; 2]| {
         random.is(part).then(|| random.between(value[0], value[1]))
     };
     let rig = Rig {
-        block_weight_N: given(random, 0.5, [50e3, 400e3]),
-        hoist_capacity_N: given(random, 0.7, [500e3, 3e6]),
-        snubbing_force_N: given(random, 0.2, [50e3, 300e3]),
-        top_drive_torque_N_m: given(random, 0.7, [5e3, 60e3]),
-        top_drive_peak_torque_N_m: given(random, 0.4, [20e3, 80e3]),
+        block_weight_N: maybe(random, 0.5, [50e3, 400e3]),
+        hoist_capacity_N: maybe(random, 0.7, [500e3, 3e6]),
+        snubbing_force_N: maybe(random, 0.2, [50e3, 300e3]),
+        top_drive_torque_N_m: maybe(random, 0.7, [5e3, 60e3]),
+        top_drive_peak_torque_N_m: maybe(random, 0.4, [20e3, 80e3]),
         ..Rig::default()
     };
     let mud = Mud::of_density(random.between(1000.0, 1900.0));
@@ -88,7 +88,7 @@ fn operations(random: &mut Random, bit_depth_m: f64) -> Vec<Operation> {
     ]
 }
 
-/// The limits of the checks, without what only a whole answer has.
+/// Returns the limits of the checks, without those that only a whole result has.
 fn limits(checks: &[Check]) -> Vec<&Check> {
     checks.iter().filter(|check| check.factor.is_some()).collect()
 }
@@ -115,7 +115,7 @@ fn two_hundred_strings_are_judged_alike() {
                 panic!("one level");
             };
             assert_eq!(run, point.checks, "{case}: run and plan");
-            // The app knows the loads alone.
+            // The app has the loads only.
             let string =
                 SoftString::new(&model, depth_m, &SoftSettings::default()).expect("a string");
             let app =
@@ -151,7 +151,7 @@ fn two_hundred_strings_are_judged_alike() {
                 pushed += usize::from(down.is_some_and(|down| down.severity == Severity::Warning));
             }
             wrong += usize::from(run.checks.iter().any(|check| check.severity == Severity::Error));
-            // A string that goes down by no force is never near to it, and the other way round.
+            // A string that no force moves down is never marginal, and vice versa.
             if let (Some(lock_up), Some(down)) = (lock_up, down) {
                 let errors = [lock_up, down].map(|check| check.severity == Severity::Error);
                 assert_eq!(errors[0], errors[1], "{case}: {lock_up:?} {down:?}");

@@ -1,4 +1,4 @@
-//! Events at rest and wear by the dynamics, against closed forms.
+//! Events from rest and wear by the dynamics, against closed forms.
 
 mod common;
 
@@ -34,7 +34,7 @@ fn straight(length_m: f64, inclination_deg: f64, friction: Friction, mud: Mud) -
     straight_of(HOLE_M, length_m, inclination_deg, friction, mud)
 }
 
-/// The same in a hole of a diameter, m.
+/// Like [`straight`] in a hole of a diameter, m.
 fn straight_of(
     hole_m: f64,
     length_m: f64,
@@ -69,7 +69,7 @@ fn broomstick(setup: &Setup, operations: Vec<Operation>, depth_m: f64) -> Brooms
         .expect("a broomstick")
 }
 
-/// A stiff line without a block, nothing damped.
+/// A stiff line without a block, without damping.
 fn dynamics(element_m: f64) -> DynamicsSettings {
     DynamicsSettings {
         mesh: MeshSettings::uniform(element_m),
@@ -96,8 +96,8 @@ fn answer(
     found.expect("it went on")
 }
 
-/// A free rod that is lifted at its top, from rest to a speed in a time: `F = W + Z [v(t) + 2 Σ (−1)^k v(t − 2kL/c)]`
-/// with `Z = ρ A c`, d'Alembert's waves on a rod whose lower end is free.
+/// A free rod that is lifted at its top, from rest to a speed in a time: `F = W + Z [v(t) + 2 Σ
+/// (−1)^k v(t − 2kL/c)]` with `Z = ρ A c`, d'Alembert's waves on a rod whose lower end is free.
 #[test]
 fn a_rod_is_lifted_against_its_impedance() {
     const LENGTH_M: f64 = 2000.0;
@@ -124,13 +124,13 @@ fn a_rod_is_lifted_against_its_impedance() {
         };
         let found = answer(&setup, Event::PickUpFromSlips, &plan, &dynamics(5.0), LENGTH_M);
         let hook = found.hook_load_N;
-        // A sample is the mean over the 10 ms before, and the samples need not meet the apex.
+        // A sample is the mean over the 10 ms before, and the samples may miss the apex.
         let sample = |time_s: f64| {
             (0..10).map(|i| force_N(time_s - 1e-3 * (f64::from(i) + 0.5))).sum::<f64>() / 10.0
         };
         let exact = found.history.time_s.iter().map(|at| sample(*at)).fold(0.0, f64::max);
         verify("peaks", format!("weight of a rod before it is lifted in {ramp_s} s, N"))
-            .relative(1e-4, "what the start leaves of its settling")
+            .relative(1e-4, "the rest of the settling after the start")
             .report(weight_N, hook.at_rest);
         verify("peaks", format!("peak over the weight of a rod that is lifted in {ramp_s} s, N"))
             .relative(
@@ -149,7 +149,7 @@ fn a_rod_is_lifted_against_its_impedance() {
         let off = (sum / count).sqrt() / (impedance * SPEED);
         assert!(off < 0.01, "{ramp_s} s: {off}");
         // The tension on the table of limits is that of the top, where the peak is.
-        let tension = found.limits.iter().find(|of| of.kind == CheckKind::Tension);
+        let tension = found.limits.iter().find(|limit| limit.kind == CheckKind::Tension);
         let tension = tension.expect("a yield strength");
         assert!(tension.md_m.is_some_and(|md_m| md_m < 1.0), "{tension:?}");
         verify("peaks", format!("largest tension of a rod that is lifted in {ramp_s} s, N"))
@@ -161,19 +161,21 @@ fn a_rod_is_lifted_against_its_impedance() {
     }
 }
 
-/// The friction at rest of a string in an inclined hole breaks: the peak is between the kinetic friction and all
-/// of the friction at rest, and next to that where the block is slow; what it comes to is kinetic.
+/// The static friction of a string in an inclined hole breaks: the peak is between the kinetic
+/// friction and the full static friction, and close to the latter where the block is slow; the
+/// steady value is kinetic.
 #[test]
 fn friction_at_rest_breaks() {
     const LENGTH_M: f64 = 300.0;
     const INCLINATION_DEG: f64 = 60.0;
     let friction = Friction { kinetic: 0.2, at_rest: 0.35, around: 1.0 };
-    // Nearly as narrow as the pipe: the clamp at the top holds no more than some metres of it off the wall.
+    // Nearly as narrow as the pipe, so that the clamp at the top holds no more than some metres of
+    // it off the wall.
     let setup =
         straight_of(0.13, LENGTH_M + 50.0, INCLINATION_DEG, friction, Mud::of_density(1200.0));
     let (speed, ramp_s, stribeck) = (0.5, 25.0, 0.1);
-    // Friction that falls with the speed makes an undamped rod stick and slip for ever: the line takes up the waves
-    // that come up the string, as a dashpot of its impedance.
+    // Friction that falls with the speed makes an undamped rod stick and slip for ever: the line
+    // absorbs the waves that run up the string, as a dashpot of its impedance.
     let wave = (steel().youngs_modulus_Pa / steel().density_kg_per_m3).sqrt();
     let hoist_line = HoistLine {
         stiffness_N_per_m: 1e5,
@@ -206,22 +208,23 @@ fn friction_at_rest_breaks() {
     let inertia_N = metal * area_m2() * LENGTH_M * speed / ramp_s;
     for (name, sign, hook) in [("lifted", 1.0, pulled), ("lowered", -1.0, slackened)] {
         verify("peaks", format!("hook load at rest of a string that is then {name}, N"))
-            .relative(5e-3, "friction holds what the start leaves")
+            .relative(5e-3, "friction holds the rest of the start")
             .report(hangs_N, hook.at_rest);
         verify("peaks", format!("friction of a string that is {name} at its speed, N"))
             .relative(0.025, "top and bit hold some 5 m of 300 m off the wall")
             .report(at(speed) * presses_N, sign * (hook.steady - hangs_N));
         let broke_N = sign * (hook.peak - hangs_N);
         let bound_N = friction.at_rest * presses_N;
-        // The top slides already, at some mm/s, where the end breaks; the block accelerates what it pulls.
+        // The top slides already, at some mm/s, when the end breaks; the block accelerates the mass
+        // that it pulls.
         let what = format!("friction that breaks where a string is {name}, N");
         verify("peaks", what)
-            .relative(0.01, "the acceleration of what is pulled, 160 N, and the clamp")
+            .relative(0.01, "the acceleration of the pulled mass, 160 N, and the clamp")
             .report(bound_N, broke_N);
         assert!(broke_N < bound_N + inertia_N, "{broke_N}");
     }
-    // What torque comes to without friction that falls with the speed, for a drive that gives no way takes up no
-    // waves: Coulomb's, climbed.
+    // The steady torque without friction that falls with the speed, because a rigid drive absorbs
+    // no waves: Coulomb's, climbed.
     let (kinetic, mud) = (friction.kinetic, Mud::of_density(1200.0));
     let long_m = 1000.0;
     let smooth = straight_of(0.13, long_m, INCLINATION_DEG, Friction::uniform(kinetic), mud);
@@ -239,8 +242,8 @@ fn friction_at_rest_breaks() {
     );
 }
 
-/// `4 τ L/d` of each bore and `4 τ L/(d₂ − d₁)` of each annulus; the same as printed, `τ/(300 d)` psi/ft of
-/// lbf/100 ft² and inches; and what lifts the string as the difference of two forces.
+/// `4 τ L/d` of each bore and `4 τ L/(d₂ − d₁)` of each annulus; the same as printed, `τ/(300 d)`
+/// psi/ft of lbf/100 ft² and inches; and the lift on the string as the difference of two forces.
 #[test]
 fn a_gel_breaks() {
     const POUNDS_PER_100_FT2_PA: f64 = POUND_FORCE_N / (100.0 * 0.3048 * 0.3048);
@@ -251,7 +254,8 @@ fn a_gel_breaks() {
     let setup = Setup { string: StringSpec { components: vec![collar, pipe] }, ..setup };
     let broken = gel_break(&setup.at(1000.0).expect("a model"), 1000.0, gel_Pa);
     let parts = [(150.0, 0.165, 0.0714), (850.0, OD_M, ID_M)];
-    let sum = |of: &dyn Fn(f64, f64) -> f64| parts.iter().map(|(l, od, id)| l * of(*od, *id)).sum();
+    let sum =
+        |term: &dyn Fn(f64, f64) -> f64| parts.iter().map(|(l, od, id)| l * term(*od, *id)).sum();
     let bore: f64 = sum(&|_, id| 4.0 * gel_Pa / id);
     let annulus: f64 = sum(&|od, _| 4.0 * gel_Pa / (HOLE_M - od));
     verify("peaks", "pressure that breaks gel in the bore, Pa")
@@ -267,8 +271,8 @@ fn a_gel_breaks() {
     verify("peaks", "pressure that breaks gel as printed, Pa")
         .relative(1e-9, "rounding")
         .report(printed, broken.pressure_Pa());
-    // At the walls of pipe and hole acts the gel strength; the annulus's gradient on the section of the
-    // pipe is what effective tension adds.
+    // The gel strength acts at the walls of pipe and hole; effective tension adds the annulus's
+    // gradient on the section of the pipe.
     let lift: f64 =
         sum(&|od, _| PI * od * gel_Pa + 0.25 * PI * od * od * 4.0 * gel_Pa / (HOLE_M - od));
     verify("peaks", "lift of gel on the string, N")
@@ -299,14 +303,14 @@ fn circulation_breaks() {
     let wholestring_plan::hydraulics::HydraulicsRow { standpipe_Pa, .. } =
         wholestring_plan::hydraulics::hydraulics(&setup, &turn, &[LENGTH_M]).expect("a row")[0];
     verify("peaks", "pressure of pumps that have started, Pa")
-        .relative(1e-3, "what still moves")
+        .relative(1e-3, "the remaining motion")
         .report(standpipe_Pa, pump.steady);
     assert!(pump.at_rest.abs() < 1e-6 * pump.steady, "{pump:?}");
     assert!(found.gel.is_none() && found.surface_torque_N_m.is_none());
     // The stream lifts the string.
     assert!(found.hook_load_N.steady < found.hook_load_N.at_rest - 100.0);
-    let limit = |of: &EventAnswer| {
-        let limit = of.limits.iter().find(|of| of.kind == CheckKind::PumpPressure);
+    let limit = |answer: &EventAnswer| {
+        let limit = answer.limits.iter().find(|limit| limit.kind == CheckKind::PumpPressure);
         limit.and_then(|check| check.value).expect("a limit of the pump")
     };
     assert_close("limit", limit(&found), pump.peak, 1e-12);
@@ -316,8 +320,9 @@ fn circulation_breaks() {
     assert_close("limit", limit(&strong), gel_Pa, 1e-12);
 }
 
-/// Casing that a string turns in at one inclination: the dynamics' work of friction takes what the side force
-/// does on the same way, but that a string which turns climbs, so that `1/√(1 + μ²)` of the force is left.
+/// Casing in which a string turns at one inclination: the friction work of the dynamics causes the
+/// same wear as the side force over the same distance, except that a rotating string climbs, so
+/// that `1/√(1 + μ²)` of the force is left.
 #[test]
 fn wear_by_the_work_of_friction() {
     const LENGTH_M: f64 = 500.0;
@@ -335,21 +340,22 @@ fn wear_by_the_work_of_friction() {
     let [task] = &plan.wear_tasks(campaign)[..] else { panic!("one operation at one depth") };
     let by_work = broomstick.solve_wear(task, &plan, &settings, &|| true).expect("an answer");
     let by_work = by_work.expect("a share of the campaign");
-    let points = broomstick.tasks().iter().flat_map(|of| broomstick.solve(of)).collect::<Vec<_>>();
-    let shares = points.iter().filter_map(|of| of.outcome.as_ref().ok()?.share.clone());
+    let points =
+        broomstick.tasks().iter().flat_map(|task| broomstick.solve(task)).collect::<Vec<_>>();
+    let shares = points.iter().filter_map(|point| point.outcome.as_ref().ok()?.share.clone());
     let [by_force] = &shares.collect::<Vec<_>>()[..] else { panic!("one share") };
     let worn = |share: &Share| -> f64 {
         let rows = campaign.casings(share);
-        // The top and the end of the string are held otherwise.
-        let inner = rows.iter().filter(|of| (50.0..LENGTH_M - 50.0).contains(&of.md_m));
-        inner.map(|of| of.worn_m3_per_m).sum()
+        // The supports at the top and the end of the string differ.
+        let inner = rows.iter().filter(|row| (50.0..LENGTH_M - 50.0).contains(&row.md_m));
+        inner.map(|row| row.worn_m3_per_m).sum()
     };
     verify("peaks", "casing worn by the dynamics' work over that by the side force")
-        .relative(1e-3, "what still rolls after ten seconds; 5e-5 found")
+        .relative(1e-3, "the rolling left after ten seconds; 5e-5 found")
         .report(1.0 / (1.0 + FRICTION * FRICTION).sqrt(), worn(&by_work) / worn(by_force));
 }
 
-/// A run that is told to stop has no answer, and none that would be wrong.
+/// A run that is stopped has no result, and no wrong one.
 #[test]
 fn what_is_stopped_has_no_answer() {
     let setup = straight(300.0, 0.0, Friction::uniform(0.2), Mud::of_density(1200.0));
@@ -357,8 +363,8 @@ fn what_is_stopped_has_no_answer() {
         DynamicPlan { set_points: Some(Operation::trip_out(300.0)), ..DynamicPlan::default() };
     let event = Event::PickUpFromSlips;
     let task = EventTask { event, friction: FrictionLevel::Expected, bit_depth_m: 300.0 };
-    let of = broomstick(&setup, Vec::new(), 300.0);
-    assert!(matches!(of.solve_event(&task, &plan, &dynamics(10.0), &|| false), Ok(None)));
+    let broomstick = broomstick(&setup, Vec::new(), 300.0);
+    assert!(matches!(broomstick.solve_event(&task, &plan, &dynamics(10.0), &|| false), Ok(None)));
     let nothing = DynamicPlan::default();
-    assert!(of.solve_event(&task, &nothing, &dynamics(10.0), &|| true).is_err());
+    assert!(broomstick.solve_event(&task, &nothing, &dynamics(10.0), &|| true).is_err());
 }

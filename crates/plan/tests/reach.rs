@@ -1,4 +1,4 @@
-//! How far a tangent goes, against closed forms and integrations from elsewhere.
+//! The reach of a tangent, against closed forms and independent integrations.
 
 use serde_json::Value;
 use wholestring::{
@@ -100,7 +100,7 @@ fn of_soft(soft: SoftSettings) -> ReachSettings {
     ReachSettings { soft, factors: ONE, ..ReachSettings::from_depth(1000.0) }
 }
 
-/// Where a string slides and a helix rubs, its step; elsewhere the tolerance of the file.
+/// Where a string slides with helix friction, its step; elsewhere the tolerance of the file.
 fn s5_row(id: &str, key: &str, expected: f64, computed: f64) -> Row<'static> {
     let quantity = verify("S5", format!("{} of {id}, m", key.trim_end_matches("_md_m")));
     match key.contains("lockup") || key.contains("push_helical") {
@@ -110,23 +110,24 @@ fn s5_row(id: &str, key: &str, expected: f64, computed: f64) -> Row<'static> {
     .row(expected, computed)
 }
 
-/// Where limits stop a tangent well: `S5`, its definitions one by one.
+/// Depths at which limits stop a tangent well: `S5`, its definitions one by one.
 #[test]
 fn s5_limits_of_a_tangent() {
     let file = verification("S5_reach.json");
     let inputs = &file["inputs"];
     let mut rows = Vec::new();
     for case in file["cases"].as_array().expect("cases") {
-        let (id, of, expected) = (case["id"].as_str().unwrap(), &case["inputs"], &case["expected"]);
-        let (end_m, inc) = (number(&of["eob_m"]), number(&of["inc_deg"]));
+        let (id, own, expected) =
+            (case["id"].as_str().unwrap(), &case["inputs"], &case["expected"]);
+        let (end_m, inc) = (number(&own["eob_m"]), number(&own["inc_deg"]));
         let kick_off_m = number(&inputs["kop_m"]);
         let stations = [[0.0, 0.0], [kick_off_m, 0.0], [end_m, inc]];
-        let vertical = setup(inputs, &stations, number(&of["mu"]));
-        // The file counts buckling from the kick-off down: a casing as narrow as the pipe keeps
-        // what is above straight.
+        let vertical = setup(inputs, &stations, number(&own["mu"]));
+        // The file counts buckling from the kick-off down: a casing as narrow as the pipe holds the
+        // part above straight.
         let mut sections = vertical.well.hole.sections().to_vec();
         let narrow_m = number(&inputs["pipe"]["od"]);
-        let casing = HoleSection::casing(0.0..kick_off_m, narrow_m, number(&of["mu"]));
+        let casing = HoleSection::casing(0.0..kick_off_m, narrow_m, number(&own["mu"]));
         sections[0].from_md_m = kick_off_m;
         sections.insert(0, casing);
         let hole = Hole::new(sections).expect("a hole");
@@ -139,14 +140,14 @@ fn s5_limits_of_a_tangent() {
             factors: ONE,
             ..ReachSettings::from_depth(end_m)
         };
-        let of = |kind, soft, to_m| {
+        let reach_of = |kind, soft, to_m| {
             reach(&setup, &operation(kind, inputs), &settings(soft, to_m)).expect("a reach")
         };
-        let drill = of(OperationKind::Drill, PLAIN, 30e3);
-        let turn = of(OperationKind::RotateOffBottom, PLAIN, 30e3);
-        let slack_off = of(OperationKind::TripIn, PLAIN, 60e3);
-        let slide = of(OperationKind::Slide, PLAIN, 30e3);
-        let helix = of(OperationKind::Slide, HELIX, 30e3);
+        let drill = reach_of(OperationKind::Drill, PLAIN, 30e3);
+        let turn = reach_of(OperationKind::RotateOffBottom, PLAIN, 30e3);
+        let slack_off = reach_of(OperationKind::TripIn, PLAIN, 60e3);
+        let slide = reach_of(OperationKind::Slide, PLAIN, 30e3);
+        let helix = reach_of(OperationKind::Slide, HELIX, 30e3);
         let curve = |reach: &'_ wholestring_plan::reach::OperationReach, limit| -> Curve {
             let found = reach.curves.iter().find(|curve| curve.limit == limit);
             found.expect("the limit concerns it").clone()
@@ -169,14 +170,14 @@ fn s5_limits_of_a_tangent() {
                 (Some(depth_m), End::At(found_m)) => {
                     rows.push(s5_row(id, key, depth_m, found_m));
                 }
-                // It says none where there is none.
+                // The file has none either.
                 (None, End::NoneTo(_)) => {}
                 (expected, found) => panic!("{id} {key}: {expected:?}, {found:?}"),
             }
         }
-        // Where the hook load is zero before the helix begins the file has none: its helix has not
-        // rubbed yet.
-        let [plain, rubbed] = [&slide, &helix].map(|of| curve(of, Limit::HookLoadZero));
+        // Where the hook load is zero before the helix begins the file has none, because its helix
+        // has had no friction yet.
+        let [plain, rubbed] = [&slide, &helix].map(|reach| curve(reach, Limit::HookLoadZero));
         assert!(expected["zero_sliding_hook_load_with_helical_friction_md_m"].is_null());
         assert_eq!(plain.end, rubbed.end);
         // The file has no block in its first limit.
@@ -186,8 +187,8 @@ fn s5_limits_of_a_tangent() {
             let settings = settings(PLAIN, 30e3);
             reach(&alone, &operation(kind, inputs), &settings).expect("a reach")
         });
-        let (of, first) = first_stop(&first).expect("something stops it");
-        let named = match (of.kind, first.limit) {
+        let (first_stop, first) = first_stop(&first).expect("something stops it");
+        let named = match (first_stop.kind, first.limit) {
             (OperationKind::Drill, Limit::TopDrive) => "torque_limit_rotary_drilling_md_m",
             (OperationKind::Slide, Limit::HookLoadZero) => "zero_sliding_hook_load_with_WOB_md_m",
             other => panic!("{other:?}"),
@@ -199,13 +200,15 @@ fn s5_limits_of_a_tangent() {
             let operation = Operation { bit_depth_m: 4e3, ..operation(kind, inputs) };
             margins(&setup, &operation, &of_soft(PLAIN)).expect("margins")
         };
-        let load =
-            |kind, limit| loads(kind).iter().find(|of| of.limit == limit).expect("a margin").load;
+        let load = |kind, limit| {
+            loads(kind).iter().find(|load| load.limit == limit).expect("a margin").load
+        };
         // The file stops where the compression is 3 MN, not where it is infinite.
         let pushed = |bit_depth_m: f64| {
             let slide = Operation { bit_depth_m, ..operation(OperationKind::Slide, inputs) };
             let profile = solve(&setup.at(bit_depth_m).expect("a model"), &slide, &HELIX);
-            let least_N = profile.map(|of| of.tension_N.iter().copied().fold(0.0, f64::min));
+            let least_N =
+                profile.map(|profile| profile.tension_N.iter().copied().fold(0.0, f64::min));
             Ok::<f64, ReachError>(3e6 + least_N.unwrap_or(-9e6))
         };
         let key = "lockup_unlimited_push_md_m";
@@ -216,7 +219,7 @@ fn s5_limits_of_a_tangent() {
         let row = verify("S5", format!("{}, of {id}, infinite push, m", &key[..key.len() - 5]));
         let row = row.any("the file stops at 3 MN");
         rows.push(row.row(number(&expected[key]), locks_m));
-        // What a helix in the vertical part takes away, which the file does not count.
+        // The loss in a helix in the vertical part, which the file does not count.
         let whole =
             reach(&vertical, &operation(OperationKind::Slide, inputs), &settings(HELIX, 30e3));
         let whole = whole.expect("a reach");
@@ -232,7 +235,7 @@ fn s5_limits_of_a_tangent() {
         }
         for limit in [Limit::Sinusoid, Limit::Helix] {
             let [narrow_m, wide_m] =
-                [&helix, &whole].map(|of| curve(of, limit).end.depth_m().expect("a depth"));
+                [&helix, &whole].map(|reach| curve(reach, limit).end.depth_m().expect("a depth"));
             assert!(wide_m <= narrow_m && narrow_m - wide_m < 300.0, "{wide_m} {narrow_m}");
         }
         assert!(curve(&whole, Limit::VerticalHelix).end.depth_m() < Some(6e3));
@@ -250,7 +253,7 @@ fn s5_limits_of_a_tangent() {
     report_worst(rows);
 }
 
-/// Where the inclination is below `atan(1/μ)`, a string that slides never stops.
+/// Where the inclination is below `atan(1/μ)`, a sliding string never stops.
 #[test]
 fn below_the_critical_inclination_there_is_no_limit() {
     let file = verification("S5_reach.json");
@@ -267,26 +270,26 @@ fn below_the_critical_inclination_there_is_no_limit() {
         };
         let off_bottom = operation(OperationKind::TripIn, inputs);
         let found = reach(&setup, &off_bottom, &settings).expect("a reach");
-        let curve = found.curves.iter().find(|of| of.limit == Limit::HookLoadZero).unwrap();
+        let curve = found.curves.iter().find(|curve| curve.limit == Limit::HookLoadZero).unwrap();
         assert_eq!(curve.end.depth_m().is_some(), stops, "{:?}", curve.end);
         if !stops {
             assert_eq!(curve.end, End::NoneTo(99e3));
-            // What hangs grows with depth.
+            // The hanging weight grows with depth.
             assert!(curve.margins.windows(2).all(|pair| pair[1].load > pair[0].load));
         }
     }
 }
 
-/// How long a horizontal string is that locks up, in closed form: `S2b`.
+/// Length of a horizontal string that locks up, in closed form: `S2b`.
 #[test]
 fn s2b_lock_up_of_a_horizontal_well() {
     let file = verification("S2b_lockup_horizontal.json");
     let inputs = &file["inputs"];
     let mut rows = Vec::new();
     for case in file["cases"].as_array().expect("cases") {
-        let (of, expected) = (&case["inputs"], &case["expected"]);
-        let rule = of["F_hel_rule"].as_str().unwrap();
-        let setup = setup(inputs, &[[0.0, 90.0], [100.0, 90.0]], number(&of["mu"]));
+        let (own, expected) = (&case["inputs"], &case["expected"]);
+        let rule = own["F_hel_rule"].as_str().unwrap();
+        let setup = setup(inputs, &[[0.0, 90.0], [100.0, 90.0]], number(&own["mu"]));
         let buckling = match rule {
             "WuJuvkamWold" => Criterion::WuJuvkamWold,
             _ => Criterion::ChenLinCheatham,
@@ -294,7 +297,7 @@ fn s2b_lock_up_of_a_horizontal_well() {
         // A rig that pushes with 1000 kN.
         let rig = Rig { block_weight_N: Some(1e6), ..Rig::default() };
         let setup = Setup { buckling, rig, ..setup };
-        let slide = Operation::slide(0.0).weight_on_bit_N(number(&of["F_at_bit_N"]));
+        let slide = Operation::slide(0.0).weight_on_bit_N(number(&own["F_at_bit_N"]));
         let found = |step_m: f64| {
             let soft = SoftSettings { step_m, helix_side_force: true };
             let settings = ReachSettings {
@@ -306,7 +309,7 @@ fn s2b_lock_up_of_a_horizontal_well() {
             };
             let found = reach(&setup, &slide, &settings).expect("a reach");
             [Limit::Helix, Limit::PushSpent, Limit::LockUp].map(|limit| {
-                let curve = found.curves.iter().find(|of| of.limit == limit);
+                let curve = found.curves.iter().find(|curve| curve.limit == limit);
                 curve.expect("a limit").end.depth_m().expect("a depth")
             })
         };
@@ -315,13 +318,13 @@ fn s2b_lock_up_of_a_horizontal_well() {
         let [.., usual_m] = found(5.0);
         assert!((usual_m - locks_m).abs() < 0.5, "{usual_m} {locks_m}");
         let name = |what: &str| {
-            format!("{what} of {rule}, bit at {} kN, m", number(&of["F_at_bit_N"]) / 1e3)
+            format!("{what} of {rule}, bit at {} kN, m", number(&own["F_at_bit_N"]) / 1e3)
         };
         for (what, key, found_m) in [
             ("helix begins", "onset_of_helix_from_bit_m", onset_m),
             ("length for 1000 kN", "length_for_1000kN_push_m", push_m),
         ] {
-            let row = verify("S2b", name(what)).relative(1e-6, "what its source requires");
+            let row = verify("S2b", name(what)).relative(1e-6, "the requirement of its source");
             rows.push(row.row(number(&expected[key]), found_m));
         }
         rows.push(
@@ -333,8 +336,8 @@ fn s2b_lock_up_of_a_horizontal_well() {
     report_worst(rows);
 }
 
-/// A string that is nearly locked up passes little of its push on, one that lies straight in a
-/// straight hole all of it, and one in a build what the capstan leaves.
+/// A string that is nearly locked up transmits little of its push, a straight one in a straight
+/// hole all of it, and one in a build the fraction of the capstan equation.
 #[test]
 fn what_arrives_of_a_push() {
     let file = verification("S5_reach.json");
@@ -343,12 +346,13 @@ fn what_arrives_of_a_push() {
     let arrives = |length_m: f64, wob_N: f64| {
         let slide = Operation::slide(length_m).weight_on_bit_N(wob_N);
         let all = margins(&setup, &slide, &of_soft(HELIX)).expect("margins");
-        let of = all.iter().find(|of| of.limit == Limit::LockUp).expect("a margin");
+        let margin = all.iter().find(|margin| margin.limit == Limit::LockUp).expect("a margin");
         let forces = solve(&setup.at(length_m).unwrap(), &slide, &HELIX).unwrap().scalars;
-        (of.margin, -forces.hook_load_N)
+        (margin.margin, -forces.hook_load_N)
     };
     assert!((arrives(1000.0, 1e4).0 - 1.0).abs() < 1e-9);
-    // Beyond the helix `dF/dx = μ (w + b F²)`: pushes at both ends grow in the ratio of their rates.
+    // Beyond the helix `dF/dx = μ (w + b F²)`: pushes at both ends grow in the ratio of their
+    // rates.
     let place = wholestring::statics::buckling::Place::of(&setup.at(3e3).unwrap(), 3e3, 1e3);
     let rate = |push_N: f64| place.weight_N_per_m + place.helix_load_N_per_m(push_N);
     let (wob_N, length_m) = (300e3, 500.0);
@@ -367,28 +371,28 @@ fn depths_must_grow() {
     assert_eq!(refused, ReachError::Depths { from_m: 1000.0, to_m: 900.0 });
     assert_eq!(
         refused.to_string(),
-        "the reach is looked for from 1000 m to 900 m, which is not deeper"
+        "the reach is requested from 1000 m to 900 m, which is not deeper"
     );
 }
 
-/// A reach that is stopped ends at the next depth, and gives nothing.
+/// A reach that is stopped ends at the next depth, without a result.
 #[test]
 fn a_reach_that_is_stopped_ends_at_the_next_depth() {
     let file = verification("S5_reach.json");
     let setup = setup(&file["inputs"], &[[0.0, 0.0], [1000.0, 0.0]], 0.3);
     let settings = ReachSettings { to_m: 5000.0, ..ReachSettings::from_depth(1000.0) };
-    let asked = std::cell::Cell::new(0);
+    let calls = std::cell::Cell::new(0);
     let after_three = || {
-        asked.set(asked.get() + 1);
-        asked.get() > 3
+        calls.set(calls.get() + 1);
+        calls.get() > 3
     };
     let stopped = reach_unless(&setup, &Operation::trip_in(0.0), &settings, &after_three);
     assert_eq!(stopped, Err(ReachError::Stopped));
-    assert_eq!(asked.get(), 4);
+    assert_eq!(calls.get(), 4);
 }
 
-/// A string that hangs in a vertical well stops where its weight and the block are what the hoist
-/// carries, and where its weight yields its uppermost section.
+/// A string that hangs in a vertical well stops where its weight and the block equal the capacity
+/// of the hoist, and where its weight yields its uppermost section.
 #[test]
 fn a_hanging_string_stops_at_hoist_and_yield() {
     let file = verification("S5_reach.json");
@@ -402,7 +406,7 @@ fn a_hanging_string_stops_at_hoist_and_yield() {
         ReachSettings { to_m: 12e3, depths: 12, factors: ONE, ..ReachSettings::from_depth(1000.0) };
     let pick_up = reach(&setup, &Operation::trip_out(0.0), &settings).expect("a reach");
     let depth_m = |limit| {
-        let curve = pick_up.curves.iter().find(|of| of.limit == limit).expect("a limit");
+        let curve = pick_up.curves.iter().find(|curve| curve.limit == limit).expect("a limit");
         (curve.end.depth_m().expect("a depth"), curve.there)
     };
     let rounding = "the weight from mass and area";
@@ -421,8 +425,9 @@ fn a_hanging_string_stops_at_hoist_and_yield() {
     assert_eq!(first.limit, Limit::Hoist);
 }
 
-/// A level hole is not vertical, locked up or not; one that begins vertical is there. The wall of the
-/// level hole holds the pipe by 2.83 sqrt(EI w/r), the weight in a vertical one by 5.55 (EI w²)^(1/3).
+/// A level hole is not vertical, locked up or not; one that begins vertical is there. The wall of
+/// the level hole holds the pipe by 2.83 sqrt(EI w/r), the weight in a vertical one by 5.55 (EI
+/// w²)^(1/3).
 #[test]
 fn a_level_hole_has_no_vertical_stretch() {
     let file = verification("S5_reach.json");

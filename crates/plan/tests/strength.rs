@@ -10,8 +10,8 @@ use wholestring_judge::strength::{
 };
 use wholestring_verification::{report_worst, verify};
 
-/// S3a: all stresses of both surfaces on both sides of the bend, and which bears most. Closed forms:
-/// rounding is left.
+/// S3a: all stresses of both surfaces on both sides of the bend, and the governing one. Closed
+/// forms: only rounding remains.
 #[test]
 fn s3a_points() {
     let data = verification("S3a_von_mises_points.json");
@@ -62,18 +62,18 @@ fn s3a_points() {
         assert_close(&name, worst.von_mises_Pa, formula, 1e-11);
     }
     report_worst(compared.iter().map(|(what, computed, expected)| {
-        let of = verify("S3a", what);
+        let check = verify("S3a", what);
         let check = if *expected == 0.0 {
-            of.absolute(1e-6, "rounding")
+            check.absolute(1e-6, "rounding")
         } else {
-            of.relative(1e-11, "rounding; forces that cancel lose two digits")
+            check.relative(1e-11, "rounding; forces that cancel lose two digits")
         };
         check.row(*expected, *computed)
     }));
 }
 
-/// Under compression the formula takes the inside of the bend: the same of a pull and a push alike, and what
-/// the four points give.
+/// Under compression the formula uses the inside of the bend: the same for a pull and a push, and
+/// equal to the four points.
 #[test]
 fn a_push_bears_on_the_other_side() {
     let body = pipe(0.127, 0.1086, 724e6);
@@ -94,7 +94,7 @@ fn a_push_bears_on_the_other_side() {
     }
 }
 
-/// Mud at rest presses alike from all sides, of a bar as of a pipe.
+/// Static mud presses equally from all sides, on a bar as on a pipe.
 #[test]
 fn pressure_alone_bears_on_nothing() {
     for id_m in [0.0, 0.1086] {
@@ -110,8 +110,8 @@ fn five_inch(yield_psi: f64, class: PipeClass) -> Component {
     Component { class, ..pipe(left_in * INCH_M, 4.276 * INCH_M, yield_psi * PSI_PA) }
 }
 
-/// S3b: torsional yield under tension and margin of overpull of API RP 7G, new and premium. The formulas
-/// themselves: rounding is left.
+/// S3b: torsional yield under tension and margin of overpull of API RP 7G, new and premium. The
+/// formulas themselves: only rounding remains.
 #[test]
 fn s3b_torque_under_tension_and_overpull() {
     let data = verification("S3b_torque_under_tension_overpull.json");
@@ -158,8 +158,9 @@ fn s3b_torque_under_tension_and_overpull() {
     assert_eq!(body.torsional_yield_under_N_m(1.01 * body.tensile_yield_N()), 0.0);
 }
 
-/// A05: burst and collapse of 5 in 19.50 lb/ft drill pipe as the tables of API RP 7G print them, from memory:
-/// to the psi, but what the fits of the constants round to (E-75 is printed from three digits of them).
+/// A05: burst and collapse of 5 in 19.50 lb/ft drill pipe as the tables of API RP 7G print them,
+/// from memory: to the psi, except for the rounding of the constants of the fits (E-75 is printed
+/// from three digits of them).
 #[test]
 fn a05_burst_and_collapse_of_drill_pipe() {
     let rows = [
@@ -192,8 +193,9 @@ fn a05_burst_and_collapse_of_drill_pipe() {
     assert_close("pulled", pulled.pressure_Pa, expected.pressure_Pa, 1e-12);
 }
 
-/// The four regimes of API TR 5C3 meet without a jump to what the fits of their constants leave, collapse falls
-/// with `D/t` and with tension, and a tube that tension makes yield bears nothing.
+/// The four regimes of API TR 5C3 meet without a jump within the accuracy of the fits of their
+/// constants, collapse falls with `D/t` and with tension, and a tube that yields under tension has
+/// no capacity.
 #[test]
 fn collapse_in_four_regimes() {
     for yield_psi in [40e3, 55e3, 75e3, 80e3, 95e3, 110e3, 125e3, 135e3] {
@@ -219,8 +221,8 @@ fn collapse_in_four_regimes() {
         }
         use CollapseRegime::*;
         assert_eq!(met, [Yield, Plastic, Transition, Elastic], "{yield_psi} psi");
-        // By hand: √(1 − 0.75·0.25) − 0.25 = 0.651388 of the strength under half of the yield, all of it
-        // where the tube only yields.
+        // By hand: √(1 − 0.75·0.25) − 0.25 = 0.651388 of the strength under half of the yield, all
+        // of it where the tube only yields.
         let [free, half] = [0.0, 0.5].map(|pulled| at(7.0, pulled).pressure_Pa);
         assert_close("half of the yield", half / free, 0.651_387_818_865_997_4, 1e-12);
         assert_eq!(at(20.0, 1.0).regime, BeyondFormulas);
@@ -228,8 +230,8 @@ fn collapse_in_four_regimes() {
     }
 }
 
-/// Ranges of `D/t` as API TR 5C3 prints them for grades of casing, from memory: 0.01 where the last digit is
-/// 0.01.
+/// Ranges of `D/t` as API TR 5C3 prints them for grades of casing, from memory: 0.01 where the last
+/// digit is 0.01.
 #[test]
 fn ranges_of_collapse() {
     let regime = |yield_psi: f64, slenderness: f64| {

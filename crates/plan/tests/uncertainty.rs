@@ -21,8 +21,8 @@ fn exact() -> (f64, [f64; 3], [f64; 3]) {
     let second = A * A / 8.0;
     let third = B * B * PI.powi(8) * 8.0 / 225.0;
     let variance = first + second + third;
-    let parts = [first, second, 0.0].map(|of| of / variance);
-    let totals = [first + third, second, third].map(|of| of / variance);
+    let parts = [first, second, 0.0].map(|share| share / variance);
+    let totals = [first + third, second, third].map(|share| share / variance);
     (variance, parts, totals)
 }
 
@@ -41,7 +41,8 @@ fn rows(
     .collect()
 }
 
-/// By polynomials of a thousand points, and of two hundred: what these predict says which to trust.
+/// By polynomials of a thousand points, and of two hundred; the predicted part shows which to
+/// trust.
 #[test]
 fn ishigami_by_polynomials() {
     let (variance, first, total) = exact();
@@ -52,7 +53,7 @@ fn ishigami_by_polynomials() {
     };
     let many = found(1000, 1);
     assert!(many.predicts > 0.999, "{many:?}");
-    let why = "four times what three seeds of 1000 points differ by";
+    let why = "four times the difference between three seeds of 1000 points";
     let mut all = rows("first-order index by polynomials", &many.first, &first, 4e-3, why);
     all.extend(rows("total index by polynomials", &many.total, &total, 4e-3, why));
     all.push(
@@ -76,8 +77,8 @@ fn ishigami_by_samples() {
     report_worst(all);
 }
 
-/// A sum of inputs of every distribution: each owes its share of the variance, and nothing is owed to
-/// two at once. A product of two is owed to both.
+/// A sum of inputs of every distribution: each contributes its share of the variance, without
+/// interactions. A product of two contributes for both.
 #[test]
 fn sums_and_products() {
     let inputs = [
@@ -91,11 +92,14 @@ fn sums_and_products() {
     let sum = |point: &[f64]| point.iter().zip(weights).map(|(x, weight)| weight * x).sum::<f64>();
     let answers: Vec<f64> = points.iter().map(|point| sum(point)).collect();
     let found = attribute(&inputs, &points, &answers).expect("an attribution");
-    let parts: Vec<f64> =
-        inputs.iter().zip(weights).map(|(of, weight)| weight * weight * of.variance()).collect();
+    let parts: Vec<f64> = inputs
+        .iter()
+        .zip(weights)
+        .map(|(input, weight)| weight * weight * input.variance())
+        .collect();
     let variance: f64 = parts.iter().sum();
     let parts: Vec<f64> = parts.iter().map(|part| part / variance).collect();
-    let why = "what 200 points know of a variance";
+    let why = "the accuracy of a variance from 200 points";
     let mut all = rows("first-order index of a sum", &found.first, &parts, 5e-3, why);
     all.extend(rows("total index of a sum", &found.total, &parts, 5e-3, why));
     let by_samples = sampled_indices(&inputs, 5_000, 1, sum);
@@ -129,8 +133,8 @@ fn what_tells_nothing() {
     assert!((found.first[0] - 1.0).abs() < 1e-9, "{found:?}");
 }
 
-/// A linear answer beside a choice among many that shifts it at random, and one among three: shares in
-/// closed form.
+/// A linear result with a choice among many that shifts it at random, and one among three: shares
+/// in closed form.
 #[test]
 fn choices_have_their_shares() {
     // Mid-points of equal parts: as even as a sample can be, so that shares are nearly exact.
@@ -140,16 +144,16 @@ fn choices_have_their_shares() {
         Distribution::Choice { count: 400 },
     ];
     let points = latin_hypercube(&inputs, 400, 3);
-    // Of three things in no order, and of 400 shifts that are spread evenly and stirred.
+    // Three values in no order, and 400 shifts that are spread evenly and shuffled.
     let three = [0.3, 0.9, 0.0];
     let stirred = |number: f64| ((number * 271.0) % 400.0 + 0.5) / 400.0;
-    let of = |point: &Vec<f64>| point[0] + three[point[1] as usize] + 0.8 * stirred(point[2]);
-    let answers: Vec<f64> = points.iter().map(of).collect();
+    let answer = |point: &Vec<f64>| point[0] + three[point[1] as usize] + 0.8 * stirred(point[2]);
+    let answers: Vec<f64> = points.iter().map(answer).collect();
     let found = attribute(&inputs, &points, &answers).expect("an attribution");
     let variances = [1.0 / 12.0, 0.14, 0.64 / 12.0];
     let all: f64 = variances.iter().sum();
     for (input, variance) in variances.into_iter().enumerate() {
-        // The shares of 400 points: four times 0.03, which ten seeds scatter by.
+        // The shares of 400 points: four times 0.03, the scatter of ten seeds.
         assert!((found.total[input] - variance / all).abs() < 0.12, "{found:?}");
     }
     assert!((found.first[1] - 0.14 / all).abs() < 0.12, "{found:?}");

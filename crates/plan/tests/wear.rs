@@ -18,8 +18,8 @@ use wholestring_plan::{
 };
 use wholestring_verification::{report_worst, verify};
 
-/// S6: volume by the wear factor, depth and width of the groove; and what a joint that stays takes. Closed
-/// forms, checked by quadrature in the file.
+/// S6: volume by the wear factor, depth and width of the groove; and the wear of a joint that stays
+/// in place. Closed forms, checked by quadrature in the file.
 #[test]
 fn s6_grooves() {
     let data = verification("S6_casing_wear.json");
@@ -79,8 +79,8 @@ fn s6_grooves() {
     }));
 }
 
-/// From a groove of a nanometre to one of a joint's diameter the depth is that of its area, and the area that of
-/// a quadrature.
+/// From a groove of a nanometre to one of a joint's diameter the depth is that of its area, and the
+/// area that of a quadrature.
 #[test]
 fn depth_and_area_are_inverse() {
     let groove = Groove { bore_m: 0.110249, joint_m: 0.08414 };
@@ -88,7 +88,8 @@ fn depth_and_area_are_inverse() {
         let area_m2 = groove.area_m2(depth_m);
         let again_m = groove.depth_m(area_m2).expect("a groove");
         assert_close("depth", again_m, depth_m, 1e-11);
-        // In polar angle from the bore's axis: ½ (r² − R²) over where the joint reaches beyond the bore.
+        // In polar angle from the bore's axis: ½ (r² − R²) over where the joint reaches beyond the
+        // bore.
         let apart_m = groove.bore_m - groove.joint_m + depth_m;
         let reach = |angle: f64| {
             let (sin, cos) = angle.sin_cos();
@@ -116,7 +117,7 @@ fn depth_and_area_are_inverse() {
                 weight * value(step * f64::from(i))
             })
             .sum();
-        // The difference of two lengths of 0.1 m holds 1e-17 m.
+        // The difference of two lengths of 0.1 m has an error of 1e-17 m.
         assert_close("area", area_m2, sum * step / 3.0, 1e-9 + 1e-16 / depth_m);
     }
     assert_eq!(groove.depth_m(0.0), Some(0.0));
@@ -161,8 +162,8 @@ fn level() -> Model {
     Model::new(Well { path, hole }, string, Mud::of_density(0.0))
 }
 
-/// S6 through the whole path: a pipe that weighs 1500 N/m turns in level casing for 100 h at 120 rpm. By its
-/// side force, and by the work of its friction.
+/// S6 through the whole path: a pipe that weighs 1500 N/m turns in level casing for 100 h at 120
+/// rpm. By its side force, and by the work of its friction.
 #[test]
 fn s6_through_the_whole_path() {
     let data = verification("S6_casing_wear.json");
@@ -205,7 +206,7 @@ fn s6_through_the_whole_path() {
     report_worst(rows.iter().map(|(what, computed, expected)| {
         verify("S6", what).relative(1e-6, "the file's").row(*expected, *computed)
     }));
-    // What is left: Barlow by the wall, the collapse of a pipe with that wall all round.
+    // Remaining strength: Barlow by the wall, the collapse of a pipe with that wall all round.
     let row = pipe_left(&by_force[100]);
     let [new_Pa, worn_Pa] = row.burst_Pa.expect("a grade");
     assert_close("burst", worn_Pa / new_Pa, row.wall_left_m / row.wall_m, 1e-12);
@@ -221,8 +222,8 @@ fn s6_through_the_whole_path() {
     assert_close("collapse as printed", new_Pa / PSI_PA, 4750.0, 2e-3);
 }
 
-/// A campaign in parts wears as one does; a string that moves slides so much farther; drilling by parts from
-/// depth to depth is all of it.
+/// A campaign in parts wears as one does; a string that moves slides so much farther; drilling by
+/// parts from depth to depth is all of it.
 #[test]
 fn a_campaign_is_its_stages() {
     let model = level();
@@ -250,14 +251,14 @@ fn a_campaign_is_its_stages() {
     assert_close("parts", worn(&parts), whole, 1e-12);
     assert!(Stage::moved(&model, &Operation::rotate_off_bottom(2000.0), &solved, 1.0).is_none());
     assert!(lengths_m(&[], 0.0).is_empty());
-    // The first depth stands for the hole above it.
+    // The first depth represents the hole above it.
     assert_eq!(lengths_m(&depths_m, 900.0), [550.0, 200.0, 250.0, 100.0]);
     assert_eq!(lengths_m(&[7.0], 0.0), [7.0]);
     assert_eq!(lengths_m(&depths_m, 1600.0), [0.0, 50.0, 250.0, 100.0]);
     assert_eq!(lengths_m(&depths_m, 9000.0), [0.0; 4]);
 }
 
-/// Worn through is told, not a wall of less than nothing.
+/// Worn through is reported, not a negative wall.
 #[test]
 fn worn_through() {
     let model = level();
@@ -279,18 +280,19 @@ fn worn_through() {
         assert_eq!(left.burst_Pa.expect("a grade")[1], 0.0);
         assert_eq!(left.collapse_Pa.expect("a grade")[1], 0.0);
     }
-    // And nothing where nothing turned.
+    // Zero without rotation, too.
     let wear = CasingWear::new(&model.well.hole, &factors()).expect("casing").rows();
     let whole = |row: &WearRow| pipe_left(row).wall_left_m == pipe_left(row).wall_m;
     assert!(wear.iter().all(|row| row.groove_m == Some(0.0) && whole(row)));
 }
 
-/// What cannot be worn is refused by what is wrong with it; casing of which no pipe is known has a groove, and
-/// nobody knows what is left.
+/// Casing that cannot be worn is refused with its mistake; casing whose pipe is not known has a
+/// groove, but no remaining strength.
 #[test]
 fn casing_that_is_none() {
     let model = level();
-    let refused = |of: WearFactors| CasingWear::new(&model.well.hole, &of).expect_err("wrong");
+    let refused =
+        |factors: WearFactors| CasingWear::new(&model.well.hole, &factors).expect_err("wrong");
     assert_eq!(model.well.hole.sections()[1].kind, HoleKind::Open);
     for section in [1, 9] {
         let of_section_per_Pa = vec![(section, 1e-14)];

@@ -1,4 +1,4 @@
-//! What commands come to: in memory, or as a folder has it.
+//! Results of commands: in memory, or from a folder.
 
 use std::path::PathBuf;
 
@@ -24,27 +24,27 @@ impl From<run::Answers> for Answers {
     }
 }
 
-/// Summary, tables, and whether the case asks for spectra.
+/// Summary, tables, and whether the case requests spectra.
 type Parts = (String, Vec<(&'static str, Table)>, bool);
 
 /// Name, SI unit and meaning of the scalars of an operation.
 pub(crate) fn scalars() -> Vec<(&'static str, &'static str, &'static str)> {
-    let of = |of: &wholestring::outcome::Scalar| {
-        (of.quantity.name, of.quantity.unit, of.quantity.meaning)
+    let entry = |scalar: &wholestring::outcome::Scalar| {
+        (scalar.quantity.name, scalar.quantity.unit, scalar.quantity.meaning)
     };
-    SCALARS.iter().map(of).collect()
+    SCALARS.iter().map(entry).collect()
 }
 
 #[pymethods]
 impl Answers {
-    /// Those that a command left in a folder.
+    /// Reads the results of a command from a folder.
     #[staticmethod]
     pub(crate) fn load(py: Python<'_>, folder: PathBuf) -> PyResult<Self> {
         let folder = py.detach(|| Folder::read(folder));
         Ok(Self(Place::Folder(folder.map_err(|error| error::of_results(py, &error))?)))
     }
 
-    /// What they are: `a run`, `a plan`, ...
+    /// Their kind: `a run`, `a plan`, ...
     #[getter]
     fn kind(&self) -> &'static str {
         match &self.0 {
@@ -53,7 +53,7 @@ impl Answers {
         }
     }
 
-    /// Those that were in memory, from [`Answers::parts`].
+    /// Restores results in memory from [`Answers::parts`].
     #[staticmethod]
     fn restore(
         py: Python<'_>,
@@ -66,8 +66,8 @@ impl Answers {
         Ok(answers.map_err(|error| error::of_results(py, &error))?.into())
     }
 
-    /// What those in memory are made of: summary, tables, and whether the case asks for spectra;
-    /// nothing where a folder has them.
+    /// The parts of results in memory: summary, tables, and whether the case requests spectra; none
+    /// if they are in a folder.
     fn parts(&self, py: Python<'_>) -> PyResult<Option<Parts>> {
         let Place::Memory(answers) = &self.0 else { return Ok(None) };
         let named = |(name, table): (&'static str, _)| Ok((name, Table::of(table)?));
@@ -75,7 +75,7 @@ impl Answers {
         Ok(Some((self.summary_json(py)?, tables, answers.with_spectra())))
     }
 
-    /// `summary.json`; an empty object where a folder has none.
+    /// `summary.json`; an empty object if a folder has none.
     fn summary_json(&self, py: Python<'_>) -> PyResult<String> {
         match &self.0 {
             Place::Memory(answers) => {
@@ -86,7 +86,7 @@ impl Answers {
         }
     }
 
-    /// A row for each operation: scalars, statistics and indicators, as a sweep has them.
+    /// A row for each operation: scalars, statistics and indicators, as in a sweep.
     fn scalars(&self, py: Python<'_>) -> PyResult<Table> {
         let table = match &self.0 {
             Place::Memory(answers) => operations_table(&answers.summary().operations),
@@ -99,7 +99,7 @@ impl Answers {
         Table::of(&table)
     }
 
-    /// Where they lie; nothing where they are in memory.
+    /// Their folder; none if they are in memory.
     #[getter]
     fn folder(&self) -> Option<PathBuf> {
         match &self.0 {
@@ -118,17 +118,17 @@ impl Answers {
         }
     }
 
-    /// A table by its name.
+    /// A table by name.
     fn table(&self, py: Python<'_>, name: &str) -> PyResult<Table> {
         let names = self.table_names();
-        if !names.iter().any(|of| of == name) {
+        if !names.iter().any(|other| other == name) {
             let names = names.join(", ");
             return Err(error::not_found(format!("there is no table `{name}`: {names}")));
         }
         match &self.0 {
             Place::Memory(answers) => {
                 let tables = answers.tables();
-                let found = tables.into_iter().find(|(of, _)| *of == name);
+                let found = tables.into_iter().find(|(table, _)| *table == name);
                 found.map_or_else(|| Err(error::of_panic(py)), |(_, table)| Table::of(table))
             }
             Place::Folder(folder) => {
@@ -138,7 +138,7 @@ impl Answers {
         }
     }
 
-    /// Writes what the command leaves, and gives the folder.
+    /// Writes the files of the command, and returns the folder.
     #[pyo3(signature = (folder, overwrite, csv, listener))]
     fn save(
         &self,

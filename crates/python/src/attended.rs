@@ -1,5 +1,5 @@
-//! Long work with Python free beside it: other Python threads run, an interrupt cancels it within
-//! some hundredths of a second, and Python hears of its progress.
+//! Long work that leaves Python free: other Python threads run, an interrupt cancels it within some
+//! hundredths of a second, and Python receives its progress.
 
 use std::{
     sync::{
@@ -15,18 +15,18 @@ use wholestring_runner::{CancellationToken, Observer, Progress, Task};
 
 use crate::{error, event_buffer::EventBuffer};
 
-/// How often Python is asked for an interrupt and told of the progress.
+/// Interval between checks for an interrupt and reports of the progress.
 const LOOK: Duration = Duration::from_millis(5);
 
-/// What work came to, and what was raised meanwhile: an interrupt, or an error of the listener. The
-/// work was then cancelled and has kept what it had.
+/// Result of work, and the exception raised meanwhile: an interrupt, or an error of the listener.
+/// The work was then cancelled and has kept its results so far.
 pub(crate) struct Attended<T> {
     pub(crate) result: T,
     pub(crate) raised: Option<PyErr>,
 }
 
-/// Does the work on a thread of its own, and looks after Python on this one. The listener is told
-/// what [`EventBuffer`] tells.
+/// Does the work on a thread of its own, and serves Python on this one. The listener receives the
+/// messages of [`EventBuffer`].
 ///
 /// # Errors
 /// Work that panicked, a thread that the system refuses.
@@ -55,12 +55,12 @@ pub(crate) fn attended<T: Send>(
     let Ok(result) = result else {
         return Err(raised.unwrap_or_else(|| error::of_panic(py)));
     };
-    // What was said last.
+    // The last messages.
     let raised = raised.or(events.tell(listener).err());
     Ok(Attended { result, raised })
 }
 
-/// Looks after Python until the work has ended: what was raised, if anything was.
+/// Serves Python until the work has ended; returns the exception raised, if any.
 fn look_after(
     end: &Receiver<()>,
     cancellation: &CancellationToken,
@@ -83,11 +83,11 @@ fn look_after(
     raised
 }
 
-/// Does work that tells its progress often, and looks after Python between: on this thread, for
+/// Does work that often reports its progress, and serves Python in between: on this thread, for
 /// work that may be too short for one of its own.
 ///
 /// # Errors
-/// None: what was raised meanwhile is in the answer.
+/// None: an exception raised meanwhile is in the result.
 pub(crate) fn attended_here<T: Send>(
     py: Python<'_>,
     listener: &Bound<'_, PyAny>,
@@ -102,17 +102,17 @@ pub(crate) fn attended_here<T: Send>(
     };
     let result = py.detach(|| work(&looking, &cancellation));
     let (_, raised) = looking.at.into_inner().unwrap_or_else(PoisonError::into_inner);
-    // What was said last.
+    // The last messages.
     let raised = raised.or(looking.events.tell(listener).err());
     Attended { result, raised }
 }
 
-/// Hears what work says, and looks after Python now and then.
+/// Receives the messages of work, and serves Python at intervals.
 struct Looking {
     events: EventBuffer,
     listener: Py<PyAny>,
     cancellation: CancellationToken,
-    /// When it looked last, and what was raised then.
+    /// Time of the last check, and the exception raised then.
     at: Mutex<(Instant, Option<PyErr>)>,
 }
 

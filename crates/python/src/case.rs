@@ -1,4 +1,4 @@
-//! A case that was checked.
+//! A checked case.
 
 use std::{
     collections::BTreeMap,
@@ -30,21 +30,21 @@ use crate::{
     table::Table,
 };
 
-/// A case that was checked, with the text that it was read from and the changes made to it.
+/// A checked case, with its text and the changes made to it.
 #[pyclass(frozen, module = "wholestring._core")]
 pub(crate) struct Case {
     pub(crate) template: Arc<Template>,
     pub(crate) changes: Vec<Override>,
     pub(crate) case: Arc<Checked>,
-    /// The same with other models, as they were requested.
+    /// The same with other models, as requested.
     with_models: Mutex<BTreeMap<String, Arc<Checked>>>,
 }
 
-/// A change as diagnostics quote it: a key and a TOML value, or none where the key is removed.
+/// A change as quoted in diagnostics: a key and a TOML value, or none if the key is removed.
 pub(crate) fn change(key: &str, value: Option<&str>) -> Override {
-    let shown = value.unwrap_or("None");
-    let text = format!("{key} = {shown}");
-    let start = text.len() - shown.len();
+    let value_text = value.unwrap_or("None");
+    let text = format!("{key} = {value_text}");
+    let start = text.len() - value_text.len();
     let quote = Quote {
         name: "with_".into(),
         key: 0..key.len(),
@@ -58,10 +58,10 @@ pub(crate) fn change(key: &str, value: Option<&str>) -> Override {
     }
 }
 
-/// Changes, each a key and a TOML value, or none where the key is removed.
+/// Changes, each a key and a TOML value, or none if the key is removed.
 pub(crate) type Changes = Vec<(String, Option<String>)>;
 
-/// They as overrides.
+/// The changes as overrides.
 pub(crate) fn overrides(changes: &Changes) -> Vec<Override> {
     changes.iter().map(|(key, value)| change(key, value.as_deref())).collect()
 }
@@ -73,7 +73,7 @@ impl Case {
         Ok(Self { template, changes, case, with_models: Mutex::default() })
     }
 
-    /// The case with these models, and one operation if it is named, to be solved.
+    /// The case to be solved with these models, and one operation if it is named.
     pub(crate) fn with_models(
         &self,
         py: Python<'_>,
@@ -86,8 +86,8 @@ impl Case {
         }
     }
 
-    /// The same without its text, which takes as long to read as statics take to solve; nothing
-    /// where only the text can tell.
+    /// The same without parsing the text again, which takes as long as solving statics; none if the
+    /// text is required.
     fn narrowed(&self, models: Option<&[String]>, only: Option<&str>) -> Option<Arc<Checked>> {
         if models.is_none() && only.is_none() {
             return Some(self.case.clone());
@@ -98,7 +98,8 @@ impl Case {
             Some(kind) => kind,
             None => None,
         };
-        let of_name = |name: &String| ModelKind::ALL.iter().copied().find(|of| of.name() == name);
+        let of_name =
+            |name: &String| ModelKind::ALL.iter().copied().find(|kind| kind.name() == name);
         let models: Option<Vec<ModelKind>> = match models {
             Some(names) => names.iter().map(of_name).collect(),
             None => Some(self.case.models.clone()),
@@ -106,7 +107,7 @@ impl Case {
         self.case.narrowed(&models?, only).map(Arc::new)
     }
 
-    /// The same from its text: what is said of it too is said of these.
+    /// The same from its text, with the diagnostics for these models and operations.
     fn read_with(
         &self,
         py: Python<'_>,
@@ -115,7 +116,9 @@ impl Case {
     ) -> PyResult<Arc<Checked>> {
         let mut changes = self.changes.clone();
         let mut name = String::new();
-        for (key, words) in [("model", models), ("operation.kind", operation.map(|of| vec![of]))] {
+        for (key, words) in
+            [("model", models), ("operation.kind", operation.map(|operation| vec![operation]))]
+        {
             if let Some(words) = words {
                 let quoted: Vec<String> = words.iter().map(|word| format!("{word:?}")).collect();
                 let list = format!("[{}]", quoted.join(", "));
@@ -156,7 +159,7 @@ impl Case {
         Self::of(py, Arc::new(Template::in_memory(name, text, files)), Vec::new())
     }
 
-    /// Another case: this one with changes, each a key and a TOML value, or none where the key is
+    /// Another case: this one with changes, each a key and a TOML value, or none if the key is
     /// removed.
     fn changed(&self, py: Python<'_>, changes: Changes) -> PyResult<Self> {
         let mut all = self.changes.clone();
@@ -174,13 +177,13 @@ impl Case {
         self.template.text(&[]).map_err(|report| error::of_report(py, &report))
     }
 
-    /// What diagnostics call it.
+    /// Its name in diagnostics.
     #[getter]
     fn source(&self) -> &str {
         self.template.name()
     }
 
-    /// The files that it was made of, beside its text.
+    /// The files used in addition to its text.
     fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let files = PyDict::new(py);
         for (name, bytes) in self.template.files() {
@@ -194,7 +197,7 @@ impl Case {
         self.case.settings.to_string()
     }
 
-    /// All that it says, as text: the same of two cases that are the same.
+    /// Its complete settings, as text: equal for equal cases.
     fn identity(&self) -> String {
         let Checked { settings, plan, modes, .. } = &*self.case;
         serde_json::json!([settings, plan, modes]).to_string()
@@ -215,10 +218,10 @@ impl Case {
     /// Its operations.
     #[getter]
     fn operations(&self) -> Vec<&'static str> {
-        self.case.operations.iter().map(|of| of.kind.name()).collect()
+        self.case.operations.iter().map(|operation| operation.kind.name()).collect()
     }
 
-    /// The same with these models, and one operation if it is named: what is probably not meant.
+    /// The same with these models, and one operation if it is named: probable mistakes.
     ///
     /// # Errors
     /// A case that these cannot solve.
@@ -233,12 +236,12 @@ impl Case {
         error::diagnostics(py, std::slice::from_ref(&case.warnings))
     }
 
-    /// What is probably not meant, but can be computed.
+    /// Probable mistakes that can be computed nevertheless.
     fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         error::diagnostics(py, std::slice::from_ref(&self.case.warnings))
     }
 
-    /// Solves it in memory: the answers, and what was raised before the end, if it was.
+    /// Solves it in memory: the results, and the exception raised before the end, if any.
     #[pyo3(signature = (models, operation, jobs, listener))]
     fn answer(
         &self,
@@ -258,8 +261,8 @@ impl Case {
         Ok((solved.answers.into(), raised))
     }
 
-    /// Solves variations of it by a static model, in memory: a table, how many of its columns were
-    /// changed, and what was raised meanwhile.
+    /// Solves variations of it by a static model, in memory: a table, the number of its varied
+    /// columns, and the exception raised meanwhile.
     #[pyo3(signature = (variations, model, operation, jobs, listener))]
     fn many(
         &self,
@@ -289,7 +292,7 @@ impl Case {
         }
     }
 
-    /// Solves it into a folder: the answers there, and what was raised before the end, if it was.
+    /// Solves it into a folder: the results there, and the exception raised before the end, if any.
     #[pyo3(signature = (models, operation, folder, existing, csv, jobs, listener))]
     #[allow(clippy::too_many_arguments)]
     fn run(
@@ -318,8 +321,8 @@ impl Case {
         Ok((Answers::load(py, outcome.folder)?, raised))
     }
 
-    /// A dynamic run in hand; with a checkpoint, from there on. Laws are functions with their names
-    /// and rates.
+    /// A dynamic run controlled from Python, from a checkpoint if there is one. Laws are functions
+    /// with their names and rates.
     #[pyo3(signature = (operation, checkpoint, bit_law, excitation, jobs, listener))]
     #[allow(clippy::too_many_arguments)]
     fn simulation(

@@ -1,9 +1,9 @@
-//! A column of numbers, as NumPy sees memory.
+//! A column of numbers with NumPy's array interface.
 
 use arrow_buffer::ScalarBuffer;
 use pyo3::{prelude::*, types::PyDict};
 
-/// Numbers that stay where they are: NumPy and others view them by `__array_interface__`.
+/// Numbers in shared memory: NumPy and others view them by `__array_interface__`.
 #[pyclass(frozen, module = "wholestring._core")]
 pub(crate) struct Column {
     pub(crate) values: ScalarBuffer<f64>,

@@ -1,4 +1,4 @@
-//! How the house draws: what `wholestring.plot` would otherwise repeat.
+//! Plotting conventions, which `wholestring.plot` would otherwise repeat.
 
 use std::collections::BTreeMap;
 
@@ -11,16 +11,16 @@ use wholestring_runner::{display_units, well_path as path_of};
 
 use crate::{error, table::Table};
 
-/// Colours, strokes and what is drawn; the units of every dimension in each set; title and
+/// Colours, strokes and drawn columns; the units of every dimension in each set; title and
 /// dimension of every column and scalar.
 pub(crate) fn json(py: Python<'_>) -> PyResult<String> {
     let columns = TABLES.iter().flat_map(|(_, columns)| columns.iter());
-    let path = WELL_PATH.iter().map(|of| &of.quantity);
-    let scalars = SCALARS.iter().map(|of| &of.quantity);
+    let path = WELL_PATH.iter().map(|column| &column.quantity);
+    let scalars = SCALARS.iter().map(|scalar| &scalar.quantity);
     let mut quantities: BTreeMap<&str, (String, &str)> = BTreeMap::new();
-    // What the engine calls a scalar before what a table calls it.
-    for of in scalars.chain(columns).chain(path) {
-        quantities.entry(of.name).or_insert_with(|| about(of));
+    // The engine's title of a scalar takes precedence over that of a table.
+    for scalar in scalars.chain(columns).chain(path) {
+        quantities.entry(scalar.name).or_insert_with(|| about(scalar));
     }
     let all = json!({
         "pictures": Conventions::of_the_house(),
@@ -30,16 +30,16 @@ pub(crate) fn json(py: Python<'_>) -> PyResult<String> {
     serde_json::to_string(&all).map_err(|_| error::of_panic(py))
 }
 
-/// Title and dimension, empty of words.
-fn about(of: &Quantity) -> (String, &'static str) {
-    let dimension = if of.text { "" } else { shown_dimension(of.kind) };
-    (of.label(), dimension)
+/// Title and dimension, empty for text.
+fn about(quantity: &Quantity) -> (String, &'static str) {
+    let dimension = if quantity.text { "" } else { shown_dimension(quantity.kind) };
+    (quantity.label(), dimension)
 }
 
 /// The path from the surface to the bit.
 pub(crate) fn well_path(settings_json: &str) -> PyResult<Table> {
     let settings: Json = serde_json::from_str(settings_json)
-        .map_err(|error| error::bad_input(format!("these are no settings: {error}")))?;
+        .map_err(|error| error::bad_input(format!("invalid settings: {error}")))?;
     let path = path_of(&settings);
     let columns = WELL_PATH.iter().map(|column| {
         let data = match (column.of)(&path) {

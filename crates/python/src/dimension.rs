@@ -1,18 +1,18 @@
-//! Dimensions by their names.
+//! Dimensions by name.
 
 use pyo3::prelude::*;
 use wholestring_units::Dimension;
 
 use crate::error;
 
-/// The dimension of a name, such as `rotary speed`.
+/// The dimension with a name, such as `rotary speed`.
 ///
 /// # Errors
-/// A name that no dimension has.
+/// An unknown name.
 pub(crate) fn dimension(name: &str) -> PyResult<Dimension> {
-    let found = Dimension::ALL.iter().find(|of| of.name() == name);
+    let found = Dimension::ALL.iter().find(|dimension| dimension.name() == name);
     found.copied().ok_or_else(|| {
-        let names: Vec<&str> = Dimension::ALL.iter().map(|of| of.name()).collect();
+        let names: Vec<&str> = Dimension::ALL.iter().map(|dimension| dimension.name()).collect();
         let names = names.join(", ");
         error::bad_input(format!("there is no dimension `{name}`: there are {names}"))
     })
@@ -31,9 +31,9 @@ pub(crate) fn si_unit(dimension: &str) -> PyResult<&'static str> {
     Ok(self::dimension(dimension)?.si_symbol())
 }
 
-/// Unit of a bare number of a dotted or short key of a case: SI, and for rotary speeds, which the
-/// case file has in revolutions per minute, `rpm`. None for a pure number, a text, or a key that
-/// there is not.
+/// Unit of a bare number of a dotted or short key of a case: SI, and `rpm` for rotary speeds, which
+/// are in revolutions per minute in the case file. None for a pure number, a text, or an unknown
+/// key.
 #[pyfunction]
 pub(crate) fn unit_of(key: &str) -> Option<&'static str> {
     // Stations are in metres and degrees, as in the case file.
@@ -44,14 +44,14 @@ pub(crate) fn unit_of(key: &str) -> Option<&'static str> {
     })
 }
 
-/// Name of the dimension of a dotted or short key of a case; none for a pure number, a text, or a
-/// key that there is not.
+/// Name of the dimension of a dotted or short key of a case; none for a pure number, a text, or an
+/// unknown key.
 #[pyfunction]
 pub(crate) fn dimension_of(key: &str) -> Option<&'static str> {
     wholestring_case::dimension_at(key).map(Dimension::name)
 }
 
-/// Long form of a short key of a case; any other key as it is.
+/// Long form of a short key of a case; any other key unchanged.
 #[pyfunction]
 pub(crate) fn long_key(key: &str) -> &str {
     wholestring_case::long_key(key)

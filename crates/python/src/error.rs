@@ -1,4 +1,4 @@
-//! Errors as Python has them: the classes of `wholestring.errors`.
+//! Python exceptions: the classes of `wholestring.errors`.
 
 use pyo3::{
     prelude::*,
@@ -23,17 +23,17 @@ fn exception<'py>(
     }
 }
 
-/// The exception for something that was requested and is not possible.
+/// The exception for an impossible request.
 pub(crate) fn bad_input(message: impl Into<String>) -> PyErr {
     Python::attach(|py| exception(py, "InputError", (message.into(),)))
 }
 
-/// The exception for a name that there is not.
+/// The exception for an unknown name.
 pub(crate) fn not_found(message: impl Into<String>) -> PyErr {
     Python::attach(|py| exception(py, "NotFoundError", (message.into(),)))
 }
 
-/// The exception for work that was not done.
+/// The exception for work that failed.
 pub(crate) fn of_work(py: Python<'_>, error: &Error) -> PyErr {
     let class = match error {
         Error::Unsound(unsound) => {
@@ -62,10 +62,9 @@ pub(crate) fn of_refused_thread(py: Python<'_>, error: &std::io::Error) -> PyErr
     exception(py, "Error", (message,))
 }
 
-/// The exception for a defect: what was promised not to happen.
+/// The exception for a defect of the program.
 pub(crate) fn of_panic(py: Python<'_>) -> PyErr {
-    let message = "a defect of wholestring: the work ended where it should not; what it said \
-                   stands above";
+    let message = "a defect of wholestring: the work panicked; its message is printed above";
     exception(py, "Error", (message,))
 }
 

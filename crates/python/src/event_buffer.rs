@@ -1,4 +1,4 @@
-//! What work says while it goes on, kept until Python looks at it.
+//! Messages of work in progress, kept until Python reads them.
 
 use std::{
     collections::HashMap,
@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use wholestring_case::Report;
 use wholestring_runner::{BatchSize, CaseEnded, Observer, Progress, Task};
 
-/// What work has said and Python has not heard yet.
+/// Messages that Python has not received yet.
 #[derive(Default)]
 pub(crate) struct EventBuffer(Mutex<State>);
 
@@ -20,31 +20,31 @@ struct State {
     sentences: Vec<(bool, String)>,
 }
 
-/// How far a batch has come.
+/// Progress of a batch.
 struct Batch {
     ended: usize,
     cases: usize,
-    /// What is done, and what there is to do, s: simulated time, and a millisecond for each case,
-    /// so that those without any count too.
+    /// Finished and total work, s: simulated time, and a millisecond for each case, so that those
+    /// without simulated time count too.
     done_s: f64,
     all_s: f64,
-    /// The simulation of each case that is solved now: reached, and where it ends, s.
+    /// The simulation of each running case: reached time and end, s.
     running: HashMap<usize, [f64; 2]>,
-    /// Whether Python has heard of this.
+    /// Whether Python has received this.
     heard: bool,
 }
 
-/// What a case counts beside its simulated time, s.
+/// Simulated time that a case counts in addition to its own, s.
 const CASE_S: f64 = 1e-3;
 
 impl EventBuffer {
     fn state(&self) -> MutexGuard<'_, State> {
-        // Whoever panicked with it left whole sentences all the same.
+        // The data are consistent even after a panic under this lock.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Tells a Python object what was said since: `progress(name, time_s, end_s)`,
-    /// `batch(ended, of, part)`, `said(is_warning, sentence)`.
+    /// Reports the new messages to a Python object: `progress(name, time_s, end_s)`, `batch(ended,
+    /// of, part)`, `said(is_warning, sentence)`.
     pub(crate) fn tell(&self, listener: &Bound<'_, PyAny>) -> PyResult<()> {
         let (progress, batch, sentences) = {
             let mut state = self.state();
@@ -70,9 +70,9 @@ impl EventBuffer {
         self.state().sentences.push((is_warning, sentence.to_owned()));
     }
 
-    fn in_batch(&self, of: impl FnOnce(&mut Batch)) {
+    fn in_batch(&self, once: impl FnOnce(&mut Batch)) {
         if let Some(batch) = &mut self.state().batch {
-            of(batch);
+            once(batch);
             batch.heard = false;
         }
     }
@@ -92,7 +92,7 @@ impl Observer for EventBuffer {
     }
 
     fn started(&self, task: &Task<'_>, _: f64, end_s: f64) {
-        // Nobody knows how many trials there will be.
+        // The number of trials is not known in advance.
         if task.trial.is_none() {
             self.in_batch(|batch| {
                 batch.running.insert(task.case, [0.0, end_s]);
@@ -107,7 +107,7 @@ impl Observer for EventBuffer {
             return;
         };
         if let Some([reached_s, end_s]) = batch.running.get_mut(&task.case) {
-            // It is shorter than it was thought to be.
+            // The operation is shorter than expected.
             batch.all_s -= (*end_s - progress.end_s).max(0.0);
             batch.done_s += (progress.time_s - *reached_s).max(0.0);
             [*reached_s, *end_s] = [progress.time_s, progress.end_s];
@@ -126,10 +126,10 @@ impl Observer for EventBuffer {
         });
     }
 
-    fn case_ended(&self, of: &CaseEnded) {
+    fn case_ended(&self, ended: &CaseEnded) {
         self.in_batch(|batch| {
-            (batch.ended, batch.cases) = (of.ended, of.of);
-            batch.done_s += CASE_S + of.reused_s;
+            (batch.ended, batch.cases) = (ended.ended, ended.of);
+            batch.done_s += CASE_S + ended.reused_s;
         });
     }
 }

@@ -1,4 +1,4 @@
-//! Cases that come with the package.
+//! Cases shipped with the package.
 
 use pyo3::{
     prelude::*,
@@ -15,7 +15,7 @@ const CAMPAIGN: [(&str, &str); 3] = [
 const CAMPAIGN_PATH: (&str, &str) =
     ("np13-path.csv", include_str!("../../../studies/np13-path.csv"));
 
-/// Each by its name: its text, and the files beside it.
+/// Each by name: its text, and its files.
 pub(crate) fn examples(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     let examples = PyDict::new(py);
     let shipped = ALL.iter().map(|case| (case.name, case.text, case.beside));

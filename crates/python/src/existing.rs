@@ -1,8 +1,8 @@
-//! What becomes of what lies in a folder, by the word that the package has for it.
+//! Treatment of existing results in a folder, by the package's words.
 
 use wholestring_runner::Existing;
 
-/// What becomes of what lies in a folder.
+/// Treatment of existing results in a folder.
 pub(crate) fn existing_of(word: &str) -> Existing {
     match word {
         "resume" => Existing::Resume,

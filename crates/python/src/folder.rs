@@ -12,14 +12,14 @@ use wholestring_results::{
 };
 use wholestring_runner::results_kind;
 
-/// Tables that have no Parquet: of a sweep; of a study, in its folders.
+/// Tables without a Parquet file: of a sweep; of a study, in its folders.
 const SWEEP: &str = "sweep";
 const OF_STUDY: [&str; 2] = ["figures", "tables"];
 
 /// A folder with the results of a command.
 pub(crate) struct Folder {
     pub(crate) path: PathBuf,
-    /// What it holds: `a run`, `a plan`, ...
+    /// Its kind: `a run`, `a plan`, ...
     pub(crate) kind: &'static str,
     /// `summary.json`.
     pub(crate) summary: String,
@@ -40,7 +40,7 @@ fn check(kind: &str, summary: &Path) -> Result<(), ResultsError> {
 }
 
 impl Folder {
-    /// What a command left in a folder.
+    /// Reads the results of a command from a folder.
     pub(crate) fn read(path: PathBuf) -> Result<Self, ResultsError> {
         let kind = results_kind(&path).map_err(|error| ResultsError::Format {
             path: path.clone(),
@@ -101,7 +101,7 @@ impl Folder {
     }
 }
 
-/// A column of words as numbers where each that is not empty is one.
+/// A text column as numbers if each non-empty value is one.
 fn with_numbers(column: &Column) -> Column {
     let Data::Text(words) = &column.data else { return column.clone() };
     let number = |word: &String| match word.is_empty() {
@@ -110,8 +110,10 @@ fn with_numbers(column: &Column) -> Column {
     };
     let numbers: Option<Vec<Option<f64>>> = words.iter().map(number).collect();
     let some = words.iter().any(|word| !word.is_empty());
-    let about = SCALARS.iter().map(|of| &of.quantity).find(|of| of.name == column.name);
-    let [unit, meaning] = about.map_or(["", ""], |of| [of.unit, of.meaning]).map(str::to_owned);
+    let about =
+        SCALARS.iter().map(|scalar| &scalar.quantity).find(|quantity| quantity.name == column.name);
+    let [unit, meaning] =
+        about.map_or(["", ""], |about| [about.unit, about.meaning]).map(str::to_owned);
     let data = match numbers.filter(|_| some) {
         Some(numbers) => Data::Number(numbers),
         None => column.data.clone(),

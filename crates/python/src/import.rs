@@ -10,18 +10,18 @@ use wholestring_runner::{
 
 use crate::error;
 
-/// What some files came to.
+/// Result of importing files.
 #[pyclass(frozen, get_all, module = "wholestring._core")]
 pub(crate) struct Imported {
     /// The case file, as `case.toml`.
     text: String,
-    /// Files beside it, by their names.
+    /// Additional files, by name.
     beside: BTreeMap<String, Vec<u8>>,
-    /// Name of each file, and what it is.
+    /// Name and format of each file.
     files: Vec<(String, String)>,
-    /// The file that a note is of, its kind and its sentence.
+    /// The file of a note, its kind and its sentence.
     notes: Vec<(Option<String>, &'static str, String)>,
-    /// What the case still needs.
+    /// Missing inputs of the case.
     missing: Vec<String>,
 }
 
@@ -39,7 +39,7 @@ pub(crate) fn import_files(
         units.into_iter().fold(Choices::default(), |all, (name, unit)| all.unit(name, unit));
     let choices = values.into_iter().fold(choices, |all, (name, value)| all.value(name, value));
     let choices = picks.into_iter().fold(choices, |all, (what, name)| all.pick(what, name));
-    // Choices are noted as they are used, by one thread.
+    // Choices are marked as used, by one thread.
     let imported = import::read(&files, &choices);
     let imported = imported.map_err(|refused| refusal(py, refused))?;
     let beside = imported.beside.iter();
@@ -58,7 +58,7 @@ pub(crate) fn import_files(
     })
 }
 
-/// What a file is, and what it holds.
+/// Format and contents of a file.
 #[pyfunction]
 pub(crate) fn contents(py: Python<'_>, file: PathBuf) -> PyResult<(String, Vec<String>)> {
     let found = py.detach(|| import::contents(&file));
@@ -66,7 +66,7 @@ pub(crate) fn contents(py: Python<'_>, file: PathBuf) -> PyResult<(String, Vec<S
     Ok((found.what, found.lines))
 }
 
-/// A refusal of a file: no mistake of a case, though it is shown as one, underlined.
+/// A refusal of a file: no mistake of a case, although it is shown as one, underlined.
 fn refusal(py: Python<'_>, refused: Error) -> PyErr {
     match refused {
         Error::Unsound(_) => error::of_work(py, &Error::BadInput(refused.to_string())),

@@ -1,4 +1,4 @@
-//! Laws that are Python functions.
+//! Laws defined by Python functions.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -8,7 +8,7 @@ use wholestring_runner::run::{BitAnswer, BitReading, OwnLaws, SampledLaw, ShakeR
 
 use crate::error;
 
-/// What a function raised while a run asked it.
+/// Exception of a function called by a run.
 #[derive(Clone, Default)]
 pub(crate) struct Raised(Arc<Mutex<Option<PyErr>>>);
 
@@ -18,11 +18,10 @@ impl Raised {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 
-    /// Two numbers from a function of Python's; nothing, and what it raised is kept, where it has
-    /// none.
-    fn ask<const N: usize>(&self, function: &Py<PyAny>, asked: [f64; N]) -> Option<[f64; 2]> {
+    /// Two numbers from a Python function; none if it raised an exception, which is kept.
+    fn ask<const N: usize>(&self, function: &Py<PyAny>, numbers: [f64; N]) -> Option<[f64; 2]> {
         let answer = Python::attach(|py| {
-            let arguments = pyo3::types::PyTuple::new(py, asked)?;
+            let arguments = pyo3::types::PyTuple::new(py, numbers)?;
             function.bind(py).call1(arguments)?.extract::<(f64, f64)>()
         });
         match answer {
@@ -35,11 +34,11 @@ impl Raised {
     }
 
     fn keep(&self, error: PyErr) {
-        // The first is why the run stops.
+        // The first exception is the reason why the run stops.
         self.0.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
     }
 
-    /// What is wrong with an answer is raised as if the function had.
+    /// An invalid return value is raised as an exception of the function.
     fn refuse<T>(&self, what: &str, [one, other]: [f64; 2]) -> Option<T> {
         let message = format!("{what}, and not ({one}, {other})");
         self.keep(error::bad_input(message));
@@ -50,21 +49,21 @@ impl Raised {
 /// A function with its name and its rate, Hz.
 pub(crate) type Function = (Py<PyAny>, String, f64);
 
-/// The laws of a run, and what they raise.
+/// The laws of a run, and their exceptions.
 pub(crate) fn laws(bit_law: Option<Function>, excitation: Option<Function>) -> (OwnLaws, Raised) {
     let raised = Raised::default();
     let bit_law = bit_law.map(|(function, name, rate_Hz)| {
         let raised = raised.clone();
-        let ask = move |of: &BitReading| {
-            let asked = [
-                of.time_s,
-                of.weight_on_bit_N,
-                of.rotary_speed_rad_per_s,
-                of.angle_rad,
-                of.drilled_m,
+        let ask = move |reading: &BitReading| {
+            let inputs = [
+                reading.time_s,
+                reading.weight_on_bit_N,
+                reading.rotary_speed_rad_per_s,
+                reading.angle_rad,
+                reading.drilled_m,
             ];
-            let answer @ [depth_of_cut_m, torque_N_m] = raised.ask(&function, asked)?;
-            if answer.iter().any(|of| !of.is_finite() || *of < 0.0) {
+            let answer @ [depth_of_cut_m, torque_N_m] = raised.ask(&function, inputs)?;
+            if answer.iter().any(|answer| !answer.is_finite() || *answer < 0.0) {
                 let what = "a bit law gives a depth of cut and a torque, finite and zero or more";
                 return raised.refuse(what, answer);
             }
@@ -74,9 +73,10 @@ pub(crate) fn laws(bit_law: Option<Function>, excitation: Option<Function>) -> (
     });
     let excitation = excitation.map(|(function, name, rate_Hz)| {
         let raised = raised.clone();
-        let ask = move |of: &ShakeReading| {
-            let answer @ [front_m, torque] = raised.ask(&function, [of.time_s, of.angle_rad])?;
-            if answer.iter().any(|of| !of.is_finite()) {
+        let ask = move |reading: &ShakeReading| {
+            let answer @ [front_m, torque] =
+                raised.ask(&function, [reading.time_s, reading.angle_rad])?;
+            if answer.iter().any(|answer| !answer.is_finite()) {
                 let what = "an excitation gives a length and a part of the torque, finite";
                 return raised.refuse(what, answer);
             }

@@ -1,6 +1,6 @@
-//! What the Python package `wholestring` is made of: cases, what they come to, and tables that
-//! other libraries take without a copy. Thin: it hands over to the runner, and its words are the
-//! package's, which is in `python/wholestring`.
+//! The compiled part of the Python package `wholestring`: cases, their results, and tables that
+//! other libraries use without a copy. It is thin: it calls the runner, and its wording is that of
+//! the package in `python/wholestring`.
 
 mod answers;
 mod attended;
@@ -24,7 +24,7 @@ mod variations;
 
 use pyo3::prelude::*;
 
-/// The compiled half of `wholestring`: private, as its name says.
+/// The compiled half of `wholestring`: private, as its name indicates.
 #[pymodule]
 mod _core {
     use pyo3::prelude::*;
@@ -64,19 +64,19 @@ mod _core {
         module.add("SCALARS", crate::answers::scalars())
     }
 
-    /// Colours, strokes, units and words of pictures, as JSON.
+    /// Colours, strokes, units and labels of plots, as JSON.
     #[pyfunction]
     fn conventions(py: Python<'_>) -> PyResult<String> {
         crate::conventions::json(py)
     }
 
-    /// The path of a well by the settings of its case, from the surface to the bit.
+    /// The path of a well from the settings of its case, from the surface to the bit.
     #[pyfunction]
     fn well_path(settings_json: &str) -> PyResult<crate::table::Table> {
         crate::conventions::well_path(settings_json)
     }
 
-    /// The table of the sweep in a folder, and how many of its columns were varied.
+    /// The table of the sweep in a folder, and the number of its varied columns.
     #[pyfunction]
     fn sweep_table(
         py: Python<'_>,

@@ -1,4 +1,4 @@
-//! A dynamic run in hand.
+//! A dynamic run controlled from Python.
 
 use std::{
     sync::{Mutex, MutexGuard, PoisonError},
@@ -21,23 +21,23 @@ use crate::{
     table::Table,
 };
 
-/// A dynamic run that Python takes forward.
+/// A dynamic run that Python advances.
 #[pyclass(frozen, module = "wholestring._core")]
 pub(crate) struct Simulation {
     live: Mutex<Live>,
-    /// The thread that takes it forward now, which waits for what its laws answer.
+    /// The thread that advances it at present, which waits for the values of its laws.
     advances: Mutex<Option<ThreadId>>,
-    /// What its laws raised.
+    /// Exceptions of its laws.
     raised: Raised,
 }
 
-/// Says that nobody takes the run forward any more, however that ended.
+/// Marks the run as no longer being advanced, however that ended.
 struct Advancing<'a>(&'a Simulation);
 
 impl<'a> Advancing<'a> {
-    fn new(of: &'a Simulation) -> Self {
-        *of.advancing() = Some(thread::current().id());
-        Self(of)
+    fn new(simulation: &'a Simulation) -> Self {
+        *simulation.advancing() = Some(thread::current().id());
+        Self(simulation)
     }
 }
 
@@ -57,29 +57,29 @@ impl Simulation {
     }
 
     fn live(&self) -> MutexGuard<'_, Live> {
-        // Whoever panicked with it has said so.
+        // A panic under this lock has been reported.
         self.live.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Asks the run; refuses a law that asks the run that waits for its answer.
+    /// Calls the run; refuses a law that calls the run which waits for its value.
     pub(crate) fn asked<T: Send>(
         &self,
         py: Python<'_>,
-        of: impl FnOnce(&mut Live) -> T + Send,
+        once: impl FnOnce(&mut Live) -> T + Send,
     ) -> PyResult<T> {
         if *self.advancing() == Some(thread::current().id()) {
-            let message = "a law of one's own asks the simulation that waits for its answer";
+            let message = "a custom law calls the simulation that is waiting for its value";
             return Err(error::of_work(py, &Error::BadInput(message.to_owned())));
         }
-        Ok(py.detach(|| of(&mut self.live())))
+        Ok(py.detach(|| once(&mut self.live())))
     }
 }
 
-/// Columns of rows from one on, as a table has them.
-fn columns<T>(declared: &'static [Declared<T>], of: &T, row: usize) -> Vec<Column> {
-    let columns = declared.iter().filter_map(|column| match (column.rows_from)(of, row) {
+/// Columns of the rows from this one on, as in a table.
+fn columns<T>(declared: &'static [Declared<T>], state: &T, row: usize) -> Vec<Column> {
+    let columns = declared.iter().filter_map(|column| match (column.rows_from)(state, row) {
         Values::Numbers(numbers) => {
-            let number = |of: &f64| of.is_finite().then_some(*of);
+            let number = |number: &f64| number.is_finite().then_some(*number);
             Some(Column {
                 name: column.quantity.name.into(),
                 unit: column.quantity.unit.into(),
@@ -94,7 +94,7 @@ fn columns<T>(declared: &'static [Declared<T>], of: &T, row: usize) -> Vec<Colum
 
 #[pymethods]
 impl Simulation {
-    /// Advances by so many seconds.
+    /// Advances by this many seconds.
     fn advance(&self, py: Python<'_>, seconds: f64, listener: &Bound<'_, PyAny>) -> PyResult<()> {
         // Refused before a thread waits for it.
         let on_rock = self.asked(py, |live| live.is_on_rock())?;
@@ -103,7 +103,7 @@ impl Simulation {
             let _advancing = Advancing::new(self);
             live.advance(seconds, observer, cancellation)
         };
-        // On rock a sample may take longer than an interrupt waits.
+        // On rock a sample may take longer than the interval between checks for an interrupt.
         let work = if on_rock {
             attended(py, listener, advance)?
         } else {
@@ -115,7 +115,7 @@ impl Simulation {
         }
     }
 
-    /// Sets set points from now on, within `ramp_s`.
+    /// Applies set points from now on, within `ramp_s`.
     #[pyo3(signature = (
         ramp_s, rotary_speed_rad_per_s, block_velocity_m_per_s, weight_on_bit_N, flow_rate_m3_per_s
     ))]
@@ -142,14 +142,14 @@ impl Simulation {
         added.map_err(|error| error::of_work(py, &error))
     }
 
-    /// Sets the kinetic coefficient of friction of the hole, or of each of its sections, within
+    /// Sets the kinetic friction coefficient of the hole, or of each of its sections, within
     /// `ramp_s`.
     fn set_friction(&self, py: Python<'_>, ramp_s: f64, kinetic: Vec<f64>) -> PyResult<()> {
         let set = self.asked(py, |live| live.set_friction(&kinetic, ramp_s))?;
         set.map_err(|error| error::of_work(py, &error))
     }
 
-    /// The kinetic coefficient of friction of each section of the hole now.
+    /// The present kinetic friction coefficient of each hole section.
     fn friction(&self, py: Python<'_>) -> PyResult<Vec<f64>> {
         self.asked(py, |live| live.simulation().friction())
     }
@@ -157,13 +157,18 @@ impl Simulation {
     /// Time, end, sample interval, all in s, and whether it settles.
     fn clock(&self, py: Python<'_>) -> PyResult<(f64, f64, f64, bool)> {
         self.asked(py, |live| {
-            let of = live.simulation();
-            (of.time_s(), of.end_time_s(), of.sample_interval_s(), of.is_settling())
+            let simulation = live.simulation();
+            (
+                simulation.time_s(),
+                simulation.end_time_s(),
+                simulation.sample_interval_s(),
+                simulation.is_settling(),
+            )
         })
     }
 
-    /// The last sample, by the names of the columns of the table against time; nothing before the
-    /// first, NaN where a column has no value.
+    /// The last sample, by the column names of the table against time; empty before the first, NaN
+    /// if a column has no value.
     fn last(&self, py: Python<'_>) -> PyResult<Vec<(&'static str, f64)>> {
         self.asked(py, |live| {
             let series = live.simulation().series();
@@ -186,23 +191,23 @@ impl Simulation {
         Table::of(&StoredTable::new(columns))
     }
 
-    /// Drops the samples of before a time, s.
+    /// Drops the samples before a time, s.
     fn forget(&self, py: Python<'_>, before_s: f64) -> PyResult<()> {
         self.asked(py, |live| live.forget(before_s))
     }
 
-    /// The whole string as it is now.
+    /// The present state of the whole string.
     fn state(&self, py: Python<'_>) -> PyResult<Table> {
         let columns = self.asked(py, |live| columns(FRAME, &live.simulation().frame(), 0))?;
         Table::of(&StoredTable::new(columns))
     }
 
-    /// The answers so far.
+    /// The results so far.
     fn answers(&self, py: Python<'_>) -> PyResult<Answers> {
         Ok(self.asked(py, |live| live.answers())?.into())
     }
 
-    /// All of it, as bytes.
+    /// The whole run, as bytes.
     fn checkpoint<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let bytes = self.asked(py, |live| live.checkpoint())?;
         let bytes = bytes.map_err(|error| error::of_work(py, &error))?;

@@ -1,4 +1,4 @@
-//! Sweeps in hand.
+//! Sweeps controlled from Python.
 
 use std::{
     num::NonZeroUsize,
@@ -22,14 +22,14 @@ use crate::{
     table::Table,
 };
 
-/// Values of a key, or a text that has them as `--vary` does.
+/// Values of a key, or a text with them as in `--vary`.
 #[derive(FromPyObject)]
 enum Values {
     Text(String),
     List(Vec<String>),
 }
 
-/// A sweep that is checked, holds its folder, and waits for its cases to be solved.
+/// A sweep that is checked, holds its folder, and is ready to solve its cases.
 #[pyclass(frozen, module = "wholestring._core")]
 pub(crate) struct Sweep(Mutex<Option<PreparedSweep>>);
 
@@ -52,7 +52,7 @@ fn variation(py: Python<'_>, key: String, values: Values) -> PyResult<Variation>
 
 fn outcome(outcome: BatchOutcome) -> Outcome {
     let interrupted = outcome.is_interrupted();
-    let failed = outcome.failed.into_iter().map(|of| (of.name, of.reason));
+    let failed = outcome.failed.into_iter().map(|failed| (failed.name, failed.reason));
     (failed.collect(), interrupted)
 }
 
@@ -120,8 +120,8 @@ impl Sweep {
         }
     }
 
-    /// Solves the cases here, on all cores: how it went, and what was raised before the end, if it
-    /// was.
+    /// Solves the cases here, on all cores: the outcome, and the exception raised before the end,
+    /// if any.
     fn run(
         &self,
         py: Python<'_>,
@@ -135,7 +135,7 @@ impl Sweep {
         Ok((outcome(done), raised))
     }
 
-    /// Where the results go.
+    /// The results folder.
     fn folder(&self, py: Python<'_>) -> PyResult<PathBuf> {
         self.with(py, |hand| hand.folder().to_owned())
     }
@@ -145,24 +145,24 @@ impl Sweep {
         self.with(py, |hand| (0..hand.count()).map(|case| hand.name(case).to_owned()).collect())
     }
 
-    /// The cases that are to be solved, the longest first.
+    /// The cases to be solved, the longest first.
     fn left(&self, py: Python<'_>) -> PyResult<Vec<usize>> {
         self.with(py, PreparedSweep::left)
     }
 
-    /// What is changed in a case.
+    /// The changes of a case.
     fn changes(&self, py: Python<'_>, case: usize) -> PyResult<Vec<(String, String)>> {
-        let pair = |of: &Override| (of.key.clone(), of.value.clone());
+        let pair = |change: &Override| (change.key.clone(), change.value.clone());
         self.with(py, |hand| hand.changes(case).iter().map(pair).collect())
     }
 
-    /// Makes a case's folder ready for who solves it.
+    /// Prepares a case's folder for its solver.
     fn make_ready(&self, py: Python<'_>, case: usize) -> PyResult<PathBuf> {
         let ready = self.with(py, |hand| hand.make_ready(case))?;
         ready.map_err(|error| error::of_work(py, &error))
     }
 
-    /// The files with which another machine continues a case that was begun.
+    /// The files with which another machine continues an unfinished case.
     fn begun<'py>(
         &self,
         py: Python<'py>,
@@ -178,7 +178,7 @@ impl Sweep {
         put.map_err(|error| error::of_work(py, &error))
     }
 
-    /// Takes up how a case ended, and says whether it came to an end: one that was stopped may be
+    /// Records the outcome of a case, and returns whether it finished: one that was stopped may be
     /// handed out again.
     fn take(&self, py: Python<'_>, case: usize, ended: &[u8]) -> PyResult<bool> {
         let ended: Ended = serde_json::from_slice(ended)
@@ -188,12 +188,12 @@ impl Sweep {
         Ok(!is_interrupted)
     }
 
-    /// Takes up that a case failed for this reason.
+    /// Records that a case failed for this reason.
     fn fail(&self, py: Python<'_>, case: usize, reason: String) -> PyResult<()> {
         self.with(py, |hand| hand.take(case, Ended::failed(reason)))
     }
 
-    /// Writes table and page, lets the folder go, and says how it went.
+    /// Writes table and page, releases the folder, and returns the outcome.
     fn end(&self, py: Python<'_>, interrupted: bool) -> PyResult<Outcome> {
         let token = CancellationToken::new();
         if interrupted {
@@ -204,13 +204,13 @@ impl Sweep {
         Ok(outcome(done.map_err(|error| error::of_results(py, &error))?))
     }
 
-    /// Lets the folder go.
+    /// Releases the folder.
     fn close(&self) {
         *self.held() = None;
     }
 }
 
-/// The table of a sweep in a folder, and how many of its columns, from the first, were varied.
+/// The table of a sweep in a folder, and the number of its leading columns that are varied.
 pub(crate) fn table(py: Python<'_>, folder: &Path) -> PyResult<(usize, Table)> {
     let read = py.detach(|| sweep::read(folder));
     let (varied, table) = read.map_err(|error| error::of_results(py, &error))?;

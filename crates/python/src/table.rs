@@ -1,4 +1,4 @@
-//! Tables that other libraries take without a copy, by Arrow's capsules.
+//! Tables that other libraries use without a copy, by Arrow's capsules.
 
 use std::sync::Arc;
 
@@ -24,8 +24,8 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// A table in Arrow's layout, in which it is then shared. A number that does not apply is null,
-    /// and NaN to whoever looks at the memory.
+    /// A table in Arrow's layout, in which it is then shared. A missing number is null, and NaN in
+    /// the memory itself.
     pub(crate) fn of(table: &StoredTable) -> PyResult<Self> {
         let columns = table.columns().iter().map(column).unzip::<_, _, Vec<_>, Vec<_>>();
         let (fields, arrays) = columns;
@@ -34,7 +34,7 @@ impl Table {
         Ok(Self { batch })
     }
 
-    /// The same as the engine has tables.
+    /// The same as a table of the engine.
     pub(crate) fn stored(&self) -> StoredTable {
         let schema = self.batch.schema();
         let columns = schema.fields().iter().zip(self.batch.columns()).map(|(field, array)| {
@@ -70,20 +70,21 @@ impl Table {
     }
 }
 
-/// The words of a column; nothing where it is numbers.
+/// The texts of a column; none if it has numbers.
 fn words(array: &ArrayRef) -> Option<Vec<String>> {
     let words = array.as_any().downcast_ref::<StringArray>()?;
     Some(words.iter().map(|word| word.unwrap_or_default().to_owned()).collect())
 }
 
-/// A column as it goes into a pickle: name, unit, meaning, and either numbers, eight bytes each with
-/// the lowest first, and a byte each that is one where there is none, or words.
+/// A pickled column: name, unit, meaning, and either numbers, eight bytes each, little-endian, and
+/// one byte each that is one for a missing number, or texts.
 type Part<'a> = (String, String, String, Option<[Bound<'a, PyBytes>; 2]>, Option<Vec<String>>);
 
-fn column(of: &Stored) -> (Field, ArrayRef) {
-    let array: ArrayRef = match &of.data {
+fn column(stored: &Stored) -> (Field, ArrayRef) {
+    let array: ArrayRef = match &stored.data {
         Data::Number(numbers) => {
-            let values: Vec<f64> = numbers.iter().map(|of| of.unwrap_or(f64::NAN)).collect();
+            let values: Vec<f64> =
+                numbers.iter().map(|number| number.unwrap_or(f64::NAN)).collect();
             let has_nulls = numbers.iter().any(Option::is_none);
             let nulls = has_nulls.then(|| numbers.iter().map(Option::is_some).collect());
             let nulls: Option<NullBuffer> = nulls;
@@ -91,24 +92,25 @@ fn column(of: &Stored) -> (Field, ArrayRef) {
         }
         Data::Text(words) => Arc::new(StringArray::from_iter_values(words)),
     };
-    let kind = match of.data {
+    let kind = match stored.data {
         Data::Number(_) => DataType::Float64,
         Data::Text(_) => DataType::Utf8,
     };
-    let about = [("unit".to_owned(), of.unit.clone()), ("meaning".to_owned(), of.meaning.clone())];
-    (Field::new(&of.name, kind, true).with_metadata(about), array)
+    let about =
+        [("unit".to_owned(), stored.unit.clone()), ("meaning".to_owned(), stored.meaning.clone())];
+    (Field::new(&stored.name, kind, true).with_metadata(about), array)
 }
 
 #[pymethods]
 impl Table {
-    /// Arrow's stream, for whoever takes Arrow; the memory is shared.
+    /// Arrow's stream; the memory is shared.
     #[pyo3(signature = (requested_schema = None))]
     fn __arrow_c_stream__<'py>(
         &self,
         py: Python<'py>,
         requested_schema: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyCapsule>> {
-        // A wish that need not be granted, by Arrow's own rules.
+        // A request that need not be granted, according to Arrow's own rules.
         let _ = requested_schema;
         let batches = [Ok(self.batch.clone())];
         let reader = RecordBatchIterator::new(batches, self.batch.schema());
@@ -143,38 +145,40 @@ impl Table {
         self.batch.num_rows()
     }
 
-    /// SI unit of a column, empty where it has none.
+    /// SI unit of a column, empty if it has none.
     fn unit(&self, name: &str) -> PyResult<String> {
         self.about(name, "unit")
     }
 
-    /// What a column is, in a sentence.
+    /// Meaning of a column, in a sentence.
     fn meaning(&self, name: &str) -> PyResult<String> {
         self.about(name, "meaning")
     }
 
-    /// The numbers of a column, to be viewed; nothing where it is words.
+    /// The numbers of a column, as a view; none if it has text.
     fn numbers(&self, name: &str) -> PyResult<Option<Column>> {
         let array = self.batch.column(self.place(name)?);
         let numbers = array.as_any().downcast_ref::<Float64Array>();
         Ok(numbers.map(|numbers| Column { values: numbers.values().clone() }))
     }
 
-    /// The words of a column; nothing where it is numbers.
+    /// The texts of a column; none if it has numbers.
     fn words(&self, name: &str) -> PyResult<Option<Vec<String>>> {
         Ok(words(self.batch.column(self.place(name)?)))
     }
 
-    /// Its columns, each as it goes into a pickle.
+    /// Its columns, each in pickled form.
     fn parts<'py>(&self, py: Python<'py>) -> Vec<Part<'py>> {
         let stored = self.stored();
-        let part = |of: &Stored| {
-            let (name, unit, meaning) = (of.name.clone(), of.unit.clone(), of.meaning.clone());
-            match &of.data {
+        let part = |stored: &Stored| {
+            let (name, unit, meaning) =
+                (stored.name.clone(), stored.unit.clone(), stored.meaning.clone());
+            match &stored.data {
                 Data::Number(numbers) => {
-                    let value = |of: &Option<f64>| of.unwrap_or(f64::NAN).to_le_bytes();
+                    let value = |number: &Option<f64>| number.unwrap_or(f64::NAN).to_le_bytes();
                     let values: Vec<u8> = numbers.iter().flat_map(value).collect();
-                    let nulls: Vec<u8> = numbers.iter().map(|of| of.is_none().into()).collect();
+                    let nulls: Vec<u8> =
+                        numbers.iter().map(|number| number.is_none().into()).collect();
                     let bytes = [PyBytes::new(py, &values), PyBytes::new(py, &nulls)];
                     (name, unit, meaning, Some(bytes), None)
                 }
@@ -184,7 +188,7 @@ impl Table {
         stored.columns().iter().map(part).collect()
     }
 
-    /// The table of which these are the [`Table::parts`].
+    /// The table with these [`Table::parts`].
     #[staticmethod]
     fn restore(parts: Vec<Part<'_>>) -> PyResult<Self> {
         let column = |(name, unit, meaning, numbers, words): Part<'_>| {

@@ -1,4 +1,4 @@
-//! Cases of a sweep that are solved apart: in another process, or on another machine.
+//! Cases of a sweep that are solved separately: in another process, or on another machine.
 
 use std::{
     collections::BTreeMap,
@@ -20,7 +20,7 @@ use crate::{
     error,
 };
 
-/// How often a worker looks whether the sweep that it works for still goes on.
+/// Interval at which a worker checks whether its sweep is still running.
 const LOOK: Duration = Duration::from_millis(50);
 
 /// Name of a case, its changes, and its folder.
@@ -37,9 +37,9 @@ impl Variations {
         Self(Template::in_memory(name, text, files))
     }
 
-    /// Solves cases one after the other, each a name, its changes and its folder, and gives how
-    /// they ended. Those are left out that were not begun when it was interrupted, or when the file
-    /// `running` was gone.
+    /// Solves cases one after the other, each a name, its changes and its folder, and returns their
+    /// outcomes. Cases are omitted that had not started when it was interrupted, or when the file
+    /// `running` was removed.
     #[allow(clippy::too_many_arguments)]
     fn solve<'py>(
         &self,
@@ -73,8 +73,9 @@ impl Variations {
             };
             while_running(running.as_deref(), cancellation, solve)
         })?;
-        // Whoever was interrupted says how far it has come.
-        if let Some(raised) = work.raised.filter(|of| !of.is_instance_of::<PyKeyboardInterrupt>(py))
+        // An interrupted solver reports its progress.
+        if let Some(raised) =
+            work.raised.filter(|raised| !raised.is_instance_of::<PyKeyboardInterrupt>(py))
         {
             return Err(raised);
         }
@@ -84,7 +85,7 @@ impl Variations {
     }
 }
 
-/// Does the work, and cancels it when the file is gone.
+/// Does the work, and cancels it when the file is removed.
 ///
 /// # Errors
 /// A thread that the system refuses.

@@ -136,10 +136,10 @@ def test_several_strings_are_told_apart_by_name(rig: ws.Case, data: dict[str, An
 @pytest.mark.parametrize(
     ("options", "error", "message"),
     [
-        ({"hold": {"fish": 1.0}}, ws.InputError, "`hold`: nothing is called 'fish'"),
+        ({"hold": {"fish": 1.0}}, ws.InputError, "`hold`: there is no parameter 'fish'"),
         ({"hold": {"friction_cased": 3.0}}, ws.InputError, "expected 0 to 2"),
         ({"hold": {"block_weight": "3 m"}}, ws.InputError, "`hold`: `block_weight`: .*force"),
-        ({"hold": {"bit_torque": 1.0}}, ws.InputError, "is not looked for and cannot be held"),
+        ({"hold": {"bit_torque": 1.0}}, ws.InputError, "is not a parameter of this fit and cannot be kept fixed"),
         ({"weight_error": 0.0}, ws.InputError, "`weight_error`: .*expected more than zero"),
         ({"rotating_error": "3 m"}, ws.InputError, "`rotating_error`: .*force"),
         ({"torque_error": "x"}, ws.InputError, "`torque_error`"),

@@ -228,7 +228,7 @@ def test_a_damaged_pickle_is_refused() -> None:
     fish = _core.Table.restore([("a", "m", "a length", None, ["x"])])
     text = ws.Case.example().soft("drill")
     summary, tables, spectra = text._core.parts() or ("", [], False)
-    with pytest.raises(ws.ResultsError, match="its table `fish` is none of a run"):
+    with pytest.raises(ws.ResultsError, match="its table `fish` is not one of a run"):
         _core.Answers.restore(summary, [*tables, ("fish", fish)], spectra)
     with pytest.raises(ws.ResultsError, match="its table `nodes`"):
         _core.Answers.restore(summary, [("nodes", fish)], spectra)

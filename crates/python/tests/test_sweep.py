@@ -197,7 +197,7 @@ def test_samples_are_varied_together(soft: ws.Case, tmp_path: Path) -> None:
     assert len(swept) == 5
     assert np.array_equal(np.unique(swept.table["friction"]), np.sort(draws))
     assert swept.table.unit("mud.density") == "kg/m3"
-    with pytest.raises(ws.InputError, match="as many values each"):
+    with pytest.raises(ws.InputError, match="equal numbers of values"):
         ws.sweep(soft, {"friction": [0.1, 0.2], "wob": ["1 kN"]}, together=True, folder=tmp_path)
 
 

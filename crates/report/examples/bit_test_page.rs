@@ -1,5 +1,5 @@
-//! Writes the page and the pictures of a bit test with made-up numbers to a folder: how they look,
-//! without drilling for them.
+//! Writes the page and the pictures of a bit test with made-up numbers to a folder, to check their
+//! appearance without running a bit test.
 
 use std::{collections::BTreeMap, f64::consts::TAU, fs, path::PathBuf};
 
@@ -75,7 +75,7 @@ fn test() -> BitTest {
 fn bottom(depth_of_cut_m: f64) -> Option<BottomPicture> {
     const RINGS: usize = 48;
     const SECTORS: usize = 240;
-    let part = |index: usize, of: usize| (index as f64 + 0.5) / of as f64;
+    let part = |index: usize, count: usize| (index as f64 + 0.5) / count as f64;
     let radii: Vec<f64> = (0..RINGS).map(|k| RADIUS_M * part(k, RINGS)).collect();
     let angles: Vec<f64> = (0..SECTORS).map(|k| TAU * part(k, SECTORS)).collect();
     let depth = |radius: f64, angle: f64| {

@@ -15,16 +15,16 @@ pub struct BottomPicture {
     /// Angle of the middle of each sector from the high side towards the right, rad; they part the
     /// circle evenly.
     pub angle_rad: Packed,
-    /// Depth below the rim, m: sector by sector of a ring after the other; missing where nothing is
-    /// known. The rim is what a twentieth of the cells is above: a splinter of the wall does not
+    /// Depth below the rim, m: sector by sector of a ring after the other; missing where it is not
+    /// known. A twentieth of the cells are above the rim, so that a splinter of the wall does not
     /// count.
     pub depth_m: Packed,
 }
 
 impl BottomPicture {
-    /// A bottom whose depths have any origin; none where no depth is known, or where there is not
-    /// one depth for each sector of each ring. What is farther from the rim than the bottom is from
-    /// its axis to its edge has come loose, and is left out.
+    /// Creates a bottom whose depths have any origin; `None` where no depth is known, or where
+    /// there is not one depth for each sector of each ring. Cells farther from the rim than the
+    /// bottom is from its axis to its edge are loose pieces, and are left out.
     pub fn new(radius_m: &[f64], angle_rad: &[f64], depth_m: &[f64]) -> Option<Self> {
         if depth_m.len() != radius_m.len() * angle_rad.len() {
             return None;
@@ -33,7 +33,7 @@ impl BottomPicture {
         let mut known: Vec<f64> = known.collect();
         known.sort_by(f64::total_cmp);
         let rim = *known.get((RIM * known.len() as f64) as usize)?;
-        // What has come off the rock and flies is no bottom.
+        // Pieces that have come off the rock do not belong to the bottom.
         let far_m = radius_m.last().copied().unwrap_or(0.0);
         let place = |depth: f64| if depth.abs() > far_m { f64::NAN } else { depth };
         Some(Self {

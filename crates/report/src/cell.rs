@@ -25,7 +25,7 @@ pub enum Cell {
     },
     /// A bare number.
     Number(f64),
-    /// Words that lead to a file beside the page.
+    /// Words that link to a file next to the page.
     Link {
         /// The words.
         text: String,
@@ -34,12 +34,12 @@ pub enum Cell {
     },
     /// Words.
     Text(String),
-    /// Nothing: it does not apply.
+    /// Empty: it does not apply.
     Nothing,
 }
 
 impl Cell {
-    /// A number with a dimension; nothing where it is not finite.
+    /// A number with a dimension; empty where it is not finite.
     pub fn quantity(value: f64, dimension: &str) -> Self {
         if !value.is_finite() {
             return Self::Nothing;
@@ -47,7 +47,7 @@ impl Cell {
         Self::Quantity { value, dimension: dimension.into(), std: None }
     }
 
-    /// A bare number; nothing where it is not finite.
+    /// A bare number; empty where it is not finite.
     pub fn number(value: f64) -> Self {
         if value.is_finite() { Self::Number(value) } else { Self::Nothing }
     }

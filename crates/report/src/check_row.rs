@@ -8,28 +8,28 @@ use crate::Cell;
 /// A check as a page shows it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CheckRow {
-    /// What is compared or reported, as a word for programs: `lock_up`, ...
+    /// Kind of the check, as a word for programs: `lock_up`, ...
     pub kind: String,
-    /// The same for people.
+    /// The same for users.
     pub label: String,
-    /// How serious it is.
+    /// Its severity.
     pub severity: Severity,
     /// The verdict in words: `OK`, `exceeded`, ...
     pub verdict: String,
-    /// The component; empty of the rig and of the whole string.
+    /// The component; empty for the rig and for the whole string.
     pub component: String,
-    /// Measured depth of the place or of the upper end of its interval, m; none without a place.
+    /// Measured depth of the place or of the upper end of its interval, m; `None` without a place.
     pub md_m: Option<f64>,
-    /// Measured depth of the lower end of its interval, m; none of a point and without a place.
+    /// Measured depth of the lower end of its interval, m; `None` for a point and without a place.
     pub to_md_m: Option<f64>,
-    /// The value, of a limit the load; nothing where it is no number.
+    /// The value, for a limit the load; empty where it is not a number.
     pub value: Cell,
-    /// What it is compared with, of a limit the capacity; nothing where there is no such number.
+    /// Number that the value is compared with, for a limit the capacity; empty where there is none.
     pub limit: Cell,
-    /// Capacity over load; none of what is no limit.
+    /// Capacity over load; `None` for a check that is not a limit.
     pub factor: Option<f64>,
-    /// The required factor; none of what is no limit.
+    /// The required factor; `None` for a check that is not a limit.
     pub required: Option<f64>,
-    /// A sentence for people, with numbers in the units of the case.
+    /// A sentence for users, with numbers in the units of the case.
     pub sentence: String,
 }

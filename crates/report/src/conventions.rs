@@ -1,5 +1,5 @@
-//! What pictures that are drawn elsewhere share with those drawn here: colours, strokes, and what
-//! is drawn of a run.
+//! Conventions shared with pictures that are drawn elsewhere: colours, strokes, and the drawn
+//! quantities of a run.
 
 use std::collections::BTreeMap;
 
@@ -17,27 +17,27 @@ use crate::{
     },
 };
 
-/// Colours, strokes, and what is drawn of a run, for whoever draws with another library.
+/// Colours, strokes and the drawn quantities of a run, for programs that draw with another library.
 #[derive(Debug, Clone, Serialize)]
 pub struct Conventions {
     /// Colours by their names: on paper, and on a dark screen.
     colours: BTreeMap<&'static str, [String; 2]>,
-    /// How many curves have a colour of their own: `line-0` and so on.
+    /// Number of curves with a colour of their own: `line-0` and so on.
     lines: usize,
-    /// Dash and gap of each stroke by its place, points; none of a full line.
+    /// Dash and gap of each stroke by its place, points; none for a full line.
     strokes: Vec<Option<[f64; 2]>>,
     /// Width of a curve, points.
     curve: f64,
-    /// How much of what lies below it a band hides.
+    /// Opacity of a band.
     band: f64,
     rules: Rules,
     tracks: Vec<Named<Track>>,
     time: Vec<Named<TimePlot>>,
     bit: Vec<Named<TimePlot>>,
     operations: Vec<OperationLook>,
-    /// Models and what their curves are called, the most detailed first.
+    /// Models and the names of their curves, the most detailed first.
     models: Vec<(&'static str, &'static str)>,
-    /// Readings of a calibration, how they are said, and the operation whose colour they have.
+    /// Readings of a calibration, their wording, and the operation whose colour they have.
     readings: Vec<(&'static str, &'static str, &'static str)>,
 }
 
@@ -58,28 +58,40 @@ struct OperationLook {
 }
 
 impl Conventions {
-    /// Those of this crate's own pictures.
+    /// The conventions of this crate's own pictures.
     pub fn of_the_house() -> Self {
         let hex = |colour: u32| format!("#{colour:06x}");
-        let plots = |all: Vec<TimePlot>| all.into_iter().map(|of| Named { name: of.name, of });
-        let look = |of: OperationKind| OperationLook {
-            operation: of.name(),
-            words: operation_name(of.name()),
-            colour: colour(of.name()),
+        let plots =
+            |all: Vec<TimePlot>| all.into_iter().map(|plot| Named { name: plot.name, of: plot });
+        let look = |kind: OperationKind| OperationLook {
+            operation: kind.name(),
+            words: operation_name(kind.name()),
+            colour: colour(kind.name()),
         };
         Self {
-            colours: PALETTE.iter().map(|of| (of.name, [of.light, of.dark].map(hex))).collect(),
+            colours: PALETTE
+                .iter()
+                .map(|colour| (colour.name, [colour.light, colour.dark].map(hex)))
+                .collect(),
             lines: LINES,
             strokes: (0..LINES).map(|place| Stroke::of(place).dash()).collect(),
             curve: CURVE,
             band: BAND,
             rules: RULES,
-            tracks: tracks().into_iter().map(|of| Named { name: of.name, of }).collect(),
+            tracks: tracks()
+                .into_iter()
+                .map(|track| Named { name: track.name, of: track })
+                .collect(),
             time: plots(time_plots()).collect(),
             bit: plots(bit_plots()).collect(),
             operations: OperationKind::ALL.map(look).to_vec(),
-            models: models(|_| true).into_iter().map(|of| (of.name, of.curve_name)).collect(),
-            readings: READINGS.map(|(name, said, of)| (name, said, of.name())).to_vec(),
+            models: models(|_| true)
+                .into_iter()
+                .map(|model| (model.name, model.curve_name))
+                .collect(),
+            readings: READINGS
+                .map(|(name, words, operation)| (name, words, operation.name()))
+                .to_vec(),
         }
     }
 }
@@ -88,16 +100,15 @@ impl Conventions {
 mod tests {
     use super::*;
 
-    /// Curves by their places can be told apart by stroke alone, and every colour of theirs is
-    /// there.
+    /// Curves can be distinguished by stroke alone, and all of their colours exist.
     #[test]
     fn strokes_and_colours_of_curves_are_all_there() {
-        let of = Conventions::of_the_house();
-        for (place, dash) in of.strokes.iter().enumerate() {
-            assert!(of.strokes[..place].iter().all(|other| other != dash), "{place}");
-            assert!(of.colours.contains_key(format!("line-{place}").as_str()));
+        let conventions = Conventions::of_the_house();
+        for (place, dash) in conventions.strokes.iter().enumerate() {
+            assert!(conventions.strokes[..place].iter().all(|other| other != dash), "{place}");
+            assert!(conventions.colours.contains_key(format!("line-{place}").as_str()));
         }
-        assert_eq!(of.strokes.len(), of.lines);
-        assert_eq!(of.colours["line-1"], ["#e85800", "#d75c1c"]);
+        assert_eq!(conventions.strokes.len(), conventions.lines);
+        assert_eq!(conventions.colours["line-1"], ["#e85800", "#d75c1c"]);
     }
 }

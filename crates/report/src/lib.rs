@@ -1,4 +1,4 @@
-//! Pictures of what a run leaves: figures as SVG and PNG, and all of it as a page.
+//! Pictures of a run's results: figures as SVG and PNG, and all of it as a page.
 #![warn(missing_docs)]
 
 mod bha;

@@ -29,7 +29,7 @@ pub(super) fn on_bottom(name: &str) -> bool {
     OperationKind::from_name(name).is_some_and(OperationKind::on_bottom)
 }
 
-/// A number in four digits, and no more than three decimals.
+/// A number in four digits, and at most three decimals.
 pub(crate) fn four(value: f64) -> String {
     if !value.is_finite() {
         return "–".to_owned();

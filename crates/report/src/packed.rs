@@ -1,15 +1,15 @@
-//! Numbers on their way into a page: the bytes of typed arrays, as base64.
+//! Numbers packed for a page: the bytes of typed arrays, as base64.
 
 use base64::{Engine, engine::general_purpose::STANDARD};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
-/// What stands for a number that is missing among short ones.
+/// Value of a missing number among short ones.
 const MISSING: i16 = i16::MIN;
 
 /// Steps between the smallest number and the largest.
 const STEPS: f64 = 65_534.0;
 
-/// A column of numbers as the page holds it, little-endian. A missing one is NaN.
+/// A column of numbers as stored in the page, little-endian. A missing one is NaN.
 #[derive(Debug, Clone)]
 pub enum Packed {
     /// In single precision: seven digits.
@@ -52,7 +52,7 @@ impl Packed {
         Self::Short { values: values.iter().map(place).collect(), middle, step }
     }
 
-    /// The numbers as the page sees them.
+    /// The numbers as read by the page.
     pub fn values(&self) -> Vec<f64> {
         match self {
             Self::Single(values) => values.iter().map(|value| f64::from(*value)).collect(),
@@ -134,7 +134,7 @@ impl<'de> Deserialize<'de> for Packed {
 mod tests {
     use super::*;
 
-    /// Half a step is all that is lost, at the ends of the range too.
+    /// At most half a step is lost, at the ends of the range too.
     #[test]
     fn short_numbers_come_back_within_half_a_step() {
         let values: Vec<f64> = (0..1000).map(|i| (f64::from(i) * 0.7).sin() * 3e5).collect();

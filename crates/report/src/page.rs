@@ -1,4 +1,4 @@
-//! The pages of a run, of a sweep and of a bit test, each one file that needs nothing else.
+//! The pages of a run, of a sweep and of a bit test, each one self-contained file.
 
 use serde::Serialize;
 use wholestring::outcome::Method;
@@ -19,19 +19,19 @@ use crate::{
     sweep_plots,
 };
 
-/// The programs of the pages and their looks, bundled from `web/` by `npm run bundle`.
+/// The programs of the pages and their styles, bundled from `web/` by `npm run bundle`.
 const PROGRAM: &str = include_str!("../assets/report.js");
 const SWEEP_PROGRAM: &str = include_str!("../assets/sweep.js");
 pub(crate) const STYLES: &str = include_str!("../assets/report.css");
-/// Licences of what is in the bundle.
+/// Licences of the bundled code.
 const LICENCES: &str = include_str!("../assets/licences.txt");
 
-/// What the page may do: run what is in it, and nothing else; it never asks the network for
-/// anything.
+/// Permissions of the page: it runs its own scripts and nothing else, and never accesses the
+/// network.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; \
                       img-src data: blob:";
 
-/// What the program of a run's page reads: the report, and which plots are made of it.
+/// Data of a run's page: the report, and the plots made of it.
 #[derive(Serialize)]
 struct Data<'a> {
     #[serde(flatten)]
@@ -47,7 +47,7 @@ struct Data<'a> {
     string_colours: Vec<StringColour>,
 }
 
-/// What a run's page knows of a method that solved it; they stand from the most detailed down.
+/// Data of a method on a run's page; the most detailed comes first.
 #[derive(Serialize)]
 struct Model {
     name: &'static str,
@@ -63,11 +63,11 @@ impl Model {
 
 /// The report of a run as the text of an HTML file.
 ///
-/// No name in it can end the element that it stands in, whatever it holds.
+/// No name in it can end the element that contains it, whatever its text.
 pub fn report_html(report: &Report) -> String {
     let data = Data {
         report,
-        models: models(|name| report.solved.iter().any(|of| of.model == name))
+        models: models(|name| report.solved.iter().any(|solved| solved.model == name))
             .into_iter()
             .map(Model::of)
             .collect(),
@@ -88,7 +88,7 @@ fn licences() -> String {
     format!("<template id=\"licences\">{}</template>", escaped(LICENCES))
 }
 
-/// What the program of a sweep's page reads.
+/// Data of a sweep's page.
 #[derive(Serialize)]
 struct SweepData<'a> {
     #[serde(flatten)]
@@ -97,7 +97,7 @@ struct SweepData<'a> {
     rows: Vec<Spot<'a>>,
 }
 
-/// What a point of a sweep's figure says: a row of its table.
+/// Text of a point of a sweep's figure: a row of its table.
 #[derive(Serialize)]
 struct Spot<'a> {
     checks: [usize; 2],
@@ -108,7 +108,7 @@ struct Spot<'a> {
 /// The report of a sweep as the text of an HTML file: its figure in every set of units, and the
 /// table.
 ///
-/// No name in it can end the element that it stands in, whatever it holds.
+/// No name in it can end the element that contains it, whatever its text.
 pub fn sweep_html(sweep: &Sweep) -> String {
     let data = SweepData {
         head: &sweep.head,
@@ -143,7 +143,7 @@ pub(crate) const NARROW_MM: f64 = 85.0;
 /// A picture in a set of units, ready to be shown under a name.
 fn template(name: &str, units: &str, plot: Option<Plot>) -> String {
     let figure = plot.map_or(String::new(), |mut plot| {
-        // The page says these itself.
+        // The page has these itself.
         plot.figure.title.clear();
         plot.figure.subtitle.clear();
         let drawing = plot.figure.drawing();
@@ -152,7 +152,7 @@ fn template(name: &str, units: &str, plot: Option<Plot>) -> String {
     format!("<template id=\"{name}-{units}\">{figure}</template>")
 }
 
-/// What the program of a bit test's page reads.
+/// Data of a bit test's page.
 #[derive(Serialize)]
 struct BitTestData<'a> {
     #[serde(flatten)]
@@ -162,7 +162,7 @@ struct BitTestData<'a> {
     bottoms: Vec<TestedBottom<'a>>,
 }
 
-/// The bottom that a weight and a speed left.
+/// The bottom at a weight and a speed.
 #[derive(Serialize)]
 struct TestedBottom<'a> {
     weight_N: f64,
@@ -173,13 +173,13 @@ struct TestedBottom<'a> {
 /// The page of a bit test as the text of an HTML file: its figures in every set of units, the
 /// bottoms in space, and the table.
 ///
-/// No name in it can end the element that it stands in, whatever it holds.
+/// No name in it can end the element that contains it, whatever its text.
 pub fn bit_test_html(test: &BitTest) -> String {
-    let bottoms = test.sorted().into_iter().filter_map(|of| {
+    let bottoms = test.sorted().into_iter().filter_map(|test| {
         Some(TestedBottom {
-            weight_N: of.weight_N,
-            rotary_rad_per_s: of.rotary_rad_per_s,
-            bottom: of.bottom.as_ref()?,
+            weight_N: test.weight_N,
+            rotary_rad_per_s: test.rotary_rad_per_s,
+            bottom: test.bottom.as_ref()?,
         })
     });
     let page_tables = std::iter::once(test.page_table()).chain(test.page_tables.iter().cloned());
@@ -202,27 +202,31 @@ pub fn bit_test_html(test: &BitTest) -> String {
     page(&test.head.title, &test.head.program, &data, &rest, PROGRAM)
 }
 
-/// What the program of an assembly's page reads.
+/// Data of an assembly's page.
 #[derive(Serialize)]
 struct BhaData<'a> {
     #[serde(flatten)]
     head: &'a PageHead,
     message: Option<&'a str>,
     page_tables: &'a [PageTable],
-    /// Name and title of each picture of what was varied.
+    /// Name and title of each picture of a varied quantity.
     sweeps: Vec<[&'a str; 2]>,
 }
 
 /// The page of a static BHA analysis as the text of an HTML file: its figures in every set of
 /// units, and the tables.
 ///
-/// No name in it can end the element that it stands in, whatever it holds.
+/// No name in it can end the element that contains it, whatever its text.
 pub fn bha_html(bha: &Bha) -> String {
     let data = BhaData {
         head: &bha.head,
         message: bha.message.as_deref(),
         page_tables: &bha.page_tables,
-        sweeps: bha.sweeps.iter().map(|of| [of.name.as_str(), of.title.as_str()]).collect(),
+        sweeps: bha
+            .sweeps
+            .iter()
+            .map(|sweep| [sweep.name.as_str(), sweep.title.as_str()])
+            .collect(),
     };
     let mut rest = licences();
     for units in SETS {
@@ -234,10 +238,10 @@ pub fn bha_html(bha: &Bha) -> String {
     page(&bha.head.title, &bha.head.program, &data, &rest, PROGRAM)
 }
 
-/// What stands on the page where JavaScript does not run.
+/// Text of the page where JavaScript does not run.
 const NEEDS: &str = "this page draws its plots itself and needs JavaScript, though no network";
 
-/// A page of data and the program that shows them, with whatever else the program needs.
+/// A page of data and the program that shows them, with the other parts that the program needs.
 fn page(title: &str, made_by: &str, data: &impl Serialize, rest: &str, program: &str) -> String {
     let data = json(data);
     let body = format!(
@@ -253,8 +257,8 @@ fn page(title: &str, made_by: &str, data: &impl Serialize, rest: &str, program: 
     document(title, made_by, POLICY, &styles, &body)
 }
 
-/// A whole file of one page, which opens offline: `policy` says what it may do, `styles` how it
-/// looks.
+/// A whole file of one page, which opens offline: `policy` gives its permissions, `styles` its
+/// appearance.
 pub(crate) fn document(
     title: &str,
     made_by: &str,
@@ -285,10 +289,10 @@ pub(crate) fn document(
     )
 }
 
-/// JSON in which nothing looks like HTML.
+/// JSON without characters that HTML interprets.
 fn json(data: &impl Serialize) -> String {
     let json = serde_json::to_string(data).expect("numbers and words");
-    // These stand in JSON within strings only, where an escape means the same.
+    // These occur in JSON only within strings, where an escape has the same meaning.
     json.replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")
 }
 
@@ -308,7 +312,7 @@ pub(crate) mod tests {
 
     const NASTY: &str = "</script><script>alert(1)</script> <!-- & \" ' \u{2028} </title>";
 
-    /// A report with something in every part of it.
+    /// A report with content in every part of it.
     pub(crate) fn report() -> Report {
         let column = || Packed::single([0.0, 1.0, f64::NAN]);
         let unit = |symbol: &str| DisplayUnit { symbol: symbol.into(), factor: 0.1 };
@@ -355,6 +359,7 @@ pub(crate) mod tests {
                     more: vec![fact(Cell::quantity(2.0, "force"))],
                     check_kinds: vec!["hook_load".into()],
                 }],
+                cutoff_depth_m: Some(500.0),
                 profile: BTreeMap::from([("md_m".into(), column())]),
                 wear: BTreeMap::new(),
             }],

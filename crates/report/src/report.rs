@@ -1,4 +1,4 @@
-//! What a page reports a run: plain data, SI, ready to be shown.
+//! Contents of the page of a run: plain data, SI, ready to be shown.
 
 use std::collections::BTreeMap;
 
@@ -8,8 +8,8 @@ use crate::{BottomPicture, Cell, CheckRow, Packed};
 
 /// A run as its page shows it.
 ///
-/// Numbers are SI, angles radians. Where a number has a unit, the name of its dimension stands
-/// beside it, and [`Report::dimensions`] says how each set of units shows it.
+/// Numbers are SI, angles radians. Where a number has a unit, the name of its dimension is given
+/// with it, and [`Report::dimensions`] has its form in each set of units.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// Name and version of the program.
@@ -23,7 +23,7 @@ pub struct Report {
     pub message_units: String,
     /// By dimension: its unit in SI, metric and field units.
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
-    /// The case in a few facts: what is done, how deep, with what.
+    /// The case in a few facts: operations, depth, models.
     pub facts: Vec<Fact>,
     /// The results of the models, in the order in which they were solved.
     pub solved: Vec<Solved>,
@@ -33,28 +33,28 @@ pub struct Report {
     pub hole: Vec<Section>,
     /// Parts of the string, from the surface down.
     pub string: Vec<Part>,
-    /// What operations did in time, those that dynamics solved.
+    /// Time results of the operations that dynamics solved.
     pub runs: Vec<TimeRun>,
     /// Tables of numbers: results of all models, numerics, then every input.
     pub page_tables: Vec<PageTable>,
 }
 
-/// What the page of a sweep or of a bit test says first.
+/// Head of the page of a sweep or of a bit test.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PageHead {
     /// Name and version of the program.
     pub program: String,
-    /// What stands over it.
+    /// Its title.
     pub title: String,
     /// Units that it opens with: `si`, `metric` or `field`.
     pub units: String,
     /// By dimension: its unit in SI, metric and field units.
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
-    /// The facts that hold of all cases or points.
+    /// The facts common to all cases or points.
     pub facts: Vec<Fact>,
 }
 
-/// A unit as people see it.
+/// A unit as shown to users.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DisplayUnit {
     /// Its symbol; empty for a bare number.
@@ -63,10 +63,10 @@ pub struct DisplayUnit {
     pub factor: f64,
 }
 
-/// A value with what it is.
+/// A value with its label.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Fact {
-    /// What it is.
+    /// Its label.
     pub label: String,
     /// The value.
     pub value: Cell,
@@ -79,42 +79,47 @@ pub struct Solved {
     pub model: String,
     /// `trip_out`, `drill`, ...
     pub operation: String,
-    /// Why it ended before its end; nothing where it did not.
+    /// Reason why it ended early; `None` where it did not.
     pub message: Option<String>,
     /// The checks of the answer, the most severe first.
     #[serde(default)]
     pub checks: Vec<CheckRow>,
-    /// What could not be checked, a phrase for each number that is missing.
+    /// Limits that could not be checked, a phrase for each missing number.
     #[serde(default)]
     pub unchecked: Vec<String>,
-    /// The numbers that matter most, beside their limits.
+    /// The most important numbers, with their limits.
     pub key_results: Vec<KeyResult>,
+    /// Measured depth at which the side force changes from the high to the low side, m; `None`
+    /// where it does not.
+    #[serde(default)]
+    pub cutoff_depth_m: Option<f64>,
     /// Columns of `nodes.parquet` by their name.
     pub profile: BTreeMap<String, Packed>,
     /// Columns of `wear.parquet` by their name.
     pub wear: BTreeMap<String, Packed>,
 }
 
-/// A number beside its limit.
+/// A number with its limit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct KeyResult {
-    /// What it is.
+    /// Its label.
     pub label: String,
-    /// The number: of a dynamic run a mean, where `largest` is given.
+    /// The number; for a dynamic run a mean, where `largest` is given.
     pub value: Cell,
     /// The largest of the window, where the value is a mean.
     pub largest: Option<f64>,
-    /// What is compared with the limit, where that is neither the largest nor the value itself.
+    /// Value that is compared with the limit, where that is neither the largest nor the value
+    /// itself.
     #[serde(default)]
     pub compared: Option<f64>,
     /// The limit.
     pub limit: Option<f64>,
-    /// Whose limit it is, or that none is given.
+    /// Source of the limit, or that none is given.
     pub limit_label: String,
-    /// What stands beside the number, such as the same with another part of the rig.
+    /// Additional facts, such as the same number for another part of the rig.
     #[serde(default)]
     pub more: Vec<Fact>,
-    /// Kinds of the checks that are about this number.
+    /// Kinds of the checks that concern this number.
     #[serde(default)]
     pub check_kinds: Vec<String>,
 }
@@ -135,9 +140,9 @@ pub struct Well {
 pub struct Section {
     /// `casing` or `open`.
     pub kind: String,
-    /// Where it begins, m.
+    /// Measured depth of its upper end, m.
     pub from_m: f64,
-    /// Where it ends, m.
+    /// Measured depth of its lower end, m.
     pub to_m: f64,
     /// Its diameter, m.
     pub diameter_m: f64,
@@ -148,17 +153,17 @@ pub struct Section {
 /// A part of the string.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Part {
-    /// What the user calls it.
+    /// Name given by the user.
     pub name: String,
-    /// Where it begins, m measured depth.
+    /// Measured depth of its upper end, m.
     pub from_m: f64,
-    /// Where it ends, m.
+    /// Measured depth of its lower end, m.
     pub to_m: f64,
     /// Outside diameter of the body, m.
     pub od_m: f64,
     /// Inside diameter, m.
     pub id_m: f64,
-    /// Diameter on which it touches the wall: of joints or blades where it has them, m.
+    /// Diameter at which it touches the wall: of joints or blades where it has them, m.
     pub contact_od_m: f64,
 }
 
@@ -167,21 +172,21 @@ pub struct Part {
 pub struct TimeRun {
     /// `trip_out`, `drill`, ...
     pub operation: String,
-    /// Where the window of the statistics begins, s.
+    /// Beginning of the statistics window, s.
     pub window_s: f64,
-    /// Samples that the run took.
+    /// Number of samples of the run.
     pub samples: usize,
     /// Columns of `time.parquet` by their name, thinned.
     pub history: BTreeMap<String, Packed>,
-    /// What the schedule notes, and when, s.
+    /// Notes of the schedule, each with its time, s.
     pub notes: Vec<(f64, String)>,
     /// Contact over depth and time.
     pub contact: Option<ContactPicture>,
     /// The string at moments.
     pub frames: Option<Frames>,
-    /// What the bit takes away for what it is given, where it drills.
+    /// Response of the bit to its weight and speed, where it drills.
     pub drill_off: Option<DrillOff>,
-    /// The bottom of the hole at the end, where the bit stands on solid rock.
+    /// The bottom of the hole at the end, where the bit is on solid rock.
     pub bottom: Option<BottomPicture>,
     /// Power spectral densities of the signals that the case requires.
     #[serde(default)]
@@ -191,12 +196,12 @@ pub struct TimeRun {
 /// A power spectral density as a page draws it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SpectrumPicture {
-    /// `surface_torque`, or of a node `tension`, ...
+    /// `surface_torque`, or for a node `tension`, ...
     pub signal: String,
-    /// Measured depth of the node, m; nothing of a signal of the whole string.
+    /// Measured depth of the node, m; `None` for a signal of the whole string.
     pub md_m: Option<f64>,
-    /// Dimension of the signal, whose square per frequency the density has; empty where it has
-    /// none.
+    /// Dimension of the signal, whose square per frequency is that of the density; empty where it
+    /// has none.
     pub dimension: String,
     /// Frequencies, Hz.
     pub frequency_Hz: Packed,
@@ -204,7 +209,7 @@ pub struct SpectrumPicture {
     pub density: Packed,
 }
 
-/// What a bit takes away for what it is given: samples of the window, evenly apart in time.
+/// Response of a bit to its weight and speed: samples of the window, evenly spaced in time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct DrillOff {
@@ -215,9 +220,9 @@ pub struct DrillOff {
 /// Contact over depth and time: row after row in time, each from the surface down.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ContactPicture {
-    /// Where the first row begins, s.
+    /// Beginning of the first row, s.
     pub from_s: f64,
-    /// Where each row ends, s.
+    /// End of each row, s.
     pub time_s: Packed,
     /// Measured depth of each stretch, m.
     pub md_m: Packed,
@@ -228,34 +233,34 @@ pub struct ContactPicture {
 /// The string at moments: frame after frame, each from the surface down.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Frames {
-    /// When, s.
+    /// Times of the frames, s.
     pub time_s: Packed,
     /// Measured depth of the nodes in the first frame, m.
     pub md_m: Packed,
-    /// How far the bit has moved down the hole since then, m.
+    /// Travel of the bit down the hole since then, m.
     pub moved_m: Packed,
     /// Columns of `frames.parquet` by their name.
     pub channels: BTreeMap<String, Packed>,
-    /// Frames that were kept.
+    /// Number of frames that were stored.
     pub kept: usize,
-    /// Nodes of the string.
+    /// Number of nodes of the string.
     pub nodes: usize,
 }
 
 /// A table.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PageTable {
-    /// Where on the page it stands.
+    /// Place on the page.
     pub place: Place,
     /// Its title.
     pub title: String,
-    /// Heads of its columns; none where it needs none.
+    /// Heads of its columns; empty where it needs none.
     pub heads: Vec<String>,
     /// Rows.
     pub rows: Vec<Vec<Cell>>,
 }
 
-/// Where on the page a table stands.
+/// Place of a table on the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Place {

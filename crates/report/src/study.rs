@@ -1,4 +1,4 @@
-//! The page of a study as one file that needs nothing else.
+//! The page of a study as one self-contained file.
 
 use crate::{
     draw::palette,
@@ -15,7 +15,7 @@ pub struct StudyPage {
     pub program: String,
     /// Name of the study.
     pub title: String,
-    /// What it asks and how; paragraphs are parted by blank lines.
+    /// Question and method; paragraphs are separated by blank lines.
     pub description: String,
     /// Figures and tables in their order.
     pub parts: Vec<StudyPart>,
@@ -26,34 +26,34 @@ pub struct StudyPage {
 pub enum StudyPart {
     /// A picture.
     Figure {
-        /// What stands over it.
+        /// Its title.
         title: String,
-        /// What stands under it; may be empty.
+        /// Its caption; may be empty.
         caption: String,
-        /// The picture; none where no case has answered yet.
+        /// The picture; `None` where no case has a result yet.
         figure: Option<Box<Figure>>,
-        /// Its files beside the page, without their endings; empty where there are none.
+        /// Its files next to the page, without their extensions; empty where there are none.
         files: String,
-        /// Whether it was painted as PNG too.
+        /// Whether it was also written as PNG.
         painted: bool,
     },
     /// Numbers.
     Table {
-        /// What stands over it.
+        /// Its title.
         title: String,
-        /// What stands under it; may be empty.
+        /// Its caption; may be empty.
         caption: String,
         /// The numbers.
         grid: Grid,
-        /// Its files beside the page, without their endings.
+        /// Its files next to the page, without their extensions.
         files: String,
-        /// The endings of those files.
+        /// The extensions of those files.
         endings: &'static [&'static str],
     },
 }
 
 impl StudyPart {
-    /// What stands over it.
+    /// Its title.
     fn title(&self) -> &str {
         match self {
             Self::Figure { title, .. } | Self::Table { title, .. } => title,
@@ -61,7 +61,7 @@ impl StudyPart {
     }
 }
 
-/// A table for people.
+/// A table for readers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     /// Heads of the columns.
@@ -73,18 +73,18 @@ pub struct Grid {
 /// The head of a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Head {
-    /// What it says.
+    /// Its text.
     pub text: String,
     /// Whether the column holds words rather than numbers.
     pub words: bool,
 }
 
-/// What comes of a comparison.
+/// Result of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// Nothing was compared.
     None,
-    /// Within what is allowed.
+    /// Within the tolerance.
     Agrees,
     /// Within it, but not by much.
     Near,
@@ -94,25 +94,26 @@ pub enum Verdict {
     Judged(Severity),
 }
 
-/// What the page may do: show what is in it.
+/// Permissions of the page: it shows its contents.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
-/// The looks of a run's page, dark where the reader's other windows are: this page has no program
-/// that could ask.
+/// The styles of a run's page, dark where the reader's system is, because this page has no program
+/// for a switch.
 fn styles() -> String {
     format!("{}{STYLES}", palette::css_by_window())
 }
 
-/// The page as the text of an HTML file. No name in it can end the element that it stands in.
+/// Returns the page as the text of an HTML file. No name in it can end the element that contains
+/// it.
 pub fn study_html(page: &StudyPage) -> String {
     whole(page, "", &paragraphs(&page.description), &contents_and_parts(page, ""))
 }
 
-/// What a reader calls each set of units.
+/// Name of each set of units for readers.
 const UNITS: [&str; 3] = ["SI", "Metric", "US field"];
 
-/// The same page in every set of units; it opens with those of the name `opens`, and the reader
-/// chooses others. No program does that: all are in the file, and one is seen.
+/// The same page in every set of units; it opens with the set of the name `opens`, and the reader
+/// can choose others. It needs no program: all are in the file, and one is visible.
 pub(crate) fn study_html_in_units(opens: &str, page: impl Fn(&str) -> StudyPage) -> String {
     let opens = if SETS.contains(&opens) { opens } else { SETS[0] };
     let mut choices = String::new();
@@ -135,27 +136,31 @@ pub(crate) fn study_html_in_units(opens: &str, page: impl Fn(&str) -> StudyPage)
     whole(&page(opens), &switch, &about, &body)
 }
 
-/// A page with its head: title, `switch` beside it, `about` below.
+/// A page with its head: title with `switch`, `about` below.
 fn whole(page: &StudyPage, switch: &str, about: &str, body: &str) -> String {
     let (title, program) = (escaped(&page.title), escaped(&page.program));
     let body = format!(
         "<main class=\"study\">\n<header>\n<div class=\"title-line\"><h1>{title}</h1>\n{switch}</div>\n\
-         {about}</header>\n{body}<footer><p>Made by {program}. The files beside this one hold every \
-         digit.</p></footer>\n</main>"
+         {about}</header>\n{body}<footer><p>Made by {program}. The files next to this page have \
+         every digit.</p></footer>\n</main>"
     );
     document(&page.title, &page.program, POLICY, &styles(), &body)
 }
 
-/// Where one finds what, and all of it; names of elements begin with `prefix`.
+/// The table of contents, and all parts; names of elements begin with `prefix`.
 fn contents_and_parts(page: &StudyPage, prefix: &str) -> String {
-    let parts: String =
-        page.parts.iter().enumerate().map(|(index, of)| part(index, prefix, of)).collect();
+    let parts: String = page
+        .parts
+        .iter()
+        .enumerate()
+        .map(|(index, content)| part(index, prefix, content))
+        .collect();
     let links: String = page
         .parts
         .iter()
         .enumerate()
-        .map(|(index, of)| {
-            format!("<a href=\"#{prefix}part-{index}\">{}</a>\n", escaped(of.title()))
+        .map(|(index, content)| {
+            format!("<a href=\"#{prefix}part-{index}\">{}</a>\n", escaped(content.title()))
         })
         .collect();
     format!("<nav class=\"contents noprint\" aria-label=\"Contents\">\n{links}</nav>\n{parts}")
@@ -172,7 +177,7 @@ fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
     let (title, caption, body, files, endings) = match part {
         StudyPart::Figure { title, caption, figure, files, painted } => {
             let body = match figure {
-                // The page says its title itself.
+                // The title is on the page already.
                 Some(figure) => {
                     let mut figure = figure.clone();
                     figure.title.clear();
@@ -181,8 +186,9 @@ fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
                 None => "<p class=\"note\">No case has answered yet.</p>".to_owned(),
             };
             let endings = ["svg", "png", "csv"];
-            let endings =
-                endings.into_iter().filter(|of| !files.is_empty() && (*of != "png" || *painted));
+            let endings = endings
+                .into_iter()
+                .filter(|ending| !files.is_empty() && (*ending != "png" || *painted));
             (title, caption, body, files, endings.collect::<Vec<_>>())
         }
         StudyPart::Table { title, caption, grid, files, endings } => (
@@ -209,8 +215,8 @@ fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
     )
 }
 
-/// A figure for a wide page and for a narrow one, there with its panels one below the other; of a
-/// map, whose sides are to scale, one for both.
+/// A figure for a wide page and for a narrow one, there with its panels one below the other; a map,
+/// whose sides are to scale, has one for both.
 fn figures(figure: &mut Figure, name: &str) -> String {
     let wide = figure.drawing().element(name);
     let is_map = figure.layout.direction == Direction::Plan;
@@ -235,12 +241,12 @@ fn table(grid: &Grid) -> String {
     format!("<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>")
 }
 
-/// Letters beyond which words are a sentence, which is broken into lines.
+/// Number of letters beyond which words are a sentence, which is broken into lines.
 const SENTENCE: usize = 40;
 
 fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
     let is_sentence = |text: &str| text.chars().count() > SENTENCE;
-    let is_told = row.iter().any(|(text, _)| is_sentence(text));
+    let has_sentence = row.iter().any(|(text, _)| is_sentence(text));
     let cell = |(head, (text, verdict)): (&Head, &(String, Verdict))| {
         let mut classes = Vec::new();
         classes.extend(head.words.then_some("words"));
@@ -261,7 +267,7 @@ fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
             false => format!(" class=\"{}\"", classes.join(" ")),
         };
         // Where a sentence takes the whole width of a narrow page, the heads are in the cells.
-        let name = match is_told && !text.is_empty() {
+        let name = match has_sentence && !text.is_empty() {
             true => format!(" data-head=\"{}\"", escaped(&head.text)),
             false => String::new(),
         };
@@ -270,16 +276,20 @@ fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
     heads.iter().zip(row).map(cell).collect()
 }
 
-/// A number and the unit behind it stay in one line.
+/// Keeps a number and its unit in one line.
 fn kept_together(text: &str) -> String {
-    let mut kept = String::with_capacity(text.len());
+    let mut text_with_unit = String::with_capacity(text.len());
     let mut letters = text.chars().peekable();
     while let Some(letter) = letters.next() {
-        let follows_digit = kept.ends_with(|last: char| last.is_ascii_digit());
+        let follows_digit = text_with_unit.ends_with(|last: char| last.is_ascii_digit());
         let before_unit = letters.peek().is_some_and(|next| next.is_alphabetic() || *next == '°');
-        kept.push(if letter == ' ' && follows_digit && before_unit { '\u{a0}' } else { letter });
+        text_with_unit.push(if letter == ' ' && follows_digit && before_unit {
+            '\u{a0}'
+        } else {
+            letter
+        });
     }
-    kept
+    text_with_unit
 }
 
 /// A path as an address within a page.
@@ -333,8 +343,8 @@ mod tests {
         }
         assert!(page.contains("class=\"words differs\""));
     }
-    /// Pictures are cut to their own frames: no two elements of the page have one name. And they
-    /// wear the page's colours, which are dark where the reader asks for it.
+    /// Pictures are cut to their own frames: no two elements of the page have one name. They use
+    /// the page's colours, which are dark where the reader requests it.
     #[test]
     fn figures_keep_their_own_names_and_follow_the_page() {
         let part = || StudyPart::Figure {
@@ -361,8 +371,8 @@ mod tests {
         assert!(dark.starts_with("--paper:"), "{}", &dark[..40]);
     }
 
-    /// One file holds the page in every set of units: each name once, and it opens with those that are
-    /// asked for.
+    /// One file contains the page in every set of units: each name once, and it opens with the
+    /// requested set.
     #[test]
     fn the_reader_chooses_the_units() {
         let made = |units: &str| StudyPage {

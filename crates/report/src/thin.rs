@@ -1,14 +1,14 @@
 //! Fewer points of long time histories, without losing a peak.
 
-/// Thins columns of so many rows to no more than `most`, which come stretch after stretch.
+/// Thins columns of a given number of rows to at most `most`, stretch after stretch.
 ///
-/// Where there are more, each two rows stand for as many rows as it takes: they hold the smallest
-/// and the largest value of each column among those, in the order in which they came, at the first
-/// and the middle time. So every peak keeps its height, and is off its time by less than the
-/// spacing of the rows that are left.
+/// Where there are more, each two rows represent a stretch of rows: they contain the smallest and
+/// the largest value of each column in the stretch, in their original order, at its first and its
+/// middle time. Every peak therefore keeps its height, and is off its time by less than the spacing
+/// of the remaining rows.
 #[derive(Debug, Clone)]
 pub struct Thinned {
-    /// Rows that become two; none where all are kept.
+    /// Number of rows that become two; `None` where all are retained.
     size: Option<usize>,
     two: fn(&[f64]) -> [f64; 2],
     gathered: Vec<f64>,
@@ -16,12 +16,12 @@ pub struct Thinned {
 }
 
 impl Thinned {
-    /// Of the times of the rows.
+    /// Thins the times of the rows.
     pub fn times(rows: usize, most: usize) -> Self {
         Self::by(rows, most, |times| [times[0], times[times.len() / 2]])
     }
 
-    /// Of a column.
+    /// Thins a column.
     pub fn column(rows: usize, most: usize) -> Self {
         Self::by(rows, most, extremes)
     }
@@ -50,14 +50,14 @@ impl Thinned {
         }
     }
 
-    /// What is left of them.
+    /// Returns the remaining values.
     pub fn values(mut self) -> Vec<f64> {
         self.close();
         self.thin
     }
 }
 
-/// Times and columns in at most `most` rows, as [`Thinned`] has them.
+/// Returns times and columns in at most `most` rows, thinned as by [`Thinned`].
 ///
 /// # Panics
 /// If a column differs from the times in length.
@@ -72,7 +72,7 @@ pub fn thinned(time_s: &[f64], columns: &[&[f64]], most: usize) -> (Vec<f64>, Ve
     (thin(Thinned::times(rows, most), time_s), columns)
 }
 
-/// Smallest and largest value in the order in which they come; missing where all are.
+/// Smallest and largest value in their order of occurrence; missing where all are.
 fn extremes(values: &[f64]) -> [f64; 2] {
     let (mut low, mut high) = ((0, f64::INFINITY), (0, f64::NEG_INFINITY));
     for (place, value) in values.iter().enumerate().filter(|(_, value)| value.is_finite()) {

@@ -12,8 +12,8 @@ use crate::{
     json::{read_versioned, write_json},
 };
 
-/// Version of the layout of the files of a static BHA analysis; raised when a key changes or goes. 2: `checks`
-/// and `unchecked`. All versions are read.
+/// Version of the layout of the files of a static BHA analysis; raised when a key changes or is
+/// removed. 2: `checks` and `unchecked`. All versions are read.
 pub const BHA_VERSION: u32 = 2;
 
 /// `summary.json` of a static BHA analysis. Each pair is the part towards the high side and that to
@@ -41,10 +41,10 @@ pub struct BhaSummary {
     /// The checks of the assembly, the most severe first.
     #[serde(default)]
     pub checks: Vec<Check>,
-    /// What could not be checked.
+    /// Limits that could not be checked.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub unchecked: Vec<Unchecked>,
-    /// What was found.
+    /// The static equilibrium.
     pub state: BhaState,
     /// Components as far as they were solved, from the bit up.
     pub parts: Vec<BhaPart>,
@@ -59,7 +59,7 @@ pub struct BhaSummary {
     pub holding_weights_N: Vec<f64>,
     /// The assembly at other tool faces, weights and inclinations.
     pub sweep: Vec<BhaPoint>,
-    /// Points of these that were not solved because the work was interrupted.
+    /// Number of these points that were not solved because the work was interrupted.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub missing: usize,
 }
@@ -77,7 +77,7 @@ pub struct BhaState {
     pub tilt_rad: [f64; 2],
     /// Upper end of the assembly from the bit, m: where ordinary pipe begins.
     pub length_m: f64,
-    /// How much of the string was solved, from the bit, m.
+    /// Length of the solved part of the string, from the bit, m.
     pub solved_m: f64,
     /// Largest bending moment of the assembly, N·m.
     pub largest_bending_moment_N_m: Largest,
@@ -85,11 +85,11 @@ pub struct BhaState {
     pub largest_bending_stress_Pa: Largest,
     /// Largest von Mises stress of the assembly, Pa.
     pub largest_von_mises_stress_Pa: Largest,
-    /// Where it touches, from the bit up; the bit first.
+    /// Contacts, from the bit up; the bit first.
     pub contacts: Vec<Contact>,
     /// Sag at the survey sensors; measured + correction = hole.
     pub sag: Vec<Sag>,
-    /// What elements half as long change.
+    /// Changes of the result with elements half as long.
     pub errors: Option<AssemblyErrors>,
     /// Elements.
     pub elements: usize,
@@ -102,7 +102,7 @@ pub struct BhaState {
 /// A component.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BhaPart {
-    /// What it is called.
+    /// Its name.
     pub name: String,
     /// Its lower end, from the bit, m.
     pub from_bit_m: f64,
@@ -118,7 +118,7 @@ pub struct BhaPart {
     pub bend_m: Option<f64>,
 }
 
-/// What is varied.
+/// Quantity that is varied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum BhaVaried {
@@ -147,7 +147,7 @@ impl BhaVaried {
 /// The assembly at another tool face, weight or inclination.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BhaPoint {
-    /// What is varied.
+    /// Quantity that is varied.
     pub varied: BhaVaried,
     /// Tool face of the lowest bend, rad; none without one.
     pub toolface_rad: Option<f64>,
@@ -155,13 +155,13 @@ pub struct BhaPoint {
     pub weight_on_bit_N: f64,
     /// Inclination of the hole at the bit, rad.
     pub inclination_rad: f64,
-    /// Why there is no equilibrium; empty where there is one.
+    /// Reason why there is no equilibrium; empty where there is one.
     pub message: String,
-    /// What was found; none without an equilibrium.
+    /// The equilibrium; none where none was found.
     pub found: Option<BhaFound>,
 }
 
-/// What a point of a sweep keeps.
+/// Results stored for a point of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BhaFound {
     /// Side force of the bit on the rock, N.

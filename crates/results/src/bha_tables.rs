@@ -36,17 +36,17 @@ pub fn bha_table<'a>(nodes: &[AssemblyNode], name: impl Fn(usize) -> &'a str) ->
 /// `bha_contacts.parquet`: a row for each contact.
 pub fn bha_contacts_table(contacts: &[Contact]) -> Table {
     let mut table = Table::with_columns(BHA_CONTACTS);
-    for of in contacts {
+    for contact in contacts {
         table.append(
-            &[("touching", &[of.touching.name()]), ("component", &[&of.name])],
+            &[("touching", &[contact.touching.name()]), ("component", &[&contact.name])],
             &[
-                ("md_m", &[of.md_m]),
-                ("from_bit_m", &[of.from_bit_m[0]]),
-                ("to_bit_m", &[of.from_bit_m[1]]),
-                ("force_high_N", &[of.force_N[0]]),
-                ("force_right_N", &[of.force_N[1]]),
-                ("force_N", &[of.size_N()]),
-                ("side_rad", &[of.side_rad]),
+                ("md_m", &[contact.md_m]),
+                ("from_bit_m", &[contact.from_bit_m[0]]),
+                ("to_bit_m", &[contact.from_bit_m[1]]),
+                ("force_high_N", &[contact.force_N[0]]),
+                ("force_right_N", &[contact.force_N[1]]),
+                ("force_N", &[contact.size_N()]),
+                ("side_rad", &[contact.side_rad]),
             ],
         );
     }
@@ -58,10 +58,10 @@ pub fn bha_sweep_table(points: &[BhaPoint]) -> Table {
     let mut table = Table::with_columns(BHA_SWEEP);
     for point in points {
         let found = point.found.as_ref();
-        let number = |of: Option<f64>| [of.unwrap_or(f64::NAN)];
-        let pair = |of: Option<[f64; 2]>, side: usize| number(of.map(|of| of[side]));
-        let force = found.map(|of| of.side_force_N);
-        let tilt = found.map(|of| of.tilt_rad);
+        let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
+        let pair = |values: Option<[f64; 2]>, side: usize| number(values.map(|both| both[side]));
+        let force = found.map(|point| point.side_force_N);
+        let tilt = found.map(|point| point.tilt_rad);
         table.append(
             &[("varied", &[point.varied.name()]), ("message", &[&point.message])],
             &[
@@ -74,14 +74,14 @@ pub fn bha_sweep_table(points: &[BhaPoint]) -> Table {
                 ("tilt_right_rad", &pair(tilt, 1)),
                 (
                     "largest_bending_moment_N_m",
-                    &number(found.map(|of| of.largest_bending_moment_N_m)),
+                    &number(found.map(|point| point.largest_bending_moment_N_m)),
                 ),
                 (
                     "largest_von_mises_stress_Pa",
-                    &number(found.map(|of| of.largest_von_mises_stress_Pa)),
+                    &number(found.map(|point| point.largest_von_mises_stress_Pa)),
                 ),
-                ("sag_inclination_rad", &number(found.and_then(|of| of.sag_inclination_rad))),
-                ("sag_azimuth_rad", &number(found.and_then(|of| of.sag_azimuth_rad))),
+                ("sag_inclination_rad", &number(found.and_then(|point| point.sag_inclination_rad))),
+                ("sag_azimuth_rad", &number(found.and_then(|point| point.sag_azimuth_rad))),
             ],
         );
     }

@@ -1,4 +1,4 @@
-//! What a bit test leaves as JSON: `summary.json` of all, `point.json` of each point.
+//! JSON files of a bit test: `summary.json` of all, `point.json` of each point.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use crate::{
     json::{read_versioned, write_json},
 };
 
-/// Version of the layout of the files of a bit test; raised when a key changes or goes.
+/// Version of the layout of the files of a bit test; raised when a key changes or is removed.
 pub const BIT_TEST_VERSION: u32 = 1;
 
 /// `summary.json` of a bit test.
@@ -28,7 +28,7 @@ pub struct BitTestSummary {
     pub rock_strength_Pa: f64,
     /// Radius of the bit, m.
     pub bit_radius_m: f64,
-    /// What the finished points have in common.
+    /// Common response of the finished points.
     pub response: DrillingResponse,
     /// The checks of the points, the most severe first.
     #[serde(default)]
@@ -50,14 +50,14 @@ impl BitTestSummary {
 pub struct BitTestPoint {
     /// Name of the point, and of its folder.
     pub point: String,
-    /// How far it got; interrupted too where it was not begun.
+    /// Progress of the point; also interrupted where it has not started.
     #[serde(flatten)]
     pub status: Status,
     /// Weight that is put on the bit, N.
     pub weight_on_bit_N: f64,
     /// Rotary speed, rad/s.
     pub rotary_speed_rad_per_s: f64,
-    /// What came of it, where it is finished.
+    /// Its outcome, where it is finished.
     pub outcome: Option<TrialOutcome>,
 }
 
@@ -66,9 +66,10 @@ pub struct BitTestPoint {
 pub struct BitTestOutcome {
     /// [`BIT_TEST_VERSION`] of the program that wrote it.
     pub schema_version: u32,
-    /// What the point depends on: rock, face of the bit, how it is tried, its weight and its speed.
+    /// All settings that the point depends on: rock, face of the bit, test procedure, weight and
+    /// speed.
     pub settings: Value,
-    /// What came of it.
+    /// Its outcome.
     pub outcome: TrialOutcome,
 }
 

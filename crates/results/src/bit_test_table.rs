@@ -12,7 +12,7 @@ pub fn bit_test_table(points: &[BitTestPoint]) -> Table {
             Status::Failed(reason) => ("failed", reason.as_str()),
         };
         let numbers: Vec<(&str, [f64; 1])> = bit_test_numbers()
-            .map(|column| (column.spec.name, [(column.of)(point).unwrap_or(f64::NAN)]))
+            .map(|column| (column.spec.name, [(column.value)(point).unwrap_or(f64::NAN)]))
             .collect();
         let numbers: Vec<(&str, &[f64])> =
             numbers.iter().map(|(name, number)| (*name, &number[..])).collect();

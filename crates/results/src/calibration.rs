@@ -1,4 +1,4 @@
-//! What a calibration leaves as JSON: `summary.json`.
+//! The JSON file of a calibration: `summary.json`.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::{
     json::{read_versioned, write_json},
 };
 
-/// Version of the layout of the files of a calibration; raised when a key changes or goes.
+/// Version of the layout of the files of a calibration; raised when a key changes or is removed.
 pub const CALIBRATION_VERSION: u32 = 1;
 
 /// `summary.json` of a calibration.
@@ -27,9 +27,9 @@ pub struct CalibrationSummary {
     pub data: String,
     /// `soft` or `stiff`.
     pub model: String,
-    /// What was looked for.
+    /// The fitted parameters.
     pub estimates: Vec<EstimateFound>,
-    /// What was held, by name, SI.
+    /// The fixed parameters, by name, SI.
     pub held: Vec<(String, f64)>,
     /// Correlations of the estimates, a row for each.
     pub correlation: Vec<Vec<f64>>,
@@ -47,41 +47,41 @@ pub struct CalibrationSummary {
     pub confidence: f64,
     /// Confidence of the bands.
     pub band_confidence: f64,
-    /// Residuals larger than so many of their standard errors are outliers.
+    /// Residuals larger than this many of their standard errors are outliers.
     pub outlier_beyond: f64,
-    /// How many numbers were read.
+    /// Number of readings.
     pub readings: usize,
-    /// How many of them lie in the band of readings.
+    /// Number of readings within the band of readings.
     pub within_band: usize,
-    /// How many took no part in the fit and are held against it.
+    /// Number of readings that took no part in the fit and are compared with it.
     pub held_out: usize,
-    /// How many of those lie in the band.
+    /// Number of those within the band.
     pub held_out_within_band: usize,
-    /// Farthest that predictions between nodes are off, in errors of the readings.
+    /// Largest error of predictions interpolated between nodes, in errors of the readings.
     pub interpolation_error: f64,
-    /// How many strings were solved.
+    /// Number of strings solved.
     pub strings: usize,
-    /// How many readings lie in their band, and how wide it is, in a sentence.
+    /// Number of readings within their band, and the width of the band, in a sentence.
     #[serde(default)]
     pub status: String,
-    /// The same fit with the outliers where they were left out, and without them where they were not; none where
-    /// there are none.
+    /// The same fit with the outliers where they were left out, and without them where they were
+    /// not; none where there are no outliers.
     #[serde(default)]
     pub comparison: Option<OutlierComparison>,
     /// Every check of the readings and of the fit.
     #[serde(default)]
     pub checks: Vec<ReadingCheck>,
-    /// What is to be known of the answer, in sentences; those of the checks too.
+    /// Notes on the result, in sentences; includes those of the checks.
     pub notes: Vec<String>,
     /// Warnings, in sentences: those of the checks.
     pub warnings: Vec<String>,
-    /// The string in motion, with the numbers that were found, beside some of the readings; empty where it was not asked
-    /// for.
+    /// Dynamic runs with the fitted numbers, compared with some of the readings; empty where none
+    /// were requested.
     #[serde(default)]
     pub dynamics: Vec<DynamicCheck>,
 }
 
-/// The fit of all readings beside that without outliers.
+/// The fit of all readings, to compare with that without outliers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct OutlierComparison {
     /// Name of the loss by which the outliers were found.
@@ -90,75 +90,75 @@ pub struct OutlierComparison {
     pub outliers: Vec<String>,
     /// Whether the estimates of the summary leave the outliers out; those here are the others.
     pub left_out: bool,
-    /// What is found the other way.
+    /// The estimates of the other fit.
     pub estimates: Vec<EstimateFound>,
 }
 
-/// A reading, and what the string in motion makes of it.
+/// A reading, and the value of the dynamic run for it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DynamicCheck {
     /// The case that was in the hole.
     pub case: String,
-    /// Where the reading stands in its file.
+    /// Place of the reading in its file.
     pub place: String,
     /// As in `calibration.parquet`.
     pub reading: String,
-    /// Whether it is a torque, N·m, and no weight, N.
+    /// Whether it is a torque, N·m, rather than a weight, N.
     pub is_torque: bool,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// As it was read; weights with the block's.
+    /// Measured value; weights include the block.
     pub measured: f64,
-    /// By the model that the numbers were found with.
+    /// Predicted by the model of the fit.
     pub predicted: f64,
-    /// By the dynamics; none without an answer.
+    /// Value of the dynamic run; none without an answer.
     pub dynamic: Option<InMotion>,
-    /// Why there is none.
+    /// Reason why there is none.
     pub message: Option<String>,
 }
 
 /// Mean and scatter of a load of a string in motion.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct InMotion {
-    /// Mean over the window; weights with the block's.
+    /// Mean over the window; weights include the block.
     pub mean: f64,
     /// Standard deviation over the window.
     pub std: f64,
-    /// Measured depth of the bit, on average over the window, m.
+    /// Mean of the bit's measured depth over the window, m.
     pub mean_bit_depth_m: f64,
-    /// Whether the string had settled; none where the case says when the window begins.
+    /// Whether the string had settled; none where the case gives the start of the window.
     pub steady: Option<bool>,
 }
 
-/// A number that was looked for.
+/// A fitted parameter.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EstimateFound {
     /// Name, with its unit: `friction_cased`, `block_weight_N`, ...
     pub parameter: String,
-    /// In a sentence.
+    /// The estimate as a sentence.
     pub words: String,
     /// Its value, SI.
     pub value: f64,
-    /// Its standard error; none of a factor at zero.
+    /// Its standard error; none for a factor at zero.
     pub standard_error: Option<f64>,
     /// The interval by the profile likelihood; an end that is not found is none.
     pub interval: [Option<f64>; 2],
-    /// It would be negative, and is zero.
+    /// Whether the unconstrained value is negative, so that it is set to zero.
     pub at_bound: bool,
 }
 
-/// How far readings of a kind err.
+/// Error of readings of one kind.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ErrorFound {
-    /// Which readings.
+    /// Kind of the readings.
     pub readings: String,
-    /// Whether they are torques and no weights.
+    /// Whether they are torques rather than weights.
     pub is_torque: bool,
     /// Their standard error, N or N·m.
     pub standard_error: f64,
-    /// It was given, not estimated.
+    /// Whether it was given rather than estimated.
     pub given: bool,
-    /// How many there are.
+    /// Number of readings.
     pub count: usize,
     /// The sum of their squared residuals over the error.
     pub chi2: f64,
@@ -196,27 +196,32 @@ impl CalibrationSummary {
     }
 }
 
-/// A row for each reading that the dynamics were held against.
+/// Returns a row for each reading that was compared with the dynamics.
 pub fn calibration_dynamic_table(checks: &[DynamicCheck]) -> Table {
     let mut table = Table::with_columns(CALIBRATION_DYNAMIC);
-    for of in checks {
-        let dynamic = |value: fn(&InMotion) -> f64| of.dynamic.as_ref().map_or(f64::NAN, value);
-        let values = [of.measured, of.predicted, dynamic(|of| of.mean), dynamic(|of| of.std)];
+    for check in checks {
+        let dynamic = |value: fn(&InMotion) -> f64| check.dynamic.as_ref().map_or(f64::NAN, value);
+        let values = [
+            check.measured,
+            check.predicted,
+            dynamic(|motion| motion.mean),
+            dynamic(|motion| motion.std),
+        ];
         let none = [f64::NAN; 4];
-        let (weights, torques) = if of.is_torque { (none, values) } else { (values, none) };
-        let steady = of.dynamic.and_then(|of| of.steady);
+        let (weights, torques) = if check.is_torque { (none, values) } else { (values, none) };
+        let steady = check.dynamic.and_then(|dynamic| dynamic.steady);
         let steady = steady.map_or("", |is| if is { "yes" } else { "no" });
         table.append(
             &[
-                ("case", &[&of.case]),
-                ("place", &[&of.place]),
-                ("reading", &[&of.reading]),
+                ("case", &[&check.case]),
+                ("place", &[&check.place]),
+                ("reading", &[&check.reading]),
                 ("steady", &[steady]),
-                ("message", &[of.message.as_deref().unwrap_or_default()]),
+                ("message", &[check.message.as_deref().unwrap_or_default()]),
             ],
             &[
-                ("bit_depth_m", &[of.bit_depth_m]),
-                ("mean_bit_depth_m", &[dynamic(|of| of.mean_bit_depth_m)]),
+                ("bit_depth_m", &[check.bit_depth_m]),
+                ("mean_bit_depth_m", &[dynamic(|motion| motion.mean_bit_depth_m)]),
                 ("measured_N", &[weights[0]]),
                 ("predicted_N", &[weights[1]]),
                 ("dynamic_N", &[weights[2]]),

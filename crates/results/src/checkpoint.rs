@@ -1,9 +1,10 @@
-//! `checkpoint.bin`: what an unfinished run needs to continue.
+//! `checkpoint.bin`: the data that an unfinished run needs to continue.
 //!
-//! Twelve bytes of a mark and the version of this layout; the version of the program that wrote it,
-//! and the digest of its engine's sources; the content in [postcard](https://postcard.jamesmunns.com)'s format; its length and its
-//! checksum. Numbers keep every bit. Only the version of the program that wrote a checkpoint reads
-//! it, and only a build of the same engine: what changes in a run is what the engine is made of.
+//! Contents: twelve bytes with a mark and the version of this layout; the version of the program
+//! that wrote it, and the digest of its engine's sources; the content in
+//! [postcard](https://postcard.jamesmunns.com)'s format; its length and its checksum. Numbers keep
+//! every bit. Only the same version of the program reads a checkpoint, and only a build of the same
+//! engine, because a run depends on the sources of the engine.
 
 use std::{
     fs, io,
@@ -22,7 +23,7 @@ use crate::{
     parts::Parts,
 };
 
-/// What every checkpoint begins with.
+/// Mark at the beginning of every checkpoint.
 const MARK: &[u8; 8] = b"wholestr";
 
 /// Version of the layout around the content.
@@ -39,13 +40,15 @@ impl ResultsFolder {
         self.path().join(CHECKPOINT)
     }
 
-    /// Writes `checkpoint.bin`, whole or not at all: whatever happens meanwhile, the last one is
-    /// there. The content goes to the disk as it is read: it is never held twice.
+    /// Writes `checkpoint.bin`, whole or not at all: the previous one remains until the new one is
+    /// complete. The content goes to the disk as it is serialized, so that it is never held twice
+    /// in memory.
     pub fn write_checkpoint(&self, content: &impl Serialize) -> Result<(), ResultsError> {
         write_whole(&self.checkpoint_path(), |writer| wrap(content, writer))
     }
 
-    /// Reads back what [`Self::write_checkpoint`] wrote; none where there is no checkpoint.
+    /// Reads back the content that [`Self::write_checkpoint`] wrote; `None` where there is no
+    /// checkpoint.
     ///
     /// # Errors
     /// A file that cannot be read, that is damaged, or that another version of the program wrote.
@@ -58,13 +61,13 @@ impl ResultsFolder {
         }
     }
 
-    /// Whether there is a checkpoint, sound or not.
+    /// Whether there is a checkpoint, valid or not.
     pub fn has_checkpoint(&self) -> bool {
         self.checkpoint_path().exists()
     }
 
-    /// Removes the checkpoint, the parts of tables that belong to it, and what a killed
-    /// program left of either: the run is finished, or begins anew.
+    /// Removes the checkpoint, the parts of tables that belong to it, and remains of either from a
+    /// killed program: the run is finished, or starts again.
     pub fn remove_checkpoint(&self) -> Result<(), ResultsError> {
         let path = self.checkpoint_path();
         for path in [partial_name(&path), path] {
@@ -74,32 +77,32 @@ impl ResultsFolder {
                 return Err(ResultsError::Write { path, source });
             }
         }
-        // After it: a checkpoint has its parts as long as it is there.
+        // After the checkpoint, because it needs its parts as long as it exists.
         [frames::TABLE, TIME_TABLE]
             .into_iter()
             .try_for_each(|table| Parts { folder: self.path(), table }.remove(0))
     }
 }
 
-/// The bytes of a checkpoint, to be kept anywhere.
+/// Returns the bytes of a checkpoint, to be stored anywhere.
 ///
 /// # Errors
-/// None that a run gives.
+/// Content that cannot be serialized; no run produces such content.
 pub fn checkpoint_bytes(content: &impl Serialize) -> Result<Vec<u8>, ResultsError> {
     let mut bytes = Vec::new();
     wrap(content, &mut bytes).map_err(|source| ResultsError::Write { path: memory(), source })?;
     Ok(bytes)
 }
 
-/// Reads back what [`checkpoint_bytes`] gave.
+/// Reads back the content of [`checkpoint_bytes`].
 ///
 /// # Errors
-/// Bytes that are damaged, or that another version of the program gave.
+/// Bytes that are damaged, or that another version of the program wrote.
 pub fn read_checkpoint_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, ResultsError> {
     unwrap(bytes, &memory())
 }
 
-/// What errors call a checkpoint that is in no file.
+/// Name in errors of a checkpoint that is not in a file.
 fn memory() -> PathBuf {
     PathBuf::from("the checkpoint")
 }
@@ -111,7 +114,7 @@ fn wrap(content: &impl Serialize, mut writer: impl Write) -> io::Result<()> {
     writer.write_all(PROGRAM.as_bytes())?;
     writer.write_all(ENGINE_BUILD.as_bytes())?;
     let mut summed = Summed::new(&mut writer);
-    // The disk's own error, where there is one, says more than that it could not be written.
+    // The disk's own error, where there is one, is more specific than that it could not be written.
     if let Err(error) = postcard::to_io(content, &mut summed) {
         return Err(summed.failed.unwrap_or_else(|| io::Error::other(error)));
     }
@@ -131,7 +134,7 @@ fn unwrap<T: DeserializeOwned>(bytes: &[u8], path: &Path) -> Result<T, ResultsEr
     let length = take(&mut rest).map(u8::from_le_bytes);
     let program = length.and_then(|length| rest.split_off(..usize::from(length)));
     let program = program.map(String::from_utf8_lossy).ok_or_else(damaged)?;
-    // What is no version is not shown.
+    // An invalid version is not shown.
     if !program.bytes().all(|byte| byte.is_ascii_graphic()) {
         return Err(damaged());
     }
@@ -169,15 +172,15 @@ fn take<const N: usize>(rest: &mut &[u8]) -> Option<[u8; N]> {
     rest.split_off(..N)?.try_into().ok()
 }
 
-/// A writer that counts and sums up what goes through it: FNV-1a over words of eight bytes. It is
-/// there to find damage, not forgery.
+/// A writer that counts its bytes and computes their checksum: FNV-1a over words of eight bytes. It
+/// detects damage, not forgery.
 struct Summed<W> {
     writer: W,
     length: u64,
     sum: u64,
-    /// The last bytes, which fill no word yet.
+    /// The last bytes, which do not fill a word yet.
     word: [u8; 8],
-    /// Why the writer did not take more.
+    /// Reason why the writer stopped accepting bytes.
     failed: Option<io::Error>,
 }
 
@@ -202,7 +205,7 @@ impl<W: Write> Summed<W> {
         self.sum = (self.sum ^ word).wrapping_mul(0x0000_0100_0000_01b3).rotate_left(29);
     }
 
-    /// Length and checksum of all that was written.
+    /// Length and checksum of all bytes written.
     fn end(mut self) -> (u64, u64) {
         if !self.length.is_multiple_of(8) {
             self.close_word();
@@ -219,7 +222,7 @@ impl<W: Write> Write for Summed<W> {
                 Ok(taken)
             }
             Err(error) => {
-                // Whoever asks gets the kind; the error itself is kept for the one who reports it.
+                // The caller gets the kind; the error itself is stored for the final report.
                 let kind = error.kind();
                 self.failed = Some(error);
                 Err(kind.into())
@@ -265,7 +268,7 @@ mod tests {
         assert_eq!(folder.read_checkpoint::<Content>().unwrap(), None);
     }
 
-    /// Not a bit of it can turn over or go without being noticed.
+    /// Any changed or missing bit is detected.
     #[test]
     fn damage_is_found() {
         let (_place, folder) = written();
@@ -303,8 +306,8 @@ mod tests {
             )
         );
     }
-    /// Two builds of one version may compute otherwise: their checkpoints are told apart by the
-    /// digest of the engine's sources.
+    /// Two builds of one version may compute different results; the digest of the engine's sources
+    /// distinguishes their checkpoints.
     #[test]
     fn another_builds_checkpoint_is_refused() {
         let (_place, folder) = written();

@@ -1,19 +1,19 @@
-//! The checks of a summary, whatever command left it.
+//! The checks of a summary of any command.
 
 use serde::Deserialize;
 use serde_json::Value;
 use wholestring_judge::Check;
 
-/// A check and the operation that it is about.
+/// A check and the operation that it concerns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedCheck {
-    /// The operation and the model, `trip in (soft)`; empty where it is about the whole result.
+    /// The operation and the model, `trip in (soft)`; empty where it concerns the whole result.
     pub name: String,
     /// The check.
     pub check: Check,
 }
 
-/// Keys of a summary that hold checks. Every command has some of them.
+/// Keys of a summary that contain checks. Every command has some of them.
 #[derive(Deserialize)]
 struct Holder {
     #[serde(default)]
@@ -31,7 +31,7 @@ struct Operation {
     checks: Vec<Check>,
 }
 
-/// A check of a plan or of another command, with what it is about.
+/// A check of a plan or of another command, with its operation.
 #[derive(Deserialize)]
 struct Row {
     #[serde(default)]
@@ -42,7 +42,8 @@ struct Row {
     check: Check,
 }
 
-/// The checks of a `summary.json`, the most severe first; none of a text that is no summary.
+/// Returns the checks of a `summary.json`, the most severe first; none for a text that is not a
+/// summary.
 pub fn checks_of(summary: &Value) -> Vec<NamedCheck> {
     let Ok(holder) = Holder::deserialize(summary) else { return Vec::new() };
     let operations = holder.operations.and_then(|value| Vec::<Operation>::deserialize(value).ok());

@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 
-/// The 128-bit FNV-1a hash of the value as JSON, in hexadecimal digits: equal values have equal
-/// digests, and others do not but by a chance of one in 10³⁸. It guards against mistakes, not
-/// against forgery.
+/// Returns the 128-bit FNV-1a hash of the value as JSON, in hexadecimal digits: equal values have
+/// equal digests, different ones differ except by a chance of one in 10³⁸. It guards against
+/// mistakes, not against forgery.
 ///
 /// # Panics
-/// If the value is no JSON: a map whose keys are no text.
+/// If the value cannot be JSON, such as a map whose keys are not text.
 pub fn digest(value: &impl Serialize) -> String {
     let text = serde_json::to_vec(value).expect("JSON");
     format!("{:032x}", fnv_1a(&text))

@@ -1,11 +1,11 @@
-//! Why results could not be written or read back.
+//! Errors of writing results and reading them back.
 
 use std::{
     io,
     path::{Path, PathBuf},
 };
 
-/// Why results could not be written or read back; always with the file or folder it is about.
+/// Error of writing results or reading them back; always with the file or folder that it concerns.
 #[derive(Debug, thiserror::Error)]
 pub enum ResultsError {
     /// The folder for the results could not be made: no permission, or a file has its name.
@@ -13,7 +13,7 @@ pub enum ResultsError {
     Folder {
         /// The folder.
         path: PathBuf,
-        /// What the system said.
+        /// Error of the system.
         source: io::Error,
     },
     /// A file could not be written: no permission, disk full, or a folder has its name.
@@ -21,7 +21,7 @@ pub enum ResultsError {
     Write {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// Error of the system.
         source: io::Error,
     },
     /// A file could not be read.
@@ -29,23 +29,23 @@ pub enum ResultsError {
     Read {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// Error of the system.
         source: io::Error,
     },
-    /// A file was read but does not hold what it should.
+    /// A file was read but does not have the required content.
     #[error("{} is not a file of results: {reason}", path.display())]
     Format {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Defect of the file.
         reason: String,
     },
-    /// A checkpoint that no run can continue from.
+    /// A checkpoint from which no run can continue.
     #[error("{} is no checkpoint that can be resumed: {reason}", path.display())]
     Checkpoint {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Defect of the checkpoint.
         reason: String,
     },
 }
@@ -56,7 +56,7 @@ impl ResultsError {
     }
 }
 
-/// The system's reason in the user's words, with the way out where there is one.
+/// The system's reason in the user's words, with a remedy where there is one.
 fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::StorageFull => "the disk is full".into(),
@@ -64,7 +64,7 @@ fn reason(error: &io::Error) -> String {
             "permission denied (is it open in another program, or in a protected folder?)".into()
         }
         io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
-            "a file stands where a folder is needed".into()
+            "a file has the name of the folder".into()
         }
         io::ErrorKind::IsADirectory => "a folder has that name".into(),
         io::ErrorKind::NotFound => "it does not exist".into(),

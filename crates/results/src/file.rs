@@ -8,11 +8,12 @@ use std::{
 
 use crate::ResultsError;
 
-/// Bytes that gather before they go to the system: a checkpoint has millions.
+/// Bytes that are collected before they are written to the system, because a checkpoint has
+/// millions.
 const BUFFER: usize = 1 << 18;
 
-/// Writes `path` through a file beside it that takes its name once it is complete, so that a reader
-/// (or a crash) never meets half a file.
+/// Writes `path` through a temporary file in the same folder that is renamed once it is complete,
+/// so that a reader (or a crash) never meets half a file.
 pub(crate) fn write_whole(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
@@ -22,7 +23,7 @@ pub(crate) fn write_whole(
 }
 
 /// [`write_whole`] that does not wait for the disk: for files that a sweep writes by the thousand
-/// and makes again in milliseconds. After a power failure the file may be empty.
+/// and can make again in milliseconds. After a power failure the file may be empty.
 pub(crate) fn write_unsynced(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
@@ -45,17 +46,17 @@ fn write_then(
         fs::rename(&partial, path)
     })();
     result.map_err(|source| {
-        // The attempt's own remains; the first error is the one worth reporting.
+        // Removes the temporary file of this attempt; the first error is the one to report.
         let _ = fs::remove_file(&partial);
         ResultsError::Write { path: path.to_owned(), source }
     })
 }
 
-/// Writes a file whole or not at all; a file of that name is replaced. A device or a pipe is written
-/// to as it is.
+/// Writes a file whole or not at all; a file of that name is replaced. A device or a pipe is
+/// written to directly.
 ///
 /// # Errors
-/// A file that cannot be written; what was there before is unchanged then.
+/// A file that cannot be written; a previous file is then unchanged.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), ResultsError> {
     let is_special = path.metadata().is_ok_and(|there| !there.is_file() && !there.is_dir());
     if is_special {
@@ -63,7 +64,7 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), ResultsError> {
         let written = written.and_then(|mut file| file.write_all(bytes));
         return written.map_err(|source| ResultsError::Write { path: path.to_owned(), source });
     }
-    // Where the name is a link, the file behind it is replaced and the link stays.
+    // Where the name is a link, the file it points to is replaced and the link remains.
     let target = if path.is_symlink() { fs::canonicalize(path).ok() } else { None };
     write_whole(target.as_deref().unwrap_or(path), |writer| writer.write_all(bytes))
 }
@@ -104,19 +105,19 @@ pub fn write_new_files(files: &[(PathBuf, &[u8])]) -> Result<(), (PathBuf, io::E
     Ok(())
 }
 
-/// Files that are removed with this, whatever comes between.
+/// Files that are removed when this is dropped.
 struct Partials(Vec<PathBuf>);
 
 impl Drop for Partials {
     fn drop(&mut self) {
         for path in &self.0 {
-            // Renamed ones are not there any more.
+            // Renamed ones no longer exist.
             let _ = fs::remove_file(path);
         }
     }
 }
 
-/// Reads a file that holds no more than so many bytes.
+/// Reads a file of at most this many bytes.
 pub(crate) fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, ResultsError> {
     let unreadable = |source| ResultsError::Read { path: path.to_owned(), source };
     let file = File::open(path).map_err(unreadable)?;
@@ -130,7 +131,7 @@ pub(crate) fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, ResultsErr
     Ok(bytes)
 }
 
-/// Where [`write_whole`] writes before the file takes its name; a killed program leaves it.
+/// Temporary name used by [`write_whole`] until the file is complete; a killed program leaves it.
 pub(crate) fn partial_name(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(".partial");
@@ -164,7 +165,7 @@ mod tests {
         let files = [(at("a.toml"), &b"case"[..]), (at("a-measured.csv"), b"rows")];
         write_new_files(&files).unwrap();
         assert_eq!((fs::read(at("a.toml")).unwrap(), count()), (b"case".to_vec(), 2));
-        // The second is there, and the first is not written either.
+        // The second file exists, and the first is not written either.
         let (path, error) = write_new_files(&[(at("b.toml"), b"x"), files[1].clone()]).unwrap_err();
         assert_eq!((path, error.kind()), (at("a-measured.csv"), io::ErrorKind::AlreadyExists));
         let (path, _) =

@@ -25,7 +25,7 @@ impl ResultsFolder {
         let probe = path.join(".write-test");
         fs::write(&probe, "")
             .map_err(|source| ResultsError::Write { path: path.clone(), source })?;
-        // It was just made: failing to remove it harms nobody.
+        // It was just made, so failing to remove it does no harm.
         let _ = fs::remove_file(&probe);
         Ok(Self { path })
     }
@@ -67,13 +67,12 @@ impl ResultsFolder {
         }
     }
 
-    /// Begins `frames.parquet` with these channels; what an earlier run left of one goes.
+    /// Starts `frames.parquet` with these channels; a file of an earlier run is removed.
     pub fn frames(&self, channels: &[Channel]) -> Result<FrameWriter, ResultsError> {
         FrameWriter::create(&self.path, channels)
     }
 
-    /// Resumes the frames of the same channels that a checkpoint kept; what was written since is
-    /// removed.
+    /// Resumes the frames of the same channels from a checkpoint; frames written since are removed.
     ///
     /// # Errors
     /// Frames of other channels, and parts on the disk that are missing or damaged.

@@ -9,13 +9,13 @@ use std::borrow::Cow;
 
 const APOSTROPHE: char = '\'';
 
-/// Whether the text would be computed, or would be once some of its apostrophes are gone.
+/// Whether a spreadsheet would compute the text, or would once some of its apostrophes are removed.
 fn is_formula(text: &str) -> bool {
     let bare = text.trim_start_matches(APOSTROPHE);
     bare.starts_with(['=', '+', '-', '@', '\t', '\r', '\n']) && text.parse::<f64>().is_err()
 }
 
-/// The text as it is written.
+/// Returns the text as it is written.
 pub(crate) fn guarded(text: &str) -> Cow<'_, str> {
     match is_formula(text) {
         true => Cow::Owned(format!("{APOSTROPHE}{text}")),
@@ -23,7 +23,7 @@ pub(crate) fn guarded(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// The text that was written so.
+/// Returns the original text of a written cell.
 pub(crate) fn unguarded(cell: &str) -> &str {
     match cell.strip_prefix(APOSTROPHE) {
         Some(text) if is_formula(text) => text,

@@ -12,7 +12,7 @@ pub(crate) enum Fourier {
     Chirped {
         /// `exp(−πi j²/n)`: real and imaginary parts.
         chirp: [Vec<f64>; 2],
-        /// The transform of its conjugate, over the length of the convolution.
+        /// The transform of its complex conjugate, over the length of the convolution.
         conjugate: [Vec<f64>; 2],
         /// A power of two that holds the convolution.
         inner: Halved,
@@ -29,9 +29,9 @@ impl Fourier {
         let (sines, cosines): (Vec<f64>, Vec<f64>) =
             squares.map(|square| libm::sincos(-PI * square / length as f64)).unzip();
         let inner = Halved::of((2 * length - 1).next_power_of_two());
-        let around = |of: &[f64], sign: f64| {
+        let around = |values: &[f64], sign: f64| {
             let mut whole = vec![0.0; inner.length];
-            for (j, value) in of.iter().enumerate() {
+            for (j, value) in values.iter().enumerate() {
                 whole[j] = sign * value;
                 whole[(inner.length - j) % inner.length] = sign * value;
             }
@@ -42,7 +42,7 @@ impl Fourier {
         Self::Chirped { chirp: [cosines, sines], conjugate: [re, im], inner }
     }
 
-    /// Of a signal of this length: real and imaginary parts.
+    /// Transforms a signal of this length: real and imaginary parts.
     pub(crate) fn transform(&self, re: &mut [f64], im: &mut [f64]) {
         match self {
             Self::Halved(halved) => halved.transform(re, im),
@@ -55,7 +55,8 @@ impl Fourier {
                 for j in 0..inner.length {
                     (a[j], b[j]) = product([a[j], b[j]], [by_re[j], by_im[j]]);
                 }
-                // With its parts exchanged before and after, the transform goes back.
+                // With real and imaginary parts exchanged before and after, this is the inverse
+                // transform.
                 inner.transform(&mut b, &mut a);
                 let scale = 1.0 / inner.length as f64;
                 for j in 0..re.len() {
@@ -117,7 +118,8 @@ impl Halved {
 mod tests {
     use super::*;
 
-    /// The sum itself, for lengths of every kind: 1e-12 is rounding of a hundred numbers of size one.
+    /// The sum itself, for lengths of every kind; 1e-12 is the rounding of a hundred numbers of
+    /// size one.
     #[test]
     fn it_is_the_sum() {
         for n in [1, 2, 3, 4, 5, 7, 8, 12, 31, 64, 97, 100] {

@@ -1,5 +1,5 @@
-//! A table that a run adds to: what was written stays on the disk, so that memory grows neither with
-//! the operations nor with their length.
+//! A table that a run adds to. Written rows stay on the disk, so that memory grows neither with the
+//! number of operations nor with their length.
 
 use std::{
     borrow::Cow,
@@ -16,24 +16,24 @@ use crate::{
     parquet_file, parts::Parts,
 };
 
-/// A table of a run. Rows gather in memory until [`GrowingTable::write`] puts them behind those of
-/// the file, as a row group of their own; rows that are too many for memory go to the disk as parts
-/// ([`GrowingTable::append_part`]), which the next write joins to the file.
+/// A table of a run. Rows are collected in memory until [`GrowingTable::write`] appends them to
+/// those of the file, as a row group of their own; rows that are too many for memory are written to
+/// the disk as parts ([`GrowingTable::append_part`]), which the next write joins to the file.
 #[derive(Debug, Clone)]
 pub struct GrowingTable {
     name: &'static str,
     columns: &'static [ColumnSpec],
-    /// Row groups of the file that are the run's.
+    /// Row groups of the file that belong to the run.
     groups: usize,
-    /// Parts on the disk, and how many of them, from the first, are among those groups.
+    /// Parts on the disk, and the number of them, from the first, that are among those groups.
     parts: usize,
     joined: usize,
     waiting: Table,
-    /// Whether the file holds them all.
+    /// Whether the file has them all.
     written: bool,
 }
 
-/// A growing table as a checkpoint keeps it: the rows that wait, and how many groups and parts are
+/// A growing table as stored in a checkpoint: the waiting rows and the numbers of groups and parts
 /// on the disk.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct TableSoFar<'a> {
@@ -44,15 +44,15 @@ pub struct TableSoFar<'a> {
 }
 
 impl GrowingTable {
-    /// A table without rows; what an earlier run left in a file of that name goes with the first
+    /// A table without rows; a file of that name from an earlier run is removed by the first
     /// [`GrowingTable::write`].
     pub fn begin(name: &'static str, columns: &'static [ColumnSpec]) -> Self {
         let waiting = Table::with_columns(columns);
         Self { name, columns, groups: 0, parts: 0, joined: 0, waiting, written: false }
     }
 
-    /// Holds these rows in place of those that it has, of a table that was never written; tells
-    /// whether they have its columns.
+    /// Replaces the rows of a table that was never written; returns whether the new rows have its
+    /// columns.
     #[must_use]
     pub fn take(&mut self, rows: Table) -> bool {
         let is_like = self.groups == 0 && self.parts == 0 && rows.is_like(&self.waiting);
@@ -73,8 +73,8 @@ impl GrowingTable {
         &self.waiting
     }
 
-    /// Resumes a table from a checkpoint and from what the folder holds of it; rows written since
-    /// are removed.
+    /// Resumes a table from a checkpoint and from its files in the folder; rows written since are
+    /// removed.
     ///
     /// # Errors
     /// A checkpoint with other columns, and a file that is missing, damaged, has other columns, or
@@ -109,7 +109,7 @@ impl GrowingTable {
         Ok(())
     }
 
-    /// An error where a file has fewer row groups than it had, or other columns.
+    /// Returns an error where a file has fewer row groups than it had, or other columns.
     fn check_stored(
         &self,
         path: &Path,
@@ -117,19 +117,19 @@ impl GrowingTable {
         groups: usize,
     ) -> Result<(), ResultsError> {
         let fields = metadata.file_metadata().schema_descr().columns().iter();
-        let wanted = self.columns.iter().map(|column| column.name);
-        if metadata.num_row_groups() < groups || !fields.map(|field| field.name()).eq(wanted) {
-            let reason = "it is not what the run that is to be resumed had written";
+        let expected = self.columns.iter().map(|column| column.name);
+        if metadata.num_row_groups() < groups || !fields.map(|field| field.name()).eq(expected) {
+            let reason = "it does not match the rows that the run to be resumed had written";
             return Err(ResultsError::format(path, reason));
         }
         Ok(())
     }
 
-    /// Adds rows that go to the disk at once, as a part: `add` appends them to an empty table. Rows
-    /// that wait become a part before them.
+    /// Adds rows that are written to the disk at once, as a part: `add` appends them to an empty
+    /// table. Waiting rows become a part before them.
     ///
     /// # Errors
-    /// A part that cannot be written; its rows are not in the table then.
+    /// A part that cannot be written; its rows are then not in the table.
     pub fn append_part(
         &mut self,
         folder: &ResultsFolder,
@@ -156,12 +156,13 @@ impl GrowingTable {
         })
     }
 
-    /// Number of the last part, counted from one, and how many of them no write has joined yet.
+    /// Number of the last part, counted from one, and the number of parts that no write has joined
+    /// yet.
     pub fn last_part(&self) -> (usize, usize) {
         (self.parts, self.parts - self.joined)
     }
 
-    /// Where a part is.
+    /// Path of a part.
     pub fn part_path(&self, folder: &ResultsFolder, number: usize) -> PathBuf {
         self.parts_in(folder).path(number)
     }
@@ -177,14 +178,14 @@ impl GrowingTable {
         &mut self,
         words: &[(&str, &[&str])],
         declared: &[outcome::Column<T>],
-        of: &T,
+        answer: &T,
         model: ModelKind,
     ) {
-        self.waiting.append_declared(words, declared, of, model);
+        self.waiting.append_declared(words, declared, answer, model);
         self.written = false;
     }
 
-    /// What a checkpoint must keep, to continue from here.
+    /// Returns the data that a checkpoint must store to continue from here.
     pub fn so_far(&self) -> TableSoFar<'_> {
         TableSoFar {
             groups: self.groups,
@@ -195,8 +196,8 @@ impl GrowingTable {
     }
 
     /// Writes `<name>.parquet` with all rows so far, and `<name>.csv` where `csv` requires it.
-    /// Their bytes depend on the rows and on what was written together, not on where a run was
-    /// taken up.
+    /// Their bytes depend on the rows and on the grouping of the writes, not on where a run was
+    /// resumed.
     ///
     /// # Errors
     /// A file that cannot be written, or whose earlier rows cannot be read.
@@ -242,8 +243,8 @@ impl GrowingTable {
         })
     }
 
-    /// Leaves the table out of the folder: what an earlier run left of it goes. The rows stay in
-    /// memory, and those that a checkpoint counts on stay in their file.
+    /// Leaves the table out of the folder: files of an earlier run are removed. The rows stay in
+    /// memory, and those that a checkpoint requires stay in their file.
     ///
     /// # Errors
     /// A file that cannot be removed.

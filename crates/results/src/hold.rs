@@ -1,8 +1,9 @@
-//! A folder that is held: by one program at a time, and known by what it was written for.
+//! A locked folder: held by one program at a time, and identified by the work that it was written
+//! for.
 //!
-//! `.wholestring` in the folder says what the folder was written for. Whoever writes to the folder
-//! holds a lock of the system on that file; it goes with the program, however that ends. The file
-//! stays.
+//! `.wholestring` in the folder records the work that the folder was written for. A program that
+//! writes to the folder holds a lock of the system on that file; the lock ends with the program,
+//! however that ends. The file remains.
 
 use std::{
     fs::{self, File, OpenOptions, TryLockError},
@@ -17,30 +18,30 @@ use crate::{ResultsError, ResultsFolder};
 /// Name of the file.
 pub(crate) const NAME: &str = ".wholestring";
 
-/// What a folder is written for.
+/// Work that a folder is written for.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Occupant {
     /// The command: `run`, `sweep`, ...
     pub kind: String,
-    /// What the case, or the study, is called.
+    /// Name of the case or of the study.
     pub name: String,
-    /// Digest of all that the results depend on.
+    /// Digest of everything that the results depend on.
     pub identity: String,
 }
 
 impl Occupant {
-    /// What a folder says that it was written for; none where it says nothing.
+    /// Reads the work that a folder was written for; `None` where no record exists.
     pub fn of_folder(path: &Path) -> Option<Self> {
         read(&mut File::open(path.join(NAME)).ok()?)
     }
 
-    /// Whether the other is the same work, whatever it is called.
+    /// Whether the other is the same work, whatever its name.
     pub fn is_same(&self, other: &Self) -> bool {
         self.kind == other.kind && self.identity == other.identity
     }
 }
 
-/// A folder that this program holds until it drops this.
+/// A folder that is locked until this is dropped.
 #[derive(Debug)]
 pub struct Hold {
     path: PathBuf,
@@ -48,22 +49,22 @@ pub struct Hold {
     occupant: Option<Occupant>,
 }
 
-/// Whether a folder could be held.
+/// Result of locking a folder.
 #[derive(Debug)]
 pub enum Holding {
     /// This program alone writes to it.
     Alone(Hold),
-    /// Others that share it write to it too.
+    /// Others that share it also write to it.
     Shared(Hold),
-    /// Another program writes to it: what, where that can be read.
+    /// Another program writes to it; its work, where that can be read.
     Busy(Option<Occupant>),
 }
 
 impl ResultsFolder {
-    /// Holds the folder, alone if nobody else holds it; with `shared`, together with others that
-    /// share it.
+    /// Locks the folder, alone if no other program holds it; with `shared`, together with others
+    /// that share it.
     ///
-    /// A file system without locks keeps nobody out.
+    /// A file system without locks excludes nobody.
     ///
     /// # Errors
     /// A file that cannot be opened.
@@ -88,7 +89,7 @@ impl ResultsFolder {
         Ok(if alone { Holding::Alone(hold) } else { Holding::Shared(hold) })
     }
 
-    /// Whether the folder holds anything but the file that says what it was written for.
+    /// Whether the folder has any file except the record of its work.
     pub fn is_used(&self) -> bool {
         let entries = fs::read_dir(self.path()).into_iter().flatten();
         entries.flatten().any(|entry| entry.file_name() != NAME)
@@ -96,12 +97,12 @@ impl ResultsFolder {
 }
 
 impl Hold {
-    /// What the folder was written for; none where nothing says so.
+    /// Work that the folder was written for; `None` without a record.
     pub fn occupant(&self) -> Option<&Occupant> {
         self.occupant.as_ref()
     }
 
-    /// Says what the folder is written for from now on.
+    /// Records the work that the folder is written for from now on.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -122,14 +123,15 @@ impl Hold {
         Ok(())
     }
 
-    /// What the folder is written for by what its file says now.
+    /// Reads the work that the folder is written for from its file again.
     pub fn says(&mut self) -> Option<Occupant> {
         read(&mut self.file)
     }
 
-    /// Lets others share the folder. False where one that does not share it came between.
+    /// Lets others share the folder. Returns false where another program locked it alone in
+    /// between.
     pub fn share(&self) -> bool {
-        // A lock is not turned into another at once on every system.
+        // Not every system converts a lock atomically.
         let _ = self.file.unlock();
         match self.file.try_lock_shared() {
             Ok(()) => true,
@@ -139,9 +141,9 @@ impl Hold {
     }
 }
 
-/// What the file says; nothing where it is empty, or where a lock keeps it from being read.
+/// Reads the record of the file; `None` where it is empty, or where a lock prevents reading.
 fn read(file: &mut File) -> Option<Occupant> {
-    /// Longer is no such file.
+    /// A longer file is not a record.
     const MAX_BYTES: u64 = 1 << 16;
     let mut text = Vec::new();
     file.rewind().ok()?;

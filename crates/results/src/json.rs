@@ -9,7 +9,7 @@ use crate::{
     file::{read_at_most, write_unsynced, write_whole},
 };
 
-/// More than any summary holds, bytes: as a tree it is sixteen times as large.
+/// Upper bound of any summary, bytes: as a tree it is sixteen times as large.
 const LARGEST: u64 = 32 << 20;
 
 /// Writes a value as indented JSON.
@@ -28,7 +28,7 @@ pub(crate) fn write_json_compact(value: &impl Serialize, path: &Path) -> Result<
     })
 }
 
-/// Reads back a value, and refuses one whose `schema_version` is none of those known.
+/// Reads back a value, and refuses one whose `schema_version` is not among those known.
 pub(crate) fn read_versioned<T: DeserializeOwned>(
     path: &Path,
     known: RangeInclusive<u32>,
@@ -36,7 +36,7 @@ pub(crate) fn read_versioned<T: DeserializeOwned>(
     versioned(path, &read_at_most(path, LARGEST)?, known)
 }
 
-/// The same of a text, which is called so in errors.
+/// The same for a text; `path` names it in errors.
 pub(crate) fn versioned<T: DeserializeOwned>(
     path: &Path,
     text: &[u8],
@@ -44,7 +44,7 @@ pub(crate) fn versioned<T: DeserializeOwned>(
 ) -> Result<T, ResultsError> {
     let value: serde_json::Value =
         serde_json::from_slice(text).map_err(|error| ResultsError::format(path, error))?;
-    // Before anything else, so that a newer file is not called malformed.
+    // Checked first, so that a newer file is not reported as malformed.
     match value.get("schema_version").and_then(|v| v.as_u64()) {
         Some(version) if u32::try_from(version).is_ok_and(|version| known.contains(&version)) => {}
         Some(version) => {

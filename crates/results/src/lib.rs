@@ -1,8 +1,9 @@
-//! What a run leaves behind: `summary.json`, `nodes.parquet`, `time.parquet` and what else the case
-//! requires , and the tables as CSV.
+//! Files of a run: `summary.json`, `nodes.parquet`, `time.parquet` and others that the case
+//! requires, and the tables as CSV.
 //!
 //! Files are SI with the unit in every name, hold `null` where a number is not finite or does not
-//! apply, and appear whole or not at all: each is written beside its final name and then renamed.
+//! apply, and appear whole or not at all, because each is written under a temporary name and then
+//! renamed.
 #![warn(missing_docs)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

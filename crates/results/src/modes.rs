@@ -1,4 +1,4 @@
-//! What linear vibration about static equilibrium leaves as JSON: `summary.json`.
+//! The JSON file of linear vibration about static equilibrium: `summary.json`.
 
 use std::path::Path;
 
@@ -11,10 +11,10 @@ use crate::{
     json::{read_versioned, write_json},
 };
 
-/// Version of the layout of the files of small motions; raised when a key changes or goes.
+/// Version of the layout of the files of linear vibration; raised when a key changes or is removed.
 pub const MODES_VERSION: u32 = 2;
 
-/// `summary.json` of small motions.
+/// `summary.json` of linear vibration.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ModesSummary {
     /// [`MODES_VERSION`] of the program that wrote it.
@@ -23,30 +23,30 @@ pub struct ModesSummary {
     pub case: String,
     /// The case's settings with all defaults filled in.
     pub settings: Value,
-    /// The operation whose string at rest it is.
+    /// The operation whose static equilibrium is analysed.
     pub operation: String,
     /// Its rotary speed, rad/s.
     pub rotary_speed_rad_per_s: f64,
     /// Elements of the string.
     pub elements: usize,
-    /// Whether every small motion costs energy, friction and torque apart.
+    /// Whether every small motion takes energy, friction and torque excepted.
     pub stable: bool,
     /// The checks, the most severe first.
     #[serde(default)]
     pub checks: Vec<Check>,
     /// Length of the assembly, m.
     pub assembly_length_m: f64,
-    /// What turns with the string and shakes it, in words.
+    /// Parts that turn with the string and excite it, in words.
     pub forcing: String,
     /// Natural modes: lateral, axial, torsional.
     pub modes: Vec<ModeFound>,
-    /// By rising rotary speed.
+    /// In order of increasing rotary speed.
     pub critical_speeds: Vec<CriticalSpeed>,
     /// Torsional stability of the operation that drills.
     pub torsional_stability: Option<StabilitySummary>,
-    /// Why there is no such thing.
+    /// Reason why there is no torsional stability.
     pub no_torsional_stability: Option<String>,
-    /// What was not computed because the work was interrupted.
+    /// Parts that were not computed because the work was interrupted.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub missing: Vec<String>,
 }
@@ -58,7 +58,7 @@ pub struct Spot {
     pub md_m: f64,
     /// Distance from the bit, m.
     pub from_bit_m: f64,
-    /// The component there.
+    /// The component at that place.
     pub component: String,
 }
 
@@ -71,24 +71,24 @@ pub struct ModeFound {
     pub number: usize,
     /// Natural frequency, Hz.
     pub frequency_Hz: f64,
-    /// `forward`, `backward` or `planar`, of lateral modes.
+    /// `forward`, `backward` or `planar`, for lateral modes.
     pub whirl: Option<String>,
-    /// How far it is a circle with the rotation.
+    /// Degree to which it is a circle with the rotation: 1 with it, -1 against it, 0 to and fro.
     pub precession: f64,
     /// Parts of its kinetic energy: lateral, axial, torsional.
     pub energy: [f64; 3],
-    /// Where it strains the string's steel most.
+    /// Place of its largest strain of the string's steel.
     pub most_strained: Spot,
 }
 
-/// A rotary speed at which an order of the rotation meets a natural frequency.
+/// A rotary speed at which an order of the rotation coincides with a natural frequency.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CriticalSpeed {
-    /// How often something pushes in a turn.
+    /// Number of excitations per turn.
     pub order: f64,
     /// Rotary speed, rad/s.
     pub rotary_speed_rad_per_s: f64,
-    /// Natural frequency there, Hz.
+    /// Natural frequency at that speed, Hz.
     pub frequency_Hz: f64,
     /// Its branch of `campbell.parquet`.
     pub branch: usize,
@@ -96,11 +96,11 @@ pub struct CriticalSpeed {
     pub family: String,
     /// Number within the family, from 1.
     pub number: usize,
-    /// Where the mode strains the string's steel most.
+    /// Place of the mode's largest strain of the string's steel.
     pub most_strained: Spot,
 }
 
-/// The tables of small motions.
+/// The tables of linear vibration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModesTables {
     /// `mode_shapes.parquet`.
@@ -112,7 +112,7 @@ pub struct ModesTables {
 }
 
 impl ModesSummary {
-    /// What is missing, in a sentence; nothing where all is there.
+    /// The missing parts, in a sentence; `None` where nothing is missing.
     pub fn warning(&self) -> Option<String> {
         let missing = self.missing.join(", ");
         (!missing.is_empty()).then(|| format!("interrupted: not computed are {missing}"))

@@ -1,4 +1,4 @@
-//! `modes.parquet` and `critical_speeds.parquet`: what the summary has, as tables.
+//! `modes.parquet` and `critical_speeds.parquet`: the contents of the summary as tables.
 
 use crate::{CRITICAL_SPEEDS, MODES, ModesSummary, Table};
 
@@ -6,24 +6,24 @@ impl ModesSummary {
     /// A row for each mode.
     pub fn modes_table(&self) -> Table {
         let mut table = Table::with_columns(MODES);
-        for of in &self.modes {
-            let whirl = of.whirl.as_deref().unwrap_or_default();
-            let [lateral, axial, torsional] = of.energy;
+        for mode in &self.modes {
+            let whirl = mode.whirl.as_deref().unwrap_or_default();
+            let [lateral, axial, torsional] = mode.energy;
             table.append(
                 &[
-                    ("family", &[&of.family]),
+                    ("family", &[&mode.family]),
                     ("whirl", &[whirl]),
-                    ("component", &[&of.most_strained.component]),
+                    ("component", &[&mode.most_strained.component]),
                 ],
                 &[
-                    ("number", &[of.number as f64]),
-                    ("frequency_Hz", &[of.frequency_Hz]),
-                    ("precession", &[of.precession]),
+                    ("number", &[mode.number as f64]),
+                    ("frequency_Hz", &[mode.frequency_Hz]),
+                    ("precession", &[mode.precession]),
                     ("lateral_energy", &[lateral]),
                     ("axial_energy", &[axial]),
                     ("torsional_energy", &[torsional]),
-                    ("most_strained_md_m", &[of.most_strained.md_m]),
-                    ("most_strained_from_bit_m", &[of.most_strained.from_bit_m]),
+                    ("most_strained_md_m", &[mode.most_strained.md_m]),
+                    ("most_strained_from_bit_m", &[mode.most_strained.from_bit_m]),
                 ],
             );
         }
@@ -33,17 +33,20 @@ impl ModesSummary {
     /// A row for each critical speed.
     pub fn critical_speeds_table(&self) -> Table {
         let mut table = Table::with_columns(CRITICAL_SPEEDS);
-        for of in &self.critical_speeds {
+        for critical_speed in &self.critical_speeds {
             table.append(
-                &[("family", &[&of.family]), ("component", &[&of.most_strained.component])],
                 &[
-                    ("order", &[of.order]),
-                    ("rotary_speed_rad_per_s", &[of.rotary_speed_rad_per_s]),
-                    ("frequency_Hz", &[of.frequency_Hz]),
-                    ("branch", &[of.branch as f64]),
-                    ("number", &[of.number as f64]),
-                    ("most_strained_md_m", &[of.most_strained.md_m]),
-                    ("most_strained_from_bit_m", &[of.most_strained.from_bit_m]),
+                    ("family", &[&critical_speed.family]),
+                    ("component", &[&critical_speed.most_strained.component]),
+                ],
+                &[
+                    ("order", &[critical_speed.order]),
+                    ("rotary_speed_rad_per_s", &[critical_speed.rotary_speed_rad_per_s]),
+                    ("frequency_Hz", &[critical_speed.frequency_Hz]),
+                    ("branch", &[critical_speed.branch as f64]),
+                    ("number", &[critical_speed.number as f64]),
+                    ("most_strained_md_m", &[critical_speed.most_strained.md_m]),
+                    ("most_strained_from_bit_m", &[critical_speed.most_strained.from_bit_m]),
                 ],
             );
         }

@@ -1,4 +1,4 @@
-//! Names of files that more than one part of a results folder knows.
+//! Names of files that several parts of a results folder use.
 
 pub(crate) const CHECKPOINT: &str = "checkpoint.bin";
 

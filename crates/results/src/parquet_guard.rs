@@ -1,8 +1,8 @@
-//! What a Parquet file claims, looked over before it is read.
+//! Checks of a Parquet file's claims before it is read.
 //!
-//! The reader of Parquet makes room for as many bytes, rows and words as a file says there are, and
-//! trusts that its offsets lie within it. So the claims are checked against the file's length and
-//! against how much is ever read at once.
+//! The Parquet library allocates memory for as many bytes, rows and words as a file claims, and
+//! trusts that its offsets are within it. The claims are therefore checked against the file's
+//! length and against the amount that is ever read at once.
 
 use std::{
     fs::File,
@@ -25,16 +25,17 @@ const LARGEST_PAGE: i64 = 32 << 20;
 /// million.
 const MAX_VALUES: u64 = 40_000_000;
 
-/// A word takes as much room as so many numbers.
+/// Number of numbers that take as much memory as a word.
 const WORD: u64 = 4;
 
 /// Text that is read at once, bytes.
 pub(crate) const MAX_TEXT: usize = 128 << 20;
 
-/// What every Parquet file ends with, after the length of its footer.
+/// Last bytes of every Parquet file, after the length of its footer.
 const MARK: &[u8] = b"PAR1";
 
-/// Checks the footer: it lies within the file, is no longer than any, and describes a flat table.
+/// Checks the footer: it is within the file, not longer than `LONGEST_FOOTER`, and describes a flat
+/// table.
 pub(crate) fn footer(file: &File) -> Result<(), String> {
     let io = |error: std::io::Error| error.to_string();
     let length = file.metadata().map_err(io)?.len();
@@ -49,9 +50,7 @@ pub(crate) fn footer(file: &File) -> Result<(), String> {
     }
     let size = u64::from(u32::from_le_bytes([size[0], size[1], size[2], size[3]]));
     if size > LONGEST_FOOTER {
-        return Err(format!(
-            "its footer is said to hold {size} bytes; at most {LONGEST_FOOTER} are read"
-        ));
+        return Err(format!("its footer has {size} bytes; at most {LONGEST_FOOTER} are read"));
     }
     let start = begin.checked_sub(size).ok_or("its footer is longer than the file")?;
     reader.seek(SeekFrom::Start(start)).map_err(io)?;
@@ -66,7 +65,7 @@ pub(crate) fn footer(file: &File) -> Result<(), String> {
     })
     .map_err(|error| format!("its footer is damaged ({error})"))?;
     if groups > 1 {
-        return Err("its columns lie within each other; a flat table was expected".into());
+        return Err("its columns are nested; a flat table was expected".into());
     }
     if negative {
         return Err("its footer is damaged (a size is negative)".into());
@@ -74,7 +73,7 @@ pub(crate) fn footer(file: &File) -> Result<(), String> {
     Ok(())
 }
 
-/// Checks what is to be read of row groups: columns by their index.
+/// Checks the part of the row groups to be read: columns by their index.
 pub(crate) fn columns(
     file: &File,
     reader: &SerializedFileReader<File>,
@@ -90,7 +89,7 @@ pub(crate) fn columns(
     let rows = rows.ok_or("its number of rows is damaged")?;
     if rows.checked_mul(each).is_none_or(|values| values > MAX_VALUES) {
         return Err(format!(
-            "it is said to hold {rows} rows of {} columns; at most {MAX_VALUES} values are read",
+            "it has {rows} rows of {} columns; at most {MAX_VALUES} values are read",
             columns.len()
         ));
     }
@@ -103,7 +102,7 @@ pub(crate) fn columns(
     Ok(())
 }
 
-/// Goes through the heads of the pages of a column.
+/// Checks the heads of the pages of a column.
 fn pages(file: &File, length: u64, group: &RowGroupMetaData, column: usize) -> Result<(), String> {
     let about = group.columns().get(column).ok_or("a row group lacks a column")?;
     let damaged = || format!("its column `{}` is damaged", about.column_path().string());
@@ -130,7 +129,7 @@ fn pages(file: &File, length: u64, group: &RowGroupMetaData, column: usize) -> R
             && packed >= 0
             && packed as u64 <= left.limit()
             && (0..=group.num_rows()).contains(&values)
-            // Every word of a dictionary takes a byte at least.
+            // Every word of a dictionary takes at least a byte.
             && (0..=unpacked).contains(&words);
         if !valid {
             return Err(damaged());

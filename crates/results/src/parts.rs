@@ -1,9 +1,9 @@
-//! Row groups of a table in files of their own, in a folder beside the table's file, until they are
-//! joined there.
+//! Row groups of a table in files of their own, in a folder next to the table's file, until they
+//! are joined there.
 //!
-//! A part is written once and never touched again, so that a run can continue from any checkpoint
-//! that was written since: it drops the parts that are younger, and writes the same ones again. The
-//! parts go with the checkpoint
+//! A part is written once and never changed, so that a run can continue from any checkpoint that
+//! was written since: it drops the younger parts, and writes the same ones again. The parts are
+//! removed together with the checkpoint
 //! ([`ResultsFolder::remove_checkpoint`](crate::ResultsFolder::remove_checkpoint)).
 
 use std::{
@@ -35,7 +35,7 @@ pub(crate) struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    /// `frames.parts/000001.parquet`: in the order of their names wherever they are listed.
+    /// `frames.parts/000001.parquet`: numbered so that names sort in order of writing.
     pub(crate) fn path(&self, number: usize) -> PathBuf {
         self.place().join(format!("{number:06}.parquet"))
     }
@@ -65,7 +65,7 @@ impl Parts<'_> {
         Ok(Part { file, metadata })
     }
 
-    /// Copies parts into a file as they are packed.
+    /// Copies parts into a file without unpacking them.
     pub(crate) fn copy<W: Write + Send>(
         &self,
         numbers: impl Iterator<Item = usize>,
@@ -79,17 +79,17 @@ impl Parts<'_> {
         Ok(())
     }
 
-    /// Removes all parts but the first `kept`, and with the last of them their folder.
-    pub(crate) fn remove(&self, kept: usize) -> Result<(), ResultsError> {
+    /// Removes all parts but the first `count`, and with the last of them their folder.
+    pub(crate) fn remove(&self, count: usize) -> Result<(), ResultsError> {
         let place = self.place();
         let remove = || -> io::Result<()> {
-            if kept == 0 {
+            if count == 0 {
                 return fs::remove_dir_all(&place);
             }
-            let kept: Vec<PathBuf> = (1..=kept).map(|number| self.path(number)).collect();
+            let remaining: Vec<PathBuf> = (1..=count).map(|number| self.path(number)).collect();
             for entry in fs::read_dir(&place)? {
                 let path = entry?.path();
-                if !kept.contains(&path) {
+                if !remaining.contains(&path) {
                     fs::remove_file(path)?;
                 }
             }

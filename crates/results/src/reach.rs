@@ -1,4 +1,4 @@
-//! `summary.json` of a reach: how far a well can go, and what stops it.
+//! `summary.json` of a reach: the depth that a well can reach, and the limit that stops it.
 
 use std::path::Path;
 
@@ -11,8 +11,8 @@ use crate::{
     json::{read_versioned, write_json},
 };
 
-/// Version of the layout of the files of a reach; raised when a key changes or goes. 2: `checks`.
-/// All versions are read.
+/// Version of the layout of the files of a reach; raised when a key changes or is removed. 2:
+/// `checks`. All versions are read.
 pub const REACH_VERSION: u32 = 2;
 
 /// `summary.json` of a reach.
@@ -24,25 +24,27 @@ pub struct ReachSummary {
     pub case: String,
     /// The case's settings with all defaults filled in.
     pub settings: Value,
-    /// First depth of the bit that was looked at, m.
+    /// First depth of the bit that was examined, m.
     pub from_m: f64,
     /// Last depth of the bit, m.
     pub to_m: f64,
-    /// Inclination of the direction in which the well goes on, rad.
+    /// Inclination of the direction in which the well continues, rad.
     pub inclination_rad: f64,
-    /// Whether what a helix presses to the wall rubs.
+    /// Whether the wall force of a helix causes friction.
     pub helix_side_force: bool,
-    /// Whether the string stops where its helix begins, though it would go on buckled.
+    /// Whether the string counts as stopped where its helix begins, although it would continue
+    /// buckled.
     #[serde(default)]
     pub stop_at_helix: bool,
-    /// Operations that were left out, and why, a sentence for each.
+    /// Operations that were left out, and the reasons, a sentence for each.
     pub left_out: Vec<String>,
     /// The answers, a friction after the other.
     pub frictions: Vec<ReachOfFriction>,
-    /// A check for each operation at each friction: how far it goes, and what stops it.
+    /// A check for each operation at each friction: the depth that it reaches, and the limit that
+    /// stops it.
     #[serde(default)]
     pub checks: Vec<ReachCheck>,
-    /// What comes of numbers that are not known exactly; none where all are.
+    /// Effect of uncertain numbers; none where all are exact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertain: Option<UncertainSummary>,
 }
@@ -54,24 +56,24 @@ pub struct ReachCheck {
     pub operation: String,
     /// Friction factor of all sections; none where the sections have the case's own.
     pub friction: Option<f64>,
-    /// The check; its value is the depth of the bit that is reached, m, its limit the last depth that was
+    /// The check; its value is the depth that the bit reaches, m, its limit the last depth that was
     /// tried.
     #[serde(flatten)]
     pub check: Check,
 }
 
-/// How far the well goes at one friction.
+/// Reach of the well at one friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReachOfFriction {
     /// Friction factor of all sections; none where the sections have the case's own.
     pub friction: Option<f64>,
-    /// Friction factor along the hole of the section in which the well goes on.
+    /// Axial friction factor of the section in which the well continues.
     pub friction_at_bit: f64,
     /// Inclination, rad, to which a string slides down by its own weight at that friction,
     /// `atan(1/μ)`; none without friction.
     #[serde(default)]
     pub critical_inclination_rad: Option<f64>,
-    /// What stops it first; none where nothing does.
+    /// Limit that stops it first; none where nothing does.
     pub first: Option<ReachStop>,
     /// Each limit of each operation.
     pub limits: Vec<ReachLimit>,
@@ -81,7 +83,7 @@ pub struct ReachOfFriction {
     pub missing: Vec<String>,
 }
 
-/// What stops a well.
+/// Limit that stops a well.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReachStop {
     /// The operation: `drill`, `slide`, ...
@@ -101,18 +103,18 @@ pub struct ReachLimit {
     pub limit: String,
     /// The same in words.
     pub title: String,
-    /// Whether the string stops there; it goes on where it buckles.
+    /// Whether the string stops there; where it buckles, it continues.
     pub stops: bool,
-    /// Depth of the bit where it is met first, m; none where it is not met down to `to_m`.
+    /// Depth of the bit where it is first reached, m; none where it is not reached down to `to_m`.
     pub depth_m: Option<f64>,
-    /// Whether it is met at the first depth already.
+    /// Whether it is reached at the first depth already.
     pub already: bool,
-    /// Part of the limit that is left with the bit at `from_m`; none of a string that is locked up.
+    /// Remaining part of the limit with the bit at `from_m`; none for a string that is locked up.
     pub margin_at_from: Option<f64>,
     /// The same at `to_m`.
     pub margin_at_to: Option<f64>,
-    /// Measured depth in the string where it is worst when it is met, else at `to_m`, m; none of
-    /// what the surface sees.
+    /// Measured depth of the smallest margin in the string when it is reached, else at `to_m`, m;
+    /// none for a limit at the surface.
     pub at_md_m: Option<f64>,
 }
 

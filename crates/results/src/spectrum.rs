@@ -17,11 +17,11 @@ pub struct Spectrum {
 }
 
 impl Spectrum {
-    /// Welch's estimate (*The Use of Fast Fourier Transform for the Estimation of Power Spectra*,
-    /// IEEE Trans. Audio Electroacoust. 15, 1967): the mean of the periodograms of segments of
-    /// `segment` samples that overlap by half, each less its mean and under Hann's window. A longer
-    /// segment separates closer frequencies, more segments give a smoother estimate. None of less
-    /// than two samples or a segment that does not fit.
+    /// Computes Welch's estimate (*The Use of Fast Fourier Transform for the Estimation of Power
+    /// Spectra*, IEEE Trans. Audio Electroacoust. 15, 1967): the mean of the periodograms of
+    /// segments of `segment` samples that overlap by half, each less its mean and under Hann's
+    /// window. A longer segment separates closer frequencies, more segments give a smoother
+    /// estimate. `None` for less than two samples or a segment that does not fit.
     pub fn welch(
         samples: &(impl Samples + ?Sized),
         interval_s: f64,
@@ -42,8 +42,8 @@ impl Spectrum {
             let mean = part.iter().sum::<f64>() / segment as f64;
             part.iter().zip(&window).map(|(value, window)| (value - mean) * window).collect()
         };
-        // Two real segments are one complex signal: of `Z = X + iY` is `|X|² + |Y|²` the mean of `|Z|²`
-        // at a frequency and at its opposite.
+        // Two real segments are one complex signal: for `Z = X + iY`, `|X|² + |Y|²` is the mean of
+        // `|Z|²` at a frequency and at its opposite.
         let mut add = |mut re: Vec<f64>, mut im: Vec<f64>| {
             transform.transform(&mut re, &mut im);
             let square = |k: usize| re[k] * re[k] + im[k] * im[k];
@@ -72,7 +72,7 @@ impl Spectrum {
         let scale = interval_s / (power * segments as f64);
         let last = density.len() - 1;
         for (index, value) in density.iter_mut().enumerate() {
-            // Every frequency but the first, and the last of an even number, stands for two.
+            // Every frequency but the first, and the last of an even number, represents two.
             let alone = index == 0 || (index == last && segment.is_multiple_of(2));
             *value *= if alone { scale } else { 2.0 * scale };
         }
@@ -103,8 +103,8 @@ mod tests {
             .collect()
     }
 
-    fn spacing(of: &Spectrum) -> f64 {
-        of.frequency_Hz[1]
+    fn spacing(spectrum: &Spectrum) -> f64 {
+        spectrum.frequency_Hz[1]
     }
 
     /// White noise of variance `σ²` sampled at the rate `f` has the density `2σ²/f` everywhere. The
@@ -126,7 +126,7 @@ mod tests {
         }
     }
 
-    /// A line of 3.7 Hz and amplitude 2 in that noise: it stands where it should to half the
+    /// A line of 3.7 Hz and amplitude 2 in that noise: it appears at its frequency to half the
     /// spacing of 0.1 Hz, and the area under it is `A²/2` = 2 to within the noise under it and its
     /// leaks, 0.5 %.
     #[test]
@@ -145,7 +145,7 @@ mod tests {
         assert!((found.frequency_Hz[peak] - 3.73).abs() <= 0.05);
         let area: f64 = found.density[peak - 4..=peak + 4].iter().sum::<f64>() * spacing(&found);
         assert!((area / 2.0 - 1.0).abs() < 5e-3, "{area}");
-        // All of it, the mean left out: a line and the noise.
+        // All of it, without the mean: a line and the noise.
         let all: f64 = found.density.iter().sum::<f64>() * spacing(&found);
         assert!((all / (2.0 + 1.0 / 12.0) - 1.0).abs() < 5e-3, "{all}");
     }

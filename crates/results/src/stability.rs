@@ -1,19 +1,19 @@
-//! What is written of torsional stability as JSON.
+//! Torsional stability in JSON.
 
 use serde::{Deserialize, Serialize};
 use wholestring::torsional_stability::{StabilityOfCase, Threshold};
 
-/// Where steady rotation is stable, in `summary.json`: `everywhere` or `nowhere` on the map, or
+/// Stable range of steady rotation, in `summary.json`: `everywhere` or `nowhere` on the map, or
 /// `from` a speed on.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct StableFrom {
-    /// Which.
+    /// Kind of the range.
     pub stable: StableWhere,
-    /// The speed, rad/s; none but of `from`.
+    /// The speed, rad/s; none except for `from`.
     pub threshold_rad_per_s: Option<f64>,
 }
 
-/// Where on the map.
+/// Stable range on the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum StableWhere {
@@ -58,7 +58,7 @@ pub struct TriedController {
     pub integral_N_m: f64,
     /// Part of a wave of the string's lowest torsional frequency that it sends back.
     pub reflection: f64,
-    /// Where it makes the case's weight stable.
+    /// Speeds at which the case's weight is stable with it.
     #[serde(flatten)]
     pub from: StableFrom,
 }
@@ -70,30 +70,30 @@ pub struct StabilitySummary {
     pub rotary_speed_rad_per_s: f64,
     /// Weight on bit, N.
     pub weight_on_bit_N: f64,
-    /// Roots that grow, a pair counted twice.
+    /// Growing roots, a pair counted twice.
     pub unstable_roots: usize,
-    /// How fast the motion grows that grows most, 1/s; negative where all die away.
+    /// Growth rate of the fastest growing motion, 1/s; negative where all decay.
     pub growth_per_s: Option<f64>,
     /// Its frequency, Hz.
     pub frequency_Hz: Option<f64>,
-    /// Whether as many growing motions were followed as there are.
+    /// Whether all growing motions were followed.
     pub complete: bool,
     /// Whether neither the bit's torque nor friction falls with speed, so that only the rate of
-    /// penetration drives what grows.
+    /// penetration drives growing motions.
     #[serde(default)]
     pub driven_by_rate: bool,
-    /// From which speed on this weight is stable.
+    /// Speeds at which this weight is stable.
     #[serde(flatten)]
     pub from: StableFrom,
-    /// The speed over that, less one.
+    /// The rotary speed over that speed, less one.
     pub margin: Option<f64>,
     /// Torque at the top while the string turns steadily, N·m.
     pub surface_torque_N_m: f64,
-    /// Whether that is more than the top drive gives.
+    /// Whether that exceeds the torque of the top drive.
     pub stalls: bool,
-    /// Method that said how the string lies: `stiff` or `soft`.
+    /// Method that computed the string's position in the hole: `stiff` or `soft`.
     pub lies_by: String,
-    /// Fastest motion that was looked at, Hz.
+    /// Highest frequency that was examined, Hz.
     pub highest_frequency_Hz: f64,
     /// Lowest torsional frequency of the string, held at the top and free at the bit, Hz.
     pub string_frequency_Hz: f64,
@@ -101,37 +101,37 @@ pub struct StabilitySummary {
     pub pipe_impedance_N_m_s: f64,
     /// Frequencies, Hz, and the part of a torsional wave of each that the top drive sends back.
     pub reflections: Vec<[f64; 2]>,
-    /// A better controller; none where none is needed, or none that was tried is.
+    /// A better controller; none where none is needed, or none that was tried is better.
     pub better_controller: Option<TriedController>,
 }
 
 impl StabilitySummary {
-    /// Of what was found, looking at motions up to a frequency, Hz.
-    pub fn new(of: &StabilityOfCase, highest_frequency_Hz: f64) -> Self {
-        let worst = of.stability.worst;
+    /// Summarizes the stability of motions up to a frequency, Hz.
+    pub fn new(case: &StabilityOfCase, highest_frequency_Hz: f64) -> Self {
+        let worst = case.stability.worst;
         Self {
-            rotary_speed_rad_per_s: of.rotary_speed_rad_per_s,
-            weight_on_bit_N: of.weight_on_bit_N,
-            unstable_roots: of.stability.unstable_roots,
-            growth_per_s: worst.map(|of| of.growth_per_s),
-            frequency_Hz: worst.map(|of| of.frequency_Hz),
-            complete: of.stability.complete,
+            rotary_speed_rad_per_s: case.rotary_speed_rad_per_s,
+            weight_on_bit_N: case.weight_on_bit_N,
+            unstable_roots: case.stability.unstable_roots,
+            growth_per_s: worst.map(|worst| worst.growth_per_s),
+            frequency_Hz: worst.map(|worst| worst.frequency_Hz),
+            complete: case.stability.complete,
             driven_by_rate: false,
-            from: of.threshold.into(),
-            margin: of.margin(),
-            surface_torque_N_m: of.surface_torque_N_m,
-            stalls: of.stalls,
-            lies_by: of.lies_by.name().to_owned(),
+            from: case.threshold.into(),
+            margin: case.margin(),
+            surface_torque_N_m: case.surface_torque_N_m,
+            stalls: case.stalls,
+            lies_by: case.lies_by.name().to_owned(),
             highest_frequency_Hz,
-            string_frequency_Hz: of.string_frequency_Hz,
-            pipe_impedance_N_m_s: of.pipe_impedance_N_m_s,
-            reflections: of.reflections.to_vec(),
-            better_controller: of.tuned.map(|of| TriedController {
-                impedance_ratio: of.impedance_ratio,
-                proportional_N_m_s: of.gains.proportional_N_m_s,
-                integral_N_m: of.gains.integral_N_m,
-                reflection: of.reflection,
-                from: of.threshold.into(),
+            string_frequency_Hz: case.string_frequency_Hz,
+            pipe_impedance_N_m_s: case.pipe_impedance_N_m_s,
+            reflections: case.reflections.to_vec(),
+            better_controller: case.tuned.map(|tuned| TriedController {
+                impedance_ratio: tuned.impedance_ratio,
+                proportional_N_m_s: tuned.gains.proportional_N_m_s,
+                integral_N_m: tuned.gains.integral_N_m,
+                reflection: tuned.reflection,
+                from: tuned.threshold.into(),
             }),
         }
     }

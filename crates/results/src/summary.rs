@@ -17,7 +17,7 @@ use crate::{
     json::{read_versioned, versioned, write_json, write_json_compact},
 };
 
-/// Version of the layout of `summary.json`; raised when a key changes or goes. 2: keys that a
+/// Version of the layout of `summary.json`; raised when a key changes or is removed. 2: keys that a
 /// component does not have are left out of `settings`, where 1 had them as `null`. 3: `checks` in
 /// place of `findings`, with limits, verdicts and required factors, and `unchecked`. All versions
 /// are read.
@@ -29,30 +29,31 @@ pub struct Summary {
     /// [`SCHEMA_VERSION`] of the program that wrote it.
     pub schema_version: u32,
     /// Version of the engine that solved it, such as `0.1.0`; none in files of versions that did
-    /// not say.
+    /// not record it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub engine_version: Option<String>,
     /// Name of the case.
     pub case: String,
-    /// [Digest](crate::digest) of all that the answers depend on, which `settings` shows: cases
-    /// with the same one have the same answers. None in files of versions that did not say.
+    /// [Digest](crate::digest) of everything that the answers depend on, as shown by `settings`:
+    /// cases with the same digest have the same answers. None in files of versions that did not
+    /// record it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub identity: Option<String>,
     /// The case's settings with all defaults filled in.
     pub settings: serde_json::Value,
-    /// One entry per model and operation solved, in the order they were solved.
+    /// One entry per model and operation solved, in the order in which they were solved.
     pub operations: Vec<OperationSummary>,
 }
 
-/// How far the solution of an operation got.
+/// Progress of the solution of an operation.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", tag = "status", content = "message")]
 pub enum Status {
     /// To its end.
     Complete,
-    /// The user stopped it; what was computed until then is there.
+    /// Stopped by the user, with the results up to then.
     Interrupted,
-    /// It could not continue, for this reason; what was computed until then is there.
+    /// Unable to continue, for this reason, with the results up to then.
     Failed(String),
 }
 
@@ -84,7 +85,7 @@ pub struct OperationSummary {
     pub model: ModelKind,
     /// The operation, as in case files: `trip_out`, `drill`, ...
     pub operation: String,
-    /// How far the solution got.
+    /// Progress of the solution.
     #[serde(flatten)]
     pub status: Status,
     /// Kinetic friction of the hole.
@@ -92,11 +93,11 @@ pub struct OperationSummary {
     /// Measured depth of the bit, m.
     #[serde(with = "finite")]
     pub bit_depth_m: f64,
-    /// The checks of the answer, the most severe first: all that need attention, and of each kind of
-    /// limit the one with the least reserve.
+    /// The checks of the answer, the most severe first: all that need attention, and for each kind
+    /// of limit the one with the least reserve.
     #[serde(default, alias = "findings")]
     pub checks: Vec<Check>,
-    /// What could not be checked.
+    /// Limits that could not be checked.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub unchecked: Vec<Unchecked>,
     /// Torque and drag; means over the window for a dynamic model.
@@ -106,10 +107,11 @@ pub struct OperationSummary {
     /// only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lift: Option<TunedHookLoad>,
-    /// What the mud does, if it has a rheology; means over the window for a dynamic model.
+    /// Pressures and forces of the mud, if it has a rheology; means over the window for a dynamic
+    /// model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hydraulics: Option<Hydraulics>,
-    /// How the equilibrium was found and what the bit does in it; the stiff string only.
+    /// Solution of the static equilibrium and forces of the bit in it; the stiff string only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_rest: Option<EquilibriumSummary>,
     /// Statistics over the window by quantity; dynamic models only.
@@ -118,11 +120,10 @@ pub struct OperationSummary {
     /// Whirl, stick-slip and the use of the top drive over the window; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub indicators: Option<Indicators>,
-    /// How often a bit with a table was where the table is not, over the window; dynamic models
-    /// only.
+    /// Use of a bit's table, and the share outside it, over the window; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bit_table: Option<TableUse>,
-    /// What the numbers cost and how sound they are; dynamic models only.
+    /// Cost and quality of the numbers; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub numerics: Option<Numerics>,
 }
@@ -133,25 +134,25 @@ impl OperationSummary {
         self.checks.iter().filter(|check| !check.is_ok())
     }
 
-    /// When the window of its statistics begins, s: as the run found it, or as `settings` of the
-    /// case say where the file is older.
+    /// Beginning of the window of its statistics, s: as the run found it, or as in `settings` of
+    /// the case where the file is older.
     pub fn window_from_s(&self, settings: &serde_json::Value) -> f64 {
-        let found_s = self.numerics.as_ref().map(|of| of.run.settle_s);
+        let found_s = self.numerics.as_ref().map(|numeric| numeric.run.settle_s);
         let given_s = || settings["dynamics"]["settle_s"].as_f64();
-        found_s.filter(|of| of.is_finite()).or_else(given_s).unwrap_or(0.0)
+        found_s.filter(|found_s| found_s.is_finite()).or_else(given_s).unwrap_or(0.0)
     }
 }
 
-/// What a dynamic solution cost and how sound it is.
+/// Cost and quality of a dynamic solution.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Numerics {
-    /// How it was computed and how well.
+    /// Method and quality of the computation.
     #[serde(flatten)]
     pub run: dynamics::Numerics,
-    /// Time that the solution took, s.
+    /// Wall-clock time of the solution, s.
     #[serde(with = "finite")]
     pub wall_time_s: f64,
-    /// Simulated time over the time that it took.
+    /// Simulated time over wall-clock time.
     #[serde(with = "finite")]
     pub real_time_factor: f64,
 }
@@ -189,10 +190,10 @@ mod finite {
 pub const ENGINE_VERSION: &str = env!("CARGO_PKG_VERSION");
 
 impl Summary {
-    /// The summary as indented JSON, as the file has it.
+    /// Returns the summary as indented JSON, as in the file.
     ///
     /// # Errors
-    /// None that a summary gives.
+    /// A value that cannot be serialized; no summary contains one.
     pub fn json(&self) -> Result<String, serde_json::Error> {
         serde_json::to_string_pretty(self)
     }
@@ -202,8 +203,8 @@ impl Summary {
         write_json(self, path)
     }
 
-    /// Writes the summary without blanks, and does not wait for the disk: for the many of a sweep
-    /// that are solved again in milliseconds.
+    /// Writes the summary without blanks, and does not wait for the disk: for the many files of a
+    /// sweep that are solved again in milliseconds.
     pub fn write_compact(&self, path: &Path) -> Result<(), ResultsError> {
         write_json_compact(self, path)
     }
@@ -213,7 +214,7 @@ impl Summary {
         read_versioned(path, 1..=SCHEMA_VERSION)
     }
 
-    /// The same from its text; `path` is what errors call it.
+    /// The same from its text; `path` names it in errors.
     ///
     /// # Errors
     /// A text that is no summary, or of a newer version.

@@ -1,4 +1,4 @@
-//! Tables in memory, and their way to CSV.
+//! Tables in memory, and their CSV form.
 
 use std::{io, path::Path};
 
@@ -11,7 +11,7 @@ use crate::{
     formula,
 };
 
-/// More than any table that is read back from CSV holds.
+/// Upper bound of any table that is read back from CSV, bytes.
 const LARGEST_CSV: u64 = 64 << 20;
 const MAX_CELLS: usize = 8_000_000;
 
@@ -39,26 +39,26 @@ impl Data {
     }
 }
 
-/// A column: its values and what they mean.
+/// A column: its values and their meaning.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Column {
     /// Name, with the unit in it: `tension_N`.
     pub name: String,
     /// Unit symbol, empty where there is none.
     pub unit: String,
-    /// What the values are, in one sentence.
+    /// Meaning of the values, in one sentence.
     pub meaning: String,
     /// The values.
     pub data: Data,
 }
 
 impl Column {
-    /// Words that their name says all of.
+    /// Words that need no explanation beyond their name.
     pub fn words(name: impl Into<String>, words: Vec<String>) -> Self {
         Self::named(name, Data::Text(words))
     }
 
-    /// Numbers that their name says all of.
+    /// Numbers that need no explanation beyond their name.
     pub fn numbers(name: impl Into<String>, numbers: Vec<Option<f64>>) -> Self {
         Self::named(name, Data::Number(numbers))
     }
@@ -165,24 +165,24 @@ impl Table {
         }
     }
 
-    /// Adds rows of what the engine declares: `words` as in [`Table::append`], and the columns of
-    /// `of`, which a method has made. What it does not know is `None` of numbers, and of words
-    /// an empty one.
+    /// Adds rows of declared quantities: `words` as in [`Table::append`], and the columns of
+    /// `answer`, which a method has computed. Where the method does not know a column, its numbers
+    /// are `None` and its words empty.
     ///
     /// # Panics
-    /// As [`Table::append`], and if a column is not there although the method knows it, or is there
+    /// As [`Table::append`], and if a column is missing although the method knows it, or exists
     /// although it does not.
     pub fn append_declared<T>(
         &mut self,
         words: &[(&str, &[&str])],
         declared: &[outcome::Column<T>],
-        of: &T,
+        answer: &T,
         model: ModelKind,
     ) {
-        self.append_first_declared(words, declared, of, model, usize::MAX);
+        self.append_first_declared(words, declared, answer, model, usize::MAX);
     }
 
-    /// The same of the first rows, no more than `most`.
+    /// The same for the first rows, at most `most`.
     ///
     /// # Panics
     /// As [`Table::append_declared`].
@@ -190,11 +190,11 @@ impl Table {
         &mut self,
         words: &[(&str, &[&str])],
         declared: &[outcome::Column<T>],
-        of: &T,
+        answer: &T,
         model: ModelKind,
         most: usize,
     ) {
-        let values = declared.iter().map(|column| (&column.quantity, (column.of)(of)));
+        let values = declared.iter().map(|column| (&column.quantity, (column.of)(answer)));
         let values: Vec<_> = values.collect();
         let mut words = words.to_vec();
         let mut numbers: Vec<(&str, &[f64])> = Vec::new();
@@ -215,8 +215,8 @@ impl Table {
         self.append(&words, &numbers);
     }
 
-    /// The table of a file with the columns that are declared for it. A column of numbers that it
-    /// lacks, as the table of an earlier version may, is empty.
+    /// Returns the table of a file with the columns that are declared for it. A column of numbers
+    /// that it lacks, as the table of an earlier version may, is empty.
     ///
     /// # Errors
     /// A column of words that is not there, or a column that holds words in place of numbers or the
@@ -340,8 +340,8 @@ impl Table {
     }
 
     /// Writes the table as CSV: a header row of column names, numbers with the digits that make
-    /// them exact, nothing where a number does not apply. A text that a spreadsheet would take for
-    /// a formula gets an apostrophe before it, which [`Table::read_csv`] takes away again.
+    /// them exact, and nothing where a number does not apply. A text that a spreadsheet would take
+    /// for a formula gets a leading apostrophe, which [`Table::read_csv`] removes again.
     pub fn write_csv(&self, path: &Path) -> Result<(), ResultsError> {
         write_whole(path, |writer| {
             let mut csv = csv::Writer::from_writer(writer);

@@ -1,13 +1,13 @@
 //! Numbers in Thrift's compact protocol, in which Parquet writes its footer and the heads of its
 //! pages.
 //!
-//! Just enough to look over what a file claims before it is read. The protocol: integers are
-//! variable in length and folded (zigzag); a field begins with its kind and its distance from the
-//! field before.
+//! Only the subset that is needed to check a file's claims before it is read. Integers are variable
+//! in length and folded (zigzag); a field begins with its kind and its distance from the field
+//! before.
 
 use std::io::{self, Read};
 
-/// Structures within structures. Parquet's own are six deep.
+/// Largest depth of nested structures. Parquet's own are six deep.
 const DEEPEST: usize = 16;
 
 /// Kinds of values.
@@ -27,7 +27,7 @@ const STRUCTURE: u8 = 12;
 /// that lead there.
 ///
 /// # Errors
-/// What is no such structure, or deeper than any of Parquet's.
+/// Bytes that are not such a structure, or nested deeper than any of Parquet's.
 pub(crate) fn numbers(from: impl Read, visit: &mut dyn FnMut(&[i16], i64)) -> io::Result<()> {
     let mut walk = Walk { from, visit, path: Vec::new() };
     walk.structure(0)
@@ -98,7 +98,7 @@ impl<R: Read> Walk<'_, R> {
         }
     }
 
-    /// A value in a list: there, a truth is a byte.
+    /// A value in a list, where a boolean is a byte.
     fn element(&mut self, kind: u8, depth: usize) -> io::Result<()> {
         match kind {
             TRUE | FALSE => self.byte().map(drop),

@@ -1,4 +1,4 @@
-//! Damaged files of results get a sentence with their name, and nothing panics.
+//! Damaged files of results cause an error message with their name, and no panic.
 
 use std::{
     fs,
@@ -40,7 +40,7 @@ fn refused(path: &Path) -> String {
     error
 }
 
-/// Files that made `report` and `plot` panic.
+/// Files that caused `report` and `plot` to panic.
 #[test]
 fn files_that_made_the_reader_panic_are_refused() {
     for name in ["p4201.parquet", "p9353.parquet"] {
@@ -48,8 +48,8 @@ fn files_that_made_the_reader_panic_are_refused() {
     }
 }
 
-/// Every byte of a file in turn becomes others, among them the largest that a number's first byte
-/// can be.
+/// Every byte of a file in turn is replaced by others, among them the largest that a number's first
+/// byte can be.
 #[test]
 fn no_byte_of_a_table_makes_the_reader_panic() {
     let folder = tempfile::tempdir().unwrap();
@@ -73,7 +73,7 @@ fn no_byte_of_a_table_makes_the_reader_panic() {
     assert!(refused > valid.len() / 2, "{refused} of {}", valid.len());
 }
 
-/// A schema of columns within columns was followed until the stack ended.
+/// Nested columns were followed until the stack overflowed.
 #[test]
 fn columns_within_columns_are_refused() {
     // A footer: version; a list of elements of which each has one child; then their names.
@@ -98,7 +98,7 @@ fn columns_within_columns_are_refused() {
     assert!(refused(&path).contains("a flat table was expected"));
 }
 
-/// What a spreadsheet would compute is written as text, and read back as it was.
+/// Text that a spreadsheet would compute is written as text, and read back unchanged.
 #[test]
 fn formulas_in_csv_are_text() {
     let folder = tempfile::tempdir().unwrap();
@@ -115,7 +115,7 @@ fn formulas_in_csv_are_text() {
     assert_eq!(Table::read_csv(&path).unwrap(), table);
 }
 
-/// A number that JSON has not, of whatever part of a summary, is read back as none.
+/// A number without a JSON form, in any part of a summary, is read back as none.
 #[test]
 fn infinities_in_a_summary_are_read_back() {
     let folder = tempfile::tempdir().unwrap();

@@ -13,7 +13,7 @@ fn rows(columns: &[ColumnSpec]) -> String {
     text
 }
 
-/// The page with this table behind its mark, up to the next empty line.
+/// The page with this table after its mark, up to the next empty line.
 fn with_table(page: &str, name: &str, table: &str) -> String {
     let mark = format!("<!-- {name} -->\n");
     let (before, rest) =
@@ -22,7 +22,7 @@ fn with_table(page: &str, name: &str, table: &str) -> String {
     format!("{before}{mark}{table}\n{after}")
 }
 
-/// Run with `WHOLESTRING_UPDATE_DOCS=1` it writes them.
+/// With `WHOLESTRING_UPDATE_DOCS=1` it writes them.
 #[test]
 fn the_page_lists_every_column() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/outputs.md");

@@ -78,7 +78,7 @@ fn channels_that_nobody_asked_for_have_no_column() {
 
 const CHANNELS: [Channel; 2] = [Channel::Rotation, Channel::Contact];
 
-/// Frame of that number; one in three has a number that is none.
+/// Frame of that number; one in three has a number that is not finite.
 fn numbered(number: u32) -> Frame {
     let mut frame = frame(f64::from(number) * 0.1);
     if number.is_multiple_of(3) {
@@ -87,9 +87,9 @@ fn numbered(number: u32) -> Frame {
     frame
 }
 
-/// Frames that continue from a checkpoint, whatever came after it, are the same file to the byte:
-/// the checkpoint before the first part, at its last frame and after it, within the second, and
-/// twice the same; each time with all frames on the disk already, whole and in parts.
+/// Frames that continue from a checkpoint, whatever was written after it, are the same file to the
+/// byte: the checkpoint before the first part, at its last frame and after it, within the second,
+/// and twice the same; each time with all frames on the disk already, whole and in parts.
 #[test]
 fn frames_go_on_from_any_checkpoint() {
     // Two parts and a rest.
@@ -108,14 +108,14 @@ fn frames_go_on_from_any_checkpoint() {
     let parts = || fs::read_dir(folder.path().join("frames.parts")).unwrap().count();
     assert_eq!(parts(), 2);
     for from in [0, 97, 98, 99, 150, 150, 219] {
-        // As it lay on the disk.
+        // The state on the disk.
         results.write_checkpoint(&checkpoints[from]).unwrap();
         let so_far = results.read_checkpoint::<FramesSoFar>().unwrap().unwrap();
         let mut writer = results.resume_frames(&CHANNELS, so_far).unwrap();
         for number in from as u32..frames {
             writer.push("drill", &numbered(number)).unwrap();
             if number == 160 {
-                // What Ctrl-C leaves can be read, and leaves the end alone.
+                // The files after Ctrl-C can be read, and reading does not change the end.
                 writer.write().unwrap();
                 let table = Table::read_parquet(&path).unwrap();
                 assert_eq!(table.rows(), 161 * NODES);
@@ -125,7 +125,7 @@ fn frames_go_on_from_any_checkpoint() {
         assert!(fs::read(&path).unwrap() == whole, "from frame {from}");
         assert_eq!(parts(), 2);
     }
-    // A run that begins anew takes nothing of it for its own.
+    // A run that starts again uses none of it.
     results.frames(&CHANNELS).unwrap();
     assert!(!path.exists() && !folder.path().join("frames.parts").exists());
 }

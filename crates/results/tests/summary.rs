@@ -29,7 +29,7 @@ const SCALARS: Scalars = Scalars {
     cutoff_depth_m: None,
 };
 
-/// A check as the file has it.
+/// A check as in the file.
 fn buckled() -> Value {
     json!({
         "kind": "helical_buckling", "severity": "warning", "verdict": "exceeded",
@@ -285,8 +285,8 @@ fn another_version_is_refused_by_number() {
     }
 }
 
-/// What a summary of an earlier version does not say is not made up: the error and the drift of a
-/// mean are no numbers, and where its window begins stands in its settings.
+/// Data missing in a summary of an earlier version are not made up: the error and the drift of a
+/// mean are no numbers, and the beginning of its window is taken from its settings.
 #[test]
 fn a_summary_without_drift_is_read() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! Tables written and read back, and what CSV readers see.
+//! Tables written and read back, and the view of CSV readers.
 
 use std::fs;
 
@@ -8,14 +8,14 @@ fn column(name: &str, unit: &str, data: Data) -> Column {
     Column {
         name: name.into(),
         unit: unit.into(),
-        meaning: format!("What {name} means, in m³"),
+        meaning: format!("Meaning of {name}, in m³"),
         data,
     }
 }
 
 #[test]
 fn parquet_gives_back_every_bit() {
-    // More rows than one page or dictionary holds, so that the reader must join pages.
+    // More rows than one page or dictionary has, so that the reader must join pages.
     let numbers: Vec<Option<f64>> = (0..300_000_u64)
         .map(|row| match row % 7 {
             0 => None,
@@ -152,10 +152,7 @@ fn a_file_in_the_place_of_the_folder_is_named() {
         let error = ResultsFolder::create(&path).unwrap_err();
         assert_eq!(
             error.to_string(),
-            format!(
-                "cannot make the folder {}: a file stands where a folder is needed",
-                path.display()
-            )
+            format!("cannot make the folder {}: a file has the name of the folder", path.display())
         );
     }
 }
@@ -168,7 +165,7 @@ fn a_folder_in_the_place_of_a_file_is_named() {
     let error = results.write_table("nodes", &Table::with_columns(NODES), false).unwrap_err();
     assert!(matches!(error, ResultsError::Write { .. }));
     assert!(error.to_string().contains("nodes.parquet"), "{error}");
-    // Neither the probe nor the attempt leaves anything.
+    // Neither the probe nor the attempt leaves a file.
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 

@@ -1,4 +1,4 @@
-//! What all cases of a sweep or a study, and all points of a bit test, have in common.
+//! Options and outcome shared by the cases of a sweep or study and the points of a bit test.
 
 use std::{
     num::NonZeroUsize,
@@ -11,18 +11,18 @@ use crate::{
     shard::Shard,
 };
 
-/// How many cases are solved.
+/// Options for solving a set of cases.
 #[derive(Debug, Clone, Default)]
 pub struct BatchOptions {
-    /// Where results go.
+    /// Destination of the results.
     pub output: Output,
     /// Number of parallel jobs, a case each; one per core by default.
     pub jobs: Option<NonZeroUsize>,
-    /// The share of the cases that is solved.
+    /// Share of the cases to solve.
     pub shard: Shard,
-    /// Wall-clock time between checkpoints; the case's by default.
+    /// Wall-clock time between checkpoints; by default that of the case.
     pub checkpoint_every: Option<Duration>,
-    /// Whether to write the tables that are kept as CSV too.
+    /// Whether to also write the tables that are kept as CSV.
     pub csv: bool,
 }
 
@@ -33,23 +33,23 @@ impl BatchOptions {
     }
 }
 
-/// How a batch ended.
+/// Outcome of a batch.
 #[derive(Debug)]
 #[must_use = "cases of a batch may have failed, or not have been solved"]
 pub struct BatchOutcome {
-    /// Where the results are.
+    /// Folder of the results.
     pub folder: PathBuf,
-    /// Cases or points of this share.
+    /// Number of cases or points in this share.
     pub all: usize,
-    /// Those of them that are finished.
+    /// Number of them that are finished.
     pub finished: usize,
-    /// Those of them that failed.
+    /// Those that failed.
     pub failed: Vec<FailedCase>,
-    /// Those of them in whose answers errors were found.
+    /// Those whose answers have errors.
     pub with_errors: Vec<CaseWithErrors>,
-    /// Cases or points of all shares that the tables have, and how many there are in all.
+    /// Number of cases or points of all shares that the tables contain, and their total number.
     pub known: (usize, usize),
-    /// Whether it was cancelled.
+    /// Whether the batch was cancelled.
     pub cancelled: bool,
     /// Wall-clock time.
     pub took: Duration,
@@ -58,24 +58,29 @@ pub struct BatchOutcome {
 /// A case that failed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FailedCase {
-    /// Name of its folder, as seen from the batch's.
+    /// Name of its folder, relative to that of the batch.
     pub name: String,
-    /// Why it failed.
+    /// Reason of the failure.
     pub reason: String,
 }
 
-/// A case in whose answers errors were found.
+/// A case whose answers have errors.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CaseWithErrors {
-    /// Name of its folder, as seen from the batch's.
+    /// Name of its folder, relative to that of the batch.
     pub name: String,
-    /// The operations that have errors: `trip in (soft)`.
+    /// Operations that have errors, such as `trip in (soft)`.
     pub operations: Vec<String>,
 }
 
 impl BatchOutcome {
-    /// Of so many cases, none of which has been counted yet.
-    pub(crate) fn begin(folder: &Path, all: usize, since: Instant, of: &CancellationToken) -> Self {
+    /// Creates an outcome for this number of cases, none of which is counted yet.
+    pub(crate) fn begin(
+        folder: &Path,
+        all: usize,
+        since: Instant,
+        token: &CancellationToken,
+    ) -> Self {
         Self {
             folder: folder.to_owned(),
             all,
@@ -83,27 +88,27 @@ impl BatchOutcome {
             failed: Vec::new(),
             with_errors: Vec::new(),
             known: (0, all),
-            cancelled: of.is_cancelled(),
+            cancelled: token.is_cancelled(),
             took: since.elapsed(),
         }
     }
 
-    /// Whether cases were left out because it was cancelled.
+    /// Whether cases were left out because the batch was cancelled.
     pub fn is_interrupted(&self) -> bool {
         self.cancelled && self.finished + self.failed.len() < self.all
     }
 
-    /// The outcome of a batch whose cases are all finished.
+    /// Returns the outcome of a batch whose cases are all finished.
     ///
     /// # Errors
-    /// [`Error::Interrupted`] where cases were left out, [`Error::Failed`] where some failed.
+    /// [`Error::Interrupted`] if cases were left out, [`Error::Failed`] if some failed.
     pub fn finished(self) -> Result<Self, Error> {
         if self.is_interrupted() {
             return Err(Error::Interrupted);
         }
         let reasons = self.failed.iter();
         let reasons: Vec<String> =
-            reasons.map(|of| format!("{}: {}", of.name, of.reason)).collect();
+            reasons.map(|reason| format!("{}: {}", reason.name, reason.reason)).collect();
         match reasons.is_empty() {
             true => Ok(self),
             false => Err(Error::Failed(reasons.join("\n"))),

@@ -1,15 +1,15 @@
-//! A request to stop, which work looks at as it goes on.
+//! A request to stop, which running work checks regularly.
 
 use std::sync::{
     Arc,
     atomic::{AtomicBool, Ordering},
 };
 
-/// A flag that asks work to stop. Its clones are the same flag, so that a signal handler or another
-/// thread can hold one.
+/// A flag that requests work to stop. Its clones share the flag, so that a signal handler or
+/// another thread can hold one.
 ///
-/// Work that is asked to stop keeps what it has computed and writes a checkpoint from which it can
-/// be resumed.
+/// After a request to stop, the work keeps its results so far and writes a checkpoint from which it
+/// can be resumed.
 ///
 /// ```
 /// use wholestring_runner::CancellationToken;
@@ -23,22 +23,22 @@ use std::sync::{
 pub struct CancellationToken(Arc<AtomicBool>);
 
 impl CancellationToken {
-    /// A token by which nobody has asked to stop yet.
+    /// Creates a token that is not cancelled.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Asks to stop, and says whether somebody had asked before.
+    /// Requests to stop; returns whether this had been requested before.
     pub fn cancel(&self) -> bool {
         self.0.swap(true, Ordering::Relaxed)
     }
 
-    /// From now on nobody has asked.
+    /// Clears the request.
     pub(crate) fn reset(&self) {
         self.0.store(false, Ordering::Relaxed);
     }
 
-    /// Whether somebody asked to stop.
+    /// Whether a stop was requested.
     pub fn is_cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

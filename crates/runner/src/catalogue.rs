@@ -1,4 +1,4 @@
-//! What a case can name, and what rigs commonly have, found by words.
+//! Search of tubulars that a case can name and of common rig equipment by words.
 
 use wholestring::{
     rig::catalogue as rigs,
@@ -6,10 +6,10 @@ use wholestring::{
     well::casing::{self, Casing},
 };
 
-/// Where casings of one's own come from.
+/// Source of a user's own casings.
 const OWN_CATALOGUE: &str = "a catalogue of one's own";
 
-/// The kinds of tubulars of a string, and the words by which they are found.
+/// Kinds of tubulars of a string, and the words that find them.
 const KINDS: [(TubularKind, &str); 4] = [
     (TubularKind::DrillPipe, "drill pipe dp"),
     (TubularKind::HeavyWeight, "heavy-weight drill pipe hwdp hwt"),
@@ -17,30 +17,30 @@ const KINDS: [(TubularKind, &str); 4] = [
     (TubularKind::CoiledTubing, "coiled tubing ct"),
 ];
 
-/// The words by which casing, top drives and hoists are found.
+/// The words that find casing, top drives and hoists.
 const CASING_WORDS: &str = "casing csg liner";
 const TOP_DRIVE_WORDS: &str = "rig";
 const HOIST_WORDS: &str = "rig hoists";
 
-/// What the catalogue has of some words.
+/// Catalogue entries that match a query.
 #[derive(Debug)]
 pub struct Found {
-    /// Tubulars of a string, kind after kind; none is without an entry.
+    /// Tubulars of a string by kind, each kind with at least one entry.
     pub string: Vec<(TubularKind, Vec<CatalogueEntry>)>,
-    /// Those of a hole, one's own first.
+    /// Casings, the user's own first.
     pub casings: Vec<Casing>,
-    /// How many of them are one's own.
+    /// Number of the user's own casings among them.
     pub own_casings: usize,
-    /// What turns a string.
+    /// Top drives.
     pub top_drives: Vec<rigs::TopDriveClass>,
-    /// What carries it.
+    /// Hoists.
     pub hoists: Vec<rigs::HoistClass>,
 }
 
 impl Found {
-    /// What has all of these words and numbers, whole or cut short; without any, everything. Worn
-    /// drill pipe and grades of casing are found where their word is among them. `own` and
-    /// `own_casings` come first in each kind.
+    /// Finds the entries that match all of these words and numbers, whole or shortened; without
+    /// any, everything. Worn drill pipe and grades of casing are found only if the query contains
+    /// their word. `own` and `own_casings` come first in each kind.
     pub fn described(query: &str, own: &[CatalogueEntry], own_casings: &[Casing]) -> Self {
         let class = PipeClass::ALL.into_iter().rfind(|class| describes(query, class.suffix()));
         let class = class.unwrap_or_default();
@@ -52,7 +52,8 @@ impl Found {
         let found = KINDS.iter().map(|(kind, words)| {
             let alike = entries.iter().filter(|entry| entry.kind == *kind);
             let found = alike.filter(|entry| {
-                let connection = entry.connection.as_ref().map_or("", |of| of.name.as_ref());
+                let connection =
+                    entry.connection.as_ref().map_or("", |connection| connection.name.as_ref());
                 describes(&format!("{} {words} {connection}", entry.designation), query)
             });
             (*kind, found.cloned().collect::<Vec<_>>())
@@ -77,18 +78,18 @@ impl Found {
         Self { string, casings, own_casings, top_drives, hoists }
     }
 
-    /// Whether there is nothing.
+    /// Whether nothing was found.
     pub fn is_empty(&self) -> bool {
         let Self { string, casings, top_drives, hoists, .. } = self;
         string.is_empty() && casings.is_empty() && top_drives.is_empty() && hoists.is_empty()
     }
 
-    /// Whether there is anything that a case can name.
+    /// Whether there are entries that a case can name.
     pub fn has_tubulars(&self) -> bool {
         !self.string.is_empty() || !self.casings.is_empty()
     }
 
-    /// Where all of it comes from, in its order.
+    /// Sources of all entries, in their order.
     pub fn sources(&self) -> Vec<String> {
         let entries = self.string.iter().flat_map(|(_, entries)| entries);
         let mut sources: Vec<String> = entries.map(|entry| entry.source.to_string()).collect();
@@ -97,8 +98,8 @@ impl Found {
         sources.extend(has_others.then(|| casing::SOURCE.to_owned()));
         let has_rigs = !self.top_drives.is_empty() || !self.hoists.is_empty();
         sources.extend(has_rigs.then(|| rigs::SOURCE.to_owned()));
-        let mut told = std::collections::HashSet::new();
-        sources.retain(|source| told.insert(source.clone()));
+        let mut seen = std::collections::HashSet::new();
+        sources.retain(|source| seen.insert(source.clone()));
         sources
     }
 }

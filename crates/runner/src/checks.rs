@@ -1,4 +1,4 @@
-//! Checks of a summary: counted, and named with their operation.
+//! Checks of a summary: their counts, and names of their operations.
 
 pub use wholestring_judge::quantities;
 
@@ -10,12 +10,12 @@ pub fn count(solved: &OperationSummary, severity: Severity) -> usize {
     same.count()
 }
 
-/// Whether a check forbids the operation or its answer.
+/// Whether a check has the severity of an error.
 pub fn has_error(solved: &OperationSummary) -> bool {
     count(solved, Severity::Error) > 0
 }
 
-/// Operation and model as people name them: `trip in (soft)`.
+/// Operation and model in words, such as `trip in (soft)`.
 pub fn name(solved: &OperationSummary) -> String {
     format!("{} ({})", solved.operation.replace('_', " "), solved.model.name())
 }

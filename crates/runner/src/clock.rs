@@ -1,4 +1,4 @@
-//! Moments on the clock: those of the system, and in a browser those of the page, for the standard
+//! Time of the clock: that of the system, and in a browser that of the page, because the standard
 //! library has no clock there.
 
 #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
@@ -16,7 +16,7 @@ mod page {
 
     #[link(wasm_import_module = "page")]
     unsafe extern "C" {
-        /// Milliseconds since some moment, as `performance.now()` has them.
+        /// Milliseconds since an arbitrary moment, as returned by `performance.now()`.
         safe fn now_ms() -> f64;
     }
 
@@ -25,7 +25,7 @@ mod page {
     pub struct Instant(Duration);
 
     impl Instant {
-        /// The moment that is now.
+        /// The current moment.
         pub fn now() -> Self {
             Self(Duration::try_from_secs_f64(1e-3 * now_ms()).unwrap_or_default())
         }
@@ -39,7 +39,7 @@ mod page {
     impl Sub for Instant {
         type Output = Duration;
 
-        /// Time from the other to this; none where the other is later.
+        /// Time from the other moment to this one; zero if the other is later.
         fn sub(self, earlier: Self) -> Duration {
             self.0.saturating_sub(earlier.0)
         }

@@ -1,4 +1,4 @@
-//! The answers of a run side by side: models and operations, in the user's units.
+//! Results of a run next to each other: models and operations, in the user's units.
 
 use wholestring::outcome::{ModelKind, scalars_by_row};
 use wholestring_results::{Statistic, Status, Summary};
@@ -9,63 +9,62 @@ use crate::checks::quantities::{shown, symbol};
 /// The scalars of every operation and model.
 #[derive(Debug)]
 pub struct Comparison<'a> {
-    /// What is compared.
+    /// Scalars that are compared.
     pub rows: Vec<ComparedRow>,
-    /// The answers, in the order of the summary.
+    /// Results, in the order of the summary.
     pub columns: Vec<ComparedColumn<'a>>,
 }
 
 /// A scalar.
 #[derive(Debug)]
 pub struct ComparedRow {
-    /// What people call it.
+    /// Label of the scalar.
     pub label: &'static str,
     /// Symbol of its unit.
     pub symbol: &'static str,
-    /// Decimals that show five digits of the largest value, three at most. Rows of one kind show
-    /// the
-    /// same decimals, so that they can be added up.
+    /// Decimals that show five digits of the largest value, at most three. Rows of one kind have
+    /// the same decimals, so that they can be added up.
     pub decimals: usize,
 }
 
-/// One answer.
+/// Results of one operation and model.
 #[derive(Debug)]
 pub struct ComparedColumn<'a> {
     /// The operation.
     pub operation: &'a str,
-    /// The model that it is of.
+    /// The model of these results.
     pub model: ModelKind,
     /// Whether it was computed to its end.
     pub is_complete: bool,
-    /// A value for each row, where it has one.
+    /// Value of each row, if there is one.
     pub values: Vec<Option<f64>>,
-    /// How far each varies about its mean, where it varies in time.
+    /// Deviations about the mean, if the value varies with time.
     pub deviations: Option<Vec<Option<Deviation>>>,
 }
 
-/// How far a mean is from standing still.
+/// Deviation of a value about its mean in time.
 #[derive(Debug, Clone, Copy)]
 pub struct Deviation {
     /// Standard deviation.
     pub std: f64,
-    /// Where the mean goes to, if it does.
+    /// Direction in which the mean drifts, if it does.
     pub drift: Drift,
 }
 
-/// Where a mean goes to.
+/// Direction of the drift of a mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Drift {
-    /// It stands still.
+    /// No drift.
     None,
-    /// It grows.
+    /// The mean increases.
     Upwards,
-    /// It falls.
+    /// The mean decreases.
     Downwards,
 }
 
 impl From<&Statistic> for Drift {
-    fn from(of: &Statistic) -> Self {
-        match (of.drifts, of.drift < 0.0) {
+    fn from(statistic: &Statistic) -> Self {
+        match (statistic.drifts, statistic.drift < 0.0) {
             (false, _) => Self::None,
             (true, false) => Self::Upwards,
             (true, true) => Self::Downwards,
@@ -74,7 +73,7 @@ impl From<&Statistic> for Drift {
 }
 
 impl<'a> Comparison<'a> {
-    /// The answers of a run.
+    /// Compares the results of a run.
     pub fn of(summary: &'a Summary, units: UnitSet) -> Self {
         let scalars = scalars_by_row();
         let columns = summary.operations.iter().map(|solved| ComparedColumn {
@@ -83,29 +82,32 @@ impl<'a> Comparison<'a> {
             is_complete: solved.status == Status::Complete,
             values: scalars
                 .iter()
-                .map(|of| Some(shown(of.quantity.kind, (of.of)(&solved.scalars)?, units)))
+                .map(|scalar| {
+                    Some(shown(scalar.quantity.kind, (scalar.of)(&solved.scalars)?, units))
+                })
                 .collect(),
             deviations: solved.statistics.as_ref().map(|statistics| {
-                let of = scalars.iter().map(|of| {
-                    let statistic = statistics.get(of.quantity.name)?;
-                    let std = shown(of.quantity.kind, statistic.std, units);
+                let deviations = scalars.iter().map(|scalar| {
+                    let statistic = statistics.get(scalar.quantity.name)?;
+                    let std = shown(scalar.quantity.kind, statistic.std, units);
                     Some(Deviation { std, drift: statistic.into() })
                 });
-                of.collect()
+                deviations.collect()
             }),
         });
         let columns: Vec<ComparedColumn> = columns.collect();
-        let rows = scalars.iter().map(|scalar| {
-            let alike = (0..scalars.len())
-                .filter(|row| scalars[*row].quantity.kind == scalar.quantity.kind);
-            ComparedRow {
-                label: scalar.label,
-                symbol: symbol(scalar.quantity.kind, units),
-                decimals: decimals(
-                    alike.flat_map(|row| columns.iter().filter_map(move |of| of.values[row])),
-                ),
-            }
-        });
+        let rows =
+            scalars.iter().map(|scalar| {
+                let alike = (0..scalars.len())
+                    .filter(|row| scalars[*row].quantity.kind == scalar.quantity.kind);
+                ComparedRow {
+                    label: scalar.label,
+                    symbol: symbol(scalar.quantity.kind, units),
+                    decimals: decimals(alike.flat_map(|row| {
+                        columns.iter().filter_map(move |column| column.values[row])
+                    })),
+                }
+            });
         Self { rows: rows.collect(), columns }
     }
 }

@@ -1,4 +1,4 @@
-//! Results that are copied to another folder.
+//! Copies of results in another folder.
 
 use std::{
     fs, io,
@@ -15,11 +15,12 @@ use crate::{
     results_kinds::results_kind,
 };
 
-/// Copies what a command left in a folder to another one, which may hold what the command itself
-/// might replace there, and gives it: the folder that `output` names, or the command's own.
+/// Copies results from one folder to another and returns the latter: the folder that `output`
+/// names, or the command's default. Existing files there are replaced under the same rules as by
+/// the command itself.
 ///
 /// # Errors
-/// A folder without results, or one that they cannot go to.
+/// A folder without results, or one that cannot take them.
 pub fn copy_results(
     from: &Path,
     output: &Output,
@@ -43,12 +44,12 @@ pub fn copy_results(
     }
     .folder()?;
     let to = claimed.folder.path();
-    // What an earlier one left, and this one has not, goes.
+    // Files of earlier results that these do not have are removed.
     remove_results(to)?;
     for file in files {
         let path = to.join(&file);
         let copied = path.parent().map_or(Ok(()), fs::create_dir_all);
-        // Under another name until it is whole.
+        // Written under another name until complete.
         let partial = partial(&path);
         let copied = copied.and_then(|()| fs::copy(from.join(&file), &partial));
         let copied = copied.and_then(|_| fs::rename(&partial, &path));
@@ -66,20 +67,20 @@ fn partial(path: &Path) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// What results are of that do not say it.
+/// Owner of results that do not record it.
 fn guessed(from: &Path) -> Result<Occupant, Error> {
     let kind = results_kind(from)?.to_owned();
     let name = from.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let says = ["summary.json", "sweep.csv"].map(|file| fs::read(from.join(file)).ok());
-    Ok(Occupant { kind, name, identity: digest(&says) })
+    let contents = ["summary.json", "sweep.csv"].map(|file| fs::read(from.join(file)).ok());
+    Ok(Occupant { kind, name, identity: digest(&contents) })
 }
 
 fn read(path: &Path, source: io::Error) -> ResultsError {
     ResultsError::Read { path: path.to_owned(), source }
 }
 
-/// Every file in a folder and in the folders in it, but those whose names begin with a dot, as seen
-/// from it; a link is none.
+/// All files in a folder and its subfolders, except those with a leading dot in their names, with
+/// paths relative to the folder; links are excluded.
 fn files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut all = Vec::new();
     let mut folders = vec![PathBuf::new()];
@@ -104,15 +105,15 @@ mod tests {
     use super::*;
     use crate::{Existing, Silent};
 
-    /// Whoever saves results has the protection that a command's own have.
+    /// Copies protect existing results in the same way as commands.
     #[test]
     fn a_copy_protects_other_results() {
         let place = tempfile::tempdir().unwrap();
         let at = |name: &str| place.path().join(name);
         let put = |folder: &str, identity: &str| {
             fs::create_dir_all(at(folder).join("plots")).unwrap();
-            let says = format!(r#"{{"kind":"plan","name":"a plan","identity":"{identity}"}}"#);
-            fs::write(at(folder).join(".wholestring"), says).unwrap();
+            let owner = format!(r#"{{"kind":"plan","name":"a plan","identity":"{identity}"}}"#);
+            fs::write(at(folder).join(".wholestring"), owner).unwrap();
             fs::write(at(folder).join("summary.json"), identity).unwrap();
             fs::write(at(folder).join("plots/torque.svg"), identity).unwrap();
         };
@@ -131,7 +132,7 @@ mod tests {
         copy("other", "here", Existing::Overwrite).unwrap();
         assert_eq!([text("summary.json"), text("plots/torque.svg")], ["2", "2"]);
         assert_eq!(Occupant::of_folder(&at("here")).unwrap().identity, "2");
-        // Onto itself, nothing is lost.
+        // A copy onto itself loses nothing.
         copy("one", "one", Existing::Overwrite).unwrap();
         assert!(at("one").join("summary.json").is_file());
     }

@@ -1,4 +1,4 @@
-//! Work on solid rock on several cores.
+//! Parallel work on solid rock.
 
 use std::{num::NonZeroUsize, sync::Arc, thread};
 
@@ -11,47 +11,46 @@ use wholestring_case::Case;
 
 use crate::cancellation::CancellationToken;
 
-/// Who may be given to a simulation.
+/// Executor that can be passed to a simulation.
 pub(crate) type SharedExecutor = Arc<dyn Executor + Send + Sync>;
 
-/// So many threads for the rock of a case, one per core by default; none where it has no
-/// rock, or is to be worked on alone. Where the calling thread solves, it is the first: it works
-/// where it would wait.
+/// Threads for the rock of a case, one per core by default; `None` if the case has no rock or only
+/// one thread is to be used. If the calling thread solves, it counts as the first, because it works
+/// while it would wait.
 fn threads_of(case: &Case, threads: Option<NonZeroUsize>, solves: bool) -> Option<ThreadPool> {
     let threads = threads.or_else(|| thread::available_parallelism().ok())?;
     if threads.get() == 1 || !matches!(case.dynamics.bit.law, BitLaw::Rock(_)) {
         return None;
     }
-    // Without threads the rock is worked on alone, to the same bits.
+    // Without threads the rock is solved by one thread, with bitwise equal results.
     let builder = ThreadPoolBuilder::new().num_threads(threads.get());
     if solves { builder.use_current_thread() } else { builder }.build().ok()
 }
 
-/// Who works on the rock of a run: its own thread, and others where there are any. A cancellation
+/// Executor for the rock of a run: its own thread, and others if there are any. A cancellation
 /// stops it between two steps.
 struct Workers {
     threads: RockThreads,
     cancellation: CancellationToken,
 }
 
-/// The threads that work on the rock of a run.
+/// Threads that solve the rock of a run.
 #[derive(Clone, Default)]
 pub(crate) struct RockThreads(Option<Arc<ThreadPool>>);
 
 impl RockThreads {
-    /// So many for the rock of a case that other threads solve, one per core by default.
+    /// Threads for the rock of a case that other threads solve, one per core by default.
     pub(crate) fn of_others(case: &Case, threads: Option<NonZeroUsize>) -> Self {
         Self(threads_of(case, threads, false).map(Arc::new))
     }
 
-    /// They as an executor that a cancellation stops.
+    /// The threads as an executor that a cancellation stops.
     pub(crate) fn executor(&self, cancellation: &CancellationToken) -> SharedExecutor {
         Arc::new(Workers { threads: self.clone(), cancellation: cancellation.clone() })
     }
 }
 
-/// So many threads for the rock of a case that the calling thread solves, one per core where nothing
-/// is said.
+/// Threads for the rock of a case that the calling thread solves; by default one per core.
 pub(crate) fn for_rock(
     case: &Case,
     threads: Option<NonZeroUsize>,
@@ -60,7 +59,7 @@ pub(crate) fn for_rock(
     RockThreads(threads_of(case, threads, true).map(Arc::new)).executor(cancellation)
 }
 
-/// The thread that solves, alone.
+/// An executor with the solving thread alone.
 pub(crate) fn alone(cancellation: &CancellationToken) -> SharedExecutor {
     RockThreads::default().executor(cancellation)
 }

@@ -1,4 +1,4 @@
-//! Why work was not done.
+//! Errors that prevent or end work.
 
 use std::fmt;
 
@@ -9,30 +9,30 @@ use wholestring_results::ResultsError;
 
 use crate::claim::FolderRefused;
 
-/// Why work was not begun, or not brought to its end.
+/// Reason why work was not begun or not finished.
 ///
-/// Its text is one sentence or more, without a word of any front; what a user can do about it, the
-/// front adds.
+/// Its text is one or more sentences without terms of any front end; the front end adds the advice
+/// to the user.
 #[derive(Debug, Explained)]
 pub enum Error {
-    /// Case files with mistakes, each with its place.
+    /// Case files with mistakes, each with its position.
     #[error("{}", .0.render(false).trim_end())]
     Unsound(Unsound),
 
-    /// Something else that was requested is not possible.
+    /// Any other request that is not possible.
     #[error("{0}")]
     BadInput(String),
 
-    /// What lies in the folder cannot be continued.
+    /// The content of the folder cannot be continued.
     #[error("{reason}")]
     NotResumable {
-        /// What would have to begin anew: `case`, `test`.
+        /// The item that would have to start again: `case`, `test`.
         noun: &'static str,
-        /// Why not.
+        /// The reason.
         reason: String,
     },
 
-    /// The folder is not to be written to.
+    /// The folder cannot be used.
     #[error(transparent)]
     Folder(#[from] FolderRefused),
 
@@ -40,7 +40,7 @@ pub enum Error {
     #[error(transparent)]
     Results(#[from] ResultsError),
 
-    /// An operation has no answer or diverged, or cases of a batch have.
+    /// An operation, or cases of a batch, have no solution or diverged.
     #[error("{0}")]
     Failed(String),
 
@@ -50,23 +50,23 @@ pub enum Error {
 }
 
 impl Error {
-    /// What was requested is not possible, for this reason.
+    /// A request that is not possible, with its reason.
     pub(crate) fn bad_input(reason: impl fmt::Display) -> Self {
         Self::BadInput(reason.to_string())
     }
 
-    /// A failure that another error says all of.
+    /// A failure described completely by another error.
     pub(crate) fn failed(error: impl fmt::Display) -> Self {
         Self::Failed(error.to_string())
     }
 }
 
-/// Work on files that may be damaged: a mistake of the program in it is an error like others.
+/// Runs work on files that may be damaged, and converts panics into errors.
 pub(crate) fn contained<T>(work: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
     contain(work).unwrap_or_else(|Panicked(mistake)| Err(Error::failed(mistake_of(&mistake))))
 }
 
-/// A sentence about a mistake of the program.
+/// Sentence that reports a panic.
 pub(crate) fn mistake_of(mistake: &str) -> String {
     format!("a mistake of the program, please report it: {mistake}")
 }
@@ -74,14 +74,14 @@ pub(crate) fn mistake_of(mistake: &str) -> String {
 /// Mistakes in case files.
 #[derive(Debug)]
 pub struct Unsound {
-    /// Some of them; the same is reported once.
+    /// Some of the mistakes; equal ones are reported once.
     pub reports: Vec<Report>,
-    /// How many cases are concerned, where there are several.
+    /// Number of affected cases, if there are several.
     pub summary: Option<String>,
 }
 
 impl Unsound {
-    /// The mistakes underlined in their files, coloured for a terminal if that is requested.
+    /// Renders the mistakes underlined in their files, with colours for a terminal if requested.
     pub fn render(&self, color: bool) -> String {
         let reports = self.reports.iter().map(|report| report.render(color));
         let lines = reports.chain(self.summary.clone());

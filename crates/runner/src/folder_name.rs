@@ -1,17 +1,17 @@
-//! Names of folders, whatever a case is called.
+//! Valid folder names for any name of a case.
 
 use std::path::{Path, PathBuf};
 
-/// `out/<case name>` of a folder.
+/// Default folder of results, `out/<case name>`.
 pub(crate) fn default_output(root: &Path, name: &str) -> PathBuf {
     root.join("out").join(file_name(name))
 }
 
-/// The name without what some system does not take in a file's name.
+/// The name without characters that are invalid in file names on any system.
 pub(crate) fn file_name(name: &str) -> String {
     const LONGEST: usize = 100;
-    // Most systems take 255 bytes, and a letter may be four: this leaves room for a number after
-    // it.
+    // Most systems allow 255 bytes, and a letter may take four; this leaves space for a number
+    // after the name.
     const MAX_BYTES: usize = 240;
     let mut valid: String = name
         .chars()
@@ -33,7 +33,7 @@ pub(crate) fn file_name(name: &str) -> String {
     folder
 }
 
-/// Whether Windows takes the name for a device, whatever follows its first dot.
+/// Whether Windows reserves the name for a device, regardless of the text after its first dot.
 fn is_device(name: &str) -> bool {
     let stem = name.split('.').next().unwrap_or(name).trim_end().to_ascii_uppercase();
     let numbered = |prefix: &str| {
@@ -47,7 +47,7 @@ fn is_device(name: &str) -> bool {
 mod tests {
     use super::*;
 
-    /// A hundred letters of four bytes each were a name that no system takes.
+    /// A hundred letters of four bytes each would exceed the limit of every system.
     #[test]
     fn names_are_cut_by_their_bytes_too() {
         let name = file_name(&"𐍈".repeat(150));

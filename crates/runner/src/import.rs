@@ -12,16 +12,16 @@ use wholestring_results::{ResultsError, write_new_files};
 
 use crate::{error::Error, picks::picks_html, survey::explained};
 
-/// Makes one case of some files.
+/// Creates a case from files of other programs.
 ///
 /// # Errors
-/// A file cannot be read, is none that is known, or does not tell what a case needs of it.
+/// A file that cannot be read, has an unknown format, or lacks data that a case requires.
 pub fn read(files: &[PathBuf], choices: &Choices) -> Result<Imported, Error> {
     let inputs = files.iter().map(|file| open(file)).collect::<Result<Vec<Input>, Error>>()?;
     wholestring_import::import(inputs, choices).map_err(refusal)
 }
 
-/// What a file is, and what it holds.
+/// Returns the format and the contents of a file.
 ///
 /// # Errors
 /// As [`read`].
@@ -29,7 +29,7 @@ pub fn contents(file: &Path) -> Result<Contents, Error> {
     wholestring_import::contents(open(file)?).map_err(refusal)
 }
 
-/// What a file in memory is, and what it holds; messages call it by the name.
+/// Returns the format and the contents of a file in memory; `name` identifies it in messages.
 ///
 /// # Errors
 /// As [`read`].
@@ -37,10 +37,10 @@ pub fn contents_of(name: &str, bytes: &[u8]) -> Result<Contents, Error> {
     wholestring_import::contents(Input::of_bytes(name, bytes)).map_err(refusal)
 }
 
-/// Writes a case, and what stands beside it. Nothing that is there is written over.
+/// Writes a case and its accompanying files. Existing files are not overwritten.
 ///
 /// # Errors
-/// A file is there already, or cannot be written.
+/// A file that exists already, or cannot be written.
 pub fn write(imported: &Imported, case: &Path) -> Result<Vec<PathBuf>, Error> {
     let stem = case.file_stem().unwrap_or_default().to_string_lossy();
     let text = imported.text_as(&stem);
@@ -53,8 +53,8 @@ pub fn write(imported: &Imported, case: &Path) -> Result<Vec<PathBuf>, Error> {
     Ok(all.into_iter().map(|(path, _)| path).collect())
 }
 
-/// What stands beside a case, by what the names of the files have after the case's: readings, and a
-/// page of each log that weights were picked from, on which the windows are seen.
+/// Accompanying files of a case, by the endings that follow the case's name: readings, and a page
+/// for each log from which weights were picked, which shows the windows.
 pub fn beside(imported: &Imported) -> Vec<(String, String)> {
     let files = imported.beside.iter().map(|file| (file.ending.to_owned(), file.text.clone()));
     let page = |(index, picks)| {
@@ -67,7 +67,7 @@ pub fn beside(imported: &Imported) -> Vec<(String, String)> {
     files.chain(imported.picks.iter().enumerate().map(page)).collect()
 }
 
-/// `well-measured.csv` beside `well.toml`.
+/// `well-measured.csv` next to `well.toml`.
 fn sibling(case: &Path, ending: &str) -> PathBuf {
     let mut name = case.file_stem().unwrap_or_default().to_owned();
     name.push(ending);
@@ -89,7 +89,7 @@ fn open(file: &Path) -> Result<Input<'static>, Error> {
     Ok(Input::new(file.display().to_string(), opened))
 }
 
-/// A refusal, underlined where that is possible.
+/// A refusal, with the position underlined if possible.
 fn refusal(error: ImportError) -> Error {
     match error.kind() {
         ImportErrorKind::Table(table) => explained(table),
@@ -98,11 +98,11 @@ fn refusal(error: ImportError) -> Error {
 }
 
 fn not_written(path: &Path, error: io::Error) -> Error {
-    let shown = path.display();
+    let path_text = path.display();
     match error.kind() {
-        io::ErrorKind::AlreadyExists => Error::BadInput(format!("{shown} is there already")),
+        io::ErrorKind::AlreadyExists => Error::BadInput(format!("{path_text} is there already")),
         io::ErrorKind::NotFound => {
-            Error::BadInput(format!("cannot write {shown}: there is no such folder"))
+            Error::BadInput(format!("cannot write {path_text}: there is no such folder"))
         }
         _ => ResultsError::Write { path: path.to_owned(), source: error }.into(),
     }

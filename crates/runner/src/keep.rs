@@ -1,31 +1,31 @@
-//! What is kept of a case on the disk.
+//! Files of a case that are kept on the disk.
 
 use std::path::Path;
 
 use wholestring::outcome::{Cost, ModelKind};
 use wholestring_case::Case;
 
-/// What is kept of a case, each with what stands before it. Frames and spectra are kept wherever a
-/// case requires them.
+/// Files of a case that are kept; each level includes those before it. Frames and spectra are
+/// always kept if a case requires them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Keep {
     /// Its `summary.json`.
     Summary,
-    /// Its tables too.
+    /// Also its tables.
     Tables,
-    /// All that a run leaves: its page and its picture too.
+    /// All files of a run: also its page and its picture.
     All,
 }
 
 impl Keep {
-    /// What is kept of a case of a sweep where nobody says: a soft string is solved again in
-    /// milliseconds, what dynamics found is not.
+    /// Default level for a case of a sweep: a soft string is solved again in milliseconds, a
+    /// dynamic run is not.
     pub(crate) fn of_itself(case: &Case, csv: bool) -> Self {
-        let costs = |of: &ModelKind| of.method().cost > Cost::Milliseconds;
+        let costs = |kind: &ModelKind| kind.method().cost > Cost::Milliseconds;
         if csv || case.models.iter().any(costs) { Self::Tables } else { Self::Summary }
     }
 
-    /// Whether a folder with a summary holds the tables that are to be kept beside it.
+    /// Whether a folder with a summary contains the tables of this level.
     pub(crate) fn has_tables(self, folder: &Path) -> bool {
         self == Self::Summary || folder.join("nodes.parquet").is_file()
     }

@@ -1,10 +1,10 @@
-//! Carries out what fronts request: runs, sweeps, studies and bit tests, with their checkpoints,
-//! pages and pictures.
+//! Execution of the work that front ends request: runs, sweeps, studies, bit tests and analyses,
+//! with their checkpoints, pages and pictures.
 //!
-//! A front loads a case, makes a request of it and hands it over with an [`Observer`], which learns
-//! how far the work has come, and a [`CancellationToken`], which stops it. It gets an outcome, or an
-//! [`Error`]. Nothing here prints, reads arguments or looks at a terminal; results go to folders,
-//! whose files `wholestring-results` describes.
+//! A front end loads a case, creates a request and passes it with an [`Observer`], which receives
+//! the progress, and a [`CancellationToken`], which stops the work. It gets an outcome, or an
+//! [`Error`]. Nothing here prints, reads arguments or uses a terminal; results are written to
+//! folders, whose files `wholestring-results` describes.
 //!
 //! | module | carries out |
 //! |---|---|
@@ -13,17 +13,17 @@
 //! | [`study`] | cases and sweeps, with the figures and tables to make of them |
 //! | [`bha`] | static analysis of the bottom-hole assembly |
 //! | [`bit_test`] | the bit alone on its rock |
-//! | [`mod@calibrate`] | friction factors from what was read at the surface |
+//! | [`mod@calibrate`] | friction factors from readings at the surface |
 //! | [`modes`] | natural frequencies, critical speeds and the response to a rotating force |
 //! | [`plan`] | torque and drag at every depth of the bit, with low, expected and high friction |
-//! | [`reach`] | how far a well can go, and what stops it |
+//! | [`reach`] | the maximum reach of a well, and the limit that stops it |
 //! | [`import`] | a case from the files of other programs |
 //! | [`mod@export`] | results, surveys and strings in the formats of other programs |
-//! | [`mod@bench`] | the measurement of a machine's speed at all this |
+//! | [`mod@bench`] | the speed of a machine |
 //!
-//! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey,
-//! and [`Found`] what the catalogue has. [`write_report`] and [`pictures()`] make the page and the
-//! pictures of what lies in a folder again.
+//! [`Comparison`] contains the results of a run next to each other, [`survey`] the positions along
+//! a survey, and [`Found`] entries of the catalogue. [`write_report`] and [`pictures()`] rewrite
+//! the page and the pictures of results in a folder.
 //!
 //! ```
 //! use wholestring_runner::{CancellationToken, Silent, run};

@@ -1,41 +1,40 @@
-//! What an observer of the work learns while it goes on.
+//! Interface for observers of running work.
 
 use std::path::Path;
 
 use wholestring_case::Report;
 
-/// Learns what happens while cases are solved: a progress bar, a log, a page that follows.
+/// Receives events while cases are solved, for a progress bar, a log or a page.
 ///
-/// Every method does nothing unless it is written. Cases of a batch are solved on several threads,
-/// which call at the same time; a method that takes long holds the work up.
+/// By default each method does nothing. Cases of a batch are solved on several threads, which call
+/// concurrently; a slow method delays the work.
 pub trait Observer: Sync {
-    /// Input that is valid, but probably does not say what was meant.
+    /// Input that is valid but probably not intended.
     fn diagnostics(&self, _report: &Report) {}
 
-    /// Something that is good to know, such as another folder than the expected one.
+    /// Useful information, such as a folder other than the expected one.
     fn note(&self, _text: &str) {}
 
-    /// Something that went wrong and does not end the work, such as a checkpoint that cannot be
-    /// written.
+    /// A problem that does not end the work, such as a checkpoint that cannot be written.
     fn warning(&self, _text: &str) {}
 
-    /// The folder that the results go to, once it is held.
+    /// The folder of the results, once it is locked.
     fn folder(&self, _path: &Path) {}
 
-    /// What is done before the first step of an operation: seconds, or minutes on rock.
+    /// Preparation before the first step of an operation: seconds, or minutes on rock.
     fn preparing(&self, _task: &Task<'_>, _what: &str) {}
 
-    /// That is done.
+    /// The preparation has ended.
     fn prepared(&self, _task: &Task<'_>) {}
 
-    /// A simulation begins at this time, or is resumed there, and ends at this one at the latest,
-    /// s.
+    /// A simulation begins at the first time, or resumes there, and ends at the second at the
+    /// latest, s.
     fn started(&self, _task: &Task<'_>, _from_s: f64, _end_s: f64) {}
 
-    /// It has reached a time.
+    /// The simulation has reached a time.
     fn reached(&self, _task: &Task<'_>, _progress: &Progress) {}
 
-    /// It has ended, however it did.
+    /// The simulation has ended, in whatever way.
     fn ended(&self, _task: &Task<'_>) {}
 
     /// The cases of a sweep or a study, or the points of a bit test, begin to be solved.
@@ -44,67 +43,66 @@ pub trait Observer: Sync {
     /// One of them has ended.
     fn case_ended(&self, _of: &CaseEnded) {}
 
-    /// All of them have.
+    /// All of them have ended.
     fn batch_ended(&self) {}
 }
 
-/// An observer that keeps everything to itself.
+/// An observer without any output.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Silent;
 
 impl Observer for Silent {}
 
-/// A piece of work with a simulated time of its own.
+/// A part of the work with its own simulated time.
 #[derive(Debug, Clone, Copy)]
 pub struct Task<'a> {
-    /// Number of its case in the batch, or of its point, counted from zero; zero in a run.
+    /// Index of its case in the batch, or of its point; zero in a run.
     pub case: usize,
-    /// The operation as the summary names it, or the point.
+    /// Name of the operation as in the summary, or of the point.
     pub name: &'a str,
-    /// Which trial of a search it is, where it only serves to find a setting.
+    /// Trial of a search for a setting, if it is one.
     pub trial: Option<Trial>,
 }
 
-/// A simulation that serves to find a setting, such as the lift of a string that hangs on a hook
-/// load.
+/// A simulation in a search for a setting, such as the lift of a string at a given hook load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Trial {
     /// Its number, from one.
     pub number: usize,
-    /// How many there may be at most.
+    /// Largest number of trials.
     pub most: usize,
 }
 
-/// How far a simulation has come.
+/// Progress of a simulation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
     /// Simulated time reached, s.
     pub time_s: f64,
-    /// When it will end, s; at the latest while it is `settling`.
+    /// End time, s; an upper limit while `settling`.
     pub end_s: f64,
     /// Whether it waits for a steady state.
     pub settling: bool,
 }
 
-/// How much there is to do in a batch.
+/// Amount of work in a batch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BatchSize {
     /// Cases or points.
     pub cases: usize,
-    /// Those of them that an earlier batch has finished, as far as that is known.
+    /// Number of them known to be finished by an earlier batch.
     pub finished: usize,
-    /// Simulated time of all of them, s, at most.
+    /// Simulated time of all of them, s; an upper limit.
     pub simulated_s: f64,
 }
 
-/// A case of a batch that has ended, or a point.
+/// A case or point of a batch that has ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CaseEnded {
-    /// How many have ended by now.
+    /// Number that have ended by now.
     pub ended: usize,
-    /// How many there are.
+    /// Total number.
     pub of: usize,
-    /// Simulated time of this one that was not solved now, because an earlier batch had, s.
+    /// Simulated time of this one that an earlier batch had solved, s.
     pub reused_s: f64,
 }
 
@@ -117,23 +115,23 @@ pub(crate) struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    /// Shows what is done before an operation's first step, until what it gives is dropped.
+    /// Reports the preparation of an operation until the returned value is dropped.
     pub(crate) fn preparing(&self, name: &'a str, what: &str) -> Preparing<'a> {
-        let shown = Preparing(self.observer, self.task(name, None));
-        self.observer.preparing(&shown.1, what);
-        shown
+        let preparation = Preparing(self.observer, self.task(name, None));
+        self.observer.preparing(&preparation.1, what);
+        preparation
     }
 
-    /// Reports a simulation, until what it gives is dropped.
+    /// Reports a simulation until the returned value is dropped.
     pub(crate) fn simulation(
         &self,
         name: &'a str,
         trial: Option<Trial>,
         [from_s, end_s]: [f64; 2],
     ) -> Simulating<'a> {
-        let shown = Simulating(self.observer, self.task(name, trial));
-        self.observer.started(&shown.1, from_s, end_s);
-        shown
+        let running = Simulating(self.observer, self.task(name, trial));
+        self.observer.started(&running.1, from_s, end_s);
+        running
     }
 
     fn task(&self, name: &'a str, trial: Option<Trial>) -> Task<'a> {
@@ -142,7 +140,7 @@ impl<'a> Watch<'a> {
     }
 }
 
-/// An operation that is prepared.
+/// An operation in preparation.
 pub(crate) struct Preparing<'a>(&'a dyn Observer, Task<'a>);
 
 impl Drop for Preparing<'_> {
@@ -151,11 +149,11 @@ impl Drop for Preparing<'_> {
     }
 }
 
-/// A simulation that goes on.
+/// A running simulation.
 pub(crate) struct Simulating<'a>(&'a dyn Observer, Task<'a>);
 
 impl Simulating<'_> {
-    /// Shows how far it has come.
+    /// Reports its progress.
     pub(crate) fn reach(&self, time_s: f64, end_s: f64, settling: bool) {
         let progress = Progress { time_s, end_s, settling };
         self.0.reached(&self.1, &progress);

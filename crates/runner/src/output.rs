@@ -1,27 +1,26 @@
-//! Where results go.
+//! Destination of results.
 
 use std::path::PathBuf;
 
-/// The folder for results, and what becomes of what lies there.
+/// Folder for results, and treatment of existing files there.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Output {
-    /// The folder; where none is named, `out/<name>`, or the next one like it that does not hold
-    /// other results.
+    /// The folder; `None` selects `out/<name>`, or the next numbered one without other results.
     pub folder: Option<PathBuf>,
-    /// Where `out` lies, where no folder is named; here by default.
+    /// Parent of `out` if no folder is given; the current folder by default.
     pub root: PathBuf,
-    /// What becomes of what lies there.
+    /// Treatment of existing results.
     pub existing: Existing,
 }
 
-/// What becomes of what lies in a folder for results.
+/// Treatment of existing results in a folder.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Existing {
-    /// Finished results of the same work are replaced; with all others the work is refused.
+    /// Finished results of the same work are replaced; any others are refused.
     #[default]
     Protect,
-    /// It is continued: what is finished is left out, what is not continues from its checkpoints.
+    /// The work is continued: finished parts are skipped, the others resume from their checkpoints.
     Resume,
-    /// It is replaced, whatever it is of.
+    /// Any results are replaced.
     Overwrite,
 }

@@ -1,15 +1,15 @@
-//! How far a simulation goes between two looks at a cancellation.
+//! Length of simulation between two checks for cancellation.
 
 use std::time::Duration;
 
 use crate::clock::Instant;
 
-/// Wall-clock time between two looks. Whoever interrupts waits for this at most, and for what is
-/// written then.
+/// Wall-clock time between two checks. An interruption takes at most this time and the writing that
+/// follows.
 const LOOK: Duration = Duration::from_millis(40);
 
-/// How many samples a simulation takes before it looks again: so many as took [`LOOK`] the last
-/// time, however fast or slow the run is. The answer does not depend on it.
+/// Number of samples between two checks: as many as took [`LOOK`] the last time, however fast or
+/// slow the run is. The results do not depend on it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pace {
     samples: u64,
@@ -17,24 +17,25 @@ pub(crate) struct Pace {
 }
 
 impl Pace {
-    /// Of a run that is sampled every `sample_s` and looks at least every `most_s` simulated.
+    /// Creates the pace of a run that is sampled every `sample_s` and checks at least every
+    /// `most_s` of simulated time.
     pub(crate) fn new(most_s: f64, sample_s: f64) -> Self {
-        // Nobody knows yet how long a sample takes.
+        // The time of a sample is not known yet.
         Self { samples: 1, most: ((most_s / sample_s).round() as u64).max(1) }
     }
 
-    /// Does the work of so many samples, of which `left` are left at most.
-    pub(crate) fn work<T>(&mut self, left: u64, of: impl FnOnce(u64) -> T) -> T {
+    /// Calls `once` with a number of samples, at most `left`.
+    pub(crate) fn work<T>(&mut self, left: u64, once: impl FnOnce(u64) -> T) -> T {
         let samples = self.samples.min(left);
         let begun = Instant::now();
-        let done = of(samples);
+        let done = once(samples);
         self.took(samples, begun.elapsed());
         done
     }
 
     fn took(&mut self, samples: u64, took: Duration) {
         let fit = samples as f64 * LOOK.as_secs_f64() / took.as_secs_f64().max(1e-9);
-        // At most four times as many: one sample may be quicker than the rest.
+        // At most four times as many, because one sample may be quicker than the others.
         self.samples = (fit as u64).clamp(1, self.most).min(samples.saturating_mul(4));
     }
 }
@@ -43,7 +44,7 @@ impl Pace {
 mod tests {
     use super::*;
 
-    /// Samples of a pace after some looks, each sample of this length.
+    /// Samples of a pace after some checks, each sample taking this time.
     fn settled(most_s: f64, sample_s: f64, took: Duration) -> u64 {
         let mut pace = Pace::new(most_s, sample_s);
         for _ in 0..20 {
@@ -56,11 +57,11 @@ mod tests {
     fn a_look_comes_by_the_clock() {
         // A run that is slower than real time: 8 ms a sample, 5 samples in 40 ms.
         assert_eq!(settled(0.2, 0.001, Duration::from_millis(8)), 5);
-        // A sample longer than that is looked after each time.
+        // With samples longer than that, there is a check after each.
         assert_eq!(settled(0.2, 0.01, Duration::from_millis(90)), 1);
-        // A fast one as often as it simulates so much.
+        // A fast run checks at least once per this simulated time.
         assert_eq!(settled(0.2, 0.01, Duration::from_micros(1)), 20);
-        // A pause of the machine is made good.
+        // The pace recovers after a pause of the machine.
         let mut pace = Pace::new(0.2, 0.001);
         pace.took(1, Duration::from_secs(5));
         assert_eq!(pace.samples, 1);

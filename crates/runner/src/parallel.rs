@@ -10,13 +10,13 @@ use std::{
     thread,
 };
 
-/// Number of parallel jobs: as many as are requested, else one per core.
+/// Number of parallel jobs: as requested, by default one per core.
 pub(crate) fn jobs(requested: Option<NonZeroUsize>) -> usize {
     requested.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get)
 }
 
-/// Does `work` on every item of `order`, on at most so many threads; each takes the next item that
-/// is left. Where the system refuses a thread, the threads that there are do all of it.
+/// Calls `work` for every item of `order` on at most `jobs` threads; each takes the next item left.
+/// If the system refuses a thread, the existing threads do all of the work.
 pub(crate) fn in_parallel(jobs: usize, order: &[usize], work: impl Fn(usize) + Sync) {
     in_parallel_on(&thread::Builder::new, jobs, order, work);
 }
@@ -43,8 +43,8 @@ fn in_parallel_on(
     });
 }
 
-/// Does `other` on a thread of its own while this one does `own`; where the system refuses the
-/// thread, one after the other.
+/// Runs `other` on its own thread while this one runs `own`; if the system refuses the thread, one
+/// after the other.
 pub(crate) fn beside<O: Send, T>(
     other: impl FnOnce() -> O + Send,
     own: impl FnOnce() -> T,
@@ -57,7 +57,7 @@ fn beside_on<O: Send, T>(
     other: impl FnOnce() -> O + Send,
     own: impl FnOnce() -> T,
 ) -> (O, T) {
-    // A thread that is refused does not give back its work: it is taken from here.
+    // A refused thread does not return its closure, so it is taken from here.
     let other = Mutex::new(Some(other));
     thread::scope(|scope| {
         let take = || lock(&other).take();
@@ -82,7 +82,7 @@ mod tests {
 
     use super::*;
 
-    /// Threads with a stack that no memory holds: the system refuses each.
+    /// Threads whose stack exceeds any memory, so that the system refuses each.
     fn refused() -> thread::Builder {
         thread::Builder::new().stack_size(1 << 60)
     }

@@ -1,4 +1,4 @@
-//! The page of weights that were picked from a log.
+//! The page of weights picked from a log.
 
 use wholestring_import::picking::{Channel, Detail, Estimate, Kind, Picks, Trace, Window, Work};
 use wholestring_report::{
@@ -8,77 +8,81 @@ use wholestring_units::UnitSet;
 
 use crate::page;
 
-/// The page of picked weights as the text of an HTML file, which opens with these units.
-pub fn picks_html(of: &Picks, units: UnitSet) -> String {
-    report::picks_html(&picked_log(of, units))
+/// The page of picked weights as HTML text, which opens in these units.
+pub fn picks_html(picks: &Picks, units: UnitSet) -> String {
+    report::picks_html(&picked_log(picks, units))
 }
 
-/// Picked weights as a page shows them.
-pub fn picked_log(of: &Picks, units: UnitSet) -> PickedLog {
-    let notes = of.notes().into_iter().map(|note| {
+/// Picked weights in the form of a page.
+pub fn picked_log(picks: &Picks, units: UnitSet) -> PickedLog {
+    let notes = picks.notes().into_iter().map(|note| {
         let text = note.text();
         let mut letters = text.chars();
         let first = letters.next().map(|letter| letter.to_uppercase().collect::<String>());
         format!("{}{}", first.unwrap_or_default(), letters.as_str())
     });
-    let name = of.file.rsplit(['/', '\\']).next().unwrap_or(&of.file);
+    let name = picks.file.rsplit(['/', '\\']).next().unwrap_or(&picks.file);
     let head = page::head(format!("Weights picked from {name}"), Some(units), None, Vec::new());
     PickedLog {
         head,
-        trace: trace(&of.overview),
-        windows: of.windows.iter().map(window).collect(),
-        stands: of.details.iter().map(stand).collect(),
-        slips_N: of.block.slips_N,
-        added_N: of.block.added_N(),
+        trace: trace(&picks.overview),
+        windows: picks.windows.iter().map(window).collect(),
+        stands: picks.details.iter().map(stand).collect(),
+        slips_N: picks.block.slips_N,
+        added_N: picks.block.added_N(),
         notes: notes.collect(),
     }
 }
 
-fn stand(of: &Detail) -> PickedStand {
-    let work = match of.work {
+fn stand(detail: &Detail) -> PickedStand {
+    let work = match detail.work {
         Work::Drilled => "drilled",
         Work::TrippedOut => "pulled out",
         Work::TrippedIn => "run in",
         Work::Other => "held off bottom",
     };
-    let refused = of.refused.iter();
-    let refused =
-        refused.map(|of| (kind(of.kind), [of.from_s, of.to_s], of.why.words().to_owned()));
+    let refused = detail.refused.iter();
+    let refused = refused.map(|refused| {
+        (kind(refused.kind), [refused.from_s, refused.to_s], refused.why.words().to_owned())
+    });
     PickedStand {
-        stand: of.stand,
+        stand: detail.stand,
         work: work.to_owned(),
-        trace: trace(&of.trace),
-        windows: of.windows.iter().map(window).collect(),
+        trace: trace(&detail.trace),
+        windows: detail.windows.iter().map(window).collect(),
         refused: refused.collect(),
     }
 }
 
-fn trace(of: &Trace) -> PickedTrace {
+fn trace(trace: &Trace) -> PickedTrace {
     PickedTrace {
-        block: of.points(Channel::Block),
-        bit_depth: of.points(Channel::BitDepth),
-        hook_load: of.points(Channel::HookLoad),
-        torque: of.points(Channel::Torque),
-        rotary: of.points(Channel::Rotary),
+        block: trace.points(Channel::Block),
+        bit_depth: trace.points(Channel::BitDepth),
+        hook_load: trace.points(Channel::HookLoad),
+        torque: trace.points(Channel::Torque),
+        rotary: trace.points(Channel::Rotary),
     }
 }
 
-fn window(of: &Window) -> PickedWindow {
-    let value = |of: Estimate| PickedValue { value: of.value, standard_error: of.standard_error };
+fn window(window: &Window) -> PickedWindow {
+    let value = |estimate: Estimate| PickedValue {
+        value: estimate.value,
+        standard_error: estimate.standard_error,
+    };
     PickedWindow {
-        kind: kind(of.kind),
-        stand: of.stand,
-        time_s: [of.from_s, of.to_s],
-        bit_depth_m: of.bit_depth_m,
-        speed_m_per_s: of.speed_m_per_s,
-        rotary_rad_per_s: of.rotary_rad_per_s,
-        weight_N: of.weight_N.map(value),
-        torque_N_m: of.torque_N_m.map(value),
+        kind: kind(window.kind),
+        stand: window.stand,
+        time_s: [window.from_s, window.to_s],
+        bit_depth_m: window.bit_depth_m,
+        speed_m_per_s: window.speed_m_per_s,
+        rotary_rad_per_s: window.rotary_rad_per_s,
+        weight_N: window.weight_N.map(value),
+        torque_N_m: window.torque_N_m.map(value),
     }
 }
 
-fn kind(of: Kind) -> PickedKind {
-    match of {
+fn kind(kind: Kind) -> PickedKind {
+    match kind {
         Kind::PickUp => PickedKind::PickUp,
         Kind::SlackOff => PickedKind::SlackOff,
         Kind::Rotating => PickedKind::Rotating,

@@ -1,8 +1,8 @@
-//! The numbers of a picture: a table, and what is drawn beside its rows.
+//! Numbers of a picture: a table, and the values drawn next to its rows.
 
 use wholestring_results::{Column, Data, Table};
 
-/// What a row has in a column.
+/// Value of a row in a column.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Entry {
     Number(f64),
@@ -12,7 +12,7 @@ pub(crate) enum Entry {
 /// A row by its columns.
 pub(crate) type Row<'a> = Vec<(&'a str, Entry)>;
 
-/// The table with a column more for each value that is drawn across all of its rows.
+/// The table with one more column for each value that is drawn across all of its rows.
 pub(crate) fn with_lines(table: &Table, lines: &[(String, f64)]) -> Table {
     let mut columns = table.columns().to_vec();
     for (name, value) in lines {
@@ -21,12 +21,12 @@ pub(crate) fn with_lines(table: &Table, lines: &[(String, f64)]) -> Table {
     Table::new(columns)
 }
 
-/// The table with rows below its own, and a column more for each that it has not. A row is empty
-/// where it has nothing.
+/// The table with additional rows, and an additional column for each new name. Cells without a
+/// value are empty.
 pub(crate) fn with_rows(table: &Table, rows: &[Row<'_>]) -> Table {
     let mut columns = table.columns().to_vec();
     for (name, entry) in rows.iter().flatten() {
-        if columns.iter().any(|of| of.name == *name) {
+        if columns.iter().any(|column| column.name == *name) {
             continue;
         }
         columns.push(match entry {

@@ -1,4 +1,4 @@
-//! The pictures of whatever results a folder holds, or of two runs on the same axes.
+//! Pictures of any results in a folder, or of two runs on the same axes.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,8 @@ use crate::{
     run::pictures::overlaid,
 };
 
-/// Draws what lies in a folder, or two runs on the same axes, in these units or the case's.
+/// Draws the results in a folder, or two runs on the same axes, in these units; by default in those
+/// of the case.
 ///
 /// # Errors
 /// Folders whose results cannot be drawn, or not together.
@@ -30,7 +31,7 @@ pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>
     Ok(plots)
 }
 
-/// Draws results on the same axes, where they are of one kind that can be.
+/// Draws results on the same axes, if they are of one kind that allows it.
 fn together(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>, Error> {
     let kinds = folders.iter().map(|folder| kind_of(folder));
     let kinds = kinds.collect::<Result<Vec<_>, _>>()?;
@@ -55,8 +56,8 @@ fn together(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>, Er
     }
 }
 
-/// Where pictures of these folders go by themselves: those of two runs do not take the place of the
-/// first one's own.
+/// Default folder of the pictures of these folders: those of two runs do not replace those of the
+/// first run.
 pub fn pictures_folder(folders: &[PathBuf]) -> PathBuf {
     let name = match folders.get(1).and_then(|second| second.file_name()) {
         Some(second) => format!("plots-{}", file_name(&second.to_string_lossy())),

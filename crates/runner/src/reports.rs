@@ -1,4 +1,4 @@
-//! The page of whatever results a folder holds.
+//! The page of any results in a folder.
 
 use std::path::{Path, PathBuf};
 
@@ -11,11 +11,11 @@ use crate::{
     results_kinds::kind_of,
 };
 
-/// Makes the page of a folder of results again, from its files, and says where it is. It opens with
-/// these units, with the case's where none are given.
+/// Rewrites the page of a folder of results from its files, and returns its path. It opens in these
+/// units, by default in those of the case.
 ///
 /// # Errors
-/// A folder that holds no results, or whose files do not suffice; a page that cannot be written.
+/// A folder without results or without the required files, or a page that cannot be written.
 pub fn write_report(folder: &Path, units: Option<UnitSet>) -> Result<PathBuf, Error> {
     let kind = kind_of(folder)?;
     let results = ResultsFolder::create(folder)?;

@@ -1,4 +1,4 @@
-//! A kind of results, declared once: beside the command that leaves them.
+//! Declaration of a kind of results, in the module of its command.
 
 use std::path::Path;
 
@@ -11,30 +11,29 @@ use crate::{
     page::{FILE, write_picture},
 };
 
-/// Results of a command as their page and their pictures show them, made from the files that it
-/// left.
+/// Results of a command in the form of their page and pictures, made from the files in its folder.
 pub(crate) trait Results: Sized {
-    /// What a folder of them holds, in a message: `a plan`.
+    /// Kind of results in messages: `a plan`.
     const NOUN: &'static str;
-    /// The table by which their folder is known, without its ending.
+    /// Table that identifies a folder of these results, without its extension.
     const TABLE: &'static str;
-    /// Pictures that are drawn unasked, by the names of their files without an ending.
+    /// Pictures that are drawn by default, by the names of their files without extension.
     const PICTURES: &'static [&'static str];
-    /// Whether the numbers of each of these lie beside it as CSV.
+    /// Whether the numbers of each picture are written next to it as CSV.
     const WITH_NUMBERS: bool = false;
-    /// Files that are neither tables nor pictures nor the page.
+    /// Files other than tables, pictures and the page.
     const FILES: &'static [&'static str] = &[];
 
-    /// Everything that is reported, from the folder's files.
+    /// Reads all page data from the folder's files.
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError>;
 
-    /// The page; none where there is nothing to show yet.
+    /// The page; `None` if there is nothing to show yet.
     fn html(&self) -> Option<String>;
 
     /// Every picture.
     fn plots(&self) -> Vec<Plot>;
 
-    /// Writes page and pictures; those of earlier results that these have not go.
+    /// Writes page and pictures; removes earlier ones that these results do not have.
     fn write(&self, folder: &ResultsFolder, png: bool) -> Result<(), ResultsError> {
         let plots = self.plots();
         for name in Self::PICTURES {
@@ -51,46 +50,46 @@ pub(crate) trait Results: Sized {
         }
     }
 
-    /// Makes page and pictures again.
+    /// Rewrites page and pictures.
     fn write_again(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), Error> {
         let found = Self::gather(folder.path(), units).map_err(Error::bad_input)?;
         Ok(found.write(folder, false)?)
     }
 }
 
-/// What two folders can be drawn together of.
+/// Way in which two folders are drawn together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Overlay {
     /// Two of this kind are drawn on the same axes.
     Two,
-    /// What a second one would show is varied in the first.
+    /// Values that a second folder would add can be varied in the first.
     Varied,
-    /// Nothing.
+    /// Not possible.
     Nothing,
 }
 
-/// A kind of results, as whoever looks at a folder knows it.
+/// A kind of results, for code that inspects folders.
 pub(crate) struct ResultsKind {
-    /// What a folder holds, in a message: `a plan`.
+    /// Kind of results in messages: `a plan`.
     pub(crate) noun: &'static str,
-    /// Whether a folder holds them.
+    /// Whether a folder contains them.
     pub(crate) is_in: fn(&Path) -> bool,
-    /// Pictures that are drawn unasked, without their endings.
+    /// Pictures that are drawn by default, without extensions.
     pub(crate) pictures: &'static [&'static str],
-    /// Whether the numbers of each lie beside it as CSV.
+    /// Whether the numbers of each picture are written next to it as CSV.
     pub(crate) with_numbers: bool,
-    /// Files that are neither tables nor pictures nor the page.
+    /// Files other than tables, pictures and the page.
     pub(crate) files: &'static [&'static str],
-    /// What becomes of two folders that are to be drawn together.
+    /// Way in which two folders are drawn together.
     pub(crate) overlay: Overlay,
-    /// Makes page and pictures again.
+    /// Rewrites page and pictures.
     pub(crate) write_again: fn(&ResultsFolder, Option<UnitSet>) -> Result<(), Error>,
     /// Every picture.
     pub(crate) plots: fn(&Path, Option<UnitSet>) -> Result<Vec<Plot>, Error>,
 }
 
 impl ResultsKind {
-    /// As the results declare it.
+    /// The kind declared by the results.
     pub(crate) const fn of<R: Results>() -> Self {
         Self {
             noun: R::NOUN,
@@ -104,7 +103,7 @@ impl ResultsKind {
         }
     }
 
-    /// Whether a command that leaves them wrote a file of that name, tables and page apart.
+    /// Whether a command writes a file of that name for these results, other than tables and page.
     pub(crate) fn has_file(&self, name: &str) -> bool {
         let is_picture = |(stem, ending): (&str, &str)| {
             let ours = matches!(ending, "svg" | "png") || ending == "csv" && self.with_numbers;

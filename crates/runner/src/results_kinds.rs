@@ -1,4 +1,4 @@
-//! All kinds of results, and which of them a folder holds.
+//! All kinds of results, and recognition of them in a folder.
 
 use std::{fs, path::Path};
 
@@ -6,7 +6,7 @@ use wholestring_report::{Bha, BitTest, Calibration, Modes, Plan, Reach};
 
 use crate::{error::Error, results_kind::ResultsKind, run::pictures::RUN, sweep::page::SWEEP};
 
-/// Every kind; what a folder holds is the first that is in it.
+/// Every kind; the first that matches a folder applies.
 pub(crate) static KINDS: [ResultsKind; 8] = [
     ResultsKind::of::<BitTest>(),
     ResultsKind::of::<Bha>(),
@@ -18,26 +18,26 @@ pub(crate) static KINDS: [ResultsKind; 8] = [
     SWEEP,
 ];
 
-/// What a folder of a study holds.
+/// Kind of a folder with a study.
 const STUDY: &str = "a study";
 
-/// What the folder holds the results of: `a run`, `a plan`, `a study`, ...
+/// Kind of results in the folder: `a run`, `a plan`, `a study`, ...
 ///
 /// # Errors
-/// It holds none.
+/// It contains none.
 pub fn results_kind(folder: &Path) -> Result<&'static str, Error> {
     kind_of(folder).map(|kind| kind.noun).or_else(|error| {
         let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
-        // A study has the sweeps that it is made of.
+        // A study contains the folders of its sweeps.
         let is_study = entries.any(|entry| (SWEEP.is_in)(&entry.path()));
         if is_study { Ok(STUDY) } else { Err(error) }
     })
 }
 
-/// What the folder holds the results of.
+/// Kind of results in the folder.
 ///
 /// # Errors
-/// It holds none that pages and pictures are made of.
+/// It contains none with pages and pictures.
 pub(crate) fn kind_of(folder: &Path) -> Result<&'static ResultsKind, Error> {
     KINDS.iter().find(|kind| (kind.is_in)(folder)).ok_or_else(|| {
         Error::BadInput(format!(

@@ -5,11 +5,11 @@ use std::{fmt, str::FromStr};
 /// Folder of the files of shares, in that of their batch.
 pub(crate) const SHARES: &str = ".shares";
 
-/// One share of the cases: every `of`-th, beginning with the `index`-th, counted from one.
+/// One share of the cases: every `count`-th, starting at the `index`-th, counted from one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     index: usize,
-    of: usize,
+    count: usize,
 }
 
 impl Default for Shard {
@@ -20,49 +20,50 @@ impl Default for Shard {
 
 impl Shard {
     /// All cases.
-    pub const ALL: Self = Self { index: 1, of: 1 };
+    pub const ALL: Self = Self { index: 1, count: 1 };
 
-    /// The `index`-th of so many shares, counted from one; none where there is no such share.
-    pub fn new(index: usize, of: usize) -> Option<Self> {
-        (1..=of).contains(&index).then_some(Self { index, of })
+    /// Creates the `index`-th of `count` shares, counted from one; `None` if there is no such
+    /// share.
+    pub fn new(index: usize, count: usize) -> Option<Self> {
+        (1..=count).contains(&index).then_some(Self { index, count })
     }
 
-    /// Whether it is a part of the cases only.
+    /// Whether it contains only a part of the cases.
     pub fn is_part(self) -> bool {
-        self.of > 1
+        self.count > 1
     }
 
-    /// How many shares there are.
+    /// Number of shares.
     pub(crate) fn count(self) -> usize {
-        self.of
+        self.count
     }
 
-    /// All shares of as many, itself included.
+    /// All shares of the same division, including this one.
     pub(crate) fn siblings(self) -> impl Iterator<Item = Self> {
-        (1..=self.of).map(move |index| Self { index, of: self.of })
+        (1..=self.count).map(move |index| Self { index, count: self.count })
     }
 
-    /// Whether it has the case of that number, counted from zero.
+    /// Whether it contains the case of that index, counted from zero.
     pub fn has(self, case: usize) -> bool {
-        case % self.of == self.index - 1
+        case % self.count == self.index - 1
     }
 }
 
-/// `1/4`.
+/// Formats as `1/4`.
 impl fmt::Display for Shard {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}/{}", self.index, self.of)
+        write!(f, "{}/{}", self.index, self.count)
     }
 }
 
-/// `1/4`.
+/// Parses `1/4`.
 impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
         let parts = text.split_once('/');
-        let parts = parts.and_then(|(index, of)| Some((index.parse().ok()?, of.parse().ok()?)));
-        let shard = parts.and_then(|(index, of)| Self::new(index, of));
+        let parts = parts.and_then(|(index, part)| Some((index.parse().ok()?, part.parse().ok()?)));
+        let shard = parts.and_then(|(index, part)| Self::new(index, part));
         shard.ok_or_else(|| "expected such as 1/4, from 1/4 to 4/4".to_owned())
     }
 }

@@ -1,7 +1,7 @@
-//! Files that a share of a batch has for itself in the folder that it shares with others.
+//! Files of one share of a batch in the folder that it shares with others.
 //!
-//! Shares write the folders of their own cases at the same time. The tables and the page, which are
-//! of all cases, are written by one share at a time, at its end, from what all of them have left.
+//! Shares write the folders of their own cases concurrently. The tables and the page contain all
+//! cases, so one share at a time writes them, at its end, from the results of all shares.
 
 use std::{
     collections::BTreeMap,
@@ -19,11 +19,11 @@ use crate::{
     shard::{SHARES, Shard},
 };
 
-/// Locked by the share that writes tables and page.
+/// Lock file of the share that writes tables and page.
 const GATHERING: &str = "gathering.lock";
 
-/// A share of a batch in its folder. No other run solves it, or a share that has cases of it, as
-/// long as this lives.
+/// A share of a batch in its folder. During its lifetime no other run solves it, or a share that
+/// overlaps with it.
 pub(crate) struct Share {
     shard: Shard,
     folder: PathBuf,
@@ -31,12 +31,12 @@ pub(crate) struct Share {
     _lock: Option<File>,
 }
 
-/// The tables and the page of a batch are written by this share alone as long as this lives.
+/// Exclusive right to write the tables and the page of a batch, for the lifetime of the value.
 pub(crate) struct Gathering {
     _lock: Option<File>,
 }
 
-/// Cases that have no answers in their own folders, as a share leaves them to the others.
+/// Cases without results in their own folders, in the file that a share writes for the others.
 #[derive(Serialize, Deserialize)]
 struct Left {
     identity: String,
@@ -46,11 +46,11 @@ struct Left {
 }
 
 impl Share {
-    /// A share in the folder that is claimed for the batch; of all cases it is the whole batch, and
-    /// the files of earlier shares are removed.
+    /// Starts a share in the folder claimed for the batch. A share of all cases is the whole batch,
+    /// and the files of earlier shares are removed.
     ///
     /// # Errors
-    /// Another run that solves the same cases there; a file that cannot be written.
+    /// Another run that solves the same cases there, or a file that cannot be written.
     pub(crate) fn begin(claimed: &Claimed, shard: Shard) -> Result<Self, Error> {
         let place = &claimed.folder;
         let folder = place.path().join(SHARES);
@@ -79,7 +79,7 @@ impl Share {
         }
     }
 
-    /// A share of another number of shares that is being solved.
+    /// A share of a different division that is being solved.
     fn other_number(&self) -> Result<Option<String>, ResultsError> {
         let entries = fs::read_dir(&self.folder)
             .map_err(|source| ResultsError::Read { path: self.folder.clone(), source })?;
@@ -98,17 +98,18 @@ impl Share {
         Ok(None)
     }
 
-    /// Whether other shares have other cases.
+    /// Whether other shares contain the remaining cases.
     pub(crate) fn is_part(&self) -> bool {
         self.shard.is_part()
     }
 
-    /// Whether it has the case of that number, counted from zero.
+    /// Whether it contains the case of that index, counted from zero.
     pub(crate) fn has(&self, case: usize) -> bool {
         self.shard.has(case)
     }
 
-    /// Leaves to the others why cases failed, then waits until no other share writes the tables.
+    /// Writes the reasons of failed cases for the other shares, then waits until no other share
+    /// writes the tables.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -132,14 +133,14 @@ impl Share {
         let lock = opened(&path)?;
         let lock = match lock.lock() {
             Ok(()) => Some(lock),
-            // A file system without locks keeps nobody waiting.
+            // Without file locks in the file system there is no wait.
             Err(error) if error.kind() == io::ErrorKind::Unsupported => None,
             Err(source) => return Err(ResultsError::Write { path, source }),
         };
         Ok(Gathering { _lock: lock })
     }
 
-    /// Why cases of the other shares failed, by name, as far as these have ended.
+    /// Reasons of failed cases of the other shares, by name, for shares that have ended.
     pub(crate) fn failed_of_others(&self) -> BTreeMap<String, String> {
         let others = self.shard.siblings().filter(|other| *other != self.shard);
         let left = others.filter_map(|other| {
@@ -151,9 +152,9 @@ impl Share {
         left.flatten().collect()
     }
 
-    /// `2-of-4.json`
-    fn file(&self, of: Shard, ending: &str) -> PathBuf {
-        let name = of.to_string().replace('/', "-of-");
+    /// File of a share, such as `2-of-4.json`.
+    fn file(&self, shard: Shard, ending: &str) -> PathBuf {
+        let name = shard.to_string().replace('/', "-of-");
         self.folder.join(format!("{name}.{ending}"))
     }
 }
@@ -164,8 +165,8 @@ fn opened(path: &Path) -> Result<File, ResultsError> {
     options.open(path).map_err(|source| ResultsError::Write { path: path.to_owned(), source })
 }
 
-/// The file, locked; no lock where the file system has none. Nothing where another program holds
-/// it.
+/// Locks the file; `Some(None)` if the file system has no locks, `None` if another program holds
+/// the lock.
 fn locked(path: &Path) -> Result<Option<Option<File>>, ResultsError> {
     let file = opened(path)?;
     match file.try_lock() {

@@ -11,9 +11,8 @@ use wholestring_tabular::{Place, TableError, position_checks, read_as, station_d
 
 use crate::Error;
 
-/// Columns of [`to_csv`]. Surveys are in degrees everywhere, so that this one is too; it is a
-/// survey
-/// that can be read again.
+/// Columns of [`to_csv`]. Angles are in degrees, as in surveys everywhere; the output can be read
+/// as a survey again.
 const COLUMNS: [&str; 7] = [
     "md_m",
     "inclination_deg",
@@ -28,7 +27,7 @@ const COLUMNS: [&str; 7] = [
 ///
 /// # Errors
 /// It cannot be read, or is no survey.
-pub fn read(file: &Path, said: &Said) -> Result<ImportedSurvey, Error> {
+pub fn read(file: &Path, options: &Said) -> Result<ImportedSurvey, Error> {
     if file.extension().is_some_and(|extension| extension == "toml") {
         return Err(Error::BadInput(format!(
             "{0} is a case file: expected a survey as CSV or Excel\nwrite the survey of the case \
@@ -37,10 +36,10 @@ pub fn read(file: &Path, said: &Said) -> Result<ImportedSurvey, Error> {
         )));
     }
     let bytes = bytes(file, "survey")?;
-    read_as(&bytes, &file.display().to_string(), said).map_err(|error| explained(&error))
+    read_as(&bytes, &file.display().to_string(), options).map_err(|error| explained(&error))
 }
 
-/// What a file holds, which is said to be a `noun` where it cannot be read.
+/// Content of a file, which error messages call a `noun`.
 pub(crate) fn bytes(file: &Path, noun: &str) -> Result<Vec<u8>, Error> {
     read_file(file).map_err(|error| {
         let reason = match error.kind() {
@@ -51,7 +50,7 @@ pub(crate) fn bytes(file: &Path, noun: &str) -> Result<Vec<u8>, Error> {
     })
 }
 
-/// A mistake in a table, underlined where that is possible.
+/// Error of a mistake in a table, underlined if possible.
 pub(crate) fn explained(error: &TableError) -> Error {
     match report(error) {
         Some(report) => report.into(),
@@ -59,7 +58,7 @@ pub(crate) fn explained(error: &TableError) -> Error {
     }
 }
 
-/// The mistake underlined in the survey, where it is a text.
+/// The mistake underlined in the survey, if it is a text file.
 fn report(error: &TableError) -> Option<Report> {
     let (text, span) = error.text().zip(error.span())?;
     let sentence = error.sentence();
@@ -78,11 +77,11 @@ fn report(error: &TableError) -> Option<Report> {
     })
 }
 
-/// What is doubtful about a survey, each with its row: positions of the file that are not those of its path, turns that are
-/// hardly the hole's. Positions that agree are among the notes.
+/// Reports doubtful data of a survey, each with its row: positions in the file that differ from
+/// those of its path, and unusually sharp turns. Positions that agree are among the notes.
 ///
 /// # Errors
-/// There is no path through the stations: the row of the station, and why.
+/// There is no path through the stations; the error contains the row of the station and the reason.
 pub fn check(
     survey: &ImportedSurvey,
     file: &Path,
@@ -109,7 +108,7 @@ pub fn check(
     Ok((Report { sources: vec![source(survey, &name)], diagnostics }, notes))
 }
 
-/// Why there is no path, at the row of the station.
+/// Error that there is no path, at the row of the station.
 fn no_path(survey: &ImportedSurvey, name: &str, error: &PathError) -> Error {
     let sentence = Diagnostic::error(error.to_string());
     let diagnostic = match error.index() {
@@ -123,7 +122,7 @@ fn source(survey: &ImportedSurvey, name: &str) -> Source {
     Source { name: name.to_owned(), text: survey.places.text().unwrap_or_default().to_owned() }
 }
 
-/// Points at the row of a station: underlined in a text, named in a workbook.
+/// Adds the row of a station: underlined in a text file, named for a workbook.
 fn at_station(
     survey: &ImportedSurvey,
     mut diagnostic: Diagnostic,
@@ -148,14 +147,14 @@ fn at_station(
 pub struct Position {
     /// Measured depth, m.
     pub md_m: f64,
-    /// Where it is and which way the hole goes there.
+    /// Position and direction of the hole.
     pub point: PathPoint,
     /// Dogleg severity since the point above, rad/m; zero at the first.
     pub dogleg_severity_rad_per_m: f64,
 }
 
-/// Every station of a survey, and every multiple of `step_m` between them, on the curve that goes
-/// through the stations.
+/// Every station of a survey, and every multiple of `step_m` between them, on the curve through the
+/// stations.
 ///
 /// # Errors
 /// There is no path through them.
@@ -171,7 +170,7 @@ pub fn positions(
         let last = (path.last_md_m() / step_m).floor() as i64;
         depths.extend((first..=last).map(|index| index as f64 * step_m));
         depths.sort_by(f64::total_cmp);
-        // A multiple that is a station but for rounding.
+        // Removes a multiple that equals a station except for rounding.
         depths.dedup_by(|b, a| *b - *a < 1e-6);
     }
     let mut above: Option<(f64, PathPoint)> = None;
@@ -186,7 +185,7 @@ pub fn positions(
     Ok(positions.collect())
 }
 
-/// The positions as CSV: to micrometres and millionths of a degree.
+/// Positions as CSV, to micrometres and millionths of a degree.
 pub fn to_csv(positions: &[Position]) -> String {
     let mut text = COLUMNS.join(",") + "\n";
     for Position { md_m, point, dogleg_severity_rad_per_m } in positions {
@@ -200,7 +199,7 @@ pub fn to_csv(positions: &[Position]) -> String {
             east,
             dogleg_severity_rad_per_m.to_degrees() * 30.0,
         ];
-        // Without the sign of a rounded zero.
+        // Removes the sign of a rounded zero.
         let cells = cells.map(|value| format!("{value:.6}").replace("-0.000000", "0.000000"));
         text += &(cells.join(",") + "\n");
     }

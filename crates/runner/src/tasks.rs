@@ -1,4 +1,4 @@
-//! Tasks that are done side by side and kept as they come, to go on with later.
+//! Parallel tasks whose outcomes are stored as they finish, so that the work can be resumed later.
 
 use std::sync::Mutex;
 
@@ -13,18 +13,18 @@ use crate::{
     parallel::{in_parallel, lock},
 };
 
-/// What is kept of the work, and whose work it is.
+/// Stored outcomes, and the identity of the work.
 #[derive(Serialize, Deserialize)]
-struct Kept<D> {
+struct Stored<D> {
     identity: String,
     done: D,
 }
 
-/// Tasks, each with what came of it.
+/// Tasks, each with its outcome.
 pub(crate) struct Tasks<'a, D> {
     identity: String,
     folder: &'a ResultsFolder,
-    /// What came of each task, none where nothing has yet.
+    /// Outcome of each task, `None` until it is finished.
     done: Mutex<Vec<Option<D>>>,
     keeper: Mutex<Keeper<'a>>,
     observer: &'a dyn Observer,
@@ -32,8 +32,8 @@ pub(crate) struct Tasks<'a, D> {
 }
 
 impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Tasks<'a, D> {
-    /// So many tasks of the work with this identity, less what an earlier one has left in its folder,
-    /// where that is to be continued.
+    /// Creates `count` tasks of the work with this identity, without those finished earlier in its
+    /// folder if the work is resumed.
     pub(crate) fn new(
         (count, identity): (usize, String),
         (folder, existing): (&'a ResultsFolder, Existing),
@@ -56,25 +56,29 @@ impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Tasks<'a, D> {
         Ok(tasks)
     }
 
-    /// Takes up what earlier work of the same identity has finished.
+    /// Reads the outcomes of earlier work of the same identity.
     fn take_up(&self) {
-        let kept = self.folder.read_checkpoint::<Kept<Vec<Option<D>>>>();
-        let warning = match kept {
+        let stored = self.folder.read_checkpoint::<Stored<Vec<Option<D>>>>();
+        let warning = match stored {
             Ok(None) => return,
-            Ok(Some(kept)) if kept.identity != self.identity => "it is of another one".to_owned(),
-            Ok(Some(kept)) if kept.done.len() != self.count() => "it has other tasks".to_owned(),
-            Ok(Some(kept)) => {
-                *lock(&self.done) = kept.done;
+            Ok(Some(stored)) if stored.identity != self.identity => {
+                "it belongs to other inputs".to_owned()
+            }
+            Ok(Some(stored)) if stored.done.len() != self.count() => {
+                "it has other tasks".to_owned()
+            }
+            Ok(Some(stored)) => {
+                *lock(&self.done) = stored.done;
                 return;
             }
             Err(error) => error.to_string(),
         };
         let place = self.folder.path().display();
-        self.observer.warning(&format!("the checkpoint in {place} is left: {warning}"));
+        self.observer.warning(&format!("the checkpoint in {place} is not used: {warning}"));
     }
 
-    /// Solves what is left, in this order, so many at a time; what is cancelled before it has come to
-    /// its end gives nothing.
+    /// Solves the remaining tasks in this order on `jobs` threads; a task that is cancelled before
+    /// its end has no outcome.
     pub(crate) fn solve_all(
         &self,
         order: &[usize],
@@ -105,30 +109,31 @@ impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Tasks<'a, D> {
             lock(&self.done)[task] = Some(done);
             let is_due = lock(&self.keeper).is_due();
             if is_due && let Err(error) = self.keep() {
-                // The work does not end because one checkpoint cannot be written: the next may.
+                // The work continues even if a checkpoint cannot be written, because the next one
+                // may succeed.
                 self.observer.warning(&format!("no checkpoint: {error}"));
             }
         }
-        let (ended, of) = (self.ended(), self.count());
-        self.observer.case_ended(&CaseEnded { ended, of, reused_s: 0.0 });
+        let (ended, count) = (self.ended(), self.count());
+        self.observer.case_ended(&CaseEnded { ended, of: count, reused_s: 0.0 });
     }
 
     fn keep(&self) -> Result<(), ResultsError> {
         let mut keeper = lock(&self.keeper);
         let done = lock(&self.done);
-        keeper.write(&Kept { identity: self.identity.clone(), done: &*done })
+        keeper.write(&Stored { identity: self.identity.clone(), done: &*done })
     }
 
     fn count(&self) -> usize {
         lock(&self.done).len()
     }
 
-    /// How many have ended.
+    /// Number of finished tasks.
     pub(crate) fn ended(&self) -> usize {
         lock(&self.done).iter().flatten().count()
     }
 
-    /// What came of each.
+    /// Outcome of each task.
     pub(crate) fn into_done(self) -> Vec<Option<D>> {
         self.done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner)
     }

@@ -1,4 +1,4 @@
-//! Elements that are too long for a compression that the mesh was not chosen for.
+//! Elements that are too long for a compression higher than that assumed for the mesh.
 
 use std::{num::NonZeroUsize, path::Path, sync::Arc};
 
@@ -6,9 +6,9 @@ use wholestring::dynamics::{HoistSetPoint, ScheduleStep};
 use wholestring_case::{Case, Override};
 use wholestring_runner::{CancellationToken, Error, Silent, run, run::Live};
 
-/// 250 m of drill pipe in a level hole, pushed by heavy-weight pipe above it. Its lowest joint, which
-/// reaches to the bit, is an element of 9.9 m and buckles under 129.3 kN, `π² EI/L²` of 5 in pipe of
-/// 4.276 in inside.
+/// 250 m of drill pipe in a level hole, pushed by heavy-weight pipe above it. Its lowest joint,
+/// which reaches to the bit, is an element of 9.9 m and buckles under 129.3 kN, `π² EI/L²` of 5 in
+/// pipe of 4.276 in inside.
 const LATERAL: &str = r#"
 model = "dynamic"
 [well]
@@ -69,8 +69,8 @@ fn set(hoist: HoistSetPoint) -> ScheduleStep {
     ScheduleStep { hoist: Some(hoist), ..ScheduleStep::default() }
 }
 
-/// A weight that comes by hand and that elements from joint to joint do not bear is refused, with
-/// the length that does; less, or the same on a mesh that was chosen for it, is taken.
+/// A manual weight above the buckling load of elements between joints is refused, with the length
+/// that would carry it; a lower weight, or the same with a mesh made for it, is accepted.
 #[test]
 fn a_weight_that_folds_the_mesh_is_refused() {
     let mut live = begin(&case(&[]));
@@ -91,8 +91,8 @@ fn a_weight_that_folds_the_mesh_is_refused() {
     foreseen.add_to_schedule(set(HoistSetPoint::WeightOnBit(180e3))).expect("a mesh for it");
 }
 
-/// A block that goes down by hand pushes until an element gives way: the run stops and says which,
-/// and does not go on.
+/// A block that is lowered manually pushes until an element buckles: the run stops, names the
+/// element, and does not continue.
 #[test]
 fn a_run_whose_elements_buckle_stops() {
     let mut live = begin(&case(&[]));
@@ -106,8 +106,8 @@ fn a_run_whose_elements_buckle_stops() {
     assert_eq!(live.simulation().time_s(), at_s);
 }
 
-/// A weight that the schedule raises sixfold arrives at the bit: on a mesh that was chosen for the
-/// first weight the string folds, and two thirds of it arrive.
+/// A weight that the schedule raises sixfold reaches the bit. With a mesh made for the first weight
+/// the string folds, and two thirds of it reach the bit.
 #[test]
 fn a_weight_that_the_schedule_raises_reaches_the_bit() {
     let case = case(&["operation.schedule=[{ at = 3, ramp = 5, wob = \"180 kN\" }]"]);

@@ -25,7 +25,7 @@ fn picks<Of: Fn(f64) -> f64>(rig: &Rig<Of>) -> Picks {
     pick(rig.log(), "rig.csv", unit, &Thresholds::default(), &choices).unwrap()
 }
 
-/// A function by values at even steps, with lines between them.
+/// A piecewise linear function with values at even steps.
 fn lines(from: f64, step: f64, values: Vec<f64>) -> impl Fn(f64) -> f64 {
     move |at| {
         let place = ((at - from) / step).clamp(0.0, (values.len() - 2) as f64);
@@ -34,8 +34,8 @@ fn lines(from: f64, step: f64, values: Vec<f64>) -> impl Fn(f64) -> f64 {
     }
 }
 
-/// A string of a case is tripped and drilled with known friction, its weights are logged with noise,
-/// and the log tells that friction within its own standard errors.
+/// A string of a case is tripped and drilled with known friction, its weights are logged with
+/// noise, and the friction from the log agrees within its own standard errors.
 #[test]
 fn friction_comes_back_from_the_log_of_a_rig() {
     let made = Factors::of_walls(0.23, 0.34);
@@ -45,7 +45,7 @@ fn friction_comes_back_from_the_log_of_a_rig() {
     let model = SoftPredictions::new(&assemblies);
     let (from, step) = (300.0, 10.0);
     // Weights and torques of the soft string every 10 m.
-    let of = |motion: Motion, torque: bool| -> Box<dyn Fn(f64) -> f64> {
+    let curve = |motion: Motion, torque: bool| -> Box<dyn Fn(f64) -> f64> {
         let at = |place: usize| {
             let bit_depth_m = from + step * place as f64;
             let loads = model.one(&Asked { setup: 0, bit_depth_m, motion, factors: made });
@@ -55,11 +55,11 @@ fn friction_comes_back_from_the_log_of_a_rig() {
         Box::new(lines(from, step, (0..=90).map(at).collect()))
     };
     let truth = Truth {
-        pick_up_N: of(Motion::PickUp, false),
-        slack_off_N: of(Motion::SlackOff, false),
-        rotating_N: of(Motion::Rotating, false),
-        torque_N_m: of(Motion::Rotating, true),
-        torque_on_bottom_N_m: of(Motion::Drilling, true),
+        pick_up_N: curve(Motion::PickUp, false),
+        slack_off_N: curve(Motion::SlackOff, false),
+        rotating_N: curve(Motion::Rotating, false),
+        torque_N_m: curve(Motion::Rotating, true),
+        torque_on_bottom_N_m: curve(Motion::Drilling, true),
     };
     let (weight_noise_N, torque_noise_N_m) = (4e3, 200.0);
     let manner = Manner {
@@ -81,14 +81,14 @@ fn friction_comes_back_from_the_log_of_a_rig() {
     let readings: Vec<Reading> = picks
         .readings()
         .iter()
-        .flat_map(|of| {
+        .flat_map(|reading| {
             let values = [
-                (Channel::PickUp, of.pick_up_N),
-                (Channel::SlackOff, of.slack_off_N),
-                (Channel::Rotating, of.rotating_N),
-                (Channel::OffBottomTorque, of.torque_N_m),
+                (Channel::PickUp, reading.pick_up_N),
+                (Channel::SlackOff, reading.slack_off_N),
+                (Channel::Rotating, reading.rotating_N),
+                (Channel::OffBottomTorque, reading.torque_N_m),
             ];
-            let bit_depth_m = of.bit_depth_m;
+            let bit_depth_m = reading.bit_depth_m;
             values.into_iter().filter_map(move |(channel, value)| {
                 Some(Reading { setup: 0, bit_depth_m, channel, value: value? })
             })
@@ -98,25 +98,26 @@ fn friction_comes_back_from_the_log_of_a_rig() {
     let factors = Factors::of_walls(0.2, 0.2);
     let held = State { factors, block_weight_N: BLOCK_N, bit_torque_N_m: 0.0 };
     let settings = Settings {
-        // What noise leaves in some 40 rows.
+        // Remaining error after averaging the noise over some 40 rows.
         errors: [Some(weight_noise_N / 5.0), Some(weight_noise_N / 5.0), Some(100.0)],
         ..Settings::new(vec![Parameter::Cased, Parameter::Open], held)
     };
     let found = calibrate(&model, &readings, &[], &[], &settings).expect("a fit");
-    for (of, truth) in found.estimates.iter().zip([made.cased, made.open]) {
-        let error = of.standard_error.expect("not at its bound");
-        let off = (of.value - truth) / error;
+    for (estimate, truth) in found.estimates.iter().zip([made.cased, made.open]) {
+        let error = estimate.standard_error.expect("not at its bound");
+        let off = (estimate.value - truth) / error;
         println!(
             "{:?}: {:.4} ± {error:.4}, made with {truth}: {off:.2} errors",
-            of.parameter, of.value
+            estimate.parameter, estimate.value
         );
-        // Both of two normal numbers within three errors, by 99.5 %; the seed stays the same.
-        assert!(off.abs() < 3.0 && error < 0.03, "{of:?}");
+        // Both of two normal numbers are within three errors with 99.5 % probability; the seed is
+        // fixed.
+        assert!(off.abs() < 3.0 && error < 0.03, "{estimate:?}");
     }
 }
 
-/// The page holds every picture in every set of units, whatever the file is called; it is left in the
-/// test's folder to be looked at.
+/// The page contains every picture in every set of units, whatever the name of the file; it is kept
+/// in the test's folder for inspection.
 #[test]
 fn a_page_of_picked_weights() {
     let manner = Manner { faults: Some(700), stick_slip: 0.25, ..Manner::default() };
@@ -141,7 +142,7 @@ fn a_page_of_picked_weights() {
     assert!(html.len() < 6_000_000, "{}", html.len());
 }
 
-/// The picture of the book, left in the test's folder: a stand that was drilled.
+/// The picture of a drilled stand in the book, kept in the test's folder.
 #[test]
 fn a_stand_as_the_book_shows_it() {
     let manner = Manner { stick_slip: 0.25, ..Manner::default() };
@@ -149,12 +150,12 @@ fn a_stand_as_the_book_shows_it() {
     rig.drills_a_stand();
     rig.drills_a_stand();
     let log = picked_log(&picks(&rig), UnitSet::Si);
-    let drilled = log.stands.iter().find(|of| of.work == "drilled").expect("one was drilled");
+    let drilled = log.stands.iter().find(|stand| stand.work == "drilled").expect("one was drilled");
     let figure = wholestring_report::picked_stand_figure(&log, drilled, "si");
     let svg = figure.drawing().svg();
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("picks.svg");
     std::fs::write(file, &svg).unwrap();
-    for of in ["pick-up", "slack-off", "rotating off bottom", "drilling"] {
-        assert!(svg.contains(of), "{of}");
+    for label in ["pick-up", "slack-off", "rotating off bottom", "drilling"] {
+        assert!(svg.contains(label), "{label}");
     }
 }

@@ -1,4 +1,4 @@
-//! A plan that is stopped goes on from where it was.
+//! A plan that is stopped and resumed.
 
 mod slant;
 
@@ -8,8 +8,9 @@ use wholestring_runner::{CancellationToken, Error, Existing, FolderRefused, Sile
 
 use slant::{Slant, Stops, same};
 
-/// What was finished is kept, said to be missing where it is not, refused without being asked to go on,
-/// and not solved again; in the end all files are as of a plan that nobody stopped.
+/// An interrupted plan keeps finished tasks, reports the missing ones, is refused without a request
+/// to resume, and does not solve finished tasks again; in the end all files equal those of an
+/// uninterrupted plan.
 #[test]
 fn a_plan_that_is_stopped_goes_on() {
     let place = tempfile::tempdir().expect("a folder");
@@ -48,8 +49,8 @@ fn a_plan_that_is_stopped_goes_on() {
     assert!(!stopped.join("checkpoint.bin").exists());
 }
 
-/// The dynamics' part has its rows, its samples, its limits and its wear, on the page and in the workbook too, and goes
-/// on from where it was stopped.
+/// The dynamic part has its rows, its samples, its limits and its wear, on the page and in the
+/// workbook too, and continues after an interruption.
 #[test]
 fn what_the_dynamics_is_asked_for() {
     let place = tempfile::tempdir().expect("a folder");
@@ -73,20 +74,22 @@ fn what_the_dynamics_is_asked_for() {
     let token = CancellationToken::new();
     let done = plan::run(&case.plan(&whole, Existing::Protect), &Silent, &token);
     let done = done.expect("a plan");
-    let names: Vec<&str> = done.summary.peaks.iter().map(|of| of.event.as_str()).collect();
+    let names: Vec<&str> = done.summary.peaks.iter().map(|peak| peak.event.as_str()).collect();
     assert_eq!(names, ["pick_up_from_slips", "break_circulation", "break_rotation"]);
     let [lifted, pumped, turned] = &done.summary.peaks[..] else { panic!("three events") };
     let hook = lifted.hook_load_N.expect("an answer");
     assert!(hook.peak > hook.at_rest && hook.peak >= hook.steady, "{hook:?}");
     assert!(lifted.surface_torque_N_m.is_none() && lifted.gel.is_none());
     assert!(pumped.gel.is_some() && pumped.pump_pressure_Pa.is_some());
-    assert!(turned.surface_torque_N_m.is_some_and(|of| of.peak > 0.0));
+    assert!(
+        turned.surface_torque_N_m.is_some_and(|surface_torque_N_m| surface_torque_N_m.peak > 0.0)
+    );
     let of_events = |kind: &str| {
         let limits = done.summary.checks.iter();
         limits.filter(|row| row.model == "dynamic" && row.check.kind.name() == kind).count()
     };
     assert_eq!(of_events("hoist"), 3);
-    assert!(done.summary.wear.iter().any(|of| of.model == "dynamic"));
+    assert!(done.summary.wear.iter().any(|wear| wear.model == "dynamic"));
     let page = fs::read_to_string(whole.join("report.html")).expect("a page");
     for expected in
         ["Setting in motion", "pick-up from slips, dynamics", "plan_peaks.csv", "peaks.csv"]
@@ -110,7 +113,7 @@ fn what_the_dynamics_is_asked_for() {
         "report.html",
     ];
     same(&names, [&whole, &stopped]);
-    // A plan without them leaves none of it.
+    // A plan without dynamics leaves no files of them.
     let plain = Slant::with(&["plan.depths=2", "operation.kind=[\"trip_out\"]"]);
     plan::run(&plain.plan(&whole, Existing::Overwrite), &Silent, &token).expect("a plan");
     for name in ["plan_peaks.csv", "plan_peaks_time.parquet", "peaks.csv", "peaks.svg"] {

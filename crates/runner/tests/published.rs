@@ -1,5 +1,5 @@
-//! Weights and torques whose terms keep them out of this repository: read from the folder that
-//! `WHOLESTRING_EXTRA_DATA` names, passed over where it is unset.
+//! Weights and torques whose terms keep them out of this repository: read from the folder in
+//! `WHOLESTRING_EXTRA_DATA`, skipped if it is unset.
 
 use std::{
     fmt::Write,
@@ -15,7 +15,7 @@ use wholestring_runner::{
     calibrate::{self, Fit, NamedCase, Request},
 };
 
-/// The file's text, or `None` with a word about it.
+/// The file's text, or `None` with a printed note.
 fn published(name: &str) -> Option<String> {
     let Some(folder) = std::env::var_os("WHOLESTRING_EXTRA_DATA") else {
         println!("skipped: WHOLESTRING_EXTRA_DATA names no folder with {name}");
@@ -25,7 +25,7 @@ fn published(name: &str) -> Option<String> {
     Some(fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path:?}: {error}")))
 }
 
-/// A median of 10 m of a well that is drilled.
+/// A median over 10 m of a well during drilling.
 struct Row {
     md_m: f64,
     inclination_deg: f64,
@@ -36,11 +36,11 @@ struct Row {
     hole_mm: f64,
 }
 
-/// Rows in which the string turns and the inclination is known.
+/// Rows in which the string rotates and the inclination is known.
 fn rows(text: &str) -> Vec<Row> {
     let mut lines = text.lines();
     let head: Vec<&str> = lines.next().expect("a header").split(',').collect();
-    let place = |name: &str| head.iter().position(|of| *of == name).expect(name);
+    let place = |name: &str| head.iter().position(|head| *head == name).expect(name);
     let names = [
         "md_m",
         "inc_deg_from_dTVD_dMD",
@@ -70,8 +70,8 @@ fn rows(text: &str) -> Vec<Row> {
     rows.collect()
 }
 
-/// The 8-1/2 in section. Nothing is known of the string: it is a usual one. Nor of the azimuth: the
-/// well is taken as plane.
+/// The 8-1/2 in section. The string is unknown and a usual one is assumed; the azimuth is unknown,
+/// so the well is assumed to be plane.
 fn case(rows: &[Row]) -> String {
     let mut stations = "[0, 0, 0]".to_owned();
     for row in rows {
@@ -135,9 +135,9 @@ fn calibrated(folder: &Path, name: &str, fit: Fit) -> CalibrationSummary {
 }
 
 /// Volve 15/9-F-9 A (Equinor Volve open data): hook load plus weight on bit as the rotating weight,
-/// and the torque on bottom, predicted against measured; the pictures lie in the folder that is
-/// printed. The string is unknown, so that the block's weight that is found holds what it lacks: a
-/// demonstration of what such records calibrate.
+/// and the torque on bottom, predicted against measured; the folder of the pictures is printed. The
+/// string is unknown, so the fitted block weight contains its error: a demonstration of the
+/// calibration from such records.
 #[test]
 fn volve_weights_and_torques() {
     let Some(text) = published("A07_field_volve_F9A.csv") else { return };
@@ -156,35 +156,42 @@ fn volve_weights_and_torques() {
     fs::write(folder.join("readings.csv"), readings).expect("a file");
     let held = calibrated(&folder, "bit torque held", fit(false));
     let free = calibrated(&folder, "bit torque found", fit(true));
-    for (name, of) in [("held", &held), ("found", &free)] {
-        println!("bit torque {name}: {} of {} within the band", of.within_band, of.readings);
-        for found in &of.estimates {
+    for (name, summary) in [("held", &held), ("found", &free)] {
+        println!(
+            "bit torque {name}: {} of {} within the band",
+            summary.within_band, summary.readings
+        );
+        for found in &summary.estimates {
             println!("  {} = {:.4e} +- {:?}", found.parameter, found.value, found.standard_error);
         }
-        for error in &of.errors {
+        for error in &summary.errors {
             println!("  error of {}: {:.4e}", error.readings, error.standard_error);
         }
-        println!("  correlations {:?}\n  warnings {:?}", of.correlation, of.warnings);
+        println!("  correlations {:?}\n  warnings {:?}", summary.correlation, summary.warnings);
     }
     println!("drawn in {}", folder.display());
-    let friction = |of: &CalibrationSummary| {
-        let found = of.estimates.iter().find(|found| found.parameter == "friction");
+    let friction = |summary: &CalibrationSummary| {
+        let found = summary.estimates.iter().find(|found| found.parameter == "friction");
         let found = found.expect("a factor");
         (found.value, found.standard_error.expect("an error"))
     };
-    let error = |of: &CalibrationSummary, is_torque: bool| {
-        let of = of.errors.iter().find(|error| error.is_torque == is_torque);
-        of.expect("an error").standard_error
+    let error = |summary: &CalibrationSummary, is_torque: bool| {
+        let errors = summary.errors.iter().find(|error| error.is_torque == is_torque);
+        errors.expect("an error").standard_error
     };
-    // What a plausible string makes of it: weights to a hundredth, torques to a twentieth, as
-    // medians of 10 m scatter whose indicator is not zeroed and whose weight on bit is; friction as
-    // is common in an 8-1/2 in hole; 80 % of the readings in the band of 90 %.
+    // Results with a plausible string: weights to a hundredth and torques to a twentieth, which is
+    // the scatter of medians over 10 m with a weight indicator that is not zeroed and a weight on
+    // bit that is; friction as is common in an 8-1/2 in hole; 80 % of the readings in the band of
+    // 90 %.
     assert!(error(&held, false) < 10e3 && error(&held, true) < 0.6e3, "{:?}", held.errors);
     let (factor, known_to) = friction(&held);
     assert!((0.2..0.6).contains(&factor) && known_to < 0.02, "{factor} +- {known_to}");
     assert!(5 * held.within_band >= 4 * held.readings, "{} in the band", held.within_band);
-    // Over 300 m torques on bottom do not tell friction from the bit: that is said, and seen.
-    let told =
-        free.warnings.iter().any(|of| of.contains("do not tell the friction factor from the bit"));
-    assert!(told && friction(&free).1 > 5.0 * known_to, "{:?}", free.warnings);
+    // Over 300 m, torques on bottom do not separate friction from the torque on bit: a warning
+    // reports it, and the interval shows it.
+    let warned = free
+        .warnings
+        .iter()
+        .any(|warning| warning.contains("do not separate the friction factor from the bit"));
+    assert!(warned && friction(&free).1 > 5.0 * known_to, "{:?}", free.warnings);
 }

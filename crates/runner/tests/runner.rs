@@ -1,4 +1,4 @@
-//! What a front sees of the library: events, cancellation, outcomes and refusals.
+//! The library from the view of a front end: events, cancellation, outcomes and refusals.
 
 use std::{
     fs,
@@ -13,7 +13,7 @@ use wholestring_runner::{
     Observer, Output, Progress, Silent, Task, run, sweep,
 };
 
-/// The straight slant of the command line's tests.
+/// The straight slant from the tests of the command line.
 fn file() -> &'static Path {
     Path::new("../cli/tests/data/slant.toml")
 }
@@ -31,7 +31,7 @@ fn request<'a>(case: &'a Case, folder: &Path, existing: Existing) -> run::Reques
     }
 }
 
-/// Writes down what it is reported, and cancels once a time is reached.
+/// Records the reported events, and cancels once a time is reached.
 #[derive(Default)]
 struct Log {
     lines: Mutex<Vec<String>>,
@@ -41,8 +41,10 @@ struct Log {
 impl Log {
     fn add(&self, line: String) {
         let mut lines = self.lines.lock().unwrap_or_else(PoisonError::into_inner);
-        // Times are as many as samples: the last is enough.
-        if line.starts_with("reached") && lines.last().is_some_and(|of| of.starts_with("reached")) {
+        // There are as many times as samples, so only the last is kept.
+        if line.starts_with("reached")
+            && lines.last().is_some_and(|line| line.starts_with("reached"))
+        {
             lines.pop();
         }
         lines.push(line);
@@ -87,8 +89,8 @@ impl Observer for Log {
         self.add(format!("batch of {}", size.cases));
     }
 
-    fn case_ended(&self, of: &CaseEnded) {
-        self.add(format!("{} of {}", of.ended, of.of));
+    fn case_ended(&self, ended: &CaseEnded) {
+        self.add(format!("{} of {}", ended.ended, ended.of));
     }
 
     fn batch_ended(&self) {
@@ -137,7 +139,7 @@ fn a_cancelled_run_is_resumed_to_the_same_bytes() {
     assert!(outcome.is_resumable);
     assert!(matches!(outcome.finished(), Err(Error::Interrupted)));
 
-    // What was begun is not replaced unasked.
+    // Unfinished work is not replaced without a request.
     let again = go(&halted, Existing::Protect, &Silent, &never);
     assert!(matches!(again, Err(Error::Folder(FolderRefused::Unfinished { .. }))));
     let outcome = go(&halted, Existing::Resume, &Silent, &never).expect("an outcome");
@@ -167,7 +169,7 @@ fn results_of_another_case_are_left_alone() {
     assert!(outcome.finished().is_ok());
 }
 
-/// A sweep of these frictions.
+/// A sweep of these friction factors.
 fn swept(frictions: &str, folder: &Path, observer: &dyn Observer) -> Result<usize, Error> {
     let template = Arc::new(Template::read(file()).expect("a case file"));
     let variations = Variation::read_all(&[format!("friction={frictions}")]).expect("values");
@@ -216,7 +218,7 @@ fn a_case_that_is_not_sound_is_named_before_any_is_solved() {
     assert!(!folder.exists());
 }
 
-/// What stays in memory is what a run writes, and can be written later.
+/// Results in memory equal those that a run writes, and can be written later.
 #[test]
 fn answers_in_memory_are_those_of_a_run() {
     let place = tempfile::tempdir().expect("a folder");
@@ -230,7 +232,9 @@ fn answers_in_memory_are_those_of_a_run() {
     let answers = &solved.answers;
     let clocked = |summary: &wholestring_results::Summary| {
         let mut summary = summary.clone();
-        for numerics in summary.operations.iter_mut().filter_map(|of| of.numerics.as_mut()) {
+        for numerics in
+            summary.operations.iter_mut().filter_map(|operation| operation.numerics.as_mut())
+        {
             numerics.wall_time_s = 0.0;
             numerics.real_time_factor = 0.0;
         }
@@ -247,15 +251,15 @@ fn answers_in_memory_are_those_of_a_run() {
         assert!(Table::read_parquet(&saved.join(&file)).expect("a table") == *table, "{name}");
     }
     assert!(saved.join("report.html").is_file() && saved.join("nodes.csv").is_file());
-    // Others are not replaced.
+    // Results of other cases are not replaced.
     let other = slant(&["model=soft", "name=other"]);
     let other = run::answer(&other, None, &Silent, &CancellationToken::new()).expect("answers");
     let refused = other.answers.save(&output, false, &Silent).expect_err("they are others");
     assert!(matches!(refused, Error::Folder(_)), "{refused}");
 }
 
-/// A front that serves a folder puts `out` there, and learns which folder it became before the first
-/// answer.
+/// A front end that serves a folder puts `out` there, and receives the folder of the results before
+/// the first answer.
 #[test]
 fn out_lies_where_it_is_said() {
     #[derive(Default)]
@@ -268,18 +272,18 @@ fn out_lies_where_it_is_said() {
     }
     let place = tempfile::tempdir().expect("a folder");
     let out = place.path().join("out");
-    let told = Folders::default();
+    let folders = Folders::default();
     for changes in [["model=soft", "friction=0.2"], ["model=soft", "friction=0.3"]] {
         let case = slant(&changes);
         let mut request = run::Request::new(&case);
         request.output.root = place.path().to_owned();
-        let outcome = run::run(&request, &told, &CancellationToken::new()).expect("an outcome");
+        let outcome = run::run(&request, &folders, &CancellationToken::new()).expect("an outcome");
         let folder = outcome.finished().expect("a finished run").folder;
         assert!(folder.starts_with(&out), "{}", folder.display());
     }
-    let told = told.0.into_inner().expect("no panic");
+    let folders = folders.0.into_inner().expect("no panic");
     let name = slant(&[]).name;
-    assert_eq!(told, [out.join(&name), out.join(format!("{name}-2"))]);
+    assert_eq!(folders, [out.join(&name), out.join(format!("{name}-2"))]);
 }
 
 #[test]
@@ -290,8 +294,8 @@ fn frames_are_not_kept_in_memory() {
     assert!(message.contains("folder"), "{message}");
 }
 
-/// A run that is taken forward bit by bit is the run of the case; a checkpoint of it, as bytes,
-/// continues to the same bits.
+/// A run that is advanced step by step equals the run of the case; a checkpoint of it, as bytes,
+/// continues with bitwise equal results.
 #[test]
 fn a_live_run_is_the_run_of_the_case() {
     let case = Arc::new(slant(&["model=dynamic", "operation.kind=rotate_off_bottom"]));
@@ -308,8 +312,8 @@ fn a_live_run_is_the_run_of_the_case() {
         run::Live::begin(case.clone(), None, &own, None, &Silent, &token).expect("a run");
     let end_s = live.simulation().end_time_s();
     live.advance(0.5 * end_s, &Silent, &token).expect("no divergence");
-    let kept = live.checkpoint().expect("bytes");
-    let mut again = run::Live::resume(case.clone(), &own, None, &kept).expect("the same run");
+    let checkpoint = live.checkpoint().expect("bytes");
+    let mut again = run::Live::resume(case.clone(), &own, None, &checkpoint).expect("the same run");
     for live in [&mut live, &mut again] {
         let left_s = end_s - live.simulation().time_s();
         live.advance(left_s, &Silent, &token).expect("no divergence");
@@ -317,9 +321,10 @@ fn a_live_run_is_the_run_of_the_case() {
     }
 
     let other = Arc::new(slant(&["model=dynamic", "operation.kind=rotate_off_bottom", "rpm=61"]));
-    let refused = run::Live::resume(other, &own, None, &kept).err().expect("it is of another case");
+    let refused =
+        run::Live::resume(other, &own, None, &checkpoint).err().expect("it is of another case");
     assert!(matches!(refused, Error::NotResumable { .. }), "{refused}");
-    let mut damaged = kept.clone();
+    let mut damaged = checkpoint.clone();
     *damaged.last_mut().expect("a byte") ^= 1;
     assert!(matches!(
         run::Live::resume(case.clone(), &own, None, &damaged),

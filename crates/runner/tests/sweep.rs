@@ -1,4 +1,4 @@
-//! A sweep whose cases a front hands out.
+//! A sweep whose cases a front end distributes.
 
 use std::{fs, path::Path, sync::Arc};
 
@@ -9,7 +9,7 @@ use wholestring_runner::{
     sweep::{self, PreparedSweep, RemoteCase, Request},
 };
 
-/// Sweeps the straight slant of the command line's tests with these values.
+/// Sweeps the straight slant from the tests of the command line with these values.
 struct Swept {
     template: Arc<Template>,
     overrides: Vec<Override>,
@@ -20,7 +20,7 @@ struct Swept {
 impl Swept {
     fn new(vary: &[&str], together: bool) -> Self {
         let template = Template::read(Path::new("../cli/tests/data/slant.toml"));
-        let vary: Vec<String> = vary.iter().map(|of| (*of).to_owned()).collect();
+        let vary: Vec<String> = vary.iter().map(|vary| (*vary).to_owned()).collect();
         Self {
             template: Arc::new(template.expect("a case")),
             overrides: vec!["model=soft".parse().expect("an override")],
@@ -48,7 +48,7 @@ impl Swept {
         PreparedSweep::begin(&request, &Silent, &CancellationToken::new())
     }
 
-    /// Solves one of its cases into a folder, as a worker would.
+    /// Solves one of its cases into a folder, as a worker does.
     fn solve(&self, hand: &PreparedSweep, case: usize, folder: &Path) -> sweep::Ended {
         let apart = RemoteCase {
             template: &self.template,
@@ -71,8 +71,8 @@ fn table(folder: &Path) -> String {
     fs::read_to_string(folder.join(sweep::FILE)).expect("a table")
 }
 
-/// Here, in the folder by others, and elsewhere with files sent back: all the same. What one way
-/// has finished, the other leaves alone.
+/// Solving here, in the folder by other processes, and elsewhere with files sent back gives the
+/// same results. Cases finished in one way are not solved again in the other.
 #[test]
 fn cases_that_are_handed_out_are_those_of_the_sweep() {
     let place = tempfile::tempdir().expect("a folder");
@@ -105,14 +105,15 @@ fn cases_that_are_handed_out_are_those_of_the_sweep() {
     let mut hand = swept.begin(&there, Existing::Resume).expect("the same sweep");
     assert_eq!(hand.left(), [2]);
     drop(hand);
-    let written = || fs::metadata(folder.join("summary.json")).and_then(|of| of.modified()).ok();
+    let written =
+        || fs::metadata(folder.join("summary.json")).and_then(|metadata| metadata.modified()).ok();
     let before = written();
     assert_eq!(swept.run(&there).finished, 3);
     assert_eq!(written(), before);
     assert_eq!(swept.run(&here).finished, 3);
     assert_eq!(table(&here), table(&there));
 
-    // Not resumed, all is solved again, and a case that is handed out twice only once.
+    // Without resuming, all cases are solved again, and a case that is distributed twice only once.
     let mut hand = swept.begin(&there, Existing::Protect).expect("the same sweep");
     assert_eq!(hand.left().len(), 3);
     hand.make_ready(0).expect("a folder");
@@ -137,7 +138,7 @@ fn keys_that_are_varied_together_take_their_values_side_by_side() {
     assert!(message.contains("`friction` has 2 values and `bit_depth` has 1"), "{message}");
 }
 
-/// What was varied is in SI where it is numbers, and every column says what it is.
+/// Varied keys are in SI if they are numbers, and every column has a meaning.
 #[test]
 fn the_table_is_read_back_with_numbers_and_units() {
     let place = tempfile::tempdir().expect("a folder");

@@ -1,4 +1,4 @@
-//! Numbers that are not known exactly: bands and indices of a plan and a reach, from the case to the files.
+//! Uncertain inputs: bands and indices of a plan and a reach, from the case to the files.
 
 mod slant;
 
@@ -11,29 +11,33 @@ use wholestring_verification::{report_worst, verify};
 
 use slant::{Slant, Stops, same};
 
-/// Density and friction, evenly.
+/// Density and friction, uniformly distributed.
 const BOTH: &str = "plan.uncertain.input=[{ key = \"mud.density\", from = \"1000 kg/m3\", \
     to = \"2000 kg/m3\" }, { key = \"friction\", from = 0.05, to = 0.95 }]";
 
-fn planned(of: &Slant, folder: &Path) -> PlanSummary {
-    let request = of.plan(folder, Existing::Overwrite);
+fn planned(slant: &Slant, folder: &Path) -> PlanSummary {
+    let request = slant.plan(folder, Existing::Overwrite);
     plan::run(&request, &Silent, &CancellationToken::new()).expect("a plan").summary
 }
 
-fn band<'a>(of: &'a UncertainSummary, quantity: &str, operation: &str) -> &'a UncertainBand {
-    let found = of.bands.iter().filter(|of| of.quantity == quantity && of.operation == operation);
+fn band<'a>(summary: &'a UncertainSummary, quantity: &str, operation: &str) -> &'a UncertainBand {
+    let found = summary
+        .bands
+        .iter()
+        .filter(|band| band.quantity == quantity && band.operation == operation);
     found.max_by(|a, b| a.bit_depth_m.partial_cmp(&b.bit_depth_m).expect("depths")).expect("a band")
 }
 
-/// Without axial friction the hook load is `g A L (ρ_s − ρ) cos θ`, linear in the mud's density:
-/// even as that is. While pulling it is `g A L (ρ_s − ρ)(cos θ + μ sin θ)`, a product, whose indices are
-/// those of Sudret's (2008) product of functions: with means `m` and variances `v` of the two factors the
-/// variance is `v_1 v_2 + v_1 m_2² + v_2 m_1²`, and the first-order shares are the last two.
+/// Without axial friction the hook load is `g A L (ρ_s − ρ) cos θ`, linear in the mud's density, so
+/// that both have a uniform distribution. While pulling it is `g A L (ρ_s − ρ)(cos θ + μ sin θ)`, a
+/// product, whose indices are those of Sudret's (2008) product of functions: with means `m` and
+/// variances `v` of the two factors the variance is `v_1 v_2 + v_1 m_2² + v_2 m_1²`, and the
+/// first-order shares are the last two.
 #[test]
 fn hook_load_of_a_slant_has_its_bands() {
     let place = tempfile::tempdir().expect("a folder");
-    let of = Slant::with(&[BOTH, "plan.bit_depths=[\"300 m\", \"600 m\"]"]);
-    let summary = planned(&of, place.path());
+    let slant = Slant::with(&[BOTH, "plan.bit_depths=[\"300 m\", \"600 m\"]"]);
+    let summary = planned(&slant, place.path());
     let found = summary.uncertain.expect("bands");
     assert_eq!((found.samples, found.solved, found.lacking), (200, 200, 0));
 
@@ -43,8 +47,8 @@ fn hook_load_of_a_slant_has_its_bands() {
     let (cos, sin) = (0.5, 0.75_f64.sqrt());
     let turning = band(&found, "hook_load", "rotate_off_bottom");
     let range_N = hangs_N(1000.0, cos) - hangs_N(2000.0, cos);
-    // Each of 200 equal parts holds one sample. The quantile lies between two that follow each other at
-    // 199 parts of the count: less than two parts of the range away.
+    // Each of 200 equal parts contains one sample. The quantile is between two consecutive samples
+    // at 199 parts of the count: less than two parts of the range away.
     let why = "two of 200 parts of the range, of which a Latin hypercube has one sample each";
     let mut rows = Vec::new();
     for (part, quantile) in [0.05, 0.1, 0.5, 0.9, 0.95].into_iter().zip(turning.quantiles) {
@@ -69,8 +73,8 @@ fn hook_load_of_a_slant_has_its_bands() {
     let (slope, v_slope) = spread(cos + 0.05 * sin, cos + 0.95 * sin);
     let shares = [v_heavy * slope * slope, v_slope * heavy * heavy];
     let variance = v_heavy * v_slope + shares[0] + shares[1];
-    // A product of two even inputs is a polynomial of the second degree: the fit is exact, but for the
-    // rounding of the soft string's integration.
+    // A product of two uniform inputs is a polynomial of the second degree, so the fit is exact
+    // except for the rounding of the soft string's integration.
     let why = "a polynomial of the second degree, fitted without an error: rounding";
     for (input, name) in ["density", "friction"].into_iter().enumerate() {
         let (first, other) = (shares[input] / variance, shares[1 - input] / variance);
@@ -90,10 +94,10 @@ fn hook_load_of_a_slant_has_its_bands() {
         }
     }
     let page = fs::read_to_string(place.path().join("report.html")).expect("a page");
-    assert!(page.contains("Sensitivity") && page.contains("What is uncertain"));
+    assert!(page.contains("Sensitivity") && page.contains("Uncertain inputs"));
     let numbers = fs::read_to_string(place.path().join("hook_load.csv")).expect("numbers");
     assert!(numbers.contains("trip_out_p95_hook_load_N"), "{numbers}");
-    // What is certain again has no bands.
+    // Fixed inputs have no bands.
     let certain = Slant::with(&["plan.bit_depths=[\"300 m\", \"600 m\"]"]);
     assert_eq!(planned(&certain, place.path()).uncertain, None);
     for name in ["plan_uncertain.csv", "uncertain.csv", "uncertain.svg"] {
@@ -101,11 +105,11 @@ fn hook_load_of_a_slant_has_its_bands() {
     }
 }
 
-/// Of seeds, as of everything that is one of many things, it is known how much the others do not tell.
+/// For seeds, as for any of several inputs, the variance that the others do not explain is known.
 #[test]
 fn seeds_have_what_is_left() {
     let place = tempfile::tempdir().expect("a folder");
-    let of = Slant::with(&[
+    let slant = Slant::with(&[
         "well.tortuosity={ kind = \"random\", amplitude = \"1 deg\", period = \"60 m\" }",
         "plan.uncertain.input=[{ key = \"well.tortuosity.seed\", values = \"1..100/1\" }, \
          { key = \"mud.density\", mean = \"1.2 sg\", std = \"0.002 sg\" }]",
@@ -113,18 +117,18 @@ fn seeds_have_what_is_left() {
         "plan.bit_depths=[\"600 m\"]",
         "plan.operations=[\"trip_out\"]",
     ]);
-    let found = planned(&of, place.path()).uncertain.expect("bands");
+    let found = planned(&slant, place.path()).uncertain.expect("bands");
     let owed = band(&found, "hook_load", "trip_out").owed.as_ref().expect("indices");
     assert_eq!(owed.first[0], None);
     assert!(owed.total[0] > 0.1 && owed.total.iter().sum::<f64>() < 1.0 + 1e-9, "{owed:?}");
 }
 
-/// Strings that lock up have no answer: they are counted and told, and it is those with the most weight on
-/// bit.
+/// Strings that lock up have no solution: they are counted and reported, and they are those with
+/// the most weight on bit.
 #[test]
 fn samples_without_an_answer_are_counted() {
     let place = tempfile::tempdir().expect("a folder");
-    let of = Slant::with(&[
+    let slant = Slant::with(&[
         "plan.uncertain.input=[{ key = \"wob\", from = \"20 kN\", to = \"3000 kN\" }]",
         "plan.uncertain.samples=40",
         "operation.kind=[\"slide\"]",
@@ -132,7 +136,7 @@ fn samples_without_an_answer_are_counted() {
         "plan.bit_depths=[\"600 m\"]",
         "plan.operations=[\"trip_in\", \"slide\"]",
     ]);
-    let found = planned(&of, place.path()).uncertain.expect("bands");
+    let found = planned(&slant, place.path()).uncertain.expect("bands");
     assert_eq!(found.solved, 40);
     assert!((1..40).contains(&found.lacking), "{found:?}");
     let sliding = band(&found, "hook_load", "slide");
@@ -140,9 +144,9 @@ fn samples_without_an_answer_are_counted() {
     assert_eq!(counts, (40 - found.lacking, found.lacking));
     assert_eq!(band(&found, "hook_load", "trip_in").without_answer, 0);
     assert_eq!(found.reasons.iter().map(|(_, count)| count).sum::<usize>(), found.lacking);
-    let said = plan::notes(&found).join(" ");
+    let notes = plan::notes(&found).join(" ");
     let counted = format!("{} of 40 samples have points without an answer", found.lacking);
-    assert!(said.contains(&counted) && said.contains("locks up"), "{said}");
+    assert!(notes.contains(&counted) && notes.contains("locks up"), "{notes}");
     let page = fs::read_to_string(place.path().join("report.html")).expect("a page");
     assert!(page.contains(&counted));
 
@@ -164,23 +168,24 @@ const FEW: [&str; 4] = [
     "plan.operations=[\"trip_out\"]",
 ];
 
-/// A plan that is stopped in its samples keeps those that are solved, says so, and goes on to the same bytes.
+/// A plan that is interrupted in its samples keeps those that are solved, reports it, and continues
+/// to the same bytes.
 #[test]
 fn a_plan_goes_on_in_its_samples() {
     let place = tempfile::tempdir().expect("a folder");
     let (whole, stopped) = (place.path().join("whole"), place.path().join("stopped"));
-    let of = Slant::with(&[&FEW[..], &["plan.campaign.round_trips=0"]].concat());
-    let done = planned(&of, &whole);
+    let slant = Slant::with(&[&FEW[..], &["plan.campaign.round_trips=0"]].concat());
+    let done = planned(&slant, &whole);
     // Two operations at depths, two weights to buckle, twelve samples.
     let stops = Stops::after(9);
-    let first = plan::run(&of.plan(&stopped, Existing::Protect), &stops, &stops.token);
+    let first = plan::run(&slant.plan(&stopped, Existing::Protect), &stops, &stops.token);
     let first = first.expect("a part");
     assert!(first.batch.is_interrupted());
     let part = first.summary.uncertain.expect("bands of what was solved");
     assert_eq!((part.samples, part.solved), (12, 5));
     assert!(plan::notes(&part).iter().any(|note| note.contains("5 of 12 samples")));
     let goes_on = Stops::after(usize::MAX);
-    let request = of.plan(&stopped, Existing::Resume);
+    let request = slant.plan(&stopped, Existing::Resume);
     let second = plan::run(&request, &goes_on, &CancellationToken::new()).expect("the rest");
     assert_eq!(goes_on.finished(), 9);
     assert_eq!(second.summary, done);
@@ -195,19 +200,19 @@ fn a_plan_goes_on_in_its_samples() {
     same(&names, [&whole, &stopped]);
 }
 
-/// So does a reach. Friction that all sections are given takes the place of what is uncertain.
+/// The same for a reach. A friction factor given for all sections replaces uncertain friction.
 #[test]
 fn a_reach_has_bands_and_goes_on() {
     let place = tempfile::tempdir().expect("a folder");
     let (whole, stopped) = (place.path().join("whole"), place.path().join("stopped"));
-    let of =
+    let slant =
         Slant::with(&[&FEW[..], &["rig.hoist_capacity=300 kN", "rig.block_weight=50 kN"]].concat());
     let request = |folder: &Path, existing| reach::Request {
         to_m: Some(6000.0),
         output: Output { folder: Some(folder.to_owned()), existing, ..Output::default() },
         operations: vec![wholestring::operation::OperationKind::TripOut],
         jobs: std::num::NonZeroUsize::new(1),
-        ..reach::Request::new(&of.case, &of.template, &of.overrides)
+        ..reach::Request::new(&slant.case, &slant.template, &slant.overrides)
     };
     let token = CancellationToken::new();
     let done = reach::run(&request(&whole, Existing::Protect), &Silent, &token).expect("a reach");

@@ -1,4 +1,5 @@
-//! The workbook of a plan is read back: every cell is the table's, in the unit of its heading.
+//! The workbook of a plan is read back: every cell equals that of the table, in the unit of its
+//! heading.
 
 use std::{f64::consts::PI, path::Path};
 
@@ -20,8 +21,8 @@ const SHEETS: [(&str, &str); 7] = [
     ("Hydraulics", "plan_hydraulics"),
 ];
 
-/// SI units in one of each unit that sheets in US field units name: by the foot and the pound of 1959 and
-/// the gallon of 231 cubic inches.
+/// SI value of each unit in sheets with US field units, from the foot and the pound of 1959 and the
+/// gallon of 231 cubic inches.
 const UNITS: [(&str, f64); 7] = [
     ("ft", 0.3048),
     ("in", 0.0254),
@@ -32,7 +33,7 @@ const UNITS: [(&str, f64); 7] = [
     ("°", PI / 180.0),
 ];
 
-/// What converting there and back may cost, relative.
+/// Relative rounding error of converting there and back.
 const ROUNDED: f64 = 1e-12;
 
 fn changes() -> Vec<Override> {
@@ -46,7 +47,7 @@ fn changes() -> Vec<Override> {
         "rig.block_weight=150 kN",
         "rig.hoist_capacity=600 kN",
     ];
-    changes.iter().map(|of| of.parse().expect("an override")).collect()
+    changes.iter().map(|change| change.parse().expect("an override")).collect()
 }
 
 #[test]
@@ -86,19 +87,19 @@ fn every_cell_is_that_of_a_table() {
         numbers += compare(sheet, &cells, &table);
     }
     assert!(numbers > 300, "{numbers} numbers");
-    // A row for each check, the most severe at the top.
+    // A row for each check, the most severe first.
     let summary = PlanSummary::read(&folder.join("summary.json")).expect("a summary");
     let verdicts = file.worksheet_range("Verdict").expect("a sheet");
     assert_eq!(verdicts.height(), summary.checks.len() + 1);
     let most_severe = summary.checks.iter().map(|row| row.check.severity).max().expect("checks");
     assert_eq!(verdicts.get((1, 0)).expect("a cell").to_string(), most_severe.name());
-    // The inputs are those of the case, in the reader's units.
+    // The inputs equal those of the case, in display units.
     let inputs = file.worksheet_range("Inputs").expect("a sheet");
     let has = |line: [&str; 3]| inputs.rows().any(|row| row.iter().zip(line).all(|(a, b)| *a == b));
     assert!(has(["Mud", "Density", "9.17994 ppg"]), "{inputs:?}");
     assert!(has(["Rig", "Hoist capacity", "134.885 klbf"]), "{inputs:?}");
     assert!(has(["Plan", "Campaign, wear factors", "5e-10/psi"]), "{inputs:?}");
-    // A row of the roadmap has all operations at a depth, as the broomstick has them.
+    // A row of the roadmap contains all operations at a depth, as in the broomstick.
     let roadmap = file.worksheet_range("Roadmap").expect("a sheet");
     assert_eq!(roadmap.height(), summary.bit_depths_m.len() + 1);
     let column = |heading: &str| {
@@ -119,11 +120,11 @@ fn every_cell_is_that_of_a_table() {
         let Read::Float(read) = last[column(heading)] else { panic!("{heading}") };
         assert!((read * unit - si).abs() <= ROUNDED * si.abs(), "{heading}: {read} for {si}");
     }
-    // What a row is and what each column means.
+    // Explanations of the rows and of each column.
     let columns = file.worksheet_range("Columns").expect("a sheet");
     assert!(columns.rows().all(|row| row[3] != Read::Empty));
 
-    // It prints on a few sheets of paper: of a long table the first rows.
+    // It prints on a few sheets of paper, with only the first rows of a long table.
     let areas: Vec<(String, String)> = file.defined_names().to_vec();
     let mut printed_rows = 0;
     let mut longest = 0;
@@ -143,10 +144,10 @@ fn every_cell_is_that_of_a_table() {
     assert!(longest > 100 && printed_rows < 700, "{longest} rows, {printed_rows} printed");
 }
 
-/// Compares a sheet with its table; how many numbers that were.
+/// Compares a sheet with its table; returns the number of numeric cells.
 fn compare(sheet: &str, cells: &Range<Read>, table: &Table) -> usize {
     let cell = |row: usize, column: usize| cells.get((row, column)).cloned().unwrap_or_default();
-    let row_units = table.columns().iter().position(|of| of.name == "unit");
+    let row_units = table.columns().iter().position(|column| column.name == "unit");
     let mut numbers = 0;
     for (place, column) in table.columns().iter().enumerate() {
         let heading = cell(0, place).to_string();
@@ -164,9 +165,9 @@ fn compare(sheet: &str, cells: &Range<Read>, table: &Table) -> usize {
                         Some(units) => cell(row + 1, units).to_string(),
                         None => unit.to_owned(),
                     };
-                    let known = UNITS.iter().find(|of| of.0 == unit);
+                    let known = UNITS.iter().find(|unit_row| unit_row.0 == unit);
                     assert!(unit.is_empty() || known.is_some(), "{place}: {unit}");
-                    let factor = known.map_or(1.0, |of| of.1);
+                    let factor = known.map_or(1.0, |unit_row| unit_row.1);
                     match (read, values[row]) {
                         (Read::Empty, None) => {}
                         (Read::Float(read), Some(si)) => {
@@ -181,7 +182,7 @@ fn compare(sheet: &str, cells: &Range<Read>, table: &Table) -> usize {
                     let word = match column.name.as_str() {
                         "operation" => operation_name(&words[row]),
                         "worst_check" => words[row].replace('_', " "),
-                        // In the reader's units.
+                        // In display units.
                         "unit" => continue,
                         _ => words[row].clone(),
                     };

@@ -1,21 +1,21 @@
-//! What a list says of a case.
+//! Data of a case for a list.
 
 use wholestring_case::{Files, Severity, parse};
 use wholestring_config::node::{Value, parse_text};
 
-/// What a case is called, and what is wrong with it.
+/// Name of a case, and its first mistake.
 #[derive(Debug, Default)]
 pub struct Title {
-    /// What it is called in results, if it says so.
+    /// Its name in results, if it has one.
     pub name: Option<String>,
-    /// The first that is wrong with it; none where nothing is.
+    /// Its first mistake; none if it is valid.
     pub problem: Option<String>,
-    /// The case with all defaults filled in; none where it is not valid.
+    /// The case with all defaults filled in; none if it is not valid.
     pub settings: Option<serde_json::Value>,
 }
 
 impl Title {
-    /// Of a text in a file of this name beside these files.
+    /// Reads the title of a text in a file of this name next to these files.
     pub fn of(name: &str, text: &str, files: &dyn Files) -> Self {
         match parse(name, text.as_bytes(), files, &[]) {
             Ok(case) => {
@@ -31,7 +31,7 @@ impl Title {
     }
 }
 
-/// The name that a case gives itself, though it is not valid.
+/// The name in an invalid case.
 fn named(text: &str) -> Option<String> {
     match &parse_text(text, 0).ok()?.get("name")?.value {
         Value::Text { text, .. } => Some(text.clone()),

@@ -1,4 +1,4 @@
-//! What a case can name, and what rigs commonly have.
+//! Catalogue of tubulars, and common rig equipment.
 
 use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
@@ -10,35 +10,35 @@ use wholestring::{
 use wholestring_case::STEEL_DENSITY_KG_PER_M3;
 use wholestring_runner::Found;
 
-/// What is looked for.
+/// Search words.
 #[derive(Debug, Deserialize, IntoParams)]
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
 pub struct Wanted {
-    /// Words, sizes, weights, grades, classes or kinds; without any, everything.
+    /// Words, sizes, weights, grades, classes or kinds; all entries if empty.
     #[serde(default)]
     word: String,
 }
 
-/// What the catalogue has.
+/// Entries of the catalogue.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Catalogue {
     /// Tubulars of a string: `catalogue = "NAME"` under `[[string]]`.
     string: Vec<Tubular>,
     /// Those of a hole: `casing = "NAME"` under `[[well.hole]]`.
     casings: Vec<CasingEntry>,
-    /// What turns a string, typically.
+    /// Typical top drives.
     top_drives: Vec<TopDrive>,
-    /// What carries it, typically.
+    /// Typical hoists.
     hoists: Vec<Hoist>,
-    /// Where all of it comes from.
+    /// Sources of the entries.
     sources: Vec<String>,
 }
 
 /// A tubular of a string.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Tubular {
-    /// What a case names it by.
+    /// Its name in a case.
     name: String,
     /// `drill_pipe`, `heavy_weight`, `collar` or `coiled_tubing`.
     kind: &'static str,
@@ -46,7 +46,7 @@ pub struct Tubular {
     id_m: f64,
     /// Outside diameter of its tool joints.
     joint_od_m: Option<f64>,
-    /// In air, tool joints included.
+    /// In air, including tool joints.
     mass_per_length_kg_per_m: f64,
     yield_strength_Pa: f64,
     /// The connections at its ends.
@@ -56,17 +56,17 @@ pub struct Tubular {
 /// A casing.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct CasingEntry {
-    /// What a case names it by.
+    /// Its name in a case.
     name: String,
     od_m: f64,
     id_m: f64,
     drift_m: f64,
     mass_per_length_kg_per_m: f64,
-    /// Where a grade was asked for.
+    /// Present if a grade was given.
     yield_strength_Pa: Option<f64>,
 }
 
-/// From the least to the most that is common.
+/// Range of common values.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Span {
     least: f64,
@@ -92,9 +92,9 @@ pub struct Hoist {
     block_weight_N: Option<Span>,
 }
 
-/// What `wholestring catalogue WORD` finds.
-pub fn catalogue(wanted: &Wanted) -> Catalogue {
-    let found = Found::described(&wanted.word, &[], &[]);
+/// Entries that `wholestring catalogue WORD` finds.
+pub fn catalogue(query: &Wanted) -> Catalogue {
+    let found = Found::described(&query.word, &[], &[]);
     let sources = found.sources();
     let string = found.string.iter().flat_map(|(_, entries)| entries);
     Catalogue {
@@ -107,67 +107,67 @@ pub fn catalogue(wanted: &Wanted) -> Catalogue {
 }
 
 impl From<&CatalogueEntry> for Tubular {
-    fn from(of: &CatalogueEntry) -> Self {
+    fn from(entry: &CatalogueEntry) -> Self {
         Self {
-            name: of.designation.clone(),
-            kind: match of.kind {
+            name: entry.designation.clone(),
+            kind: match entry.kind {
                 TubularKind::DrillPipe => "drill_pipe",
                 TubularKind::HeavyWeight => "heavy_weight",
                 TubularKind::Collar => "collar",
                 TubularKind::CoiledTubing => "coiled_tubing",
             },
-            od_m: of.od_m,
-            id_m: of.id_m,
-            joint_od_m: of.joints.map(|joints| joints.od_m),
-            mass_per_length_kg_per_m: of.mass_per_length_kg_per_m(STEEL_DENSITY_KG_PER_M3),
-            yield_strength_Pa: of.yield_strength_Pa,
-            connection: of.connection.as_ref().map(|of| of.name.to_string()),
+            od_m: entry.od_m,
+            id_m: entry.id_m,
+            joint_od_m: entry.joints.map(|joints| joints.od_m),
+            mass_per_length_kg_per_m: entry.mass_per_length_kg_per_m(STEEL_DENSITY_KG_PER_M3),
+            yield_strength_Pa: entry.yield_strength_Pa,
+            connection: entry.connection.as_ref().map(|connection| connection.name.to_string()),
         }
     }
 }
 
 impl From<&Casing> for CasingEntry {
-    fn from(of: &Casing) -> Self {
-        let name = match of.grade {
-            Some(grade) => format!("{} {}", of.designation, grade.name),
-            None => of.designation.clone(),
+    fn from(casing: &Casing) -> Self {
+        let name = match casing.grade {
+            Some(grade) => format!("{} {}", casing.designation, grade.name),
+            None => casing.designation.clone(),
         };
         Self {
             name,
-            od_m: of.od_m,
-            id_m: of.id_m,
-            drift_m: of.drift_m,
-            mass_per_length_kg_per_m: of.mass_per_length_kg_per_m,
-            yield_strength_Pa: of.grade.map(|grade| grade.yield_strength_Pa),
+            od_m: casing.od_m,
+            id_m: casing.id_m,
+            drift_m: casing.drift_m,
+            mass_per_length_kg_per_m: casing.mass_per_length_kg_per_m,
+            yield_strength_Pa: casing.grade.map(|grade| grade.yield_strength_Pa),
         }
     }
 }
 
 impl From<rigs::Span> for Span {
-    fn from(of: rigs::Span) -> Self {
-        Self { least: of.least, most: of.most }
+    fn from(span: rigs::Span) -> Self {
+        Self { least: span.least, most: span.most }
     }
 }
 
 impl From<rigs::TopDriveClass> for TopDrive {
-    fn from(of: rigs::TopDriveClass) -> Self {
+    fn from(class: rigs::TopDriveClass) -> Self {
         Self {
-            name: of.designation,
-            capacity_N: of.capacity_N,
-            torque_N_m: of.torque_N_m.into(),
-            peak_torque_N_m: of.peak_torque_N_m.into(),
-            highest_speed_rad_per_s: of.highest_speed_rad_per_s.into(),
+            name: class.designation,
+            capacity_N: class.capacity_N,
+            torque_N_m: class.torque_N_m.into(),
+            peak_torque_N_m: class.peak_torque_N_m.into(),
+            highest_speed_rad_per_s: class.highest_speed_rad_per_s.into(),
         }
     }
 }
 
 impl From<rigs::HoistClass> for Hoist {
-    fn from(of: rigs::HoistClass) -> Self {
+    fn from(class: rigs::HoistClass) -> Self {
         Self {
-            name: of.designation,
-            capacity_N: of.capacity_N.into(),
-            snubbing_force_N: of.snubbing_force_N.map(Span::from),
-            block_weight_N: of.block_weight_N.map(Span::from),
+            name: class.designation,
+            capacity_N: class.capacity_N.into(),
+            snubbing_force_N: class.snubbing_force_N.map(Span::from),
+            block_weight_N: class.block_weight_N.map(Span::from),
         }
     }
 }

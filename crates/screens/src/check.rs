@@ -1,4 +1,4 @@
-//! Is a text a valid case?
+//! Validation of a text as a case.
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
@@ -12,7 +12,7 @@ use crate::{
     values,
 };
 
-/// A text that may stand in the file of a case.
+/// A text that may be the contents of a case file.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Text {
@@ -20,23 +20,23 @@ pub struct Text {
     pub text: String,
 }
 
-/// What is to be said about a text.
+/// Diagnostics and values of a text.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Checked {
     /// Errors, warnings and notes.
     diagnostics: Vec<Diagnostic>,
-    /// The text as JSON, numbers and texts as they stand; null where it is no TOML.
+    /// The text as JSON, with unchanged numbers and texts; null if it is not TOML.
     #[schema(value_type = Option<Object>)]
     values: Option<serde_json::Value>,
-    /// What its texts are worth in SI, by dimension and text: `{"length": {"10 ft": 3.048}}`.
+    /// SI values of its texts, by dimension and text: `{"length": {"10 ft": 3.048}}`.
     #[schema(value_type = Object)]
     quantities: Quantities,
-    /// What can be drawn of it.
+    /// Its drawing.
     layout: Layout,
 }
 
-/// Says what the command line says of a text, as if it stood in the file of this name beside these
-/// files.
+/// Returns the diagnostics of the command line for a text, as if it were in the file of this name
+/// next to these files.
 pub fn check(name: &str, text: &str, files: &dyn Files) -> Checked {
     let diagnostics = match &parse(name, text.as_bytes(), files, &[]) {
         Err(report) => diagnostic::of_report(report),

@@ -1,4 +1,4 @@
-//! Changes to a text that leave the rest as it was written.
+//! Changes to a text that keep the rest as it was written.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -7,34 +7,34 @@ use wholestring_case::{Edit, edit as edit_text};
 
 use crate::refusal::Refusal;
 
-/// A text and what is to be changed in it.
+/// A text and its changes.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Changes {
     /// The text.
     text: String,
-    /// One after the other.
+    /// The changes, applied in order.
     changes: Vec<Change>,
 }
 
-/// A change. Keys are dotted, with the numbers of items from 0: `well.hole.0.friction`.
+/// A change. Keys are dotted, with the indices of items from 0: `well.hole.0.friction`.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(
     untagged,
     expecting = "a change is {set, to}, {remove}, {insert, at, value} or {move, from, to}"
 )]
 pub enum Change {
-    /// A key gets a value.
+    /// Sets the value of a key.
     Set(Set),
-    /// A key, or an item of a list, goes.
+    /// Removes a key, or an item of a list.
     Remove(Remove),
-    /// A list gets an item.
+    /// Inserts an item into a list.
     Insert(Insert),
-    /// An item of a list gets another place.
+    /// Moves an item of a list.
     Move(Move),
 }
 
-/// A key gets a value; tables on the way to it that are missing are made.
+/// Sets the value of a key; missing tables on the way to it are created.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Set {
@@ -44,7 +44,7 @@ pub struct Set {
     to: Value,
 }
 
-/// A key, or an item of a list, goes.
+/// Removes a key, or an item of a list.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Remove {
@@ -52,28 +52,28 @@ pub struct Remove {
     remove: String,
 }
 
-/// A list gets an item; a list that is missing is made.
+/// Inserts an item into a list; a missing list is created.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Insert {
     /// The key of the list.
     insert: String,
-    /// The place that the item has then, from 0.
+    /// The index of the item afterwards, from 0.
     at: usize,
     /// The item.
     value: Value,
 }
 
-/// An item of a list gets another place.
+/// Moves an item of a list.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Move {
     /// The key of the list.
     #[serde(rename = "move")]
     list: String,
-    /// Its place, from 0.
+    /// Its index, from 0.
     from: usize,
-    /// The place that it has then.
+    /// Its index afterwards.
     to: usize,
 }
 
@@ -90,17 +90,17 @@ impl From<Change> for Edit {
     }
 }
 
-/// A text that was changed.
+/// A changed text.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Changed {
     /// The text.
     text: String,
 }
 
-/// Changes a text; comments, and all that is not named, stay as they are.
+/// Changes a text; comments and all unnamed keys stay unchanged.
 ///
 /// # Errors
-/// A change that the text does not take.
+/// A change that does not fit the text.
 pub fn edit(Changes { text, changes }: Changes) -> Result<Changed, Refusal> {
     let changes: Vec<Edit> = changes.into_iter().map(Edit::from).collect();
     let text = edit_text(&text, &changes);

@@ -1,4 +1,4 @@
-//! Cases to begin with.
+//! Example cases.
 
 use std::iter;
 
@@ -8,25 +8,25 @@ use wholestring_cases::{ALL, ReadyCase};
 
 use crate::refusal::Refusal;
 
-/// The commented case to begin with, whose text is the command's: its name and title.
+/// The commented example, whose text is that of `wholestring new`: its name and title.
 const COMMENTED: (&str, &str) =
-    ("my-well", "A commented case to begin with, every line of which says what it means");
+    ("my-well", "A commented case to start with, in which every line is explained");
 
-/// A case to begin with, in a list.
+/// An example case in a list.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct ExampleEntry {
-    /// What it is asked for by, and a name for its file without the ending.
+    /// Its identifier, and a name for its file without the extension.
     name: &'static str,
-    /// What it is, in a sentence.
+    /// Description, in a sentence.
     title: &'static str,
 }
 
-/// A case to begin with, whole.
+/// An example case with its text.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Example {
-    /// What it is asked for by.
+    /// Its identifier.
     name: &'static str,
-    /// What it is, in a sentence.
+    /// Description, in a sentence.
     title: &'static str,
     /// Its text.
     text: String,
@@ -39,17 +39,17 @@ pub struct Example {
 pub struct ExampleFile {
     /// Its name.
     file_name: &'static str,
-    /// What it holds.
+    /// Its contents.
     text: &'static str,
 }
 
-/// The cases to begin with: the commented one, and wells.
+/// The example cases: the commented one, and wells.
 pub fn list() -> Vec<ExampleEntry> {
     let wells = ALL.iter().map(|case| (case.name, case.title));
     iter::once(COMMENTED).chain(wells).map(|(name, title)| ExampleEntry { name, title }).collect()
 }
 
-/// A case to begin with, whole.
+/// An example case with its text.
 ///
 /// # Errors
 /// A name that none has.

@@ -1,4 +1,4 @@
-//! What can be drawn of a case while it is written, sound or not.
+//! Drawing of a case while it is edited, valid or not.
 
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -14,13 +14,13 @@ use crate::{
 pub struct Layout {
     /// The stations, from the case or from its file.
     stations: Stations,
-    /// Where the first lies, if the survey's file says so.
+    /// Position of the first station, if the survey's file gives it.
     tie_in: Option<Start>,
-    /// The path through them; null where there is none.
+    /// The path through them; null if there is none.
     path: Option<PathView>,
     /// Sections of the hole, from the surface down.
     hole: Vec<Section>,
-    /// Components of the string, from the surface down; none where one of them is invalid.
+    /// Components of the string, from the surface down; empty if one of them is invalid.
     string: Vec<Component>,
 }
 

@@ -1,8 +1,9 @@
-//! What the screens of the app ask, noun by noun: plain functions and the JSON that goes in and out.
+//! The requests of the app's screens, one module for each noun: plain functions, with their JSON
+//! input and output.
 //!
-//! The server of the local app and the engine in a browser answer with the same functions. Nothing
-//! here opens a socket or a file, or starts a thread: a case is a name, a text and the files that it
-//! names, and a live string is taken forward by who holds its engine, a turn at a time.
+//! The server of the local app and the engine in a browser use the same functions. This crate opens
+//! no socket or file, and starts no thread: a case is a name, a text and the files that it names,
+//! and a live string is advanced by the owner of its engine, one turn at a time.
 #![warn(missing_docs)]
 
 pub mod answers;

@@ -1,12 +1,12 @@
-//! What the texts of a case are worth in SI.
+//! SI values of the texts in a case.
 
 use std::collections::BTreeMap;
 
 use wholestring_case::dimension_at;
 use wholestring_config::node::{Entries, Node, Value};
 
-/// By dimension and text, what each quantity is worth in SI: `{"length": {"10 ft": 3.048}}`. A text
-/// that is none is left out.
+/// SI value of each quantity, by dimension and text: `{"length": {"10 ft": 3.048}}`. Texts that are
+/// no quantity are omitted.
 pub(super) type Quantities = BTreeMap<&'static str, BTreeMap<String, f64>>;
 
 /// The quantities of a case's tables.
@@ -25,8 +25,8 @@ fn table(entries: &Entries, before: &str, found: &mut Quantities) {
     }
 }
 
-fn node(of: &Node, key: &str, found: &mut Quantities) {
-    match &of.value {
+fn node(value: &Node, key: &str, found: &mut Quantities) {
+    match &value.value {
         Value::Text { text, .. } => {
             if let Some(dimension) = dimension_at(key)
                 && let Ok(si) = dimension.parse(text)

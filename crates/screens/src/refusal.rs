@@ -1,4 +1,4 @@
-//! What is answered where something cannot be.
+//! Error responses.
 
 use std::fmt::Display;
 
@@ -9,52 +9,52 @@ use wholestring_runner::Error;
 
 use crate::diagnostic::{self, Diagnostic};
 
-/// A request that is not answered as it was meant: `{"error": {...}}`.
+/// Error response: `{"error": {...}}`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Refusal {
-    /// The status that HTTP has for it.
+    /// The HTTP status.
     #[serde(skip)]
     pub status: u16,
-    /// Why.
+    /// Details.
     pub error: ErrorDetails,
 }
 
-/// Why.
+/// Details of an error.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ErrorDetails {
-    /// A word for programs.
+    /// Identifier for programs.
     pub kind: &'static str,
-    /// A sentence for people.
+    /// Message for people.
     pub message: String,
-    /// What is wrong with the case, where that is it.
+    /// The diagnostics of the case, if it is invalid.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl Refusal {
-    /// An answer with this status.
+    /// A response with this status.
     pub fn new(status: u16, kind: &'static str, message: impl Into<String>) -> Self {
         let error = ErrorDetails { kind, message: message.into(), diagnostics: Vec::new() };
         Self { status, error }
     }
 
-    /// There is no such thing.
+    /// The object does not exist.
     pub fn not_found(message: impl Into<String>) -> Self {
         Self::new(404, "not_found", message)
     }
 
-    /// What was asked cannot be so.
+    /// The request is invalid.
     pub fn bad_input(message: impl Into<String>) -> Self {
         Self::new(422, "bad_input", message)
     }
 
-    /// It should have gone, and did not: a full disk, for one.
+    /// An operation failed unexpectedly, for example because of a full disk.
     pub fn failed(error: impl Display) -> Self {
         Self::new(500, "failed", error.to_string())
     }
 }
 
-/// A case that is invalid.
+/// An invalid case.
 impl From<&Report> for Refusal {
     fn from(report: &Report) -> Self {
         let mut refusal = Self::new(422, "unsound", "the case is not valid");
@@ -69,7 +69,7 @@ impl From<Report> for Refusal {
     }
 }
 
-/// What the engine does not do.
+/// Errors of the engine.
 impl From<Error> for Refusal {
     fn from(error: Error) -> Self {
         match error {

@@ -1,4 +1,4 @@
-//! A survey out of a spreadsheet, as it comes out of the clipboard.
+//! A survey pasted from a spreadsheet.
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
@@ -14,7 +14,7 @@ use crate::refusal::Refusal;
 pub struct Pasted {
     /// The rows.
     text: String,
-    /// Unit of the lengths, where the heading does not tell it.
+    /// Unit of the lengths, if the heading does not give it.
     #[serde(default)]
     length_unit: Option<String>,
 }
@@ -24,9 +24,9 @@ pub struct Pasted {
 pub struct Survey {
     /// The stations.
     stations: Stations,
-    /// Where the first lies, if that is said.
+    /// Position of the first station, if given.
     tie_in: Option<Start>,
-    /// What was recognised and assumed, in sentences.
+    /// Recognised and assumed properties, in sentences.
     notes: Vec<String>,
 }
 
@@ -36,11 +36,11 @@ pub struct Stations {
     md_m: Vec<f64>,
     inclination_rad: Vec<f64>,
     azimuth_rad: Vec<f64>,
-    /// From the station above, along a circular arc; 0 of the first.
+    /// From the preceding station, along a circular arc; 0 for the first.
     dogleg_severity_rad_per_m: Vec<f64>,
 }
 
-/// Where the first station lies.
+/// Position of the first station.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Start {
     north_m: f64,
@@ -49,7 +49,7 @@ pub struct Start {
 }
 
 impl Stations {
-    /// Columns of a survey. Where the depth does not grow there is no dogleg: 0.
+    /// Columns of a survey. The dogleg severity is 0 where the depth does not increase.
     pub(super) fn of(list: &[Station]) -> Self {
         let above = list.iter().take(1).chain(list);
         let dogleg = above.zip(list).map(|(above, below)| {
@@ -57,33 +57,33 @@ impl Stations {
             if length_m > 0.0 { above.dogleg_rad(below) / length_m } else { 0.0 }
         });
         Self {
-            md_m: list.iter().map(|of| of.md_m).collect(),
-            inclination_rad: list.iter().map(|of| of.inclination_rad).collect(),
-            azimuth_rad: list.iter().map(|of| of.azimuth_rad).collect(),
+            md_m: list.iter().map(|list| list.md_m).collect(),
+            inclination_rad: list.iter().map(|list| list.inclination_rad).collect(),
+            azimuth_rad: list.iter().map(|list| list.azimuth_rad).collect(),
             dogleg_severity_rad_per_m: dogleg.collect(),
         }
     }
 }
 
 impl From<TieIn> for Start {
-    fn from(of: TieIn) -> Self {
-        Self { north_m: of.north_m, east_m: of.east_m, tvd_m: of.tvd_m }
+    fn from(tie_in: TieIn) -> Self {
+        Self { north_m: tie_in.north_m, east_m: tie_in.east_m, tvd_m: tie_in.tvd_m }
     }
 }
 
-/// Reads rows as `import` reads a survey's file: columns by their headings, units from there. Nothing
-/// is written.
+/// Reads rows as `import` reads a survey file: columns by their headings, which also give the
+/// units. Nothing is written.
 ///
 /// # Errors
-/// A unit that is none of length, and rows that are no survey.
+/// A unit that is not a length, and rows that are not a survey.
 pub fn survey(pasted: &Pasted) -> Result<Survey, Refusal> {
     let unit = |symbol: &str| {
         let known = Dimension::Length.find_unit(symbol);
-        known.ok_or_else(|| Refusal::bad_input(format!("`{symbol}` is no unit of length")))
+        known.ok_or_else(|| Refusal::bad_input(format!("`{symbol}` is not a unit of length")))
     };
     let length_unit = pasted.length_unit.as_deref().map(unit).transpose()?;
-    let said = Said { length_unit, ..Said::default() };
-    let read = read_as(pasted.text.as_bytes(), "what was pasted", &said);
+    let hints = Said { length_unit, ..Said::default() };
+    let read = read_as(pasted.text.as_bytes(), "pasted text", &hints);
     let read = read.map_err(|error| Refusal::bad_input(error.to_string()))?;
     Ok(Survey {
         stations: Stations::of(&read.stations),

@@ -1,4 +1,4 @@
-//! Units: which there are, and in which each set shows a dimension.
+//! All units, and the unit of each dimension in each set.
 
 use std::collections::BTreeMap;
 
@@ -10,32 +10,35 @@ use wholestring_units::{Dimension, UnitSet};
 /// A dimension's units.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct DimensionUnits {
-    /// By every way to write a unit, how much of SI it is. None where nobody writes the dimension.
+    /// SI value of one unit, for every notation of a unit. Empty for dimensions that no case file
+    /// has.
     factors: BTreeMap<&'static str, f64>,
-    /// The unit in which each set shows it, by the set's name.
+    /// The unit in each set, by the set's name.
     shown: BTreeMap<&'static str, ShownUnit>,
 }
 
-/// A unit in which numbers are shown.
+/// A display unit.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct ShownUnit {
-    /// As it is written behind a number in a case file. None where nobody writes the dimension.
+    /// Its notation after a number in a case file. None for dimensions that no case file has.
     symbol: Option<&'static str>,
-    /// As it is printed.
+    /// Its printed symbol.
     label: String,
-    /// How much of SI it is.
+    /// Its SI value.
     factor: f64,
 }
 
-/// Every dimension by its name.
+/// All dimensions by name.
 pub fn units() -> BTreeMap<String, DimensionUnits> {
-    let named = display_units().into_iter().map(|(name, shown)| {
-        let dimension = Dimension::ALL.iter().find(|of| of.name() == name);
-        let units = dimension.map_or(&[][..], |of| of.units());
-        let spelt = units.iter().flat_map(|unit| unit.spellings().map(move |of| (of, unit.factor)));
-        let sets = UnitSet::ALL.iter().zip(shown).map(|(set, shown)| {
-            let symbol = dimension.map(|of| of.unit_in(*set).symbol);
-            (set.name(), ShownUnit { symbol, label: shown.symbol, factor: shown.factor })
+    let named = display_units().into_iter().map(|(name, display)| {
+        let dimension = Dimension::ALL.iter().find(|dimension| dimension.name() == name);
+        let units = dimension.map_or(&[][..], |dimension| dimension.units());
+        let spelt = units
+            .iter()
+            .flat_map(|unit| unit.spellings().map(move |spelling| (spelling, unit.factor)));
+        let sets = UnitSet::ALL.iter().zip(display).map(|(set, display)| {
+            let symbol = dimension.map(|dimension| dimension.unit_in(*set).symbol);
+            (set.name(), ShownUnit { symbol, label: display.symbol, factor: display.factor })
         });
         (name, DimensionUnits { factors: spelt.collect(), shown: sets.collect() })
     });

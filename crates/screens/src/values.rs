@@ -1,10 +1,10 @@
-//! A text of TOML as JSON.
+//! TOML as JSON.
 
 use serde_json::{Map, Value as Json, json};
 use wholestring_config::node::{Entries, Node, Value};
 
-/// A table. Numbers and texts are as they stand; a date is its text, and so is a number that JSON
-/// has not.
+/// A table as JSON. Numbers and texts are unchanged; a date becomes its text, and so does a number
+/// that JSON lacks.
 pub(super) fn of_table(entries: &Entries, text: &str) -> Json {
     let pairs = entries.0.iter().map(|(key, node)| (key.name.clone(), of_node(node, text)));
     Json::Object(pairs.collect::<Map<String, Json>>())

@@ -9,18 +9,18 @@ use crate::{chosen::Chosen, sweep::Sweep};
 pub struct Abscissa {
     /// The key.
     pub key: String,
-    /// What its values measure; none where they are bare numbers.
+    /// Dimension of its values; none for bare numbers.
     pub dimension: Option<Dimension>,
 }
 
 impl Abscissa {
-    /// The number that a value of the key is, SI; none where it is a word.
+    /// The number of a value of the key, SI; none if it is a word.
     pub fn number(&self, value: &str) -> Option<f64> {
         let bare = value.parse::<f64>().ok().filter(|number| number.is_finite());
         bare.or_else(|| self.dimension?.parse(value).ok())
     }
 
-    /// The key of that name, which every sweep varies; a mistake where one does not.
+    /// The key with this name, which every sweep must vary; otherwise an error.
     pub(crate) fn named(
         at: &Spanned<String>,
         chosen: &Chosen,
@@ -45,10 +45,11 @@ impl Abscissa {
                     continue;
                 }
                 let mut all = Dimension::ALL.iter().copied();
-                dimension = dimension.or_else(|| all.find(|of| of.parse(value).is_ok()));
-                if dimension.is_none_or(|of| of.parse(value).is_err()) {
+                dimension =
+                    dimension.or_else(|| all.find(|dimension| dimension.parse(value).is_ok()));
+                if dimension.is_none_or(|dimension| dimension.parse(value).is_err()) {
                     let message =
-                        format!("`{}` of `{}` is no place on an axis", short(value), at.value);
+                        format!("`{}` of `{}` cannot be placed on an axis", short(value), at.value);
                     return Diagnostic::error(message)
                         .at(at.place, "expected a key of numbers of one unit")
                         .refuse(reader);

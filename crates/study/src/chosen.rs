@@ -1,4 +1,4 @@
-//! Whose results a figure or a number shows.
+//! Selection of the results of a figure or a number.
 
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::rules::{KindRule, ModelRule};
@@ -9,39 +9,39 @@ use crate::{
     sweep::Sweep,
 };
 
-/// Whose results a figure or a number shows.
+/// Selection of the results of a figure or a number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chosen {
     /// Sweeps, as indices into [`Study::sweeps`](crate::Study::sweeps).
     pub sweeps: Vec<usize>,
-    /// Models; all where it is empty.
+    /// Models; empty for all.
     pub models: Vec<ModelKind>,
-    /// Operations; all where it is empty.
+    /// Operations; empty for all.
     pub operations: Vec<OperationKind>,
     /// Cases.
     pub only: Selection,
 }
 
 keys! {
-    /// The keys that choose cases, as a figure, a table and a row have them.
+    /// The keys that select cases, of a figure, a table and a row.
     ChoosingKeys {
-        /// Sweeps whose cases it shows, in a table a column each. Default: all, in a row those of
+        /// Sweeps whose cases it shows, in a table one column each. Default: all, in a row those of
         /// the table.
         sweeps: Vec<Spanned<String>> = optional(List::or_one(Text, "names of sweeps", 100));
-        /// Models that it shows. Default: all that were solved, in a row those of the table.
+        /// Models that it shows. Default: all solved ones, in a row those of the table.
         models: Vec<Spanned<ModelKind>> = optional(List::or_one(ModelRule, "models", 10));
-        /// Operations that it shows. Default: all that were solved, in a row those of the table.
+        /// Operations that it shows. Default: all solved ones, in a row those of the table.
         operations: Vec<Spanned<OperationKind>> =
             optional(List::or_one(KindRule, "operations", 7));
         /// Cases that it shows, by values of varied keys: single, listed or in a range such as
-        /// "..1200 m". Default: all. A row shows a number of one case: keys that it leaves out are
-        /// those of the table, and all that are varied need a value.
+        /// "..1200 m". Default: all. A row shows a number of one case: omitted keys are those of
+        /// the table, and all varied keys need a value.
         only: Selection = optional(SelectionRule);
     }
 }
 
 impl ChoosingKeys {
-    /// What is chosen; all of `outer` where a key is not given.
+    /// The selection; that of `outer` for missing keys.
     pub(crate) fn within(
         &self,
         outer: &Chosen,
@@ -102,7 +102,7 @@ fn sweep_named(at: &Spanned<String>, sweeps: &[Sweep], reader: &mut Reader) -> O
     found
 }
 
-/// Warns of keys that say nothing here.
+/// Warns about keys without effect here.
 pub(crate) fn unheeded(
     fields: impl IntoIterator<Item = (&'static str, Option<Span>)>,
     why: &str,

@@ -1,4 +1,4 @@
-//! What a figure or a number of a table is made of: a column of a case's results.
+//! Columns of a case's results, of which figures and numbers of tables are made.
 
 use serde_json::{Value as Json, json};
 use wholestring_config::prelude::*;
@@ -37,7 +37,7 @@ pub(crate) const SOURCES: Choice<Source> = Choice {
 };
 
 impl Source {
-    /// As study files call it.
+    /// Its name in study files.
     pub fn name(self) -> &'static str {
         let found = SOURCES.words.iter().find(|(_, source)| *source == self);
         found.map_or("", |(name, _)| name)
@@ -47,11 +47,11 @@ impl Source {
 /// A column that results may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ColumnName {
-    /// Where it stands.
+    /// Its source.
     pub source: Source,
     /// Its name, with the unit in it.
     pub name: &'static str,
-    /// What it measures; none where no unit converts it.
+    /// Its dimension; none if no unit converts it.
     pub dimension: Option<Dimension>,
 }
 
@@ -65,7 +65,7 @@ pub struct Quantity {
 }
 
 impl Quantity {
-    /// The column that is written `tension_N`, or `|contact_force_N|`.
+    /// The column written as `tension_N` or `|contact_force_N|`.
     pub(crate) fn named(
         at: &Spanned<String>,
         source: Source,
@@ -93,7 +93,7 @@ impl Quantity {
     }
 }
 
-/// What is made of many values.
+/// Statistic of many values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Statistic {
     /// Their mean.
@@ -106,12 +106,12 @@ pub enum Statistic {
     Min,
     /// The largest.
     Max,
-    /// That percentile.
+    /// This percentile.
     Percentile(f64),
 }
 
 impl Statistic {
-    /// As study files write it.
+    /// Its notation in study files.
     pub fn name(self) -> String {
         match self {
             Self::Mean => "mean".into(),
@@ -173,19 +173,20 @@ impl Rule for StatisticRule {
     }
 }
 
-/// Refuses a percentile that no summary holds.
+/// Refuses a percentile that summaries lack.
 pub(crate) fn check_summarised(at: &Spanned<Statistic>, reader: &mut Reader) -> Option<()> {
     if at.value.is_summarised() {
         return Some(());
     }
-    let message = format!("summaries hold no `{}`", at.value.name());
+    let message = format!("summaries have no `{}`", at.value.name());
     Diagnostic::error(message)
         .at(at.place, "expected \"p05\" or \"p95\"")
         .help("from = \"time\" or \"frames\" makes any percentile of the samples")
         .refuse(reader)
 }
 
-/// A value that is given, in whatever it is compared with: text with a unit, or a bare number.
+/// A given value, whose dimension depends on the compared quantity: text with a unit, or a bare
+/// number.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Amount {
     Bare(f64),
@@ -214,7 +215,7 @@ impl Rule for AmountRule {
 }
 
 impl Amount {
-    /// Its value in SI where it measures that; a mistake where it does not.
+    /// Its value in SI in this dimension; an error if it has another.
     pub(crate) fn si(
         at: &Spanned<Self>,
         dimension: Option<Dimension>,
@@ -226,7 +227,7 @@ impl Amount {
         };
         let Some(dimension) = dimension else {
             let message =
-                format!("`{}` has a unit, and what it is compared with has none", short(text));
+                format!("`{}` has a unit, but the compared quantity has none", short(text));
             return Diagnostic::error(message)
                 .at(at.place, "expected a number without quotes")
                 .refuse(reader);
@@ -247,7 +248,7 @@ impl Amount {
         }
     }
 
-    /// A share written in percent.
+    /// A fraction written in percent.
     pub(crate) fn share(&self) -> Option<f64> {
         match self {
             Self::WithUnit(text) => {
@@ -259,7 +260,7 @@ impl Amount {
     }
 }
 
-/// A tolerance that allows nothing is a mistake.
+/// A tolerance of zero is an error.
 pub(crate) fn check_positive(value: f64, at: &Spanned<Amount>, reader: &mut Reader) -> Option<f64> {
     if value > 0.0 && value.is_finite() {
         return Some(value);

@@ -1,4 +1,4 @@
-//! Curves to draw of the cases.
+//! Curves of the cases.
 
 use crate::{
     abscissa::Abscissa,
@@ -6,7 +6,7 @@ use crate::{
     column::{Quantity, Statistic},
 };
 
-/// Where an axis points.
+/// Direction of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pointing {
     /// To the right.
@@ -20,15 +20,15 @@ pub enum Pointing {
 pub struct Figure {
     /// Name of its files.
     pub name: String,
-    /// What stands over it.
+    /// Its title.
     pub title: String,
-    /// What stands under it; may be empty.
+    /// Text below it; may be empty.
     pub caption: String,
-    /// Whose results it shows.
+    /// The cases whose results it shows.
     pub chosen: Chosen,
-    /// What is drawn.
+    /// Its data.
     pub data: FigureData,
-    /// Where the axis of `x` points.
+    /// Direction of the axis of `x`.
     pub x_axis: Pointing,
     /// The vertical axis.
     pub y: Vec<Quantity>,
@@ -36,14 +36,14 @@ pub struct Figure {
     pub levels: Vec<Level>,
 }
 
-/// Where the curves of a figure come from.
+/// Source of the curves of a figure.
 #[derive(Debug, Clone)]
 pub enum FigureData {
     /// A point for each case.
     Summary {
         /// The key on the horizontal axis.
         x: Abscissa,
-        /// What is shown.
+        /// The statistics.
         statistics: Vec<Statistic>,
     },
     /// Rows of a table, or of the path.
@@ -62,7 +62,7 @@ pub enum FigureData {
     },
     /// Contact over time and depth, a map for each case.
     Map {
-        /// What colours it.
+        /// The quantity of the colours.
         colour: Quantity,
         /// First and last time, s.
         window_s: Option<[f64; 2]>,
@@ -79,7 +79,7 @@ pub enum FigureData {
 }
 
 impl Figure {
-    /// The columns that it is made of.
+    /// The columns of the figure.
     pub(crate) fn quantities(&self) -> impl Iterator<Item = &Quantity> {
         let other = match &self.data {
             FigureData::Summary { .. } => None,
@@ -92,10 +92,10 @@ impl Figure {
     }
 }
 
-/// A value to hold curves against.
+/// A value for comparison with the curves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
-    /// What it is.
+    /// Its label.
     pub label: String,
     /// The value, SI.
     pub value: f64,

@@ -1,4 +1,4 @@
-//! `[[figure]]` as files write it.
+//! `[[figure]]` of study files.
 
 use wholestring_config::prelude::*;
 
@@ -16,13 +16,13 @@ use crate::{
 };
 
 table! {
-    /// Curves to draw of the cases, and their data as CSV.
+    /// Curves of the cases, and their data as CSV.
     FigureTable in "[[figure]]" {
-        /// What stands over it.
+        /// Its title.
         title: String = required(Text);
         /// Name of its files. Default: `figure-01` and so on.
         name: String = optional(FileName);
-        /// What stands under it on the page.
+        /// Text below it on the page.
         caption: String = optional(Prose);
         ..choosing: ChoosingKeys;
         /// Part of the results that it is drawn from: "summary" (a number for each case), "nodes"
@@ -30,29 +30,29 @@ table! {
         /// (the whole string against time, where the case records frames), "contact" (over depth
         /// and time, as a map for each case) or "path" (the well down to the bit).
         from: Source = default(SOURCES, Source::Summary);
-        /// What stands on the horizontal axis: a varied key for "summary", otherwise a column. All
-        /// other keys that are varied make a curve for each of their values.
+        /// Quantity of the horizontal axis: a varied key for "summary", otherwise a column. All
+        /// other varied keys make a curve for each of their values.
         x: String = required(Text);
-        /// Where the axis of `x` points: "across" the page, or "down" it, as depths are drawn
-        /// beside each other; `y` then points across. Not for "contact".
+        /// Direction of the axis of `x`: "across" the page, or "down" it, as for plots against
+        /// depth placed side by side; `y` then points across. Not for "contact".
         x_axis: Pointing = default(POINTING, Pointing::Across);
-        /// Columns on the vertical axis, all of one unit; of |tension_N| the sign is dropped. A
-        /// depth points down.
+        /// Columns on the vertical axis, all of one unit; |tension_N| is the magnitude. A depth
+        /// points down.
         y: Vec<Spanned<String>> = required(List::or_one(Text, "columns", MAX));
-        /// Column that colours a map of "contact", over x = "time_s" and y = "md_m". A sign is a
-        /// side of the hole, but of |side_force_N_per_m| it is dropped.
+        /// Column whose values give the colours of a map of "contact", over x = "time_s" and y =
+        /// "md_m". A sign is a side of the hole, except for the magnitude |side_force_N_per_m|.
         colour: String = optional(Text);
-        /// What is shown of a quantity that varies over the window of a dynamic model: "mean",
-        /// "std", "mean+std", "min", "max", "p05" or "p95". For "summary". Default: the mean.
+        /// Statistics of a quantity that varies over the window of a dynamic model: "mean", "std",
+        /// "mean+std", "min", "max", "p05" or "p95". For "summary". Default: the mean.
         statistic: Vec<Spanned<Statistic>> = optional(List::or_one(StatisticRule, "statistics", 7));
-        /// Times of the frames that are drawn, a curve for each.
+        /// Times of the frames to draw, one curve for each.
         times: Vec<Spanned<f64>> = optional(times());
         /// Measured depths of the nodes whose frames are drawn against time, a curve for each. The
-        /// nearest node is taken, and for contact force and friction of those within 5 m the one to
-        /// which the wall does most.
+        /// nearest node is used; for contact force and friction, the node within 5 m with the
+        /// largest action of the wall.
         depths: Vec<Spanned<f64>> = optional(depths());
-        /// First and last time that is drawn. For "time", "contact", and "frames" at depths.
-        /// Default: the whole run.
+        /// First and last time to draw. For "time", "contact", and "frames" at depths. Default: the
+        /// whole run.
         window: Vec<Spanned<f64>> = optional(two_times());
         /// Values of `y` to compare the curves with, or to mark on a map.
         level: Vec<Spanned<LevelTable>> = optional(List::tables::<LevelTable>(
@@ -62,9 +62,9 @@ table! {
 }
 
 table! {
-    /// A value to compare the curves with.
+    /// A value for comparison with the curves.
     LevelTable in "[[figure.level]]" {
-        /// What it is.
+        /// Its label.
         label: String = required(Text);
         /// The value, with the unit of `y`'s quantity; a bare number is SI.
         value: Amount = required(AmountRule);
@@ -202,13 +202,13 @@ impl FigureTable {
                 Some(FigureData::Map { colour, window_s })
             }
             _ => {
-                idle(&["times", "depths", "window"], "this table does not tell of time", reader);
+                idle(&["times", "depths", "window"], "this table has no times", reader);
                 Some(FigureData::Rows { x, window_s: None })
             }
         }
     }
 
-    /// What colours a map, whose axes are time and depth.
+    /// The colours of a map, whose axes are time and depth.
     fn map_colour(
         &self,
         at: Span,
@@ -220,11 +220,11 @@ impl FigureTable {
             let at = self.y.at()?.place;
             return Diagnostic::error(message).at(at, "expected \"md_m\"").refuse(reader);
         };
-        for (axis, given, expected) in [("x", self.x.at()?, "time_s"), ("y", y, "md_m")] {
-            if given.value != expected {
-                let message = format!("`{}` is not on `{axis}` of a map", short(&given.value));
+        for (axis, column, expected) in [("x", self.x.at()?, "time_s"), ("y", y, "md_m")] {
+            if column.value != expected {
+                let message = format!("`{}` is not on `{axis}` of a map", short(&column.value));
                 return Diagnostic::error(message)
-                    .at(given.place, format!("expected \"{expected}\""))
+                    .at(column.place, format!("expected \"{expected}\""))
                     .help(
                         "a map shows contact over time and depth; `colour` is the column \
                                that it shows",

@@ -3,7 +3,7 @@
 use serde_json::json;
 use wholestring_config::{Json, prelude::*};
 
-/// The name of a file without its ending: what every system takes.
+/// The name of a file without its extension, valid on every system.
 pub(crate) struct FileName;
 
 impl Rule for FileName {

@@ -1,8 +1,8 @@
 //! Study files: sweeps of cases, and the figures and tables to make of them.
 //!
-//! [`load`] and [`parse`] give a [`Study`], or a report that names every mistake at once. What its
-//! figures and tables may show is identified by the caller, as [`ColumnName`]s: a study knows no
-//! results. The cases themselves are read by whoever carries the study out.
+//! [`load`] and [`parse`] give a [`Study`], or a report that names every mistake at once. The
+//! caller passes the available columns as [`ColumnName`]s, because a study has no access to
+//! results. The cases themselves are read by the runner of the study.
 //!
 //! ```
 //! use wholestring_study::{ColumnName, Source, parse};

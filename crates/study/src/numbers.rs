@@ -9,12 +9,12 @@ use crate::{
     selection::Selection,
 };
 
-/// What is reported of numbers along a key.
+/// Shape of numbers along a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// Share of their variance that a straight line explains.
     Linearity,
-    /// Share of the steps that go up.
+    /// Share of the increasing steps.
     Growth,
     /// The smallest.
     Least,
@@ -27,9 +27,9 @@ pub enum Shape {
 pub struct NumberTable {
     /// Name of its files.
     pub name: String,
-    /// What stands over it.
+    /// Its title.
     pub title: String,
-    /// What stands under it; may be empty.
+    /// Text below it; may be empty.
     pub caption: String,
     /// Its rows.
     pub rows: Vec<Row>,
@@ -38,32 +38,32 @@ pub struct NumberTable {
 /// One number of the cases, compared with a given one.
 #[derive(Debug, Clone)]
 pub struct Row {
-    /// What it is.
+    /// Its label.
     pub label: String,
-    /// Where the given number comes from; may be empty.
+    /// Source of the given number; may be empty.
     pub source: String,
-    /// Whose results it is about.
+    /// The cases of the number.
     pub chosen: Chosen,
-    /// What it is made of.
+    /// The number.
     pub number: Number,
-    /// Subtract the same of the case with these values.
+    /// Subtracts the same number of the case with these values.
     pub less: Option<Selection>,
-    /// Divide by the same of the case with these values.
+    /// Divides by the same number of the case with these values.
     pub over: Option<Selection>,
-    /// Divide by the same of this model.
+    /// Divides by the same number of this model.
     pub over_model: Option<ModelKind>,
-    /// Report the shape of the numbers along a key.
+    /// Reports the shape of the numbers along a key.
     pub along: Option<(String, Shape)>,
-    /// What it is compared with.
+    /// The accepted values.
     pub wanted: Wanted,
 }
 
-/// What a number is made of.
+/// Definition of a number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Number {
     /// The column.
     pub quantity: Quantity,
-    /// What is made of its values.
+    /// The statistic of its values.
     pub statistic: Statistic,
     /// At this measured depth, m.
     pub depth_m: Option<f64>,
@@ -73,19 +73,19 @@ pub struct Number {
     pub window_s: Option<[f64; 2]>,
 }
 
-/// What a number is compared with, SI.
+/// The accepted values of a number, SI.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Wanted {
-    /// The number that is given.
+    /// The given number.
     pub expected: Option<f64>,
-    /// The smallest number that agrees.
+    /// The smallest accepted number.
     pub least: Option<f64>,
-    /// The largest number that agrees.
+    /// The largest accepted number.
     pub most: Option<f64>,
 }
 
 impl Row {
-    /// What the number measures; none for a bare one.
+    /// Dimension of the number; none for a bare one.
     pub fn dimension(&self) -> Option<Dimension> {
         let bare = matches!(self.along, Some((_, Shape::Linearity | Shape::Growth)));
         self.number

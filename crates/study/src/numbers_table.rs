@@ -1,4 +1,4 @@
-//! `[[table]]` as files write it.
+//! `[[table]]` of study files.
 
 use wholestring_config::prelude::*;
 
@@ -14,14 +14,14 @@ use crate::{
 table! {
     /// Numbers of the cases compared with given ones, a column for each sweep, model and operation.
     NumbersTable in "[[table]]" {
-        /// What stands over it.
+        /// Its title.
         title: String = required(Text);
         /// Name of its files. Default: `table-01` and so on.
         name: String = optional(FileName);
-        /// What stands under it on the page.
+        /// Text below it on the page.
         caption: String = optional(Prose);
         ..choosing: ChoosingKeys;
-        /// Its rows, a number each.
+        /// Its rows, one number each.
         row: Vec<Spanned<RowTable>> = required(List::tables::<RowTable>(
             "rows ([[table.row]])", 1000,
         ));

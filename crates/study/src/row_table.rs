@@ -1,4 +1,4 @@
-//! `[[table.row]]` as files write it.
+//! `[[table.row]]` of study files.
 
 use wholestring::outcome::ModelKind;
 use wholestring_case::rules::ModelRule;
@@ -17,50 +17,50 @@ use crate::{
 };
 
 table! {
-    /// One number: what it is made of, and what it is compared with.
+    /// One number: its definition, and the accepted values.
     RowTable in "[[table.row]]" {
-        /// What it is.
+        /// Its label.
         label: String = required(Text);
-        /// Where the given number comes from.
+        /// Source of the given number.
         source: String = optional(Text);
         ..choosing: ChoosingKeys;
-        /// Part of the results that it is taken from: "summary", "nodes" (along the string), "wear"
+        /// Part of the results that contains it: "summary", "nodes" (along the string), "wear"
         /// (along the hole), "time" (scalars against time), "frames" (the whole string against
         /// time), "contact" (over depth and time) or "path" (the well).
         from: Source = default(SOURCES, Source::Summary);
-        /// Column of it; of |tension_N| the sign is dropped.
+        /// Column of that part; |tension_N| is the magnitude.
         column: String = required(Text);
-        /// What is made of the values: "mean", "std", "mean+std", "min", "max" or a percentile such
-        /// as "p98"; of a summary's over the window of a dynamic model, of "time" and of "frames"
-        /// at a depth over time, of "contact" over all that is chosen, otherwise along the string.
+        /// Statistic of the values: "mean", "std", "mean+std", "min", "max" or a percentile such as
+        /// "p98"; for a summary over the window of a dynamic model, for "time" and for "frames" at
+        /// a depth over time, for "contact" over all selected values, otherwise along the string.
         statistic: Statistic = default(StatisticRule, Statistic::Mean);
         /// The value at the node that is nearest to this measured depth; for contact force and
-        /// friction in "frames", at that of those within 5 m to which the wall does most.
+        /// friction in "frames", at the node within 5 m with the largest action of the wall.
         depth: f64 = optional(depth());
         /// The value at the sample or frame that is nearest to this time.
         time: f64 = optional(time());
         /// First and last time of "time", "frames" and "contact". Default: the window of the case,
         /// after it has settled.
         window: Vec<Spanned<f64>> = optional(two_times());
-        /// Subtract the same of another case, which differs in these keys.
+        /// Subtracts the same number of another case, which differs in these keys.
         less: Selection = optional(SelectionRule);
-        /// Divide by the same of another case, which differs in these keys.
+        /// Divides by the same number of another case, which differs in these keys.
         over: Selection = optional(SelectionRule);
-        /// Divide by the same of this model in the same case.
+        /// Divides by the same number of this model in the same case.
         over_model: ModelKind = optional(ModelRule);
         /// Key whose values give a row of numbers, of which `shape` is reported.
         along: String = optional(Text);
-        /// What is reported of the numbers along a key: "linearity" (share of their variance that a
-        /// straight line explains), "growth" (share of the steps from one to the next that go up),
-        /// "least" or "most" (the smallest and largest of them).
+        /// Property of the numbers along a key: "linearity" (share of their variance that a
+        /// straight line explains), "growth" (share of the steps from one to the next that
+        /// increase), "least" or "most" (the smallest and largest of them).
         shape: Shape = optional(SHAPES);
-        /// The number that is given.
+        /// The given number.
         expected: Amount = optional(AmountRule);
-        /// How far from it the computed one may be: "8 %", or a quantity.
+        /// Permitted difference of the computed number from it: "8 %", or a quantity.
         tolerance: Amount = optional(AmountRule);
-        /// What the number must at least be.
+        /// Smallest accepted number.
         at_least: Amount = optional(AmountRule);
-        /// What the number must at most be.
+        /// Largest accepted number.
         at_most: Amount = optional(AmountRule);
     }
 }
@@ -87,7 +87,7 @@ impl RowTable {
         let along = self.along(reader)?;
         let mut outer = outer.clone();
         if let Some((key, _)) = &along {
-            // What the table says of it would leave one number.
+            // A selection of the table for this key would leave one number.
             outer.only = outer.only.without(key);
         }
         let chosen = self.choosing.within(&outer, sweeps, reader);
@@ -100,17 +100,17 @@ impl RowTable {
             self.check_case(sweep, &chosen.only, along, at, reader)?;
         }
         let [less, over] = [&self.less, &self.over].map(|field| field.optional());
-        let other = |given: Option<&Spanned<Selection>>, reader: &mut Reader| {
-            let Some(given) = given else {
+        let other = |selection: Option<&Spanned<Selection>>, reader: &mut Reader| {
+            let Some(selection) = selection else {
                 return Some(None);
             };
-            let other = chosen.only.narrowed(&given.value);
+            let other = chosen.only.narrowed(&selection.value);
             for sweep in chosen.sweeps.iter().map(|index| &sweeps[*index]) {
-                given.value.check(&sweep.name, &sweep.vary, reader)?;
+                selection.value.check(&sweep.name, &sweep.vary, reader)?;
                 let along = along.as_ref().map(|(key, _)| key.as_str());
-                self.check_case(sweep, &other, along, given.place, reader)?;
+                self.check_case(sweep, &other, along, selection.place, reader)?;
             }
-            Some(Some(given.value.clone()))
+            Some(Some(selection.value.clone()))
         };
         let less = other(less?, reader)?;
         let over = other(over?, reader)?;
@@ -155,7 +155,7 @@ impl RowTable {
                 check_summarised(statistic, reader)?;
             }
             Source::Nodes | Source::Wear | Source::Path => {
-                idle(&["time", "window"], "this table does not tell of time");
+                idle(&["time", "window"], "this table has no times");
                 if depth.is_some() {
                     idle(&["statistic"], "there is one value at a depth");
                 }
@@ -218,7 +218,7 @@ impl RowTable {
         }
     }
 
-    /// A number is that of one case, but for the key that it is taken along.
+    /// A number belongs to one case, except along its key.
     fn check_case(
         &self,
         sweep: &Sweep,
@@ -247,7 +247,7 @@ impl RowTable {
                 let message = format!("`{key}` of sweep `{}` is open", sweep.name);
                 return Diagnostic::error(message)
                     .at(at, format!("is it {first}, {second} or another?"))
-                    .help(format!("say which, such as only = {{ {key} = \"{first}\" }}"))
+                    .help(format!("select one, such as only = {{ {key} = \"{first}\" }}"))
                     .refuse(reader);
             }
         }
@@ -255,7 +255,7 @@ impl RowTable {
     }
 
     fn wanted(&self, dimension: Option<Dimension>, reader: &mut Reader) -> Option<Wanted> {
-        let mut si = |given: Option<&Spanned<Amount>>| match given {
+        let mut si = |amount: Option<&Spanned<Amount>>| match amount {
             None => Some(None),
             Some(at) => Amount::si(at, dimension, reader).map(Some),
         };

@@ -6,7 +6,7 @@ use serde_json::{Value as Json, json};
 use wholestring_case::Variation;
 use wholestring_config::prelude::*;
 
-/// Cases of a sweep: by varied key, the values that count.
+/// Cases of a sweep: the accepted values of each varied key.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Selection {
     terms: Vec<Term>,
@@ -21,7 +21,7 @@ struct Term {
 
 #[derive(Debug, Clone, PartialEq)]
 struct Wish {
-    /// First and last value; none where the range is open. A single value is both.
+    /// First and last value; none at an open end of the range. A single value is both.
     from: Option<String>,
     to: Option<String>,
     place: Span,
@@ -46,7 +46,7 @@ impl Term {
 }
 
 impl Selection {
-    /// Whether it has the case with these values of these keys.
+    /// Whether it includes the case with these values of these keys.
     pub fn has(&self, keys: &[String], values: &[String]) -> bool {
         self.terms.iter().all(|term| {
             let place = keys.iter().position(|key| *key == term.key);
@@ -54,19 +54,19 @@ impl Selection {
         })
     }
 
-    /// The same, but for the keys that `other` names those values that it names.
+    /// The same, with the values of `other` for the keys that `other` names.
     pub fn narrowed(&self, other: &Self) -> Self {
-        let kept = self.terms.iter().filter(|term| !other.names(&term.key));
-        Self { terms: kept.chain(&other.terms).cloned().collect() }
+        let rest = self.terms.iter().filter(|term| !other.names(&term.key));
+        Self { terms: rest.chain(&other.terms).cloned().collect() }
     }
 
-    /// The same, but for a key any value.
+    /// The same, with any value for one key.
     pub(crate) fn without(&self, key: &str) -> Self {
-        let kept = self.terms.iter().filter(|term| term.key != key);
-        Self { terms: kept.cloned().collect() }
+        let rest = self.terms.iter().filter(|term| term.key != key);
+        Self { terms: rest.cloned().collect() }
     }
 
-    /// Whether it leaves this value of a key.
+    /// Whether it includes this value of a key.
     pub(crate) fn has_value(&self, key: &str, value: &str) -> bool {
         let mut terms = self.terms.iter().filter(|term| term.key == key);
         terms.all(|term| term.has(value))
@@ -76,7 +76,7 @@ impl Selection {
         self.terms.iter().any(|term| term.key == key)
     }
 
-    /// Whether the sweep varies every key that it names, to a value that it names.
+    /// Whether the sweep varies every key that it names, to a value that it includes.
     pub(crate) fn check(&self, sweep: &str, vary: &[Variation], reader: &mut Reader) -> Option<()> {
         let mut valid = Some(());
         for term in &self.terms {
@@ -110,7 +110,7 @@ impl Selection {
     }
 }
 
-/// How a selection is written: `{ bit_depth = "..1200 m", friction = [0.1, 0.2] }`.
+/// The notation of a selection: `{ bit_depth = "..1200 m", friction = [0.1, 0.2] }`.
 pub(crate) struct SelectionRule;
 
 impl Rule for SelectionRule {
@@ -166,14 +166,14 @@ fn wish(node: &Node, reader: &mut Reader) -> Option<Wish> {
         && from != to
         && compare(from, to).is_none_or(Ordering::is_gt)
     {
-        return Diagnostic::error("this range holds nothing")
+        return Diagnostic::error("this range is empty")
             .at(node.place, "expected the smaller number first, both with a unit or both without")
             .refuse(reader);
     }
     Some(Wish { from, to, place: node.place })
 }
 
-/// Visits what stands under dotted keys, as long as it is valid. `a.b = 1` and `"a.b" = 1` are the
+/// Visits the values of dotted keys, as long as they are valid. `a.b = 1` and `"a.b" = 1` are the
 /// same.
 pub(crate) fn leaves(
     entries: &Entries,
@@ -191,12 +191,12 @@ pub(crate) fn leaves(
     valid
 }
 
-/// Whether two values are the same, however they are written.
+/// Whether two values are equal in any notation.
 fn same(a: &str, b: &str) -> bool {
     a == b || compare(a, b).is_some_and(Ordering::is_eq)
 }
 
-/// The order of two quantities of one dimension; nothing where they have no order.
+/// The order of two quantities of one dimension; none if they have no order.
 fn compare(a: &str, b: &str) -> Option<Ordering> {
     let bare = |text: &str| text.parse::<f64>().ok();
     let order = |a: f64, b: f64| match (a - b).abs() <= 1e-9 * a.abs().max(b.abs()) {
@@ -209,7 +209,7 @@ fn compare(a: &str, b: &str) -> Option<Ordering> {
     // A bare number among others is SI.
     let si = |dimension: Dimension, text| bare(text).or_else(|| dimension.parse(text).ok());
     let mut dimensions = Dimension::ALL.iter();
-    let (a, b) = dimensions.find_map(|of| Some((si(*of, a)?, si(*of, b)?)))?;
+    let (a, b) = dimensions.find_map(|dimension| Some((si(*dimension, a)?, si(*dimension, b)?)))?;
     order(a, b)
 }
 

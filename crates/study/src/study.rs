@@ -1,4 +1,4 @@
-//! A study: its top level, and how a text becomes a [`Study`].
+//! A study: its top level, and the conversion of a text into a [`Study`].
 
 use std::{path::Path, sync::LazyLock};
 
@@ -23,14 +23,14 @@ use crate::{
 };
 
 table! {
-    /// A set of cases, and the figures and tables to make of what they leave.
+    /// A set of cases, and the figures and tables of their results.
     StudyTable in "the study" {
-        /// What the study is called on its page. Default: the name of the file.
+        /// Name of the study on its page. Default: the name of the file.
         name: String = optional(Text);
-        /// What it asks and how, on top of its page.
+        /// Purpose and method of the study, at the top of its page.
         description: String = optional(Prose);
         /// Units of figures and tables: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm,
-        /// sg) or "field" (ft, klbf, ft-lbf, in, ppg). Their data as CSV are SI always.
+        /// sg) or "field" (ft, klbf, ft-lbf, in, ppg). Their data as CSV are always SI.
         units: UnitSet = default(UNIT_SETS, UnitSet::Si);
         /// The cases to solve.
         sweep: Vec<Spanned<SweepTable>> = required(List::tables::<SweepTable>(
@@ -47,12 +47,12 @@ table! {
     }
 }
 
-/// A study in which everything has been checked but its cases.
+/// A study in which everything but its cases has been checked.
 #[derive(Debug, Clone)]
 pub struct Study {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// What it asks and how; may be empty.
+    /// Purpose and method; may be empty.
     pub description: String,
     /// Units of figures and tables.
     pub units: UnitSet,
@@ -62,19 +62,19 @@ pub struct Study {
     pub figures: Vec<Figure>,
     /// The tables.
     pub tables: Vec<NumberTable>,
-    /// What is probably not meant, but can be done.
+    /// Usable but probably unintended settings.
     pub warnings: Report,
 }
 
 impl Study {
-    /// Whether a figure or a number is made from tables that the cases of a sweep leave, by its
-    /// index; from their summaries otherwise.
+    /// Whether a figure or a number uses tables of the cases of a sweep, by its index; otherwise
+    /// only summaries.
     pub fn reads_tables_of(&self, sweep: usize) -> bool {
         let reads =
             |quantity: &Quantity| !matches!(quantity.column.source, Source::Summary | Source::Path);
-        let figures = self.figures.iter().filter(|of| of.chosen.sweeps.contains(&sweep));
+        let figures = self.figures.iter().filter(|figure| figure.chosen.sweeps.contains(&sweep));
         let rows = self.tables.iter().flat_map(|table| &table.rows);
-        let mut rows = rows.filter(|of| of.chosen.sweeps.contains(&sweep));
+        let mut rows = rows.filter(|row| row.chosen.sweeps.contains(&sweep));
         figures.flat_map(Figure::quantities).any(reads)
             || rows.any(|row| reads(&row.number.quantity))
     }
@@ -94,16 +94,16 @@ pub fn schema() -> Json {
     schema
 }
 
-/// Reads the study at `path`. `columns` is what its figures and tables may show.
+/// Reads the study at `path`. `columns` are those available to its figures and tables.
 ///
 /// # Errors
-/// A report of every mistake that was found, if there is one. The cases themselves are not read.
+/// A report of every mistake, if there is one. The cases themselves are not read.
 pub fn load(path: &Path, columns: &[ColumnName]) -> Result<Study, Report> {
     let (name, text) = read_file(path, "study")?;
     parse(&name, &text, columns)
 }
 
-/// Reads a study from its text; `name` is what diagnostics call it.
+/// Reads a study from its text; `name` is its name in diagnostics.
 ///
 /// # Errors
 /// As [`load`].
@@ -127,9 +127,9 @@ fn build(
 ) -> Option<Study> {
     let sweeps = sweep::build(table.sweep.get()?, reader)?;
     let all = |tables: usize, built: usize| (tables == built).then_some(());
-    let given = table.figure.optional()?.map_or(&[][..], |at| &at.value);
+    let figure_tables = table.figure.optional()?.map_or(&[][..], |at| &at.value);
     let mut names = Names::default();
-    let figures: Vec<Figure> = given
+    let figures: Vec<Figure> = figure_tables
         .iter()
         .enumerate()
         .filter_map(|(index, at)| {
@@ -146,7 +146,7 @@ fn build(
             at.value.build(name, &sweeps, columns, reader)
         })
         .collect();
-    all(given.len(), figures.len())?;
+    all(figure_tables.len(), figures.len())?;
     all(tables_given.len(), tables.len())?;
     let stem = || {
         let stem = Path::new(name).file_stem();
@@ -163,12 +163,12 @@ fn build(
     })
 }
 
-/// Names of files, each given once.
+/// File names, each used once.
 #[derive(Default)]
 struct Names(Vec<String>);
 
 impl Names {
-    /// The name that is given, or one of the kind and number.
+    /// The given name, or one made of the kind and number.
     fn name(
         &mut self,
         field: &Field<String>,

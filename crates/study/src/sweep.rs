@@ -12,20 +12,19 @@ use crate::{
 };
 
 table! {
-    /// A case for all combinations of some values.
+    /// A case for every combination of given values.
     SweepTable in "[[sweep]]" {
-        /// What it is called in the study, and the folder of its results.
+        /// Name of the sweep in the study, and of its results folder.
         name: String = required(FileName);
-        /// The case file, as seen from the folder of the study.
+        /// The case file, relative to the folder of the study.
         case: String = required(Text);
-        /// Keys that are the same for all its cases, as `--set` takes them: dotted keys of the case
-        /// file, and `friction`, `bit_depth`, `rpm` and `wob`.
+        /// Keys that are the same for all its cases, as in `--set`: dotted keys of the case file,
+        /// and `friction`, `bit_depth`, `rpm` and `wob`.
         set: Vec<Override> = optional(Changes);
-        /// Keys that are varied, and their values: one, a list, or a range "FROM..TO/STEP", as
-        /// `--vary` takes them. Every combination is a case, the last key varying fastest. Default:
-        /// one case.
+        /// Keys that are varied, and their values: one, a list, or a range "FROM..TO/STEP", as in
+        /// `--vary`. Every combination is a case, the last key varying fastest. Default: one case.
         vary: Vec<Variation> = optional(Varied);
-        /// What is different in some of its cases; where several say so, the last one counts.
+        /// Exceptions for some of its cases; if several apply, the last one takes effect.
         r#where: Vec<Spanned<WhereTable>> = optional(List::tables::<WhereTable>(
             "exceptions ([[sweep.where]])", 100,
         ));
@@ -33,9 +32,9 @@ table! {
 }
 
 table! {
-    /// What is different in some cases of a sweep.
+    /// An exception for some cases of a sweep.
     WhereTable in "[[sweep.where]]" {
-        /// Which cases: values of varied keys, single, listed or in a range such as "..1200 m" or
+        /// The cases: values of varied keys, single, listed or in a range such as "..1200 m" or
         /// "3300 m..".
         when: Selection = required(SelectionRule);
         /// The case file in these cases. Default: that of the sweep.
@@ -45,40 +44,40 @@ table! {
     }
 }
 
-/// A case for all combinations of some values.
+/// A case for every combination of given values.
 #[derive(Debug, Clone)]
 pub struct Sweep {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// The case file, as seen from the folder of the study.
+    /// The case file, relative to the folder of the study.
     pub case: String,
-    /// Changes of all its cases.
+    /// Changes to all its cases.
     pub set: Vec<Override>,
     /// Keys that are varied.
     pub vary: Vec<Variation>,
-    /// What is different in some of its cases.
+    /// Exceptions for some of its cases.
     pub exceptions: Vec<Exception>,
 }
 
-/// What is different in some cases of a sweep.
+/// An exception for some cases of a sweep.
 #[derive(Debug, Clone)]
 pub struct Exception {
-    /// Which cases.
+    /// The cases.
     pub when: Selection,
-    /// Their case file, if another.
+    /// Their case file, if different.
     pub case: Option<String>,
     /// Their changes.
     pub set: Vec<Override>,
 }
 
 impl Sweep {
-    /// The keys that it varies.
+    /// The varied keys.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
         self.vary.iter().map(|varied| varied.key.as_str())
     }
 }
 
-/// All sweeps; every exception must have a case.
+/// All sweeps; every exception must apply to at least one case.
 pub(crate) fn build(tables: &[Spanned<SweepTable>], reader: &mut Reader) -> Option<Vec<Sweep>> {
     let mut sweeps: Vec<Sweep> = Vec::new();
     for Spanned { value: table, .. } in tables {
@@ -125,7 +124,7 @@ fn changes(field: &Field<Vec<Override>>) -> Option<Vec<Override>> {
     Some(field.optional()?.map_or_else(Vec::new, |at| at.value.clone()))
 }
 
-/// The quotation of what stands at these places of the study.
+/// A quotation of these places of the study.
 fn quote(key: Span, value: Span, reader: &Reader) -> Quote {
     let source = &reader.sources[key.source];
     Quote {

@@ -1,8 +1,8 @@
-//! Times and depths that figures and tables of a study name.
+//! Times and depths of the figures and tables of a study.
 
 use wholestring_config::prelude::*;
 
-/// Times or depths of one figure: nobody distinguishes more curves.
+/// Maximum number of times or depths of one figure, because more curves cannot be distinguished.
 pub(crate) const MAX: usize = 12;
 
 /// A time.
@@ -32,16 +32,16 @@ pub(crate) fn two_times() -> List<Quantity> {
 
 /// First and last time.
 pub(crate) fn window(
-    given: Option<&Spanned<Vec<Spanned<f64>>>>,
+    times: Option<&Spanned<Vec<Spanned<f64>>>>,
     reader: &mut Reader,
 ) -> Option<Option<[f64; 2]>> {
-    let Some(given) = given else {
+    let Some(times) = times else {
         return Some(None);
     };
-    match given.value.as_slice() {
+    match times.value.as_slice() {
         [from, to] if from.value < to.value => Some(Some([from.value, to.value])),
-        _ => Diagnostic::error("`window` holds no time")
-            .at(given.place, "expected two times, such as [\"0 s\", \"20 s\"]")
+        _ => Diagnostic::error("`window` has no duration")
+            .at(times.place, "expected two times, such as [\"0 s\", \"20 s\"]")
             .refuse(reader),
     }
 }

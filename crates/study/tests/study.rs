@@ -1,4 +1,4 @@
-//! Study files: what is read, and the answer that mistakes get.
+//! Study files: their contents, and the messages for mistakes.
 
 #[path = "../../case/tests/common/change.rs"]
 #[allow(dead_code, reason = "a table of texts is for others")]
@@ -111,7 +111,7 @@ fn read(text: &str) -> Result<Study, Report> {
     parse("study.toml", text.as_bytes(), COLUMNS)
 }
 
-/// The example with one text replaced by another, which must stand in it once.
+/// The example with one text replaced by another; it must contain the text exactly once.
 fn changed(from: &str, to: &str) -> String {
     assert_eq!(EXAMPLE.matches(from).count(), 1, "`{from}` must stand once in the example");
     EXAMPLE.replace(from, to)
@@ -122,10 +122,10 @@ fn an_example_is_read_as_it_is_meant() {
     let study = read(EXAMPLE).unwrap_or_else(|report| panic!("{report}"));
     assert!(study.warnings.is_empty(), "{}", study.warnings);
     let [deep, soft] = &study.sweeps[..] else { panic!("two sweeps") };
-    let set: Vec<_> = deep.set.iter().map(|of| (of.key.as_str(), of.value.as_str())).collect();
+    let set: Vec<_> = deep.set.iter().map(|set| (set.key.as_str(), set.value.as_str())).collect();
     assert_eq!(set, [("rpm", "70"), ("well.mud", "1")]);
     let values =
-        |index: usize| deep.vary[index].values.iter().map(|of| of.bare()).collect::<Vec<_>>();
+        |index: usize| deep.vary[index].values.iter().map(|value| value.bare()).collect::<Vec<_>>();
     assert_eq!(values(0), ["300m", "600m", "900m", "1200m", "1500m"]);
     assert_eq!(values(1), ["0.1", "0.3"]);
     assert_eq!(soft.vary[0].values.len(), 4);
@@ -153,21 +153,21 @@ fn an_example_is_read_as_it_is_meant() {
     assert_eq!(*window_s, None);
 
     let rows = &study.tables[0].rows;
-    let wanted = rows[0].wanted;
-    assert!((wanted.least.unwrap() - 0.92 * 34.6e3).abs() < 1e-6);
-    assert!((wanted.most.unwrap() - 1.08 * 34.6e3).abs() < 1e-6);
+    let limits = rows[0].wanted;
+    assert!((limits.least.unwrap() - 0.92 * 34.6e3).abs() < 1e-6);
+    assert!((limits.most.unwrap() - 1.08 * 34.6e3).abs() < 1e-6);
     assert_eq!(rows[1].dimension(), None);
     assert_eq!(rows[2].chosen.sweeps, [0]);
     assert_eq!(rows[2].number.statistic, Statistic::Percentile(98.0));
     assert_eq!(rows[3].number.depth_m, Some(650.0));
 }
 
-/// `x` points across the page unless it is told to point down.
+/// `x` points across the page unless it is set to point down.
 #[test]
 fn an_axis_points_down_where_that_is_asked_for() {
     let across = read(EXAMPLE).unwrap_or_else(|report| panic!("{report}"));
-    let asked = EXAMPLE.replacen("x = \"bit_depth\"", "x = \"bit_depth\"\nx_axis = \"down\"", 1);
-    let down = read(&asked).unwrap_or_else(|report| panic!("{report}"));
+    let text = EXAMPLE.replacen("x = \"bit_depth\"", "x = \"bit_depth\"\nx_axis = \"down\"", 1);
+    let down = read(&text).unwrap_or_else(|report| panic!("{report}"));
     assert_eq!(across.figures[0].x_axis, Pointing::Across);
     assert_eq!(down.figures[0].x_axis, Pointing::Down);
     assert_eq!(down.figures[1].x_axis, Pointing::Across);
@@ -247,8 +247,8 @@ fn on_record(name: &str, report: &Report) {
 fn the_schema_says_what_keys_mean() {
     fn visit(schema: &serde_json::Value) {
         for (key, value) in schema["properties"].as_object().into_iter().flatten() {
-            let said = value["description"].as_str().unwrap_or_default();
-            assert!(!said.is_empty(), "{key}");
+            let description = value["description"].as_str().unwrap_or_default();
+            assert!(!description.is_empty(), "{key}");
             visit(value);
             visit(&value["items"]);
         }

@@ -1,4 +1,4 @@
-//! Why a file is no survey, and where.
+//! Errors of a survey file and their places.
 
 use std::fmt;
 use std::ops::Range;
@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::columns::column::Column;
 use wholestring_units::Dimension;
 
-/// Where in a file.
+/// Place in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Place {
     /// In a text file.
@@ -40,7 +40,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// A spreadsheet's name of a column: 1 is A, 27 is AA.
+/// Letters of a column in spreadsheets: 1 is A, 27 is AA.
 pub(crate) fn letters(column: u32) -> String {
     let mut letters = Vec::new();
     let mut rest = column;
@@ -52,34 +52,34 @@ pub(crate) fn letters(column: u32) -> String {
     letters.iter().rev().collect()
 }
 
-/// How the unit of a survey that does not tell it is said.
+/// Ways to give the unit of a survey whose file has none.
 const SAY: &str = "`survey_unit = \"m\"` under [well], `--unit m` for `wholestring survey`";
 
-/// What is wrong with a survey.
+/// Error in a survey.
 ///
-/// Its `Display` is one sentence: what was found and what was expected.
+/// Its `Display` is one sentence with the value found and the expected one.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TableErrorKind {
-    /// Nothing but blanks.
+    /// The file contains only blanks.
     #[error(
         "the file is empty; a survey with measured depth, inclination and azimuth was expected"
     )]
     Empty,
-    /// Bytes that are not text.
+    /// The bytes are not text.
     #[error("the file is not text; a survey as CSV or as an Excel workbook was expected")]
     NotText,
     /// A workbook that cannot be read.
     #[error("the workbook cannot be read ({reason}); an .xlsx or .xls file was expected")]
     NotAWorkbook {
-        /// What the reader of workbooks says.
+        /// Message of the reader of workbooks.
         reason: String,
     },
-    /// More of something than any survey has.
+    /// A limit on an amount is exceeded.
     #[error("the file holds {found}; at most {most} can be read")]
     TooMuch {
-        /// How much of what.
+        /// The amount found and its kind.
         found: String,
-        /// How much is read.
+        /// The limit.
         most: String,
     },
     /// No sheet has the columns.
@@ -97,18 +97,18 @@ pub enum TableErrorKind {
          'MD (m), Inc (deg), Azi (deg)', or three columns of numbers"
     )]
     NoHeader,
-    /// A needed column is not there.
+    /// A needed column is missing.
     #[error("no column of {column}{}; the header has: {}", perhaps(nearest), quoted(headers))]
     MissingColumn {
         /// The column.
         column: Column,
         /// The header's cells.
         headers: Vec<String>,
-        /// The heading that comes nearest, where one is near.
+        /// The most similar heading, if there is one.
         nearest: Option<String>,
     },
-    /// Two headings mean the same column.
-    #[error("two columns read as {column}: '{first}' and '{second}'; leave one of them")]
+    /// Two headings name the same column.
+    #[error("two columns read as {column}: '{first}' and '{second}'; keep one of them")]
     DuplicateColumn {
         /// The column.
         column: Column,
@@ -117,16 +117,16 @@ pub enum TableErrorKind {
         /// The other.
         second: String,
     },
-    /// Three columns of numbers without a header, and nothing states the unit of the depths.
+    /// Three columns of numbers without a header and without a unit of the depths.
     #[error(
-        "no header names the columns and their units; \
-         write 'MD (m),Inc (deg),Azi (deg)' above them, or say the unit: {SAY}"
+        "no header names the columns and their units; write 'MD (m),Inc (deg),Azi (deg)' above \
+         them, or give the unit: {SAY}"
     )]
     NoUnits,
-    /// Lengths whose unit nothing states.
+    /// Lengths without a unit.
     #[error(
-        "the {column} under '{header}' has no unit; \
-         write it in the header, such as '{}', or in a row below it, or say it: {SAY}",
+        "the {column} under '{header}' has no unit; write it in the header, such as '{}', or in a \
+         row below it, or give it: {SAY}",
         column.example()
     )]
     MissingUnit {
@@ -135,7 +135,7 @@ pub enum TableErrorKind {
         /// Its heading.
         header: String,
     },
-    /// A column of readings whose unit nothing states.
+    /// A column of readings without a unit.
     #[error(
         "the {column} under '{header}' has no unit; write it in the header, such as '{}', or in a \
          row below it: {}", column.example(), units(column.dimension())
@@ -146,16 +146,16 @@ pub enum TableErrorKind {
         /// Its heading.
         header: String,
     },
-    /// A file that holds no readings.
+    /// A file without readings.
     #[error(
         "{found}; readings as CSV or as an Excel workbook were expected, under a header such as \
          'Bit depth (m), Pick-up (kN), Slack-off (kN), Rotating (kN), Torque (kN.m)'"
     )]
     NoReadings {
-        /// What it holds instead.
+        /// Its contents.
         found: &'static str,
     },
-    /// A unit that is not known, or of something else.
+    /// An unknown unit, or one of another dimension.
     #[error("'{found}' is {}not a unit of {}; expected {}", other(*is), column.dimension().name(),
         units(column.dimension()))]
     WrongUnit {
@@ -163,10 +163,10 @@ pub enum TableErrorKind {
         column: Column,
         /// The unit as written.
         found: String,
-        /// What it is a unit of, where it is one.
+        /// Its dimension, if it is a unit.
         is: Option<Dimension>,
     },
-    /// A heading and the row of units say different things.
+    /// A heading and the row of units contradict each other.
     #[error("the {column} is in '{header}' by its header and in '{row}' by the row of units")]
     UnitConflict {
         /// The column.
@@ -176,20 +176,17 @@ pub enum TableErrorKind {
         /// Symbol of the unit in the row below.
         row: &'static str,
     },
-    /// The file states another unit than the one that was said for it.
-    #[error(
-        "the {column} is in '{file}' by the file and in '{said}' by what was said; leave one of \
-         them"
-    )]
+    /// The unit in the file differs from the one given by the user.
+    #[error("the {column} is in '{file}' in the file and in '{said}' as given; keep one of them")]
     OtherUnit {
         /// The column.
         column: Column,
         /// Symbol of the unit in the file.
         file: &'static str,
-        /// Symbol of the unit that was said.
+        /// Symbol of the unit given by the user.
         said: &'static str,
     },
-    /// A cell that should hold a number.
+    /// A cell that should contain a number.
     #[error("'{found}' is not a number; the {column} was expected")]
     NotANumber {
         /// The column.
@@ -203,13 +200,13 @@ pub enum TableErrorKind {
          LibreOffice and save it"
     )]
     FormulaNotCalculated,
-    /// A cell that should hold something.
+    /// A cell that should not be empty.
     #[error("the {column} is missing in this row")]
     EmptyCell {
         /// The column.
         column: Column,
     },
-    /// NaN, an infinity, or too large for a double.
+    /// NaN, an infinity, or a number too large for a double.
     #[error("'{found}' is not a finite number; the {column} was expected")]
     NotFinite {
         /// The column.
@@ -217,7 +214,7 @@ pub enum TableErrorKind {
         /// The cell's text.
         found: String,
     },
-    /// Thousands or decimals: nothing in the file decides.
+    /// A separator that may be of thousands or of decimals; nothing in the file decides.
     #[error(
         "'{found}' may mean thousands or decimals; \
          write the numbers with a decimal point and without separators"
@@ -226,7 +223,7 @@ pub enum TableErrorKind {
         /// The cell's text.
         found: String,
     },
-    /// A date where a number should stand.
+    /// A date in place of a number.
     #[error(
         "the {column} is a date: a spreadsheet made one of a fraction such as 8-1/2, and what was \
          typed is lost; format the cell as a number and type it again as a decimal, such as 8.5"
@@ -235,32 +232,32 @@ pub enum TableErrorKind {
         /// The column.
         column: Column,
     },
-    /// A file that holds no tally.
+    /// A file without a tally.
     #[error(
         "{found}; the components of a string were expected, under a header such as 'Component, OD \
          (in), ID (in), Length (ft), Weight (lb/ft)'"
     )]
     NoTally {
-        /// What it holds instead.
+        /// Its contents.
         found: &'static str,
     },
-    /// A cell of the column `use` that is neither word.
+    /// A cell of the column `use` that is neither of the two words.
     #[error("`use` is '{found}', expected \"yes\" or \"no\"")]
     NotYesNo {
-        /// What stands there.
+        /// The text found.
         found: String,
     },
-    /// A row of a table in columns of blanks that has fewer values than the others.
+    /// A row of a table in columns of blanks with fewer values than the others.
     #[error("{found} values in this row, {expected} in the first")]
     ShortRow {
-        /// How many stand in the row.
+        /// Number of values in the row.
         found: usize,
-        /// How many columns there are.
+        /// Number of columns.
         expected: usize,
     },
-    /// A measured depth that does not grow.
+    /// A measured depth that does not increase.
     #[error(
-        "the measured depth {} after {previous}; it must grow from station to station",
+        "the measured depth {} after {previous}; it must increase from station to station",
         if found == previous {
             format!("repeats: {found}")
         } else {
@@ -273,21 +270,21 @@ pub enum TableErrorKind {
         /// The depth of the station above.
         previous: String,
     },
-    /// A value that no hole can have.
+    /// A value that is impossible for a hole.
     #[error("the {column} {found} is out of range; expected {expected}")]
     OutOfRange {
         /// The column.
         column: Column,
         /// The value with its unit.
         found: String,
-        /// The range.
+        /// The allowed range.
         expected: &'static str,
     },
-    /// Several surveys of which one is meant.
-    #[error("the file holds {} surveys, one below the other: {}; leave one of them", surveys.len(),
+    /// Several surveys of which one must be chosen.
+    #[error("the file holds {} surveys, one below the other: {}; keep one of them", surveys.len(),
         quoted(surveys))]
     SeveralSurveys {
-        /// What they are called.
+        /// Their names.
         surveys: Vec<String>,
     },
     /// Too few rows.
@@ -296,7 +293,7 @@ pub enum TableErrorKind {
         _ => "there is only one station".to_owned(),
     })]
     TooFewStations {
-        /// How many there are.
+        /// Number of rows.
         found: usize,
     },
 }
@@ -323,11 +320,10 @@ fn units(dimension: Dimension) -> String {
     dimension.units().iter().map(|unit| unit.symbol).collect::<Vec<_>>().join(", ")
 }
 
-/// Why a file is no survey.
+/// Error of a survey file.
 ///
-/// `Display` gives file, place and sentence. To underline the place, take
-/// [`text`](Self::text) and the span of [`place`](Self::place), and [`kind`](Self::kind) for the
-/// sentence alone.
+/// `Display` writes file, place and sentence. To underline the place, use [`text`](Self::text) and
+/// the span of [`place`](Self::place), and [`kind`](Self::kind) for the sentence alone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableError(Box<Detail>);
 
@@ -337,7 +333,7 @@ struct Detail {
     kind: TableErrorKind,
     place: Option<Place>,
     text: Option<String>,
-    /// What of the file is not read and may be what is missing.
+    /// Contents of the file that are not read and may be the missing ones.
     unread: Option<String>,
 }
 
@@ -357,7 +353,7 @@ impl TableError {
         }))
     }
 
-    /// The same of a file of which something is not read, where that may be what is missing.
+    /// Adds the contents of the file that were not read, if they may be the missing ones.
     pub(crate) fn with_unread(mut self, unread: &str) -> Self {
         use TableErrorKind as K;
         let is_missing = matches!(
@@ -379,7 +375,7 @@ impl TableError {
         self
     }
 
-    /// The same of a file that should hold readings.
+    /// Converts the error to that of a file that should contain readings.
     pub(crate) fn of_readings(self) -> Self {
         let found = match self.kind() {
             TableErrorKind::Empty => "the file is empty",
@@ -394,12 +390,13 @@ impl TableError {
         &self.0.file
     }
 
-    /// What is wrong.
+    /// Kind of error.
     pub fn kind(&self) -> &TableErrorKind {
         &self.0.kind
     }
 
-    /// What is wrong, and what of the file was not read where that may be why.
+    /// The error in a sentence, with the contents of the file that were not read if they may be the
+    /// reason.
     pub fn sentence(&self) -> String {
         match &self.0.unread {
             Some(unread) => format!("{} ({unread})", self.kind()),
@@ -407,15 +404,15 @@ impl TableError {
         }
     }
 
-    /// Where it is, if it is in one place.
+    /// Its place, if it has a single one.
     pub fn place(&self) -> Option<&Place> {
         self.0.place.as_ref()
     }
 
-    /// The whole file as text, which the span of [`Place::Text`] counts in. `None` for workbooks
+    /// The whole file as text, to which the span of [`Place::Text`] refers. `None` for workbooks
     /// and for files that are not text.
     ///
-    /// It differs from the file's bytes where these are not UTF-8 or begin with a mark.
+    /// It differs from the file's bytes if these are not UTF-8 or begin with a byte order mark.
     pub fn text(&self) -> Option<&str> {
         self.0.text.as_deref()
     }

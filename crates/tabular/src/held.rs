@@ -1,4 +1,4 @@
-//! What the tables of a file are: surveys, tallies, readings.
+//! Kinds of the tables of a file: surveys, tallies, readings.
 
 use wholestring_units::Unit;
 
@@ -16,7 +16,7 @@ use crate::{
     tally::{self, ImportedTally},
 };
 
-/// What a file holds, by its headings.
+/// Tables of a file, recognised by their headings.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Held {
     /// Sheets with the columns of a survey; one empty name for a text.
@@ -25,17 +25,18 @@ pub struct Held {
     pub tallies: Vec<String>,
     /// Sheets with weights or torques against the depth of the bit.
     pub readings: Vec<String>,
-    /// Where none has: what comes nearest to a tally, and nearer than to a survey.
+    /// If there is none of these: the error of the table that resembles a tally most, and more than
+    /// a survey.
     pub nearly_tally: Option<TableError>,
-    /// What of a workbook is not read and might be missed: hidden sheets, rows and columns, formulas
-    /// without a result. Empty where there is nothing.
+    /// Contents of a workbook that are not read and might be missed: hidden sheets, rows and
+    /// columns, formulas without a result. Empty if there are none.
     pub unread: String,
 }
 
-/// Says what a file holds, by its headings alone.
+/// Determines the tables of a file by their headings alone.
 ///
 /// # Errors
-/// It is neither a text nor a workbook, or holds more than is read.
+/// It is neither a text nor a workbook, or exceeds a limit.
 pub fn held(bytes: &[u8], name: &str) -> Result<Held, TableError> {
     of_tables(bytes, name, |tables, unread| {
         let mut held = Held { unread: unread.to_owned(), ..Held::default() };
@@ -66,12 +67,12 @@ pub fn held(bytes: &[u8], name: &str) -> Result<Held, TableError> {
     })
 }
 
-/// Reads a tally: of the sheet that is named, or of the first table that is one.
+/// Reads a tally from the named sheet, or from the first table that is one.
 ///
-/// `said` gives the unit that is said of a column that the tally has.
+/// `said` returns the unit given by the user for a column of the tally.
 ///
 /// # Errors
-/// It is no tally, or something in it cannot be read; with its place.
+/// It is not a tally, or something in it cannot be read; with its place.
 pub fn read_tally(
     bytes: &[u8],
     name: &str,
@@ -80,7 +81,7 @@ pub fn read_tally(
 ) -> Result<ImportedTally, TableError> {
     of_tables(bytes, name, |tables, unread| {
         let is_it = |table: &&Table| match (table.source, sheet) {
-            (Source::Sheet { sheet, .. }, Some(wanted)) => sheet == wanted,
+            (Source::Sheet { sheet, .. }, Some(name)) => sheet == name,
             _ => true,
         };
         let tables = || tables.iter().filter(|table| keeps_empty_cells(table));
@@ -92,32 +93,31 @@ pub fn read_tally(
     })?
 }
 
-/// What is made of the tables of a file: a text is also cut in columns that stand one below the
-/// other.
+/// Applies a function to the tables of a file: a text is also cut into aligned columns.
 fn of_tables<R>(
     bytes: &[u8],
     name: &str,
-    of: impl FnOnce(&[Table], &str) -> R,
+    read: impl FnOnce(&[Table], &str) -> R,
 ) -> Result<R, TableError> {
     if cells::is_workbook(bytes, name) {
-        return cells::of_workbook(bytes, name, |tables, book| of(tables, &book.unread));
+        return cells::of_workbook(bytes, name, |tables, book| read(tables, &book.unread));
     }
     cells::of_text(bytes, name, |tables, source| {
         let mut tables = tables.to_vec();
         if let Source::Text { text, .. } = source {
             tables.push(fixed::cut(source, text));
         }
-        of(&tables, "")
+        read(&tables, "")
     })
 }
 
-/// Whether an empty cell is a cell: where words are parted by any blanks it is not, and a tally has
-/// many.
+/// Whether an empty cell counts as a cell: with words separated by any blanks it does not, and a
+/// tally has many.
 fn keeps_empty_cells(table: &Table) -> bool {
     table.parted_by != Some("blanks")
 }
 
-/// A depth of the bit, and a weight or a torque.
+/// Whether the table has a bit depth, and a weight or a torque.
 fn has_readings(table: &Table) -> bool {
     let Ok(header) = header::find(table, &READINGS) else { return false };
     let is_measured = |column: &Column| {
@@ -133,7 +133,7 @@ fn has_readings(table: &Table) -> bool {
     header.headings.iter().any(|(_, _, heading)| is_measured(&heading.column))
 }
 
-/// The error of the header that comes nearest to a tally's.
+/// The error of the header that resembles a tally's most.
 fn nearly_tally(tables: &[Table]) -> Option<TableError> {
     let as_survey = match headed(tables, &SURVEY) {
         header::Headed::Nearest(partial, _) => partial.count,

@@ -1,14 +1,14 @@
 //! Surveys, tallies, and readings at the surface, from CSV, text reports and Excel.
 //!
-//! Columns are found by their headings, in any order and under the spellings that are common:
-//! `MD (m)`, `Measured Depth ( ft )`, `md_m`, `INCL`, `Azimuth Grid [deg]`. Units stand in the
-//! headings or in a row below them. Titles and comments above the header, a comma, semicolon, tab
-//! or blanks between the columns, decimal commas and thousands separators are taken as they come.
-//! What was recognised is reported in [`ImportedSurvey::notes`].
+//! Columns are found by their headings, in any order and in common spellings: `MD (m)`,
+//! `Measured Depth ( ft )`, `md_m`, `INCL`, `Azimuth Grid [deg]`. Units are in the headings or in a
+//! row below them. The reader accepts titles and comments above the header; commas, semicolons,
+//! tabs or blanks between the columns; decimal commas and thousands separators.
+//! [`ImportedSurvey::notes`] lists what was recognised.
 //!
-//! Nothing is guessed where a mistake would go unseen: lengths without any unit are an error until
-//! their unit is [said](Said), with which three columns need no header either. Angles without a
-//! unit are degrees, which is noted.
+//! No value is guessed where an error would go unnoticed: lengths without any unit are an error
+//! until their unit is [given](Said). With a unit, three columns need no header either. Angles
+//! without a unit are in degrees, which is noted.
 //!
 //! ```
 //! let text = "MD (ft),Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n";

@@ -1,4 +1,4 @@
-//! From bytes to a survey: the first table with the needed columns is read.
+//! Converts bytes to a survey: the first table with the needed columns is read.
 
 use crate::{
     cells::{self, table::Table},
@@ -17,7 +17,7 @@ use crate::{
     },
 };
 
-/// Reads a survey: a workbook if its content or its name says so, text otherwise.
+/// Reads a survey: as a workbook if its content or its name is that of one, otherwise as text.
 ///
 /// # Errors
 /// Everything that [`TableErrorKind`] lists, with its place.
@@ -25,7 +25,7 @@ pub fn read(bytes: &[u8], name: &str) -> Result<ImportedSurvey, TableError> {
     read_as(bytes, name, &Said::default())
 }
 
-/// Reads a survey as [`read`] does, of which something is said that its file may not tell.
+/// Reads a survey as [`read`] does, with information that its file may lack.
 ///
 /// ```
 /// use wholestring_tabular::{Said, read, read_as};
@@ -47,8 +47,8 @@ pub fn read_as(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, 
 /// Reads every survey of a file: on each sheet of a workbook, and one below the other.
 ///
 /// # Errors
-/// A file without any, or that cannot be read at all; why a table with the columns of a survey
-/// is none stands in it.
+/// A file without any survey, or one that cannot be read at all. A table with the columns of a
+/// survey that is invalid contains its own error.
 pub fn read_all(bytes: &[u8], name: &str, said: &Said) -> Result<Vec<SurveyTable>, TableError> {
     match cells::is_workbook(bytes, name) {
         true => excel(bytes, name, said),
@@ -56,11 +56,11 @@ pub fn read_all(bytes: &[u8], name: &str, said: &Said) -> Result<Vec<SurveyTable
     }
 }
 
-/// The survey of the first sheet that has one, or of a text. Of two of them one below the other
-/// nobody can say which is meant.
+/// Returns the survey of the first sheet that has one, or of a text. Two surveys in one text are
+/// ambiguous.
 fn first(mut tables: Vec<SurveyTable>, name: &str) -> Result<ImportedSurvey, TableError> {
     let sheet = tables.first().and_then(|table| table.sheet.clone());
-    let (same, others): (Vec<_>, Vec<_>) = tables.drain(..).partition(|of| of.sheet == sheet);
+    let (same, others): (Vec<_>, Vec<_>) = tables.drain(..).partition(|table| table.sheet == sheet);
     if same.len() > 1 {
         let surveys = same.into_iter().map(|table| table.name).collect();
         return Err(TableError::new(name, TableErrorKind::SeveralSurveys { surveys }, None, None));
@@ -72,10 +72,10 @@ fn first(mut tables: Vec<SurveyTable>, name: &str) -> Result<ImportedSurvey, Tab
     Ok(survey)
 }
 
-/// Reads weights and torques at the surface against the depth of the bit, from whatever a survey is
-/// read from: a header names the columns and their units, `Bit depth (m)`, `Pick-up (kN)`,
-/// `Slack-off (kN)`, `Rotating (kN)`, `Torque (kN.m)`, `Torque on bottom (kN.m)`; beside them
-/// `Mud (sg)`, and `Case` where there are several.
+/// Reads weights and torques at the surface against bit depth, from the same formats as a survey: a
+/// header names the columns and their units, `Bit depth (m)`, `Pick-up (kN)`, `Slack-off (kN)`,
+/// `Rotating (kN)`, `Torque (kN.m)`, `Torque on bottom (kN.m)`; optional columns are `Mud (sg)`,
+/// and `Case` if there are several.
 ///
 /// # Errors
 /// Everything that [`TableErrorKind`] lists, with its place.
@@ -106,19 +106,19 @@ fn read_readings_of(tables: &[Table]) -> Option<Result<ImportedReadings, TableEr
     }
 }
 
-/// Reads a survey from text: CSV with any sign between its cells, or a report in columns.
+/// Reads a survey from text: CSV with any separator, or a report in columns.
 ///
 /// `name` is the file's, for messages.
 ///
 /// # Errors
-/// Everything that [`TableErrorKind`] lists but what concerns workbooks, with its place.
+/// Everything that [`TableErrorKind`] lists except errors of workbooks, with its place.
 pub fn read_csv(bytes: &[u8], name: &str) -> Result<ImportedSurvey, TableError> {
     first(csv(bytes, name, &Said::default())?, name)
 }
 
 fn csv(bytes: &[u8], name: &str, said: &Said) -> Result<Vec<SurveyTable>, TableError> {
     cells::of_text(bytes, name, |tables, source| {
-        // They are cut from one text: the first with a header is the one.
+        // They are cut from one text: the first one with a header is used.
         let headed = tables.iter().position(|table| header::find(table, &SURVEY).is_ok());
         let tables = headed.map_or(tables, |at| &tables[at..=at]);
         surveys(tables, said).unwrap_or_else(|| Err(source.error(TableErrorKind::NoHeader, None)))
@@ -130,7 +130,7 @@ fn csv(bytes: &[u8], name: &str, said: &Said) -> Result<Vec<SurveyTable>, TableE
 /// The first sheet with the needed columns is read. `name` is the file's, for messages.
 ///
 /// # Errors
-/// Everything that [`TableErrorKind`] lists but what concerns text, with its place.
+/// Everything that [`TableErrorKind`] lists except errors of text, with its place.
 pub fn read_excel(bytes: &[u8], name: &str) -> Result<ImportedSurvey, TableError> {
     first(excel(bytes, name, &Said::default())?, name)
 }
@@ -144,8 +144,9 @@ fn excel(bytes: &[u8], name: &str, said: &Said) -> Result<Vec<SurveyTable>, Tabl
     })?
 }
 
-/// The tables with a header that names the needed columns; or else the first of three bare columns;
-/// or else the error of the header that comes nearest. `None` if none comes near.
+/// Returns the tables with a header that names the needed columns; otherwise the first one of three
+/// bare columns; otherwise the error of the header that resembles one most. `None` if there is no
+/// similar header.
 fn surveys(tables: &[Table], said: &Said) -> Option<Result<Vec<SurveyTable>, TableError>> {
     let mut found = Vec::new();
     for table in tables {
@@ -154,7 +155,7 @@ fn surveys(tables: &[Table], said: &Said) -> Option<Result<Vec<SurveyTable>, Tab
         }
     }
     if !found.is_empty() {
-        // A form that nobody filled in.
+        // An empty form.
         let is_empty = |table: &SurveyTable| {
             let kind = table.survey.as_ref().err().map(TableError::kind);
             matches!(kind, Some(TableErrorKind::TooFewStations { found: 0 }))
@@ -168,7 +169,7 @@ fn surveys(tables: &[Table], said: &Said) -> Option<Result<Vec<SurveyTable>, Tab
         Headed::Nearest(partial, table) => Some((partial, table)),
         Headed::Found(..) | Headed::None => None,
     };
-    // Two columns named are a header; one may be a title's word.
+    // Two named columns are a header; one may be a word of a title.
     if nearest.as_ref().is_none_or(|(partial, _)| partial.count < 2) {
         let bare =
             tables.iter().find_map(|table| Some((table, layout::without_header(table, said)?)));
@@ -184,7 +185,7 @@ fn surveys(tables: &[Table], said: &Said) -> Option<Result<Vec<SurveyTable>, Tab
     Some(Err(partial.error(table, &SURVEY)))
 }
 
-/// Three columns without a name.
+/// A table of three columns without names.
 fn bare_table(survey: ImportedSurvey) -> SurveyTable {
     SurveyTable { name: survey.place.clone(), sheet: None, survey: Ok(survey) }
 }

@@ -1,8 +1,8 @@
-//! What no weight and no torque at the surface can be.
+//! Weights and torques at the surface that are physically impossible.
 //!
-//! Friction makes pick-up ≥ rotating ≥ slack-off (Johancsik, Friesen and Dawson 1984), a hook load with a
-//! string in the hole is more than nothing, and so is the torque of a string that turns. These checks need
-//! nothing but the readings; those that need the string are made where it is known.
+//! Friction makes pick-up ≥ rotating ≥ slack-off (Johancsik, Friesen and Dawson 1984). A hook load
+//! with a string in the hole is above zero, and so is the torque of a turning string. These checks
+//! require only the readings; those that require the string are made where it is known.
 
 use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_units::{Dimension, UnitSet};
@@ -12,7 +12,7 @@ use crate::{
     row_names::row_names,
 };
 
-/// Weights and torques in sentences, by the order of [`ImportedReadings::units`].
+/// Names of weights and torques in sentences, in the order of [`ImportedReadings::units`].
 pub const CHANNEL_WORDS: [&str; 5] = [
     "pick-up weight",
     "slack-off weight",
@@ -37,58 +37,60 @@ const CHANNELS: [Channel; 5] = [
     Channel {
         name: CHANNEL_WORDS[PICK_UP],
         dimension: Dimension::Force,
-        get: |of| of.pick_up_N,
-        put: |of| &mut of.pick_up_N,
+        get: |reading| reading.pick_up_N,
+        put: |reading| &mut reading.pick_up_N,
     },
     Channel {
         name: CHANNEL_WORDS[SLACK_OFF],
         dimension: Dimension::Force,
-        get: |of| of.slack_off_N,
-        put: |of| &mut of.slack_off_N,
+        get: |reading| reading.slack_off_N,
+        put: |reading| &mut reading.slack_off_N,
     },
     Channel {
         name: CHANNEL_WORDS[ROTATING],
         dimension: Dimension::Force,
-        get: |of| of.rotating_N,
-        put: |of| &mut of.rotating_N,
+        get: |reading| reading.rotating_N,
+        put: |reading| &mut reading.rotating_N,
     },
     Channel {
         name: CHANNEL_WORDS[3],
         dimension: Dimension::Torque,
-        get: |of| of.torque_N_m,
-        put: |of| &mut of.torque_N_m,
+        get: |reading| reading.torque_N_m,
+        put: |reading| &mut reading.torque_N_m,
     },
     Channel {
         name: CHANNEL_WORDS[4],
         dimension: Dimension::Torque,
-        get: |of| of.torque_on_bottom_N_m,
-        put: |of| &mut of.torque_on_bottom_N_m,
+        get: |reading| reading.torque_on_bottom_N_m,
+        put: |reading| &mut reading.torque_on_bottom_N_m,
     },
 ];
 
-/// Loads that ought to be greater, and smaller, and whether it is an error where most rows differ. A
-/// rotating weight below the slack-off weight is none: the mud that is pumped meanwhile lifts the string.
+/// Pairs of columns with the larger load first, and whether it is an error if most rows differ. A
+/// rotating weight below the slack-off weight is no error, because pumping at the same time lifts
+/// the string.
 const ORDER: [(usize, usize, bool); 3] =
     [(PICK_UP, SLACK_OFF, true), (PICK_UP, ROTATING, true), (ROTATING, SLACK_OFF, false)];
 
-/// Two weights of a row are out of order beyond this part of them: twice what a weight indicator errs by, and
-/// what rounding to 5 klbf leaves.
+/// Relative difference above which two weights of a row are out of order: twice the error of a
+/// weight indicator plus rounding to 5 klbf.
 const OUT_OF_ORDER: f64 = 0.03;
 
-/// Columns whose weights differ by more than this factor are hardly in one unit.
+/// Factor between the weights of two columns above which their units probably differ.
 const OTHER_UNIT: f64 = 2.5;
 
 impl ImportedReadings {
-    /// Readings that were measured: without what is no reading, and with what is to be said of them, in these
-    /// units. Loads that another program computed are not held to this.
+    /// Returns measured readings without the impossible ones, and the findings on them, in these
+    /// units. Loads computed by another program are not checked.
     pub fn measured(mut self, units: UnitSet) -> (Self, Vec<ReadingCheck>) {
         let mut checks = Vec::new();
         for channel in &CHANNELS {
             checks.extend(zeros(&mut self.readings, channel));
             checks.extend(negatives(&mut self.readings, channel, units));
         }
-        let is_empty = |of: &ImportedReading| CHANNELS.iter().all(|by| (by.get)(of).is_none());
-        let is_error = |of: &ReadingCheck| of.check.severity == Severity::Error;
+        let is_empty =
+            |reading: &ImportedReading| CHANNELS.iter().all(|by| (by.get)(reading).is_none());
+        let is_error = |check: &ReadingCheck| check.check.severity == Severity::Error;
         if self.readings.iter().all(is_empty) && !checks.iter().any(is_error) {
             checks.push(
                 ReadingCheck::new(
@@ -96,7 +98,11 @@ impl ImportedReadings {
                     Severity::Error,
                     "no weight and no torque is left of the readings".to_owned(),
                 )
-                .on(self.readings.iter().map(|of| of.place.clone()).collect()),
+                .on(self
+                    .readings
+                    .iter()
+                    .map(|reading| reading.place.clone())
+                    .collect()),
             );
         }
         checks.extend(order(&self.readings, units));
@@ -104,7 +110,7 @@ impl ImportedReadings {
     }
 }
 
-/// Zeros in a column, which are taken out of it.
+/// Finds zeros in a column and removes them.
 fn zeros(readings: &mut [ImportedReading], channel: &Channel) -> Option<ReadingCheck> {
     let values = readings.iter().filter_map(channel.get);
     let (count, zeros) =
@@ -113,7 +119,7 @@ fn zeros(readings: &mut [ImportedReading], channel: &Channel) -> Option<ReadingC
         return None;
     }
     let mut places = Vec::new();
-    for reading in readings.iter_mut().filter(|of| (channel.get)(of) == Some(0.0)) {
+    for reading in readings.iter_mut().filter(|reading| (channel.get)(reading) == Some(0.0)) {
         *(channel.put)(reading) = None;
         places.push(reading.place.clone());
     }
@@ -124,13 +130,15 @@ fn zeros(readings: &mut [ImportedReading], channel: &Channel) -> Option<ReadingC
     };
     let sentence = match (zeros == count, zeros) {
         (true, 1) => {
-            format!("the {name} is 0 in {rows}: {why}, and a zero is no reading; left out")
+            format!("the {name} is 0 in {rows}: {why}, and a zero is not a reading; left out")
         }
         (true, _) => format!(
-            "the {name} is 0 in all {count} rows ({rows}): {why}, and a zero is no reading; the column is left out"
+            "the {name} is 0 in all {count} rows ({rows}): {why}, and a zero is not a reading; \
+             the column is left out"
         ),
         (false, _) => format!(
-            "the {name} is 0 in {rows}, {zeros} of {count} rows: {why}, and a zero is no reading; left out"
+            "the {name} is 0 in {rows}, {zeros} of {count} rows: {why}, and a zero is not a \
+             reading; left out"
         ),
     };
     Some(
@@ -140,7 +148,8 @@ fn zeros(readings: &mut [ImportedReading], channel: &Channel) -> Option<ReadingC
     )
 }
 
-/// Negative values in a column, which are taken out of it; where all are negative the column is refused.
+/// Finds negative values in a column and removes them; a column with negative values only is
+/// refused.
 fn negatives(
     readings: &mut [ImportedReading],
     channel: &Channel,
@@ -152,30 +161,35 @@ fn negatives(
     if negative.is_empty() {
         return None;
     }
-    let shown = |value: &f64| channel.dimension.format(*value, units);
+    let formatted = |value: &f64| channel.dimension.format(*value, units);
     let least = negative.iter().copied().fold(f64::INFINITY, f64::min);
     let all = negative.len() == count;
-    let is_negative = |of: &ImportedReading| (channel.get)(of).is_some_and(|value| value < 0.0);
-    let places: Vec<String> =
-        readings.iter().filter(|of| is_negative(of)).map(|of| of.place.clone()).collect();
+    let is_negative =
+        |reading: &ImportedReading| (channel.get)(reading).is_some_and(|value| value < 0.0);
+    let places: Vec<String> = readings
+        .iter()
+        .filter(|reading| is_negative(reading))
+        .map(|reading| reading.place.clone())
+        .collect();
     let (name, rows) = (channel.name, row_names(&places));
     let written = match &negative[..] {
-        [one] => format!("is {}", shown(one)),
-        [first, .., last] => format!("is negative, {} to {}", shown(first), shown(last)),
+        [one] => format!("is {}", formatted(one)),
+        [first, .., last] => format!("is negative, {} to {}", formatted(first), formatted(last)),
         [] => String::new(),
     };
     let sentence = match all {
         true => format!(
-            "the {name} {written} in every row that has one ({rows}): hook loads and torques are more than zero; \
-             turn the sign of the column, or leave it out"
+            "the {name} {written} in every row that has one ({rows}): hook loads and torques are \
+             more than zero; change the sign of the column, or leave it out"
         ),
         false => format!(
-            "the {name} {written} in {rows}, {} of {count} rows: the sign is wrong, or it is no reading; left out",
+            "the {name} {written} in {rows}, {} of {count} rows: the sign is wrong, or it is not \
+             a reading; left out",
             negative.len()
         ),
     };
     if !all {
-        for reading in readings.iter_mut().filter(|of| is_negative(of)) {
+        for reading in readings.iter_mut().filter(|reading| is_negative(reading)) {
             *(channel.put)(reading) = None;
         }
     }
@@ -190,20 +204,22 @@ fn negatives(
     )
 }
 
-/// Pairs of columns whose order is not that of friction, in most rows or in some.
+/// Finds pairs of columns whose order contradicts friction, in most rows or in some.
 fn order(readings: &[ImportedReading], units: UnitSet) -> Vec<ReadingCheck> {
     let mut checks: Vec<ReadingCheck> = Vec::new();
     for (greater, smaller, is_error) in ORDER {
         let (greater, smaller) = (&CHANNELS[greater], &CHANNELS[smaller]);
-        let both = readings.iter().filter_map(|of| {
-            Some((of, (greater.get)(of)?, (smaller.get)(of)?)).filter(|of| of.1 > 0.0 && of.2 > 0.0)
+        let both = readings.iter().filter_map(|reading| {
+            Some((reading, (greater.get)(reading)?, (smaller.get)(reading)?))
+                .filter(|(_, greater, smaller)| *greater > 0.0 && *smaller > 0.0)
         });
         let both: Vec<_> = both.collect();
-        let wrong: Vec<_> = both.iter().filter(|of| of.2 > of.1 * (1.0 + OUT_OF_ORDER)).collect();
+        let wrong: Vec<_> =
+            both.iter().filter(|pair| pair.2 > pair.1 * (1.0 + OUT_OF_ORDER)).collect();
         let Some(worst) = wrong.iter().max_by(|a, b| (a.2 / a.1).total_cmp(&(b.2 / b.1))) else {
             continue;
         };
-        let places: Vec<String> = wrong.iter().map(|of| of.0.place.clone()).collect();
+        let places: Vec<String> = wrong.iter().map(|pair| pair.0.place.clone()).collect();
         let most = 2 * wrong.len() > both.len();
         let severity = match (most, is_error) {
             (true, true) => Severity::Error,
@@ -244,8 +260,8 @@ fn order(readings: &[ImportedReading], units: UnitSet) -> Vec<ReadingCheck> {
         );
     }
     // Columns that are swapped contradict all others.
-    if checks.iter().any(|of| of.check.severity == Severity::Error) {
-        checks.retain(|of| of.check.severity == Severity::Error);
+    if checks.iter().any(|check| check.check.severity == Severity::Error) {
+        checks.retain(|check| check.check.severity == Severity::Error);
     }
     checks
 }

@@ -1,4 +1,4 @@
-//! From rows of numbers to readings at the surface.
+//! Converts rows of numbers to readings at the surface.
 
 use wholestring_units::Unit;
 
@@ -14,17 +14,17 @@ use crate::{
     survey::stations::data_rows,
 };
 
-/// No hole is deeper along its axis, m.
+/// Maximum measured depth of a hole, m.
 const DEEPEST_M: f64 = 1e5;
 
-/// The columns that are measured: weights, then torques.
+/// The measured columns: weights, then torques.
 const MEASURED: [Column; 5] =
     [Column::PickUp, Column::SlackOff, Column::Rotating, Column::Torque, Column::TorqueOnBottom];
 
-/// What was read with the bit at a depth.
+/// Readings with the bit at a depth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImportedReading {
-    /// Where it stands in its file: `line 3`, `row 3 of sheet 'weights'`.
+    /// Its place in the file: `line 3`, `row 3 of sheet 'weights'`.
     pub place: String,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
@@ -38,26 +38,27 @@ pub struct ImportedReading {
     pub torque_N_m: Option<f64>,
     /// Torque on bottom, N·m.
     pub torque_on_bottom_N_m: Option<f64>,
-    /// Density of the mud, kg/m³, where it is not that of the case.
+    /// Density of the mud, kg/m³, if it differs from that of the case.
     pub mud_density_kg_per_m3: Option<f64>,
-    /// The case that it belongs to, where there are several.
+    /// The case to which it belongs, if there are several.
     pub case: Option<String>,
-    /// It is only held against what the others tell: its `use` is "no".
+    /// Whether it is excluded from calibration and only compared with its result: its `use` is
+    /// "no".
     pub held_out: bool,
     /// Keys of the case that its row changes, each with its value and unit.
     pub keys: Vec<(String, String)>,
 }
 
-/// Readings and how they were understood.
+/// Readings and notes on their interpretation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImportedReadings {
-    /// By their order in the file.
+    /// In the order of the file.
     pub readings: Vec<ImportedReading>,
-    /// What was recognised and passed over, in sentences for people.
+    /// Notes on what was recognised and skipped.
     pub notes: Vec<String>,
-    /// Half of the last digit to which the depths of the bit are written, m: a depth may be so far off.
+    /// Half of the last digit of bit depths, m, which is the possible error of a depth.
     pub half_digit_m: f64,
-    /// Units of the pick-up, slack-off and rotating weights, of the torques off and on bottom.
+    /// Units of the pick-up, slack-off and rotating weights, and of the torques off and on bottom.
     pub units: [Option<&'static Unit>; 5],
 }
 
@@ -154,7 +155,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
     Ok(ImportedReadings { readings, notes, half_digit_m, units })
 }
 
-/// Half of the last digit of a depth as it is written, m.
+/// Half of the last digit of a depth as written, m.
 fn half_digit(text: &str, style: Style, depth: &Found) -> f64 {
     let sign = if style == Style::Comma { ',' } else { '.' };
     let digits = |rest: &str| rest.chars().take_while(char::is_ascii_digit).count();
@@ -162,14 +163,14 @@ fn half_digit(text: &str, style: Style, depth: &Found) -> f64 {
     0.5 * 10_f64.powi(-(decimals.min(9) as i32)) * depth.unit.factor
 }
 
-/// Cells that stand for no value: what a data base or a logger writes there in place of a number.
+/// Null values that a database or a logger writes in place of a number.
 #[derive(Default)]
 struct Nulls {
-    /// Column, text and the rows that have it.
+    /// Column, text and the rows with it.
     found: Vec<(Column, String, Vec<String>)>,
 }
 
-/// Numbers that data bases and loggers write where nothing was measured.
+/// Numbers that databases and loggers write for missing measurements.
 const NULLS: [f64; 11] = [
     -999.0,
     -999.25,
@@ -184,12 +185,12 @@ const NULLS: [f64; 11] = [
     -32_768.0,
 ];
 
-/// Words that stand where nothing was measured.
+/// Words for missing measurements.
 const NULL_WORDS: [&str; 9] =
     ["n/a", "na", "n.a.", "nan", "null", "none", "#n/a", "nr", "not recorded"];
 
 impl Nulls {
-    /// Whether a cell stands for no value; it is kept.
+    /// Whether a cell is a null value; if so, it is recorded.
     fn hold(&mut self, reader: &Reader, row: &Row, found: &Found, place: &str) -> bool {
         let Some(cell) = row.cells.get(found.index).filter(|cell| !cell.is_empty()) else {
             return false;
@@ -200,8 +201,9 @@ impl Nulls {
             None => NULL_WORDS.iter().any(|word| cell.text.eq_ignore_ascii_case(word)),
         };
         if is_null {
-            let same =
-                |of: &&mut (Column, String, Vec<String>)| of.0 == found.column && of.1 == cell.text;
+            let same = |column: &&mut (Column, String, Vec<String>)| {
+                column.0 == found.column && column.1 == cell.text
+            };
             match self.found.iter_mut().find(same) {
                 Some((_, _, places)) => places.push(place.to_owned()),
                 None => {
@@ -218,10 +220,10 @@ impl Nulls {
             let rows = row_names(places);
             match column {
                 Column::BitDepth => format!(
-                    "{rows}: left out, because the bit depth is '{text}', which stands for no value"
+                    "{rows}: left out, because the bit depth is '{text}', which is a null value"
                 ),
                 _ => {
-                    format!("{rows}: the {column} is '{text}', which stands for no value: left out")
+                    format!("{rows}: the {column} is '{text}', which is a null value: left out")
                 }
             }
         })
@@ -232,7 +234,7 @@ impl Nulls {
 struct Key {
     index: usize,
     name: String,
-    /// Unit in its heading, as it is written.
+    /// Unit in its heading, as written.
     unit: String,
 }
 
@@ -252,7 +254,7 @@ impl Key {
         })
     }
 
-    /// What a row says of it; nothing where its cell is empty.
+    /// Value of the key in a row; `None` if its cell is empty.
     fn of(&self, row: &Row) -> Option<(String, String)> {
         let text = row.text(self.index);
         let value = format!("{text} {}", self.unit);
@@ -260,7 +262,7 @@ impl Key {
     }
 }
 
-/// The columns that are keys of the case; those that are nothing are noted.
+/// The columns that are keys of the case; unknown ones are noted.
 fn keys(layout: &Layout, notes: &mut Vec<String>) -> Vec<Key> {
     let mut keys = Vec::new();
     for (index, text) in layout.header.iter().enumerate() {
@@ -278,7 +280,7 @@ fn keys(layout: &Layout, notes: &mut Vec<String>) -> Vec<Key> {
     keys
 }
 
-/// An empty cell, or a dash in place of a number.
+/// Whether a cell is empty, or a dash in place of a number.
 fn is_blank(text: &str) -> bool {
     text.chars().all(|c| "-–—".contains(c))
 }

@@ -1,4 +1,4 @@
-//! The sheets of a workbook as rows of texts, for tables that are no surveys, tallies or readings.
+//! The sheets of a workbook as rows of texts, for tables other than surveys, tallies and readings.
 
 use crate::{
     cells::{self, workbook},
@@ -8,27 +8,27 @@ use crate::{
 /// A visible sheet of a workbook, as texts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SheetText {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// Its rows from the first on, as spreadsheets count them: hidden rows are empty, hidden columns
-    /// are left out. A number is written in full, a date as ISO 8601 has it.
+    /// Its rows from the first on, as spreadsheets count them: hidden rows are empty, hidden
+    /// columns are left out. A number is written in full, a date in ISO 8601.
     pub rows: Vec<Vec<String>>,
-    /// What of it is not read, in sentences for people.
+    /// Notes on contents that are not read.
     pub notes: Vec<String>,
 }
 
-/// What stands for the result of a formula that was never calculated.
+/// Text for the result of a formula that was never calculated.
 const UNCALCULATED: &str = "a formula that was never calculated";
 
-/// Whether a file that begins so is a workbook, or another archive: by its content, not by its name.
+/// Whether a file with these first bytes is a workbook or another archive, regardless of its name.
 pub fn is_workbook(head: &[u8]) -> bool {
     workbook::is_workbook(head)
 }
 
-/// The visible sheets of a workbook; none of a text.
+/// Returns the visible sheets of a workbook; none of a text.
 ///
 /// # Errors
-/// It is a workbook that cannot be read, or holds more than is read.
+/// It is a workbook that cannot be read, or exceeds a limit.
 pub fn sheets(bytes: &[u8], name: &str) -> Result<Vec<SheetText>, TableError> {
     if !cells::is_workbook(bytes, name) {
         return Ok(Vec::new());

@@ -1,11 +1,11 @@
-//! Published surveys whose terms keep them out of this repository: read from the folder that
-//! `WHOLESTRING_EXTRA_DATA` names, passed over where it is unset.
+//! Published surveys whose terms exclude them from this repository: read from the folder in
+//! `WHOLESTRING_EXTRA_DATA`, skipped if it is unset.
 
 use std::path::PathBuf;
 
 use wholestring_tabular::{ImportedSurvey, read};
 
-/// The file's text, or `None` with a word about it.
+/// The file's text, or `None` with a message.
 fn published(name: &str) -> Option<String> {
     let Some(folder) = std::env::var_os("WHOLESTRING_EXTRA_DATA") else {
         println!("skipped: WHOLESTRING_EXTRA_DATA names no folder with {name}");
@@ -15,9 +15,9 @@ fn published(name: &str) -> Option<String> {
     Some(std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path:?}: {error}")))
 }
 
-/// Every number of the file's first six columns, in the units that the test states, against the
-/// import. Columns: measured depth, inclination, azimuth, and where true vertical depth, north and
-/// east stand.
+/// Compares every number of the file's first six columns, in the units that the test states, with
+/// the import. Columns: measured depth, inclination, azimuth, and the columns of true vertical
+/// depth, north and east.
 fn assert_imported(text: &str, name: &str, depth_m: f64, tie_in: [(usize, f64); 3]) {
     let survey: ImportedSurvey =
         read(text.as_bytes(), name).unwrap_or_else(|error| panic!("{error}"));

@@ -20,7 +20,8 @@ fn weights_and_torques_are_read_in_their_units() {
     assert_eq!(second.case.as_deref(), Some("tangent"));
 }
 
-/// Columns named as keys of a case belong to their row, `use` holds one out, and others are told.
+/// Columns named as keys of a case belong to their row, `use` holds one out, and notes list the
+/// others.
 #[test]
 fn keys_of_the_case_and_rows_held_out() {
     let text = "report,Bit depth (m),Pick-up (kN),string.2.length (ft),well.hole.0.friction,use\n\
@@ -48,10 +49,11 @@ fn units_in_names_and_in_a_row_below() {
          800,536.1,503.8,524.8,0.15,9.0\n",
     ] {
         let read = read_readings(text.as_bytes(), "a.csv").expect("readings");
-        let of = &read.readings[0];
-        let all = [of.pick_up_N, of.slack_off_N, of.rotating_N, of.torque_N_m];
+        let readings = &read.readings[0];
+        let all =
+            [readings.pick_up_N, readings.slack_off_N, readings.rotating_N, readings.torque_N_m];
         assert_eq!(all, [Some(536.1e3), Some(503.8e3), Some(524.8e3), Some(150.0)]);
-        assert!((of.mud_density_kg_per_m3.expect("a number") - 1078.44).abs() < 0.1);
+        assert!((readings.mud_density_kg_per_m3.expect("a number") - 1078.44).abs() < 0.1);
     }
 }
 
@@ -114,40 +116,44 @@ fn torques_under_abbreviated_headings() {
         );
         let read = read_readings(text.as_bytes(), "a.csv")
             .unwrap_or_else(|error| panic!("{heading}: {error}"));
-        let of = &read.readings[0];
-        let found = if on_bottom { of.torque_on_bottom_N_m } else { of.torque_N_m };
+        let readings = &read.readings[0];
+        let found = if on_bottom { readings.torque_on_bottom_N_m } else { readings.torque_N_m };
         let expected = 9.5e3 * 1.355_817_948_331_4;
         assert!((found.unwrap_or_else(|| panic!("{heading}")) / expected - 1.0).abs() < 1e-12);
         assert!(
-            of.slack_off_N < of.rotating_N && of.rotating_N < of.pick_up_N,
-            "{heading}: {of:?}"
+            readings.slack_off_N < readings.rotating_N && readings.rotating_N < readings.pick_up_N,
+            "{heading}: {readings:?}"
         );
     }
 }
 
-/// What stands for no value is left out and said, as the last digit of the depths is.
+/// Null values are left out with a note, and so is the last digit of the depths.
 #[test]
 fn values_that_stand_for_none() {
     let text = "Depth (ft),PU (kN),SO (kN),Torque (kN.m)\n9000,700,-999.25,-9999\n9100,710,N/A,5\n\
                 -999.25,720,600,5\n9200.5,720,-999.25,NaN\n";
     let read = read_readings(text.as_bytes(), "a.csv").expect("readings");
     assert_eq!(read.readings.len(), 3);
-    assert!(read.readings.iter().all(|of| of.slack_off_N.is_none() && of.pick_up_N.is_some()));
-    let torques: Vec<_> = read.readings.iter().map(|of| of.torque_N_m).collect();
+    assert!(
+        read.readings
+            .iter()
+            .all(|reading| reading.slack_off_N.is_none() && reading.pick_up_N.is_some())
+    );
+    let torques: Vec<_> = read.readings.iter().map(|reading| reading.torque_N_m).collect();
     assert_eq!(torques, [None, Some(5e3), None]);
     // The finest of the depths has one decimal.
     assert!((read.half_digit_m - 0.05 * 0.3048).abs() < 1e-12);
     for note in [
-        "lines 2 and 5: the slack-off weight is '-999.25', which stands for no value: left out",
-        "line 3: the slack-off weight is 'N/A', which stands for no value: left out",
-        "line 2: the torque off bottom is '-9999', which stands for no value: left out",
-        "line 4: left out, because the bit depth is '-999.25', which stands for no value",
+        "lines 2 and 5: the slack-off weight is '-999.25', which is a null value: left out",
+        "line 3: the slack-off weight is 'N/A', which is a null value: left out",
+        "line 2: the torque off bottom is '-9999', which is a null value: left out",
+        "line 4: left out, because the bit depth is '-999.25', which is a null value",
     ] {
-        assert!(read.notes.iter().any(|of| of == note), "{:?}\nlacks: {note}", read.notes);
+        assert!(read.notes.iter().any(|found| found == note), "{:?}\nlacks: {note}", read.notes);
     }
 }
 
-/// Zeros, signs and orders that no string gives.
+/// Zeros, signs and orders that are impossible for a string.
 #[test]
 fn readings_that_no_string_gives() {
     use wholestring_judge::Severity::{Error, Warning};
@@ -200,17 +206,17 @@ fn readings_that_no_string_gives() {
         let text = format!("{head}{rows}");
         let read = read_readings(text.as_bytes(), "a.csv").expect("readings");
         let (left, checks) = read.measured(UnitSet::Si);
-        let found = checks
-            .iter()
-            .find(|of| of.check.kind.name() == kind && of.check.sentence.contains(sentence));
+        let found = checks.iter().find(|check| {
+            check.check.kind.name() == kind && check.check.sentence.contains(sentence)
+        });
         let found = found.unwrap_or_else(|| panic!("{rows}: {checks:?}"));
         assert_eq!(found.check.severity, severity, "{found:?}");
-        for of in &left.readings {
-            assert!(of.torque_N_m.is_none_or(|torque| torque > 0.0) || severity == Error);
-            assert!(of.slack_off_N != Some(0.0) && of.rotating_N != Some(0.0));
+        for reading in &left.readings {
+            assert!(reading.torque_N_m.is_none_or(|torque| torque > 0.0) || severity == Error);
+            assert!(reading.slack_off_N != Some(0.0) && reading.rotating_N != Some(0.0));
         }
     }
-    // Sound ones, one of them of a vertical hole with an indicator that errs by 1 %.
+    // Valid ones, one of them of a vertical hole with an indicator that errs by 1 %.
     for rows in ["1,700,600,650,3\n2,710,605,655,3.5\n", "1,702,699,705,0.1\n2,798,801,800,0.1\n"] {
         let read = read_readings(format!("{head}{rows}").as_bytes(), "a.csv").expect("readings");
         let (left, checks) = read.clone().measured(UnitSet::Si);

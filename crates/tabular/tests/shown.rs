@@ -1,5 +1,5 @@
-//! Workbooks of which something is hidden or was never calculated: what a person sees is read, and the
-//! rest is said.
+//! Workbooks with hidden or uncalculated contents: the visible contents are read, and notes report
+//! the rest.
 
 mod old_excel;
 
@@ -44,7 +44,7 @@ fn depths(survey: &ImportedSurvey) -> Vec<f64> {
     survey.stations.iter().map(|station| station.md_m).collect()
 }
 
-/// The azimuth is a formula whose result a program left to be calculated: each was read as 0.
+/// The azimuth is a formula that a program left to be calculated: each was read as 0.
 #[test]
 fn formulas_that_were_never_calculated_are_refused_with_their_cell() {
     let calculated = "holds a formula whose result was never calculated";
@@ -63,7 +63,8 @@ fn formulas_that_were_never_calculated_are_refused_with_their_cell() {
     assert!(error.contains("cell E3: the cell holds a formula"), "{error}");
 }
 
-/// A formula beside what is read, or with its result, is no fault; an empty text may be a result.
+/// A formula outside the columns that are read, or with its result, is valid; an empty text may be
+/// a result.
 #[test]
 fn formulas_that_do_no_harm_are_read() {
     let beside = changed(|sheet| {
@@ -81,7 +82,8 @@ fn formulas_that_do_no_harm_are_read() {
     assert!(error.to_string().contains("cell C2: the cell holds a formula"), "{error}");
 }
 
-/// A rejected station, a joint that was laid out: hidden, and read as if they were seen.
+/// A rejected station, a joint that was laid out: hidden, and previously read as if they were
+/// visible.
 #[test]
 fn hidden_rows_are_not_read_and_said() {
     let survey = survey(&file("hidden-row-in-survey"));
@@ -95,7 +97,7 @@ fn hidden_rows_are_not_read_and_said() {
     assert!(tally.notes.contains(&hidden), "{:?}", tally.notes);
 }
 
-/// However a row or a column is hidden: by hand, in a closed group, of no height or width.
+/// Rows and columns hidden in different ways: by hand, in a closed group, of zero height or width.
 #[test]
 fn rows_and_columns_are_hidden_in_several_ways() {
     let grouped = changed(|sheet| {
@@ -118,7 +120,7 @@ fn rows_and_columns_are_hidden_in_several_ways() {
     assert_eq!(read.stations[2].azimuth_rad, 45f64.to_radians());
     let hidden = "column B of sheet 'S' is hidden and not read".to_owned();
     assert!(read.notes.contains(&hidden), "{:?}", read.notes);
-    // One that is needed: its error says that it is hidden.
+    // A required column: the error states that it is hidden.
     let needed = changed(|sheet| {
         sheet.set_column_hidden(2).unwrap();
     });
@@ -128,7 +130,7 @@ fn rows_and_columns_are_hidden_in_several_ways() {
 }
 
 trait Hidden {
-    /// Moves inclination and azimuth a column to the right, and hides the one between.
+    /// Moves inclination and azimuth one column to the right, and hides the column between.
     fn insert_column_of_text(&mut self, at: u16);
 }
 
@@ -149,7 +151,7 @@ impl Hidden for Worksheet {
     }
 }
 
-/// An old plan on a hidden sheet was taken for the survey; the one that is seen is read.
+/// An old plan on a hidden sheet was taken for the survey; the visible one is read.
 #[test]
 fn a_visible_sheet_is_read_and_no_hidden_one() {
     let read = survey(&file("hidden-sheet-first"));
@@ -157,7 +159,7 @@ fn a_visible_sheet_is_read_and_no_hidden_one() {
     assert_eq!((last.md_m, last.inclination_rad), (2300.0, 61.9f64.to_radians()));
     let hidden = "the sheet 'Old plan' is hidden and not read".to_owned();
     assert!(read.notes.contains(&hidden), "{:?}", read.notes);
-    // Where nothing else is there, the refusal says why.
+    // If there is no other sheet, the error gives the reason.
     let mut workbook = Workbook::new();
     workbook.add_worksheet().set_name("Front").unwrap().write_string(0, 0, "Well S-1").unwrap();
     let sheet = workbook.add_worksheet().set_name("Survey").unwrap();
@@ -196,7 +198,8 @@ fn old_workbooks_hide_and_leave_results_out_too() {
     let error = read(&old_excel::workbook_hidden(&cells, 9, Some(2)), "a.xls").unwrap_err();
     assert!(error.to_string().contains("no column of azimuth"), "{error}");
     assert!(error.to_string().contains("column C of sheet 'Survey' is hidden"), "{error}");
-    // A formula as programs write it that calculate none: an empty text, or a zero to be calculated.
+    // A formula written by programs that do not calculate: an empty text, or a zero to be
+    // calculated.
     for value in [Value::EmptyFormula, Value::ZeroFormula] {
         let mut cells = cells.iter().map(copy).collect::<Vec<_>>();
         cells.retain(|cell| (cell.0, cell.1) != (3, 2));
@@ -215,7 +218,7 @@ fn copy<'a>((row, column, value): &(u16, u16, Value<'a>)) -> (u16, u16, Value<'a
     (*row, *column, value)
 }
 
-/// Archives of something else, and workbooks of kinds that are not read, say what they are.
+/// Errors name the kind of other archives, and of unsupported workbooks.
 #[test]
 fn other_archives_say_what_they_are() {
     use std::io::{Cursor, Write};
@@ -229,18 +232,18 @@ fn other_archives_say_what_they_are() {
         to.finish().unwrap().into_inner()
     };
     let stored = zip::CompressionMethod::Stored;
-    let said =
+    let refusal =
         |names: &[&str], name: &str| read(&archive(names, stored), name).unwrap_err().to_string();
-    let binary = said(&["[Content_Types].xml", "_rels/.rels", "xl/workbook.bin"], "a.xlsb");
+    let binary = refusal(&["[Content_Types].xml", "_rels/.rels", "xl/workbook.bin"], "a.xlsb");
     assert!(binary.contains("a binary workbook, .xlsb: save it as .xlsx"), "{binary}");
-    let open = said(&["mimetype", "content.xml", "META-INF/manifest.xml"], "a.ods");
+    let open = refusal(&["mimetype", "content.xml", "META-INF/manifest.xml"], "a.ods");
     assert!(open.contains("an OpenDocument file, .ods or another: save it as .xlsx"), "{open}");
-    // Its text is not read as if the archive were one.
-    let text = said(&["survey.csv"], "survey.zip");
+    // The text in the archive is not read as if the archive were a text.
+    let text = refusal(&["survey.csv"], "survey.zip");
     assert!(text.contains("a zip archive of 'survey.csv': unpack it first"), "{text}");
 }
 
-/// A workbook whose parts are stored as they are is one.
+/// A workbook whose parts are stored uncompressed is accepted.
 #[test]
 fn a_workbook_that_is_not_compressed_is_read() {
     use std::io::{Cursor, Read, Write};

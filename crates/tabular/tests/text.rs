@@ -1,4 +1,4 @@
-//! Surveys as text, in the ways people keep them.
+//! Surveys as text, in typical layouts.
 
 use wholestring_tabular::{Column, ImportedSurvey, Said, TableErrorKind, read, read_as, read_csv};
 use wholestring_units::Dimension;
@@ -75,15 +75,15 @@ fn tabs_titles_comments_quotes_and_empty_rows() {
          0\t0\t0\r\n\r\n\"1,030.5\"\t0.5\t45\r\n\t\t\r\nEnd of survey\t\t\r\n\r\n",
     );
     assert_stations(&survey, &[[0.0, 0.0, 0.0], [1030.5, 0.5, 45.0]]);
-    noted(&survey, "line 10 is passed over: 'End of survey'");
+    noted(&survey, "line 10 is skipped: 'End of survey'");
 }
 
-/// What is said of a file that does not tell its unit.
+/// The user's unit for a file that does not give one.
 fn said(unit: &str) -> Said {
     Said { length_unit: Dimension::Length.find_unit(unit), ..Said::default() }
 }
 
-/// Metres for feet would go unseen: a well a third as deep is a well too.
+/// Metres for feet would go unnoticed: a well a third as deep is plausible too.
 #[test]
 fn lengths_without_a_unit_are_refused_until_it_is_said() {
     let foot = 0.3048;
@@ -99,14 +99,14 @@ fn lengths_without_a_unit_are_refused_until_it_is_said() {
         let headless = read_as(text.as_bytes(), "a.csv", &said("ft")).unwrap();
         assert_stations(&headless, &in_feet);
         noted(&headless, "no header");
-        noted(&headless, "three columns read as measured depth in ft as was said");
+        noted(&headless, "three columns read as measured depth in ft as given");
     }
     let text = b"md,inc,azi\n0,0,0\n30,1.5,45\n";
     let error = read_csv(text, "a.csv").unwrap_err();
     assert!(matches!(error.kind(), TableErrorKind::MissingUnit { .. }), "{error}");
     let bare = read_as(text, "a.csv", &said("ft")).unwrap();
     assert_stations(&bare, &in_feet);
-    noted(&bare, "no unit for measured depth: read in ft as was said");
+    noted(&bare, "no unit for measured depth: read in ft as given");
     noted(&bare, "no unit for inclination and azimuth: read in degrees");
 }
 
@@ -117,8 +117,8 @@ fn what_is_said_must_be_what_the_file_tells() {
     let error = read_as(text, "a.csv", &said("ft")).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "a.csv, line 1, column 1: the measured depth is in 'm' by the file and in 'ft' by what was said; \
-         leave one of them"
+        "a.csv, line 1, column 1: the measured depth is in 'm' in the file and in 'ft' as given; \
+         keep one of them"
     );
 }
 
@@ -226,7 +226,7 @@ fn a_text_report_with_stacked_headings() {
             [1700.0 * foot, 6.0, 0.5],
         ],
     );
-    noted(&survey, "the mark '!' in line 11 is passed over");
+    noted(&survey, "the mark '!' in line 11 is ignored");
     assert_eq!(survey.tie_in.map(|tie_in| tie_in.tvd_m), Some(0.0));
 }
 
@@ -252,7 +252,7 @@ fn a_table_continued_on_another_page() {
     assert_stations(&survey, &[[0.0, 0.0, 0.0], [30.0, 1.5, 45.0], [60.0, 3.0, 45.0]]);
 }
 
-/// The sentence, and the text that is underlined.
+/// Checks the sentence and the underlined text.
 #[track_caller]
 fn refused(text: &str, underlined: &str, message: &str) -> TableErrorKind {
     let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
@@ -274,9 +274,9 @@ fn faults_in_the_header_are_underlined() {
     refused(
         "Title\nMD;Inc;Azi\n0;0;0\n30;1;1\n",
         "MD",
-        "a.csv, line 2, column 1: the measured depth under 'MD' has no unit; \
-         write it in the header, such as 'MD (m)', or in a row below it, or say it: \
-         `survey_unit = \"m\"` under [well], `--unit m` for `wholestring survey`",
+        "a.csv, line 2, column 1: the measured depth under 'MD' has no unit; write it in the \
+         header, such as 'MD (m)', or in a row below it, or give it: `survey_unit = \"m\"` under \
+         [well], `--unit m` for `wholestring survey`",
     );
     refused(
         "MD (bar),Inc,Azi\n0,0,0\n30,1,1\n",
@@ -300,14 +300,14 @@ fn faults_in_the_header_are_underlined() {
         "MD (m),MD (ft),Inc,Azi\n0,0,0,0\n30,100,1,1\n",
         "MD (m),MD (ft),Inc,Azi",
         "a.csv, line 1, column 1: two columns read as measured depth: 'MD (m)' and 'MD (ft)'; \
-         leave one of them",
+         keep one of them",
     );
     refused(
         "MD (m),Inc,Azi,TVD\n0,0,0,0\n30,1,1,30\n",
         "TVD",
-        "a.csv, line 1, column 16: the true vertical depth under 'TVD' has no unit; \
-         write it in the header, such as 'TVD (m)', or in a row below it, or say it: \
-         `survey_unit = \"m\"` under [well], `--unit m` for `wholestring survey`",
+        "a.csv, line 1, column 16: the true vertical depth under 'TVD' has no unit; write it in \
+         the header, such as 'TVD (m)', or in a row below it, or give it: `survey_unit = \"m\"` \
+         under [well], `--unit m` for `wholestring survey`",
     );
 }
 
@@ -335,12 +335,14 @@ fn faults_in_the_rows_are_underlined() {
         (
             "30,1,1\n20,1,1",
             "20",
-            "line 4, column 1: the measured depth runs backwards: 20 m after 30 m; it must grow from station to station",
+            "line 4, column 1: the measured depth runs backwards: 20 m after 30 m; it must \
+             increase from station to station",
         ),
         (
             "30,1,1\n30.0,1,2",
             "30.0",
-            "line 4, column 1: the measured depth repeats: 30 m after 30 m; it must grow from station to station",
+            "line 4, column 1: the measured depth repeats: 30 m after 30 m; it must increase from \
+             station to station",
         ),
         (
             "30,-1,1",
@@ -424,7 +426,7 @@ fn files_that_are_no_survey_get_a_sentence() {
     assert!(
         message(b"MD (m),Inc,Azi\n", "a.xlsx").starts_with("a.xlsx: the workbook cannot be read")
     );
-    // Text under the name of a workbook is common.
+    // Text with the extension of a workbook is common.
     assert!(read(b"md_m\tinc\tazi\n0\t0\t0\n9\t0\t0\n", "a.xls").is_ok());
 }
 
@@ -442,7 +444,7 @@ fn depths_from_the_kelly_bushing_are_in_feet() {
     }
 }
 
-/// A text that is all signs or all ends of lines makes a table a hundred times as large as itself.
+/// A text of separators or line ends only makes a table a hundred times as large as itself.
 #[test]
 fn texts_with_more_cells_than_any_survey_are_refused() {
     for (text, message) in [
@@ -455,8 +457,8 @@ fn texts_with_more_cells_than_any_survey_are_refused() {
     }
 }
 
-/// A vertical station has no azimuth: taken as 0, and said. With 0 typed in, minimum curvature gives a true vertical depth of
-/// 799.86 m at 800 m.
+/// A vertical station has no azimuth: 0 is assumed, with a note. With 0 typed in, minimum curvature
+/// gives a true vertical depth of 799.86 m at 800 m.
 #[test]
 fn a_vertical_station_may_lack_its_azimuth() {
     for blank in ["", "-", "N/A", "-999.25"] {
@@ -464,7 +466,7 @@ fn a_vertical_station_may_lack_its_azimuth() {
         assert_eq!(found.stations.len(), 3);
         assert_eq!(found.stations[1].azimuth_rad, 0.0);
         let note = "the azimuth of 2 stations, vertical and without one, is taken as 0 (the first in line 2)";
-        assert!(found.notes.iter().any(|given| given == note), "{:?}", found.notes);
+        assert!(found.notes.iter().any(|found| found == note), "{:?}", found.notes);
     }
     let error = read(b"MD (m),Inc,Azi\n0,0.5,\n500,1,10\n", "a.csv").unwrap_err();
     assert!(error.to_string().contains("the azimuth is missing in this row"), "{error}");
@@ -476,8 +478,8 @@ fn a_station_that_stands_there_twice_counts_once() {
         survey("MD (m),Inc,Azi,TVD (m)\n0,0,0,0\n500,1,10,499.9\n500,1,10,499.9\n900,8,12,899\n");
     assert_eq!((found.stations.len(), found.stated.len()), (3, 3));
     assert_eq!(found.stated[2].tvd_m, Some(899.0));
-    let note = "1 station of a depth that another has, alike, is left out (line 4)";
-    assert!(found.notes.iter().any(|given| given == note), "{:?}", found.notes);
+    let note = "1 station of the same depth as another and identical is left out (line 4)";
+    assert!(found.notes.iter().any(|found| found == note), "{:?}", found.notes);
     assert_eq!(found.places.row_name(2), "line 5");
 }
 
@@ -488,10 +490,10 @@ fn the_deepest_station_may_be_first() {
     assert_eq!(depths, [0.0, 1530.0, 1900.0, 2300.0]);
     assert_eq!(found.places.row_name(0), "line 5");
     assert_eq!(found.place, "lines 2 to 5");
-    assert!(found.notes.iter().any(|note| note.contains("turned over")), "{:?}", found.notes);
+    assert!(found.notes.iter().any(|note| note.contains("reversed")), "{:?}", found.notes);
 }
 
-/// Coordinates of a map are said to be such.
+/// Map coordinates are recognised in a note.
 #[test]
 fn coordinates_of_a_map_are_named() {
     let found = survey(
@@ -507,7 +509,8 @@ fn coordinates_of_a_map_are_named() {
     assert!(!local.start().is_on_map());
 }
 
-/// Positions of minimum curvature are held to the stations; a slip of one station is named with its row.
+/// Positions of minimum curvature are compared with the stations; an error of one station is
+/// reported with its row.
 #[test]
 fn positions_and_slips_are_found() {
     use wholestring::well::{Interpolation, Path, USUAL_DOGLEG_RAD_PER_M};
@@ -529,6 +532,6 @@ fn positions_and_slips_are_found() {
     assert_eq!(doubts.len(), 1);
     let sentence = &doubts[0].sentence;
     assert!(sentence.contains("deg/100ft") && sentence.contains("4035.4 ft"), "{sentence}");
-    assert!(doubts[0].help.ends_with("is 4.1 a slip of 41?"), "{}", doubts[0].help);
+    assert!(doubts[0].help.ends_with("is 4.1 a typing error for 41?"), "{}", doubts[0].help);
     assert_eq!(found.places.row_name(doubts[0].index), "line 3");
 }

@@ -1,45 +1,45 @@
-//! The dimensions that a drill string's description needs.
+//! Dimensions in the description of a drill string.
 
 use std::sync::LazyLock;
 
 use crate::{Unit, UnitSet, print, symbol::Spellings, table};
 
-/// Declares the dimensions: name in a sentence, units that are read, symbols of those that the unit
-/// sets show it in.
+/// Declares the dimensions: name in a sentence, accepted units, symbols of the unit in each unit
+/// set.
 macro_rules! dimensions {
-    ($($(#[$meaning:meta])* $of:ident: $name:literal, $units:ident, $shown:expr;)+) => {
-        /// What a quantity measures.
+    ($($(#[$meaning:meta])* $dimension:ident: $name:literal, $units:ident, $shown:expr;)+) => {
+        /// Dimension of a quantity.
         ///
-        /// Dimensions that are the same to a physicist but not to an engineer are kept apart,
-        /// because people write and print them in different units: lengths and diameters, a rate
-        /// of penetration and a tripping speed.
+        /// Dimensions that are equal in physics but not in engineering practice are separate,
+        /// because people use different units for them: lengths and diameters, a rate of
+        /// penetration and a tripping speed.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Dimension {
-            $($(#[$meaning])* $of,)+
+            $($(#[$meaning])* $dimension,)+
         }
 
         impl Dimension {
             /// Every dimension.
-            pub const ALL: &[Dimension] = &[$(Dimension::$of),+];
+            pub const ALL: &[Dimension] = &[$(Dimension::$dimension),+];
 
             /// The name in a sentence, such as `"rotary speed"`.
             pub fn name(self) -> &'static str {
                 match self {
-                    $(Dimension::$of => $name,)+
+                    $(Dimension::$dimension => $name,)+
                 }
             }
 
-            /// The units that are read, the commonest first. The SI unit is one of them.
+            /// The accepted units, the most common first. The SI unit is one of them.
             pub fn units(self) -> &'static [Unit] {
                 match self {
-                    $(Dimension::$of => table::$units,)+
+                    $(Dimension::$dimension => table::$units,)+
                 }
             }
 
-            /// How the units are written.
+            /// Spellings of the units.
             fn spellings(self) -> &'static Spellings {
                 match self {
-                    $(Dimension::$of => {
+                    $(Dimension::$dimension => {
                         static SPELLINGS: LazyLock<Spellings> =
                             LazyLock::new(|| Spellings::of(table::$units));
                         &SPELLINGS
@@ -50,7 +50,7 @@ macro_rules! dimensions {
             /// Symbol of the unit in which a unit set shows this dimension.
             fn symbol_in(self, set: UnitSet) -> &'static str {
                 let [si, metric, field] = match self {
-                    $(Dimension::$of => $shown,)+
+                    $(Dimension::$dimension => $shown,)+
                 };
                 match set {
                     UnitSet::Si => si,
@@ -117,7 +117,7 @@ dimensions! {
     MomentOfInertia: "moment of inertia", MOMENT_OF_INERTIA, ["kg.m2", "kg.m2", "lb.ft2"];
     /// Torque per rotary speed, N·m·s.
     RotaryDamping: "torque per rotary speed", ROTARY_DAMPING, ["kN.m.s", "kN.m.s", "ft-lbf.s"];
-    /// Energies that cracks take per area, J/m².
+    /// Energies per area of cracks, J/m².
     FractureEnergy: "fracture energy", FRACTURE_ENERGY, ["kJ/m2", "kJ/m2", "in-lbf/in2"];
 }
 
@@ -138,7 +138,7 @@ impl Dimension {
         words.trim_start_matches('_').to_owned()
     }
 
-    /// Symbol of the unit that [`parse`](Self::parse) returns and the printers take.
+    /// Symbol of the unit that [`parse`](Self::parse) returns and the print functions accept.
     pub fn si_symbol(self) -> &'static str {
         self.si_unit().symbol
     }
@@ -149,14 +149,14 @@ impl Dimension {
         self.units().iter().find(|unit| unit.symbol == symbol).unwrap_or(self.si_unit())
     }
 
-    /// The unit that is written so, or `None`.
+    /// Returns the unit with this spelling, or `None`.
     ///
-    /// Capitals count first (`mPa.s` against `MPa`); where no unit has exactly these, a unit with
-    /// other capitals is found if it is the only one (`KN`, `RPM`). Milli and mega are never
-    /// taken for each other.
+    /// Exact capitals take precedence (`mPa.s` against `MPa`); if no unit has them, a unit with
+    /// other capitals is accepted if it is the only one (`KN`, `RPM`). Milli and mega are never
+    /// confused.
     ///
-    /// A unit of length may tell, as depths do, from where and along what it is measured: `ftKB`,
-    /// `m MD`, `mTVDRT`.
+    /// A unit of length may include the depth reference and type, as for depths: `ftKB`, `m MD`,
+    /// `mTVDRT`.
     pub fn find_unit(self, symbol: &str) -> Option<&'static Unit> {
         let spellings = self.spellings();
         let depth = || match self {
@@ -166,7 +166,7 @@ impl Dimension {
         spellings.find(symbol).or_else(depth)
     }
 
-    /// The value for people: in the set's unit, with five significant digits and the unit.
+    /// Formats the value for people: in the set's unit, with five significant digits and the unit.
     ///
     /// Whole numbers below ten million are never rounded to tens.
     pub fn format(self, si: f64, set: UnitSet) -> String {
@@ -176,8 +176,8 @@ impl Dimension {
     /// The shortest text that [`parse`](Self::parse) reads back as this value, to the last digit
     /// or two of a double.
     ///
-    /// In the set's unit, except where a value near the ends of a double's range would lose digits
-    /// there: then in SI. A value that is not finite gives a text that `parse` refuses.
+    /// The text is in the set's unit, except that a value near the limits of a double's range is in
+    /// SI if it would lose digits. A value that is not finite gives a text that `parse` refuses.
     pub fn format_exact(self, si: f64, set: UnitSet) -> String {
         print::exact(self.unit_in(set), self.si_unit(), si)
     }

@@ -1,19 +1,19 @@
-//! Why a text is no quantity.
+//! Errors of quantities.
 
 use std::fmt;
 use std::ops::Range;
 
 use crate::Dimension;
 
-/// What is wrong with a text that should be a quantity.
+/// Error in the text of a quantity.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum QuantityErrorKind {
-    /// Nothing but blanks.
+    /// The text contains only blanks.
     Empty,
-    /// The text does not begin with a number, or the number is written in a way that is not read
-    /// (decimal commas, NaN, infinity).
+    /// The text does not begin with a number, or the number is in an unsupported form (decimal
+    /// commas, NaN, infinity).
     NotANumber {
-        /// The part that should be the number.
+        /// The text in place of the number.
         found: String,
     },
     /// The number, or its value in SI, is too large for a double.
@@ -21,58 +21,57 @@ pub enum QuantityErrorKind {
         /// The number as written.
         found: String,
     },
-    /// A number alone.
+    /// A number without a unit.
     NoUnit {
         /// The number as written.
         number: String,
     },
-    /// A unit of no dimension that is known here.
+    /// A unit of no known dimension.
     UnknownUnit {
         /// The unit as written.
         found: String,
-        /// Symbol of the unit with the nearest spelling, where one is near.
+        /// Symbol of the unit with the nearest spelling, if one is near.
         nearest: Option<&'static str>,
     },
-    /// A unit by which people mean different things.
+    /// An ambiguous unit.
     AmbiguousUnit {
         /// The unit as written.
         found: String,
-        /// What it may mean and what to write instead.
+        /// Its possible meanings and the alternatives to write.
         meanings: &'static str,
     },
-    /// A comma that may part thousands or decimals: `1,500 m`.
+    /// A comma that may separate thousands or decimals: `1,500 m`.
     AmbiguousComma {
         /// The number as written.
         found: String,
         /// Symbol of its unit.
         unit: &'static str,
     },
-    /// A unit, but of another dimension.
+    /// A unit of another dimension.
     OtherDimension {
         /// The unit as written.
         found: String,
-        /// What it is a unit of.
+        /// Its dimension.
         is: Dimension,
     },
 }
 
-/// Why a text is no quantity of the dimension requested.
+/// Reason why a text is not a quantity of the requested dimension.
 ///
-/// Its `Display` is one sentence for the person who wrote the text: what is wrong, what was
-/// expected, which units are accepted.
+/// Its `Display` is one sentence for the person who wrote the text: the error, the expected text,
+/// and the accepted units.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct QuantityError {
-    /// What is wrong.
+    /// Kind of error.
     pub kind: QuantityErrorKind,
-    /// Where in the text, in bytes, on character boundaries.
+    /// Place in the text, in bytes, on character boundaries.
     pub span: Range<usize>,
     /// The dimension that was requested.
     pub dimension: Dimension,
 }
 
 impl QuantityError {
-    /// What to do about it, where there is more to say than the sentence does: the short text for
-    /// a help line or a label.
+    /// Advice beyond the sentence, if there is any: the short text for a help line or a label.
     pub fn help(&self) -> Option<String> {
         match &self.kind {
             QuantityErrorKind::UnknownUnit { nearest: Some(nearest), .. } => {
@@ -151,7 +150,7 @@ impl fmt::Display for QuantityError {
     }
 }
 
-/// A number with a comma, taken as thousands and as decimals.
+/// A number with a comma, read as thousands and as decimals.
 pub(crate) fn both_ways(found: &str) -> [String; 2] {
     let decimal = found.replace(',', ".");
     let decimal = decimal.trim_end_matches('0').trim_end_matches('.').to_owned();
@@ -173,10 +172,10 @@ fn with_article(noun: &str) -> String {
 /// Foreign text inside a sentence: short, and without control characters.
 fn shown(text: &str) -> String {
     const LONGEST: usize = 40;
-    let mut shown: String =
+    let mut excerpt: String =
         text.chars().take(LONGEST).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     if text.chars().nth(LONGEST).is_some() {
-        shown.push_str("...");
+        excerpt.push_str("...");
     }
-    shown
+    excerpt
 }

@@ -1,34 +1,36 @@
-//! The unit that was probably meant by an unknown one.
+//! The unit that was probably intended by an unknown one.
 //!
-//! A wrong suggestion is followed: between units that differ by a factor there is none. `mbar` is no
-//! misspelt `bar`, `deg/30ft` no `deg/30m`, and a `ton` may be either of two.
+//! Users follow a wrong suggestion, so that no unit is suggested that differs from another by a
+//! factor. `mbar` is not a misspelt `bar`, `deg/30ft` is not `deg/30m`, and a `ton` may be either
+//! of two.
 
 use crate::{
     Dimension, Unit,
     symbol::{LONGEST, bare},
 };
 
-/// Prefixes of SI and of the field, in small letters: with one before it, a unit is another unit.
+/// Prefixes of SI and of field units, in lower case: a prefix makes another unit.
 const PREFIXES: &[&str] = &[
     "da", "d", "c", "m", "u", "µ", "n", "p", "h", "k", "g", "t", "mega", "giga", "kilo", "milli",
     "micro", "centi", "deci", "hecto",
 ];
 
-/// Units that are not read here, or of other things, in small letters: what holds them is spelt as it
-/// is meant.
+/// Unsupported units, or those of other quantities, in lower case: a text that contains one is not
+/// misspelt.
 const OTHERS: &[&str] = &[
     "bbl", "cwt", "d", "dyn", "furlong", "grain", "imp", "k", "kt", "kw", "mi", "mil", "mile",
     "nmi", "oz", "pdl", "pt", "qt", "slug", "st", "stone", "thou", "torr", "uk", "us", "w", "week",
     "yr",
 ];
 
-/// Shortest word that may be misspelt by a letter: of fewer, another letter is another unit.
+/// Minimum length of a word that may have a wrong letter: in shorter words another letter is
+/// another unit.
 const SHORTEST: usize = 4;
 
-/// The meanings of a unit that is not read because people mean different things by it.
+/// The meanings of a unit that is not accepted because it is ambiguous.
 pub(crate) fn meanings(written: &str) -> Option<&'static str> {
     let word = bare(written).to_lowercase();
-    // A `tonne` is 1000 kg to everybody.
+    // A `tonne` is unambiguously 1000 kg.
     let is_ton = word.split('/').any(|part| {
         let rest = ["", "long", "uk", "metric"]
             .iter()
@@ -41,8 +43,8 @@ pub(crate) fn meanings(written: &str) -> Option<&'static str> {
     )
 }
 
-/// The symbol of the unit whose spelling is nearest to an unknown one: the same but for capitals, or
-/// for a letter that cannot have changed what it is worth.
+/// Returns the symbol of the unit whose spelling is nearest to an unknown one: the same except for
+/// capitals, or for a letter that cannot change its value.
 pub(crate) fn nearest(units: &'static [Unit], written: &str) -> Option<&'static str> {
     if written.len() > LONGEST || meanings(written).is_some() {
         return None;
@@ -73,7 +75,7 @@ pub(crate) fn nearest(units: &'static [Unit], written: &str) -> Option<&'static 
     best.filter(|_| !differs).map(|(_, unit)| unit.symbol)
 }
 
-/// How far a spelling is from what was written; none where they may be worth something else.
+/// Distance of a spelling from the written text; `None` if their values may differ.
 fn misspelt(written: &str, spelling: &str) -> Option<usize> {
     if written == spelling {
         return Some(0);
@@ -96,7 +98,7 @@ fn misspelt(written: &str, spelling: &str) -> Option<usize> {
     (distance > 0).then_some(distance)
 }
 
-/// Letters that were doubled, swapped or mistaken within a word.
+/// Number of letters that were doubled, swapped or mistaken within a word.
 fn slip(word: &str, other: &str) -> Option<usize> {
     let count = |text: &str| text.chars().count();
     let (longest, shortest) = (count(word).max(count(other)), count(word).min(count(other)));
@@ -111,7 +113,7 @@ fn slip(word: &str, other: &str) -> Option<usize> {
     };
     let is_doubled = shortest >= 2 && single(word).len() >= 2 && single(word) == single(other);
     let distance = strsim::damerau_levenshtein(word, other);
-    // `pis` is `psi`: the same letters.
+    // `pis` is `psi`: the same letters in another order.
     let sorted = |text: &str| {
         let mut letters: Vec<char> = text.chars().collect();
         letters.sort_unstable();
@@ -137,7 +139,7 @@ fn words(text: &str) -> Vec<String> {
     words
 }
 
-/// Whether a word is a unit, of whatever, with a prefix or without.
+/// Whether a word is a unit of any dimension, with or without a prefix.
 fn is_unit(word: &str) -> bool {
     let known = |text: &str| {
         OTHERS.contains(&text)
@@ -147,7 +149,7 @@ fn is_unit(word: &str) -> bool {
     is_imperial
         || known(word)
         || PREFIXES.iter().any(|prefix| {
-            // A doubled letter is a slip.
+            // A doubled letter is a typing error.
             let rest = word.strip_prefix(prefix).filter(|rest| !rest.starts_with(prefix));
             rest.is_some_and(known)
         })
@@ -158,7 +160,7 @@ mod tests {
     use super::nearest;
     use crate::Dimension;
 
-    /// No unit that is worth something else is suggested.
+    /// No unit with another value is suggested.
     #[test]
     fn what_is_another_unit_is_no_misspelling() {
         for (dimension, written) in [
@@ -205,7 +207,7 @@ mod tests {
         }
     }
 
-    /// Letters that were slipped on.
+    /// Typing errors are recognised.
     #[test]
     fn a_misspelling_is_one() {
         for (dimension, written, meant) in [

@@ -1,12 +1,12 @@
-//! Reading a quantity: its number, then its unit.
+//! Parses a quantity: its number, then its unit.
 
 use crate::{Dimension, QuantityError, QuantityErrorKind, Written, nearest, thousands};
 
 impl Dimension {
     /// Reads a number and a unit, and returns the value in SI.
     ///
-    /// The number may be a decimal (`-1.5e3`), a fraction (`5/8`) or a mixed one (`5-1/2`,
-    /// `5 1/2`, `5½`), and its thousands may be parted where that can mean nothing else (`20,000 ft`,
+    /// The number may be a decimal (`-1.5e3`), a fraction (`5/8`) or a mixed one (`5-1/2`, `5 1/2`,
+    /// `5½`), and its thousands may be separated where this is unambiguous (`20,000 ft`,
     /// `1 500 m`). The unit may follow with or without blanks. Feet and inches may be one length:
     /// `6' 5"`.
     ///
@@ -24,7 +24,7 @@ impl Dimension {
         self.read(text).map(|written| written.si)
     }
 
-    /// The same as [`parse`](Self::parse), but says the number and the unit as well.
+    /// Reads a quantity as [`parse`](Self::parse) does, and also returns its number and unit.
     ///
     /// ```
     /// use wholestring_units::Dimension;
@@ -79,7 +79,7 @@ fn quantity(dimension: Dimension, text: &str) -> Result<Written, QuantityError> 
             Err(error(QuantityErrorKind::TooLarge { found: written }, start, number_end))
         };
     }
-    // A second number where the unit should be belongs to the number: "1,500 m", "1.2.3 m".
+    // A second number in place of the unit belongs to the number: "1,500 m", "1.2.3 m".
     if unit_text.starts_with(|c: char| c.is_ascii_digit() || ".,_'/+-–−".contains(c))
         && unit_text.contains(|c: char| c.is_ascii_digit())
     {
@@ -100,7 +100,7 @@ fn quantity(dimension: Dimension, text: &str) -> Result<Written, QuantityError> 
     Err(error(kind, unit_start, end))
 }
 
-/// A number whose thousands are parted, with its unit; none where the text is something else.
+/// Parses a number with separated thousands and its unit; `None` for any other text.
 fn with_thousands(
     dimension: Dimension,
     text: &str,
@@ -162,7 +162,7 @@ fn number(text: &str, start: usize) -> Option<(f64, usize)> {
         return Some((sign * value, end));
     }
 
-    // A whole number: it may be the top of a fraction, or have one behind it.
+    // A whole number: it may be the numerator of a fraction, or precede one.
     if let Some((bottom, end)) = denominator(text, whole_end) {
         return Some((sign * value / bottom, end));
     }
@@ -185,7 +185,7 @@ fn number(text: &str, start: usize) -> Option<(f64, usize)> {
     Some((sign * value, whole_end))
 }
 
-/// An unsigned decimal with an exponent or without: its value and where it ends.
+/// An unsigned decimal with or without an exponent: its value and its end.
 fn decimal(text: &str, start: usize) -> Option<(f64, usize)> {
     let bytes = text.as_bytes();
     let mut end = digits_end(text, start);
@@ -249,7 +249,7 @@ fn word_end(text: &str, start: usize, end: usize) -> usize {
     text[start..end].find(char::is_whitespace).map_or(end, |length| start + length)
 }
 
-/// The end of what looks like parts of numbers from `start`.
+/// The end of the characters from `start` that may belong to numbers.
 fn numeric_end(text: &str, start: usize, end: usize) -> usize {
     let part = |c: char| c.is_ascii_digit() || c.is_whitespace() || ".,_'/+-–−".contains(c);
     let run = text[start..end].trim_start_matches(part);

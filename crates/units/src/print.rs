@@ -1,17 +1,17 @@
-//! Printing quantities.
+//! Printing of quantities.
 
 use crate::Unit;
 
 /// Significant digits shown to people.
 const DIGITS: i32 = 5;
 
-/// From here on people are shown a power of ten.
+/// Value from which a power of ten is printed.
 const LARGE: f64 = 1e7;
 
-/// Below here people are shown a power of ten.
+/// Value below which a power of ten is printed.
 const SMALL: f64 = 1e-4;
 
-/// A bare number as a person writes it: seven digits at most, a power of ten only where it is very
+/// Formats a bare number for people: at most seven digits, with a power of ten only if it is very
 /// large or small.
 ///
 /// ```
@@ -29,7 +29,7 @@ pub fn number_text(value: f64) -> String {
     }
 }
 
-/// The value in the unit for people to read.
+/// Formats the value in the unit for people.
 pub(crate) fn for_people(unit: &Unit, si: f64) -> String {
     let value = unit.from_si(si);
     let size = value.abs();
@@ -59,7 +59,8 @@ fn without_trailing_zeros(decimal: &str) -> String {
     }
 }
 
-/// The shortest text that reads back as the value; in `si_unit` where `unit` cannot hold it.
+/// Returns the shortest text that reads back as the value; in `si_unit` if `unit` cannot represent
+/// it.
 pub(crate) fn exact(unit: &Unit, si_unit: &Unit, si: f64) -> String {
     match shortest(unit, si) {
         Some(number) => format!("{number} {}", unit.symbol),
@@ -70,8 +71,8 @@ pub(crate) fn exact(unit: &Unit, si_unit: &Unit, si: f64) -> String {
 /// The shortest number in the unit that reads back as the value within one unit in the last place.
 fn shortest(unit: &Unit, si: f64) -> Option<String> {
     let value = unit.from_si(si);
-    // Seventeen digits always tell one double from the next; up to there, more digits only show
-    // the rounding of the division.
+    // Seventeen digits always distinguish adjacent doubles; up to there, more digits only show the
+    // rounding of the division.
     (14..=17).find_map(|digits| {
         let rounded: f64 = format!("{value:.*e}", digits - 1).parse().ok()?;
         let back = unit.to_si(rounded);
@@ -80,7 +81,7 @@ fn shortest(unit: &Unit, si: f64) -> Option<String> {
     })
 }
 
-/// A double's own shortest digits, with a power of ten where zeros would be many.
+/// A double's own shortest digits, with a power of ten in place of many zeros.
 fn plain(value: f64) -> String {
     let text = format!("{value:?}");
     match text.strip_suffix(".0") {

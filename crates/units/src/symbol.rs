@@ -1,8 +1,8 @@
-//! Finding a unit by the way it is written.
+//! Look-up of a unit by its spelling.
 
 use crate::Unit;
 
-/// No spelling of a unit is longer, in bytes, however freely spaced.
+/// Maximum length of the spelling of a unit, bytes, with any spacing.
 pub(crate) const LONGEST: usize = 64;
 
 /// The bare form of a unit's spelling: no spaces, no sign between the factors of a product, plain
@@ -24,8 +24,8 @@ pub(crate) fn bare(text: &str) -> String {
             other => plain.push(other),
         }
     }
-    // A sign of a product stands after a letter and before a letter or the end; between digits
-    // points and spaces stay, lest `deg/30.5m` become `deg/305m`.
+    // A product sign is after a letter and before a letter or the end. Between digits, points and
+    // spaces remain, so that `deg/30.5m` does not become `deg/305m`.
     let characters: Vec<char> = plain.chars().collect();
     let mut bare = String::with_capacity(plain.len());
     for (i, &character) in characters.iter().enumerate() {
@@ -41,7 +41,7 @@ pub(crate) fn bare(text: &str) -> String {
                 before().is_some_and(char::is_alphabetic)
                     && after().is_some_and(char::is_alphabetic)
             }
-            // `m^3` is `m3`; the power of `s^n` stays.
+            // `m^3` is `m3`; the power of `s^n` remains.
             '^' => after().is_some_and(|c| c.is_ascii_digit()),
             c if c.is_whitespace() => {
                 !(before().is_some_and(|c| c.is_ascii_digit())
@@ -56,8 +56,8 @@ pub(crate) fn bare(text: &str) -> String {
     bare
 }
 
-/// The spellings of a dimension's units in their bare form, made once: a table of a thousand cells
-/// asks for the unit of each in every dimension.
+/// The spellings of a dimension's units in their bare form, computed once, because a table of a
+/// thousand cells looks up the unit of each in every dimension.
 pub(crate) struct Spellings(Vec<(String, &'static Unit)>);
 
 impl Spellings {
@@ -66,7 +66,8 @@ impl Spellings {
         Self(units.iter().flat_map(of_unit).collect())
     }
 
-    /// The unit written so: with its exact capitals, or else with any where only one unit fits.
+    /// Returns the unit with this spelling: with its exact capitals, or else with any capitals if
+    /// only one unit fits.
     pub(crate) fn find(&self, written: &str) -> Option<&'static Unit> {
         if written.len() > LONGEST {
             return None;
@@ -78,12 +79,13 @@ impl Spellings {
         if let Some((_, unit)) = self.0.iter().find(|(spelling, _)| spelling == written) {
             return Some(unit);
         }
-        let mut loose = self.0.iter().filter(|(of, _)| same_but_for_capitals(of, written));
+        let mut loose =
+            self.0.iter().filter(|(spelling, _)| same_but_for_capitals(spelling, written));
         let (_, first) = loose.next()?;
         loose.all(|(_, other)| std::ptr::eq(*first, *other)).then_some(*first)
     }
 
-    /// The unit before the words of [`DEPTHS`]: of `ftKB` it is `ft`.
+    /// The unit before the words of [`DEPTHS`]: `ft` in `ftKB`.
     pub(crate) fn find_depth(&self, written: &str) -> Option<&'static Unit> {
         if written.len() > LONGEST {
             return None;
@@ -103,15 +105,16 @@ impl Spellings {
     }
 }
 
-/// From where and along what a depth is measured: measured depth or true vertical depth or along
-/// the hole, from the kelly bushing, rotary table, derrick floor or ground level. Depths below the
-/// sea are not among them: their zero is elsewhere.
+/// References and types of depths: measured depth, true vertical depth or along hole, from the
+/// kelly bushing, rotary table, derrick floor or ground level. Depths below the sea are excluded,
+/// because their zero differs.
 const DEPTHS: &[&str] = &[
     "md", "tvd", "ah", "brkb", "rkb", "bkb", "kb", "brte", "rte", "brt", "rt", "bdf", "df", "bgl",
     "gl",
 ];
 
-/// Equal but for capitals, milli and mega kept apart: `KN` is `kN`, but `mN` is not `MN`.
+/// Whether spellings are equal except for capitals, with milli and mega separate: `KN` is `kN`, but
+/// `mN` is not `MN`.
 fn same_but_for_capitals(spelling: &str, written: &str) -> bool {
     if !spelling.eq_ignore_ascii_case(written) {
         return false;
@@ -138,7 +141,7 @@ mod tests {
             assert_eq!(length(text), Some("m"), "{text}");
         }
         assert_eq!(length("usftKB"), Some("usft"));
-        // Words alone, depths below the sea, and what is no unit before the words.
+        // Words alone, depths below the sea, and texts before the words that are not units.
         for text in ["KB", "MD", "mSS", "ftMSL", "mTVDSS", "furlongKB", "cmd", "kbm"] {
             assert_eq!(length(text), None, "{text}");
         }

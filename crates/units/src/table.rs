@@ -1,10 +1,11 @@
 //! The units of each dimension.
 //!
-//! Every factor is built from definitions: the international yard and pound agreement of 1959
+//! Every factor is computed from definitions: the international yard and pound agreement of 1959
 //! (foot, pound), the standard acceleration of gravity (CGPM 1901), the US gallon of 231 cubic
-//! inches, the standard atmosphere of 101 325 Pa. The spellings of the Energistics Unit of Measure
-//! Standard are among the aliases where they differ from the field's. So are the symbols of WITS level
-//! 0 (`F`, `KDN`, `KFLB`, `KGM3`, `L/M`, `PHSF`) and of LAS files, and those in Cyrillic letters.
+//! inches, the standard atmosphere of 101 325 Pa. The aliases include the spellings of the
+//! Energistics Unit of Measure Standard where they differ from usual oilfield ones, the symbols of
+//! WITS level 0 (`F`, `KDN`, `KFLB`, `KGM3`, `L/M`, `PHSF`) and of LAS files, and those in Cyrillic
+//! letters.
 
 use std::f64::consts::PI;
 

@@ -1,17 +1,17 @@
-//! Numbers whose thousands are parted.
+//! Numbers with separated thousands.
 
-/// A number with its thousands parted.
+/// A number with separated thousands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Parted {
     pub(crate) value: f64,
-    /// Where it ends in the text.
+    /// Its end in the text.
     pub(crate) end: usize,
-    /// Its mark may also part decimals: `1,500`.
+    /// Whether its separator may also be a decimal mark: `1,500`.
     pub(crate) is_unsure: bool,
 }
 
-/// A whole number or decimal whose thousands are parted by one sign all along, which begins there: a
-/// comma, a blank, an apostrophe or a low line before each three digits.
+/// Parses a whole number or decimal at `start` whose thousands are separated by the same sign
+/// throughout: a comma, a blank, an apostrophe or an underscore before each three digits.
 pub(crate) fn parted(text: &str, start: usize) -> Option<Parted> {
     let digits = |from: usize| {
         let rest = &text.as_bytes()[from..];
@@ -29,7 +29,7 @@ pub(crate) fn parted(text: &str, start: usize) -> Option<Parted> {
         end += sign.len_utf8() + 3;
         groups += 1;
     }
-    // Groups that are not of three digits are no thousands.
+    // Groups of other than three digits are not thousands.
     let goes_on = text[end..].strip_prefix(sign);
     if groups == 0 || goes_on.is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
         return None;
@@ -42,7 +42,7 @@ pub(crate) fn parted(text: &str, start: usize) -> Option<Parted> {
         end += 1 + decimals;
         is_unsure = false;
     }
-    // A fraction, an exponent or another mark: something else than thousands.
+    // A fraction, an exponent or another mark is not a number with thousands.
     if text[end..].starts_with(['/', ',', '.', '_', '-', '–']) {
         return None;
     }

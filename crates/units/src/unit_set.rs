@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// The units in which people are shown results.
+/// The units in which results are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum UnitSet {
     /// m, kN, kN.m, mm, kg/m3.

@@ -1,4 +1,4 @@
-//! Every factor against the definition of its unit, worked out here and not by the table.
+//! Compares every factor with the definition of its unit, computed here independently of the table.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! The symbols of the Energistics standards that WITSML writes, old and new, and what they mean.
+//! Symbols of the Energistics standards in WITSML, old and new, and their values.
 
 use wholestring_units::Dimension;
 
@@ -30,7 +30,7 @@ fn lengths_and_angles() {
         Dimension::DoglegSeverity,
         &[("dega/30m", 1f64.to_radians() / 30.0), ("dega/ft", 1f64.to_radians() / FOOT)],
     );
-    // A part of an inch is no unit in which a number can be read again.
+    // A part of an inch is not a unit that can be read back.
     for symbol in ["1/32 in", "0.1 in", "in[US]", "ftSe"] {
         assert_eq!(Dimension::Diameter.find_unit(symbol), None, "{symbol}");
     }
@@ -107,7 +107,7 @@ fn masses_per_length_and_volume() {
             ("lbm/ft3", POUND / FOOT.powi(3)),
         ],
     );
-    // Weights are no masses.
+    // Weights are not masses.
     assert_eq!(Dimension::MassPerLength.find_unit("lbf/ft"), None);
     assert_eq!(Dimension::MassPerLength.find_unit("N/m"), None);
 }

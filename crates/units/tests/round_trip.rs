@@ -1,4 +1,4 @@
-//! What is printed reads back; nothing that is read panics.
+//! Printed quantities are read back; no text causes a panic.
 
 use proptest::prelude::*;
 use wholestring_units::{Dimension, UnitSet};
@@ -67,8 +67,8 @@ proptest! {
     fn people_see_five_true_digits(si in -1e9..1e9f64) {
         for &dimension in Dimension::ALL {
             for &set in UnitSet::ALL {
-                let shown = dimension.parse(&dimension.format(si, set)).unwrap();
-                prop_assert!((shown - si).abs() <= 5.0001e-5 * si.abs(), "{si} {shown}");
+                let read_back = dimension.parse(&dimension.format(si, set)).unwrap();
+                prop_assert!((read_back - si).abs() <= 5.0001e-5 * si.abs(), "{si} {read_back}");
             }
         }
     }

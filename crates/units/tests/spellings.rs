@@ -1,4 +1,4 @@
-//! Texts as people write them, and what is said about those that mean nothing.
+//! Texts of quantities, and the errors of invalid ones.
 
 use wholestring_units::{Dimension, QuantityErrorKind, UnitSet, UnknownUnitSet};
 
@@ -137,8 +137,8 @@ fn every_spelling_means_its_unit_alone() {
 fn refused(dimension: Dimension, text: &str, at: &str, sentence: &str) -> QuantityErrorKind {
     let error = dimension.parse(text).unwrap_err();
     assert_eq!(&text[error.span.clone()], at, "{text}");
-    let said = error.to_string();
-    assert!(said.starts_with(sentence), "{text}: {said}");
+    let message = error.to_string();
+    assert!(message.starts_with(sentence), "{text}: {message}");
     error.kind
 }
 
@@ -183,7 +183,7 @@ fn a_text_that_is_no_quantity_gets_a_sentence() {
     }
     let sentence = Length.parse("12,5 m").unwrap_err().to_string();
     assert!(sentence.contains("thousands not separated: '1500.5 m'"), "{sentence}");
-    // Where a comma is a decimal sign to some.
+    // A comma may be a decimal mark.
     let sentence = "'1,500' may be 1500 or 1.5; write '1500 m' or '1.5 m'";
     let kind = refused(Length, "1,500 m", "1,500", sentence);
     assert!(matches!(kind, QuantityErrorKind::AmbiguousComma { .. }), "{kind:?}");
@@ -197,7 +197,7 @@ fn a_text_that_is_no_quantity_gets_a_sentence() {
     assert!(matches!(kind, QuantityErrorKind::AmbiguousUnit { .. }));
 }
 
-/// Thousands that are parted where that can mean nothing else; feet and inches in one length.
+/// Separated thousands where they are unambiguous; feet and inches in one length.
 #[test]
 fn thousands_and_inches_are_read() {
     use Dimension::{Density, Diameter, Force, Length, Torque};
@@ -260,7 +260,7 @@ fn the_symbols_of_wits_and_las_are_read() {
     ] {
         close(dimension, &format!("3 {symbol}"), 3.0 * si);
     }
-    // Feet across the hole are not written so.
+    // Feet are not written in this way for diameters.
     assert_eq!(D::Diameter.find_unit("F"), None);
 }
 

@@ -1,8 +1,9 @@
-//! What a verification test holds against what, within what, and why.
+//! Checks of verification tests: each number with its reference, tolerance and the reason for the
+//! tolerance.
 //!
-//! A test hands each number that it checks to [`Check::report`], which asserts it; where the
+//! A test passes each number that it checks to [`Check::report`], which asserts it. If the
 //! environment variable [`FILE`] names a file, the row is appended to it as a line of JSON, and
-//! `cargo xtask verify` makes the book's table of all rows.
+//! `cargo xtask verify` makes the book's table from all rows.
 //!
 //! ```
 //! use wholestring_verification::verify;
@@ -17,42 +18,43 @@ use std::{borrow::Cow, fs::OpenOptions, io::Write};
 
 use serde::{Deserialize, Serialize};
 
-/// The environment variable that names the file for the rows.
+/// The environment variable with the path of the file for the rows.
 pub const FILE: &str = "WHOLESTRING_VERIFICATION";
 
-/// How far what was computed may lie from what was expected.
+/// Tolerance of a computed value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Tolerance {
-    /// By this part of the expected value.
+    /// Relative to the expected value.
     Relative(f64),
-    /// By this much, in the quantity's unit; what an expected zero needs.
+    /// Absolute, in the quantity's unit; required for an expected zero.
     Absolute(f64),
-    /// Upwards by anything, downwards not at all: a bound, positive.
+    /// The expected value is a lower bound, and positive.
     AtLeast,
-    /// By anything: a prediction, or a published number that is missed, reported as it comes.
+    /// Unlimited: a prediction, or a published number that is not reproduced, is reported without a
+    /// check.
     Any,
 }
 
-/// Begins the check of a number: its case, the name of a file of `verification/` up to its first
-/// underscore (`E05`) or another name that `verification/README.md` lists; and which number, with
-/// what distinguishes it from the case's others, then its unit if it has one, as in
-/// `climb at friction 0.25, rad`. A comma in it is that before the unit.
+/// Begins the check of a number. `case` is the name of a file of `verification/` up to its first
+/// underscore (`E05`), or another name in the list of `verification/README.md`. `quantity` is the
+/// number with whatever distinguishes it from others of the case, then its unit if it has one, as
+/// in `climb at friction 0.25, rad`. A comma in it is the one before the unit.
 ///
 /// # Panics
-/// If what stands behind a comma is none of [`UNITS`].
+/// If the text after a comma is not one of [`UNITS`].
 #[track_caller]
 pub fn verify<'a>(case: &'a str, quantity: impl Into<Cow<'a, str>>) -> Quantity<'a> {
     let quantity = quantity.into();
     let unit = unit(&quantity);
     assert!(
         unit.is_empty() || UNITS.contains(&unit),
-        "{case}, {quantity}: `{unit}` is no unit, and there is no other comma in a quantity"
+        "{case}, {quantity}: `{unit}` is not a unit, and there is no other comma in a quantity"
     );
     Quantity { case, quantity }
 }
 
-/// Units that quantities are in.
+/// Units of quantities.
 pub const UNITS: &[&str] = &[
     "%",
     "1/h",
@@ -90,15 +92,15 @@ pub const UNITS: &[&str] = &[
     "°",
 ];
 
-/// The unit of a quantity, as its name says it; empty where it has none.
+/// Unit of a quantity, from its name; empty if it has none.
 pub fn unit(quantity: &str) -> &str {
     quantity.rsplit_once(", ").map_or("", |(_, unit)| unit)
 }
 
 /// A number of a case that is to be checked.
 ///
-/// The reason that goes with each tolerance says where it comes from: a convergence study, or the
-/// source's own precision.
+/// The reason of each tolerance names its source: a convergence study, or the source's own
+/// precision.
 #[derive(Debug, Clone)]
 pub struct Quantity<'a> {
     case: &'a str,
@@ -106,48 +108,48 @@ pub struct Quantity<'a> {
 }
 
 impl<'a> Quantity<'a> {
-    /// It may differ by this part of what is expected.
+    /// Allows this difference relative to the expected value.
     pub fn relative(self, most: f64, reason: &'a str) -> Check<'a> {
         self.within(Tolerance::Relative(most), reason)
     }
 
-    /// It may differ by this much, in its unit.
+    /// Allows this difference in its unit.
     pub fn absolute(self, most: f64, reason: &'a str) -> Check<'a> {
         self.within(Tolerance::Absolute(most), reason)
     }
 
-    /// What is expected bounds it from below.
+    /// Requires at least the expected value.
     pub fn at_least(self, reason: &'a str) -> Check<'a> {
         self.within(Tolerance::AtLeast, reason)
     }
 
-    /// It is shown as it comes.
+    /// Reports the value without a limit.
     pub fn any(self, reason: &'a str) -> Check<'a> {
         self.within(Tolerance::Any, reason)
     }
 
     /// A tolerance of whichever kind.
     pub fn within(self, tolerance: Tolerance, reason: &'a str) -> Check<'a> {
-        Check { of: self, tolerance, reason }
+        Check { quantity: self, tolerance, reason }
     }
 }
 
-/// A number of a case, and what it is held to.
+/// A number of a case with its tolerance.
 #[derive(Debug, Clone)]
 pub struct Check<'a> {
-    of: Quantity<'a>,
+    quantity: Quantity<'a>,
     tolerance: Tolerance,
     reason: &'a str,
 }
 
 impl<'a> Check<'a> {
-    /// What should come out and what came out, for [`report_worst`].
+    /// Expected and computed values as a row for [`report_worst`].
     pub fn row(self, expected: f64, computed: f64) -> Row<'a> {
-        let Check { of: Quantity { case, quantity }, tolerance, reason } = self;
+        let Check { quantity: Quantity { case, quantity }, tolerance, reason } = self;
         Row { case, quantity, expected, computed, tolerance, reason }
     }
 
-    /// Checks what came out against what should come out, and reports it.
+    /// Checks the computed value against the expected one, and reports it.
     ///
     /// # Panics
     /// As [`Row::report`] does.
@@ -169,18 +171,18 @@ pub struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// How far apart they are: in the unit of the tolerance, a part of the expected value where
-    /// anything goes.
+    /// Difference of the two values in the unit of the tolerance, or relative to the expected value
+    /// if it is unlimited.
     pub fn error(&self) -> f64 {
         error(self.expected, self.computed, self.tolerance)
     }
 
-    /// The error over the tolerance; more than 1 fails, and so does what is not a number.
+    /// The error over the tolerance; more than 1 fails, and so does NaN.
     fn strain(&self) -> f64 {
         match self.tolerance {
             Tolerance::Any if self.computed.is_finite() => 0.0,
             Tolerance::Any => f64::NAN,
-            // An infinite one is a division by zero somewhere, and no proof of anything.
+            // An infinite value is the result of a division by zero, and proves nothing.
             Tolerance::AtLeast if self.computed.is_infinite() => f64::NAN,
             Tolerance::AtLeast if self.computed <= 0.0 => f64::INFINITY,
             Tolerance::AtLeast => self.expected / self.computed,
@@ -193,7 +195,7 @@ impl Row<'_> {
     /// Checks it and reports it.
     ///
     /// # Panics
-    /// If it is farther off than its tolerance, or the file for the rows cannot be written.
+    /// If the error exceeds its tolerance, or the file for the rows cannot be written.
     #[track_caller]
     pub fn report(self) {
         report_worst([self]);
@@ -210,8 +212,8 @@ impl Row<'_> {
     }
 }
 
-/// How far `computed` lies from `expected`: in the unit of the tolerance, a part of the expected
-/// value where that has none.
+/// Difference of `computed` and `expected` in the unit of the tolerance, or relative to the
+/// expected value if the tolerance is unlimited.
 pub fn error(expected: f64, computed: f64, tolerance: Tolerance) -> f64 {
     let apart = (computed - expected).abs();
     match tolerance {
@@ -221,7 +223,7 @@ pub fn error(expected: f64, computed: f64, tolerance: Tolerance) -> f64 {
     }
 }
 
-/// Checks many rows alike, and reports the one nearest to its tolerance for all of them.
+/// Checks many similar rows, and reports the one nearest to its tolerance for all of them.
 ///
 /// # Panics
 /// As [`Row::report`] does, and if there is none.
@@ -249,22 +251,22 @@ pub fn report_worst<'a>(rows: impl IntoIterator<Item = Row<'a>>) {
     });
 }
 
-/// A reported row as it stands in the file.
+/// A reported row in the file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Line<'a> {
     /// As in [`verify`].
     pub case: Cow<'a, str>,
     /// As in [`verify`].
     pub quantity: Cow<'a, str>,
-    /// What should come out.
+    /// Expected value.
     pub expected: f64,
-    /// What came out.
+    /// Computed value.
     pub computed: f64,
-    /// How far apart they may be.
+    /// Tolerance.
     pub tolerance: Tolerance,
-    /// Where the tolerance comes from.
+    /// Reason of the tolerance.
     pub reason: Cow<'a, str>,
-    /// How many numbers it is the worst of.
+    /// Number of values of which it is the worst.
     pub of: usize,
 }
 
@@ -274,7 +276,7 @@ fn append(line: &Line<'_>) {
     };
     let mut text = serde_json::to_string(line).expect("numbers and words");
     text.push('\n');
-    // Tests run side by side: one write to the end of the file is not torn apart.
+    // Tests run in parallel: a single write to the end of the file is not interleaved.
     OpenOptions::new()
         .create(true)
         .append(true)
@@ -298,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    #[should_panic(expected = "`at friction 0.25` is no unit")]
+    #[should_panic(expected = "`at friction 0.25` is not a unit")]
     fn what_stands_behind_a_comma_and_is_no_unit_is_told() {
         let _ = verify("X01", "climb, at friction 0.25");
     }

@@ -1,8 +1,9 @@
-//! A law of the bit of one's own, run in a case of a file: a bit whose torque falls as it turns
-//! faster, as Brett measured of PDC bits (*SPE Drilling Engineering* 7, 1992, 168-174), so that
-//! the string sticks and slips below some rotary speed.
+//! A user-defined bit law, run in a case from a file: a bit whose torque decreases with speed, as
+//! Brett measured for PDC bits (*SPE Drilling Engineering* 7, 1992, 168-174), so that the string
+//! sticks and slips below some rotary speed.
 //!
-//! What it takes is [`FallingTorque`] and its `impl BitRockLaw`; all else is the program around it.
+//! It requires [`FallingTorque`] and its `impl BitRockLaw`; everything else is the program around
+//! it.
 
 use std::{error::Error, f64::consts::TAU, sync::Arc};
 
@@ -10,17 +11,17 @@ use wholestring::dynamics::{BitLaw, BitRockLaw, CustomLaw, SteadyCut};
 use wholestring_case::{Case, Override, load};
 use wholestring_runner::{CancellationToken, Silent, run};
 
-/// Depth of cut and torque in proportion to the weight; the torque is larger by a part `rise` at
-/// rest, of which half is left at a speed.
+/// Depth of cut and torque in proportion to the weight; the torque is larger by a fraction `rise`
+/// at rest, half of which remains at a speed.
 #[derive(Debug, Clone, Copy)]
 pub struct FallingTorque {
     /// Depth of cut per revolution and weight, m/N.
     pub depth_of_cut_per_weight_m_per_N: f64,
     /// Torque per weight of a bit that turns fast, m.
     pub torque_per_weight_m: f64,
-    /// How much larger the torque is at rest, as a part of it.
+    /// Increase of the torque at rest, relative to it.
     pub rise: f64,
-    /// Speed at which half of that is left, rad/s.
+    /// Speed at which half of the increase remains, rad/s.
     pub half_rad_per_s: f64,
 }
 
@@ -49,11 +50,11 @@ impl BitRockLaw for FallingTorque {
 }
 // ANCHOR_END: law
 
-/// A case file with the law in place of its own: the engine takes it from the settings, and its
-/// operations drill as the law has it.
+/// Returns a case file with the law in place of its own: the engine uses it from the settings, and
+/// its operations drill according to the law.
 ///
 /// # Errors
-/// Mistakes in the case, as the command line reports them.
+/// Errors in the case, as the command line reports them.
 pub fn case(
     file: &std::path::Path,
     law: FallingTorque,
@@ -84,8 +85,9 @@ pub fn drill(case: &Case) -> Result<[f64; 3], Box<dyn Error>> {
         return Err(Box::new(wholestring_runner::Error::from(stopped)));
     }
     let operation = solved.answers.summary().operations.last().ok_or("no operation")?;
-    let of = |name: &str| operation.statistics.as_ref().and_then(|all| all.get(name)).copied();
-    let speed = of("bit_rotary_speed_rad_per_s").ok_or("no speed")?;
-    let torque = of("bit_torque_N_m").ok_or("no torque")?;
+    let statistic =
+        |name: &str| operation.statistics.as_ref().and_then(|all| all.get(name)).copied();
+    let speed = statistic("bit_rotary_speed_rad_per_s").ok_or("no speed")?;
+    let torque = statistic("bit_torque_N_m").ok_or("no torque")?;
     Ok([speed.min, speed.max, torque.mean])
 }

@@ -1,4 +1,4 @@
-//! `own-bit-law CASE.toml`: drills a case with a law of one's own at two rotary speeds.
+//! `own-bit-law CASE.toml`: drills a case with a user-defined law at two rotary speeds.
 
 use std::{env, error::Error, path::Path};
 

@@ -1,4 +1,4 @@
-//! The law drills as its formula says, and sticks and slips where it should.
+//! The law drills according to its formula, and causes stick-slip at the expected speed.
 
 use std::path::Path;
 
@@ -28,9 +28,9 @@ fn drilled(rpm: u32) -> [f64; 3] {
 }
 
 /// At 150 rev/min the bit turns steadily, and its mean torque is the law's at that speed, under the
-/// 5 t that the autodriller holds: to 1 %, what the autodriller leaves the weight off by. At
-/// 60 rev/min the slope of the law takes more from the damping than there is: the bit stands and
-/// runs at more than twice the speed of the top.
+/// 5 t that the autodriller holds, to within 1 %, the error of the weight that the autodriller
+/// holds. At 60 rev/min the slope of the law exceeds the damping: the bit stops and reaches more
+/// than twice the speed of the top.
 #[test]
 fn a_bit_whose_torque_falls_sticks_below_a_speed() {
     let [slowest, fastest, torque_N_m] = drilled(150);

@@ -1,4 +1,4 @@
-//! What is measured: cases, meshes, and what is read of each run.
+//! Measured cases, meshes and values of each run.
 
 /// A mesh, as settings of a case.
 pub(super) struct Mesh {
@@ -6,7 +6,7 @@ pub(super) struct Mesh {
     pub(super) settings: &'static [&'static str],
 }
 
-/// The first is what the others are compared with: that of the last but one, halved.
+/// The others are compared with the first, which is the last but one with halved elements.
 pub(super) const MESHES: [Mesh; 5] = [
     Mesh {
         name: "halved",
@@ -24,21 +24,21 @@ pub(super) const MESHES: [Mesh; 5] = [
     Mesh { name: "3.2 m", settings: &["mesh.element_length=3.2m"] },
 ];
 
-/// A number of a run, and how it is shown.
+/// A number of a run, and its format.
 #[derive(Clone, Copy)]
 pub(super) struct Quantity {
-    /// With its unit.
+    /// Its name with unit.
     pub(super) label: &'static str,
-    /// Where it stands in the operation's part of `summary.json`.
+    /// Its path in the operation's part of `summary.json`.
     pub(super) pointer: &'static str,
-    /// Units shown in one of SI.
+    /// Factor from SI to the unit shown.
     pub(super) scale: f64,
     /// Decimals of the value, and of the error.
     pub(super) decimals: [usize; 2],
     pub(super) error: Error,
 }
 
-/// What an error is shown as.
+/// Form of an error.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Error {
     /// In percent of the converged value.
@@ -52,7 +52,7 @@ pub(super) struct Case {
     pub(super) title: &'static str,
     pub(super) file: &'static str,
     pub(super) settings: &'static [&'static str],
-    /// Runs with seeds from 1 on, of which means are taken.
+    /// Number of runs with seeds from 1 on, whose mean is used.
     pub(super) seeds: u32,
     pub(super) quantities: &'static [Quantity],
 }
@@ -62,7 +62,7 @@ const fn mean(label: &'static str, pointer: &'static str, scale: f64, digits: us
     Quantity { label, pointer, scale, decimals: [digits, 2], error: Error::Percent }
 }
 
-/// What scatters: a deviation, a peak, a period.
+/// A quantity with scatter: a deviation, a peak, a period.
 const fn loose(label: &'static str, pointer: &'static str, scale: f64, digits: usize) -> Quantity {
     Quantity { label, pointer, scale, decimals: [digits, 1], error: Error::Percent }
 }
@@ -215,7 +215,7 @@ pub(super) const CASES: [Case; 8] = [
 /// Case whose natural frequencies are compared.
 pub(super) const RINGING: &Case = &CASES[0];
 
-/// Motions of a string, and where the frequencies of each stand in what is computed.
+/// Motions of a string, and the paths of their frequencies in the results.
 pub(super) const MOTIONS: [[&str; 2]; 3] = [
     ["along the string", "axial_Hz"],
     ["about its axis", "torsional_Hz"],

@@ -1,5 +1,5 @@
-//! What each accuracy of the automatic mesh errs by: runs of several cases against converged ones,
-//! as a table.
+//! Errors of the accuracies of the automatic mesh: runs of several cases compared with converged
+//! ones, as a table.
 
 mod cases;
 mod table;
@@ -32,8 +32,8 @@ struct Run {
     folder: PathBuf,
 }
 
-/// Measures and prints, all cases or those whose titles hold one of the words; writes the table of
-/// all into the book where that is asked for.
+/// Measures and prints all cases, or those whose titles contain one of the words; on request writes
+/// the table of all into the book.
 pub(crate) fn measure(write: bool, words: &[&str]) -> Result<Finding, Failure> {
     if let Some(option) = words.iter().find(|word| word.starts_with('-')) {
         return Err(Failure::new(format!("`{option}` is not known: see `cargo xtask --help`")));
@@ -64,8 +64,8 @@ pub(crate) fn measure(write: bool, words: &[&str]) -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// What the runs of a case leave, for each mesh one for each seed; as many side by side as there
-/// are cores.
+/// Results of the runs of a case, for each mesh and each seed; as many in parallel as there are
+/// cores.
 fn solved(case: &Case) -> Result<Vec<Vec<Value>>, Failure> {
     let folder = target().join(NAME);
     let number = CASES.iter().position(|one| one.title == case.title).unwrap_or_default();
@@ -87,7 +87,7 @@ fn solved(case: &Case) -> Result<Vec<Vec<Value>>, Failure> {
         solve(case, one)?;
     };
     thread::scope(|scope| {
-        // Where the system refuses a thread, those that there are do all of it.
+        // If the system refuses a thread, the existing ones do all of the work.
         let begin = |_| thread::Builder::new().spawn_scoped(scope, work).ok();
         let workers: Vec<_> = (1..cores).map_while(begin).collect();
         let own = work();
@@ -130,8 +130,8 @@ fn frequencies(mesh: &Mesh) -> Result<Value, Failure> {
         .map_err(|error| Failure::new(format!("{command:?}: {error}")))
 }
 
-/// Whether the table in the book has the cases, quantities and meshes that the command would write,
-/// and their files are there. Its numbers are those of the machine that made it.
+/// Checks that the table in the book has the cases, quantities and meshes that the command would
+/// write, and that their files exist. Its numbers are those of the machine that made it.
 pub(crate) fn check_table() -> Result<Finding, Failure> {
     if let Some(case) = CASES.iter().find(|case| !root().join(case.file).is_file()) {
         return Err(Failure::new(format!("{} is not there", case.file)));

@@ -1,4 +1,4 @@
-//! The table of what each mesh errs by.
+//! The table of the errors of each mesh.
 
 use std::fmt::Write as _;
 
@@ -24,11 +24,11 @@ pub(super) fn head() -> String {
 /// Rows of a case: a list of runs, one for each seed, for each mesh.
 pub(super) fn rows(case: &Case, runs: &[Vec<Value>]) -> Result<String, Failure> {
     let elements: Result<Vec<f64>, _> =
-        runs.iter().map(|of| mean(of, "/numerics/elements")).collect();
+        runs.iter().map(|run| mean(run, "/numerics/elements")).collect();
     let mut text = row(case.title, ELEMENTS, elements?.iter().map(f64::to_string));
     for quantity in case.quantities {
         let values: Result<Vec<f64>, _> =
-            runs.iter().map(|of| mean(of, quantity.pointer)).collect();
+            runs.iter().map(|run| mean(run, quantity.pointer)).collect();
         text += &row("", quantity.label, cells(quantity, &values?));
     }
     Ok(text)
@@ -39,7 +39,8 @@ pub(super) fn frequency_rows(answers: &[Value]) -> Result<String, Failure> {
     let mut text = String::new();
     for (label, [motion, mode]) in frequency_labels() {
         let pointer = format!("/{motion}/{mode}");
-        let values: Result<Vec<f64>, _> = answers.iter().map(|of| number(of, &pointer)).collect();
+        let values: Result<Vec<f64>, _> =
+            answers.iter().map(|answer| number(answer, &pointer)).collect();
         let title = if text.is_empty() { ringing_title() } else { String::new() };
         let decimals = [4, 3];
         let quantity =
@@ -49,7 +50,8 @@ pub(super) fn frequency_rows(answers: &[Value]) -> Result<String, Failure> {
     Ok(text)
 }
 
-/// Whether a table has the rows and columns that would be written, whatever its numbers.
+/// Checks the rows and columns of a table against those that would be written, regardless of its
+/// numbers.
 pub(super) fn check(written: &str) -> Result<(), Failure> {
     let stale = |what: &str| {
         let reason =
@@ -66,7 +68,7 @@ pub(super) fn check(written: &str) -> Result<(), Failure> {
     if named.eq(labels()) { Ok(()) } else { stale("other rows") }
 }
 
-/// What the first two cells of each row say.
+/// The first two cells of each row.
 fn labels() -> Vec<[String; 2]> {
     let of_cases = CASES.iter().flat_map(|case| {
         let quantities =
@@ -94,7 +96,7 @@ fn frequency_labels() -> Vec<(String, [String; 2])> {
     MOTIONS.into_iter().flat_map(modes).collect()
 }
 
-/// The converged value, and what the others err by.
+/// The converged value, and the errors of the others.
 fn cells(quantity: &Quantity, values: &[f64]) -> impl Iterator<Item = String> {
     let [digits, error_digits] = quantity.decimals;
     let converged = values[0];
@@ -126,9 +128,9 @@ fn mean(runs: &[Value], pointer: &str) -> Result<f64, Failure> {
     Ok(sum / runs.len() as f64)
 }
 
-fn number(of: &Value, pointer: &str) -> Result<f64, Failure> {
-    let value = of.pointer(pointer).and_then(Value::as_f64);
-    value.ok_or_else(|| Failure::new(format!("no number `{pointer}` in what a run left")))
+fn number(run: &Value, pointer: &str) -> Result<f64, Failure> {
+    let value = run.pointer(pointer).and_then(Value::as_f64);
+    value.ok_or_else(|| Failure::new(format!("no number `{pointer}` in the results of a run")))
 }
 
 #[cfg(test)]

@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 
 use super::layers::Place;
 
-/// Widths of a crate and of a line that passes, and what is between them.
+/// Widths of a crate and of a passing line, and the gap between them.
 const BOX: f64 = 104.0;
 const LINE: f64 = 16.0;
 const GAP: f64 = 14.0;
-/// Height of a crate, and from a row to the next.
+/// Height of a crate, and distance of the rows.
 const HEIGHT: f64 = 30.0;
 const ROW: f64 = 76.0;
 const MARGIN: f64 = 14.0;
@@ -70,7 +70,7 @@ fn width(row: &[Place]) -> f64 {
     row.iter().map(|place| own(place) + GAP).sum::<f64>() - GAP
 }
 
-/// The middle of each place, the row beginning at `left`.
+/// The middle of each place, for a row that begins at `left`.
 fn middles(row: &[Place], left: f64) -> Vec<f64> {
     let mut next = MARGIN + left;
     let middle = |place: &Place| {

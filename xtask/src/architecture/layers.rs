@@ -1,4 +1,4 @@
-//! Crates in rows: each above all that it uses, and lines that cross each other little.
+//! Crates in rows: each above all that it uses, with few crossing lines.
 
 use std::collections::BTreeMap;
 
@@ -7,13 +7,13 @@ use super::uses::Uses;
 /// A place in a row.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Place {
-    /// The crate; none where only a line passes.
+    /// The crate; `None` if only a line passes.
     pub(super) name: Option<String>,
     /// Places in the row below to which lines go.
     pub(super) below: Vec<usize>,
 }
 
-/// The rows, from the crates that nobody uses to those that use none.
+/// The rows, from the crates without users to those that use none.
 pub(super) fn layers(uses: &Uses) -> Vec<Vec<Place>> {
     let heights = heights(uses);
     let top = heights.values().max().map_or(0, |highest| highest + 1);
@@ -29,7 +29,7 @@ pub(super) fn layers(uses: &Uses) -> Vec<Vec<Place>> {
         for name in used {
             let Some(end) = heights.get(name.as_str()) else { continue };
             let mut place = places[user.as_str()];
-            // Through the rows between them a line takes a place of its own.
+            // A line has a place of its own in the rows between its crates.
             for row in row_of(heights[user.as_str()])..row_of(*end) - 1 {
                 let next = rows[row + 1].len();
                 rows[row][place].below.push(next);
@@ -39,7 +39,7 @@ pub(super) fn layers(uses: &Uses) -> Vec<Vec<Place>> {
             rows[row_of(*end) - 1][place].below.push(places[name.as_str()]);
         }
     }
-    // Up and down a few times; more changes nothing.
+    // A few passes up and down; more have no effect.
     for _ in 0..8 {
         for row in 1..rows.len() {
             sort_by_above(&mut rows, row);
@@ -51,10 +51,10 @@ pub(super) fn layers(uses: &Uses) -> Vec<Vec<Place>> {
     rows
 }
 
-/// How many others stand at most below each crate.
+/// Length of the longest chain of crates below each crate.
 fn heights(uses: &Uses) -> BTreeMap<&str, usize> {
     let mut heights: BTreeMap<&str, usize> = uses.keys().map(|name| (name.as_str(), 0)).collect();
-    // Cargo has no circles: after as many rounds as there are crates nothing changes any more.
+    // Cargo has no circles, so that nothing changes after as many rounds as there are crates.
     for _ in 0..uses.len() {
         for (user, used) in uses {
             let below = used.iter().filter_map(|name| heights.get(name.as_str())).max();
@@ -65,7 +65,7 @@ fn heights(uses: &Uses) -> BTreeMap<&str, usize> {
     heights
 }
 
-/// Each place of a row below the middle of those that lead to it.
+/// Sorts the places of a row by the mean of those that lead to them.
 fn sort_by_above(rows: &mut [Vec<Place>], row: usize) {
     let count = rows[row].len();
     let mut leading: Vec<Vec<usize>> = vec![Vec::new(); count];
@@ -76,11 +76,11 @@ fn sort_by_above(rows: &mut [Vec<Place>], row: usize) {
     }
     let width = rows[row - 1].len();
     let keys: Vec<f64> =
-        leading.iter().enumerate().map(|(own, of)| middle(of, width, own, count)).collect();
+        leading.iter().enumerate().map(|(own, above)| middle(above, width, own, count)).collect();
     reorder(rows, row, &keys);
 }
 
-/// Each place of a row above the middle of those that it leads to.
+/// Sorts the places of a row by the mean of those to which they lead.
 fn sort_by_below(rows: &mut [Vec<Place>], row: usize) {
     let (count, width) = (rows[row].len(), rows[row + 1].len());
     let places = rows[row].iter().enumerate();
@@ -89,7 +89,7 @@ fn sort_by_below(rows: &mut [Vec<Place>], row: usize) {
     reorder(rows, row, &keys);
 }
 
-/// The mean of places in a row of `width`, as a part of it; where there are none, the own place.
+/// The mean of places in a row of `width`, relative to it; its own place if there are none.
 fn middle(places: &[usize], width: usize, own: usize, count: usize) -> f64 {
     let part = |place: usize, width: usize| (place as f64 + 0.5) / width as f64;
     if places.is_empty() {

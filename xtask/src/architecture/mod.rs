@@ -1,4 +1,4 @@
-//! The picture of the crates in `ARCHITECTURE.md`: who uses whom, drawn of what cargo knows.
+//! The picture of the crates in `ARCHITECTURE.md`, drawn from cargo's metadata.
 
 mod drawing;
 mod layers;
@@ -12,7 +12,7 @@ fn picture() -> PathBuf {
     root().join("docs/architecture.svg")
 }
 
-/// The picture shows the crates that there are, and what they use.
+/// The picture shows the existing crates and their dependencies.
 pub(crate) fn check() -> Result<Finding, Failure> {
     let there = fs::read_to_string(picture()).unwrap_or_default();
     if there == drawn()? {

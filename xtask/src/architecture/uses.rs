@@ -1,4 +1,4 @@
-//! What the crates use of each other.
+//! Dependencies between the crates.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,10 +6,10 @@ use serde_json::Value;
 
 use crate::metadata::{list, text};
 
-/// Whom each crate uses.
+/// The crates that each crate uses.
 pub(super) type Uses = BTreeMap<String, BTreeSet<String>>;
 
-/// What the crates of the project use of each other where they are not tested.
+/// Dependencies between the crates of the project, except for tests.
 pub(super) fn of_crates(metadata: &Value) -> Uses {
     let ours = |package: &&Value| {
         package["source"].is_null() && text(&package["name"]).starts_with("wholestring")
@@ -27,7 +27,7 @@ pub(super) fn of_crates(metadata: &Value) -> Uses {
     packages.iter().map(|package| (text(&package["name"]).to_owned(), used(package))).collect()
 }
 
-/// Without what follows from the rest: where `a` uses `b` and `b` uses `c`, that `a` uses `c`.
+/// Removes indirect dependencies: that of `a` on `c` if `a` uses `b` and `b` uses `c`.
 pub(super) fn direct(uses: &Uses) -> Uses {
     let mut direct = uses.clone();
     for used in direct.values_mut() {
@@ -38,7 +38,7 @@ pub(super) fn direct(uses: &Uses) -> Uses {
     direct
 }
 
-/// All that a crate uses, itself and by way of others.
+/// All crates that a crate uses, directly and through others.
 fn reached(uses: &Uses, name: &str) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     let mut open = vec![name.to_owned()];

@@ -1,8 +1,8 @@
 //! Examples of changes: patches in `docs/changes`, each of which adds one thing of a kind, and the
-//! table of `CONTRIBUTING.md`, which says how many files such a change touches.
+//! table of `CONTRIBUTING.md` with the number of files that such a change touches.
 //!
-//! That table and patches name the same numbers is checked always; that the patches still apply,
-//! compile and pass their tests, on demand: a patch ages with every edit of what it stands in.
+//! The numbers in the table and in the patches are always compared. On demand, the patches are
+//! applied, compiled and tested, because a patch becomes outdated with every edit of its context.
 
 mod patch;
 mod places;
@@ -24,17 +24,18 @@ use patch::Patch;
 use places::{PATCHES, TABLE};
 use tree::Tree;
 
-/// Lines around a change in a patch: few, so that it ages slowly.
+/// Lines around a change in a patch: few, so that it remains valid longer.
 const CONTEXT: &str = "-U2";
 
-/// Every row of the table has the number of files that its patch touches, and every patch a row.
+/// Every row of the table has the number of files that its patch changes, and every patch has a
+/// row.
 pub(crate) fn check_table() -> Result<Finding, Failure> {
     compare(&patches()?)?;
     Ok(Finding::Done)
 }
 
-/// Applies each patch, or the one of a name, to a copy of the tracked files, compiles everything
-/// there, and runs the tests that its head names where they are asked for.
+/// Applies each patch, or the named one, to a copy of the tracked files, compiles everything there,
+/// and on request runs the tests that its head names.
 pub(crate) fn try_out(only: Option<&str>, with_tests: bool) -> Result<Finding, Failure> {
     let mut patches = patches()?;
     compare(&patches)?;
@@ -50,14 +51,14 @@ pub(crate) fn try_out(only: Option<&str>, with_tests: bool) -> Result<Finding, F
         run(
             tree.command("git").args(["apply", "--whitespace=nowarn"]).arg(root().join(&file)),
             &format!(
-                "{file} does not apply any more: `git apply -3 {file}`, mend what conflicts, \
+                "{file} does not apply any more: `git apply -3 {file}`, resolve the conflicts, \
                  `cargo xtask changes --record {}`, and restore the sources",
                 patch.name
             ),
         )?;
         run(
             tree.cargo().args(["check", "--quiet", "--all-targets"]).args(WORKSPACE),
-            &format!("what {file} makes must compile: mend the patch"),
+            &format!("the result of {file} must compile: fix the patch"),
         )?;
         if with_tests {
             for test in patch.tests() {
@@ -80,14 +81,14 @@ pub(crate) fn try_out(only: Option<&str>, with_tests: bool) -> Result<Finding, F
     Ok(Finding::Tested(count))
 }
 
-/// Writes what the working tree changes as the patch of a name, under the head that it has.
+/// Writes the changes of the working tree as the patch of a name, under its existing head.
 pub(crate) fn record(name: &str) -> Result<Finding, Failure> {
     let patch = find(patches()?, name)?;
     let git = |arguments: &[&OsStr]| {
         let output = Command::new("git").current_dir(root()).args(arguments).output();
         output.map_err(|error| Failure::new(format!("git cannot be started: {error}")))
     };
-    // New files are shown too.
+    // New files are included.
     git(&["add", "--all", "--intent-to-add"].map(OsStr::new))?;
     let exclude = format!(":!{PATCHES}");
     let arguments = ["diff", "--abbrev=12", CONTEXT, "HEAD", "--", ".", &exclude];
@@ -110,7 +111,7 @@ fn find(patches: Vec<Patch>, name: &str) -> Result<Patch, Failure> {
     let known: Vec<String> = patches.iter().map(|patch| patch.name.clone()).collect();
     let found = patches.into_iter().find(|patch| patch.name == name);
     let known = known.join(", ");
-    found.ok_or_else(|| Failure::new(format!("`{name}` is no patch; there are {known}")))
+    found.ok_or_else(|| Failure::new(format!("`{name}` is not a patch; the patches are {known}")))
 }
 
 fn compare(patches: &[Patch]) -> Result<(), Failure> {

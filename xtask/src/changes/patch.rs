@@ -1,21 +1,21 @@
-//! A patch: a head in words, then the difference that it makes.
+//! A patch: a head in words, then its difference.
 
 use std::{ffi::OsStr, fs, io, path::Path};
 
 use super::places::PATCHES;
 
-/// A file's part of the difference begins so.
+/// Beginning of a file's part of the difference.
 const BEGIN: &str = "diff --git ";
 
-/// A line of the head that names tests: what stands behind `cargo test --workspace`.
+/// Beginning of a line of the head with tests: the arguments of `cargo test --workspace` follow.
 const TESTS: &str = "Tests: ";
 
 pub(super) struct Patch {
     /// Its file's name, without the extension.
     pub(super) name: String,
-    /// What stands above the difference.
+    /// Text above the difference.
     pub(super) head: String,
-    /// The files that it touches.
+    /// The files that it changes.
     pub(super) files: Vec<String>,
 }
 
@@ -47,24 +47,24 @@ impl Patch {
         }
     }
 
-    /// Where it is, from the root of the repository.
+    /// Its path, from the root of the repository.
     pub(super) fn file(&self) -> String {
         format!("{}/{}.patch", PATCHES, self.name)
     }
 
-    /// The sources that somebody has to write by hand.
+    /// The sources that have to be written by hand.
     pub(super) fn by_hand(&self) -> Vec<&str> {
         self.files.iter().map(String::as_str).filter(|file| is_by_hand(file)).collect()
     }
 
-    /// What `cargo test --workspace` is to be given, for each line of tests in the head.
+    /// Arguments of `cargo test --workspace`, for each line of tests in the head.
     pub(super) fn tests(&self) -> impl Iterator<Item = &str> {
         self.head.lines().filter_map(|line| line.strip_prefix(TESTS))
     }
 }
 
-/// Whether a file counts: not what a command writes (the lock, snapshots), nor tests and pages, of
-/// which every change has its own.
+/// Whether a file counts: output of commands (the lock file, snapshots) does not, nor do tests and
+/// pages, which every change has.
 fn is_by_hand(file: &str) -> bool {
     let is_test = file.split('/').any(|part| part == "tests" || part == "tests.rs");
     let is_written = file.ends_with(".lock") || file.ends_with(".snap");

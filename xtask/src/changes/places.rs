@@ -1,4 +1,4 @@
-//! Where patches and table are, from the root of the repository.
+//! Paths of patches and table, from the root of the repository.
 
 /// Folder of the patches.
 pub(super) const PATCHES: &str = "docs/changes";

@@ -1,11 +1,11 @@
-//! The table of what a change touches.
+//! The table of the number of files in a change.
 
 use super::{
     patch::Patch,
     places::{PATCHES, TABLE},
 };
 
-/// What is wrong with the table or with a patch's head, each in a sentence.
+/// Errors in the table or in a patch's head, each in a sentence.
 pub(super) fn faults(text: &str, patches: &[Patch]) -> Vec<String> {
     let rows: Vec<Row> = text.lines().filter_map(Row::parse).collect();
     let mut faults = Vec::new();
@@ -28,14 +28,14 @@ pub(super) fn faults(text: &str, patches: &[Patch]) -> Vec<String> {
         }
         for part in by_hand {
             if !patch.head.contains(part) {
-                faults.push(format!("the head of {file} does not say what belongs into {part}"));
+                faults.push(format!("the head of {file} does not describe the change of {part}"));
             }
         }
     }
     faults
 }
 
-/// A row that links a patch, with its number of files as it is written.
+/// A row that links a patch, with its number of files as written.
 struct Row<'a> {
     name: &'a str,
     files: &'a str,

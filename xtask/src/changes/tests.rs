@@ -59,7 +59,7 @@ fn table_and_patches_say_the_same() {
     let silent = [Patch::parse("key", &PATCH.replace("crates/core/src/x.rs  ", ""))];
     assert_eq!(
         faults(&table("1"), &silent),
-        ["the head of docs/changes/key.patch does not say what belongs into crates/core/src/x.rs"]
+        ["the head of docs/changes/key.patch does not describe the change of crates/core/src/x.rs"]
     );
 }
 

@@ -12,8 +12,8 @@ use crate::{
     folders::{root, target},
 };
 
-/// The copy, kept from one patch to the next with what was built of it, so that only what a patch
-/// touches is compiled again.
+/// The copy, kept from one patch to the next with its build, so that only the parts that a patch
+/// touches are compiled again.
 pub(super) struct Tree {
     folder: PathBuf,
 }
@@ -27,7 +27,7 @@ impl Tree {
         self.folder.join("sources")
     }
 
-    /// Makes it what the working tree is: writes what differs, and no more.
+    /// Restores it to the state of the working tree by writing only the differences.
     pub(super) fn restore(&self) -> Result<(), Failure> {
         let files = tracked()?;
         let failed = |error: io::Error| {
@@ -36,17 +36,17 @@ impl Tree {
         copy(&root(), &self.sources(), &files).map_err(failed)
     }
 
-    /// A program that is started in it.
+    /// A program that runs in it.
     pub(super) fn command(&self, program: &str) -> Command {
         let mut command = Command::new(program);
         command.current_dir(self.sources());
-        // Git is to take its folder as it is, not as a part of the repository around it.
+        // Git treats the folder as separate, not as part of the repository around it.
         command.env("GIT_CEILING_DIRECTORIES", &self.folder);
         command
     }
 
-    /// Cargo in it. It builds into a folder of its own: cargo tells crates apart by where they are
-    /// in their workspace, and would take what it has built here for the sources' own.
+    /// Cargo in it. It builds into a folder of its own: cargo identifies crates by their path in
+    /// the workspace, and would otherwise use the builds of this copy for the sources themselves.
     pub(super) fn cargo(&self) -> Command {
         let mut command = cargo();
         command.current_dir(self.sources());
@@ -55,7 +55,7 @@ impl Tree {
     }
 }
 
-/// The files that git tracks or would, from the root.
+/// The files that git tracks or would track, from the root.
 fn tracked() -> Result<BTreeSet<PathBuf>, Failure> {
     let mut git = Command::new("git");
     git.current_dir(root());
@@ -70,7 +70,7 @@ fn tracked() -> Result<BTreeSet<PathBuf>, Failure> {
     Ok(names.filter(|name| root().join(name).is_file()).collect())
 }
 
-/// Makes `to` hold these files of `from`, and no others. What is alike keeps its time.
+/// Makes `to` contain these files of `from`, and no others. Equal files keep their time.
 pub(super) fn copy(from: &Path, to: &Path, files: &BTreeSet<PathBuf>) -> io::Result<()> {
     fs::create_dir_all(to)?;
     for name in files {
@@ -84,7 +84,7 @@ pub(super) fn copy(from: &Path, to: &Path, files: &BTreeSet<PathBuf>) -> io::Res
     remove_others(to, to, files)
 }
 
-/// Removes the files of a folder of `top` that are not among these, and folders that hold none.
+/// Removes the files of a folder of `top` that are not among these, and empty folders.
 fn remove_others(folder: &Path, top: &Path, files: &BTreeSet<PathBuf>) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();

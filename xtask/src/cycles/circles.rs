@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, VecDeque};
 
 use super::modules::Arrows;
 
-/// How many circles of a knot are shown.
+/// Maximum number of circles of a knot that are shown.
 const MAX_CHAINS: usize = 12;
 
 /// Files that each reach each other, and the shortest circles among them.
@@ -52,7 +52,7 @@ pub fn circles(count: usize, arrows: &Arrows) -> Vec<Circle> {
     found
 }
 
-/// The files on the shortest way from one to another, both included.
+/// The files on the shortest path from one to another, both included.
 fn shortest(next: &[Vec<usize>], from: usize, to: usize) -> Option<Vec<usize>> {
     let mut before = vec![None; next.len()];
     let mut queue = VecDeque::from([from]);

@@ -1,9 +1,9 @@
-//! Circles between files: one uses what another declares, and that one, by way of others, what the
-//! first declares.
+//! Circles between files: one uses an item that another declares, and that one, through others,
+//! uses an item of the first.
 //!
-//! Followed are paths, through imports and re-exports to the file that declares the item, and
-//! macros; not methods of values, which take a compiler to follow. A module that only hands on its
-//! children's items does not use them. What is compiled for tests only does not count.
+//! Paths are followed, through imports and re-exports to the file that declares the item, and
+//! macros. Methods of values are not, because this requires a compiler. A module that only
+//! re-exports its children's items does not use them. Code compiled only for tests does not count.
 
 mod circles;
 mod modules;
@@ -19,11 +19,11 @@ use std::{
 use circles::{Circle, circles};
 use modules::Modules;
 
-/// The circles of each crate of a repository, in words; empty where there is none.
+/// The circles of each crate of a repository, in words; empty if there are none.
 ///
 /// # Errors
 ///
-/// Where a source cannot be read.
+/// If a source cannot be read.
 pub fn in_words(root: &Path) -> io::Result<String> {
     let mut text = String::new();
     for file in crate_roots(root)? {
@@ -37,8 +37,8 @@ pub fn in_words(root: &Path) -> io::Result<String> {
             file.strip_prefix(folder).unwrap_or(file).display().to_string()
         };
         for Circle { knot, chains } in circles(modules.files.len(), &arrows) {
-            let shown = file.strip_prefix(root).unwrap_or(&file).display();
-            text += &format!("{shown}: {} files hang together\n", knot.len());
+            let path = file.strip_prefix(root).unwrap_or(&file).display();
+            text += &format!("{path}: {} files in circles\n", knot.len());
             for chain in &chains {
                 text += &format!("    {}", name(chain[0]));
                 for (i, &from) in chain.iter().enumerate() {
@@ -71,7 +71,7 @@ fn crate_roots(root: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(roots)
 }
 
-/// What a folder holds, by name; nothing where it is not there.
+/// Contents of a folder, by name; empty if it does not exist.
 fn folder(path: &Path) -> io::Result<Vec<PathBuf>> {
     if !path.is_dir() {
         return Ok(Vec::new());

@@ -2,7 +2,7 @@ use std::{env, fs, path::PathBuf, process};
 
 use super::in_words;
 
-/// A repository of one crate with these files, and the circles in it.
+/// The circles in a repository of one crate with these files.
 fn circles_of(name: &str, files: &[(&str, &str)]) -> String {
     let root: PathBuf = env::temp_dir().join(format!("cycles-{}-{name}", process::id()));
     for (file, text) in files {
@@ -28,8 +28,8 @@ fn a_circle_is_named_with_what_ties_it() {
     );
     assert_eq!(
         found,
-        "crates/one/src/lib.rs: 3 files hang together\n    \
-         rod.rs -[LIMIT, Wall]-> wall.rs -[g]-> well.rs -[Rod]-> rod.rs\n"
+        "crates/one/src/lib.rs: 3 files in circles\n    rod.rs -[LIMIT, Wall]-> wall.rs -[g]-> \
+         well.rs -[Rod]-> rod.rs\n"
     );
 }
 
@@ -52,7 +52,8 @@ fn no_circle_where_arrows_point_one_way() {
     assert_eq!(found, "");
 }
 
-/// What a folder's `mod.rs` hands on is its child's; what it declares itself is its own.
+/// An item that a folder's `mod.rs` re-exports belongs to its child; one that it declares belongs
+/// to itself.
 #[test]
 fn re_exports_lead_to_the_file_that_declares() {
     let child = ("rod/b.rs", "use super::A; use crate::rod::C; pub struct B(A, C);");
@@ -66,16 +67,15 @@ fn re_exports_lead_to_the_file_that_declares() {
     let found = circles_of("its-own", &[root, ("rod/mod.rs", also), a, child, c]);
     assert_eq!(
         found,
-        "crates/one/src/lib.rs: 2 files hang together\n    \
-         rod/mod.rs -[B]-> rod/b.rs -[C]-> rod/mod.rs\n"
+        "crates/one/src/lib.rs: 2 files in circles\n    rod/mod.rs -[B]-> rod/b.rs -[C]-> \
+         rod/mod.rs\n"
     );
 
     let through = ("rod/a.rs", "use crate::B; pub struct A(B);");
     let found = circles_of("through", &[root, ("rod/mod.rs", only), through, child, c]);
     assert_eq!(
         found,
-        "crates/one/src/lib.rs: 2 files hang together\n    \
-         rod/a.rs -[B]-> rod/b.rs -[A]-> rod/a.rs\n"
+        "crates/one/src/lib.rs: 2 files in circles\n    rod/a.rs -[B]-> rod/b.rs -[A]-> rod/a.rs\n"
     );
 }
 
@@ -93,7 +93,7 @@ fn globs_and_macros_are_followed() {
     );
     assert_eq!(
         found,
-        "crates/one/src/main.rs: 3 files hang together\n    \
-         m.rs -[A]-> a.rs -[g]-> b.rs -[made]-> m.rs\n"
+        "crates/one/src/main.rs: 3 files in circles\n    m.rs -[A]-> a.rs -[g]-> b.rs -[made]-> \
+         m.rs\n"
     );
 }

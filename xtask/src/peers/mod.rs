@@ -1,5 +1,5 @@
-//! The same work in wholestring and in what a user would take instead, one after the other on one
-//! core, as two tables.
+//! The same work in wholestring and in alternative programs, one after the other on one core, as
+//! two tables.
 
 mod tables;
 
@@ -19,21 +19,22 @@ use crate::{
     python,
 };
 
-/// Oldest Python for which all of the pinned packages are.
+/// Oldest Python for which all of the pinned packages are available.
 const OLDEST: &str = "3.11";
 const FOLDER: &str = "benchmarks/peers";
 const REQUIREMENTS: &str = "benchmarks/peers/requirements.txt";
 const PAGE: &str = "docs/src/speed.md";
-/// Whether all that is pinned is there in its version.
+/// Whether all pinned packages are installed in their versions.
 const CHECK: &str = "
 from importlib.metadata import version
 for line in open('benchmarks/peers/requirements.txt'):
     name, pinned = line.strip().split('==')
     assert version(name) == pinned
 ";
-/// Each program runs so often, by turns; the least time counts, for what disturbs only adds.
+/// Number of runs of each program, in turn; the shortest time counts, because disturbances only add
+/// time.
 const REPEATS: usize = 3;
-/// Scripts of the dynamics; the first is what the others are compared with.
+/// Scripts of the dynamics; the others are compared with the first.
 const DYNAMICS: [&[&str]; 4] = [
     &["wholestring_run.py"],
     &["pyelastica_rod.py", "--inertia", "raised"],
@@ -41,7 +42,7 @@ const DYNAMICS: [&[&str]; 4] = [
     &["exudyn_beams.py"],
 ];
 
-/// Measures and prints; writes the tables into the book where that is asked for.
+/// Measures and prints; on request writes the tables into the book.
 pub(crate) fn side_by_side(write: bool) -> Result<Finding, Failure> {
     let Some(python) = python::python(OLDEST) else {
         return Err(Failure::new(format!("there is no Python {OLDEST} or newer here")));
@@ -68,7 +69,7 @@ pub(crate) fn side_by_side(write: bool) -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// What each program's script reports, of its quickest run.
+/// The report of each program's script, from its quickest run.
 fn dynamics(python: &Path) -> Result<Vec<Value>, Failure> {
     let program = target().join(format!("release/wholestring{}", env::consts::EXE_SUFFIX));
     let mut quickest: Vec<Option<Value>> = vec![None; DYNAMICS.len()];
@@ -80,7 +81,7 @@ fn dynamics(python: &Path) -> Result<Vec<Value>, Failure> {
                 script.arg(&program);
             }
             let measured = answer(&mut script)?;
-            let cpu_s = |of: &Value| of["cpu_s"].as_f64().unwrap_or(f64::INFINITY);
+            let cpu_s = |measured: &Value| measured["cpu_s"].as_f64().unwrap_or(f64::INFINITY);
             if least.as_ref().is_none_or(|least| cpu_s(&measured) < cpu_s(least)) {
                 *least = Some(measured);
             }
@@ -89,12 +90,12 @@ fn dynamics(python: &Path) -> Result<Vec<Value>, Failure> {
     Ok(quickest.into_iter().flatten().collect())
 }
 
-/// A script of the benchmark, on one thread whatever its libraries would take.
+/// A script of the benchmark, on one thread regardless of its libraries' defaults.
 fn script(python: &Path, words: &[&str]) -> Command {
     let mut command = Command::new(python);
     let path = PathBuf::from(FOLDER).join(words[0]);
     command.current_dir(root()).arg(path).args(&words[1..]);
-    // What they compile and keep belongs into the build's folder.
+    // Their compiled caches are stored in the build folder.
     command.env("NUMBA_CACHE_DIR", absolute(&target()).join("peers/numba"));
     command.env("PYTHONDONTWRITEBYTECODE", "1");
     for name in ["OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"]
@@ -116,7 +117,7 @@ fn answer(command: &mut Command) -> Result<Value, Failure> {
     serde_json::from_str(line).map_err(|error| Failure::new(format!("{name}: {error}: {line}")))
 }
 
-/// What the system calls the processor.
+/// The system's name of the processor.
 fn processor() -> String {
     let listed = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = listed.lines().find_map(|line| line.strip_prefix("model name")?.split(':').nth(1));

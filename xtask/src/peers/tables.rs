@@ -6,10 +6,10 @@ use serde_json::Value;
 
 use crate::command::Failure;
 
-/// Of each program: what it took for the same work, and whether it answers the same. The first is
-/// what the others are compared with.
+/// Table of each program's time for the same work, and whether its results agree. The others are
+/// compared with the first.
 pub(super) fn dynamics(measured: &[Value]) -> Result<String, Failure> {
-    let per_second = |of: &Value| Ok(number(of, "cpu_s")? / number(of, "simulated_s")?);
+    let per_second = |run: &Value| Ok(number(run, "cpu_s")? / number(run, "simulated_s")?);
     let ours = measured.first().ok_or_else(|| Failure::new("nothing was measured"))?;
     let ours = per_second(ours)?;
     let mut text = String::from(
@@ -17,31 +17,31 @@ pub(super) fn dynamics(measured: &[Value]) -> Result<String, Failure> {
          wholestring's = 1 | hook load, kN | torque, kN·m |\n|---|---|---|---|---|---|---|---|---|\n",
     );
     let mut notes = String::from("\n| program | its step | left out |\n|---|---|---|\n");
-    for of in measured {
-        let variant = word(of, "variant")?;
+    for run in measured {
+        let variant = word(run, "variant")?;
         let comma = if variant.is_empty() { "" } else { ", " };
-        let version = word(of, "version")?;
-        let name = format!("{} {version}{comma}{variant}", word(of, "program")?);
-        let cpu = per_second(of)?;
+        let version = word(run, "version")?;
+        let name = format!("{} {version}{comma}{variant}", word(run, "program")?);
+        let cpu = per_second(run)?;
         let _ = writeln!(
             text,
             "| {name} | {} | {:.0} | {:.0} | {} | {} | {} | {:.1} | {:.2} |",
-            number(of, "elements")?,
-            number(of, "step_s")? * 1e6,
-            number(of, "simulated_s")?,
+            number(run, "elements")?,
+            number(run, "step_s")? * 1e6,
+            number(run, "simulated_s")?,
             digits(cpu),
             digits(1.0 / cpu),
             digits(cpu / ours),
-            number(of, "hook_load_N")? / 1e3,
-            number(of, "torque_N_m")? / 1e3,
+            number(run, "hook_load_N")? / 1e3,
+            number(run, "torque_N_m")? / 1e3,
         );
-        let (tuned, left_out) = (word(of, "tuned")?, word(of, "leaves_out")?);
+        let (tuned, left_out) = (word(run, "tuned")?, word(run, "leaves_out")?);
         let _ = writeln!(notes, "| {name} | {tuned} | {left_out} |");
     }
     Ok(text + &notes)
 }
 
-/// The soft string's answers and times, ours and welleng's.
+/// The soft string's results and times, ours and welleng's.
 pub(super) fn statics(ours: &Value, theirs: &Value) -> Result<String, Failure> {
     let welleng = format!("welleng {}", word(theirs, "version")?);
     let mut text = format!(
@@ -56,7 +56,7 @@ pub(super) fn statics(ours: &Value, theirs: &Value) -> Result<String, Failure> {
             ("rotating_N", "rotating, kN"),
             ("torque_N_m", "torque, kN·m"),
         ] {
-            // The arcs are there for the side force, which is what the torque adds up.
+            // The arcs are present for the side force, the sum of which is the torque.
             if well != "deviated" && key != "torque_N_m" {
                 continue;
             }
@@ -89,15 +89,15 @@ pub(super) fn statics(ours: &Value, theirs: &Value) -> Result<String, Failure> {
     Ok(text)
 }
 
-fn number(of: &Value, key: &str) -> Result<f64, Failure> {
-    of[key].as_f64().ok_or_else(|| Failure::new(format!("no number `{key}` in {of}")))
+fn number(run: &Value, key: &str) -> Result<f64, Failure> {
+    run[key].as_f64().ok_or_else(|| Failure::new(format!("no number `{key}` in {run}")))
 }
 
-fn word<'a>(of: &'a Value, key: &str) -> Result<&'a str, Failure> {
-    of[key].as_str().ok_or_else(|| Failure::new(format!("no text `{key}` in {of}")))
+fn word<'a>(run: &'a Value, key: &str) -> Result<&'a str, Failure> {
+    run[key].as_str().ok_or_else(|| Failure::new(format!("no text `{key}` in {run}")))
 }
 
-/// Two digits of what is small, whole numbers of what is large.
+/// Two digits for small values, whole numbers for large ones.
 fn digits(value: f64) -> String {
     let plain: f64 = format!("{value:.1e}").parse().unwrap_or(value);
     if value < 100.0 { plain.to_string() } else { format!("{value:.0}") }

@@ -1,11 +1,12 @@
-//! Where the files of two machines differ, and by how much.
+//! Differences between the files of two machines.
 
 use super::numbers::Numbers;
 
-/// What a run says of the machine that it ran on.
+/// Values of a run that depend on the machine.
 const OF_THE_MACHINE: [&str; 3] = ["\"instructions\"", "\"wall_time_s\"", "\"real_time_factor\""];
 
-/// Prints for each file that differs how much does; whether none did but those of runs that may.
+/// Prints the differences of each file that differs; returns whether only those of runs that may
+/// differ do.
 pub(super) fn report(here: &Numbers, there: &Numbers, may_differ: &[&str]) -> bool {
     let (mut differing, mut wrong) = (0, 0);
     for name in here.keys().chain(there.keys().filter(|name| !here.contains_key(*name))) {
@@ -25,7 +26,7 @@ pub(super) fn report(here: &Numbers, there: &Numbers, may_differ: &[&str]) -> bo
     wrong == 0
 }
 
-/// How a file differs; none where it is the same.
+/// Difference of a file; `None` if it is equal.
 fn difference(here: &[u8], there: &[u8]) -> Option<String> {
     if here == there {
         return None;
@@ -35,7 +36,7 @@ fn difference(here: &[u8], there: &[u8]) -> Option<String> {
     };
     let words = |text: &'_ str| -> Vec<(usize, String)> {
         let lines = text.lines().enumerate();
-        let lines = lines.filter(|(_, line)| !OF_THE_MACHINE.iter().any(|of| line.contains(of)));
+        let lines = lines.filter(|(_, line)| !OF_THE_MACHINE.iter().any(|key| line.contains(key)));
         let split = |(place, line): (usize, &str)| {
             let parts: Vec<_> = line.split([',', ' ', '[', ']', '{', '}', ':']).collect();
             parts.into_iter().map(move |part| (place + 1, part.to_owned())).collect::<Vec<_>>()

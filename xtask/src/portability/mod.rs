@@ -1,5 +1,5 @@
-//! The program on other systems and processors: whether its tests pass there, and whether its
-//! numbers are those of this machine.
+//! The program on other systems and processors: checks that its tests pass there, and that its
+//! numbers equal those of this machine.
 
 mod compare;
 mod numbers;
@@ -14,16 +14,16 @@ use crate::{
 };
 use systems::{SYSTEMS, System};
 
-/// What the command-line tests start in place of the program that was built with them: words, a line
-/// each.
+/// Variable with the command that the command-line tests start instead of the program that was
+/// built with them: one word per line.
 const IN_ITS_PLACE: &str = "WHOLESTRING_IN_ITS_PLACE";
 
-/// Tries systems by name; all where none is named.
+/// Tests systems by name, or all of them.
 pub(crate) fn try_out(names: &[&str]) -> Result<Finding, Failure> {
     let known = || SYSTEMS.iter().map(|system| system.name).collect::<Vec<_>>().join(", ");
     let named = |name: &&str| {
         let found = SYSTEMS.iter().find(|system| system.name == *name);
-        found.ok_or_else(|| Failure::new(format!("`{name}` is none of {}", known())))
+        found.ok_or_else(|| Failure::new(format!("`{name}` is not one of {}", known())))
     };
     let systems: Vec<&System> = match names {
         [] => SYSTEMS.iter().collect(),
@@ -104,14 +104,14 @@ fn tried(
     let mut test = cargo();
     test.args(["test", "--workspace", "--test", "cli", "--no-fail-fast"]);
     if system.is_windows() {
-        // Tests and program are both the system's: files, signals and clocks are seen as they are
+        // Tests and program both run on the system: files, signals and clocks behave as they do
         // there.
         test.args(["--target", system.target.unwrap_or_default()]);
         test.envs(system.building()).envs(system.running());
     } else {
         let line = words.iter().map(|word| word.to_string_lossy()).collect::<Vec<_>>().join("\n");
         test.env(IN_ITS_PLACE, line);
-        // They measure, and ask this processor what it has.
+        // They are benchmarks, and query this processor's features.
         test.args(["--", "--skip", "bench::"]);
     }
     run_counted(&mut test)

@@ -1,4 +1,4 @@
-//! Short runs of every kind, and what they leave.
+//! Short runs of every kind, and their files.
 
 use std::{collections::BTreeMap, ffi::OsString, fs, path::Path, process::Command};
 
@@ -11,8 +11,8 @@ const RUN: &[&str] = &["run", "cases/np13-x1042.toml", "--csv"];
 const SHORT: &[&str] =
     &["--set", "dynamics.settle=1 s", "--set", "dynamics.duration=2 s", "--set", "model=dynamic"];
 
-/// A tenth of a second of it, on rock so coarse that an emulator runs the bit in on it in minutes;
-/// by one thread, for an emulator makes threads wait for each other.
+/// A tenth of a second on rock so coarse that an emulator runs the bit in on it in minutes. It uses
+/// one thread, because an emulator makes threads wait for each other.
 const ON_ROCK: &[&str] = &[
     "-j",
     "1",
@@ -26,7 +26,7 @@ const ON_ROCK: &[&str] = &[
     "dynamics.duration=0.05 s",
 ];
 
-/// What is run, by the name of its folder.
+/// Commands of the runs, by the name of the folder.
 const RUNS: &[(&str, &[&[&str]])] = &[
     ("soft", &[RUN, &["--set", "model=soft"]]),
     ("stiff", &[RUN, &["--set", "model=stiff"]]),
@@ -50,7 +50,7 @@ pub(super) fn command(words: &[OsString]) -> Command {
     command
 }
 
-/// What the program leaves, started in this way.
+/// Returns the files of the program, started in this way.
 pub(super) fn of(
     folder: &Path,
     started: &dyn Fn(&[OsString]) -> Command,
@@ -68,7 +68,7 @@ pub(super) fn of(
         for entry in fs::read_dir(&results).map_err(failed)? {
             let path = entry.map_err(failed)?.path();
             let file = path.file_name().unwrap_or_default().to_string_lossy();
-            // Pages and pictures are drawn of these.
+            // Pages and pictures are drawn from these.
             if [".csv", ".parquet", ".json"].iter().any(|end| file.ends_with(end)) {
                 found.insert(format!("{name}/{file}"), fs::read(&path).map_err(failed)?);
             }

@@ -1,4 +1,4 @@
-//! Systems and processors that can be tried on a Linux machine of x86-64.
+//! Systems and processors that can be tested on a Linux machine of x86-64.
 
 use std::{
     env,
@@ -11,20 +11,20 @@ use super::windows;
 
 /// A system or a processor other than this machine's.
 pub(super) struct System {
-    /// What it is asked for by.
+    /// Its name on the command line.
     pub(super) name: &'static str,
-    /// What it is.
+    /// Its description.
     pub(super) about: &'static str,
-    /// What Rust calls it, where the program must be built for it.
+    /// Its target name in Rust, if the program must be built for it.
     pub(super) target: Option<&'static str>,
-    /// Programs that it takes, and Debian's packages of them.
+    /// Programs that it requires, and their Debian packages.
     needs: &'static [(&'static str, &'static str)],
-    /// What runs its programs.
+    /// Program that runs its programs.
     runner: &'static [&'static str],
-    /// Runs whose numbers need not be the same bits as here.
+    /// Runs whose numbers may differ from this machine's in single bits.
     pub(super) may_differ: &'static [&'static str],
-    /// Whether the command-line tests are run there: an emulated processor of the same system does
-    /// nothing else with files.
+    /// Whether the command-line tests are run there; an emulated processor of the same system does
+    /// not change the handling of files.
     pub(super) is_tested: bool,
 }
 
@@ -56,7 +56,7 @@ pub(super) const SYSTEMS: &[System] = &[
         target: None,
         needs: &[("qemu-x86_64", "qemu-user")],
         runner: &["qemu-x86_64", "-cpu", "Nehalem"],
-        // Singles are fused where the processor can.
+        // Single-precision operations are fused if the processor supports it.
         may_differ: &["single"],
         is_tested: false,
     },
@@ -79,7 +79,7 @@ impl System {
         self.target == Some(WINDOWS)
     }
 
-    /// What must be installed first, a command each.
+    /// Commands that install missing packages, one each.
     pub(super) fn lacking(&self) -> Vec<String> {
         let mut lacking = Vec::new();
         if let Some(triple) = self.target.filter(|triple| !is_installed(triple)) {
@@ -98,12 +98,12 @@ impl System {
         if self.is_windows() { "wholestring.exe" } else { "wholestring" }
     }
 
-    /// The words that stand before a program.
+    /// Words before a program's path.
     pub(super) fn runner(&self) -> Vec<OsString> {
         self.runner.iter().map(OsString::from).collect()
     }
 
-    /// What cargo must be told to build for it.
+    /// Environment in which cargo builds for it.
     pub(super) fn building(&self) -> Vec<(String, OsString)> {
         let Some(triple) = self.target else { return Vec::new() };
         let name =
@@ -112,13 +112,13 @@ impl System {
         vec![(name("LINKER"), compiler.into()), (name("RUNNER"), self.runner.join(" ").into())]
     }
 
-    /// What programs must be told that run there.
+    /// Environment of programs that run there.
     pub(super) fn running(&self) -> Vec<(String, OsString)> {
         if self.is_windows() { windows::environment() } else { Vec::new() }
     }
 }
 
-/// Whether Rust's own libraries are here for a target.
+/// Whether Rust's standard library is installed for a target.
 fn is_installed(triple: &str) -> bool {
     let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let sysroot = Command::new(rustc).args(["--print", "sysroot"]).output();
@@ -128,10 +128,10 @@ fn is_installed(triple: &str) -> bool {
     })
 }
 
-/// Whether a program can be started: by its path, or from the folders of `PATH`.
+/// Whether a program can be started, by its path or from the folders of `PATH`.
 fn is_there(program: &str) -> bool {
     let folders = env::var_os("PATH").unwrap_or_default();
-    // A path that is absolute stays itself.
+    // An absolute path is unchanged.
     let places: Vec<PathBuf> = env::split_paths(&folders).map(|at| at.join(program)).collect();
     places.iter().any(|at| at.is_file())
 }

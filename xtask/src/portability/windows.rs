@@ -1,4 +1,4 @@
-//! Wine, with folders of its own.
+//! Wine with its own folders.
 
 use std::{ffi::OsString, fs, path::PathBuf, process::Command};
 
@@ -7,16 +7,16 @@ use crate::{
     folders::{root, target},
 };
 
-/// Debian keeps it out of the way of its 32-bit twin.
+/// Debian's path that avoids a conflict with the 32-bit version.
 pub(super) const WINE: &str = "/usr/lib/wine/wine64";
 
-/// What its programs talk to.
+/// Server process of its programs.
 const SERVER: &str = "/usr/lib/wine/wineserver64";
 
-/// Rust asks this library for random numbers, and Wine 8 has none of it.
+/// Library of random numbers that Rust requires and Wine 8 lacks.
 const RANDOM: &str = "bcryptprimitives.dll";
 
-/// It hands the question on. For tests alone.
+/// It forwards the call. For tests only.
 const SOURCE: &str = "\
 #include <windows.h>
 #include <ntsecapi.h>
@@ -25,20 +25,20 @@ __declspec(dllexport) BOOL WINAPI ProcessPrng(PBYTE data, SIZE_T length) {
 }
 ";
 
-/// Where Wine keeps the system that it shows to programs.
+/// Wine's folder of the emulated system.
 pub(super) fn prefix() -> PathBuf {
     target().join("portability/wine")
 }
 
-/// What programs under Wine, and Wine itself, are told.
+/// Environment of Wine and its programs.
 pub(super) fn environment() -> Vec<(String, OsString)> {
-    // Temporary files on the disk that Linux has, for the tests' paths are its own.
+    // Temporary files on the Linux disk, because the tests use its paths.
     let temporary = format!("Z:{}", temporary().to_string_lossy().replace('/', "\\"));
     vec![
         ("WINEPREFIX".into(), prefix().into()),
         ("WINEDEBUG".into(), "-all".into()),
         ("WINEDLLOVERRIDES".into(), "mscoree,mshtml,winemenubuilder.exe=".into()),
-        // Tests would ask cargo, which is none of Windows' here.
+        // Tests would call cargo, which is not a Windows program here.
         ("INSTA_WORKSPACE_ROOT".into(), root().into()),
         ("TMP".into(), temporary.clone().into()),
         ("TEMP".into(), temporary.into()),
@@ -49,7 +49,7 @@ fn temporary() -> PathBuf {
     target().join("portability/temporary")
 }
 
-/// Makes the system where it is not there from another time.
+/// Creates the system if it does not exist.
 pub(super) fn prepare(prefix: &std::path::Path) -> Result<(), Failure> {
     let failed = |what: &str, error: std::io::Error| Failure::new(format!("{what}: {error}"));
     fs::create_dir_all(temporary()).map_err(|error| failed("temporary files", error))?;
@@ -67,8 +67,8 @@ pub(super) fn prepare(prefix: &std::path::Path) -> Result<(), Failure> {
         compiler.args(["-shared", "-O1", "-o"]).arg(&library).arg(&source).arg("-ladvapi32");
         run(&mut compiler, "the library must compile")?;
     }
-    // A server that ends three seconds after its last program breaks off with one that begins just
-    // then. It says so where there is one already.
+    // A server ends three seconds after its last program, and a program that starts at that moment
+    // fails. Starting a second server reports the first one.
     let mut server = Command::new(SERVER);
     let started = server.envs(environment()).arg("--persistent=600").status();
     started.map(|_| ()).map_err(|error| failed(SERVER, error))

@@ -1,5 +1,5 @@
-//! Commands that the README and the book's first pages show, run as they stand, one after the
-//! other in a fresh folder with the shipped cases.
+//! Commands in the README and the book's first pages, run unchanged one after the other in a fresh
+//! folder with the shipped cases.
 
 mod page;
 
@@ -13,7 +13,7 @@ use crate::{
 
 use page::{Part, parts};
 
-/// Pages whose reader tries out what he reads.
+/// Pages whose commands a reader types.
 const PAGES: [&str; 9] = [
     "README.md",
     "docs/src/start.md",
@@ -26,7 +26,7 @@ const PAGES: [&str; 9] = [
     "docs/src/import-picks.md",
 ];
 
-/// What these pages take for granted, from the root of the repository, and as what.
+/// Files that these pages assume, from the root of the repository, and their names there.
 const THERE: [(&str, &str); 13] = [
     ("cases", "cases"),
     ("studies", "studies"),
@@ -44,39 +44,40 @@ const THERE: [(&str, &str); 13] = [
     ("crates/import/tests/samples/own/surface-log.las", "rig.las"),
 ];
 
-/// The command that the program stands in for.
+/// The command that the program replaces.
 const CARGO: &str = "cargo run --release -- ";
 
-/// How lines begin that are not run here.
+/// Beginnings of lines that are not run here.
 const ELSEWHERE: [&str; 7] = [
-    // Whoever reads this has the sources.
+    // A reader of the sources has them.
     "git clone",
     "cd wholestring",
-    // The tests have built it, less optimised.
+    // The tests have built it with less optimisation.
     "cargo build --release",
     "cargo install --path crates/cli",
-    // It serves until it is stopped: a step of its own opens it in a browser.
+    // It serves until it is stopped: a separate step opens it in a browser.
     "wholestring app",
     "cargo run --release --features app -- app",
     // The step of the Python package installs it.
     "pip install ./crates/python",
 ];
 
-/// Files whose commands take minutes: their cases are checked, and run by `cargo xtask shown --all`.
+/// Files whose commands take minutes: their cases are only checked here, and run by
+/// `cargo xtask shown --all`.
 const MINUTES: [&str; 2] = ["cases/rock-300.toml", "studies/full-hole-system-dynamics.toml"];
 
-/// All but what takes minutes.
+/// All commands except those that take minutes.
 pub(crate) fn quick() -> Result<Finding, Failure> {
     every(false)
 }
 
-/// All of it.
+/// All commands.
 pub(crate) fn all() -> Result<Finding, Failure> {
     every(true)
 }
 
 fn every(minutes: bool) -> Result<Finding, Failure> {
-    // What a page shows is for a shell: quotes, and names with a star.
+    // The commands are written for a shell: quotes, and names with a star.
     if !succeeds(Command::new("sh").args(["-c", "true"])) {
         return Ok(Finding::Skipped("there is no shell `sh` here".into()));
     }
@@ -111,8 +112,8 @@ fn every(minutes: bool) -> Result<Finding, Failure> {
             let output = shell.output();
             let output = output.map_err(|error| Failure::new(format!("sh: {error}")))?;
             if !output.status.success() {
-                let said = String::from_utf8_lossy(&output.stderr);
-                let reason = format!("{page} shows `{line}`: {}\n{said}", output.status);
+                let errors = String::from_utf8_lossy(&output.stderr);
+                let reason = format!("{page} shows `{line}`: {}\n{errors}", output.status);
                 return Err(Failure::new(reason));
             }
         }
@@ -120,16 +121,16 @@ fn every(minutes: bool) -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// What stands in for a command that takes minutes.
+/// Replacement of a command that takes minutes.
 fn quick_form(file: &str) -> String {
     match file.starts_with("studies/") {
-        // There is no check of a study without its cases: it must be there.
+        // A study without its cases has no check: it must exist.
         true => format!("test -f {file}"),
         false => format!("wholestring check {file}"),
     }
 }
 
-/// A fresh folder with what the pages take for granted.
+/// A fresh folder with the files that the pages assume.
 fn laid_out(desk: &Path) -> io::Result<()> {
     if desk.exists() {
         fs::remove_dir_all(desk)?;

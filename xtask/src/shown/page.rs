@@ -1,21 +1,21 @@
-//! What a page tells its reader to type.
+//! Commands on a page for its reader to type.
 
-/// In the order of the page.
+/// A part of a page, in order.
 #[derive(Debug, PartialEq)]
 pub(super) enum Part<'a> {
     /// A line for a shell.
     Command(&'a str),
-    /// A file to be saved under a name.
+    /// A file to save under a name.
     File(&'a str, &'a str),
 }
 
-/// Programs whose lines are commands; other indented text is none.
+/// Programs whose lines are commands; other indented text is not.
 const PROGRAMS: [&str; 6] = ["cargo", "wholestring", "git", "cd", "cp", "pip"];
 
-/// How a page hands over a file: the name stands in backquotes.
+/// Beginning of the text with which a page presents a file: the name is in backquotes.
 const SAVE: &str = "Save this as `";
 
-/// The commands of a page, indented or in a block of a shell, and the files that it has saved.
+/// The commands of a page, indented or in a shell block, and the files to save.
 pub(super) fn parts(page: &str) -> Vec<Part<'_>> {
     let mut parts = Vec::new();
     let mut saved = None;

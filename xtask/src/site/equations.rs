@@ -1,15 +1,15 @@
-//! Equations of a page: LaTeX between lines of `$$`, set as MathML, which browsers show without any
-//! script. What stands between two `$` of a line is set within it.
+//! Equations of a page: LaTeX between lines of `$$`, converted to MathML, which browsers show
+//! without any script. LaTeX between two `$` of a line is converted within it.
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
 use super::inline::Text;
 
-/// What stands before the name of an equation that the documentation of the code shows too, on the
-/// line before it.
+/// Text before the name of an equation that the documentation of the code also shows, on the line
+/// before it.
 const NAMED: &str = "<!-- equation: ";
 
-/// A page in order.
+/// A part of a page, in order.
 pub(super) enum Part<'a> {
     Line(&'a str),
     /// A line of a block of code.
@@ -20,12 +20,12 @@ pub(super) enum Part<'a> {
 pub(super) struct Equation<'a> {
     pub(super) name: Option<&'a str>,
     pub(super) latex: String,
-    /// Where it begins, counted from one.
+    /// Line where it begins, from 1.
     line: usize,
     indent: &'a str,
 }
 
-/// The page's lines and equations; else the line of what is wrong, and why.
+/// Returns the page's lines and equations; or the line of an error, with the reason.
 pub(super) fn parts(page: &str) -> Result<Vec<Part<'_>>, String> {
     let mut parts = Vec::new();
     let mut in_code = false;
@@ -33,7 +33,7 @@ pub(super) fn parts(page: &str) -> Result<Vec<Part<'_>>, String> {
     let mut lines = page.lines().enumerate();
     while let Some((number, line)) = lines.next() {
         let word = line.trim();
-        // What opens a block may name a language, what closes it does not.
+        // The fence that opens a block may name a language, the one that closes it does not.
         let fence = word == "```" || !in_code && word.starts_with("```");
         in_code ^= fence;
         if in_code || word != "$$" {
@@ -68,8 +68,8 @@ pub(super) fn parts(page: &str) -> Result<Vec<Part<'_>>, String> {
 }
 
 impl Equation<'_> {
-    /// As MathML on one line: an element of a page ends at an empty one. `annotated`, it holds its
-    /// LaTeX.
+    /// Converts it to MathML on one line, because an empty line ends an element of a page. If
+    /// `annotated`, it includes its LaTeX.
     pub(super) fn set(&self, annotated: bool) -> Result<String, String> {
         let Self { latex, line, .. } = self;
         let config = MathCoreConfig { annotation: annotated, ..MathCoreConfig::default() };
@@ -82,7 +82,7 @@ impl Equation<'_> {
     }
 }
 
-/// Lines as one: of elements without a space between them, of what is LaTeX with one.
+/// Joins lines: elements without a space between them, LaTeX with one.
 fn one_line(math: &str) -> String {
     let mut line = String::with_capacity(math.len());
     for part in math.lines().map(str::trim) {
@@ -94,7 +94,8 @@ fn one_line(math: &str) -> String {
     line
 }
 
-/// The page with its equations set; else the line of the first that cannot be, and why.
+/// Returns the page with its equations converted; or the line of the first that cannot be, with the
+/// reason.
 pub(super) fn set_all(page: &str) -> Result<String, String> {
     let mut set = String::with_capacity(page.len());
     let mut text = Text::default();

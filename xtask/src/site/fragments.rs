@@ -1,5 +1,5 @@
-//! Equations of the book in the documentation of the code. The book has them; those that a doc
-//! comment shows are set in files of the crate, which the comment includes.
+//! Equations of the book in the documentation of the code. The book contains them; those that a doc
+//! comment shows are converted to files of the crate, which the comment includes.
 
 use std::{
     collections::BTreeMap,
@@ -13,49 +13,51 @@ use super::{
 };
 use crate::{command::Failure, finding::Finding, folders::root};
 
-/// Of a crate: where its equations are.
+/// Folder of a crate's equations.
 const FOLDER: &str = "equations";
 
-/// What a doc comment writes before the name of the equation's file.
+/// Text in a doc comment before the name of the equation's file.
 const INCLUDED: &str = "include_str!(\"";
 
-/// Rustdoc has no style for equations: as wide as they are, and a narrow screen scrolls them.
+/// Rustdoc has no style for equations: they have their natural width, and scroll on a narrow
+/// screen.
 const STYLE: &str = "margin: 0.4em 0 0.8em; padding: 0.4em 0; overflow: auto hidden";
 
-/// Each file of a crate's equations is what the book makes of it.
+/// Each file of a crate's equations equals the one made from the book.
 pub(crate) fn check() -> Result<Finding, Failure> {
-    let wanted = wanted()?;
+    let expected = wanted()?;
     let there = there()?;
     let advice = "run `cargo xtask equations --write`";
-    for (path, text) in &wanted {
+    for (path, text) in &expected {
         if there.get(path) != Some(text) {
-            let reason = format!("{} is not what the book makes; {advice}", path.display());
+            let reason =
+                format!("{} differs from the one made from the book; {advice}", path.display());
             return Err(Failure::new(reason));
         }
     }
-    match there.keys().find(|path| !wanted.contains_key(*path)) {
-        Some(path) => Err(Failure::new(format!("{} is used by nobody; {advice}", path.display()))),
+    match there.keys().find(|path| !expected.contains_key(*path)) {
+        Some(path) => Err(Failure::new(format!("{} is not used; {advice}", path.display()))),
         None => Ok(Finding::Done),
     }
 }
 
-/// Writes them, and removes those that nobody uses any more.
+/// Writes them, and removes unused ones.
 pub(crate) fn write() -> Result<Finding, Failure> {
-    let wanted = wanted()?;
+    let expected = wanted()?;
     let cannot = |path: &Path, error| Failure::new(format!("{}: {error}", path.display()));
-    for path in there()?.keys().filter(|path| !wanted.contains_key(*path)) {
+    for path in there()?.keys().filter(|path| !expected.contains_key(*path)) {
         fs::remove_file(path).map_err(|error| cannot(path, error))?;
     }
-    for (path, text) in &wanted {
+    for (path, text) in &expected {
         let folder = path.parent().unwrap_or(path);
         fs::create_dir_all(folder).map_err(|error| cannot(folder, error))?;
         fs::write(path, text).map_err(|error| cannot(path, error))?;
     }
-    println!("{} equations of the book in the documentation of the code", wanted.len());
+    println!("{} equations of the book in the documentation of the code", expected.len());
     Ok(Finding::Done)
 }
 
-/// The files that there are.
+/// The existing files.
 fn there() -> Result<BTreeMap<PathBuf, String>, Failure> {
     let mut there = BTreeMap::new();
     for (path, text) in files(&root().join("crates"), "html")? {
@@ -69,7 +71,7 @@ fn there() -> Result<BTreeMap<PathBuf, String>, Failure> {
     Ok(there)
 }
 
-/// The files that there should be: of each equation with a name, in the one crate that shows it.
+/// The required files: one for each equation with a name, in the one crate that shows it.
 fn wanted() -> Result<BTreeMap<PathBuf, String>, Failure> {
     let mut named = BTreeMap::new();
     for (path, page) in pages()? {
@@ -80,8 +82,8 @@ fn wanted() -> Result<BTreeMap<PathBuf, String>, Failure> {
             }
         }
     }
-    let mut wanted = BTreeMap::new();
-    let mut shown = BTreeMap::new();
+    let mut expected = BTreeMap::new();
+    let mut places = BTreeMap::new();
     for (path, source) in files(&root().join("crates"), "rs")? {
         for include in includes(&source) {
             let file = relative(&path, include);
@@ -91,35 +93,35 @@ fn wanted() -> Result<BTreeMap<PathBuf, String>, Failure> {
                 let reason = format!("{place}: the book has no equation named {name}");
                 return Err(Failure::new(reason));
             };
-            if let Some(other) = shown.insert(name.to_owned(), place.to_string()) {
+            if let Some(other) = places.insert(name.to_owned(), place.to_string()) {
                 let reason = format!("{name} is shown twice: in {other} and in {place}");
                 return Err(Failure::new(reason));
             }
-            wanted.insert(file, text.clone());
+            expected.insert(file, text.clone());
         }
     }
-    match named.keys().find(|name| !shown.contains_key(*name)) {
+    match named.keys().find(|name| !places.contains_key(*name)) {
         Some(name) => {
             let reason = "no doc comment shows it, and it needs no name";
             Err(Failure::new(format!("the book's equation {name}: {reason}")))
         }
-        None => Ok(wanted),
+        None => Ok(expected),
     }
 }
 
-/// Names of a page's equations, and what a doc comment includes of each.
+/// Names of a page's equations, and the included text of each.
 fn of_page(page: &str, place: &str) -> Result<Vec<(String, String)>, String> {
     let mut found = Vec::new();
     for part in parts(page).map_err(|error| format!("{place}, {error}"))? {
         let Part::Equation(equation) = part else { continue };
         let Some(name) = equation.name else { continue };
         let math = equation.set(true).map_err(|error| format!("{place}, {error}"))?;
-        // Rows as far from each other as in the book, and as large.
+        // Rows with the same spacing and size as in the book.
         let math = math
             .replace("<math ", "<math style=\"min-width: max-content\" ")
             .replace("<mtable ", "<mtable style=\"math-style: normal\" ")
             .replace("<mtd style=\"", "<mtd style=\"padding-block: 0.25em;")
-            // Who opens the file finds it at the beginning of a line.
+            // It begins on a new line so that it is easy to find in the file.
             .replace("<annotation", "\n<annotation");
         let origin = format!("<!-- {name} of {place}, by `cargo xtask equations --write` -->");
         found.push((name.to_owned(), format!("{origin}\n<div style=\"{STYLE}\">{math}</div>\n")));

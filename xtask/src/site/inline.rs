@@ -1,8 +1,8 @@
-//! Formulas in the text: LaTeX between two `$` of a line, set as MathML.
+//! Formulas in the text: LaTeX between two `$` of a line, converted to MathML.
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
-/// What a page would read as its own marks, between the elements of a formula.
+/// Characters between the elements of a formula that a page would read as its own markup.
 const MARKS: [(char, &str); 6] = [
     ('|', "&#124;"),
     ('*', "&#42;"),
@@ -12,16 +12,16 @@ const MARKS: [(char, &str); 6] = [
     ('`', "&#96;"),
 ];
 
-/// Lines of a page one after the other: what is code may begin on one and end on the next.
+/// Consecutive lines of a page: code may begin on one and end on another.
 #[derive(Default)]
 pub(super) struct Text {
-    /// The ticks that end the code that is open; none where none is.
+    /// The backquotes that end the open code; `None` outside code.
     code: Option<usize>,
 }
 
 impl Text {
-    /// The line with its formulas set; else the formula that cannot be, and why. Code is left as it
-    /// is, and so are dollars that open or close nothing.
+    /// Returns the line with its formulas converted; or the formula that cannot be, with the
+    /// reason. Code is unchanged, and so are dollars that do not enclose a formula.
     pub(super) fn set(&mut self, line: &str) -> Result<String, String> {
         if line.trim().is_empty() {
             self.code = None;
@@ -54,7 +54,7 @@ impl Text {
     }
 }
 
-/// What stands between the first dollar and the one that closes it: `$PWD and $OUT` are none.
+/// The text between the first dollar and the one that closes it: `$PWD and $OUT` is not a formula.
 fn formula(marked: &str) -> Option<&str> {
     let (latex, after) = marked.strip_prefix('$')?.split_once('$')?;
     let spaced = latex.is_empty() || latex.starts_with(' ') || latex.ends_with(' ');
@@ -104,7 +104,7 @@ mod tests {
             assert_eq!(set(text), text);
         }
         assert!(set("a `b\nc` $x$").contains("<math>"));
-        // Code that never ends is none beyond its paragraph.
+        // Code without an end stops at the end of its paragraph.
         assert!(set("a ` b\n\n$x$").contains("<math>"));
     }
 }

@@ -1,18 +1,18 @@
-//! Links between pages of the book that has been built, and what they lead to.
+//! Links between pages of the built book, and their targets.
 
 use std::{collections::BTreeSet, path::Path};
 
 use super::tree::{files, relative};
 use crate::command::Failure;
 
-/// Pages that have no addresses of their own: mdBook makes them of the others, or by itself.
+/// Pages without their own addresses: mdBook makes them from the others, or by itself.
 const MADE: [&str; 3] = ["print.html", "toc.html", "404.html"];
 
-/// Every page, picture and heading that a page refers to is there.
+/// Every page, picture and heading to which a page refers exists.
 pub(super) fn check(site: &Path) -> Result<(), Failure> {
     let mut broken = Vec::new();
     let mut pages = files(site, "html")?;
-    // The app is no page of ours.
+    // The app is not one of the book's pages.
     pages.retain(|(path, _)| !path.starts_with(site.join("playground")));
     let anchors = |text: &str| attributes(text, " id=\"").map(str::to_owned).collect();
     let known: Vec<(&Path, BTreeSet<String>)> =
@@ -28,7 +28,7 @@ pub(super) fn check(site: &Path) -> Result<(), Failure> {
             let there = match (page, anchor) {
                 (Some((_, anchors)), Some(anchor)) => anchors.contains(anchor),
                 (Some(_), None) => true,
-                // What lies outside stands beside the sources, and not beside the site.
+                // Targets outside are next to the sources, not next to the site.
                 (None, _) => target.starts_with(site) && target.is_file(),
             };
             if !there {
@@ -41,7 +41,7 @@ pub(super) fn check(site: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     broken.dedup();
-    Err(Failure::new(format!("what these pages lead to is not there:\n{}", broken.join("\n"))))
+    Err(Failure::new(format!("the targets of these pages do not exist:\n{}", broken.join("\n"))))
 }
 
 /// File and heading of an address within the site.
@@ -57,7 +57,7 @@ fn inside(link: &str) -> Option<(&str, Option<&str>)> {
     })
 }
 
-/// What elements say under a name, which ends with its quote. What is shown as code has none.
+/// Values of an attribute, whose name ends with its quote. Text in code is excluded.
 fn attributes<'a>(text: &'a str, name: &'static str) -> impl Iterator<Item = &'a str> {
     text.split(name).skip(1).filter_map(|rest| rest.split_once('"')).map(|(value, _)| value)
 }

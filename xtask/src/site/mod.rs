@@ -1,4 +1,4 @@
-//! The book as a site, built by mdBook with equations that browsers set.
+//! The book as a site, built by mdBook with equations that browsers render.
 
 mod equations;
 mod fragments;
@@ -24,11 +24,12 @@ use crate::{
 pub(crate) use fragments::{check as check_equations, write as write_equations};
 pub(crate) use preprocessor::equations;
 
-/// The release that builds the book. Serving and watching are left out: they compile for long.
+/// The release that builds the book. Serving and watching are left out because they take long to
+/// compile.
 const MDBOOK: &str = "mdbook@0.5.4";
 
-/// The book builds: each page that its summary names is there, each equation can be set, and what
-/// pages lead to exists. It has the app that runs in a browser alone, where that has been made.
+/// The book builds: each page in its summary exists, each equation can be converted, and each link
+/// has a target. It includes the app that runs in a browser alone, if that has been built.
 pub(crate) fn build() -> Result<Finding, Failure> {
     let Some(mdbook) = found().or_else(installed) else {
         return unable(format!("there is no mdbook, and `cargo install {MDBOOK}` fails here"));
@@ -55,12 +56,12 @@ fn found() -> Option<PathBuf> {
     [own, PathBuf::from("mdbook")].into_iter().find(|program| starts(program))
 }
 
-/// Installs it beside what is built here, once.
+/// Installs it once in the folder of builds.
 fn installed() -> Option<PathBuf> {
     let mut install = cargo();
     install.args(["install", "--quiet", "--locked", MDBOOK, "--debug"]);
     install.args(["--no-default-features", "--features", "search", "--root"]);
-    // Its parts are none of ours: they would be compiled again and again in the same place.
+    // Its dependencies are not ours: they would be compiled repeatedly in the same folder.
     install.arg(folder()).arg("--target-dir").arg(folder().join("build"));
     install.env("CARGO_PROFILE_DEV_DEBUG", "0");
     succeeds(&mut install).then(found).flatten()

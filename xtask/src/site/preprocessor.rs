@@ -1,4 +1,4 @@
-//! What mdBook asks of a program that changes its pages.
+//! The interface of an mdBook preprocessor.
 
 use std::io::{self, Read};
 
@@ -7,11 +7,11 @@ use serde_json::Value;
 use super::{equations::set_all, playground::shown};
 use crate::{command::Failure, finding::Finding};
 
-/// Reads a book from standard input, as mdBook hands it over, and writes it with its equations set
+/// Reads a book from standard input in mdBook's format, and writes it with its equations converted
 /// and the app on its page.
-pub(crate) fn equations(asked: &[&str]) -> Result<Finding, Failure> {
-    // HTML can hold equations, and there is nothing else that the book is made into.
-    if let ["supports", format] = asked {
+pub(crate) fn equations(arguments: &[&str]) -> Result<Finding, Failure> {
+    // HTML can contain equations, and is the only output of the book.
+    if let ["supports", format] = arguments {
         return match *format {
             "html" => Ok(Finding::Done),
             _ => Err(Failure::new(format!("equations are set for html, not for {format}"))),
@@ -33,7 +33,7 @@ pub(crate) fn equations(asked: &[&str]) -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// Chapters stand in lists and in each other; what has a name and content is one.
+/// Converts chapters, which are in lists and nested; an object with a name and content is one.
 fn set_in(value: &mut Value) -> Result<(), String> {
     match value {
         Value::Array(parts) => parts.iter_mut().try_for_each(set_in),

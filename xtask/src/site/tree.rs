@@ -7,12 +7,12 @@ use std::{
 
 use crate::{command::Failure, folders::root};
 
-/// The book's pages, and what each says.
+/// The book's pages with their texts.
 pub(super) fn pages() -> Result<Vec<(PathBuf, String)>, Failure> {
     files(&root().join("docs/src"), "md")
 }
 
-/// Files of a kind in a folder and all that are in it, in order, and what each says.
+/// Files with an extension in a folder and its subfolders, in order, with their texts.
 pub(super) fn files(folder: &Path, extension: &str) -> Result<Vec<(PathBuf, String)>, Failure> {
     let cannot = |path: &Path, error| Failure::new(format!("{}: {error}", path.display()));
     let mut found = Vec::new();
@@ -20,10 +20,10 @@ pub(super) fn files(folder: &Path, extension: &str) -> Result<Vec<(PathBuf, Stri
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(&folder).map_err(|error| cannot(&folder, error))? {
             let path = entry.map_err(|error| cannot(&folder, error))?.path();
-            // What npm installs is not ours.
+            // Packages that npm installs are skipped.
             if path.is_dir() && !path.ends_with("node_modules") {
                 folders.push(path);
-            } else if path.extension().is_some_and(|given| given == extension) {
+            } else if path.extension().is_some_and(|other| other == extension) {
                 let text = fs::read_to_string(&path).map_err(|error| cannot(&path, error))?;
                 found.push((path, text));
             }
@@ -33,7 +33,7 @@ pub(super) fn files(folder: &Path, extension: &str) -> Result<Vec<(PathBuf, Stri
     Ok(found)
 }
 
-/// Where a file is that another one names from its own folder.
+/// Path of a file that another one names relative to its own folder.
 pub(super) fn relative(source: &Path, file: &str) -> PathBuf {
     let mut path = source.parent().unwrap_or(source).to_path_buf();
     for step in file.split('/') {

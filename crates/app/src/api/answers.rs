@@ -1,4 +1,4 @@
-//! What a text answers while it is written.
+//! Live answers for a text while it is edited.
 
 use axum::extract::{Path, State};
 use utoipa_axum::{router::OpenApiRouter, routes};
@@ -10,7 +10,7 @@ use wholestring_screens::answers::{
 use super::{Json, blocking, error::ApiError};
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new()
         .routes(routes!(answer))
@@ -18,7 +18,7 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(assembly))
 }
 
-/// Ends the work whose answer nobody waits for any more: a page that has asked anew closes the
+/// Cancels the work when nobody waits for its result: a page with a newer request closes the
 /// connection.
 struct Waiting(CancellationToken);
 
@@ -28,7 +28,7 @@ impl Drop for Waiting {
     }
 }
 
-/// Does the work for as long as somebody waits for it, when its turn comes.
+/// Runs the work once a permit is free, for as long as the client waits for it.
 async fn while_waited_for<T: Send + 'static>(
     app: App,
     work: impl FnOnce(&App, &CancellationToken) -> Result<T, ApiError> + Send + 'static,
@@ -43,7 +43,7 @@ async fn while_waited_for<T: Send + 'static>(
     .await
 }
 
-/// What the text comes to by soft and stiff string. Nothing is written.
+/// Solves the text by soft and stiff string. Nothing is written.
 #[utoipa::path(
     post,
     path = "/api/cases/{id}/answer",
@@ -53,18 +53,18 @@ async fn while_waited_for<T: Send + 'static>(
 async fn answer(
     State(app): State<App>,
     Path(id): Path<String>,
-    Json(asked): Json<AskedOfModels>,
+    Json(request): Json<AskedOfModels>,
 ) -> Result<Json<Answer>, ApiError> {
     while_waited_for(app, move |app, cancellation| {
         let file = app.workspace.case(&id)?;
         let beside = app.workspace.beside(&file);
-        Ok(Json(asked.answer(&file.shown, &beside, cancellation)?))
+        Ok(Json(request.answer(&file.shown, &beside, cancellation)?))
     })
     .await
 }
 
-/// Hook load and torque against the depth of the bit, with low, expected and high friction, by the
-/// soft string.
+/// Hook load and torque against bit depth, with low, expected and high friction, by the soft
+/// string.
 #[utoipa::path(
     post,
     path = "/api/cases/{id}/broomstick",
@@ -74,17 +74,17 @@ async fn answer(
 async fn broomstick(
     State(app): State<App>,
     Path(id): Path<String>,
-    Json(asked): Json<Asked>,
+    Json(request): Json<Asked>,
 ) -> Result<Json<Broomstick>, ApiError> {
     while_waited_for(app, move |app, cancellation| {
         let file = app.workspace.case(&id)?;
         let beside = app.workspace.beside(&file);
-        Ok(Json(asked.broomstick(&file.shown, &beside, cancellation)?))
+        Ok(Json(request.broomstick(&file.shown, &beside, cancellation)?))
     })
     .await
 }
 
-/// Static analysis of the bottom-hole assembly: how it lies in its hole, what it does to the bit.
+/// Static analysis of the bottom-hole assembly: its shape in the hole and its loads on the bit.
 #[utoipa::path(
     post,
     path = "/api/cases/{id}/assembly",
@@ -94,12 +94,12 @@ async fn broomstick(
 async fn assembly(
     State(app): State<App>,
     Path(id): Path<String>,
-    Json(asked): Json<AskedOfOperation>,
+    Json(request): Json<AskedOfOperation>,
 ) -> Result<Json<AssemblyView>, ApiError> {
     while_waited_for(app, move |app, cancellation| {
         let file = app.workspace.case(&id)?;
         let beside = app.workspace.beside(&file);
-        Ok(Json(asked.assembly(&file.shown, &beside, cancellation)?))
+        Ok(Json(request.assembly(&file.shown, &beside, cancellation)?))
     })
     .await
 }

@@ -1,4 +1,4 @@
-//! Case files get another name, a copy, or go.
+//! Renaming, copying and deleting case files.
 
 use axum::{
     extract::{Path, Query, State},
@@ -11,12 +11,12 @@ use utoipa_axum::{router::OpenApiRouter, routes};
 use super::{Json, blocking, error::ApiError};
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(rename)).routes(routes!(copy)).routes(routes!(delete))
 }
 
-/// The name that a case file is to have in its folder.
+/// The new name of a case file within its folder.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Named {
@@ -24,14 +24,14 @@ pub(crate) struct Named {
     file_name: String,
 }
 
-/// A case file that has got its name.
+/// A renamed or copied case file.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Arranged {
-    /// What requests call it.
+    /// Identifier in requests.
     id: String,
 }
 
-/// Gives a case file another name in its folder, never that of a file that is there.
+/// Renames a case file within its folder, never over an existing one.
 #[utoipa::path(
     post,
     path = "/api/cases/{id}/rename",
@@ -50,7 +50,7 @@ async fn rename(
     .await
 }
 
-/// Makes a copy of a case file in its folder, never over one that is there.
+/// Copies a case file within its folder, never over an existing one.
 #[utoipa::path(
     post,
     path = "/api/cases/{id}/copy",
@@ -69,7 +69,7 @@ async fn copy(
     .await
 }
 
-/// What the file was when one decided that it goes.
+/// The revision of a file at the time of the decision to delete it.
 #[derive(Debug, Deserialize, IntoParams)]
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
@@ -78,7 +78,7 @@ pub(crate) struct Seen {
     revision: String,
 }
 
-/// Deletes a case file, unless it is another by now, and its draft.
+/// Deletes a case file and its draft, unless the file has changed since.
 #[utoipa::path(
     delete,
     path = "/api/cases/{id}",

@@ -1,4 +1,4 @@
-//! JSON, read and written.
+//! JSON bodies.
 
 use axum::{
     extract::{FromRequest, Request, rejection::JsonRejection},
@@ -8,7 +8,7 @@ use serde::{Serialize, de::DeserializeOwned};
 
 use super::error::ApiError;
 
-/// A body of JSON. As an argument, what it cannot be is answered as an [`ApiError`].
+/// A body of JSON. As an argument, invalid JSON is answered as an [`ApiError`].
 #[derive(Debug)]
 pub(crate) struct Json<T>(pub(crate) T);
 

@@ -16,7 +16,7 @@ use crate::{
     workspace::{CaseFile, Draft, NewFile, Workspace, millis},
 };
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(list, create)).routes(routes!(open, save))
 }
@@ -24,26 +24,26 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
 /// A case of the folder.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct CaseEntry {
-    /// What requests call it.
+    /// Identifier in requests.
     id: String,
-    /// Its place in the folder, for the eye.
+    /// Path within the folder, for display.
     path: String,
-    /// What it is called in results.
+    /// Its name in results.
     name: String,
-    /// The first that is wrong with it; null where nothing is, or where there was no time to look.
+    /// Its first mistake; null if there is none, or if there was no time to check.
     problem: Option<String>,
-    /// The verdict on it, of its newest results; null where it was not computed yet.
+    /// The verdict on it from its newest results; null if it has none yet.
     verdict: Option<CaseVerdict>,
-    /// Whether there is a text of it that was not saved.
+    /// Whether it has an unsaved draft.
     has_draft: bool,
-    /// When it was changed, milliseconds since 1970.
+    /// Time of its last change, milliseconds since 1970.
     modified_ms: u64,
 }
 
-/// Cases are read for so long; those that come later are listed without.
+/// Time limit for reading cases; later ones are listed without problem or verdict.
 const READING_TIME: Duration = Duration::from_secs(2);
 
-/// The case files of the folder, by their places.
+/// The case files of the folder, by path.
 #[utoipa::path(get, path = "/api/cases", responses((status = 200, body = Vec<CaseEntry>)))]
 async fn list(State(app): State<App>) -> Result<Json<Vec<CaseEntry>>, ApiError> {
     blocking(move || {
@@ -76,13 +76,13 @@ fn entry(workspace: &Workspace, case: CaseFile, verdicts: &Verdicts, is_read: bo
     }
 }
 
-/// A file that is to be made.
+/// A file to create.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct GivenFile {
-    /// Its name, no path.
+    /// Its name, without a path.
     file_name: String,
-    /// What it holds.
+    /// Its contents.
     text: String,
 }
 
@@ -92,7 +92,7 @@ impl GivenFile {
     }
 }
 
-/// A case that is to be made.
+/// A case to create.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct NewCase {
@@ -100,19 +100,19 @@ pub(crate) struct NewCase {
     file_name: String,
     /// Its text.
     text: String,
-    /// Files that it names. One that is there already must hold the same.
+    /// Files that it names. An existing one must have the same contents.
     #[serde(default)]
     beside: Vec<GivenFile>,
 }
 
-/// A case that was made.
+/// A created case.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Created {
-    /// What requests call it.
+    /// Identifier in requests.
     id: String,
 }
 
-/// Makes a case file, never over one that is there.
+/// Creates a case file, never over an existing one.
 #[utoipa::path(
     post,
     path = "/api/cases",
@@ -138,30 +138,30 @@ async fn create(
 /// A case with its text.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct OpenCase {
-    /// What requests call it.
+    /// Identifier in requests.
     id: String,
-    /// Its place in the folder, for the eye.
+    /// Path within the folder, for display.
     path: String,
-    /// What stands in the file.
+    /// Contents of the file.
     text: String,
-    /// What the file is at this time: another text has another.
+    /// Fingerprint of the current contents.
     revision: String,
-    /// What was typed and not saved.
+    /// The unsaved draft.
     #[schema(value_type = Option<OpenDraft>)]
     draft: Option<Draft>,
-    /// The files that it names and that are there.
+    /// The existing files that it names.
     beside: Vec<String>,
 }
 
-/// What was typed and not saved.
+/// An unsaved draft.
 #[derive(ToSchema)]
-#[allow(dead_code, reason = "the document describes by it what the workspace keeps")]
+#[allow(dead_code, reason = "it describes the drafts of the workspace in the API document")]
 pub(crate) struct OpenDraft {
     /// The text.
     text: String,
     /// The revision of the file when it was opened.
     base_revision: String,
-    /// When it was kept, milliseconds since 1970.
+    /// Time when it was saved, milliseconds since 1970.
     modified_ms: u64,
 }
 
@@ -176,7 +176,7 @@ async fn open(State(app): State<App>, Path(id): Path<String>) -> Result<Json<Ope
         let case = app.workspace.case(&id)?;
         let read = case.read()?;
         let files = app.workspace.beside(&case);
-        // What is wrong with it, `check` says; here it names its files.
+        // Mistakes are reported by `check`; this call only collects the named files.
         let _ = parse(&case.shown, read.text.as_bytes(), &files, &[]);
         Ok(Json(OpenCase {
             beside: files.into_files().into_keys().collect(),
@@ -190,24 +190,24 @@ async fn open(State(app): State<App>, Path(id): Path<String>) -> Result<Json<Ope
     .await
 }
 
-/// A text, and what the file was when it was opened.
+/// A text, with the revision of the file when it was opened.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Revised {
     /// The text.
     pub(super) text: String,
-    /// What the file was when it was opened.
+    /// The revision of the file when it was opened.
     pub(super) revision: String,
 }
 
-/// A case that was saved.
+/// A saved case.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Saved {
-    /// What the file is now.
+    /// The new revision of the file.
     revision: String,
 }
 
-/// Saves a text in the place of the file's, unless that is another by now. Its draft goes.
+/// Replaces the text of the file, unless it has changed since. Its draft is removed.
 #[utoipa::path(
     put,
     path = "/api/cases/{id}",

@@ -1,4 +1,4 @@
-//! What a case can name, and what rigs commonly have.
+//! Catalogue of tubulars, and common rig equipment.
 
 use axum::extract::Query;
 use utoipa_axum::{router::OpenApiRouter, routes};
@@ -7,18 +7,18 @@ use wholestring_screens::catalogue::{self, Catalogue, Wanted};
 use super::{Json, blocking, error::ApiError};
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(catalogue))
 }
 
-/// What `wholestring catalogue WORD` finds.
+/// Entries that `wholestring catalogue WORD` finds.
 #[utoipa::path(
     get,
     path = "/api/catalogue",
     params(Wanted),
     responses((status = 200, body = Catalogue))
 )]
-async fn catalogue(Query(wanted): Query<Wanted>) -> Result<Json<Catalogue>, ApiError> {
-    blocking(move || Ok(Json(catalogue::catalogue(&wanted)))).await
+async fn catalogue(Query(query): Query<Wanted>) -> Result<Json<Catalogue>, ApiError> {
+    blocking(move || Ok(Json(catalogue::catalogue(&query)))).await
 }

@@ -1,4 +1,4 @@
-//! Is a text a valid case?
+//! Validation of a text as a case.
 
 use axum::extract::{Path, State};
 use utoipa_axum::{router::OpenApiRouter, routes};
@@ -7,12 +7,12 @@ use wholestring_screens::check::{self, Checked, Text};
 use super::{Json, blocking, error::ApiError};
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(check))
 }
 
-/// Says what the command line says of the text, as if it stood in the file of the case.
+/// Returns the diagnostics of the command line for the text, as if it were in the file of the case.
 #[utoipa::path(
     post,
     path = "/api/cases/{id}/check",

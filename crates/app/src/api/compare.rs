@@ -12,27 +12,27 @@ use crate::{
     results::{Compared, compare},
 };
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(compared))
 }
 
-/// Results that are compared at most.
+/// Maximum number of compared results.
 const MOST: usize = 6;
 
-/// What is compared.
+/// Parameters of a comparison.
 #[derive(Debug, Deserialize, IntoParams)]
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
 pub(crate) struct Asked {
-    /// Ids of results, parted by commas: two to six.
+    /// Ids of results, separated by commas: two to six.
     ids: String,
     /// The units: `si`, `metric` or `field`.
     #[serde(default)]
     units: Option<String>,
 }
 
-/// Two to six results side by side: the inputs that differ, their numbers, and curves against depth.
+/// Comparison of two to six results: differing inputs, numbers, and curves against depth.
 #[utoipa::path(
     get,
     path = "/api/compare",
@@ -45,17 +45,17 @@ pub(crate) struct Asked {
 )]
 async fn compared(
     State(app): State<App>,
-    Query(asked): Query<Asked>,
+    Query(query): Query<Asked>,
 ) -> Result<Json<Compared>, ApiError> {
     blocking(move || {
-        let ids: Vec<&str> = asked.ids.split(',').filter(|id| !id.is_empty()).collect();
+        let ids: Vec<&str> = query.ids.split(',').filter(|id| !id.is_empty()).collect();
         if !(2..=MOST).contains(&ids.len()) {
             let count = ids.len();
             return Err(ApiError::bad_input(format!(
                 "two to {MOST} results are compared, not {count}"
             )));
         }
-        let units = asked.units.as_deref().unwrap_or("si").parse::<UnitSet>();
+        let units = query.units.as_deref().unwrap_or("si").parse::<UnitSet>();
         let units = units.map_err(|error| ApiError::bad_input(error.to_string()))?;
         let places = ids.into_iter().map(|id| app.workspace.results_of(id));
         let places: Vec<_> = places.collect::<Result<_, _>>()?;

@@ -1,4 +1,4 @@
-//! What was typed and not saved.
+//! Unsaved drafts.
 
 use axum::{
     extract::{Path, State},
@@ -9,12 +9,12 @@ use utoipa_axum::{router::OpenApiRouter, routes};
 use super::{Json, blocking, cases::Revised, error::ApiError};
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(keep, discard))
 }
 
-/// Keeps what was typed.
+/// Saves a draft.
 #[utoipa::path(
     put,
     path = "/api/cases/{id}/draft",
@@ -34,7 +34,7 @@ async fn keep(
     .await
 }
 
-/// Forgets what was typed.
+/// Removes a draft.
 #[utoipa::path(
     delete,
     path = "/api/cases/{id}/draft",

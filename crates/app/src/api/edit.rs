@@ -1,4 +1,4 @@
-//! Changes to a text that leave the rest as it was written.
+//! Changes to a text that keep the rest as it was written.
 
 use axum::extract::{Path, State};
 use utoipa_axum::{router::OpenApiRouter, routes};
@@ -10,12 +10,12 @@ use wholestring_screens::{
 use super::{Json, blocking, error::ApiError};
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(edit)).routes(routes!(apply))
 }
 
-/// Changes a text; comments, and all that is not named, stay as they are. No file is written.
+/// Changes a text; comments and all unnamed keys stay unchanged. No file is written.
 #[utoipa::path(
     post,
     path = "/api/cases/{id}/edit",
@@ -38,7 +38,7 @@ async fn edit(
     .await
 }
 
-/// A text with values in it that were tried, and what changes in it. No file is written.
+/// Writes trial values into a text, and returns the changes. No file is written.
 #[utoipa::path(
     post,
     path = "/api/cases/{id}/apply",

@@ -1,4 +1,4 @@
-//! What is answered where something cannot be.
+//! Error responses.
 
 use std::fmt::Display;
 
@@ -16,7 +16,7 @@ use wholestring_screens::{
 
 use crate::{jobs::JobError, workspace::WorkspaceError};
 
-/// A request that is not answered as it was meant: `{"error": {...}}`.
+/// Error response: `{"error": {...}}`.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub(crate) struct ApiError {
     #[serde(skip)]
@@ -25,27 +25,27 @@ pub(crate) struct ApiError {
 }
 
 impl ApiError {
-    /// An answer with this status.
+    /// A response with this status.
     pub(crate) fn new(status: StatusCode, kind: &'static str, message: impl Into<String>) -> Self {
         Self::from(Refusal::new(status.as_u16(), kind, message))
     }
 
-    /// There is no such thing.
+    /// The object does not exist.
     pub(crate) fn not_found(message: impl Into<String>) -> Self {
         Self::from(Refusal::not_found(message))
     }
 
-    /// What was asked cannot be so.
+    /// The request is invalid.
     pub(crate) fn bad_input(message: impl Into<String>) -> Self {
         Self::from(Refusal::bad_input(message))
     }
 
-    /// What stands there is not what the one who asks has seen.
+    /// The present contents differ from those that the client has read.
     pub(crate) fn conflict(message: impl Into<String>) -> Self {
         Self::new(StatusCode::CONFLICT, "conflict", message)
     }
 
-    /// It should have gone, and did not: a full disk, for one.
+    /// An operation failed unexpectedly, for example because of a full disk.
     pub(crate) fn failed(error: impl Display) -> Self {
         Self::from(Refusal::failed(error))
     }
@@ -58,14 +58,14 @@ impl From<Refusal> for ApiError {
     }
 }
 
-/// What a live string does not do.
+/// Errors of live strings.
 impl From<LiveError> for ApiError {
     fn from(error: LiveError) -> Self {
         Self::from(Refusal::from(error))
     }
 }
 
-/// What the folder refuses.
+/// Errors of the folder.
 impl From<WorkspaceError> for ApiError {
     fn from(error: WorkspaceError) -> Self {
         let message = error.to_string();
@@ -78,7 +78,7 @@ impl From<WorkspaceError> for ApiError {
     }
 }
 
-/// Work that is not taken on.
+/// Refused work.
 impl From<JobError> for ApiError {
     fn from(error: JobError) -> Self {
         match error {
@@ -90,7 +90,7 @@ impl From<JobError> for ApiError {
     }
 }
 
-/// A case that is invalid.
+/// An invalid case.
 impl From<Report> for ApiError {
     fn from(report: Report) -> Self {
         Self::from(Refusal::from(report))

@@ -1,4 +1,4 @@
-//! Cases to begin with.
+//! Example cases.
 
 use axum::extract::Path;
 use utoipa_axum::{router::OpenApiRouter, routes};
@@ -7,18 +7,18 @@ use wholestring_screens::examples::{self, Example, ExampleEntry};
 use super::{Json, error::ApiError};
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(list)).routes(routes!(example))
 }
 
-/// The cases to begin with: the commented one, and wells.
+/// The example cases: the commented one, and wells.
 #[utoipa::path(get, path = "/api/examples", responses((status = 200, body = Vec<ExampleEntry>)))]
 async fn list() -> Json<Vec<ExampleEntry>> {
     Json(examples::list())
 }
 
-/// A case to begin with, whole.
+/// An example case with its text.
 #[utoipa::path(
     get,
     path = "/api/examples/{name}",

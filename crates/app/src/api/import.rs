@@ -16,38 +16,41 @@ use crate::{
     import::{Reading, Said, Uploads, read},
 };
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
-    // What arrives is counted here, as it does, and kept on the disk.
+    // The upload is limited here while it arrives, and is stored on disk.
     OpenApiRouter::new().routes(routes!(import)).layer(DefaultBodyLimit::disable())
 }
 
-/// A text of the form is no longer, bytes.
+/// Maximum size of a text field of the form, bytes.
 const LONGEST_TEXT: usize = 64 << 10;
 
-/// What is imported, as a form of several parts.
+/// An import, as a multipart form.
 #[derive(ToSchema)]
-#[allow(dead_code, reason = "the document describes by it what is read part by part")]
+#[allow(
+    dead_code,
+    reason = "it describes the form in the API document, which is read part by part"
+)]
 pub(crate) struct ImportForm {
     /// The files.
     #[schema(value_type = Vec<String>, format = Binary)]
     file: Vec<Vec<u8>>,
-    /// What they do not tell themselves, as JSON.
+    /// Information that is missing in the files, as JSON.
     choices: Option<Said>,
     /// The name of the case file.
     name: String,
-    /// `true` where it is to be written; without it, nothing is.
+    /// `true` to write the case; nothing is written by default.
     write: Option<bool>,
 }
 
-/// What has arrived of a form.
+/// The received parts of a form.
 #[derive(Default)]
 struct Form {
     uploads: Uploads,
-    said: Said,
+    choices: Said,
     name: String,
     write: bool,
-    /// Bytes until now.
+    /// Bytes so far.
     bytes: usize,
 }
 
@@ -78,7 +81,7 @@ impl Form {
             String::from_utf8(text).map_err(|error| ApiError::bad_input(error.to_string()))?;
         match name.as_str() {
             "choices" => {
-                self.said = serde_json::from_str(&text)
+                self.choices = serde_json::from_str(&text)
                     .map_err(|error| ApiError::bad_input(format!("choices: {error}")))?;
             }
             "name" => self.name = text,
@@ -108,8 +111,8 @@ fn most(bytes: usize, most: usize) -> Result<(), ApiError> {
     }
 }
 
-/// Says what files hold and what case they make, or what must be said of them first. Nothing is
-/// written but by `write`, and nothing over a file that is there.
+/// Returns the contents of the files and the case that they make, or the questions to answer first.
+/// Nothing is written except by `write`, and never over an existing file.
 #[utoipa::path(
     post,
     path = "/api/import",
@@ -136,8 +139,8 @@ async fn import(State(app): State<App>, request: Request) -> Result<Json<Reading
         return Err(ApiError::bad_input("the case has no name"));
     }
     blocking(move || {
-        let Form { uploads, said, name, write, .. } = form;
-        Ok(Json(read(&uploads, &said, &name, write, &app.workspace)?))
+        let Form { uploads, choices, name, write, .. } = form;
+        Ok(Json(read(&uploads, &choices, &name, write, &app.workspace)?))
     })
     .await
 }

@@ -1,4 +1,4 @@
-//! Work that is started from the page.
+//! Jobs started from the page.
 
 use std::{convert::Infallible, time::Duration};
 
@@ -20,7 +20,7 @@ use crate::{
     workspace::Workspace,
 };
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new()
         .routes(routes!(list, start))
@@ -30,14 +30,14 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(events))
 }
 
-/// A job with how far it has come.
+/// A job with its progress.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct JobView {
     #[serde(flatten)]
     job: Job,
-    /// The id of its results, where there are some.
+    /// The id of its results, if there are any.
     results: Option<String>,
-    /// Whether it can go on from what it has left; what cannot, can begin anew.
+    /// Whether it can continue from its partial results; other jobs can start again.
     resumable: bool,
     progress: Progress,
 }
@@ -55,21 +55,21 @@ impl JobView {
     }
 }
 
-/// A job that was taken on.
+/// A queued job.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Started {
-    /// What requests call it.
+    /// Identifier in requests.
     id: String,
 }
 
-/// All jobs of the folder, those of earlier starts of the program too, in the order in which they
-/// were asked for.
+/// All jobs of the folder, including those of earlier starts of the program, in the order of the
+/// requests.
 #[utoipa::path(get, path = "/api/jobs", responses((status = 200, body = Vec<JobView>)))]
 async fn list(State(app): State<App>) -> Result<Json<Vec<JobView>>, ApiError> {
     blocking(move || Ok(Json(app.jobs.list().into_iter().map(JobView::of).collect()))).await
 }
 
-/// Takes work on a saved case on. One job goes on, the others wait.
+/// Queues work on a saved case. One job runs, the others wait.
 #[utoipa::path(
     post,
     path = "/api/jobs",
@@ -98,7 +98,7 @@ async fn job(State(app): State<App>, Path(id): Path<String>) -> Result<Json<JobV
     blocking(move || Ok(Json(JobView::of(app.jobs.job(&id)?)))).await
 }
 
-/// Forgets a job that has ended. Its results stay.
+/// Forgets an ended job. Its results stay.
 #[utoipa::path(
     delete,
     path = "/api/jobs/{id}",
@@ -116,7 +116,7 @@ async fn forget(State(app): State<App>, Path(id): Path<String>) -> Result<Status
     .await
 }
 
-/// Stops a job. What it has computed is kept.
+/// Stops a job. Its computed results are kept.
 #[utoipa::path(
     post,
     path = "/api/jobs/{id}/stop",
@@ -134,8 +134,8 @@ async fn stop(State(app): State<App>, Path(id): Path<String>) -> Result<StatusCo
     .await
 }
 
-/// Goes on with a job that has stopped, with the case as it is saved now: where that is another, what
-/// lies in the folder is not continued. What cannot be continued begins anew.
+/// Resumes a stopped job, with the case as saved now: if the case has changed, the results in the
+/// folder are not continued. A job that cannot be continued starts again.
 #[utoipa::path(
     post,
     path = "/api/jobs/{id}/resume",
@@ -154,21 +154,21 @@ async fn resume(State(app): State<App>, Path(id): Path<String>) -> Result<Status
     .await
 }
 
-/// Time between two events at least.
+/// Minimum time between two events.
 const PAUSE: Duration = Duration::from_millis(200);
 
-/// Someone who follows a job.
+/// A follower of a job.
 struct Follower {
     app: App,
     id: String,
     changes: watch::Receiver<Progress>,
-    /// Events until now.
+    /// Number of events so far.
     events: usize,
     is_over: bool,
 }
 
 impl Follower {
-    /// The state that the job has next. Who reads slowly gets the latest, and nothing in between.
+    /// The next state of the job. A slow reader gets the latest one, without those in between.
     async fn next(mut self) -> Option<(Result<Event, Infallible>, Self)> {
         if self.is_over {
             return None;
@@ -186,7 +186,7 @@ impl Follower {
     }
 }
 
-/// How far a job has come, each time that it has: events of a [`JobView`] as JSON, until it ends.
+/// Progress of a job at each change: events of a [`JobView`] as JSON, until it ends.
 #[utoipa::path(
     get,
     path = "/api/jobs/{id}/events",

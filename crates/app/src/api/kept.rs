@@ -1,4 +1,4 @@
-//! Live strings that are kept in the folder.
+//! Live strings saved in the folder.
 
 use std::sync::Arc;
 
@@ -12,18 +12,18 @@ use wholestring_screens::live::{Beginning, KeptEntry, LiveId, Start};
 use super::{Json, blocking, error::ApiError, live::case_of};
 use crate::{app::App, live::kept};
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(list)).routes(routes!(go_on, remove))
 }
 
-/// The strings that are kept, the latest first.
+/// The saved strings, the latest first.
 #[utoipa::path(get, path = "/api/kept-strings", responses((status = 200, body = Vec<KeptEntry>)))]
 async fn list(State(app): State<App>) -> Result<Json<Vec<KeptEntry>>, ApiError> {
     blocking(move || Ok(Json(kept::all(&app.workspace)))).await
 }
 
-/// Continues a string that is kept, as a live string. It waits to be run.
+/// Continues a saved string as a live string, which is initially paused.
 #[utoipa::path(
     post,
     path = "/api/kept-strings/{name}",
@@ -36,16 +36,16 @@ async fn list(State(app): State<App>) -> Result<Json<Vec<KeptEntry>>, ApiError> 
 )]
 async fn go_on(State(app): State<App>, Path(name): Path<String>) -> Result<Json<LiveId>, ApiError> {
     blocking(move || {
-        let kept = kept::of_name(&app.workspace, &name)?;
-        let (text, case) = case_of(&app, &kept.case_id, Some(kept.text))?;
-        let start = Start::At { bytes: Arc::new(kept.checkpoint), events: kept.events };
-        let from = Beginning { case_id: kept.case_id, text, case: Arc::new(case), start };
+        let moment = kept::of_name(&app.workspace, &name)?;
+        let (text, case) = case_of(&app, &moment.case_id, Some(moment.text))?;
+        let start = Start::At { bytes: Arc::new(moment.checkpoint), events: moment.events };
+        let from = Beginning { case_id: moment.case_id, text, case: Arc::new(case), start };
         Ok(Json(LiveId { id: app.live.begin(from)? }))
     })
     .await
 }
 
-/// Removes a string that is kept.
+/// Removes a saved string.
 #[utoipa::path(
     delete,
     path = "/api/kept-strings/{name}",

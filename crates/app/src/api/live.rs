@@ -1,4 +1,4 @@
-//! Strings in motion: the driller's seat.
+//! Live strings: the driller's seat.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use wholestring_screens::live::{
 use super::{Json, blocking, error::ApiError};
 use crate::{app::App, live::kept};
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new()
         .routes(routes!(list, begin))
@@ -30,7 +30,7 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(schedule))
 }
 
-/// The live strings, and those that have ended of late.
+/// The live strings, and those that have ended recently.
 #[utoipa::path(get, path = "/api/live", responses((status = 200, body = Vec<LiveEntry>)))]
 async fn list(State(app): State<App>) -> Json<Vec<LiveEntry>> {
     let (running, ended) = app.live.all();
@@ -41,7 +41,7 @@ async fn list(State(app): State<App>) -> Json<Vec<LiveEntry>> {
     Json(running.chain(ended).collect())
 }
 
-/// The case of a text.
+/// Parses the case of a text.
 pub(super) fn case_of(
     app: &App,
     id: &str,
@@ -56,7 +56,7 @@ pub(super) fn case_of(
     Ok((text, case))
 }
 
-/// Begins a string at time zero. It waits to be run; this takes a second or more.
+/// Starts a live string at time zero, initially paused; this takes a second or more.
 #[utoipa::path(
     post,
     path = "/api/live",
@@ -83,7 +83,7 @@ async fn begin(
     .await
 }
 
-/// What a viewer has to know of it before its first frame.
+/// Layout that a viewer needs before the first frame.
 #[utoipa::path(
     get,
     path = "/api/live/{id}",
@@ -97,18 +97,18 @@ async fn layout(State(app): State<App>, Path(id): Path<String>) -> Result<Json<L
     Ok(Json(app.live.string(&id)?.layout.clone()))
 }
 
-/// Ends it; nothing of it is kept.
+/// Ends the string without saving it.
 #[utoipa::path(
     delete,
     path = "/api/live/{id}",
     responses((status = 204), (status = 404, body = ApiError))
 )]
 async fn end(State(app): State<App>, Path(id): Path<String>) -> Result<StatusCode, ApiError> {
-    app.live.string(&id)?.end("somebody has ended this string", false);
+    app.live.string(&id)?.end("this string was ended by a user", false);
     Ok(StatusCode::NO_CONTENT)
 }
 
-/// Goes back to a checkpoint. Those that come after it are forgotten.
+/// Returns to a checkpoint. Later ones are discarded.
 #[utoipa::path(
     post,
     path = "/api/live/{id}/rewind",
@@ -124,7 +124,7 @@ async fn rewind(
     Ok(StatusCode::NO_CONTENT)
 }
 
-/// Begins another string from a moment of this one.
+/// Starts another string from a moment of this one.
 #[utoipa::path(
     post,
     path = "/api/live/{id}/branch",
@@ -142,24 +142,24 @@ async fn branch(
     Json(at): Json<At>,
 ) -> Result<Json<LiveId>, ApiError> {
     let string = app.live.string(&id)?;
-    let kept = string.kept_at(at.checkpoint).await?;
+    let moment = string.kept_at(at.checkpoint).await?;
     blocking(move || {
-        let start = Start::At { bytes: Arc::new(kept.checkpoint), events: kept.events };
+        let start = Start::At { bytes: Arc::new(moment.checkpoint), events: moment.events };
         let case = string.case();
-        let from = Beginning { case_id: kept.case_id, text: kept.text, case, start };
+        let from = Beginning { case_id: moment.case_id, text: moment.text, case, start };
         Ok(Json(LiveId { id: app.live.begin(from)? }))
     })
     .await
 }
 
-/// A string that is kept.
+/// A saved string.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct KeptName {
-    /// What requests call it.
+    /// Identifier in requests.
     name: String,
 }
 
-/// Keeps a moment of a string in the folder, to be continued another time.
+/// Saves a moment of a string in the folder, to be continued later.
 #[utoipa::path(
     post,
     path = "/api/live/{id}/keep",
@@ -176,11 +176,11 @@ async fn keep(
     Json(at): Json<At>,
 ) -> Result<Json<KeptName>, ApiError> {
     let string = app.live.string(&id)?;
-    let kept = string.kept_at(at.checkpoint).await?;
-    blocking(move || Ok(Json(KeptName { name: kept::keep(&kept, &app.workspace)? }))).await
+    let moment = string.kept_at(at.checkpoint).await?;
+    blocking(move || Ok(Json(KeptName { name: kept::keep(&moment, &app.workspace)? }))).await
 }
 
-/// What was set so far, and when.
+/// The set points so far, with their times.
 #[utoipa::path(
     get,
     path = "/api/live/{id}/recording",
@@ -193,7 +193,7 @@ async fn recording(
     Ok(Json(app.live.string(&id)?.events()))
 }
 
-/// Writes what was done into `[[operation.schedule]]` of a text. No file is written.
+/// Writes the recorded actions as `[[operation.schedule]]` into a text. No file is written.
 #[utoipa::path(
     post,
     path = "/api/live/{id}/schedule",

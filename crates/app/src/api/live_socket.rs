@@ -1,4 +1,4 @@
-//! A live string as it moves: a socket for frames and samples down, and for set points up.
+//! WebSocket of a live string: frames and samples to the page, set points from it.
 
 use std::{sync::Arc, time::Duration};
 
@@ -18,40 +18,40 @@ use wholestring_screens::live::{LiveError, LiveString, Status, Told, Viewing, fr
 use super::error::ApiError;
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(socket))
 }
 
-/// What a page may send at once, bytes: no request of it is longer.
+/// Maximum size of a message from a page, bytes: no request is longer.
 const LONGEST: usize = 16 << 10;
 
-/// A page that takes nothing for so long is gone.
+/// A page that receives nothing for this time is considered gone.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// Between two messages at least, for a page that draws no faster.
+/// Minimum time between two messages; pages draw no faster.
 const BETWEEN: Duration = Duration::from_millis(15);
 
-/// A live string as it moves, over a WebSocket.
+/// A live string over a WebSocket.
 ///
-/// Text is JSON. The server begins with `{"type": "layout", ...}`, and says `{"type": "status",
-/// ...}` where something changes and a few times a second, and `{"type": "refused", "message":
-/// "..."}`. The page says `{"have": {"epoch": 0, "next": 0}}` first, then as it likes `{"set":
+/// Text is JSON. The server begins with `{"type": "layout", ...}`, and sends `{"type": "status",
+/// ...}` at changes and a few times a second, and `{"type": "refused", "message": "..."}`. The page
+/// sends `{"have": {"epoch": 0, "next": 0}}` first, then at any time `{"set":
 /// {"rotary_speed_rad_per_s": 12.5}}`, `{"pace": 10}`, `{"pace": "max"}`, `{"run": true}`,
 /// `{"step": 0.1}`.
 ///
-/// Binary is little-endian: a head of 24 bytes with the kind (u32: 1 samples, 2 a frame), the
-/// count of rows or nodes (u32), the epoch (u32), nothing (u32), and the number of the first sample
-/// or the time of the frame in s (f64); then the numbers (f32), of samples row after row, of a frame
-/// column after column, in the columns of the layout. What has no value is not a number. Sample `n`
-/// is that of the time `(n + 1)` sample intervals. A rewind begins another epoch, whose samples take
-/// the place of those of their numbers and after. Nothing is queued: a page that reads slowly gets
-/// the latest frame, and misses samples that are no longer kept.
+/// Binary is little-endian: a head of 24 bytes with the kind (u32: 1 samples, 2 a frame), the count
+/// of rows or nodes (u32), the epoch (u32), a reserved field (u32), and the number of the first
+/// sample or the time of the frame in s (f64); then the numbers (f32), of samples by rows, of a
+/// frame by columns, in the columns of the layout. Missing values are NaN. Sample `n` is that of
+/// the time `(n + 1)` sample intervals. A rewind begins another epoch, whose samples replace those
+/// with the same and later numbers. Nothing is queued: a page that reads slowly gets the latest
+/// frame, and misses samples that are no longer kept.
 #[utoipa::path(
     get,
     path = "/api/live/{id}/socket",
     responses(
-        (status = 101, description = "what the server says as text", body = Told),
+        (status = 101, description = "text messages of the server", body = Told),
         (status = 404, body = ApiError),
         (status = 410, body = ApiError)
     )
@@ -75,16 +75,16 @@ async fn socket(
 
 type Sink = SplitSink<WebSocket, Message>;
 
-/// Whether the page took it.
+/// Returns whether the page received it.
 async fn send(sink: &mut Sink, message: Message) -> bool {
     matches!(timeout(PATIENCE, sink.send(message)).await, Ok(Ok(())))
 }
 
-async fn tell(sink: &mut Sink, told: &Told<'_>) -> bool {
-    send(sink, Message::Text(Utf8Bytes::from(told.text()))).await
+async fn tell(sink: &mut Sink, message: &Told<'_>) -> bool {
+    send(sink, Message::Text(Utf8Bytes::from(message.text()))).await
 }
 
-/// Serves a page until it goes, or the string does.
+/// Serves a page until it disconnects or the string ends.
 async fn attend(socket: WebSocket, string: &Arc<LiveString>) {
     let (mut sink, mut stream) = socket.split();
     let (mut frames, mut status) = (string.frames(), string.status());
@@ -92,13 +92,13 @@ async fn attend(socket: WebSocket, string: &Arc<LiveString>) {
     if !tell(&mut sink, &Told::Layout(&string.layout)).await {
         return;
     }
-    // What is there is news to who comes.
+    // A new page receives the present frame as a change.
     frames.mark_changed();
     status.mark_changed();
     loop {
         tokio::select! {
-            asked = stream.next() => {
-                let Some(Ok(message)) = asked else { return };
+            incoming = stream.next() => {
+                let Some(Ok(message)) = incoming else { return };
                 let refused = match message {
                     Message::Text(text) => viewing.hear(&text),
                     Message::Close(_) => return,
@@ -121,7 +121,7 @@ async fn attend(socket: WebSocket, string: &Arc<LiveString>) {
                 }
                 let frame = frames.borrow_and_update().clone();
                 let bytes = frame_packet(frame.epoch, frame.time_s, &frame.columns);
-                // A string that is about to begin has no frame yet.
+                // A string that is being initialised has no frame yet.
                 let is_frame = !frame.columns.is_empty();
                 if !give_samples(&mut sink, &mut viewing).await
                     || is_frame && !send(&mut sink, Message::Binary(bytes.into())).await
@@ -144,7 +144,7 @@ async fn give_status(sink: &mut Sink, status: &mut watch::Receiver<Arc<Status>>)
     tell(sink, &Told::Status(&now)).await
 }
 
-/// Gives the samples that are new, as many as there are now.
+/// Sends all samples that are new at this time.
 async fn give_samples(sink: &mut Sink, viewing: &mut Viewing) -> bool {
     let mut more = true;
     while more && let Some((bytes, others)) = viewing.samples() {

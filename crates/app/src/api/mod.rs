@@ -1,4 +1,4 @@
-//! What the page asks, noun by noun: each file declares its requests with their JSON, and the
+//! The API, one module for each noun: each file declares its requests with their JSON, and the
 //! document `/api/openapi.json` is made of the same declarations.
 
 mod answers;
@@ -39,7 +39,7 @@ use error::ApiError;
 
 use crate::{app::App, assets};
 
-/// Every noun.
+/// The routes of all modules.
 fn nouns() -> OpenApiRouter<App> {
     OpenApiRouter::new()
         .merge(session::routes())
@@ -64,7 +64,7 @@ fn nouns() -> OpenApiRouter<App> {
         .merge(import::routes())
 }
 
-/// All that is served: the API, what describes it, and the page.
+/// All routes: the API, its description, and the page.
 pub(crate) fn router(app: App) -> Router {
     let (router, document) = nouns().split_for_parts();
     router
@@ -84,6 +84,6 @@ async fn other_method() -> ApiError {
     ApiError::new(
         StatusCode::METHOD_NOT_ALLOWED,
         "method_not_allowed",
-        "this is not asked with this method",
+        "this method is not allowed here",
     )
 }

@@ -1,4 +1,4 @@
-//! Studies, and files of readings, by which work is done.
+//! Studies and files of readings.
 
 use axum::extract::State;
 use serde::Serialize;
@@ -8,7 +8,7 @@ use utoipa_axum::{router::OpenApiRouter, routes};
 use super::{Json, blocking, error::ApiError};
 use crate::{app::App, workspace::OtherFile};
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(studies)).routes(routes!(readings))
 }
@@ -16,9 +16,9 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
 /// A file of the folder.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct FileEntry {
-    /// What requests call it.
+    /// Identifier in requests.
     id: String,
-    /// Its place in the folder, for the eye.
+    /// Path within the folder, for display.
     path: String,
 }
 

@@ -1,4 +1,4 @@
-//! What commands have left in the folder.
+//! Results in the folder.
 
 use std::{
     fs::{self, File},
@@ -23,7 +23,7 @@ use crate::{
     workspace::{ResultsFile, ResultsPlace},
 };
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new()
         .routes(routes!(list))
@@ -37,26 +37,26 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
 pub(crate) struct ResultsView {
     #[serde(flatten)]
     entry: ResultsEntry,
-    /// What was found, the most severe first.
+    /// Checks, the most severe first.
     checks: Vec<Found>,
-    /// The files, by their places.
+    /// The files, by path.
     files: Vec<FileView>,
 }
 
 /// A file of results.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct FileView {
-    /// What requests call it.
+    /// Identifier in requests.
     id: String,
-    /// Its place in the folder of the results, for the eye.
+    /// Path within the results folder, for display.
     path: String,
-    /// How long it is.
+    /// Size, bytes.
     bytes: u64,
-    /// Whether it is a page, which is shown inside.
+    /// Whether it is a page, which is shown inside the app.
     is_page: bool,
 }
 
-/// All results of the folder, by their places.
+/// All results of the folder, by path.
 #[utoipa::path(get, path = "/api/results", responses((status = 200, body = Vec<ResultsEntry>)))]
 async fn list(State(app): State<App>) -> Result<Json<Vec<ResultsEntry>>, ApiError> {
     blocking(move || Ok(Json(app.workspace.results().iter().map(ResultsEntry::of).collect()))).await
@@ -90,7 +90,7 @@ fn is_page(file: &ResultsFile) -> bool {
     file.shown.ends_with(".html")
 }
 
-/// The file of an id, opened where it lies: in the folder, and no link.
+/// Opens the file with an id: inside the folder, and not a link.
 fn open(app: &App, id: &str, name: &str) -> Result<(ResultsFile, File), ApiError> {
     let place: ResultsPlace = app.workspace.results_of(id)?;
     let mut files = app.workspace.files_of(&place).into_iter();
@@ -101,13 +101,13 @@ fn open(app: &App, id: &str, name: &str) -> Result<(ResultsFile, File), ApiError
     Ok((file, opened))
 }
 
-/// What a file may do that is shown in a browser all the same: nothing.
+/// Policy of a file that is nevertheless displayed by a browser: nothing is allowed.
 const NOTHING: &str = "sandbox; default-src 'none'; frame-ancestors 'none'";
 
 /// Bytes that are read at once.
 const PIECE: usize = 256 << 10;
 
-/// A file of results, to be kept.
+/// Downloads a file of results.
 #[utoipa::path(
     get,
     path = "/api/results/{id}/files/{name}",
@@ -163,12 +163,12 @@ fn attachment(name: &str) -> HeaderValue {
         .unwrap_or(HeaderValue::from_static("attachment"))
 }
 
-/// Longer pages are not shown inside, bytes.
+/// Maximum size of pages that are shown inside the app, bytes.
 const LONGEST_PAGE: u64 = 64 << 20;
 
-/// A page of results, to be shown in a frame: it has an origin of its own and may ask this server for
-/// nothing. Where the reader follows a link to a file beside it, it tells the app: a message
-/// `{file: PLACE}`.
+/// A page of results, to be shown in a frame: it has an origin of its own and may send no requests
+/// to this server. When the reader follows a link to a neighbouring file, it posts the message
+/// `{file: PLACE}` to the app.
 #[utoipa::path(
     get,
     path = "/api/results/{id}/pages/{name}",

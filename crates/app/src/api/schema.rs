@@ -9,12 +9,12 @@ use utoipa_axum::{router::OpenApiRouter, routes};
 use super::Json;
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(schema))
 }
 
-/// The JSON schema of the case file, which `wholestring schema` prints.
+/// The JSON schema of the case file, as printed by `wholestring schema`.
 #[utoipa::path(get, path = "/api/schema", responses((status = 200, body = Object)))]
 async fn schema() -> Response {
     let headers = [(header::CONTENT_TYPE, "application/schema+json")];

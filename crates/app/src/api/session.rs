@@ -8,7 +8,7 @@ use utoipa_axum::{router::OpenApiRouter, routes};
 use super::Json;
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(session))
 }
@@ -18,7 +18,7 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
 pub(crate) struct Session {
     /// The version of the program.
     version: &'static str,
-    /// The name of the folder; where it lies is nobody's business.
+    /// The name of the folder, without its path, which is not disclosed.
     folder_name: String,
 }
 

@@ -1,4 +1,4 @@
-//! A survey out of a spreadsheet, as it comes out of the clipboard.
+//! A survey pasted from a spreadsheet.
 
 use utoipa_axum::{router::OpenApiRouter, routes};
 use wholestring_screens::survey::{self, Pasted, Survey};
@@ -6,13 +6,13 @@ use wholestring_screens::survey::{self, Pasted, Survey};
 use super::{Json, blocking, error::ApiError};
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(survey))
 }
 
-/// Reads rows as `import` reads a survey's file: columns by their headings, units from there. Nothing
-/// is written.
+/// Reads rows as `import` reads a survey file: columns by their headings, which also give the
+/// units. Nothing is written.
 #[utoipa::path(
     post,
     path = "/api/survey",

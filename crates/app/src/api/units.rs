@@ -1,4 +1,4 @@
-//! Units: which there are, and in which each set shows a dimension.
+//! All units, and the unit of each dimension in each set.
 
 use std::collections::BTreeMap;
 
@@ -8,12 +8,12 @@ use wholestring_screens::units::{self, DimensionUnits};
 use super::Json;
 use crate::app::App;
 
-/// The requests of this noun.
+/// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(units))
 }
 
-/// Every dimension by its name.
+/// All dimensions by name.
 #[utoipa::path(
     get,
     path = "/api/units",

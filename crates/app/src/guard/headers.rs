@@ -1,11 +1,11 @@
-//! What a browser is told about every answer.
+//! Security headers of every response.
 
 use axum::{
     http::{HeaderName, HeaderValue, header},
     response::Response,
 };
 
-/// The headers that are the same for every answer, where it has none of its own.
+/// Default headers of every response.
 const EVERYWHERE: [(HeaderName, &str); 5] = [
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     (header::REFERRER_POLICY, "no-referrer"),
@@ -14,12 +14,12 @@ const EVERYWHERE: [(HeaderName, &str); 5] = [
     (header::CACHE_CONTROL, "no-store"),
 ];
 
-/// Scripts, styles and requests of our own alone; no frames around us, nothing inline.
+/// Only scripts, styles and requests of the app itself; no embedding, nothing inline.
 const POLICY: &str = "default-src 'self'; img-src 'self' data: blob:; object-src 'none'; \
     base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/// Puts them on. `host` is what the browser calls us: a socket's scheme is another than the
-/// page's, and not every browser takes it for the same.
+/// Adds the headers. `host` is the server's name in the browser: the scheme of a socket differs
+/// from the page's, and not every browser treats them as the same origin.
 pub(crate) fn put(mut response: Response, host: Option<&HeaderValue>) -> Response {
     let headers = response.headers_mut();
     for (name, value) in EVERYWHERE {
@@ -34,7 +34,7 @@ pub(crate) fn put(mut response: Response, host: Option<&HeaderValue>) -> Respons
     response
 }
 
-/// Whether it can be no more than a host and a port.
+/// Whether it contains only a host and a port.
 fn is_plain(host: &str) -> bool {
     host.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".:[]-".contains(&byte))
 }

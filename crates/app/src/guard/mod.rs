@@ -1,10 +1,10 @@
-//! What stands before the router: who may ask at all.
+//! The guard in front of the router: admission of requests.
 //!
 //! A page of another site can make a browser send requests here (cross-site request forgery), and
-//! can make its own name point here (DNS rebinding); other programs of this machine can ask, too. So
-//! a request is answered only where its `Host` is ours, where what changes something or opens a
-//! socket comes from our own page, and where its cookie holds the token of this start, which only
-//! the printed address gives.
+//! can make its own name point here (DNS rebinding); other programs of this machine can send
+//! requests, too. A request is therefore admitted only if its `Host` is the server's, if any change
+//! or socket comes from the app's own page, and if its cookie holds the token of this start, which
+//! only the printed address gives.
 
 pub(crate) mod headers;
 mod origin;
@@ -16,7 +16,7 @@ use axum::http::{HeaderMap, Method, Uri, header, request::Parts};
 pub(crate) use refusal::Refusal;
 use token::Token;
 
-/// Decides who may ask.
+/// Decides which requests are admitted.
 #[derive(Debug)]
 pub(crate) struct Guard {
     port: u16,
@@ -32,12 +32,12 @@ impl Guard {
         Ok(Self { port, token: Token::random()? })
     }
 
-    /// The address that lets a browser in.
+    /// The address that admits a browser.
     pub(crate) fn url(&self) -> String {
         format!("http://127.0.0.1:{}/?token={}", self.port, self.token.text())
     }
 
-    /// Whether a request may go on to the router.
+    /// Whether a request may reach the router.
     pub(crate) fn admit(&self, head: &Parts) -> Result<(), Refusal> {
         let host = self.host(&head.headers, &head.uri)?;
         if is_unsafe(head) {
@@ -59,14 +59,14 @@ impl Guard {
         }
     }
 
-    /// The host that was asked for, if it is us.
+    /// The requested host, if it is this server.
     fn host<'a>(&self, headers: &'a HeaderMap, uri: &Uri) -> Result<&'a str, Refusal> {
         let mut hosts = headers.get_all(header::HOST).iter();
         let (Some(host), None) = (hosts.next(), hosts.next()) else {
             return Err(Refusal::ForeignHost);
         };
         let host = host.to_str().map_err(|_| Refusal::ForeignHost)?;
-        let is_other = uri.authority().is_some_and(|asked| asked.as_str() != host);
+        let is_other = uri.authority().is_some_and(|authority| authority.as_str() != host);
         match !is_other && self.is_ours(host) {
             true => Ok(host),
             false => Err(Refusal::ForeignHost),
@@ -78,7 +78,7 @@ impl Guard {
         matches!(name, Some("127.0.0.1" | "localhost" | "[::1]"))
     }
 
-    /// Cookies are shared by all ports of a host, so its name holds ours.
+    /// Cookies are shared by all ports of a host, so that the name includes the port.
     fn cookie_name(&self) -> String {
         format!("wholestring_{}", self.port)
     }

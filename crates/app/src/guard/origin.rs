@@ -1,13 +1,13 @@
-//! Which page a request comes from.
+//! Origin of a request.
 
 use axum::http::{HeaderMap, header};
 
 use super::refusal::Refusal;
 
-/// How a browser says how near the asking page is.
+/// The header in which a browser gives the relation of the requesting page to the server.
 const FETCH_SITE: &str = "sec-fetch-site";
 
-/// Refuses what does not come from a page of ours.
+/// Refuses requests that do not come from the app's own page.
 pub(super) fn ours(headers: &HeaderMap, host: &str) -> Result<(), Refusal> {
     let mut origins = headers.get_all(header::ORIGIN).iter();
     let is_ours = match (origins.next(), origins.next()) {
@@ -21,8 +21,8 @@ pub(super) fn ours(headers: &HeaderMap, host: &str) -> Result<(), Refusal> {
     if is_ours { Ok(()) } else { Err(Refusal::ForeignOrigin) }
 }
 
-/// Refuses what a browser sends for a page of another origin, other ports of this machine too: their
-/// requests carry our cookie.
+/// Refuses requests that a browser sends for a page of another origin, including other ports of
+/// this machine, because they carry the app's cookie.
 pub(super) fn not_foreign(headers: &HeaderMap) -> Result<(), Refusal> {
     match site(headers) {
         None | Some("same-origin" | "none") => Ok(()),

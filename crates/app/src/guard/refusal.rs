@@ -1,4 +1,4 @@
-//! What is answered in place of the router's answer.
+//! Responses in place of the router's.
 
 use axum::{
     http::{StatusCode, header},
@@ -7,16 +7,16 @@ use axum::{
 
 use crate::api::error::ApiError;
 
-/// Why a request does not go on to the router.
+/// Reason why a request does not reach the router.
 #[derive(Debug)]
 pub(crate) enum Refusal {
-    /// It was sent to another name.
+    /// It was addressed to another host.
     ForeignHost,
     /// It comes from a page of another origin.
     ForeignOrigin,
     /// It has neither the cookie nor the token.
     NoToken,
-    /// It has the token: from now on it has the cookie.
+    /// It has the token, and receives the cookie.
     LetIn {
         /// The cookie.
         cookie: String,
@@ -40,7 +40,7 @@ impl IntoResponse for Refusal {
             Self::ForeignOrigin => ApiError::new(
                 StatusCode::FORBIDDEN,
                 "foreign_origin",
-                "only a page of this server may ask this",
+                "only a page of this server may send this request",
             )
             .into_response(),
             Self::NoToken => (StatusCode::UNAUTHORIZED, Html(NO_TOKEN)).into_response(),

@@ -1,6 +1,6 @@
 //! The secret of one start of the server.
 
-/// 256 random bits, known to whom the program has printed its address.
+/// 256 random bits, known only to readers of the printed address.
 pub(super) struct Token(String);
 
 impl Token {
@@ -10,12 +10,12 @@ impl Token {
         Ok(Self(bytes.iter().map(|byte| format!("{byte:02x}")).collect()))
     }
 
-    /// In hexadecimal digits.
+    /// As hexadecimal digits.
     pub(super) fn text(&self) -> &str {
         &self.0
     }
 
-    /// Whether it is the one that is offered. The time this takes says nothing about where the two
+    /// Whether the offered token is equal. The comparison takes the same time wherever the two
     /// differ.
     pub(super) fn is(&self, offered: &[u8]) -> bool {
         let own = self.0.as_bytes();

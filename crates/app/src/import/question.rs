@@ -1,29 +1,29 @@
-//! What files do not tell, asked of the reader: what `--unit`, `--value` and `--pick` say.
+//! Questions about missing information, answered as by `--unit`, `--value` and `--pick`.
 
 use serde::Serialize;
 use utoipa::ToSchema;
 use wholestring_import::{ImportError, ImportErrorKind};
 use wholestring_units::Dimension;
 
-/// A choice that is missing, or cannot be as it was said.
+/// A choice that is missing or invalid.
 #[derive(Debug, PartialEq, Serialize, ToSchema)]
 pub(crate) struct Question {
-    /// `unit`, `value` or `pick`: which of the choices answers it.
+    /// `unit`, `value` or `pick`: the option that answers it.
     ask: &'static str,
     /// The name under which it is answered: `md`, `block-weight`, `tubular`.
     name: String,
-    /// What may be answered; of a value, how one may be written.
+    /// Possible answers; for a value, examples of its notation.
     options: Vec<String>,
-    /// What is asked, in a sentence, with the file and the place in it.
+    /// The question as a sentence, with the file and the place in it.
     message: String,
 }
 
-fn units(of: Dimension) -> Vec<String> {
-    of.units().iter().map(|unit| unit.symbol.to_owned()).collect()
+fn units(dimension: Dimension) -> Vec<String> {
+    dimension.units().iter().map(|unit| unit.symbol.to_owned()).collect()
 }
 
 impl Question {
-    /// The question that a refusal comes to; none where no choice helps.
+    /// The question of an import error; none if no choice helps.
     pub(super) fn of(error: &ImportError) -> Option<Self> {
         let (ask, name, options) = match error.kind() {
             ImportErrorKind::MissingUnit { name, dimension, .. }
@@ -46,9 +46,9 @@ impl Question {
     }
 }
 
-/// The sentence without what only the command line takes.
+/// The message without options of the command line.
 fn message(error: &ImportError) -> String {
-    let said = match error.kind() {
+    let sentence = match error.kind() {
         ImportErrorKind::MissingUnit { what, .. } => format!("the {what} has no unit"),
         ImportErrorKind::MissingValue { what, hint, .. } => {
             format!("the {what} is missing{hint}")
@@ -66,5 +66,5 @@ fn message(error: &ImportError) -> String {
         kind => kind.to_string(),
     };
     let place = error.place().map_or_else(String::new, |place| format!(", {place}"));
-    format!("{}{place}: {said}", error.file())
+    format!("{}{place}: {sentence}", error.file())
 }

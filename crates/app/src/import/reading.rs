@@ -1,4 +1,4 @@
-//! What files hold, and the case that they make.
+//! Contents of files, and the case that they make.
 
 use std::collections::BTreeMap;
 
@@ -10,17 +10,17 @@ use wholestring_runner::import::beside;
 use super::{question::Question, upload::Uploads};
 use crate::workspace::{NewFile, Workspace, WorkspaceError};
 
-/// What is said of files that they do not tell themselves.
+/// Information that is missing in the files.
 #[derive(Debug, Default, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Said {
-    /// Units by names: `md` is in `ft`.
+    /// Units by name: `md` is in `ft`.
     #[serde(default)]
     units: BTreeMap<String, String>,
-    /// Values by names: `block-weight` is `25 tf`.
+    /// Values by name: `block-weight` is `25 tf`.
     #[serde(default)]
     values: BTreeMap<String, String>,
-    /// Which of several is meant: the `tubular` called `BHA 7`.
+    /// Choices by name: the `tubular` called `BHA 7`.
     #[serde(default)]
     picks: BTreeMap<String, String>,
 }
@@ -29,26 +29,26 @@ impl Said {
     fn choices(&self) -> Choices {
         let choices = Choices::default();
         let choices = self.units.iter().fold(choices, |all, (name, unit)| all.unit(name, unit));
-        let choices = self.values.iter().fold(choices, |all, (name, of)| all.value(name, of));
+        let choices = self.values.iter().fold(choices, |all, (name, value)| all.value(name, value));
         self.picks.iter().fold(choices, |all, (what, name)| all.pick(what, name))
     }
 }
 
-/// A file, and what it holds.
+/// A file and its contents.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Held {
-    /// What it is called.
+    /// Its name.
     name: String,
-    /// What it is: `a survey`, `WITSML 1.4.1.1`; null where it is none of the formats.
+    /// Its format: `a survey`, `WITSML 1.4.1.1`; null if it is none of the known ones.
     what: Option<String>,
-    /// What it holds, a line each; why it cannot be read, where that is so.
+    /// Its contents, one line each, or the reason why it cannot be read.
     lines: Vec<String>,
 }
 
-/// What is to be said of an import.
+/// A note about an import.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct SaidNote {
-    /// The file that it is said of; null where it is said of all.
+    /// The file of the note; null for all files.
     file: Option<String>,
     /// `assumed`, `left out`, `checked` or `read`.
     kind: &'static str,
@@ -59,22 +59,22 @@ pub(crate) struct SaidNote {
 /// The case that files make.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct ImportedCase {
-    /// Its text, with a comment for every value that says where it is from.
+    /// Its text, with a comment on the source of every value.
     text: String,
-    /// Names of the files that stand beside it: `well-measured.csv`.
+    /// Names of the files that accompany it: `well-measured.csv`.
     beside: Vec<String>,
     notes: Vec<SaidNote>,
-    /// What it still needs before it can be solved, in sentences.
+    /// Missing inputs without which it cannot be solved, in sentences.
     missing: Vec<String>,
 }
 
-/// What became of files.
+/// Result of reading files.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Reading {
     files: Vec<Held>,
-    /// What is asked before they make a case; null where nothing is.
+    /// The question to answer before they make a case; null if there is none.
     question: Option<Question>,
-    /// Why they make none, where no answer helps.
+    /// Reason why they make no case, if no answer helps.
     problem: Option<String>,
     /// The case that they make.
     case: Option<ImportedCase>,
@@ -82,14 +82,14 @@ pub(crate) struct Reading {
     written: Option<String>,
 }
 
-/// Reads files, and says what they hold and what case of that name they make; writes it, where that
-/// is wanted and nothing is asked any more.
+/// Reads files, and returns their contents and the case with that name that they make; writes the
+/// case if requested and if no question is open.
 ///
 /// # Errors
-/// A case that cannot be written: over one that is there, for one.
+/// A case that cannot be written, for example because it exists.
 pub(crate) fn read(
     uploads: &Uploads,
-    said: &Said,
+    choices: &Said,
     name: &str,
     write: bool,
     workspace: &Workspace,
@@ -114,7 +114,7 @@ pub(crate) fn read(
     };
     let inputs = uploads.0.iter().map(|upload| Ok(Input::new(&upload.name, upload.reader()?)));
     let inputs: std::io::Result<Vec<Input<'_>>> = inputs.collect();
-    match inputs.map(|inputs| import(inputs, &said.choices())) {
+    match inputs.map(|inputs| import(inputs, &choices.choices())) {
         Err(error) => reading.problem = Some(error.to_string()),
         Ok(Err(error)) => refuse(&mut reading, &error),
         Ok(Ok(imported)) => {
@@ -135,7 +135,7 @@ fn refuse(reading: &mut Reading, error: &ImportError) {
     }
 }
 
-/// The name of a case file without its ending.
+/// The name of a case file without its extension.
 fn stem(name: &str) -> &str {
     name.strip_suffix(".toml").unwrap_or(name)
 }
@@ -155,7 +155,7 @@ fn case(imported: &Imported, name: &str) -> ImportedCase {
     }
 }
 
-/// Writes the case, and what stands beside it, all or nothing.
+/// Writes the case and its accompanying files, all or nothing.
 fn put(
     imported: &Imported,
     case: &ImportedCase,

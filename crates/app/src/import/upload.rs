@@ -1,20 +1,20 @@
-//! Files as they arrive: on the disk, not in memory, and gone when they are read.
+//! Uploads: stored on disk, not in memory, and deleted after reading.
 
 use std::{
     fs::File,
     io::{self, Seek, Write},
 };
 
-/// Files of one import at most.
+/// Maximum number of files of one import.
 const MOST: usize = 40;
 
-/// Names are shown up to this length.
+/// Maximum length of names shown.
 const LONGEST_NAME: usize = 120;
 
-/// A file that has arrived.
+/// An uploaded file.
 #[derive(Debug)]
 pub(crate) struct Upload {
-    /// What it is called, no path.
+    /// Its name, without a path.
     pub(super) name: String,
     file: File,
 }
@@ -27,7 +27,7 @@ impl Upload {
         Ok(reader)
     }
 
-    /// Adds what has arrived of it.
+    /// Appends received bytes.
     ///
     /// # Errors
     /// A full disk.
@@ -41,7 +41,7 @@ impl Upload {
 pub(crate) struct Uploads(pub(super) Vec<Upload>);
 
 impl Uploads {
-    /// Begins a file that is called so.
+    /// Begins a file with this name.
     ///
     /// # Errors
     /// Too many files, or two of one name.

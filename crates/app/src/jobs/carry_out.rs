@@ -1,4 +1,4 @@
-//! The work of a job, by the runner.
+//! Execution of a job by the runner.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use super::{
     prepared::{Prepared, Task},
 };
 
-/// Does the work of a job, and says how it has ended.
+/// Runs a job, and returns its outcome.
 pub(super) fn carry_out(
     prepared: &Prepared,
     output: Output,
@@ -57,14 +57,14 @@ fn done(
             };
             Ok(Ended::batch(&plan::run(&request, observer, token)?.batch, "tasks"))
         }
-        Task::Reach { template, case, asked } => {
+        Task::Reach { template, case, inputs } => {
             observer.diagnostics(&case.warnings);
             let request = reach::Request {
-                from_m: asked.from_m,
-                to_m: asked.to_m,
-                frictions: asked.frictions.clone(),
-                operations: asked.operations.clone(),
-                helix_side_force: asked.helix_side_force,
+                from_m: inputs.from_m,
+                to_m: inputs.to_m,
+                frictions: inputs.frictions.clone(),
+                operations: inputs.operations.clone(),
+                helix_side_force: inputs.helix_side_force,
                 output,
                 ..reach::Request::new(case, template, overrides)
             };
@@ -95,16 +95,16 @@ fn done(
             let outcome = modes::run(&request, observer, token)?;
             Ok(at_once(outcome.folder, outcome.interrupted))
         }
-        Task::Calibrate { template, case, asked } => {
+        Task::Calibrate { template, case, inputs } => {
             observer.diagnostics(&case.warnings);
-            let file = asked.file.clone();
+            let file = inputs.file.clone();
             let cases = [calibrate::NamedCase { file, template, overrides, case }];
             let request = calibrate::Request {
                 cases: &cases,
-                data: &asked.data,
-                content: Some(&asked.content),
-                fit: asked.fit.clone(),
-                check: asked.check.clone(),
+                data: &inputs.data,
+                content: Some(&inputs.content),
+                fit: inputs.fit.clone(),
+                check: inputs.check.clone(),
                 units: None,
                 output,
                 png: false,
@@ -143,7 +143,7 @@ fn done(
     }
 }
 
-/// Work that is done at once, or stopped on the way.
+/// Outcome of work that writes its results in one step, or was interrupted.
 fn at_once(folder: std::path::PathBuf, interrupted: bool) -> Ended {
     match interrupted {
         true => Ended::stopped(folder),

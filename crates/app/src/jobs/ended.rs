@@ -1,4 +1,4 @@
-//! How work has ended, in words.
+//! Outcome of work, with its message.
 
 use std::path::{Path, PathBuf};
 
@@ -6,10 +6,10 @@ use wholestring_runner::{BatchOutcome, Error, FolderRefused};
 
 use super::job::{Refusal, State};
 
-/// How work has ended.
+/// Outcome of work.
 #[derive(Debug)]
 pub(super) struct Ended {
-    /// Where the results are, where there are some.
+    /// The results folder, if there are results.
     pub(super) folder: Option<PathBuf>,
     pub(super) state: State,
     pub(super) message: Option<String>,
@@ -17,18 +17,18 @@ pub(super) struct Ended {
 }
 
 impl Ended {
-    /// It has come to its end.
+    /// The work finished.
     pub(super) fn finished(folder: PathBuf, message: Option<String>) -> Self {
         Self { folder: Some(folder), state: State::Finished, message, refusal: None }
     }
 
-    /// It was stopped; `is_resumable` says whether it can go on from there.
+    /// The work was stopped; `is_resumable` is whether it can be continued.
     pub(super) fn stopped(folder: PathBuf) -> Self {
-        let message = Some("stopped: what was computed is kept".to_owned());
+        let message = Some("stopped: partial results are kept".to_owned());
         Self { folder: Some(folder), state: State::Stopped, message, refusal: None }
     }
 
-    /// It has no whole answer.
+    /// The work has no complete result.
     pub(super) fn failed(folder: PathBuf, message: String) -> Self {
         Self { folder: Some(folder), state: State::Failed, message: Some(message), refusal: None }
     }
@@ -38,7 +38,8 @@ impl Ended {
         let folder = outcome.folder.clone();
         let (all, finished) = (outcome.all, outcome.finished);
         let failed = outcome.failed.iter();
-        let failed: Vec<String> = failed.map(|of| format!("{}: {}", of.name, of.reason)).collect();
+        let failed: Vec<String> =
+            failed.map(|failed| format!("{}: {}", failed.name, failed.reason)).collect();
         let count = format!("{finished} of {all} {items} finished");
         if outcome.is_interrupted() {
             let lines = [vec![format!("stopped: {count}; they are kept")], failed].concat();
@@ -50,12 +51,12 @@ impl Ended {
         }
         let wrong = outcome.with_errors.iter();
         let wrong: Vec<String> = wrong
-            .map(|of| format!("errors were found in {}: {}", of.name, of.operations.join(", ")))
+            .map(|row| format!("errors were found in {}: {}", row.name, row.operations.join(", ")))
             .collect();
         Self::finished(folder, Some([vec![count], wrong].concat().join("\n")))
     }
 
-    /// It was not begun, or not brought to its end. Paths are shown as seen from the folder.
+    /// The work did not start or did not finish. Paths are relative to the folder.
     pub(super) fn of_error(error: &Error, root: &Path) -> Self {
         let (state, refusal) = match error {
             Error::Unsound(_) | Error::BadInput(_) => (State::Refused, None),
@@ -73,8 +74,8 @@ impl Ended {
     }
 }
 
-fn refusal(of: &FolderRefused) -> Option<Refusal> {
-    match of {
+fn refusal(refused: &FolderRefused) -> Option<Refusal> {
+    match refused {
         FolderRefused::Occupied { .. } => Some(Refusal::Occupied),
         FolderRefused::Unfinished { .. } => Some(Refusal::Unfinished),
         FolderRefused::Busy { .. } | FolderRefused::ShareBusy { .. } => Some(Refusal::Busy),

@@ -1,19 +1,19 @@
-//! Why work is not taken on.
+//! Reasons why work is refused.
 
 use wholestring_case::Report;
 
 use crate::workspace::WorkspaceError;
 
-/// Why work is not taken on.
+/// Reason why work is refused.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum JobError {
     /// The case, or the study, is invalid.
     #[error("the case is not valid")]
     Unsound(Report),
-    /// What is asked cannot be so.
+    /// The request is invalid.
     #[error("{0}")]
     BadInput(String),
-    /// It cannot be so now.
+    /// The request is not possible at present.
     #[error("{0}")]
     Conflict(String),
     /// The folder refuses.

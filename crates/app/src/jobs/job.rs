@@ -1,4 +1,4 @@
-//! What is known of a job, as it is kept.
+//! The saved record of a job.
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
@@ -8,69 +8,69 @@ use super::work::JobRequest;
 /// A job.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub(crate) struct Job {
-    /// What requests call it.
+    /// Identifier in requests.
     pub(crate) id: String,
-    /// What was asked for.
+    /// The request.
     pub(crate) request: JobRequest,
     /// The command: `run`, `plan`, ...
     pub(crate) command: String,
-    /// What the case is called, or the study.
+    /// Name of the case or the study.
     pub(crate) title: String,
-    /// The place of its file in the folder.
+    /// Path of its file in the folder.
     pub(crate) path: String,
-    /// How far it is.
+    /// Its state.
     pub(crate) state: State,
-    /// When it was asked for, milliseconds since 1970.
+    /// Time of the request, milliseconds since 1970.
     pub(crate) created_ms: u64,
-    /// When it was begun, the last time where it was resumed.
+    /// Time of the start, or of the latest resumption.
     pub(crate) started_ms: Option<u64>,
-    /// When it ended.
+    /// Time of the end.
     pub(crate) ended_ms: Option<u64>,
-    /// The place in the folder where its results are.
+    /// Path of its results in the folder.
     pub(crate) folder: Option<String>,
-    /// What there is to say about its end.
+    /// Message about its end.
     pub(crate) message: Option<String>,
-    /// Why the folder of the results, or what lies there, was refused.
+    /// Reason why the results folder was refused.
     pub(crate) refusal: Option<Refusal>,
 }
 
-/// How far a job is.
+/// State of a job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum State {
-    /// Others are before it.
+    /// Waits for other jobs.
     Waiting,
-    /// It goes on.
+    /// Is running.
     Running,
-    /// It has come to its end.
+    /// Has finished.
     Finished,
-    /// The user stopped it; what it had computed is kept.
+    /// The user stopped it; its computed results are kept.
     Stopped,
     /// The program ended before it did.
     Interrupted,
-    /// It has no answer, or could not be written.
+    /// It has no result, or could not be written.
     Failed,
-    /// It was not begun: the input or the folder is against it.
+    /// It did not start, because the input or the folder was refused.
     Refused,
 }
 
 impl State {
-    /// Whether it will go on by itself.
+    /// Whether it is waiting or running.
     pub(crate) fn is_open(self) -> bool {
         matches!(self, Self::Waiting | Self::Running)
     }
 }
 
-/// Why work was refused where it would have gone.
+/// Reason why the results folder of some work was refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Refusal {
-    /// The same work was begun there: it can be continued, or replaced.
+    /// The same work is unfinished there: it can be continued or replaced.
     Unfinished,
-    /// Other results lie there: they can be replaced.
+    /// The folder has other results, which can be replaced.
     Occupied,
     /// Another program writes there.
     Busy,
-    /// What lies there cannot be continued: it can be replaced.
+    /// Its contents cannot be continued, but replaced.
     NotResumable,
 }

@@ -1,8 +1,8 @@
-//! Work that takes longer than an answer: what the command line does with a case, one after the
-//! other on a thread of its own.
+//! Work that takes longer than a request: the commands of the command line, one after the other on
+//! a thread of its own.
 //!
-//! A job is known by its id in `.wholestring/jobs` of the folder, so that a server that is started
-//! again knows what the one before it has begun. Its results lie where the command line puts them.
+//! A job is identified by its id in `.wholestring/jobs` of the folder, so that a restarted server
+//! finds the jobs of its predecessor. Its results are in the folder that the command line uses.
 
 mod carry_out;
 mod ended;

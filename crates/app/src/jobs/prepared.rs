@@ -1,5 +1,5 @@
-//! What a job needs, read when it is asked for: what becomes of the files until its turn comes does
-//! not change it.
+//! The inputs of a job, read at the time of its request, so that later changes of the files do not
+//! affect it.
 
 use std::{collections::BTreeMap, fmt, path::PathBuf, sync::Arc};
 
@@ -20,11 +20,11 @@ use super::{
 };
 use crate::workspace::Workspace;
 
-/// What a job needs.
+/// The inputs of a job.
 pub(super) struct Prepared {
-    /// What the case is called, or the study.
+    /// Name of the case or the study.
     pub(super) title: String,
-    /// The place of its file in the folder.
+    /// Path of its file in the folder.
     pub(super) path: String,
     pub(super) overrides: Vec<Override>,
     pub(super) task: Task,
@@ -36,20 +36,20 @@ impl fmt::Debug for Prepared {
     }
 }
 
-/// A command with what it works on.
+/// A command with its inputs.
 pub(super) enum Task {
     Run { case: Box<Case>, csv: bool },
     Plan { template: Template, case: Box<Case>, overlay: Option<Overlay> },
-    Reach { template: Template, case: Box<Case>, asked: Box<ReachAsked> },
+    Reach { template: Template, case: Box<Case>, inputs: Box<ReachAsked> },
     Bha { case: Box<Case>, operation: Option<OperationKind>, whole: bool, sweeps: Sweeps },
     Modes { case: Box<Case>, operation: Option<String> },
-    Calibrate { template: Template, case: Box<Case>, asked: Box<CalibrateAsked> },
+    Calibrate { template: Template, case: Box<Case>, inputs: Box<CalibrateAsked> },
     Sweep { template: Arc<Template>, variations: Vec<Variation>, keep: Option<Keep> },
     Study { study: wholestring_runner::study::Study, cases: BTreeMap<String, Arc<Template>> },
     BitTest { case: Box<Case> },
 }
 
-/// What is asked of a reach.
+/// Inputs of a reach.
 pub(super) struct ReachAsked {
     pub(super) from_m: Option<f64>,
     pub(super) to_m: Option<f64>,
@@ -58,11 +58,11 @@ pub(super) struct ReachAsked {
     pub(super) helix_side_force: bool,
 }
 
-/// What is asked of a calibration.
+/// Inputs of a calibration.
 pub(super) struct CalibrateAsked {
-    /// What the file of the case is called, without its ending.
+    /// Name of the case file, without its extension.
     pub(super) file: String,
-    /// The place of the readings in the folder.
+    /// Path of the readings in the folder.
     pub(super) data: PathBuf,
     pub(super) content: Vec<u8>,
     pub(super) fit: Fit,
@@ -80,21 +80,25 @@ fn operation(name: &str) -> Result<OperationKind, JobError> {
     })
 }
 
-/// The one value of an option; none where it is not given.
-fn one(option: &str, text: Option<&str>, of: Dimension) -> Result<Option<f64>, JobError> {
-    match values(option, text, of)?.as_deref() {
+/// The single value of an option; none if the option is missing.
+fn one(option: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>, JobError> {
+    match values(option, text, dimension)?.as_deref() {
         None => Ok(None),
         Some([value]) => Ok(Some(*value)),
         Some(_) => Err(bad(format!("{option} takes one value"))),
     }
 }
 
-fn values(option: &str, text: Option<&str>, of: Dimension) -> Result<Option<Vec<f64>>, JobError> {
+fn values(
+    option: &str,
+    text: Option<&str>,
+    dimension: Dimension,
+) -> Result<Option<Vec<f64>>, JobError> {
     let text = text.map(str::trim).filter(|text| !text.is_empty());
-    Ok(text.map(|text| read_values(option, text, of)).transpose()?)
+    Ok(text.map(|text| read_values(option, text, dimension)).transpose()?)
 }
 
-/// `["soft", "stiff"]`: models in place of the case's.
+/// `["soft", "stiff"]`: models that replace the case's.
 fn models(names: &[String]) -> Result<Option<Override>, JobError> {
     if names.is_empty() {
         return Ok(None);
@@ -121,14 +125,15 @@ fn keep(word: Option<&str>) -> Result<Option<Keep>, JobError> {
 }
 
 impl Prepared {
-    /// Reads and checks what a job needs.
+    /// Reads and checks the inputs of a job.
     ///
     /// # Errors
-    /// A case or a study that is not there or invalid, options that cannot be.
+    /// A missing or invalid case or study, and invalid options.
     pub(super) fn of(request: &JobRequest, workspace: &Workspace) -> Result<Self, JobError> {
         let set = request.set.iter().map(|(key, value)| format!("{key}={value}").parse());
-        let set = set
-            .map(|of| of.map_err(|error: wholestring_case::OverrideError| bad(error.to_string())));
+        let set = set.map(|set| {
+            set.map_err(|error: wholestring_case::OverrideError| bad(error.to_string()))
+        });
         let mut overrides: Vec<Override> = set.collect::<Result<_, _>>()?;
         if let Work::Study { study } = &request.work {
             return Self::of_study(study, overrides, workspace);
@@ -150,14 +155,14 @@ impl Prepared {
             }
             Work::Reach { from, to, frictions, operations, no_helix_friction } => {
                 let operations = operations.iter().map(|name| operation(name));
-                let asked = ReachAsked {
+                let inputs = ReachAsked {
                     from_m: one("from", from.as_deref(), Dimension::Length)?,
                     to_m: one("to", to.as_deref(), Dimension::Length)?,
                     frictions: frictions.clone(),
                     operations: operations.collect::<Result<_, _>>()?,
                     helix_side_force: !no_helix_friction,
                 };
-                Task::Reach { template, case, asked: Box::new(asked) }
+                Task::Reach { template, case, inputs: Box::new(inputs) }
             }
             Work::Bha { operation: name, whole, toolface, weight, inclination, build } => {
                 let sweeps = Sweeps {
@@ -181,15 +186,15 @@ impl Prepared {
             Work::Modes { operation } => Task::Modes { case, operation: operation.clone() },
             Work::Calibrate { .. } => {
                 let stem = file.path.file_stem().unwrap_or_default().to_string_lossy();
-                let asked = calibration(&request.work, &stem, workspace)?;
-                Task::Calibrate { template, case, asked: Box::new(asked) }
+                let inputs = calibration(&request.work, &stem, workspace)?;
+                Task::Calibrate { template, case, inputs: Box::new(inputs) }
             }
-            Work::Sweep { vary, keep: kept } => {
+            Work::Sweep { vary, keep: word } => {
                 let variations = Variation::read_all(vary)?;
                 if variations.is_empty() {
                     return Err(bad("nothing is varied: give a key with its values"));
                 }
-                let keep = keep(kept.as_deref())?;
+                let keep = keep(word.as_deref())?;
                 Task::Sweep { template: Arc::new(template), variations, keep }
             }
             Work::BitTest {} => Task::BitTest { case },
@@ -248,7 +253,9 @@ fn calibration(work: &Work, stem: &str, workspace: &Workspace) -> Result<Calibra
     let model = match model.as_deref() {
         None | Some("soft") => ModelKind::Soft,
         Some("stiff") => ModelKind::Stiff,
-        Some(name) => return Err(bad(format!("`{name}` predicts nothing: soft and stiff do"))),
+        Some(name) => {
+            return Err(bad(format!("`{name}` makes no predictions: expected soft or stiff")));
+        }
     };
     Ok(CalibrateAsked {
         file: stem.to_owned(),

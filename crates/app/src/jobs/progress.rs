@@ -1,4 +1,4 @@
-//! How far a job has come, as its observer learns it.
+//! Progress of a job, as reported to its observer.
 
 use std::{
     collections::BTreeMap,
@@ -15,44 +15,44 @@ use wholestring_runner::{BatchSize, CaseEnded, Observer, Progress as Reached, Ta
 
 use crate::results::{Found, checks};
 
-/// Notes and warnings that are kept of a job.
+/// Maximum number of notes and of warnings kept of a job.
 const NOTES: usize = 100;
 
-/// Checks that are listed of a job; its results have all.
+/// Maximum number of checks listed of a job; its results have all.
 const FINDINGS: usize = 20;
 
-/// How far a job has come.
+/// Progress of a job.
 #[derive(Debug, Clone, Default, Serialize, ToSchema)]
 pub(crate) struct Progress {
-    /// What goes on now: operations, or cases of a sweep.
+    /// Operations, or cases of a sweep, in progress.
     pub(crate) bars: Vec<Bar>,
-    /// Cases, points or samples, where there are many.
+    /// Number of cases, points or samples, for batches.
     pub(crate) batch: Option<Batch>,
-    /// What is good to know.
+    /// Notes.
     pub(crate) notes: Vec<String>,
-    /// What went wrong and did not end the work, and input that probably is not what was meant.
+    /// Problems that did not end the work, and likely mistakes of the input.
     pub(crate) warnings: Vec<String>,
-    /// What was found in the operations that have ended, the most severe first.
+    /// Checks of the finished operations, the most severe first.
     pub(crate) checks: Vec<Found>,
 }
 
-/// An operation that goes on.
+/// An operation in progress.
 #[derive(Debug, Clone, Serialize, ToSchema)]
 pub(crate) struct Bar {
-    /// The number of its case, and its name.
+    /// Index and name of its case.
     #[serde(skip)]
     key: (usize, String),
-    /// What it is: `trip out`, `slide, lift 2 of at most 9`.
+    /// Title: `trip out`, `slide, lift 2 of at most 9`.
     title: String,
-    /// What is done before its time begins; none once that runs.
+    /// The preparation before its time begins; none afterwards.
     preparing: Option<String>,
-    /// Simulated time that it has reached, s.
+    /// Simulated time reached, s.
     reached_s: f64,
-    /// Simulated time at which it ends, at the latest while it settles, s.
+    /// Simulated time of the end, s; the latest possible one while it settles.
     end_s: f64,
     /// Whether it waits for a steady state.
     settling: bool,
-    /// Wall-clock time until it ends, at the pace until now, s.
+    /// Remaining wall-clock time at the current pace, s.
     left_s: Option<f64>,
     #[serde(skip)]
     began: Instant,
@@ -60,27 +60,28 @@ pub(crate) struct Bar {
     from_s: f64,
 }
 
-/// Cases, points or samples.
+/// Progress of many cases, points or samples.
 #[derive(Debug, Clone, Serialize, ToSchema)]
 pub(crate) struct Batch {
-    /// How many there are.
+    /// Total number.
     of: usize,
-    /// How many have ended.
+    /// Number of finished ones.
     ended: usize,
-    /// How much of the work is done, from 0 to 1.
+    /// Fraction of the work that is done, from 0 to 1.
     part: f64,
-    /// Wall-clock time until the end, at the pace until now, s.
+    /// Remaining wall-clock time at the current pace, s.
     left_s: Option<f64>,
     #[serde(skip)]
     began: Instant,
-    /// Work in simulated seconds and thousandths of a case: done, at the beginning, and in all.
+    /// Work in simulated seconds and thousandths of a case: done, at the start, and in total.
     #[serde(skip)]
     work: [f64; 3],
     #[serde(skip)]
     cases: BTreeMap<usize, [f64; 2]>,
 }
 
-/// A case counts as this much simulated time besides its own, s: soft strings move the bar too.
+/// Simulated time that a case counts in addition to its own, s, so that soft strings move the bar
+/// too.
 const CASE_S: f64 = 1e-3;
 
 impl Batch {
@@ -91,22 +92,22 @@ impl Batch {
     }
 }
 
-/// Wall-clock time for what is left, at the pace of what was done since.
+/// Wall-clock time for the remaining work, at the pace since `since`.
 fn left_s(since: Instant, done: f64, left: f64) -> Option<f64> {
     let is_known = done > 0.0 && left >= 0.0;
     is_known.then(|| since.elapsed().as_secs_f64() * left / done).filter(|left| left.is_finite())
 }
 
-/// Tells those who follow a job how far it has come; they get the latest state, not each.
+/// Publishes the progress of a job to its followers, who receive the latest state rather than each.
 pub(super) struct Watcher<'a> {
     pub(super) progress: &'a watch::Sender<Progress>,
-    /// Told of the folder of the results once it is held.
+    /// Called with the results folder once it is locked.
     pub(super) at: &'a (dyn Fn(&Path) + Sync),
     pub(super) folder: OnceLock<PathBuf>,
 }
 
 impl Watcher<'_> {
-    /// Reads what was found until now: it is written as each operation ends.
+    /// Reads the checks so far, which are written as each operation ends.
     fn look(&self) {
         if let Some(folder) = self.folder.get() {
             let mut found = checks(folder);
@@ -115,7 +116,7 @@ impl Watcher<'_> {
         }
     }
 
-    /// Nothing goes on any more.
+    /// Clears the operations in progress.
     pub(super) fn end(&self) {
         self.change(|now| now.bars.clear());
         self.look();
@@ -222,7 +223,7 @@ impl Observer for Watcher<'_> {
                 && let Some(batch) = &mut now.batch
                 && let Some([reached_s, end_s]) = batch.cases.get_mut(&task.case)
             {
-                // It is shorter than it was thought to be.
+                // The operation is shorter than expected.
                 batch.work[2] -= (*end_s - at.end_s).max(0.0);
                 batch.work[0] += (at.time_s - *reached_s).max(0.0);
                 (*reached_s, *end_s) = (at.time_s, at.end_s);
@@ -250,12 +251,12 @@ impl Observer for Watcher<'_> {
         });
     }
 
-    fn case_ended(&self, of: &CaseEnded) {
+    fn case_ended(&self, ended: &CaseEnded) {
         self.change(|now| {
             let Some(batch) = &mut now.batch else { return };
-            (batch.ended, batch.of) = (batch.ended.max(of.ended), of.of);
-            batch.work[0] += CASE_S + of.reused_s;
-            batch.work[1] += of.reused_s;
+            (batch.ended, batch.of) = (batch.ended.max(ended.ended), ended.of);
+            batch.work[0] += CASE_S + ended.reused_s;
+            batch.work[1] += ended.reused_s;
             batch.update();
         });
     }

@@ -1,4 +1,4 @@
-//! The jobs of the folder: one goes on, others wait, others have ended.
+//! The jobs of the folder: one runs, others wait, others have ended.
 
 use std::{
     fs::File,
@@ -23,10 +23,10 @@ use super::{
 };
 use crate::workspace::{Workspace, WorkspaceError, millis};
 
-/// Jobs that may wait; what is asked for beyond is refused.
+/// Maximum number of waiting jobs; further requests are refused.
 const WAITING: usize = 20;
 
-/// Jobs that have ended and are remembered; the oldest go. Their results stay.
+/// Maximum number of ended jobs that are remembered; the oldest are forgotten. Their results stay.
 const REMEMBERED: usize = 200;
 
 /// The jobs of a folder.
@@ -34,27 +34,27 @@ const REMEMBERED: usize = 200;
 pub(crate) struct Jobs {
     workspace: Arc<Workspace>,
     inner: Mutex<Inner>,
-    /// Something waits, or the program ends.
+    /// Signals a waiting job, or the end of the program.
     changed: Condvar,
 }
 
 #[derive(Debug, Default)]
 struct Inner {
-    /// Held while this server is the one that does the work of the folder.
+    /// Lock file while this server is the one that runs the jobs of the folder.
     hold: Option<File>,
-    /// In the order in which they were asked for, by their ids.
+    /// In the order of the requests, by id.
     entries: Vec<Entry>,
     worker: Option<JoinHandle<()>>,
     closing: bool,
 }
 
-/// A job with what is known of it while the program runs.
+/// A job with its state while the program runs.
 #[derive(Debug)]
 struct Entry {
     job: Job,
-    /// What it needs, until it is begun.
+    /// Its inputs, until it starts.
     prepared: Option<Box<Prepared>>,
-    /// What becomes of what lies in its folder, the next time.
+    /// Treatment of existing files in its folder at the next start.
     existing: Existing,
     progress: Arc<watch::Sender<Progress>>,
     token: CancellationToken,
@@ -71,7 +71,7 @@ impl Entry {
         }
     }
 
-    /// Tells those who follow it that something else is known of it.
+    /// Notifies the followers of a change.
     fn tell(&self) {
         self.progress.send_modify(|_| ());
     }
@@ -90,11 +90,11 @@ impl Jobs {
     }
 
     fn lock(&self) -> MutexGuard<'_, Inner> {
-        // What is done under it are steps that a panic does not leave half done.
+        // The steps under this lock leave a consistent state even after a panic.
         self.inner.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Keeps what is known of a job; where the disk is against it, the work goes on all the same.
+    /// Saves a job's record; if it cannot be written, the work continues nevertheless.
     fn keep(&self, job: &Job) {
         if let Ok(bytes) = serde_json::to_vec(job) {
             let _ = self.workspace.keep_job(&job.id, &bytes);
@@ -102,15 +102,15 @@ impl Jobs {
     }
 
     fn kept(&self) -> Vec<Job> {
-        let kept = self.workspace.kept_jobs();
+        let records = self.workspace.kept_jobs();
         let mut jobs: Vec<Job> =
-            kept.iter().filter_map(|bytes| serde_json::from_slice(bytes).ok()).collect();
+            records.iter().filter_map(|bytes| serde_json::from_slice(bytes).ok()).collect();
         jobs.sort_by(|a, b| (a.created_ms, &a.id).cmp(&(b.created_ms, &b.id)));
         jobs
     }
 
-    /// Becomes the one that does the work of the folder, if nobody is, and learns what an earlier one
-    /// has left unfinished.
+    /// Takes the lock on the folder's jobs, if no server holds it, and loads the unfinished jobs of
+    /// an earlier server.
     fn hold(&self, inner: &mut Inner) -> Result<(), JobError> {
         if inner.hold.is_some() {
             return Ok(());
@@ -122,10 +122,8 @@ impl Jobs {
         inner.entries = self.kept().into_iter().map(Entry::of).collect();
         for Entry { job, .. } in &mut inner.entries {
             let message = match job.state {
-                State::Running => {
-                    "the program ended while it went on; what its last checkpoint holds is kept"
-                }
-                State::Waiting => "the program ended before its turn came",
+                State::Running => "the program ended during this job; its last checkpoint is kept",
+                State::Waiting => "the program ended before the job started",
                 _ => continue,
             };
             job.state = State::Interrupted;
@@ -135,25 +133,26 @@ impl Jobs {
         Ok(())
     }
 
-    /// Every job with how far it has come, in the order in which they were asked for.
+    /// Every job with its progress, in the order of the requests.
     pub(crate) fn list(&self) -> Vec<(Job, Progress)> {
         let mut inner = self.lock();
         if inner.hold.is_none() && (!self.workspace.has_jobs() || self.hold(&mut inner).is_err()) {
-            // Another server's, as far as it has kept them.
+            // Another server's jobs, as far as it has saved them.
             return self.kept().into_iter().map(|job| (job, Progress::default())).collect();
         }
         let entries = inner.entries.iter();
-        entries.map(|of| (of.job.clone(), of.progress.borrow().clone())).collect()
+        entries.map(|entry| (entry.job.clone(), entry.progress.borrow().clone())).collect()
     }
 
-    /// One of them.
+    /// Returns a job with its progress.
     ///
     /// # Errors
-    /// None has the id.
+    /// No job has the id.
     pub(crate) fn job(&self, id: &str) -> Result<(Job, Progress), JobError> {
         let inner = self.lock();
         if inner.hold.is_some() {
-            let entry = inner.entries.iter().find(|of| of.job.id == id).ok_or_else(nothing)?;
+            let entry =
+                inner.entries.iter().find(|entry| entry.job.id == id).ok_or_else(nothing)?;
             let progress = entry.progress.borrow().clone();
             return Ok((entry.job.clone(), progress));
         }
@@ -162,22 +161,21 @@ impl Jobs {
         found.ok_or_else(nothing)
     }
 
-    /// What tells of each change of a job.
+    /// Returns a receiver of the changes of a job.
     ///
     /// # Errors
-    /// None of this server has the id.
+    /// No job of this server has the id.
     pub(crate) fn follow(&self, id: &str) -> Result<watch::Receiver<Progress>, JobError> {
         self.job(id)?;
         let inner = self.lock();
-        let entry = inner.entries.iter().find(|of| of.job.id == id).ok_or_else(nothing)?;
+        let entry = inner.entries.iter().find(|entry| entry.job.id == id).ok_or_else(nothing)?;
         Ok(entry.progress.subscribe())
     }
 
-    /// Takes work on, and gives its id.
+    /// Queues work, and returns its id.
     ///
     /// # Errors
-    /// Work that cannot be, too much that waits already, another server that does the work of this
-    /// folder.
+    /// Invalid work, too many waiting jobs, or another server that runs the jobs of this folder.
     pub(crate) fn start(self: &Arc<Self>, request: JobRequest) -> Result<String, JobError> {
         let prepared = Prepared::of(&request, &self.workspace)?;
         self.workspace.check_out()?;
@@ -200,7 +198,7 @@ impl Jobs {
         };
         let id = job.id.clone();
         let bytes = serde_json::to_vec(&job).map_err(|error| bad(&error))?;
-        // What cannot be kept would be lost with the program.
+        // A job that is not saved would be lost with the program.
         self.workspace.keep_job(&id, &bytes)?;
         let existing = match job.request.if_there {
             IfThere::Protect => Existing::Protect,
@@ -217,23 +215,26 @@ impl Jobs {
         Ok(id)
     }
 
-    /// Goes on with a job that has stopped; what cannot be continued begins anew.
+    /// Resumes a stopped job; one that cannot be continued starts again.
     ///
     /// # Errors
-    /// As of [`Self::start`], and a job that goes on or has come to its end.
+    /// As of [`Self::start`], and a job that is running or finished.
     pub(crate) fn resume(self: &Arc<Self>, id: &str) -> Result<(), JobError> {
         let (job, _) = self.job(id)?;
         if job.state.is_open() || job.state == State::Finished {
-            return Err(JobError::Conflict("there is nothing left to go on with".to_owned()));
+            return Err(JobError::Conflict(
+                "the job cannot be resumed: it is running or finished".to_owned(),
+            ));
         }
         let prepared = Prepared::of(&job.request, &self.workspace)?;
         self.workspace.check_out()?;
         let mut inner = self.lock();
         self.hold(&mut inner)?;
         self.room(&inner)?;
-        let entry = inner.entries.iter_mut().find(|of| of.job.id == id).ok_or_else(nothing)?;
+        let entry =
+            inner.entries.iter_mut().find(|entry| entry.job.id == id).ok_or_else(nothing)?;
         if entry.job.state.is_open() {
-            return Err(JobError::Conflict("it goes on already".to_owned()));
+            return Err(JobError::Conflict("the job is already running".to_owned()));
         }
         entry.existing = self.existing(&entry.job);
         if entry.existing != Existing::Resume {
@@ -247,12 +248,12 @@ impl Jobs {
         self.wake(&mut inner)
     }
 
-    /// How a job goes on: from what it has left, where it has left something.
+    /// Treatment of existing results when a job is resumed: from its partial results, if any.
     fn existing(&self, job: &Job) -> Existing {
-        let folder = job.folder.as_ref().map(|shown| self.workspace.root().join(shown));
+        let folder = job.folder.as_ref().map(|path| self.workspace.root().join(path));
         let folder = folder.and_then(|path| self.workspace.inside(&path).ok());
         let is_there = folder.is_some_and(|path| match job.command.as_str() {
-            // It goes on from a checkpoint, and begins anew without one.
+            // It continues from a checkpoint, and starts again without one.
             "run" => path.join("checkpoint.bin").is_file(),
             _ => true,
         });
@@ -263,21 +264,22 @@ impl Jobs {
         }
     }
 
-    /// Stops a job; what it has computed is kept.
+    /// Stops a job; its computed results are kept.
     ///
     /// # Errors
-    /// None has the id, or it has ended.
+    /// No job has the id, or it has ended.
     pub(crate) fn stop(&self, id: &str) -> Result<(), JobError> {
         let mut inner = self.lock();
         self.hold(&mut inner)?;
-        let entry = inner.entries.iter_mut().find(|of| of.job.id == id).ok_or_else(nothing)?;
+        let entry =
+            inner.entries.iter_mut().find(|entry| entry.job.id == id).ok_or_else(nothing)?;
         match entry.job.state {
             State::Running => {
                 entry.token.cancel();
             }
             State::Waiting => {
                 entry.job.state = State::Stopped;
-                entry.job.message = Some("stopped before its turn came".to_owned());
+                entry.job.message = Some("stopped before it started".to_owned());
                 entry.job.ended_ms = Some(now_ms());
                 entry.prepared = None;
                 self.keep(&entry.job);
@@ -288,23 +290,24 @@ impl Jobs {
         Ok(())
     }
 
-    /// Forgets a job that has ended. Its results stay.
+    /// Forgets an ended job. Its results stay.
     ///
     /// # Errors
-    /// None has the id, or it goes on.
+    /// No job has the id, or it is running.
     pub(crate) fn forget(&self, id: &str) -> Result<(), JobError> {
         let mut inner = self.lock();
         self.hold(&mut inner)?;
-        let place = inner.entries.iter().position(|of| of.job.id == id).ok_or_else(nothing)?;
+        let place =
+            inner.entries.iter().position(|entry| entry.job.id == id).ok_or_else(nothing)?;
         if inner.entries[place].job.state.is_open() {
-            return Err(JobError::Conflict("it goes on: stop it first".to_owned()));
+            return Err(JobError::Conflict("the job is running: stop it first".to_owned()));
         }
         inner.entries.remove(place);
         self.workspace.forget_job(id);
         Ok(())
     }
 
-    /// Stops what goes on, waits until it has kept what it has computed, and keeps what waits.
+    /// Stops the running job, waits until its results are saved, and keeps the waiting ones.
     pub(crate) fn close(&self) {
         let worker = {
             let mut inner = self.lock();
@@ -324,18 +327,19 @@ impl Jobs {
         if inner.closing {
             return Err(JobError::Conflict("the program is about to end".to_owned()));
         }
-        let waiting = inner.entries.iter().filter(|of| of.job.state == State::Waiting).count();
+        let waiting =
+            inner.entries.iter().filter(|entry| entry.job.state == State::Waiting).count();
         match waiting < WAITING {
             true => Ok(()),
             false => Err(JobError::Conflict(format!(
-                "{WAITING} jobs wait already: stop one, or wait until one has ended"
+                "{WAITING} jobs are waiting already: stop one, or wait until one has ended"
             ))),
         }
     }
 
     fn forget_old(&self, inner: &mut Inner) {
         while inner.entries.len() > REMEMBERED {
-            let oldest = inner.entries.iter().position(|of| !of.job.state.is_open());
+            let oldest = inner.entries.iter().position(|entry| !entry.job.state.is_open());
             let Some(oldest) = oldest else { return };
             let gone = inner.entries.remove(oldest);
             self.workspace.forget_job(&gone.job.id);
@@ -353,14 +357,14 @@ impl Jobs {
         Ok(())
     }
 
-    /// Waits for a job and does it; false once the program ends.
+    /// Waits for a job and runs it; returns false once the program ends.
     fn work_once(&self) -> bool {
         let mut inner = self.lock();
         let (id, prepared, output, progress, token) = loop {
             if inner.closing {
                 return false;
             }
-            let next = inner.entries.iter_mut().find(|of| of.job.state == State::Waiting);
+            let next = inner.entries.iter_mut().find(|entry| entry.job.state == State::Waiting);
             if let Some(entry) = next
                 && let Some(prepared) = entry.prepared.take()
             {
@@ -368,7 +372,8 @@ impl Jobs {
                 entry.job.ended_ms = None;
                 self.keep(&entry.job);
                 entry.tell();
-                let folder = entry.job.folder.as_ref().map(|of| self.workspace.root().join(of));
+                let folder =
+                    entry.job.folder.as_ref().map(|folder| self.workspace.root().join(folder));
                 let root = self.workspace.root().to_owned();
                 let output = Output { folder, existing: entry.existing, root };
                 break (
@@ -389,7 +394,7 @@ impl Jobs {
         let ended = catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Ended {
             folder: None,
             state: State::Failed,
-            message: Some("the program has met a mistake of its own".to_owned()),
+            message: Some("internal error of the program".to_owned()),
             refusal: None,
         });
         watcher.end();
@@ -414,7 +419,7 @@ impl Jobs {
 
     fn change(&self, id: &str, change: impl FnOnce(&mut Job)) {
         let mut inner = self.lock();
-        if let Some(entry) = inner.entries.iter_mut().find(|of| of.job.id == id) {
+        if let Some(entry) = inner.entries.iter_mut().find(|entry| entry.job.id == id) {
             change(&mut entry.job);
             self.keep(&entry.job);
             entry.tell();
@@ -430,7 +435,7 @@ fn bad(error: &dyn std::fmt::Display) -> JobError {
     JobError::BadInput(error.to_string())
 }
 
-/// Sixteen hexadecimal digits that nobody else has.
+/// Sixteen random hexadecimal digits.
 fn new_id() -> Result<String, JobError> {
     let mut bytes = [0; 8];
     getrandom::fill(&mut bytes).map_err(|error| bad(&error))?;

@@ -1,75 +1,74 @@
-//! What is asked for: a command of the program with its main options.
+//! Job requests: a command of the program with its main options.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// Work on a saved case, as a command of the program does it.
+/// A request to run a command of the program on a saved case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct JobRequest {
-    /// The id of the case; none of a study, which names its own.
+    /// The id of the case; none for a study, which names its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) case: Option<String>,
     /// The command.
     pub(crate) work: Work,
-    /// Values by keys, as `--set KEY=VALUE` has them.
+    /// Values by key, as in `--set KEY=VALUE`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(crate) set: BTreeMap<String, String>,
-    /// What becomes of what lies in the folder of the results.
+    /// Treatment of existing files in the results folder.
     #[serde(default)]
     pub(crate) if_there: IfThere,
 }
 
-/// What becomes of what lies in the folder of the results.
+/// Treatment of existing files in the results folder.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum IfThere {
-    /// Finished results of the same work are replaced; what was begun is not, and other results
-    /// are left alone.
+    /// Finished results of the same work are replaced; unfinished and other results are kept.
     #[default]
     Protect,
-    /// It is continued, as by `--resume`.
+    /// The unfinished work is continued, as by `--resume`.
     Resume,
-    /// It is replaced, as by `--overwrite`.
+    /// Everything is replaced, as by `--overwrite`.
     Overwrite,
 }
 
-/// A command with its main options; what is left out is as on the command line.
+/// A command with its main options; omitted ones have the defaults of the command line.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub(crate) enum Work {
     /// `run`: every operation of the case by its models.
     Run {
-        /// Models in place of the case's: `soft`, `stiff`, `dynamic`.
+        /// Models that replace the case's: `soft`, `stiff`, `dynamic`.
         #[serde(default)]
         models: Vec<String>,
         /// Whether the tables are written as CSV too.
         #[serde(default)]
         csv: bool,
     },
-    /// `plan`: torque and drag at every depth of the bit.
+    /// `plan`: torque and drag at every bit depth.
     Plan {
-        /// The id of a file of readings: another program's curves, laid over the plan.
+        /// The id of a file of readings: another program's curves, overlaid on the plan.
         #[serde(default)]
         overlay: Option<String>,
     },
-    /// `reach`: how far the well can go, and what stops it.
+    /// `reach`: greatest depth of the well, and the limit that stops it.
     Reach {
-        /// Depth of the bit to begin with: `4000 m`.
+        /// First bit depth: `4000 m`.
         #[serde(default)]
         from: Option<String>,
-        /// Deepest bit.
+        /// Deepest bit depth.
         #[serde(default)]
         to: Option<String>,
-        /// Friction factors of all sections, one after the other.
+        /// Friction factors, each applied to all hole sections.
         #[serde(default)]
         frictions: Vec<f64>,
         /// The operations: `drill`, `slide`.
         #[serde(default)]
         operations: Vec<String>,
-        /// Whether the friction of what a helix presses to the wall is left out.
+        /// Whether the friction from the wall force of a helix is ignored.
         #[serde(default)]
         no_helix_friction: bool,
     },
@@ -90,7 +89,7 @@ pub(crate) enum Work {
         /// Inclinations of a straight hole.
         #[serde(default)]
         inclination: Option<String>,
-        /// Rate at which those holes build: `2 deg/30m`.
+        /// Build rate of those holes: `2 deg/30m`.
         #[serde(default)]
         build: Option<String>,
     },
@@ -100,40 +99,40 @@ pub(crate) enum Work {
         #[serde(default)]
         operation: Option<String>,
     },
-    /// `calibrate`: friction factors from what was read at the surface.
+    /// `calibrate`: friction factors from readings at the surface.
     Calibrate {
         /// The id of the file of readings.
         data: String,
         /// One friction factor for casing and open hole.
         #[serde(default)]
         one_factor: bool,
-        /// A factor for each section of the hole in place of casing and open hole.
+        /// A factor for each hole section instead of casing and open hole.
         #[serde(default)]
         by_section: bool,
-        /// Friction around the hole apart from that along it.
+        /// Rotational friction separate from axial friction.
         #[serde(default)]
         friction_around: bool,
-        /// The block's weight, although the case gives it.
+        /// Fits the block weight although the case gives it.
         #[serde(default)]
         block_weight: bool,
-        /// The bit's torque on bottom.
+        /// Fits the bit torque on bottom.
         #[serde(default)]
         bit_torque: bool,
-        /// What is held: `friction_cased=0.2`.
+        /// Fixed parameters: `friction_cased=0.2`.
         #[serde(default)]
         hold: Vec<String>,
-        /// The model that predicts: `soft` or `stiff`.
+        /// The model of the predictions: `soft` or `stiff`.
         #[serde(default)]
         model: Option<String>,
-        /// Whether the string in motion is put beside the readings.
+        /// Whether the dynamic model is compared with the readings.
         #[serde(default)]
         check_dynamics: bool,
     },
-    /// `sweep`: the case with all combinations of some values.
+    /// `sweep`: the case with all combinations of given values.
     Sweep {
-        /// Values by keys: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`.
+        /// Values by key: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`.
         vary: Vec<String>,
-        /// What is kept of each case: `summary`, `tables` or `all`.
+        /// Results to keep of each case: `summary`, `tables` or `all`.
         #[serde(default)]
         keep: Option<String>,
     },
@@ -162,7 +161,7 @@ impl Work {
         }
     }
 
-    /// Whether what was stopped can be continued; the others take seconds, and begin anew.
+    /// Whether stopped work can be continued; other commands take seconds, and start again.
     pub(crate) fn is_resumable(&self) -> bool {
         !matches!(self, Self::Bha { .. } | Self::Modes { .. } | Self::Calibrate { .. })
     }

@@ -1,7 +1,7 @@
-//! Strings in motion: a thread for each, which takes it forward.
+//! Live strings: one thread for each, which advances it.
 //!
-//! What a string is and does is in `wholestring_screens::live`; [`EngineRoom`] holds all of them,
-//! few at a time, and keeps in the folder what is to be continued.
+//! The strings themselves are in `wholestring_screens::live`; [`EngineRoom`] owns all of them, a
+//! few at a time, and saves those to be continued in the folder.
 
 pub(crate) mod kept;
 mod room;

@@ -1,4 +1,4 @@
-//! The engine room: all live strings, few at a time.
+//! The engine room: all live strings, a few at a time.
 
 use std::{
     collections::VecDeque,
@@ -15,12 +15,12 @@ use wholestring_screens::live::{
 use super::{kept, thread::go_on};
 use crate::{limits::Limits, workspace::Workspace};
 
-fn held<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
-    // What is behind these is whole between any two lines.
-    of.lock().unwrap_or_else(PoisonError::into_inner)
+fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    // The state behind these locks is consistent between any two lines.
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Strings that have ended and of which it is still said why.
+/// Maximum number of ended strings whose reason is remembered.
 const MOST_ENDED: usize = 16;
 
 struct Running {
@@ -41,7 +41,7 @@ pub(crate) struct Ended {
 #[derive(Default)]
 struct Strings {
     running: Vec<Running>,
-    /// Strings that are being initialised.
+    /// Number of strings that are being initialised.
     beginning: usize,
     ended: VecDeque<Ended>,
     closed: bool,
@@ -60,7 +60,7 @@ impl fmt::Debug for EngineRoom {
     }
 }
 
-/// Gives the place of a string back that does not come to be.
+/// Releases the reserved place of a string that fails to start.
 struct Place<'a>(&'a Mutex<Strings>);
 
 impl Drop for Place<'_> {
@@ -74,10 +74,10 @@ impl EngineRoom {
         Self { limits, workspace, strings: Arc::default() }
     }
 
-    /// Begins a string, which waits; its id. This takes a second or more.
+    /// Starts a string, initially paused, and returns its id. This takes a second or more.
     ///
     /// # Errors
-    /// Where there are too many, and a string that cannot be.
+    /// Too many strings, and a string that cannot be solved.
     pub(crate) fn begin(&self, from: Beginning) -> Result<String, LiveError> {
         let most = self.limits.live_strings;
         let _place = {
@@ -101,22 +101,22 @@ impl EngineRoom {
         };
         let engine = Engine::begin(&id, from, &keeps)?;
         let (string, idle) = (engine.string(), self.limits.live_idle);
-        let (all, workspace, of) = (self.strings.clone(), self.workspace.clone(), string.clone());
-        // The string is in the list before its thread may want to take it out.
+        let (all, workspace, own) = (self.strings.clone(), self.workspace.clone(), string.clone());
+        // The string is listed before its thread may remove it.
         let mut strings = held(&self.strings);
         let thread = thread::Builder::new().name("live string".to_owned()).spawn(move || {
             let end = catch_unwind(AssertUnwindSafe(|| go_on(engine, idle)));
-            ended(&all, &workspace, &of, end.ok());
+            ended(&all, &workspace, &own, end.ok());
         });
         let thread = thread.map_err(|error| LiveError::Failed(error.to_string()))?;
         strings.running.push(Running { string, thread });
         Ok(id)
     }
 
-    /// The string of an id.
+    /// Returns the string with an id.
     ///
     /// # Errors
-    /// Where it has ended, why; where there never was one, that.
+    /// The reason of its end, or that it never existed.
     pub(crate) fn string(&self, id: &str) -> Result<Arc<LiveString>, LiveError> {
         let strings = held(&self.strings);
         let found = strings.running.iter().find(|one| one.string.layout.id == id);
@@ -130,14 +130,14 @@ impl EngineRoom {
         }
     }
 
-    /// All that are live, and those that have ended.
+    /// All live strings, and those that have ended.
     pub(crate) fn all(&self) -> (Vec<Arc<LiveString>>, Vec<Ended>) {
         let strings = held(&self.strings);
         let running = strings.running.iter().map(|one| one.string.clone()).collect();
         (running, strings.ended.iter().cloned().collect())
     }
 
-    /// Ends all of them and keeps them. Called once, when nobody asks any more.
+    /// Ends and saves all strings. Called once, after the last request.
     pub(crate) fn close(&self) {
         let running = {
             let mut strings = held(&self.strings);
@@ -147,16 +147,16 @@ impl EngineRoom {
         let sentence = "the program was ended; the string is kept as it was and can be continued";
         running.iter().for_each(|one| one.string.end(sentence, true));
         for one in running {
-            // A thread that panicked has said so.
+            // A panic of the thread has already been reported.
             let _ = one.thread.join();
         }
     }
 }
 
-/// What is done when an engine has ended; without an `end` it has panicked.
+/// Handles the end of an engine; without an `end` it has panicked.
 fn ended(strings: &Mutex<Strings>, workspace: &Workspace, string: &LiveString, end: Option<End>) {
     let sentence = match end {
-        None => "the program has met a mistake of its own, and the string has ended".to_owned(),
+        None => "internal error of the program; the string has ended".to_owned(),
         Some(End { mut sentence, checkpoint }) => {
             if let Some(checkpoint) = checkpoint {
                 let whole = KeptString { checkpoint, ..string.as_kept() };
@@ -208,7 +208,7 @@ mod tests {
         (folder, room, id)
     }
 
-    /// A string that nobody looks at ends, says so and is kept; one that is looked at goes on.
+    /// A string without a viewer ends, reports it and is saved; one with a viewer continues.
     #[test]
     fn what_nobody_looks_at_ends_and_is_kept() {
         let (_folder, room, id) = room(Duration::from_millis(400));
@@ -223,10 +223,10 @@ mod tests {
             thread::sleep(Duration::from_millis(20));
         }
         assert_eq!(kept::all(&room.workspace).len(), 1);
-        // The list follows within a moment.
+        // The list is updated shortly after.
         thread::sleep(Duration::from_millis(100));
         let Err(LiveError::Ended(sentence)) = room.string(&id) else { panic!("it has ended") };
-        assert!(sentence.starts_with("nobody has looked at this string"), "{sentence}");
+        assert!(sentence.starts_with("without a viewer"), "{sentence}");
         assert!(room.all().0.is_empty() && room.all().1.len() == 1);
     }
 

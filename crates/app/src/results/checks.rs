@@ -1,4 +1,4 @@
-//! The checks of results, whatever command left them.
+//! The checks of results of any command.
 
 use std::{fs, path::Path};
 
@@ -7,22 +7,22 @@ use serde_json::Value;
 use utoipa::ToSchema;
 use wholestring_results::checks_of;
 
-/// Longer summaries are not looked through, bytes.
+/// Maximum size of a summary that is searched, bytes.
 const LONGEST: u64 = 16 << 20;
 
-/// Checks that are listed.
+/// Maximum number of checks listed.
 const LISTED: usize = 200;
 
-/// A check that needs attention, once for all the depths at which it does.
+/// A check that needs attention, once for all bit depths at which it does.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub(crate) struct Found {
     /// `error`, `warning` or `note`.
     severity: &'static str,
-    /// Kind of check, as a word for programs: `helical_buckling`.
+    /// Kind of check, an identifier for programs: `helical_buckling`.
     kind: &'static str,
     /// The operation and the model: `trip in (soft)`.
     name: String,
-    /// A sentence, of the first place.
+    /// A sentence, for the first place.
     sentence: String,
     /// Number of places.
     times: usize,
@@ -35,7 +35,7 @@ impl Found {
     }
 }
 
-/// The summary of a folder of results as JSON; none where there is none yet.
+/// The summary of a results folder as JSON; none if there is none yet.
 pub(super) fn summary(folder: &Path) -> Option<Value> {
     let path = folder.join("summary.json");
     if fs::metadata(&path).ok()?.len() > LONGEST {
@@ -44,12 +44,12 @@ pub(super) fn summary(folder: &Path) -> Option<Value> {
     serde_json::from_slice(&fs::read(path).ok()?).ok()
 }
 
-/// The checks that need attention in a folder of results, the most severe first.
+/// The checks that need attention in a results folder, the most severe first.
 pub(crate) fn checks(folder: &Path) -> Vec<Found> {
     summary(folder).map_or_else(Vec::new, |summary| of_summary(&summary))
 }
 
-/// The same of its summary.
+/// The same from its summary.
 pub(super) fn of_summary(summary: &Value) -> Vec<Found> {
     let mut found: Vec<Found> = Vec::new();
     for named in checks_of(summary).into_iter().filter(|named| !named.check.is_ok()) {

@@ -1,4 +1,4 @@
-//! Results side by side.
+//! Comparison of results.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -17,9 +17,9 @@ use crate::workspace::ResultsPlace;
 /// Results side by side.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Compared {
-    /// What is compared, in the order in which it was asked for.
+    /// The compared results, in the order of the request.
     results: Vec<ResultsEntry>,
-    /// The inputs that are not the same in all of them.
+    /// The inputs that differ between them.
     inputs: Vec<Differing>,
     /// Numbers that at least one of them has.
     scalars: Vec<ComparedScalar>,
@@ -30,29 +30,31 @@ pub(crate) struct Compared {
 /// A number of the results.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct ComparedScalar {
-    /// What it is of: `trip out (soft)`.
+    /// Its operation and model: `trip out (soft)`.
     of: String,
-    /// What it is: `Hook load`.
+    /// Its label: `Hook load`.
     label: String,
     /// The symbol of its unit.
     unit: String,
-    /// Its value in each of the results; null where it has none.
+    /// Its value in each of the results; null if it has none.
     values: Vec<Option<f64>>,
 }
 
-/// Puts results side by side, in these units.
+/// Compares results, in these units.
 pub(crate) fn compare(places: &[ResultsPlace], units: UnitSet) -> Compared {
-    let summaries: Vec<Option<Value>> = places.iter().map(|of| summary(&of.path)).collect();
-    let settings: Vec<Option<&Value>> =
-        summaries.iter().map(|of| of.as_ref().map(|summary| &summary["settings"])).collect();
+    let summaries: Vec<Option<Value>> = places.iter().map(|place| summary(&place.path)).collect();
+    let settings: Vec<Option<&Value>> = summaries
+        .iter()
+        .map(|parsed| parsed.as_ref().map(|summary| &summary["settings"]))
+        .collect();
     let mut rows: Vec<ComparedScalar> = Vec::new();
     for (place, (results, summary)) in places.iter().zip(&summaries).enumerate() {
         let Some(summary) = summary else { continue };
-        for Scalar { of, label, unit, value } in scalars(&results.path, summary, units) {
-            let row = rows.iter().position(|row| row.of == of && row.label == label);
+        for Scalar { of: scalar, label, unit, value } in scalars(&results.path, summary, units) {
+            let row = rows.iter().position(|row| row.of == scalar && row.label == label);
             let row = row.unwrap_or_else(|| {
                 let values = vec![None; places.len()];
-                rows.push(ComparedScalar { of, label, unit, values });
+                rows.push(ComparedScalar { of: scalar, label, unit, values });
                 rows.len() - 1
             });
             rows[row].values[place] = Some(value);
@@ -61,7 +63,11 @@ pub(crate) fn compare(places: &[ResultsPlace], units: UnitSet) -> Compared {
     Compared {
         inputs: differing(&settings),
         scalars: rows,
-        curves: places.iter().enumerate().flat_map(|(k, of)| curves(&of.path, k, units)).collect(),
+        curves: places
+            .iter()
+            .enumerate()
+            .flat_map(|(k, place)| curves(&place.path, k, units))
+            .collect(),
         results: places.iter().map(ResultsEntry::of).collect(),
     }
 }

@@ -10,29 +10,29 @@ use wholestring_runner::checks::quantities::{shown, symbol};
 use wholestring_screens::answers::{Column, DRAWN};
 use wholestring_units::UnitSet;
 
-/// Larger tables are not drawn, bytes.
+/// Maximum size of a table that is drawn, bytes.
 const LARGEST: u64 = 64 << 20;
 
 /// A curve against depth.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Curve {
-    /// Which of the results it is of, from 0.
+    /// Index of its result, from 0.
     pub(super) result: usize,
-    /// What it is of: `trip out (soft)`.
+    /// Its operation and model: `trip out (soft)`.
     pub(super) of: String,
-    /// What it is: `Effective tension`.
+    /// Its quantity: `Effective tension`.
     quantity: String,
     /// The symbol of its unit.
     unit: String,
     /// The symbol of the unit of the depths.
     depth_unit: String,
-    /// What depths they are: `Measured depth`, `Depth of the bit`.
+    /// The kind of depth: `Measured depth`, `Depth of the bit`.
     against: &'static str,
     depth: Column,
     value: Column,
 }
 
-/// Curves of a result as many as it has.
+/// All curves of a result.
 pub(super) fn curves(folder: &Path, result: usize, units: UnitSet) -> Vec<Curve> {
     if let Ok(plan) = PlanSummary::read(&folder.join("summary.json")) {
         return of_plan(&plan, result, units);
@@ -63,7 +63,7 @@ fn of_nodes(nodes: &Table, result: usize, units: UnitSet) -> Vec<Curve> {
         let key = (&models[from], &operations[from]);
         let rows = (from..nodes.rows()).take_while(|row| (&models[*row], &operations[*row]) == key);
         let rows = from..from + rows.count();
-        let of = format!("{} ({})", key.1.replace('_', " "), key.0);
+        let subject = format!("{} ({})", key.1.replace('_', " "), key.0);
         for quantity in PROFILE.iter().map(|column| column.quantity) {
             let numbers = match nodes.numbers(quantity.name) {
                 Some(numbers) if DRAWN.contains(&quantity.name) => &numbers[rows.clone()],
@@ -78,7 +78,7 @@ fn of_nodes(nodes: &Table, result: usize, units: UnitSet) -> Vec<Curve> {
             let (depth_unit, depth) = depths(depth, units);
             curves.push(Curve {
                 result,
-                of: of.clone(),
+                of: subject.clone(),
                 quantity: quantity.label(),
                 unit: symbol(quantity.kind, units).to_owned(),
                 depth_unit,
@@ -99,17 +99,18 @@ fn of_plan(plan: &PlanSummary, result: usize, units: UnitSet) -> Vec<Curve> {
             for friction in ["low", "expected", "high"] {
                 let points: Vec<_> = plan
                     .curve(model, operation, friction)
-                    .filter_map(|of| Some((of.bit_depth_m, of.scalars?)))
+                    .filter_map(|curve| Some((curve.bit_depth_m, curve.scalars?)))
                     .collect();
                 if points.is_empty() {
                     continue;
                 }
-                let of = format!("{} ({model}), {friction} friction", operation.replace('_', " "));
+                let subject =
+                    format!("{} ({model}), {friction} friction", operation.replace('_', " "));
                 let mut push = |quantity: &str, kind, values: Vec<f64>| {
-                    let (depth_unit, depth) = depths(points.iter().map(|of| of.0), units);
+                    let (depth_unit, depth) = depths(points.iter().map(|point| point.0), units);
                     curves.push(Curve {
                         result,
-                        of: of.clone(),
+                        of: subject.clone(),
                         quantity: quantity.to_owned(),
                         unit: symbol(kind, units).to_owned(),
                         depth_unit,
@@ -118,9 +119,9 @@ fn of_plan(plan: &PlanSummary, result: usize, units: UnitSet) -> Vec<Curve> {
                         value: values.into_iter().map(|si| shown(kind, si, units)).collect(),
                     });
                 };
-                let hook_loads = points.iter().map(|of| of.1.hook_load_N).collect();
+                let hook_loads = points.iter().map(|point| point.1.hook_load_N).collect();
                 push("Hook load", QuantityKind::Force, hook_loads);
-                let torques = points.iter().map(|of| of.1.surface_torque_N_m).collect();
+                let torques = points.iter().map(|point| point.1.surface_torque_N_m).collect();
                 push("Surface torque", QuantityKind::Torque, torques);
             }
         }

@@ -1,4 +1,4 @@
-//! A folder of results in a list.
+//! A results folder in a list.
 
 use std::{
     fs::{self, File},
@@ -16,37 +16,37 @@ use wholestring_runner::results_kind;
 use super::checks::{of_summary, summary};
 use crate::workspace::{ResultsPlace, millis};
 
-/// A folder of results.
+/// A results folder.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct ResultsEntry {
-    /// What requests call it.
+    /// Identifier in requests.
     id: String,
-    /// Its place in the folder, for the eye.
+    /// Path within the folder, for display.
     path: String,
-    /// What left it: `run`, `plan`, `study`, ...
+    /// The command that wrote it: `run`, `plan`, `study`, ...
     kind: String,
-    /// What the case is called, or the study.
+    /// Name of the case or the study.
     name: String,
-    /// When it was written, milliseconds since 1970.
+    /// Time when it was written, milliseconds since 1970.
     modified_ms: u64,
-    /// The version of the program that wrote it, where that is known.
+    /// The version of the program that wrote it, if known.
     engine_version: Option<String>,
-    /// Whether work was stopped in it that can be continued.
+    /// Whether it has stopped work that can be continued.
     unfinished: bool,
-    /// How many errors were found in the answers.
+    /// Number of errors in the results.
     errors: usize,
-    /// How many warnings.
+    /// Number of warnings.
     warnings: usize,
-    /// How many notes.
+    /// Number of notes.
     notes: usize,
-    /// Whether there is a page of it.
+    /// Whether it has a page.
     has_page: bool,
 }
 
-/// The page of a folder of results.
+/// The page of a results folder.
 pub(super) const PAGE: &str = "report.html";
 
-/// What a page says that made it stands in its first bytes.
+/// Leading bytes of a page that contain the program which made it.
 const HEAD: usize = 4096;
 
 impl ResultsEntry {
@@ -62,12 +62,12 @@ impl ResultsEntry {
         self.modified_ms
     }
 
-    /// What lies at a place.
+    /// The results at a path.
     pub(crate) fn of(place: &ResultsPlace) -> Self {
         let (folder, summary) = (&place.path, summary(&place.path));
         let occupant = Occupant::of_folder(folder);
         let found = summary.as_ref().map(of_summary).unwrap_or_default();
-        let count = |level: &str| found.iter().filter(|of| of.is(level)).count();
+        let count = |level: &str| found.iter().filter(|check| check.is(level)).count();
         Self {
             id: place.id.clone(),
             path: place.shown.clone(),
@@ -84,7 +84,7 @@ impl ResultsEntry {
     }
 }
 
-/// What left it; of what was only begun, the folder itself says it.
+/// The command that wrote it; for unfinished work, taken from the folder itself.
 fn kind(folder: &Path, occupant: Option<&Occupant>) -> String {
     if let Some(occupant) = occupant {
         return occupant.kind.clone();
@@ -94,12 +94,12 @@ fn kind(folder: &Path, occupant: Option<&Occupant>) -> String {
 }
 
 fn name(place: &ResultsPlace, summary: Option<&Value>, occupant: Option<&Occupant>) -> String {
-    let said = summary.and_then(|summary| summary["case"].as_str()).map(str::to_owned);
-    let said = said.or_else(|| occupant.map(|of| of.name.clone()));
-    said.unwrap_or_else(|| place.shown.rsplit('/').next().unwrap_or_default().to_owned())
+    let name = summary.and_then(|summary| summary["case"].as_str()).map(str::to_owned);
+    let name = name.or_else(|| occupant.map(|occupant| occupant.name.clone()));
+    name.unwrap_or_else(|| place.shown.rsplit('/').next().unwrap_or_default().to_owned())
 }
 
-/// When what tells that it is whole was written; where that is missing, the folder itself.
+/// Time when the file that marks completion was written, or that of the folder if it is missing.
 fn modified(folder: &Path) -> SystemTime {
     let names = ["summary.json", "sweep.csv", PAGE, "."];
     let mut times = names.iter().filter_map(|name| fs::metadata(folder.join(name)).ok());
@@ -108,8 +108,8 @@ fn modified(folder: &Path) -> SystemTime {
 }
 
 fn version(folder: &Path, summary: Option<&Value>) -> Option<String> {
-    let said = summary.and_then(|summary| summary["engine_version"].as_str());
-    said.map(str::to_owned).or_else(|| {
+    let version = summary.and_then(|summary| summary["engine_version"].as_str());
+    version.map(str::to_owned).or_else(|| {
         let mut head = Vec::new();
         File::open(folder.join(PAGE)).ok()?.take(HEAD as u64).read_to_end(&mut head).ok()?;
         let head = String::from_utf8_lossy(&head);
@@ -118,7 +118,7 @@ fn version(folder: &Path, summary: Option<&Value>) -> Option<String> {
     })
 }
 
-/// Whether there is a checkpoint in it, or in the folder of a case of it.
+/// Whether it, or the folder of one of its cases, has a checkpoint.
 fn is_unfinished(folder: &Path, depth: usize) -> bool {
     if folder.join("checkpoint.bin").is_file() {
         return true;

@@ -6,25 +6,25 @@ use serde::Serialize;
 use serde_json::Value;
 use utoipa::ToSchema;
 
-/// Values of a list are shown up to this length; beyond it, how many there are.
+/// Maximum length of a list whose values are shown; for longer ones only the number of values is.
 const LISTED: usize = 80;
 
-/// An input that is not the same in all results.
+/// An input that differs between the results.
 #[derive(Debug, PartialEq, Serialize, ToSchema)]
 pub(crate) struct Differing {
-    /// Its key in the record of the settings, with the unit in its name: SI.
+    /// Its key in the record of the settings, with the SI unit in its name.
     key: String,
-    /// Its value in each of the results; null where it has none.
+    /// Its value in each of the results; null if it has none.
     values: Vec<Option<String>>,
 }
 
-/// The settings that differ, by their keys.
+/// The settings that differ, by key.
 pub(super) fn differing(settings: &[Option<&Value>]) -> Vec<Differing> {
     let leaves: Vec<BTreeMap<String, String>> = settings
         .iter()
-        .map(|of| {
+        .map(|setting| {
             let mut leaves = BTreeMap::new();
-            if let Some(value) = of {
+            if let Some(value) = setting {
                 flatten(value, String::new(), &mut leaves);
             }
             leaves
@@ -34,10 +34,10 @@ pub(super) fn differing(settings: &[Option<&Value>]) -> Vec<Differing> {
     keys.sort();
     keys.dedup();
     let values = |key: &String| -> Vec<Option<String>> {
-        leaves.iter().map(|of| of.get(key).cloned()).collect()
+        leaves.iter().map(|leaf| leaf.get(key).cloned()).collect()
     };
     let all = keys.into_iter().map(|key| Differing { key: key.clone(), values: values(key) });
-    all.filter(|of| of.values.windows(2).any(|two| two[0] != two[1])).collect()
+    all.filter(|input| input.values.windows(2).any(|two| two[0] != two[1])).collect()
 }
 
 fn flatten(value: &Value, key: String, leaves: &mut BTreeMap<String, String>) {
@@ -57,7 +57,7 @@ fn flatten(value: &Value, key: String, leaves: &mut BTreeMap<String, String>) {
             let text = value.to_string();
             let text = match text.len() <= LISTED {
                 true => text,
-                // Two long lists that differ must not look alike.
+                // Two different long lists must not look alike.
                 false => format!(
                     "{} values, {}",
                     items.len(),
@@ -85,7 +85,7 @@ mod tests {
         let other =
             json!({"mud": {"density_kg_per_m3": 1300.0}, "hole": [{"friction": 0.2}], "a": [1, 2]});
         let found = differing(&[Some(&one), Some(&other), None]);
-        let found: Vec<_> = found.iter().map(|of| (&*of.key, of.values.clone())).collect();
+        let found: Vec<_> = found.iter().map(|input| (&*input.key, input.values.clone())).collect();
         let text = |text: &str| Some(text.to_owned());
         assert_eq!(found[0], ("a", vec![text("[1]"), text("[1,2]"), None]));
         assert_eq!(found[1], ("hole.0.friction", vec![text("0.2"), text("0.2"), None]));

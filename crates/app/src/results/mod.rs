@@ -1,4 +1,4 @@
-//! What commands have left in the folder: lists, files, pages, and results side by side.
+//! Results in the folder: lists, files, pages, and comparisons.
 
 mod checks;
 mod compared;

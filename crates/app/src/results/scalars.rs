@@ -1,4 +1,4 @@
-//! The numbers of results that stand beside those of others.
+//! The numbers of results that are compared with those of others.
 
 use std::path::Path;
 
@@ -14,19 +14,19 @@ use wholestring_units::UnitSet;
 /// A number of a result.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Scalar {
-    /// What it is of: `trip out (soft)`.
+    /// Its operation and model: `trip out (soft)`.
     pub(super) of: String,
-    /// What it is: `Hook load`.
+    /// Its label: `Hook load`.
     pub(super) label: String,
     /// The symbol of its unit.
     pub(super) unit: String,
     pub(super) value: f64,
 }
 
-/// Numbers of one summary; more are not compared.
+/// Maximum number of numbers compared from one summary.
 const MOST: usize = 2000;
 
-/// Longer lists are curves, not scalars.
+/// Maximum length of a list; longer ones are curves, not scalars.
 const LIST: usize = 60;
 
 /// The numbers of a folder of results, in these units.
@@ -47,26 +47,26 @@ pub(super) fn scalars(folder: &Path, summary: &Value, units: UnitSet) -> Vec<Sca
 fn of_run(summary: &Summary, units: UnitSet) -> Vec<Scalar> {
     let compared = Comparison::of(summary, units);
     let columns = compared.columns.iter().flat_map(|column| {
-        let of = format!("{} ({})", column.operation.replace('_', " "), column.model.name());
+        let subject = format!("{} ({})", column.operation.replace('_', " "), column.model.name());
         compared.rows.iter().zip(&column.values).filter_map(move |(row, value)| {
             let value = value.filter(|value| value.is_finite())?;
             let (label, unit) = (row.label.to_owned(), row.symbol.to_owned());
-            Some(Scalar { of: of.clone(), label, unit, value })
+            Some(Scalar { of: subject.clone(), label, unit, value })
         })
     });
     columns.collect()
 }
 
-/// Hook load and torque with the bit at its deepest, and what is nearest to its limit.
+/// Hook load and torque at the deepest bit depth, and the load that is nearest to its limit.
 fn of_plan(summary: &PlanSummary, units: UnitSet) -> Vec<Scalar> {
-    let deepest_m = summary.points.iter().map(|of| of.bit_depth_m).fold(f64::NAN, f64::max);
-    let deepest = summary.points.iter().filter(|of| of.bit_depth_m == deepest_m);
+    let deepest_m = summary.points.iter().map(|point| point.bit_depth_m).fold(f64::NAN, f64::max);
+    let deepest = summary.points.iter().filter(|point| point.bit_depth_m == deepest_m);
     let mut found: Vec<Scalar> = deepest
-        .filter_map(|of| Some((of, of.scalars?)))
-        .flat_map(|(of, scalars)| {
-            let name = of.operation.replace('_', " ");
+        .filter_map(|deepest| Some((deepest, deepest.scalars?)))
+        .flat_map(|(row, scalars)| {
+            let name = row.operation.replace('_', " ");
             let name =
-                format!("{name} ({}), {} friction, bit at its deepest", of.model, of.friction);
+                format!("{name} ({}), {} friction, bit at its deepest", row.model, row.friction);
             let scalar = |label: &str, kind, si| Scalar {
                 of: name.clone(),
                 label: label.to_owned(),
@@ -90,7 +90,7 @@ fn of_plan(summary: &PlanSummary, units: UnitSet) -> Vec<Scalar> {
     found
 }
 
-/// Numbers at any depth of a summary; items of a list are told apart by the words in them.
+/// Numbers at any depth of a summary; items of a list are distinguished by their words.
 fn collect(value: &Value, place: &mut Vec<String>, found: &mut Vec<Scalar>) {
     match value {
         Value::Object(entries) => {
@@ -112,10 +112,11 @@ fn collect(value: &Value, place: &mut Vec<String>, found: &mut Vec<Scalar>) {
             }
         }
         Value::Number(number) if place.last().is_some_and(|key| key != "schema_version") => {
-            let (label, of) =
-                place.split_last().map_or((String::new(), &[][..]), |(key, of)| (key.clone(), of));
+            let (label, parents) = place
+                .split_last()
+                .map_or((String::new(), &[][..]), |(key, parents)| (key.clone(), parents));
             found.push(Scalar {
-                of: of.join(", ").replace('_', " "),
+                of: parents.join(", ").replace('_', " "),
                 label,
                 // Its name ends in the unit.
                 unit: String::new(),
@@ -150,8 +151,10 @@ mod tests {
         });
         let mut found = Vec::new();
         collect(&summary, &mut Vec::new(), &mut found);
-        let mut found: Vec<_> =
-            found.iter().map(|of| (of.of.clone(), of.label.clone(), of.value)).collect();
+        let mut found: Vec<_> = found
+            .iter()
+            .map(|scalar| (scalar.of.clone(), scalar.label.clone(), scalar.value))
+            .collect();
         found.sort_by(|a, b| a.0.cmp(&b.0));
         assert_eq!(
             found,

@@ -1,4 +1,4 @@
-//! The verdict on a case, of the results that there are of it.
+//! The verdict on a case, from its existing results.
 
 use std::time::{Duration, Instant};
 
@@ -11,26 +11,26 @@ use wholestring_results::checks_of;
 use super::{ResultsEntry, checks::summary};
 use crate::workspace::Workspace;
 
-/// Parts of the settings that change what a case comes to; models, depths of a plan, records and
+/// Parts of the settings that change the answer of a case; models, depths of a plan, records and
 /// names do not.
 const PHYSICS: [&str; 10] =
     ["bit", "buckling", "ends", "hoist", "mud", "operation", "rig", "string", "top_drive", "well"];
 
-/// Settings are read back with an error in their last digit, relative.
+/// Relative tolerance for settings that were read back with an error in their last digit.
 const READ_BACK: f64 = 1e-12;
 
-/// The judge's verdict on a case, of its newest results.
+/// The judge's verdict on a case, from its newest results.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub(crate) struct CaseVerdict {
     /// `ok`, `note`, `warning` or `error`.
     severity: &'static str,
     /// The verdict in words.
     words: String,
-    /// The command that it is of: `run`, `plan`, ...
+    /// The command of the results: `run`, `plan`, ...
     kind: String,
     /// Id of the results in requests.
     results: String,
-    /// Whether the case is still what it was when it was computed.
+    /// Whether the case is unchanged since it was computed.
     is_current: bool,
 }
 
@@ -47,7 +47,7 @@ struct Known {
 }
 
 impl Verdicts {
-    /// Those of the folder, read for at most so long.
+    /// Reads the verdicts of the folder within a time limit.
     pub(crate) fn of(workspace: &Workspace, reading_time: Duration) -> Self {
         let begin = Instant::now();
         let places = workspace.results().into_iter();
@@ -65,8 +65,8 @@ impl Verdicts {
         Self(all)
     }
 
-    /// The verdict on the case of this name with these settings: of the newest results of just this
-    /// case; where there are none, of the newest of what it was before.
+    /// The verdict on the case with this name and these settings: from the newest results of
+    /// exactly this case or, if there are none, from the newest of an earlier state.
     pub(crate) fn on(&self, name: &str, settings: &Value) -> Option<CaseVerdict> {
         let own = || self.0.iter().filter(|known| known.case == name);
         let current = own().find(|known| is_same_case(&known.settings, settings));
@@ -97,7 +97,7 @@ fn is_same(one: &Value, other: &Value) -> bool {
         }
         (Value::Object(one), Value::Object(other)) => {
             let mut keys = one.keys().chain(other.keys());
-            // A key that a version did not write is one without a value.
+            // A key that an earlier version did not write counts as null.
             let none = &Value::Null;
             keys.all(|key| is_same(one.get(key).unwrap_or(none), other.get(key).unwrap_or(none)))
         }

@@ -1,4 +1,4 @@
-//! Case files that get another name, a copy, or go.
+//! Renaming, copying and deleting case files.
 
 use std::{fs, io, path::PathBuf};
 
@@ -11,10 +11,10 @@ use super::{
 use crate::fingerprint::fingerprint;
 
 impl Workspace {
-    /// Gives a case file another name in its folder, and its draft with it. Gives its new id.
+    /// Renames a case file and its draft within its folder. Returns its new id.
     ///
     /// # Errors
-    /// A name that no case may have, a file that is there, and whatever the system says.
+    /// A name that no case may have, an existing file, and errors of the system.
     pub(crate) fn rename(
         &self,
         case: &CaseFile,
@@ -39,10 +39,10 @@ impl Workspace {
         Ok(id)
     }
 
-    /// Makes a copy of a case file beside it, as it is on the disk. Gives its id.
+    /// Copies a case file, as saved on disk, within its folder. Returns the new id.
     ///
     /// # Errors
-    /// A name that no case may have, a file that is there, and whatever the system says.
+    /// A name that no case may have, an existing file, and errors of the system.
     pub(crate) fn copy(&self, case: &CaseFile, file_name: &str) -> Result<String, WorkspaceError> {
         let failed = WorkspaceError::system("the case cannot be copied");
         let (shown, path) = self.neighbour(case, file_name)?;
@@ -55,11 +55,11 @@ impl Workspace {
         Ok(id_of(&shown))
     }
 
-    /// Removes a case file as it was at `revision`, and its draft. What it names beside it stays:
-    /// other cases may name it, too.
+    /// Removes a case file that is still at `revision`, and its draft. The files that it names
+    /// stay, because other cases may name them, too.
     ///
     /// # Errors
-    /// Where the file has become another since, and whatever the system says.
+    /// The file has changed since, and errors of the system.
     pub(crate) fn remove(&self, case: &CaseFile, revision: &str) -> Result<(), WorkspaceError> {
         let failed = WorkspaceError::system("the case cannot be deleted");
         let _alone = self.writing();
@@ -71,7 +71,7 @@ impl Workspace {
         self.remove_draft(case)
     }
 
-    /// The place of a file of this name in the folder of a case: for the eye, and on the disk.
+    /// The path of a file with this name in the folder of a case: for display, and on disk.
     fn neighbour(
         &self,
         case: &CaseFile,
@@ -86,7 +86,7 @@ impl Workspace {
         Ok((shown, path))
     }
 
-    /// The entry of the folder itself: of a link the link, not the file that it leads to.
+    /// The directory entry itself: for a link the link, not its target.
     fn entry(&self, case: &CaseFile) -> PathBuf {
         self.root().join(&case.shown)
     }

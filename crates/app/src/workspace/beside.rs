@@ -1,4 +1,4 @@
-//! Files that a case names, read inside the folder only.
+//! Files that a case names, read only inside the folder.
 
 use std::{
     collections::BTreeMap,
@@ -14,7 +14,7 @@ use super::{
     folder::{Workspace, inside},
 };
 
-/// Files that a case names, from the folder that it stands in; none from outside the workspace.
+/// Files that a case names, from its own folder; none from outside the workspace.
 #[derive(Debug)]
 pub(crate) struct Beside<'a> {
     workspace: &'a Workspace,
@@ -24,7 +24,7 @@ pub(crate) struct Beside<'a> {
 }
 
 impl Beside<'_> {
-    /// What was read, by the names that the case has for it.
+    /// The files that were read, by their names in the case.
     pub(crate) fn into_files(self) -> BTreeMap<String, Vec<u8>> {
         self.read.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
@@ -39,7 +39,7 @@ impl Files for Beside<'_> {
     }
 }
 
-/// The same for as long as it is held: work reads what its case names when it comes to it.
+/// The same with shared ownership, because a job reads the files of its case when it needs them.
 #[derive(Debug)]
 pub(crate) struct OwnBeside {
     root: PathBuf,
@@ -53,13 +53,13 @@ impl Files for OwnBeside {
 }
 
 impl Workspace {
-    /// The files in the folder of a file, for as long as it is held.
+    /// The files in the folder of a file, with shared ownership.
     pub(crate) fn own_beside(&self, file: &Path) -> OwnBeside {
         let folder = file.parent().unwrap_or(self.root()).to_owned();
         OwnBeside { root: self.root().to_owned(), folder }
     }
 
-    /// The files beside a case.
+    /// The files in the folder of a case.
     pub(crate) fn beside(&self, case: &CaseFile) -> Beside<'_> {
         let folder = case.path.parent().unwrap_or(self.root()).to_owned();
         Beside { workspace: self, folder, read: Mutex::default() }

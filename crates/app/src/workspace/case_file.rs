@@ -8,39 +8,39 @@ use crate::fingerprint::fingerprint;
 /// A case file of the folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct CaseFile {
-    /// What requests call it: it is made of its place in the folder, and stays while that stays.
+    /// Identifier in requests, made from its path in the folder and unchanged while the path is.
     pub(crate) id: String,
-    /// Its place in the folder, with forward slashes, for the eye.
+    /// Path within the folder, with forward slashes, for display.
     pub(crate) shown: String,
-    /// Where it is.
+    /// Path on disk.
     pub(crate) path: PathBuf,
-    /// When it was changed.
+    /// Time of its last change.
     pub(crate) modified: SystemTime,
 }
 
-/// What stands in a case file.
+/// Contents of a case file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct CaseText {
     /// Its text, without a byte order mark.
     pub(crate) text: String,
-    /// What it is at that time: another text has another.
+    /// Fingerprint of the contents at that time.
     pub(crate) revision: String,
 }
 
-/// A file that is to be made.
+/// A file to create.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NewFile<'a> {
-    /// Its name, no path.
+    /// Its name, without a path.
     pub(crate) name: &'a str,
-    /// What it holds.
+    /// Its contents.
     pub(crate) text: &'a str,
 }
 
 impl CaseFile {
-    /// What stands in it.
+    /// Reads its contents.
     ///
     /// # Errors
-    /// Whatever the system says, and what is no text.
+    /// Errors of the system, and contents that are not text.
     pub(crate) fn read(&self) -> Result<CaseText, WorkspaceError> {
         let failed = WorkspaceError::system("the case cannot be read");
         let bytes = wholestring_case::read_file(&self.path).map_err(&failed)?;
@@ -53,20 +53,20 @@ impl CaseFile {
 }
 
 impl Workspace {
-    /// The case of an id.
+    /// Returns the case with an id.
     ///
     /// # Errors
-    /// Where no case of the folder has it.
+    /// No case of the folder has it.
     pub(crate) fn case(&self, id: &str) -> Result<CaseFile, WorkspaceError> {
         let found = self.cases().into_iter().find(|case| case.id == id);
         found.ok_or(WorkspaceError::Nothing("case"))
     }
 
-    /// Puts a text in the place of what the case had at `revision`, and gives the new revision. The
-    /// draft of it goes.
+    /// Replaces the text of a case that is still at `revision`, and returns the new revision. Its
+    /// draft is removed.
     ///
     /// # Errors
-    /// Where the file has become another since, and whatever the system says.
+    /// The file has changed since, and errors of the system.
     pub(crate) fn save(
         &self,
         case: &CaseFile,
@@ -84,11 +84,10 @@ impl Workspace {
         Ok(fingerprint(text.as_bytes()))
     }
 
-    /// Makes a case file and what it names beside it, all or nothing.
+    /// Creates a case file and the files that it names, all or nothing.
     ///
     /// # Errors
-    /// Names that no file may have, a file that is there with another content, and whatever the
-    /// system says.
+    /// Names that no file may have, an existing file with other contents, and errors of the system.
     pub(crate) fn create(
         &self,
         case: NewFile<'_>,
@@ -115,7 +114,7 @@ impl Workspace {
                 }
                 Err(error) => WorkspaceError::system("the file cannot be written")(error),
             };
-            // What was made for a case that is not there serves nobody.
+            // Files of a case that could not be created are removed.
             made.iter().for_each(|path| drop(fs::remove_file(path)));
             return Err(error);
         }
@@ -123,12 +122,12 @@ impl Workspace {
     }
 }
 
-/// What requests call a place of the folder.
+/// Identifier in requests for a path of the folder.
 pub(super) fn id_of(shown: &str) -> String {
     fingerprint(shown.as_bytes())
 }
 
-/// When a file was changed; where nobody knows, long ago.
+/// Time of the last change of a file; 1970 if it is unknown.
 pub(super) fn modified(about: &fs::Metadata) -> SystemTime {
     about.modified().unwrap_or(SystemTime::UNIX_EPOCH)
 }

@@ -1,4 +1,4 @@
-//! What was typed and not saved: kept in `.wholestring/drafts`, a file a case.
+//! Unsaved drafts: stored in `.wholestring/drafts`, one file for each case.
 
 use std::{
     fs, io,
@@ -10,14 +10,14 @@ use serde::{Deserialize, Serialize};
 
 use super::{case_file::CaseFile, error::WorkspaceError, folder::Workspace, write};
 
-/// What was typed and not saved.
+/// An unsaved draft.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Draft {
     /// The text.
     pub(crate) text: String,
-    /// What the file was when it was opened.
+    /// The revision of the file when it was opened.
     pub(crate) base_revision: String,
-    /// When it was kept.
+    /// Time when it was saved.
     pub(crate) modified_ms: u64,
 }
 
@@ -25,16 +25,16 @@ pub(crate) struct Draft {
 const DRAFTS: &str = "drafts";
 
 impl Workspace {
-    /// The draft of a case, if there is one that can be read.
+    /// The draft of a case, if there is a readable one.
     pub(crate) fn draft(&self, case: &CaseFile) -> Option<Draft> {
         let path = self.inside(&self.draft_path(case)).ok()?;
         serde_json::from_slice(&wholestring_case::read_file(&path).ok()?).ok()
     }
 
-    /// Keeps a draft.
+    /// Saves a draft.
     ///
     /// # Errors
-    /// Whatever the system says.
+    /// Errors of the system.
     pub(crate) fn keep_draft(
         &self,
         case: &CaseFile,
@@ -53,7 +53,7 @@ impl Workspace {
     /// Removes the draft of a case, if there is one.
     ///
     /// # Errors
-    /// Whatever the system says.
+    /// Errors of the system.
     pub(crate) fn remove_draft(&self, case: &CaseFile) -> Result<(), WorkspaceError> {
         let Ok(path) = self.inside(&self.draft_path(case)) else { return Ok(()) };
         fs::remove_file(path).map_err(WorkspaceError::system("the draft cannot be removed"))

@@ -1,47 +1,47 @@
-//! Why something of the folder cannot be had.
+//! Errors of the folder.
 
 use std::{io, path::PathBuf};
 
-/// Why something of the folder cannot be had.
+/// Error of the folder.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum WorkspaceError {
     /// The folder itself cannot be used.
     #[error("the folder {} cannot be used: {why}", path.display())]
     Folder {
-        /// As it was named.
+        /// The path as given.
         path: PathBuf,
-        /// What the system says.
+        /// The message of the system.
         why: String,
     },
-    /// Nothing has this id.
+    /// The id is unknown.
     #[error("there is no such {0} in the folder")]
     Nothing(&'static str),
-    /// No file may be called so.
+    /// The file name is invalid.
     #[error("`{}` is no name for a file: {why}", name.escape_debug())]
     Name {
-        /// What was given.
+        /// The given name.
         name: String,
-        /// What is wrong with it.
+        /// Its mistake.
         why: &'static str,
     },
-    /// A file is there that must not be written over.
+    /// An existing file must not be overwritten.
     #[error("there is a file `{0}` already")]
     Exists(String),
-    /// The file is not what it was when its text was read.
+    /// The file has changed since its text was read.
     #[error("the file has changed since it was opened")]
     Changed,
     /// The system refused.
     #[error("{what}: {source}")]
     System {
-        /// What was tried: `the case cannot be read`.
+        /// The attempted operation: `the case cannot be read`.
         what: &'static str,
-        /// What the system says.
+        /// The message of the system.
         source: io::Error,
     },
 }
 
 impl WorkspaceError {
-    /// What the system says of what was tried.
+    /// Converts an error of the system during this operation.
     pub(super) fn system(what: &'static str) -> impl Fn(io::Error) -> Self {
         move |source| Self::System { what, source }
     }

@@ -1,4 +1,4 @@
-//! Which files of the folder are cases.
+//! Detection of the case files in the folder.
 
 use std::{fs, path::Path};
 
@@ -7,14 +7,14 @@ use super::{
     folder::Workspace,
 };
 
-/// Files that are looked at.
+/// Maximum number of files examined.
 const FILES: usize = 2000;
 
-/// A case file is no longer, bytes: the reader refuses more.
+/// Maximum size of a case file, bytes: the reader refuses larger ones.
 const LARGEST: u64 = 8 << 20;
 
 impl Workspace {
-    /// The case files, by their places.
+    /// The case files, by path.
     pub(crate) fn cases(&self) -> Vec<CaseFile> {
         let files = self.walk().into_iter();
         let files = files.filter(|place| !place.holds_results && is_toml(&place.shown));
@@ -24,7 +24,7 @@ impl Workspace {
         found
     }
 
-    /// The file as a case, if it is one that lies in the folder.
+    /// The file as a case, if it is one inside the folder.
     fn case_at(&self, shown: String, path: &Path) -> Option<CaseFile> {
         let path = self.inside(path).ok()?;
         let about = fs::metadata(&path).ok().filter(|about| about.is_file())?;
@@ -42,8 +42,8 @@ pub(super) fn is_toml(name: &str) -> bool {
     name.to_ascii_lowercase().ends_with(".toml")
 }
 
-/// Whether a text has a well or a string; that it is TOML is not asked, for a case that is being
-/// written may be broken.
+/// Whether a text has a well or a string. It need not be valid TOML, because a case that is being
+/// edited may be invalid.
 fn has_case(text: &str) -> bool {
     let headings = text.lines().map(str::trim_start).filter_map(|line| line.strip_prefix('['));
     let mut names = headings.map(|line| line.trim_start_matches('[').trim_start());

@@ -1,4 +1,4 @@
-//! The folder, and which paths lie in it.
+//! The folder, and which paths are inside it.
 
 use std::{
     io,
@@ -8,17 +8,17 @@ use std::{
 
 use super::error::WorkspaceError;
 
-/// A folder that nothing leaves, links included.
+/// A folder that confines all access, links included.
 #[derive(Debug)]
 pub(crate) struct Workspace {
-    /// As the system knows it: without links.
+    /// Canonical path, without links.
     root: PathBuf,
-    /// Held by who looks at a file and writes it then.
+    /// Locked while a file is compared and then written.
     writing: Mutex<()>,
 }
 
 impl Workspace {
-    /// The folder at a path.
+    /// Opens the folder at a path.
     ///
     /// # Errors
     /// A path that leads to no folder.
@@ -31,33 +31,33 @@ impl Workspace {
         }
     }
 
-    /// Nobody else writes while this is held.
+    /// Locks out other writers.
     pub(super) fn writing(&self) -> MutexGuard<'_, ()> {
-        // Files are written whole: who panicked has left none half written.
+        // Files are written atomically: a panic leaves none half written.
         self.writing.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Where it lies.
+    /// Path of the folder.
     pub(crate) fn root(&self) -> &Path {
         &self.root
     }
 
-    /// What it is called.
+    /// Name of the folder.
     pub(crate) fn name(&self) -> String {
         let name = self.root.file_name().unwrap_or(self.root.as_os_str());
         name.to_string_lossy().into_owned()
     }
 
-    /// Where a path leads in the end, links followed, if that is in the folder.
+    /// The canonical path, links followed, if it is inside the folder.
     ///
     /// # Errors
-    /// What the system says of a path that leads nowhere, and of one that leads out a sentence.
+    /// Errors of the system for a missing path, and a sentence for one that leads out.
     pub(crate) fn inside(&self, path: &Path) -> io::Result<PathBuf> {
         inside(&self.root, path)
     }
 }
 
-/// The same of a folder that is known without links.
+/// The same for a canonical folder.
 pub(super) fn inside(root: &Path, path: &Path) -> io::Result<PathBuf> {
     let real = path.canonicalize()?;
     match real.starts_with(root) {
@@ -66,8 +66,8 @@ pub(super) fn inside(root: &Path, path: &Path) -> io::Result<PathBuf> {
     }
 }
 
-/// The answer to what would leave the folder.
+/// The error for a path that leads out of the folder.
 pub(super) fn outside() -> io::Error {
-    let sentence = "it lies outside the folder that the program was started for";
+    let sentence = "it is outside the folder that the program was started for";
     io::Error::new(io::ErrorKind::PermissionDenied, sentence)
 }

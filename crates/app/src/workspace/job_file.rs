@@ -1,4 +1,4 @@
-//! What is known of work that was started: kept in `.wholestring/jobs`, a file for each.
+//! The records of jobs: stored in `.wholestring/jobs`, one file each.
 
 use std::{
     fs::{self, File, TryLockError},
@@ -11,26 +11,26 @@ use super::{error::WorkspaceError, folder::Workspace, write};
 /// The folder of the jobs.
 const JOBS: &str = "jobs";
 
-/// The file that the one server holds that does the work of the folder.
+/// The file locked by the one server that runs the jobs of the folder.
 const HELD: &str = "held";
 
 impl Workspace {
-    /// Becomes the one server that does the work of this folder, until what is given is dropped;
-    /// nothing where another is.
+    /// Makes this server the one that runs the jobs of this folder, until the returned file is
+    /// dropped; returns none if another server is.
     ///
     /// # Errors
-    /// Whatever the system says.
+    /// Errors of the system.
     pub(crate) fn hold_jobs(&self) -> Result<Option<File>, WorkspaceError> {
         let failed = WorkspaceError::system("work cannot be kept in the folder");
         let path = self.own_folder(JOBS).map_err(&failed)?.join(HELD);
-        // Where it is a link that leads out, nothing is written through it.
+        // Nothing is written through a link that leads out.
         let mut options = File::options();
         let file = options.read(true).write(true).create(true).truncate(false).open(path);
         let file = file.map_err(&failed)?;
         match file.try_lock() {
             Ok(()) => Ok(Some(file)),
             Err(TryLockError::WouldBlock) => Ok(None),
-            // A file system without locks keeps nobody out.
+            // A file system without locks excludes nobody.
             Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {
                 Ok(Some(file))
             }
@@ -38,12 +38,12 @@ impl Workspace {
         }
     }
 
-    /// Whether work was ever started in the folder.
+    /// Whether a job was ever started in the folder.
     pub(crate) fn has_jobs(&self) -> bool {
         self.own_path(JOBS).is_dir()
     }
 
-    /// What is kept, file after file; what cannot be read is left out.
+    /// The saved records, one for each file; unreadable ones are skipped.
     pub(crate) fn kept_jobs(&self) -> Vec<Vec<u8>> {
         let entries = fs::read_dir(self.own_path(JOBS)).into_iter().flatten().flatten();
         let paths = entries.map(|entry| entry.path());
@@ -52,10 +52,10 @@ impl Workspace {
         inside.filter_map(|path| wholestring_case::read_file(&path).ok()).collect()
     }
 
-    /// Keeps what is known of a job.
+    /// Saves the record of a job.
     ///
     /// # Errors
-    /// Whatever the system says.
+    /// Errors of the system.
     pub(crate) fn keep_job(&self, id: &str, bytes: &[u8]) -> Result<(), WorkspaceError> {
         let failed = WorkspaceError::system("the work cannot be kept in the folder");
         let folder = self.own_folder(JOBS).map_err(&failed)?;
@@ -66,7 +66,7 @@ impl Workspace {
     pub(crate) fn forget_job(&self, id: &str) {
         let path: PathBuf = self.own_path(JOBS).join(format!("{id}.json"));
         if let Ok(path) = self.inside(&path) {
-            // Where it stays it is listed again at the next start.
+            // A file that cannot be removed is listed again at the next start.
             let _ = fs::remove_file(path);
         }
     }

@@ -1,47 +1,47 @@
-//! What is kept of live strings: in `.wholestring/live`, a file each.
+//! Saved live strings: stored in `.wholestring/live`, one file each.
 
 use std::{fs, io, path::PathBuf, time::SystemTime};
 
 use super::{draft::millis, error::WorkspaceError, folder::Workspace, write};
 use crate::fingerprint::fingerprint;
 
-/// Where it is kept in the folder.
+/// Their folder.
 const KEPT: [&str; 2] = [".wholestring", "live"];
 
-/// The ending of the names.
+/// The extension of the names.
 const ENDING: &str = ".live";
 
-/// Files that are listed.
+/// Maximum number of files listed.
 const MOST: usize = 200;
 
-/// A file that is longer is none of ours, bytes.
+/// Maximum size of a saved string, bytes; larger files are ignored.
 const LARGEST: u64 = 256 << 20;
 
-/// A file that is kept.
+/// A saved file.
 #[derive(Debug, Clone)]
 pub(crate) struct KeptFile {
-    /// What requests call it.
+    /// Identifier in requests.
     pub(crate) name: String,
-    /// When it was kept, milliseconds since 1970.
+    /// Time when it was saved, milliseconds since 1970.
     pub(crate) modified_ms: u64,
     path: PathBuf,
 }
 
 impl KeptFile {
-    /// What is in it.
+    /// Reads its contents.
     ///
     /// # Errors
-    /// Whatever the system says.
+    /// Errors of the system.
     pub(crate) fn read(&self) -> Result<Vec<u8>, WorkspaceError> {
-        fs::read(&self.path).map_err(WorkspaceError::system("what was kept cannot be read"))
+        fs::read(&self.path).map_err(WorkspaceError::system("the saved string cannot be read"))
     }
 }
 
 impl Workspace {
-    /// Keeps these bytes, and gives what requests call them.
+    /// Saves these bytes, and returns their identifier in requests.
     ///
     /// # Errors
-    /// Whatever the system says.
+    /// Errors of the system.
     pub(crate) fn keep(&self, bytes: &[u8]) -> Result<String, WorkspaceError> {
         let failed = WorkspaceError::system("the string cannot be kept");
         let name = fingerprint(bytes);
@@ -53,7 +53,7 @@ impl Workspace {
                 Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
                     return Err(failed(error));
                 }
-                // A link that leads out is no place to write to.
+                // Nothing is written through a link that leads out.
                 _ => folder = self.inside(&folder).map_err(&failed)?,
             }
         }
@@ -61,7 +61,7 @@ impl Workspace {
         Ok(name)
     }
 
-    /// What is kept, the latest first.
+    /// The saved files, the latest first.
     pub(crate) fn kept(&self) -> Vec<KeptFile> {
         let folder = KEPT.iter().fold(self.root().to_owned(), |path, name| path.join(name));
         let Ok(entries) = self.inside(&folder).and_then(fs::read_dir) else { return Vec::new() };
@@ -82,19 +82,19 @@ impl Workspace {
         files
     }
 
-    /// The kept file of a name.
+    /// Returns the saved file with a name.
     ///
     /// # Errors
-    /// Where none has it.
+    /// No file has it.
     pub(crate) fn kept_file(&self, name: &str) -> Result<KeptFile, WorkspaceError> {
         let found = self.kept().into_iter().find(|file| file.name == name);
         found.ok_or(WorkspaceError::Nothing("kept string"))
     }
 
-    /// Removes a kept file.
+    /// Removes a saved file.
     ///
     /// # Errors
-    /// Where none has the name, and whatever the system says.
+    /// No file has the name, and errors of the system.
     pub(crate) fn remove_kept(&self, name: &str) -> Result<(), WorkspaceError> {
         let path = self.kept_file(name)?.path;
         fs::remove_file(path).map_err(WorkspaceError::system("the string cannot be removed"))

@@ -1,6 +1,7 @@
-//! The one folder that nothing leaves: cases, drafts, results.
+//! The folder that confines all access: cases, drafts, results.
 //!
-//! What lies in it is named by ids, which are found among what is there and never made into a path.
+//! Its contents are named by ids, which are looked up among the existing paths and never made into
+//! one.
 
 mod arrange;
 mod beside;

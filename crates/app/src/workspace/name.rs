@@ -1,17 +1,17 @@
-//! Names of new files: such as every system takes, and no paths.
+//! Names of new files: valid on every system, and without a path.
 
 use super::error::WorkspaceError;
 
-/// What Windows keeps for devices, with any ending.
+/// Device names reserved by Windows, with any extension.
 const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "com", "lpt"];
 
-/// A name is no longer, bytes: what is put in front of it while it is written fits, too.
+/// Maximum length of a name, bytes, so that the prefix of the temporary file fits, too.
 const LONGEST: usize = 200;
 
-/// Refuses what is no plain name of a file.
+/// Refuses anything but a plain file name.
 ///
 /// # Errors
-/// What is wrong with the name.
+/// The mistake of the name.
 pub(super) fn check(name: &str) -> Result<(), WorkspaceError> {
     match wrong(name) {
         None => Ok(()),
@@ -19,10 +19,10 @@ pub(super) fn check(name: &str) -> Result<(), WorkspaceError> {
     }
 }
 
-/// The same, and what is no name of a case file.
+/// The same, for names of case files.
 ///
 /// # Errors
-/// What is wrong with the name.
+/// The mistake of the name.
 pub(super) fn check_case(name: &str) -> Result<(), WorkspaceError> {
     check(name)?;
     match name.to_ascii_lowercase().ends_with(".toml") {
@@ -42,7 +42,7 @@ fn wrong(name: &str) -> Option<&'static str> {
         return Some("it is longer than 200 bytes");
     }
     if name.chars().any(|letter| letter.is_control() || "/\\:*?\"<>|".contains(letter)) {
-        return Some("it holds a separator or a character that no name of a file has");
+        return Some("it contains a separator or a character that file names cannot have");
     }
     if name.starts_with(['.', ' ', '-']) || name.ends_with(['.', ' ']) {
         return Some("it begins or ends with a dot, a space or a dash");

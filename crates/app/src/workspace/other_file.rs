@@ -1,34 +1,34 @@
-//! Files that work is done with beside a case: studies, and readings at the surface.
+//! Files that a job uses in addition to a case: studies, and readings at the surface.
 
 use std::{fs, io, path::PathBuf};
 
 use super::{case_file::id_of, error::WorkspaceError, find::is_toml, folder::Workspace};
 
-/// Files that are listed.
+/// Maximum number of files listed.
 const FILES: usize = 2000;
 
-/// Endings of files of readings.
+/// Extensions of files of readings.
 const READINGS: [&str; 6] = [".csv", ".txt", ".tsv", ".xlsx", ".xls", ".ods"];
 
-/// A study file is no longer, bytes: the reader refuses more.
+/// Maximum size of a study file, bytes: the reader refuses larger ones.
 const LARGEST: u64 = 8 << 20;
 
 /// A file of the folder.
 #[derive(Debug, Clone)]
 pub(crate) struct OtherFile {
-    /// What requests call it.
+    /// Identifier in requests.
     pub(crate) id: String,
-    /// Its place in the folder, with forward slashes.
+    /// Path within the folder, with forward slashes.
     pub(crate) shown: String,
-    /// Where it is.
+    /// Path on disk.
     pub(crate) path: PathBuf,
 }
 
 impl OtherFile {
-    /// What it holds.
+    /// Reads its contents.
     ///
     /// # Errors
-    /// Whatever the system says, and a file that is too long.
+    /// Errors of the system, and a file that is too large.
     pub(crate) fn read(&self) -> Result<Vec<u8>, WorkspaceError> {
         wholestring_case::read_file(&self.path)
             .map_err(WorkspaceError::system("the file cannot be read"))
@@ -36,7 +36,7 @@ impl OtherFile {
 }
 
 impl Workspace {
-    /// The study files, by their places.
+    /// The study files, by path.
     pub(crate) fn studies(&self) -> Vec<OtherFile> {
         let is_study = |file: &OtherFile| {
             let text = file.path.metadata().and_then(|about| match about.len() > LARGEST {
@@ -48,7 +48,7 @@ impl Workspace {
         self.files(is_toml).into_iter().filter(is_study).collect()
     }
 
-    /// Files that may hold readings, by their places.
+    /// Files that may contain readings, by path.
     pub(crate) fn readings(&self) -> Vec<OtherFile> {
         self.files(|name| {
             let name = name.to_ascii_lowercase();
@@ -56,10 +56,10 @@ impl Workspace {
         })
     }
 
-    /// The one of these files that has an id.
+    /// Returns the one of these files with an id.
     ///
     /// # Errors
-    /// Where none has it; `noun` is what they are.
+    /// No file has it; `noun` names the kind of file.
     pub(crate) fn one_of(
         files: Vec<OtherFile>,
         id: &str,

@@ -1,4 +1,4 @@
-//! Folders of results, and what lies in them.
+//! Results folders and their files.
 
 use std::{
     fs, io,
@@ -7,41 +7,41 @@ use std::{
 
 use super::{case_file::id_of, error::WorkspaceError, folder::Workspace};
 
-/// Folders within a folder of results that are looked through: study, sweep, case, plots.
+/// Maximum depth of folders within a results folder: study, sweep, case, plots.
 const DEPTH: usize = 4;
 
-/// Files of a folder of results that are listed.
+/// Maximum number of listed files of a results folder.
 const FILES: usize = 5000;
 
-/// Where results go, as the command line puts them.
+/// Output folder of the command line.
 const OUT: &str = "out";
 
-/// A folder of results.
+/// A results folder.
 #[derive(Debug, Clone)]
 pub(crate) struct ResultsPlace {
-    /// What requests call it.
+    /// Identifier in requests.
     pub(crate) id: String,
-    /// Its place in the folder, with forward slashes.
+    /// Path within the folder, with forward slashes.
     pub(crate) shown: String,
-    /// Where it is.
+    /// Path on disk.
     pub(crate) path: PathBuf,
 }
 
-/// A file of a folder of results.
+/// A file of a results folder.
 #[derive(Debug, Clone)]
 pub(crate) struct ResultsFile {
-    /// What requests call it.
+    /// Identifier in requests.
     pub(crate) id: String,
-    /// Its place in the folder of results, with forward slashes.
+    /// Path within the results folder, with forward slashes.
     pub(crate) shown: String,
-    /// Where it is.
+    /// Path on disk.
     pub(crate) path: PathBuf,
-    /// How long it is.
+    /// Size, bytes.
     pub(crate) bytes: u64,
 }
 
 impl Workspace {
-    /// The folders of results, by their places.
+    /// The results folders, by path.
     pub(crate) fn results(&self) -> Vec<ResultsPlace> {
         let places = self.walk().into_iter().filter(|place| place.holds_results);
         let places = places.filter_map(|place| {
@@ -53,28 +53,28 @@ impl Workspace {
         found
     }
 
-    /// The folder of results of an id.
+    /// Returns the results folder with an id.
     ///
     /// # Errors
-    /// Where none has it.
+    /// No folder has it.
     pub(crate) fn results_of(&self, id: &str) -> Result<ResultsPlace, WorkspaceError> {
         let found = self.results().into_iter().find(|place| place.id == id);
         found.ok_or(WorkspaceError::Nothing("folder of results"))
     }
 
-    /// What requests call a folder of results, by its place in the folder.
+    /// Identifier of a results folder in requests, made from its path in the folder.
     pub(crate) fn results_id(shown: &str) -> String {
         id_of(shown)
     }
 
-    /// The place of a path in the folder, with forward slashes; nothing where it lies outside.
+    /// The path relative to the folder, with forward slashes; none if it is outside.
     pub(crate) fn shown(&self, path: &Path) -> Option<String> {
         let within = path.strip_prefix(self.root()).ok()?;
         let parts = within.iter().map(|part| part.to_string_lossy());
         Some(parts.collect::<Vec<_>>().join("/"))
     }
 
-    /// The files of a folder of results, by their places; links and what begins with a dot are none.
+    /// The files of a results folder, by path, without links and names that begin with a dot.
     pub(crate) fn files_of(&self, place: &ResultsPlace) -> Vec<ResultsFile> {
         let mut found = Vec::new();
         look(&place.path, "", 0, &mut found);
@@ -82,8 +82,8 @@ impl Workspace {
         found
     }
 
-    /// Refuses to write results where something in `out` is a link that leads out of the folder: what
-    /// is written there would go through it.
+    /// Refuses to write results if `out` contains a link that leads out of the folder, because
+    /// results would be written through it.
     ///
     /// # Errors
     /// The link.
@@ -120,7 +120,7 @@ fn look(folder: &Path, above: &str, depth: usize, found: &mut Vec<ResultsFile>) 
             continue;
         }
         let shown = format!("{above}{name}");
-        // What the entry says of a link is that it is one.
+        // The metadata of a directory entry do not follow links.
         if about.is_dir() && depth < DEPTH {
             look(&entry.path(), &format!("{shown}/"), depth + 1, found);
         } else if about.is_file() {

@@ -1,4 +1,4 @@
-//! What lies in the folder: files, and folders of results, each of which counts as one.
+//! The contents of the folder: files, and results folders, each of which counts as one entry.
 
 use std::{
     fs,
@@ -7,39 +7,39 @@ use std::{
 
 use super::folder::Workspace;
 
-/// Folders below the folder that are searched.
+/// Maximum depth of subfolders that are searched.
 const DEPTH: usize = 4;
 
-/// Entries that are looked at.
+/// Maximum number of entries examined.
 const ENTRIES: usize = 20_000;
 
-/// Folders that hold what programs make.
+/// Folders of generated files.
 const SKIPPED: [&str; 2] = ["target", "node_modules"];
 
-/// Files by one of which a folder of results is known, the last from its first moment on.
+/// Files that identify a results folder; the last one exists from the start.
 const RESULTS: [&str; 5] =
     ["summary.json", "sweep.csv", "checkpoint.bin", "point.json", ".wholestring"];
 
-/// Something that lies in the folder.
+/// An entry of the folder.
 #[derive(Debug)]
 pub(super) struct Place {
-    /// Its place in the folder, with forward slashes.
+    /// Path within the folder, with forward slashes.
     pub(super) shown: String,
-    /// Where it is.
+    /// Path on disk.
     pub(super) path: PathBuf,
-    /// Whether it is a folder of results; a file otherwise.
+    /// Whether it is a results folder; a file otherwise.
     pub(super) holds_results: bool,
 }
 
-/// Whether a folder holds results, or those of work that goes on.
+/// Whether a folder contains results, or those of work in progress.
 pub(crate) fn holds_results(folder: &Path) -> bool {
     RESULTS.iter().any(|name| folder.join(name).is_file())
 }
 
 impl Workspace {
-    /// All that lies in the folder, files of a folder before what lies deeper. What begins with a
-    /// dot, and links to folders, are left out: what these lead to lies elsewhere in the folder, or
-    /// outside.
+    /// All entries of the folder, the files of a folder before its subfolders. Names that begin
+    /// with a dot, and links to folders, are skipped, because the targets are elsewhere in the
+    /// folder or outside.
     pub(super) fn walk(&self) -> Vec<Place> {
         let mut found = Vec::new();
         let mut left = ENTRIES;
@@ -49,7 +49,7 @@ impl Workspace {
 }
 
 fn walk(folder: &Path, above: &str, depth: usize, left: &mut usize, found: &mut Vec<Place>) {
-    // A folder that may not be read holds nothing for us.
+    // An unreadable folder is treated as empty.
     let Ok(entries) = fs::read_dir(folder) else { return };
     let mut folders: Vec<(String, PathBuf)> = Vec::new();
     for entry in entries.flatten() {

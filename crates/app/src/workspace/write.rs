@@ -1,4 +1,4 @@
-//! Files that are written whole or not at all.
+//! Atomic writing of files.
 
 use std::{
     fs,
@@ -8,7 +8,7 @@ use std::{
 
 use tempfile::NamedTempFile;
 
-/// Puts these bytes in the place of a file, or where none is.
+/// Creates or replaces a file.
 pub(super) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let written = written_beside(path, bytes)?;
     if let Ok(about) = fs::metadata(path) {
@@ -18,20 +18,20 @@ pub(super) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Makes a file of these bytes where none is.
+/// Creates a new file.
 ///
 /// # Errors
-/// `AlreadyExists` where one is, and whatever the system says.
+/// `AlreadyExists` if the file exists, and errors of the system.
 pub(super) fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
     written_beside(path, bytes)?.persist_noclobber(path)?;
     Ok(())
 }
 
-/// A file with these bytes in the folder of another, which goes where it is not given a name.
+/// A temporary file with these bytes in the folder of another file, deleted unless it is renamed.
 fn written_beside(path: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".wholestring-");
-    // What the user's own programs would make it, not a secret.
+    // The permissions of files made by the user's own programs, not those of a private file.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = builder.tempfile_in(path.parent().unwrap_or(Path::new(".")))?;

@@ -1,4 +1,4 @@
-//! Answers as one types.
+//! Live answers while a text is edited.
 
 use serde_json::json;
 
@@ -8,25 +8,26 @@ use crate::common::{CASE, Served};
 fn a_text_is_answered_by_both_models_and_written_nowhere() {
     let served = Served::with(&[("slant.toml", CASE)]);
     let id = served.id("slant.toml");
-    let asked = json!({"text": CASE, "set": {"friction": "0.2"}});
-    let answer = served.post(&format!("/api/cases/{id}/answer"), &asked).ok();
+    let request = json!({"text": CASE, "set": {"friction": "0.2"}});
+    let answer = served.post(&format!("/api/cases/{id}/answer"), &request).ok();
     let operations = answer["operations"].as_array().unwrap();
     let models: Vec<&str> = operations.iter().map(|one| one["model"].as_str().unwrap()).collect();
     assert_eq!(models, ["soft", "stiff"]);
-    // With the case's own friction it is harder to pull.
+    // The case's own friction gives a larger pull.
     let own = served.post(&format!("/api/cases/{id}/answer"), &json!({"text": CASE})).ok();
-    let hook_load = |of: &serde_json::Value| of["operations"][0]["hook_load_N"].as_f64().unwrap();
+    let hook_load =
+        |answer: &serde_json::Value| answer["operations"][0]["hook_load_N"].as_f64().unwrap();
     assert!(hook_load(&own) > hook_load(&answer) + 1e3);
     assert_eq!(answer["well"]["string"][0]["to_m"], 1000.0);
-    // What the sliders of the page begin with follows the text and what replaces it.
-    let friction = |of: &serde_json::Value| of["set_points"]["values"][1].clone();
+    // The initial values of the page's sliders follow the text and its replacements.
+    let friction = |answer: &serde_json::Value| answer["set_points"]["values"][1].clone();
     assert_eq!(
         (friction(&own)["key"].as_str(), friction(&own)["now"].as_f64()),
         (Some("friction"), Some(0.3))
     );
     assert_eq!(friction(&answer)["now"], 0.2);
     assert_eq!(own["set_points"]["sections"][0]["label"], "open hole to 1000 m");
-    // Sentences are in the units that are requested.
+    // Sentences are in the requested units.
     let hoisted = CASE.replace("[operation]", "[rig]\nhoist_capacity = \"1500 kN\"\n\n[operation]");
     let field = json!({"text": hoisted, "models": ["soft"], "units": "field"});
     let field = served.post(&format!("/api/cases/{id}/answer"), &field).ok();
@@ -60,8 +61,8 @@ fn what_cannot_be_answered_is_said() {
 fn a_broomstick_has_three_frictions() {
     let served = Served::with(&[("slant.toml", CASE)]);
     let id = served.id("slant.toml");
-    let asked = json!({"text": CASE});
-    let found = served.post(&format!("/api/cases/{id}/broomstick"), &asked).ok();
+    let request = json!({"text": CASE});
+    let found = served.post(&format!("/api/cases/{id}/broomstick"), &request).ok();
     let curves = found["curves"].as_array().unwrap();
     let pulled = curves.iter().filter(|one| one["operation"] == "trip_out");
     let frictions: Vec<&str> = pulled.map(|one| one["friction"].as_str().unwrap()).collect();
@@ -105,23 +106,23 @@ fn an_assembly_lies_in_its_hole() {
         axis[name].as_array().unwrap().iter().map(|one| one.as_f64().unwrap()).collect()
     };
     let (high, right) = (numbers("offset_high_m"), numbers("offset_right_m"));
-    // No further from the middle than half of hole less string; that of a pipe in 8-1/2 in.
+    // At most half of hole minus string from the middle, for a pipe in 8-1/2 in.
     let room_m = 0.5 * (8.5 * 0.0254 - 0.127);
-    // Single precision, and a wall that yields a little.
+    // Single precision, and a wall that yields slightly.
     let reach = high.iter().zip(&right).map(|(high, right)| high.hypot(*right));
     assert!(reach.fold(0.0, f64::max) < room_m + 1e-3);
-    // In a hole that leans by 30 deg a string lies on its low side.
+    // In a hole inclined by 30 deg a string lies on its low side.
     assert!(high.iter().copied().fold(0.0, f64::min) < -0.9 * room_m, "{high:?}");
     assert!(!found["contacts"].as_array().unwrap().is_empty());
-    let asked = json!({"text": CASE, "operation": "drill"});
-    let refused = served.post(&path, &asked);
+    let request = json!({"text": CASE, "operation": "drill"});
+    let refused = served.post(&path, &request);
     assert_eq!(refused.error(422), "bad_input");
     assert!(refused.text().contains("it has trip_out"), "{}", refused.text());
-    let asked = json!({"text": CASE, "operation": "swim"});
-    assert_eq!(served.post(&path, &asked).error(422), "bad_input");
-    // What chooses models for an answer means nothing here.
-    let asked = json!({"text": CASE, "models": ["soft"]});
-    assert_eq!(served.post(&path, &asked).error(422), "bad_json");
+    let request = json!({"text": CASE, "operation": "swim"});
+    assert_eq!(served.post(&path, &request).error(422), "bad_input");
+    // The choice of models for an answer is invalid here.
+    let request = json!({"text": CASE, "models": ["soft"]});
+    assert_eq!(served.post(&path, &request).error(422), "bad_json");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Cases get another name, a copy, or go.
+//! Renaming, copying and deleting cases.
 
 use std::fs;
 
@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 
 use crate::common::{CASE, Served, link::symlink};
 
-fn path(served: &Served, shown: &str) -> String {
-    format!("/api/cases/{}", served.id(shown))
+fn path(served: &Served, place: &str) -> String {
+    format!("/api/cases/{}", served.id(place))
 }
 
 fn paths(served: &Served) -> Vec<String> {
@@ -33,7 +33,7 @@ fn a_renamed_case_keeps_its_draft_and_its_folder() {
     assert_eq!(paths(&served), ["wells/b.toml", "wells/c.toml"]);
     assert_eq!(served.get(&path(&served, "wells/c.toml")).ok()["draft"]["text"], "half");
     assert_eq!(rename("d.toml").error(404), "not_found");
-    // The draft has gone with it: a new case of the old name has none.
+    // The draft has moved with it: a new case of the old name has none.
     fs::write(served.path().join("wells/a.toml"), CASE).unwrap();
     assert_eq!(served.get(&a).ok()["draft"], Value::Null);
 }

@@ -15,8 +15,8 @@ fn the_page_is_served_and_kept_by_its_tag() {
     let tag = script.header("etag").unwrap();
     let headers = format!("{}If-None-Match: {tag}\r\n", served.headers());
     let head = format!("GET /app.js HTTP/1.1\r\n{headers}Connection: close\r\n\r\n");
-    let kept = served.send(&head, b"");
-    assert_eq!((kept.status, kept.body.len()), (304, 0));
+    let response = served.send(&head, b"");
+    assert_eq!((response.status, response.body.len()), (304, 0));
     for path in ["/index.html", "/../Cargo.toml", "/..%2fCargo.toml", "/assets/app.js", "//app.js"]
     {
         assert_eq!(served.get(path).status, 404, "{path}");

@@ -25,23 +25,26 @@ fn a_folder_shows_its_cases() {
         ("1/2/3/4/5/deeper.toml", CASE),
     ]);
     let cases = served.get("/api/cases").ok();
-    let of = |key: &str| -> Vec<Value> {
+    let values = |key: &str| -> Vec<Value> {
         cases.as_array().unwrap().iter().map(|case| case[key].clone()).collect()
     };
-    assert_eq!(of("path"), ["1/2/3/4/deep.toml", "b.toml", "wells/a.toml", "wells/no-toml.toml"]);
-    assert_eq!(of("name"), ["slant", "slant", "slant", "no-toml"]);
-    assert_eq!(of("has_draft"), [false, false, false, false]);
-    let problems = of("problem");
+    assert_eq!(
+        values("path"),
+        ["1/2/3/4/deep.toml", "b.toml", "wells/a.toml", "wells/no-toml.toml"]
+    );
+    assert_eq!(values("name"), ["slant", "slant", "slant", "no-toml"]);
+    assert_eq!(values("has_draft"), [false, false, false, false]);
+    let problems = values("problem");
     assert_eq!(problems[..2], [Value::Null, Value::Null]);
     assert!(problems[2].as_str().unwrap().contains("friction"), "{problems:?}");
     assert_eq!(problems[3], "a value is missing after `=`");
-    assert!(of("modified_ms").iter().all(|time| time.as_u64().unwrap() > 1_600_000_000_000));
-    // The ids are the same when they are asked for again.
+    assert!(values("modified_ms").iter().all(|time| time.as_u64().unwrap() > 1_600_000_000_000));
+    // The ids are the same in a later request.
     assert_eq!(served.get("/api/cases").ok(), cases);
 }
 
-/// A valid file is not a well that can be drilled: the list has the judge's verdict of the newest
-/// result, and whether the case is still what it was then.
+/// A valid file may be a well that cannot be drilled: the list has the judge's verdict from the
+/// newest result, and whether the case is unchanged since then.
 #[test]
 fn a_case_has_the_verdict_of_its_newest_result() {
     let served = Served::with(&[("a.toml", CASE)]);
@@ -86,7 +89,7 @@ fn a_case_is_opened_and_saved() {
     assert_eq!(fs::read_to_string(&file).unwrap(), changed);
     assert_eq!(served.get(&path).ok()["revision"], saved["revision"]);
 
-    // Somebody else has written it since.
+    // Another client has written it since.
     let other = served.put(&path, &json!({"text": "lost", "revision": open["revision"]}));
     assert_eq!(other.error(409), "conflict");
     assert_eq!(fs::read_to_string(&file).unwrap(), changed);
@@ -127,12 +130,12 @@ fn a_new_case_goes_over_none() {
     assert_eq!(id, served.id("b.toml"));
     assert_eq!(fs::read_to_string(served.path().join("t.csv")).unwrap(), "md\n");
     assert_eq!(new("a.toml", json!([])).error(409), "conflict");
-    // A file that is there with another content keeps it, and nothing is half made.
+    // An existing file with other contents keeps them, and nothing is partially created.
     let files = json!([{"file_name": "u.csv", "text": ""}, {"file_name": "s.csv", "text": "x"}]);
     assert_eq!(new("c.toml", files).error(409), "conflict");
     assert!(!served.path().join("u.csv").exists() && !served.path().join("c.toml").exists());
     assert_eq!(fs::read_to_string(served.path().join("s.csv")).unwrap(), "md,inc,azi\n");
-    // With the same content it serves.
+    // With the same contents it is accepted.
     new("c.toml", json!([{"file_name": "s.csv", "text": "md,inc,azi\n"}])).ok();
     for name in
         ["../d.toml", "/tmp/d.toml", "d/e.toml", "d\\e.toml", "d.txt", "nul.toml", "d\0.toml", ""]

@@ -1,10 +1,10 @@
-//! The description of the API, and what it describes.
+//! The description of the API, compared with the sources.
 
 use std::{collections::BTreeSet, fs, path::Path};
 
 use crate::common::Served;
 
-/// What is written in the sources: each handler names its path where it is declared.
+/// The declared paths in the sources: each handler names its path where it is declared.
 fn declared(folder: &Path, into: &mut BTreeSet<String>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -27,7 +27,7 @@ fn the_document_names_every_route() {
     declared(Path::new("src"), &mut in_sources);
     assert!(in_sources.len() > 8);
     assert_eq!(named, in_sources);
-    // What it names is there: no path of it is answered as one that is not.
+    // The named paths exist: none of them is answered as unknown.
     for (path, methods) in document["paths"].as_object().unwrap() {
         let path = path.replace("{id}", "0").replace("{name}", "0");
         for method in methods.as_object().unwrap().keys() {
@@ -39,7 +39,7 @@ fn the_document_names_every_route() {
             assert!(!answer.text().contains("there is nothing at"), "{method} {path}");
         }
     }
-    // Every schema that it refers to is in it.
+    // Every schema that it refers to is included.
     let text = document.to_string();
     for name in text.split("#/components/schemas/").skip(1) {
         let name = name.split('"').next().unwrap();

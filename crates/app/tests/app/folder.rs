@@ -1,4 +1,4 @@
-//! Nothing leaves the folder.
+//! Confinement to the folder.
 
 use std::fs;
 
@@ -19,7 +19,7 @@ fn a_case_reads_no_file_outside() {
     symlink(&secret, served.path().join("wells/link.csv")).unwrap();
     symlink(elsewhere.path(), served.path().join("wells/out")).unwrap();
     let path = format!("/api/cases/{}/check", served.id("wells/a.toml"));
-    let said = |survey: &str| {
+    let diagnostics = |survey: &str| {
         let text = CASE.replace(STATIONS, &format!("survey = '{survey}'"));
         served.post(&path, &json!({"text": text})).ok()["diagnostics"].clone()
     };
@@ -33,17 +33,17 @@ fn a_case_reads_no_file_outside() {
         "/etc/passwd".into(),
     ];
     for survey in outside {
-        let said = said(&survey);
-        assert_eq!(said[0]["level"], "error");
-        let label = said[0]["label"].as_str().unwrap();
-        assert!(label.contains("it lies outside the folder"), "{survey}: {said}");
-        assert!(!said.to_string().contains("root:"));
+        let diagnostics = diagnostics(&survey);
+        assert_eq!(diagnostics[0]["level"], "error");
+        let label = diagnostics[0]["label"].as_str().unwrap();
+        assert!(label.contains("it is outside the folder"), "{survey}: {diagnostics}");
+        assert!(!diagnostics.to_string().contains("root:"));
     }
     for survey in ["\\\\server\\share\\s.csv", "file:///etc/passwd", "out", "."] {
-        assert_eq!(said(survey)[0]["level"], "error", "{survey}");
+        assert_eq!(diagnostics(survey)[0]["level"], "error", "{survey}");
     }
-    // Beside the case and above it, inside: those are read.
-    assert_ne!(said("../s.csv")[0]["level"], "error");
+    // Next to the case and above it, inside the folder: those are read.
+    assert_ne!(diagnostics("../s.csv")[0]["level"], "error");
 }
 
 #[test]
@@ -59,7 +59,7 @@ fn links_that_leave_are_no_cases() {
     let paths: Vec<&str> =
         cases.as_array().unwrap().iter().map(|case| case["path"].as_str().unwrap()).collect();
     assert_eq!(paths, ["a.toml", "c.toml"]);
-    // What is saved through a link inside goes to where it leads; the link stays.
+    // A case saved through a link inside the folder goes to its target; the link stays.
     let path = format!("/api/cases/{}", served.id("c.toml"));
     let revision = served.get(&path).ok()["revision"].clone();
     served.put(&path, &json!({"text": format!("{CASE}\n"), "revision": revision})).ok();
@@ -73,11 +73,11 @@ fn drafts_and_new_cases_stay_inside() {
     let served = Served::with(&[("a.toml", CASE)]);
     symlink(elsewhere.path(), served.path().join(".wholestring")).unwrap();
     let path = format!("/api/cases/{}/draft", served.id("a.toml"));
-    let kept = served.put(&path, &json!({"text": "x", "revision": ""}));
-    assert_eq!(kept.error(500), "failed");
-    assert!(kept.text().contains("it lies outside the folder"));
+    let response = served.put(&path, &json!({"text": "x", "revision": ""}));
+    assert_eq!(response.error(500), "failed");
+    assert!(response.text().contains("it is outside the folder"));
     assert_eq!(fs::read_dir(elsewhere.path()).unwrap().count(), 0);
-    // A link that leads to nothing yet is a file that is there.
+    // A dangling link counts as an existing file.
     symlink(elsewhere.path().join("new.toml"), served.path().join("b.toml")).unwrap();
     let new = json!({"file_name": "b.toml", "text": CASE});
     assert_eq!(served.post("/api/cases", &new).error(409), "conflict");

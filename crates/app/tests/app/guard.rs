@@ -1,8 +1,8 @@
-//! Who is let in.
+//! Admission of requests.
 
 use crate::common::Served;
 
-/// The answer to `GET` of a path with these headers and no others.
+/// The response to `GET` of a path with these headers and no others.
 fn get(served: &Served, path: &str, headers: &str) -> crate::common::Answer {
     served.send(&format!("GET {path} HTTP/1.1\r\n{headers}Connection: close\r\n\r\n"), b"")
 }
@@ -42,7 +42,7 @@ fn without_the_token_nothing_is_answered() {
     assert_eq!(get(&served, "/api/session", &other_port).status, 401);
 }
 
-/// The cookie of a page that was let in.
+/// The cookie of an admitted page.
 fn cookie(served: &Served) -> String {
     format!("Cookie: wholestring_{}={}\r\n", served.port, served.token)
 }
@@ -72,7 +72,7 @@ fn a_foreign_host_is_refused() {
         assert_eq!(answer.error(421), "foreign_host", "{host}");
     }
     assert_eq!(get(&served, "/api/session", &cookie).status, 421);
-    // A whole address in the request line counts as well.
+    // An absolute address in the request line counts as well.
     let host = format!("Host: 127.0.0.1:{port}\r\n{cookie}");
     let foreign = get(&served, &format!("http://evil.example:{port}/api/session"), &host);
     assert_eq!(foreign.status, 421);
@@ -108,7 +108,7 @@ fn what_changes_something_comes_from_our_own_page() {
     ] {
         assert_eq!(post(headers), 403, "{headers}");
     }
-    // A page of another port of this machine has our cookie; it gets no answer.
+    // A page of another port of this machine has the cookie; it gets no response.
     let head = format!("Host: {host}\r\n{cookie}");
     for site in ["same-site", "cross-site"] {
         let answer = get(&served, "/api/session", &format!("{head}Sec-Fetch-Site: {site}\r\n"));

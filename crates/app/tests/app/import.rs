@@ -7,7 +7,7 @@ use zip::{ZipWriter, write::SimpleFileOptions};
 
 use crate::common::{Answer, Served};
 
-/// Sends a form as a browser does.
+/// Sends a form like a browser.
 fn send(served: &Served, parts: &[(&str, Option<&str>, &[u8])]) -> Answer {
     let mut body = Vec::new();
     for (name, file, content) in parts {
@@ -38,36 +38,36 @@ const SURVEY: &str = "MD (ft),Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n";
 fn what_a_file_does_not_tell_is_asked() {
     let served = Served::new();
     let files = [("survey.csv", WITHOUT_UNIT)];
-    let asked = import(&served, &files, &json!({}), Some("well.toml")).ok();
-    assert_eq!(asked["files"][0]["name"], "survey.csv");
-    assert!(asked["files"][0]["what"].as_str().unwrap().contains("survey"), "{asked}");
-    let question = &asked["question"];
+    let answer = import(&served, &files, &json!({}), Some("well.toml")).ok();
+    assert_eq!(answer["files"][0]["name"], "survey.csv");
+    assert!(answer["files"][0]["what"].as_str().unwrap().contains("survey"), "{answer}");
+    let question = &answer["question"];
     assert_eq!((&question["ask"], &question["name"]), (&json!("unit"), &json!("md")));
     let options = question["options"].as_array().unwrap();
     assert!(options.contains(&json!("ft")) && options.contains(&json!("m")), "{options:?}");
     assert!(question["message"].as_str().unwrap().contains("survey.csv"));
-    assert_eq!((&asked["case"], &asked["written"]), (&Value::Null, &Value::Null));
+    assert_eq!((&answer["case"], &answer["written"]), (&Value::Null, &Value::Null));
     assert!(!served.path().join("well.toml").exists());
-    // A wrong answer is asked about again.
+    // A wrong answer leads to the same question.
     let wrong = import(&served, &files, &json!({"units": {"md": "kg"}}), None).ok();
     assert_eq!(wrong["question"]["ask"], "unit");
 
-    // With the answer the case is shown, and not written before that is asked for.
+    // With the answer the case is shown, and not written before this is requested.
     let choices = json!({"units": {"md": "ft"}});
-    let shown = import(&served, &files, &choices, None).ok();
-    let text = shown["case"]["text"].as_str().unwrap();
+    let answer = import(&served, &files, &choices, None).ok();
+    let text = answer["case"]["text"].as_str().unwrap();
     assert!(text.contains("[\"1100 ft\", 3, 45]"), "{text}");
-    assert_eq!(shown["case"]["missing"].as_array().unwrap().len(), 3);
+    assert_eq!(answer["case"]["missing"].as_array().unwrap().len(), 3);
     assert_eq!(served.get("/api/cases").ok(), json!([]));
     let written = import(&served, &files, &choices, Some("well.toml")).ok();
     assert_eq!(written["written"], served.id("well.toml").as_str());
     assert_eq!(fs::read_to_string(served.path().join("well.toml")).unwrap(), text);
-    // Never over what is there, nor anywhere else.
+    // Never over an existing file, nor anywhere else.
     assert_eq!(import(&served, &files, &choices, Some("well.toml")).error(409), "conflict");
     for name in ["../well.toml", "/tmp/well.toml", "well", "", "C:\\well.toml"] {
         assert_eq!(import(&served, &files, &choices, Some(name)).error(422), "bad_input", "{name}");
     }
-    // A choice that nothing asks for is said, not dropped.
+    // An unused choice is reported, not ignored.
     let unused = import(&served, &[("s.csv", SURVEY)], &json!({"units": {"wob": "kN"}}), None).ok();
     assert!(unused["problem"].as_str().unwrap().contains("--unit wob"), "{unused}");
 }
@@ -76,8 +76,8 @@ fn what_a_file_does_not_tell_is_asked() {
 fn two_files_that_hold_the_same_are_asked_about() {
     let served = Served::new();
     let files = [("a.csv", SURVEY), ("b.csv", SURVEY)];
-    let asked = import(&served, &files, &json!({}), None).ok();
-    let question = &asked["question"];
+    let answer = import(&served, &files, &json!({}), None).ok();
+    let question = &answer["question"];
     assert_eq!((&question["ask"], &question["name"]), (&json!("pick"), &json!("survey")));
     assert_eq!(question["options"], json!(["a.csv", "b.csv"]));
     let picked = import(&served, &files, &json!({"picks": {"survey": "b.csv"}}), None).ok();
@@ -110,17 +110,17 @@ fn what_is_no_form_or_no_file_is_refused() {
         send(&served, &[("file", Some("a"), b"x"), ("file", Some("x/a"), b"y")]).error(422),
         "bad_input"
     );
-    // What is none of the formats is said of the file.
+    // A file of unknown format is reported as such.
     let name = ("name", None, &b"a.toml"[..]);
     let noise = send(&served, &[name, ("file", Some("a.bin"), &[0, 159, 146, 150])]).ok();
     assert_eq!(noise["files"][0]["what"], Value::Null);
     assert!(noise["problem"].is_string());
-    // Nothing of it stays.
+    // No temporary file remains.
     let left = fs::read_dir(served.path().join(".wholestring/temporary")).unwrap();
     assert_eq!(left.count(), 0);
 }
 
-/// A workbook whose one sheet grows to so many megabytes.
+/// A workbook whose only sheet expands to this many megabytes.
 fn bomb(megabytes: usize) -> Vec<u8> {
     let mut zip = ZipWriter::new(std::io::Cursor::new(Vec::new()));
     for (name, head) in [
@@ -142,7 +142,7 @@ fn bomb(megabytes: usize) -> Vec<u8> {
 fn bombs_are_refused() {
     let served = Served::new();
     let workbook = bomb(1024);
-    // A thousand times smaller than what it grows to.
+    // A thousandth of its expanded size.
     assert!(workbook.len() < 2 << 20, "{}", workbook.len());
     let doctype = "<?xml version=\"1.0\"?><!DOCTYPE a [<!ENTITY b \"ha\"><!ENTITY c \"&b;&b;\">]>\
         <trajectorys xmlns=\"http://www.witsml.org/schemas/1series\">&c;</trajectorys>";
@@ -154,7 +154,7 @@ fn bombs_are_refused() {
         let problem = refused["problem"].as_str().unwrap();
         assert!(problem.starts_with(name), "{problem}");
     }
-    // It is not unpacked to its end: that alone takes longer.
+    // It is not fully expanded, which alone would take longer.
     assert!(begin.elapsed().as_secs() < 20, "{:?}", begin.elapsed());
 }
 

@@ -1,4 +1,4 @@
-//! Work that is started, followed, stopped and resumed.
+//! Jobs that are started, followed, stopped and resumed.
 
 use std::{
     fs,
@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use crate::common::{CASE, Served, link::symlink};
 
-/// A vertical well that dynamics solve for so long, with a checkpoint whenever one may be written.
+/// A vertical well whose dynamics take this long, with frequent checkpoints.
 fn dynamic(duration: &str) -> String {
     let case = fs::read_to_string("../../cases/vertical.toml").unwrap();
     let time = format!("duration = \"{duration}\"\ncheckpoint_interval = \"1 s\"");
@@ -27,7 +27,7 @@ fn start(served: &Served, request: &Value) -> String {
     served.post("/api/jobs", request).ok()["id"].as_str().unwrap().to_owned()
 }
 
-/// Waits until something holds of a job.
+/// Waits until a condition on a job holds.
 #[track_caller]
 fn until(served: &Served, id: &str, holds: impl Fn(&Value) -> bool) -> Value {
     let begin = Instant::now();
@@ -36,7 +36,7 @@ fn until(served: &Served, id: &str, holds: impl Fn(&Value) -> bool) -> Value {
         if holds(&job) {
             return job;
         }
-        // Dynamics of a shallow well on a machine that does much else.
+        // Dynamics of a shallow well on a busy machine.
         assert!(begin.elapsed() < Duration::from_secs(120), "{job}");
         std::thread::sleep(Duration::from_millis(50));
     }
@@ -66,7 +66,7 @@ fn work_goes_where_the_command_line_puts_it() {
     assert_eq!(job["folder"], "out/slant");
     assert!(served.path().join("out/slant/summary.json").is_file());
     assert!(served.path().join("out/slant/report.html").is_file());
-    // The same again goes to the same folder, another case of the same name to the next.
+    // A repetition uses the same folder, another case of the same name the next one.
     let again = start(&served, &json!({"case": case, "work": {"kind": "run"}}));
     assert_eq!(until(&served, &again, is("finished"))["folder"], "out/slant");
     let set = json!({"friction": "0.1"});
@@ -74,8 +74,8 @@ fn work_goes_where_the_command_line_puts_it() {
     let other = until(&served, &other, is("finished"));
     assert_eq!(other["folder"], "out/slant-2");
     let note = other["progress"]["notes"][0].as_str().unwrap();
-    assert!(note.contains("holds other results, and is left alone"), "{note}");
-    // It is what the command line makes: the identity in the folder is that of the case.
+    assert!(note.contains("holds other results and is not changed"), "{note}");
+    // It equals the result of the command line: the identity in the folder is that of the case.
     let summary = fs::read_to_string(served.path().join("out/slant/summary.json")).unwrap();
     let summary: Value = serde_json::from_str(&summary).unwrap();
     let file = served.path().join("wells/a.toml");
@@ -179,11 +179,11 @@ fn results_go_through_no_link_that_leads_out() {
     symlink(elsewhere.path(), out.join("slant")).unwrap();
     let refused = served.post("/api/jobs", &request);
     assert_eq!(refused.error(500), "failed");
-    assert!(refused.text().contains("out/slant: it lies outside the folder"), "{}", refused.text());
+    assert!(refused.text().contains("out/slant: it is outside the folder"), "{}", refused.text());
     assert_eq!(fs::read_dir(elsewhere.path()).unwrap().count(), 0);
 }
 
-/// The events of a job until its last, as the page gets them.
+/// The events of a job until its last, as received by the page.
 fn events(served: &Served, id: &str) -> Vec<Value> {
     let mut stream = TcpStream::connect(("127.0.0.1", served.port)).unwrap();
     let head = format!("GET /api/jobs/{id}/events HTTP/1.1\r\n{}\r\n", served.headers());
@@ -217,7 +217,7 @@ fn a_job_is_followed_stopped_and_resumed() {
     let path = format!("/api/jobs/{id}");
     assert_eq!(served.delete(&path).error(409), "conflict");
     assert_eq!(served.post(&format!("{path}/resume"), &json!({})).error(409), "conflict");
-    // Whoever follows it sees it go on, and learns when it ends.
+    // A follower sees the progress and the end.
     let begin = Instant::now();
     let (seen, job) = std::thread::scope(|scope| {
         let seen = scope.spawn(|| events(&served, &id));
@@ -229,40 +229,40 @@ fn a_job_is_followed_stopped_and_resumed() {
     let times = seen.iter().filter_map(|event| event["progress"]["bars"][0]["reached_s"].as_f64());
     let times: Vec<f64> = times.collect();
     assert!(times.windows(2).all(|two| two[0] <= two[1]) && times.len() > 1, "{times:?}");
-    // No more than one each fifth of a second, however often it has come on.
+    // At most one each fifth of a second, however often the progress changes.
     let most = begin.elapsed().as_secs_f64() / 0.2 + 2.0;
     assert!((seen.len() as f64) < most, "{} of {most}", seen.len());
     assert_eq!((&job["resumable"], &job["folder"]), (&json!(true), &json!("out/Vertical well")));
-    // The soft string was solved before: what was found in it is kept.
+    // The soft string was solved before, and its checks are kept.
     assert!(served.path().join("out/Vertical well/checkpoint.bin").is_file());
     until(&served, &next, is("finished"));
 
-    // The same work cannot begin anew over what was begun, as on the command line.
+    // The same work cannot replace unfinished work, as on the command line.
     let over = start(&served, &json!({"case": case, "work": {"kind": "run"}}));
     let over = until(&served, &over, is("refused"));
     assert_eq!((&over["refusal"], &over["folder"]), (&json!("unfinished"), &Value::Null));
     assert_eq!(over["message"], "out/Vertical well holds an unfinished run of this case");
 
-    // It goes on where it stopped.
+    // It continues where it stopped.
     let reached = times.last().copied().unwrap();
     assert_eq!(served.post(&format!("{path}/resume"), &json!({})).status, 204);
     let job = until(&served, &id, moves);
     assert!(job["progress"]["bars"][0]["reached_s"].as_f64().unwrap() >= reached);
-    // A server that ends keeps it, and the next one offers to go on.
+    // A server that ends saves it, and the next one offers to continue.
     served.restart(|_| ());
     let job = served.get(&format!("/api/jobs/{id}")).ok();
     assert_eq!((&job["state"], &job["resumable"]), (&json!("interrupted"), &json!(true)));
     let results = served.get("/api/results").ok();
     let results = results.as_array().unwrap();
-    let run = results.iter().find(|of| of["path"] == "out/Vertical well").unwrap();
+    let run = results.iter().find(|row| row["path"] == "out/Vertical well").unwrap();
     assert_eq!(run["unfinished"], true);
-    // It is forgotten where that is wanted; the results stay.
+    // It is forgotten on request; the results stay.
     assert_eq!(served.delete(&path).status, 204);
     assert_eq!(served.get(&path).error(404), "not_found");
     assert!(served.path().join("out/Vertical well/checkpoint.bin").is_file());
 }
 
-/// Makes what is kept of a job what a killed program leaves.
+/// Turns the record of a job into the one that a killed program leaves.
 fn as_if_killed(folder: &Path, id: &str) {
     let file = folder.join(format!(".wholestring/jobs/{id}.json"));
     let mut job: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
@@ -285,7 +285,7 @@ fn what_a_killed_server_has_begun_comes_to_the_same_end() {
     served.post(&format!("/api/jobs/{id}/resume"), &json!({}));
     let job = until(&served, &id, is("finished"));
     assert_eq!(job["folder"], "out/Vertical well");
-    // To every digit what a run without an end between comes to.
+    // Identical to every digit to an uninterrupted run.
     let whole = Served::with(&[("a.toml", &case)]);
     let other = start(&whole, &json!({"case": whole.id("a.toml"), "work": {"kind": "run"}}));
     until(&whole, &other, is("finished"));
@@ -293,10 +293,11 @@ fn what_a_killed_server_has_begun_comes_to_the_same_end() {
         let file = served.path().join("out/Vertical well/summary.json");
         let summary: Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
         let all = summary["operations"].as_array().unwrap().iter();
-        all.flat_map(|of| [of["hook_load_N"].clone(), of["surface_torque_N_m"].clone()]).collect()
+        all.flat_map(|row| [row["hook_load_N"].clone(), row["surface_torque_N_m"].clone()])
+            .collect()
     };
     assert_eq!(numbers(&served), numbers(&whole));
-    // A case that is another by now is not continued.
+    // A case that has changed since is not continued.
     let other = start(
         &served,
         &json!({"case": served.id("a.toml"), "work": {"kind": "run"},
@@ -319,7 +320,7 @@ fn only_so_many_wait_and_one_server_works() {
     assert_eq!(served.get(&format!("/api/jobs/{}", waiting[3])).ok()["state"], "stopped");
     start(&served, &request);
 
-    // A second program on the folder shows the work and leaves it to the first.
+    // A second program on the folder shows the job and leaves it to the first.
     let options = wholestring_app::Options { folder: served.path().to_owned(), port: 0 };
     let server = wholestring_app::Server::bind(&options).unwrap();
     let (url, stop) = (server.url(), server.stop());

@@ -16,7 +16,7 @@ use tokio_tungstenite::{
 
 use crate::common::{CASE, Served};
 
-/// A string that drills, under a drive with a controller.
+/// A drilling string, under a drive with a controller.
 fn drilling() -> String {
     CASE.replace(
         "[operation]\nkind = \"trip_out\"\n",
@@ -25,7 +25,7 @@ fn drilling() -> String {
     )
 }
 
-/// A page that looks at a string.
+/// A page that views a string.
 struct Page {
     runtime: Runtime,
     socket: WebSocketStream<TcpStream>,
@@ -71,21 +71,21 @@ impl Page {
         page
     }
 
-    fn say(&mut self, asked: &Value) {
-        let message = Message::Text(asked.to_string().into());
+    fn say(&mut self, request: &Value) {
+        let message = Message::Text(request.to_string().into());
         self.runtime.block_on(self.socket.send(message)).unwrap();
     }
 
-    /// Takes in the next message; false where there are no more.
+    /// Receives the next message; false if there are no more.
     fn hear(&mut self) -> bool {
         let next = async { timeout(Duration::from_secs(60), self.socket.next()).await };
         match self.runtime.block_on(next).expect("a message within a minute") {
             Some(Ok(Message::Text(text))) => {
-                let told: Value = serde_json::from_str(&text).unwrap();
-                match told["type"].as_str().unwrap() {
-                    "layout" => self.layout = told,
-                    "status" => self.status = told,
-                    "refused" => self.refused.push(told["message"].as_str().unwrap().to_owned()),
+                let message: Value = serde_json::from_str(&text).unwrap();
+                match message["type"].as_str().unwrap() {
+                    "layout" => self.layout = message,
+                    "status" => self.status = message,
+                    "refused" => self.refused.push(message["message"].as_str().unwrap().to_owned()),
                     other => panic!("{other}"),
                 }
             }
@@ -102,7 +102,7 @@ impl Page {
         let numbers = bytes[24..].chunks_exact(4);
         let values: Vec<f32> =
             numbers.map(|four| f32::from_le_bytes(four.try_into().unwrap())).collect();
-        let columns = |of: &str| self.layout[of].as_array().unwrap().len();
+        let columns = |kind: &str| self.layout[kind].as_array().unwrap().len();
         match kind {
             1 => {
                 if mem::replace(&mut self.epoch, epoch) != epoch {
@@ -137,7 +137,7 @@ impl Page {
         f64::from(self.samples.last_key_value().unwrap().1[self.column(name)])
     }
 
-    /// Steps on until the string has reached a time, s.
+    /// Advances until the string has reached a time, s.
     #[track_caller]
     fn step_to(&mut self, time_s: f64) {
         let now = self.status["time_s"].as_f64().unwrap();
@@ -173,7 +173,7 @@ fn a_string_waits_runs_and_stops() {
     page.say(&json!({"pace": 5}));
     page.say(&json!({"run": true}));
     page.until(|page| page.samples.len() > 200);
-    // No sample is missing, and frames are of the whole string.
+    // No sample is missing, and frames cover the whole string.
     let numbers: Vec<u64> = page.samples.keys().copied().collect();
     assert!(numbers.windows(2).all(|two| two[1] == two[0] + 1) && numbers[0] == 0);
     let nodes = page.layout["contact_radius_m"].as_array().unwrap().len() as u32;
@@ -182,11 +182,13 @@ fn a_string_waits_runs_and_stops() {
     page.until(|page| page.status["state"] == "running" && page.status["pace"] == 5.0);
     page.say(&json!({"run": false}));
     page.until(|page| page.status["state"] == "paused");
-    // Another page sees the same, and all that was before it came.
+    // Another page sees the same, and everything from before it joined.
     let mut other = Page::open(&served, &id);
     let first = *page.samples.keys().next().unwrap();
     other.until(|other| other.samples.contains_key(&first));
-    let bits = |page: &Page| page.samples[&first].iter().map(|of| of.to_bits()).collect::<Vec<_>>();
+    let bits = |page: &Page| {
+        page.samples[&first].iter().map(|sample| sample.to_bits()).collect::<Vec<_>>()
+    };
     assert_eq!(bits(&other), bits(&page));
     let ended = served.delete(&format!("/api/live/{id}"));
     assert_eq!(ended.status, 204);
@@ -197,7 +199,7 @@ fn a_string_waits_runs_and_stops() {
     assert!(!served.path().join(".wholestring").exists());
 }
 
-/// What is set is what the engine follows from the next sample on.
+/// The engine follows the set points from the next sample on.
 #[test]
 fn set_points_reach_the_engine() {
     let (served, _, id) = live();
@@ -224,8 +226,8 @@ fn set_points_reach_the_engine() {
     assert_eq!(page.status["events"], 2);
     let recorded = served.get(&format!("/api/live/{id}/recording")).ok();
     assert_eq!(recorded[1]["set"], json!({"weight_on_bit_N": 20e3, "ramp_s": 1.0}));
-    // What cannot be is said, and nothing is changed by it.
-    for (asked, words) in [
+    // Impossible requests are reported, and change nothing.
+    for (request, words) in [
         (json!({"set": {"rotary_speed_rad_per_s": -1.0}}), "the rotary speed is -1"),
         (json!({"set": {"friction": 7}}), "the friction is 7"),
         (json!({"set": {"weight_on_bit_N": 1, "block_velocity_m_per_s": 1}}), "at once"),
@@ -234,7 +236,7 @@ fn set_points_reach_the_engine() {
         (json!({"step": 1e9}), "a step is"),
         (json!({"jump": 1}), "unknown variant"),
     ] {
-        page.say(&asked);
+        page.say(&request);
         let before = page.refused.len();
         page.until(|page| page.refused.len() > before);
         assert!(page.refused[before].contains(words), "{}", page.refused[before]);
@@ -245,7 +247,7 @@ fn set_points_reach_the_engine() {
     assert_eq!(page.status["events"], 2);
 }
 
-/// Taken back and done again, a string moves to the same bits; a branch does so, too.
+/// A string that is rewound and replayed moves to the same bits; a branch does so, too.
 #[test]
 fn a_rewind_gives_the_same_bits() {
     let (served, _, id) = live();
@@ -263,15 +265,15 @@ fn a_rewind_gives_the_same_bits() {
     page.until(|page| page.epoch != epoch && page.status["replaying"] == 2);
     assert!(page.samples.is_empty());
     page.step_to(2.0);
-    let bits = |of: &BTreeMap<u64, Vec<f32>>| -> Vec<Vec<u32>> {
-        of.values().map(|row| row.iter().map(|value| value.to_bits()).collect()).collect()
+    let bits = |rows: &BTreeMap<u64, Vec<f32>>| -> Vec<Vec<u32>> {
+        rows.values().map(|row| row.iter().map(|value| value.to_bits()).collect()).collect()
     };
     let least = before.len().min(page.samples.len());
     assert!(least > 150);
     assert_eq!(bits(&before)[..least], bits(&page.samples)[..least]);
     assert_eq!((&page.status["events"], &page.status["replaying"]), (&json!(2), &json!(0)));
     assert_eq!(page.status["controller"], "z-torque");
-    // Both go on alike from there.
+    // Both continue alike from there.
     let mut other = Page::open(&served, branch["id"].as_str().unwrap());
     assert_eq!(other.status["time_s"], json!(page.status["time_s"].as_f64().unwrap()));
     assert_eq!(other.status["events"], 2);
@@ -283,7 +285,7 @@ fn a_rewind_gives_the_same_bits() {
         assert!(same.clone().all(|(one, other)| one.to_bits() == other.to_bits()), "{number}");
     }
     assert!(other.samples.len() > 40);
-    // Without `replay` what came after is forgotten.
+    // Without `replay` the later part is discarded.
     let back = json!({"checkpoint": first});
     assert_eq!(served.post(&format!("/api/live/{id}/rewind"), &back).status, 204);
     page.until(|page| page.status["events"] == 0);
@@ -301,7 +303,7 @@ fn there_are_no_more_strings_than_may_be() {
     assert_eq!(more.error(429), "too_many");
     assert!(more.text().contains("4 strings are live already"));
     assert_eq!(served.delete(&format!("/api/live/{id}")).status, 204);
-    // It is gone within a moment.
+    // It ends shortly after.
     let begun = (0..100).any(|_| {
         std::thread::sleep(Duration::from_millis(50));
         served.post("/api/live", &json!({"case": case})).status == 200
@@ -327,8 +329,8 @@ fn what_cannot_be_begun_is_said() {
     assert_eq!(begin(json!({"case": case, "operation": "fly"})).error(422), "bad_input");
 }
 
-/// A page of another origin gets no socket, with our cookie or without; nor does one of ours without
-/// it.
+/// A page of another origin gets no socket, with the cookie or without; nor does the app's own page
+/// without it.
 #[test]
 fn a_foreign_page_gets_no_socket() {
     let (served, _, id) = live();
@@ -356,8 +358,9 @@ fn resident() -> Option<u64> {
     Some(line.split_whitespace().nth(1)?.parse::<u64>().ok()? << 10)
 }
 
-/// A page that does not read is sent the latest when it does, and nothing is kept for it: what the
-/// string does meanwhile, a hundred and fifty frames and their samples, would take 30 MB.
+/// A page that does not read receives the latest frame when it does, and nothing is queued for it:
+/// the progress of the string meanwhile, a hundred and fifty frames and their samples, would take
+/// 30 MB.
 #[test]
 fn who_reads_slowly_gets_the_latest_and_costs_nothing() {
     let (served, _, id) = live();
@@ -371,7 +374,7 @@ fn who_reads_slowly_gets_the_latest_and_costs_nothing() {
     page.until(|page| page.frames.len() > begin + 150);
     let after = resident();
     if let (Some(before), Some(after)) = (before, after) {
-        // The samples of the page itself are here, too: some 600 bytes each.
+        // The samples of the page itself are in this process, too: some 600 bytes each.
         let own = page.samples.len() as u64 * 600;
         assert!(after < before + own + (24 << 20), "{before} {after} {own}");
     }
@@ -379,9 +382,9 @@ fn who_reads_slowly_gets_the_latest_and_costs_nothing() {
     page.say(&json!({"run": false}));
     page.until(|page| page.status["state"] == "paused");
     slow.until(|slow| {
-        slow.status["state"] == "paused" && slow.frames.last().is_some_and(|of| of.0 >= to_s)
+        slow.status["state"] == "paused" && slow.frames.last().is_some_and(|frame| frame.0 >= to_s)
     });
-    // What the system's own buffers held came, and what was left out between did not.
+    // The contents of the system's own buffers arrived, and the frames skipped between did not.
     assert!(slow.frames.len() < made, "{} of {made}", slow.frames.len());
     assert!(to_s > from_s);
 }
@@ -406,8 +409,8 @@ fn what_was_done_becomes_the_schedule_of_the_case() {
     assert_eq!(served.post(&path, &json!({"text": several})).error(422), "unsound");
 }
 
-/// A string is kept when it is asked for, and when the program ends; another program continues it to
-/// the same bits.
+/// A string is saved on request and when the program ends; another program continues it to the same
+/// bits.
 #[test]
 fn a_kept_string_is_continued_by_another_program() {
     let (mut served, case, id) = live();
@@ -422,14 +425,14 @@ fn a_kept_string_is_continued_by_another_program() {
     let folder = mem::replace(&mut served.folder, tempfile::tempdir().unwrap());
     drop(served);
     let served = Served::of(folder);
-    let kept = served.get("/api/kept-strings").ok();
-    let kept = kept.as_array().unwrap();
-    // What was asked for, and where the program ended.
-    assert_eq!(kept.len(), 2);
-    assert!(kept.iter().all(|one| one["case"] == json!(case) && one["operation"] == "drill"));
+    let strings = served.get("/api/kept-strings").ok();
+    let strings = strings.as_array().unwrap();
+    // The requested one, and the one from the end of the program.
+    assert_eq!(strings.len(), 2);
+    assert!(strings.iter().all(|one| one["case"] == json!(case) && one["operation"] == "drill"));
     let time_s = |one: &&Value| one["time_s"].as_f64().unwrap();
-    let early = kept.iter().find(|one| time_s(one) < 1.2).unwrap();
-    assert!(kept.iter().any(|one| time_s(&one) > 1.4));
+    let early = strings.iter().find(|one| time_s(one) < 1.2).unwrap();
+    assert!(strings.iter().any(|one| time_s(&one) > 1.4));
     let path = format!("/api/kept-strings/{}", early["name"].as_str().unwrap());
     let again = served.ask("POST", &path, "application/json", b"").ok();
     let mut page = Page::open(&served, again["id"].as_str().unwrap());

@@ -1,4 +1,4 @@
-//! What can be looked up: the session, examples, the schema and the catalogue.
+//! Reference data: the session, examples, the schema and the catalogue.
 
 use serde_json::json;
 
@@ -75,8 +75,9 @@ fn units_are_known_by_dimension() {
             assert!(units[name]["factors"][unit].is_number(), "{unit} of {name}");
             *found += 1;
         }
-        let all = schema.as_object().into_iter().flat_map(|of| of.values());
-        all.chain(schema.as_array().into_iter().flatten()).for_each(|of| bare(of, units, found));
+        let all = schema.as_object().into_iter().flat_map(|members| members.values());
+        all.chain(schema.as_array().into_iter().flatten())
+            .for_each(|member| bare(member, units, found));
     }
     let mut found = 0;
     bare(&served.get("/api/schema").ok(), &units, &mut found);
@@ -95,7 +96,7 @@ fn rows_of_a_spreadsheet_are_a_survey() {
     assert!((md_m[1].as_f64().unwrap() - 304.8).abs() < 1e-9);
     let dogleg = survey["stations"]["dogleg_severity_rad_per_m"][2].as_f64().unwrap();
     assert!((dogleg - 3_f64.to_radians() / 30.48).abs() < 1e-12);
-    // Without any unit of the lengths it is refused, until one is said.
+    // Without any unit of length it is refused, until one is given.
     let bare = "MD,Inc,Azi\n0,0,0\n1000,0,0\n";
     assert_eq!(read(bare, json!(null)).error(422), "bad_input");
     assert_eq!(read(bare, json!("m")).ok()["stations"]["md_m"][1], 1000.0);

@@ -1,4 +1,4 @@
-//! A server over TCP, as a browser and as somebody who means no good meet it.
+//! A server over TCP, with the requests of browsers and of attackers.
 
 mod answers;
 mod arrange;

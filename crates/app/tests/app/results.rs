@@ -1,4 +1,4 @@
-//! What lies in the folder of results, and how it is served.
+//! Contents of the results folder, and how they are served.
 
 use std::fs;
 
@@ -8,7 +8,7 @@ use crate::common::{Served, link::symlink};
 
 const PAGE: &str = "<!doctype html><meta name=\"generator\" content=\"wholestring 9.9.9\">";
 
-/// A folder of results by hand.
+/// A results folder made by hand.
 fn put(served: &Served, folder: &str, friction: f64, hook_load: f64) {
     let path = served.path().join(folder);
     fs::create_dir_all(path.join("plots")).unwrap();
@@ -24,7 +24,7 @@ fn put(served: &Served, folder: &str, friction: f64, hook_load: f64) {
 }
 
 fn id_of(list: &Value, path: &str) -> String {
-    let found = list.as_array().unwrap().iter().find(|of| of["path"] == path);
+    let found = list.as_array().unwrap().iter().find(|file| file["path"] == path);
     found.unwrap_or_else(|| panic!("{path}: {list}"))["id"].as_str().unwrap().to_owned()
 }
 
@@ -47,13 +47,13 @@ fn results_are_listed_with_their_files() {
         .as_array()
         .unwrap()
         .iter()
-        .map(|of| of["path"].as_str().unwrap())
+        .map(|file| file["path"].as_str().unwrap())
         .collect();
     assert_eq!(paths, ["plots/a b.svg", "report.html", "summary.json"]);
 
     let file = |path: &str| {
-        let (of, file) = (id_of(&list, "out/one"), id_of(&results["files"], path));
-        served.get(&format!("/api/results/{of}/files/{file}"))
+        let (id, file) = (id_of(&list, "out/one"), id_of(&results["files"], path));
+        served.get(&format!("/api/results/{id}/files/{file}"))
     };
     let picture = file("plots/a b.svg");
     assert_eq!((picture.status, picture.text().as_str()), (200, "<svg/>"));
@@ -61,7 +61,7 @@ fn results_are_listed_with_their_files() {
         picture.header("content-disposition"),
         Some("attachment; filename*=UTF-8''a%20b.svg")
     );
-    // Opened by itself, it may do nothing.
+    // Opened directly, it is allowed nothing.
     let policy = picture.header("content-security-policy").unwrap();
     assert_eq!(policy, "sandbox; default-src 'none'; frame-ancestors 'none'");
     assert_eq!(file("summary.json").status, 200);
@@ -81,7 +81,7 @@ fn a_page_is_shut_in() {
     assert!(policy.starts_with("sandbox allow-scripts allow-downloads allow-modals; "), "{policy}");
     assert!(policy.contains("default-src 'none'") && policy.contains("frame-ancestors 'self'"));
     assert!(!policy.contains("allow-same-origin") && !policy.contains("connect-src"));
-    // What a frame without an origin asks, a browser marks so.
+    // A browser marks requests of a frame without an origin like this.
     let host = served.host();
     let cookie = format!("Cookie: wholestring_{}={}\r\n", served.port, served.token);
     for marks in ["Origin: null\r\n", "Sec-Fetch-Site: cross-site\r\n"] {
@@ -118,7 +118,7 @@ fn ids_are_no_paths_and_links_are_not_followed() {
     let files = served.get(&format!("/api/results/{id}")).ok()["files"].clone();
     assert!(!files.to_string().contains("secret"), "{files}");
     let page = id_of(&files, "report.html");
-    for (of, file) in [
+    for (id, file) in [
         ("out%2fone", page.as_str()),
         ("..%2f..%2fetc", page.as_str()),
         (&id, "report.html"),
@@ -129,8 +129,8 @@ fn ids_are_no_paths_and_links_are_not_followed() {
         (&id, "secret.txt"),
     ] {
         for noun in ["files", "pages"] {
-            let answer = served.get(&format!("/api/results/{of}/{noun}/{file}"));
-            assert_eq!(answer.error(404), "not_found", "{of} {file}");
+            let answer = served.get(&format!("/api/results/{id}/{noun}/{file}"));
+            assert_eq!(answer.error(404), "not_found", "{id} {file}");
         }
     }
     let plain = served.get(&format!("/api/results/{id}/files/../../a.toml"));

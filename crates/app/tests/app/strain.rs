@@ -1,4 +1,4 @@
-//! More than the server takes.
+//! Overload of the server.
 
 use std::{
     io::{Read, Write},
@@ -31,7 +31,7 @@ fn deep_json_is_refused() {
         let text = format!("{{\"file_name\":\"a.toml\",\"text\":\"\",\"beside\":{body}}}");
         let answer = served.ask("POST", "/api/cases", "application/json", text.as_bytes());
         assert!(matches!(answer.status, 400 | 422), "{}", answer.status);
-        // Where any JSON may stand, too.
+        // Also where any JSON is allowed.
         let text = format!("{{\"text\":\"\",\"changes\":[{{\"set\":\"a\",\"to\":{body}}}]}}");
         let answer = served.ask("POST", "/api/cases/0/edit", "application/json", text.as_bytes());
         assert!(matches!(answer.status, 400 | 422), "{}", answer.status);
@@ -43,7 +43,7 @@ fn who_sends_no_request_is_cut_off() {
     let served = Served::new();
     let mut slow: Vec<TcpStream> = (0..3).map(|_| connect(&served)).collect();
     slow[1].write_all(b"GET / HTTP/1.1\r\n").unwrap();
-    // The third has asked once, and keeps its connection for nothing.
+    // The third has sent one request, and keeps its connection open idly.
     let head = format!("GET /api/session HTTP/1.1\r\n{}\r\n", served.headers());
     slow[2].write_all(head.as_bytes()).unwrap();
     assert_eq!(read_answer(&mut slow[2]).status, 200);
@@ -56,7 +56,7 @@ fn who_sends_no_request_is_cut_off() {
     for (index, stream) in slow.iter_mut().enumerate() {
         stream.set_read_timeout(Some(Duration::from_millis(500))).unwrap();
         let mut rest = Vec::new();
-        // Closed or reset; a server that still waits would let the clock of this end run out.
+        // Closed or reset; if the server still waited, the read would time out.
         let end = stream.read_to_end(&mut rest).map_err(|error| error.kind());
         assert_ne!(end, Err(std::io::ErrorKind::WouldBlock), "{index}");
     }
@@ -66,14 +66,15 @@ fn who_sends_no_request_is_cut_off() {
 fn a_thousand_connections_keep_nobody_out_for_long() {
     let served = Served::new();
     let port = served.port;
-    // What finds no place waits with the system, and of that only so many.
+    // Clients without a permit wait in the system's queue, which is limited, too.
     let attempts = (0..50).map(|_| {
         std::thread::spawn(move || (0..20).filter_map(|_| try_connect(port)).collect::<Vec<_>>())
     });
     let attempts: Vec<_> = attempts.collect();
-    let idle: Vec<TcpStream> = attempts.into_iter().flat_map(|of| of.join().unwrap()).collect();
+    let idle: Vec<TcpStream> =
+        attempts.into_iter().flat_map(|attempt| attempt.join().unwrap()).collect();
     assert!(idle.len() >= 64, "{}", idle.len());
-    // Nobody has taken places for good: half of those go, the others are cut off.
+    // No permit is lost: half of those finish, the others are disconnected.
     let begin = Instant::now();
     drop(idle.into_iter().step_by(2));
     assert_eq!(served.get("/api/session").status, 200);

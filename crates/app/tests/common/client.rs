@@ -1,4 +1,4 @@
-//! HTTP by hand: what a well-behaved client refuses to send, too.
+//! HTTP by hand, including requests that a well-behaved client refuses to send.
 
 use std::{
     io::{Read, Write},
@@ -8,7 +8,7 @@ use std::{
 
 use serde_json::Value;
 
-/// What came back.
+/// A response.
 #[derive(Debug)]
 pub struct Answer {
     pub status: u16,
@@ -32,7 +32,7 @@ impl Answer {
             .unwrap_or_else(|error| panic!("{error}: {} {}", self.status, self.text()))
     }
 
-    /// The JSON of an answer that must be good.
+    /// The JSON of a response that must succeed.
     #[track_caller]
     pub fn ok(&self) -> Value {
         assert!((200..300).contains(&self.status), "{} {}", self.status, self.text());
@@ -47,8 +47,8 @@ impl Answer {
     }
 }
 
-/// Sends a head and a body as they are, and reads the answer; a server that closes before it has
-/// taken all has answered before.
+/// Sends a head and a body as they are, and reads the response; a server that closes before it has
+/// received all has already responded.
 pub fn exchange(port: u16, head: &str, body: &[u8]) -> Answer {
     let mut stream = TcpStream::connect(("127.0.0.1", port)).unwrap();
     stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
@@ -57,7 +57,7 @@ pub fn exchange(port: u16, head: &str, body: &[u8]) -> Answer {
     read_answer(&mut stream)
 }
 
-/// Reads one answer; status 0 where none came.
+/// Reads one response; status 0 if there is none.
 pub fn read_answer(stream: &mut TcpStream) -> Answer {
     let mut head = Vec::new();
     let mut byte = [0];

@@ -1,4 +1,4 @@
-//! A served app on a folder of its own, and a client that can send whatever a socket takes.
+//! A served app on a temporary folder, and a client that can send anything over a socket.
 
 #![allow(dead_code, reason = "not every test binary needs all of it")]
 
@@ -39,7 +39,7 @@ length = "to surface"
 kind = "trip_out"
 "#;
 
-/// A served folder. It ends where this is dropped.
+/// A served folder; the server ends when this is dropped.
 pub struct Served {
     pub folder: tempfile::TempDir,
     pub port: u16,
@@ -65,7 +65,7 @@ impl Served {
         Self::of(folder)
     }
 
-    /// A folder that is there.
+    /// An existing folder.
     pub fn of(folder: tempfile::TempDir) -> Self {
         let options = Options { folder: folder.path().to_owned(), port: 0 };
         let server = Server::bind(&options).unwrap();
@@ -101,7 +101,7 @@ impl Served {
         format!("127.0.0.1:{}", self.port)
     }
 
-    /// The headers of a page that was let in.
+    /// The headers of an admitted page.
     pub fn headers(&self) -> String {
         let Self { port, token, .. } = self;
         format!(
@@ -110,7 +110,7 @@ impl Served {
         )
     }
 
-    /// Sends a head and a body as they are, and reads the answer.
+    /// Sends a head and a body as they are, and reads the response.
     pub fn send(&self, head: &str, body: &[u8]) -> Answer {
         exchange(self.port, head, body)
     }
@@ -148,10 +148,10 @@ impl Served {
         self.ask("DELETE", path, "application/json", b"")
     }
 
-    /// The id of the case at a place of the folder.
-    pub fn id(&self, shown: &str) -> String {
+    /// The id of the case at a path of the folder.
+    pub fn id(&self, place: &str) -> String {
         let cases = self.get("/api/cases").json();
-        let found = cases.as_array().unwrap().iter().find(|case| case["path"] == shown);
+        let found = cases.as_array().unwrap().iter().find(|case| case["path"] == place);
         found.unwrap()["id"].as_str().unwrap().to_owned()
     }
 }

@@ -14,12 +14,12 @@ use super::{
 };
 
 impl BitTable {
-    /// The bit.
+    /// Returns the bit.
     pub(crate) fn build(&self, around: &Around<'_>, reader: &mut Reader) -> Option<BitSettings> {
         self.warn_of_idle_keys(around.is_tested, reader);
         let (keys, law) = (self.law_keys()?, self.laws.law.at()?);
         if !Laws::users_of("excitation").contains(&self.laws.word()?) {
-            // Without effect, but wrong where it contradicts itself.
+            // The front has no effect here, but its keys must not contradict each other.
             self.laws.rate.front.build(None, reader)?;
         }
         Some(BitSettings {
@@ -27,22 +27,22 @@ impl BitTable {
             lateral_stiffness_N_per_m: *self.lateral_stiffness.get()?,
             steerability: *self.steerability.get()?,
             motor: self.drive(around.flow_m3_per_s, reader)?,
-            // A program's own.
+            // Set by programs only.
             excitation: None,
         })
     }
 
-    /// The keys of the law that was chosen.
+    /// Returns the keys of the law that was chosen.
     pub(crate) fn law_keys(&self) -> Option<&dyn LawKeys> {
         self.laws.chosen()
     }
 
-    /// The motor, in the one way or the other.
+    /// Returns the motor, from either of the two ways to give it.
     fn drive(&self, flow_m3_per_s: Option<f64>, reader: &mut Reader) -> Option<Motor> {
         let speed = self.motor_speed.optional()?;
         match (self.motor.given(), speed) {
             (Some(motor), Some(speed)) => Diagnostic::error("the motor is given twice")
-                .at(speed.place, "by a speed that nothing changes")
+                .at(speed.place, "by a constant speed")
                 .at(motor.place, "by its curve")
                 .help("keep one of `motor_speed` and [bit.motor]")
                 .refuse(reader),
@@ -62,12 +62,12 @@ impl BitTable {
         self.motor_speed.given().is_some() || self.motor.given().is_some()
     }
 
-    /// Whether what the pumps deliver turns a motor.
+    /// Whether the flow of the pumps turns a motor.
     pub(crate) fn takes_flow(&self) -> bool {
         self.motor.given().is_some()
     }
 
-    /// The numbers of the bit's face, `radius_m` wide at the gauge.
+    /// Returns the numbers of the bit's face, `radius_m` wide at the gauge.
     pub(crate) fn shape(&self, radius_m: f64, reader: &mut Reader) -> Option<BitShape> {
         self.laws.rock.shape(radius_m, reader)
     }
@@ -78,7 +78,7 @@ impl BitTable {
             words.is_empty() || words.contains(&word) || (is_tested && words.contains(&ROCK))
         };
         for key in self.written() {
-            // The kind of bit says more of the core's diameter.
+            // The kind of bit gives a more specific message for the core's diameter.
             if is_used(&key.used_with) || key.name == "core_diameter" {
                 continue;
             }

@@ -3,25 +3,24 @@
 use wholestring::dynamics::{Band, BitTable as Points, Excitation};
 use wholestring_config::prelude::*;
 
-/// Where the case does not say: three lobes of a tricone bit; noise up to eight waves per
-/// revolution.
+/// Defaults: three lobes of a tricone bit; noise up to eight waves per revolution.
 const LOBES: u64 = 3;
 const WAVES: f64 = 8.0;
 
 table! {
-    /// What shakes the bit on its rock front. Without any of it the bottom is smooth.
+    /// Excitation of the bit on its rock front. Without any excitation the bottom is smooth.
     ExcitationTable in "[bit.excitation]" {
         /// Lobes of the bottom pattern per revolution: the cones of a roller-cone bit. Raising it
         /// raises the frequency.
         lobes: u64 = default(Count { from: 1, to: 100 }, LOBES);
-        /// Amplitude of the lobes: half of what lies between crest and trough. Raising it raises
-        /// the swing of the weight on bit at so many times the rotary speed, until the bit bounces.
+        /// Amplitude of the lobes: half of the height from trough to crest. Raising it raises the
+        /// swing of the weight on bit at this many times the rotary speed, until the bit bounces.
         amplitude: f64 = default(displacement(), 0.0);
         /// Roughness of the bottom, rms. Raising it raises the noise of the weight on bit, until
-        /// the bit bounces. A table of the law "table" may bring its own.
+        /// the bit bounces. A table of the law "table" may give its own.
         roughness: f64 = default(displacement(), 0.0);
         /// Fluctuation of the bit's torque, rms, as a fraction of the torque. Raising it raises the
-        /// noise of the torque. A table of the law "table" may bring its own.
+        /// noise of the torque. A table of the law "table" may give its own.
         torque_fluctuation: f64 = default(Number::up_to(1.0), 0.0);
         /// Waves per revolution at which the power density of roughness and torque fluctuation has
         /// fallen to half. Raising it makes the noise finer.
@@ -29,7 +28,7 @@ table! {
             Number { unit: "", range: Range::positive_to(1000.0) },
             WAVES,
         );
-        /// The same as a frequency, for noise that goes by time and not by the bit's angle.
+        /// The same as a frequency, for noise that depends on time instead of the bit's angle.
         frequency: f64 = optional(Quantity::si(
             Dimension::Frequency,
             Range::positive_to(1000.0).usual(0.1, 500.0),
@@ -43,7 +42,8 @@ fn displacement() -> Quantity {
 }
 
 impl ExcitationTable {
-    /// The excitation, if anything shakes; a table that the bit has may know its spread.
+    /// Returns the excitation, if its amplitudes are not all zero; a measured table of the bit may
+    /// give the standard deviations.
     pub(super) fn build(
         &self,
         points: Option<&Points>,
@@ -55,20 +55,22 @@ impl ExcitationTable {
             (&self.torque_fluctuation, "torque_fluctuation", "torque_std_N_m", spreads_torque),
             (&self.roughness, "roughness", "weight_on_bit_std_N", spreads_weight),
         ] {
-            if let Some(given) = field.given().filter(|_| brought) {
+            if let Some(entry) = field.given().filter(|_| brought) {
                 return Diagnostic::error(format!("`{name}` is given twice"))
-                    .at(given.place, format!("the table has it by `{column}`"))
+                    .at(entry.place, format!("the table has it by `{column}`"))
                     .help("keep one of the two")
                     .refuse(reader);
             }
         }
         let frequency = self.frequency.optional()?;
         if let (Some(frequency), Some(waves)) = (frequency, self.waves.given()) {
-            return Diagnostic::error("the noise goes by time or by the bit's angle, not by both")
-                .at(frequency.place, "by time")
-                .at(waves.place, "by the bit's angle")
-                .help("give one of `frequency` and `waves`")
-                .refuse(reader);
+            return Diagnostic::error(
+                "the noise depends on time or on the bit's angle, not on both",
+            )
+            .at(frequency.place, "by time")
+            .at(waves.place, "by the bit's angle")
+            .help("give one of `frequency` and `waves`")
+            .refuse(reader);
         }
         let excitation = Excitation {
             lobes: u32::try_from(*self.lobes.get()?).ok()?,

@@ -7,10 +7,10 @@ use wholestring_config::prelude::*;
 
 use crate::beside::read_beside;
 
-/// More lines than this are no table of a bit.
+/// Maximum number of lines in the file of a bit's table.
 pub(super) const MAX: usize = 10_000;
 
-/// Columns of the file: name, what one is worth in SI, whether it must be there.
+/// Columns of the file: name, value of one unit in SI, whether the column is required.
 const COLUMNS: [(&str, f64, bool); 6] = [
     ("weight_on_bit_N", 1.0, true),
     ("rotary_speed_rpm", PI / 30.0, true),
@@ -20,14 +20,14 @@ const COLUMNS: [(&str, f64, bool); 6] = [
     ("weight_on_bit_std_N", 1.0, false),
 ];
 
-/// What stands in a place of a text.
+/// The content of a cell, with its place in the text.
 #[derive(Debug, Clone)]
 struct Cell<'a> {
     text: &'a str,
     span: ByteRange<usize>,
 }
 
-/// The points of a file beside the case.
+/// Reads the points of a file that the case names.
 pub(super) fn read(
     file: &Spanned<String>,
     files: &dyn Files,
@@ -65,7 +65,7 @@ pub(super) fn read(
     }
 }
 
-/// The lines that are not blank.
+/// Returns the lines that are not blank.
 fn lines(text: &str) -> Vec<Cell<'_>> {
     let mut from = 0;
     let lines = text.split_inclusive('\n').map(|line| {
@@ -84,7 +84,7 @@ fn cells<'a>(line: &Cell<'a>) -> Vec<Cell<'a>> {
     cells.collect()
 }
 
-/// A text without the blanks around it, which begins at `from`.
+/// Returns a text that begins at `from` without the blanks around it.
 fn trimmed(text: &str, from: usize) -> Cell<'_> {
     let begin = from + (text.len() - text.trim_start().len());
     let text = text.trim();
@@ -95,7 +95,7 @@ fn place(source: usize, span: &ByteRange<usize>) -> Span {
     Span { source, start: span.start, end: span.end }
 }
 
-/// Where each column stands; none of one that may be left out.
+/// Position of each column; `None` for an optional column that is missing.
 fn columns(head: &Cell<'_>, source: usize) -> Result<[Option<usize>; 6], Diagnostic> {
     let names = cells(head);
     let mut found = [None; 6];
@@ -108,7 +108,7 @@ fn columns(head: &Cell<'_>, source: usize) -> Result<[Option<usize>; 6], Diagnos
             return Err(Diagnostic::error(format!("the table has no column `{column}`"))
                 .at(place(source, &head.span), format!("`{column}` is missing")));
         }
-        // A column that is nearly there was meant.
+        // A column with nearly the right name was meant to be it.
         let near = names.iter().find(|cell| {
             let known = COLUMNS.iter().any(|(name, ..)| *name == cell.text);
             !known && nearest(cell.text, [*column]).is_some()
@@ -143,7 +143,7 @@ fn point(
                 .at(place(source, &cell.span), format!("expected a number of `{name}`"))),
         }
     };
-    // What must be there has been found.
+    // Required columns have been found by now.
     let needed = |column: usize| number(column).map(Option::unwrap_or_default);
     Ok(Spanned {
         value: TablePoint {

@@ -1,4 +1,4 @@
-//! What an operation asks of its bit and its motor.
+//! Set points of an operation that concern its bit and its motor.
 
 use wholestring::{
     dynamics::{BitSettings, Motor},
@@ -9,7 +9,7 @@ use wholestring_units::Dimension;
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned};
 
-/// The set points that stand in the file.
+/// The set points that the file gives.
 pub(crate) struct Given<'a> {
     pub(crate) rpm: Option<&'a Spanned<f64>>,
     pub(crate) wob: Option<&'a Spanned<f64>>,
@@ -17,7 +17,7 @@ pub(crate) struct Given<'a> {
 }
 
 impl Given<'_> {
-    /// What a motor cannot bear.
+    /// Warns of an operation that exceeds the capacity of its motor.
     pub(crate) fn warn_of_motor(
         &self,
         bit: &BitSettings,
@@ -39,7 +39,7 @@ impl Given<'_> {
         } else if torque > motor.max_torque_N_m() {
             reader.report(
                 Diagnostic::warning("the motor is loaded beyond its largest pressure drop")
-                    .at(wob.place, format!("takes {needed}, the motor is made for {most}")),
+                    .at(wob.place, format!("needs {needed}, the motor is rated for {most}")),
             );
         }
     }

@@ -24,9 +24,8 @@ impl Kind {
         (INSERTS, Self::Inserts),
     ];
 
-    /// Inclination of the cutting force where the case does not say: the drag bit of Richard,
-    /// Germay and Detournay's examples; of a roller cone `3/(4 · 0.25)`, such that its torque is
-    /// 0.25 of `2aW/3`.
+    /// Default inclination of the cutting force: the drag bit of Richard, Germay and Detournay's
+    /// examples; for a roller cone `3/(4 · 0.25)`, such that its torque is 0.25 of `2aW/3`.
     pub(crate) fn inclination(self) -> f64 {
         match self {
             Self::RollerCone | Self::Inserts => 3.0,
@@ -34,7 +33,7 @@ impl Kind {
         }
     }
 
-    /// Friction of the wear flats where the case does not say; teeth that roll rub half as much.
+    /// Default friction of the wear flats; rolling teeth have half of it.
     pub(crate) fn friction(self) -> f64 {
         match self {
             Self::RollerCone | Self::Inserts => 0.3,
@@ -48,17 +47,17 @@ impl Kind {
 }
 
 keys! {
-    /// How the bit breaks rock, for the laws that ask and for a bit test.
+    /// Mechanism by which the bit breaks rock, for the laws that need it and for a bit test.
     KindKeys {
         /// "pdc", "roller cone", "core" or "inserts" (fixed ones that crush and scrape). The laws
-        /// of cutters take other numbers for a roller cone where none are given, cut a ring with a
-        /// core bit and know no inserts; against solid rock the bit has the shape of `[bit.face]`,
-        /// and cones that roll are not modelled.
+        /// of cutters use other defaults for a roller cone, cut a ring with a core bit and do not
+        /// apply to inserts; against solid rock the bit has the shape of `[bit.face]`, and rolling
+        /// cones are not modelled.
         kind: Kind = default(
             Choice { noun: "a kind of bit", words: Kind::WORDS },
             Kind::Pdc,
         );
-        /// Core bit: diameter of the core that it leaves. Raising it leaves less to cut.
+        /// Core bit: diameter of the core. Raising it reduces the volume of rock to cut.
         core_diameter: f64 = optional(Quantity::si(
             Dimension::Diameter,
             Range::positive_to(1.0).usual(0.01, 0.3),
@@ -68,7 +67,8 @@ keys! {
 }
 
 impl KindKeys {
-    /// Radius of the core that a bit `radius_m` wide leaves, m; zero of one that leaves none.
+    /// Returns the radius of the core that a bit `radius_m` wide leaves, m; zero for a bit that
+    /// leaves none.
     pub(crate) fn core_radius_m(&self, radius_m: f64, reader: &mut Reader) -> Option<f64> {
         let kind = self.kind.at()?;
         match (kind.value, self.core_diameter.optional()?) {

@@ -1,4 +1,4 @@
-//! Why the numbers of a case make no face of a bit.
+//! The reason why the numbers of a case do not give the face of a bit.
 
 use wholestring::rock::bit_face::FaceError;
 
@@ -7,7 +7,8 @@ use wholestring_units::{Dimension, UnitSet, number_text};
 
 use wholestring_config::{diagnostic::Diagnostic, reader::shown, rule::Table, source::Span};
 
-/// The key that holds a number which the face names so; the diameters are those of other tables.
+/// The key of each number, by its name in errors of the face; the diameters are keys of other
+/// tables.
 const KEYS: [(&str, &str); 24] = [
     ("nose position", "nose"),
     ("nose radius", "nose_radius"),
@@ -35,26 +36,26 @@ const KEYS: [(&str, &str); 24] = [
     ("half angle of the inserts", "half_angle"),
 ];
 
-/// The mistake, at those of its numbers that stand in the case; `od` is the diameter's place.
+/// Returns the mistake, at those of its numbers that the case gives; `od` is the diameter's place.
 pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span, units: UnitSet) -> Diagnostic {
     let size = |length_m: f64| shown(Dimension::Diameter, length_m, units);
     let whole = bit.laws.rock.face.at().map_or(od, |at| at.place);
-    let given = |key: &str| {
+    let place_of = |key: &str| {
         let keys = bit.laws.rock.face.get()?.written();
         keys.iter().find(|at| at.name == key).map(|at| at.place)
     };
-    // The first of these keys that stands in the case.
-    let first = |keys: &[&str]| keys.iter().find_map(|key| given(key)).unwrap_or(whole);
+    // The first of these keys that the case gives.
+    let first = |keys: &[&str]| keys.iter().find_map(|key| place_of(key)).unwrap_or(whole);
     match error {
         FaceError::OutOfRange { quantity, value, expected } => {
             let (key, place) = match *quantity {
                 "diameter" => ("od", Some(od)),
                 "core diameter" => ("core_diameter", bit.laws.kind.core_diameter.place()),
-                "tip radius of the inserts" => ("tip_radius", given("tip_radius")),
+                "tip radius of the inserts" => ("tip_radius", place_of("tip_radius")),
                 other => {
                     let known = KEYS.iter().find(|(name, _)| *name == other);
                     let key = known.map_or(other, |(_, key)| *key);
-                    (key, given(key))
+                    (key, place_of(key))
                 }
             };
             let diagnostic = Diagnostic::error(format!("`{key}` does not suit the bit"));

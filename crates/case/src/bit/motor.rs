@@ -3,15 +3,16 @@
 use wholestring::dynamics::MudMotor;
 use wholestring_config::prelude::*;
 
-/// Where the case does not say: part of the flow that leaks at the largest pressure drop, part of
-/// the ideal torque, and the stall torque over that at the largest pressure drop.
+/// Defaults: part of the flow that leaks at the largest pressure drop, part of the ideal torque,
+/// and the stall torque over that at the largest pressure drop.
 const SLIP: f64 = 0.1;
 const EFFICIENCY: f64 = 0.8;
 const STALL: f64 = 1.5;
 
 table! {
-    /// A positive displacement motor between string and bit. Its speed goes with the flow and falls
-    /// with the torque, until it stalls. It needs `displacement` and `max_differential_pressure`.
+    /// A positive displacement motor between string and bit. Its speed is proportional to the flow
+    /// and falls with the torque, until it stalls. It needs `displacement` and
+    /// `max_differential_pressure`.
     MotorTable in "[bit.motor]" {
         /// Volume of mud that turns it once. Raising it slows it and strengthens it.
         displacement: f64 = optional(Quantity::si(
@@ -19,15 +20,14 @@ table! {
             Range::positive_to(1.0).usual(2e-4, 0.2),
             "12 L",
         ));
-        /// Largest pressure drop that it is made for. Raising it keeps the speed up to a larger
-        /// torque.
+        /// Largest rated pressure drop. Raising it keeps the speed up to a larger torque.
         max_differential_pressure: f64 = optional(Quantity::si(
             Dimension::Pressure,
             Range::positive_to(1e8).usual(2e5, 3e7),
             "80 bar",
         ));
-        /// Part of the rated flow that leaks past it at that pressure, so that the motor is slower
-        /// by it. Raising it makes the speed yield more to the torque.
+        /// Part of the rated flow that leaks past the rotor at that pressure, which slows the
+        /// motor. Raising it makes the speed fall faster with the torque.
         slip: f64 = default(
             Number { unit: "", range: Range::from_to(0.0, 0.9) },
             SLIP,
@@ -38,8 +38,8 @@ table! {
             Number { unit: "", range: Range::from_to(0.05, 1.0) },
             EFFICIENCY,
         );
-        /// Torque at which it stalls at the rated flow, and never exceeds. Default: 1.5 times the
-        /// torque at the largest pressure drop.
+        /// Torque at which the motor stalls at the rated flow, its upper limit. Default: 1.5 times
+        /// the torque at the largest pressure drop.
         stall_torque: f64 = optional(Quantity::si(
             Dimension::Torque,
             Range::positive_to(1e6).usual(50.0, 1e5),
@@ -55,7 +55,7 @@ table! {
 }
 
 impl MotorTable {
-    /// The motor with what the pumps deliver in the case.
+    /// Returns the motor with the flow of the pumps of the case.
     pub(super) fn build(
         &self,
         place: Span,
@@ -103,7 +103,7 @@ fn stalls_early(stall: &Spanned<f64>, most: &str) -> Diagnostic {
         .help("that is efficiency * displacement * max_differential_pressure / 2 pi")
 }
 
-/// A key that the motor cannot do without.
+/// Returns a key that the motor requires.
 fn needed(
     field: &Field<f64>,
     name: &str,

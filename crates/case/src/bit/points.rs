@@ -1,4 +1,4 @@
-//! `[bit.table]`: a law that was measured, from the case or from a file beside it.
+//! `[bit.table]`: a measured law, from the case or from a file that it names.
 
 use std::f64::consts::PI;
 
@@ -10,14 +10,14 @@ use wholestring_config::prelude::*;
 use wholestring_units::UnitSet;
 
 table! {
-    /// A law that was measured: rate of penetration and torque against weight on bit and rotary
-    /// speed of the bit, every weight at every speed. Between its points the law is bilinear; a run
-    /// that leaves the table stays at its edge and says so.
+    /// A measured law: rate of penetration and torque against weight on bit and rotary speed of the
+    /// bit, every weight at every speed. Between its points the law is bilinear; a run that leaves
+    /// the table uses its edge, with a warning.
     PointsTable in "[bit.table]" {
         /// CSV file, relative to the case: a line of column names, then a line for each point.
         /// Columns weight_on_bit_N, rotary_speed_rpm, rate_of_penetration_m_per_h, torque_N_m, and
         /// optionally the standard deviations torque_std_N_m and weight_on_bit_std_N, which become
-        /// noise; others are passed over.
+        /// noise; other columns are ignored.
         file: String = optional(Text);
         /// The same in the case, in place of a file: [weight, speed, rate, torque], or with the
         /// standard deviation of the torque, or of torque and weight, after them. Bare numbers are
@@ -26,7 +26,7 @@ table! {
     }
 }
 
-/// One point in the case.
+/// A point in the case.
 pub(super) struct PointRule;
 
 impl PointRule {
@@ -105,7 +105,7 @@ impl PointsTable {
             (Some(file), Some(points)) => {
                 return Diagnostic::error("the table of the bit is given twice")
                     .at(points.place, "`points` in the case")
-                    .at(file.place, "`file` beside it")
+                    .at(file.place, "`file` in addition")
                     .help("keep one of the two")
                     .refuse(reader);
             }
@@ -154,11 +154,11 @@ fn no_table(
             )
         }
         TableFault::Spread { line } => {
-            Diagnostic::error("a standard deviation stands at some points and not at others")
+            Diagnostic::error("a standard deviation is given at some points but not at others")
                 .at(at(line), "not as the first point")
         }
         TableFault::Number { line } => {
-            Diagnostic::error("weight and speed are positive, nothing is negative")
+            Diagnostic::error("weight and speed must be positive, and no number negative")
                 .at(at(line), "out of range")
         }
         TableFault::Empty => Diagnostic::error("the table of the bit is empty").at(whole, ""),

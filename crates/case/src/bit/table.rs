@@ -11,9 +11,9 @@ table! {
     /// The bit on the rock.
     BitTable in "[bit]" {
         ..laws: Laws;
-        /// Speed at which a mud motor turns the bit against the string, whatever the torque; a bare
-        /// number is in rev/min. "slide" needs it, or `[bit.motor]`, where the bit's angle counts:
-        /// in all laws but the rate law, and with an excitation.
+        /// Speed at which a mud motor turns the bit relative to the string, whatever the torque; a
+        /// bare number is in rev/min. "slide" needs it, or `[bit.motor]`, where the bit's angle
+        /// counts: in all laws but the rate law, and with an excitation.
         motor_speed: f64 = optional(
             Quantity::si(
                 Dimension::RotarySpeed,
@@ -22,16 +22,16 @@ table! {
             )
             .bare("rev/min", PI / 30.0),
         );
-        /// A mud motor that turns with the flow and yields to the torque.
+        /// A mud motor whose speed depends on flow and torque.
         motor: MotorTable = optional(Section::<MotorTable>::RULE);
-        /// Side cutting: what the bit cuts sideways per side force over what it cuts ahead per
-        /// weight. Raising it lets a side force move the bit off the hole's axis faster. Only the
-        /// dynamic model uses it.
+        /// Side cutting: sideways cut of the bit per side force over its axial cut per weight.
+        /// Raising it lets a side force move the bit off the hole's axis faster. Only the dynamic
+        /// model uses it.
         steerability: f64 = default(Number::up_to(1.0), 0.0);
-        /// Lateral stiffness that holds the bit to the hole's axis, instead of contact and friction
-        /// with the wall: the bit fills its hole. Raising it holds the bit closer. On solid rock it
-        /// stands for what the wall is finer than elements; with 0 the elements alone hold the bit.
-        /// The soft string does not use it.
+        /// Lateral stiffness that holds the bit to the hole's axis, in place of contact and
+        /// friction with the wall, because the bit fills its hole. Raising it holds the bit closer.
+        /// On solid rock it represents wall detail finer than the elements; with 0 the elements
+        /// alone hold the bit. The soft string does not use it.
         lateral_stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(0.0, 1e12).usual(1e4, 1e10), "1e7 N/m"),
             BitSettings::default().lateral_stiffness_N_per_m,

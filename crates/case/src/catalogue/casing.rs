@@ -11,20 +11,20 @@ use crate::tubular_rules::{diameter, mass_per_length, yield_strength};
 const STEEL_KG_PER_M3: f64 = 7850.0;
 
 table! {
-    /// A casing of one's own.
+    /// A casing of the user's own.
     OwnCasingTable in "[[casing]]" {
-        /// What `casing` under [[well.hole]] calls it.
+        /// Name that `casing` under [[well.hole]] refers to.
         name: String = required(Text);
         /// Outside diameter.
         od: f64 = required(diameter("244.5 mm"));
         /// Inside diameter, less than od: the string moves in it.
         id: f64 = required(diameter("224.4 mm"));
-        /// Diameter of the mandrel that passes every joint, not more than id. Default: as API Spec
-        /// 5CT allows for its size.
+        /// Diameter of the mandrel that passes every joint, not more than id. Default: the value of
+        /// API Spec 5CT for its size.
         drift: f64 = optional(diameter("220.4 mm"));
         /// Mass per length in air, couplings included. Default: the body's, of steel.
         mass_per_length: f64 = optional(mass_per_length());
-        /// Minimum yield strength, for what wear leaves of burst and collapse. Default: unknown.
+        /// Minimum yield strength, for burst and collapse of worn casing. Default: unknown.
         yield_strength: f64 = optional(yield_strength());
     }
 }
@@ -56,7 +56,7 @@ impl OwnCasingTable {
                 .refuse(reader);
         }
         let body_kg_per_m = 0.25 * PI * (od.value.powi(2) - id.value.powi(2)) * STEEL_KG_PER_M3;
-        // Its name says of which grade it is.
+        // The name contains the grade.
         let grade =
             |yields: &Spanned<f64>| CasingGrade { name: "", yield_strength_Pa: yields.value };
         Some(Casing {

@@ -1,20 +1,20 @@
 //! A catalogue as CSV: a line of keys, then a tubular a line.
 //!
-//! A key may have its unit behind it, `od in` or `od (in)`: numbers of that column are in it. Empty
-//! cells are keys that are not given.
+//! A key may be followed by its unit, `od in` or `od (in)`, in which all numbers of that column
+//! are. Empty cells are keys that are not given.
 
 use wholestring_config::{node::Key, prelude::*};
 
-/// Keys whose values are words, also where they look like numbers.
+/// Keys whose values are words, even if they look like numbers.
 const WORDS: [&str; 4] = ["name", "kind", "connection", "source"];
 
-/// What stands between two separators, without blanks and quotes.
+/// The text between two separators, without blanks and quotes.
 struct Cell {
     text: String,
     place: Span,
 }
 
-/// The tubulars as the TOML file would have them.
+/// Returns the tubulars as the TOML file would give them.
 pub(super) fn parse(text: &str, source: usize) -> Result<Entries, Diagnostic> {
     let mut from = 0;
     let lines = text.split_inclusive('\n').filter_map(|line| {
@@ -44,8 +44,8 @@ pub(super) fn parse(text: &str, source: usize) -> Result<Entries, Diagnostic> {
             return Err(Diagnostic::error("this line has more cells than there are columns")
                 .at(place, format!("expected {} at most", columns.len())));
         }
-        let given = columns.iter().zip(cells).filter(|(_, cell)| !cell.text.is_empty());
-        let entries = given.map(|((name, unit, at), cell)| {
+        let filled = columns.iter().zip(cells).filter(|(_, cell)| !cell.text.is_empty());
+        let entries = filled.map(|((name, unit, at), cell)| {
             (Key { name: name.clone(), place: *at }, value(name, unit, cell))
         });
         tubulars.push(Node { place, value: Value::Table(Entries(entries.collect())) });
@@ -55,7 +55,7 @@ pub(super) fn parse(text: &str, source: usize) -> Result<Entries, Diagnostic> {
     Ok(Entries(vec![(key, Node { place, value: Value::List(tubulars) })]))
 }
 
-/// The cells of a line; a separator between double quotes is none.
+/// Returns the cells of a line; a separator between double quotes does not separate.
 fn cells(
     line: &str,
     begin: usize,
@@ -66,7 +66,7 @@ fn cells(
     let mut quoted = false;
     let mut from = 0;
     for (at, letter) in line.char_indices().chain([(line.len(), separator)]) {
-        // An inch mark inside a cell is none of the quotes around it.
+        // An inch mark inside a cell does not open or close quotes.
         if letter == '"' && (quoted || line[from..at].trim().is_empty()) {
             let rest = line[at + 1..].trim_start();
             quoted = if quoted { !(rest.is_empty() || rest.starts_with(separator)) } else { true };

@@ -1,4 +1,4 @@
-//! A user's own tubulars and casings: a file beside the case.
+//! A user's own tubulars and casings, from a file that the case names.
 
 mod casing;
 mod columns;
@@ -17,7 +17,7 @@ use casing::OwnCasingTable;
 use tubular::TubularTable;
 
 table! {
-    /// Tubulars and casings of one's own.
+    /// Tubulars and casings of the user's own.
     OwnTable in "the catalogue" {
         /// A tubular of a string.
         tubular: Vec<Spanned<TubularTable>> = optional(List::tables::<TubularTable>(
@@ -42,7 +42,7 @@ pub fn catalogue_schema() -> serde_json::Value {
     schema
 }
 
-/// A user's own tubulars and casings, which come before those that are built in.
+/// A user's own tubulars and casings, which take precedence over the built-in ones.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct OwnCatalogue {
     tubulars: Vec<CatalogueEntry>,
@@ -73,7 +73,7 @@ impl OwnCatalogue {
         own.filter(|_| !failed).ok_or(report)
     }
 
-    /// The catalogue that a case names.
+    /// Reads the catalogue that a case names.
     pub(crate) fn beside(
         file: &Spanned<String>,
         files: &dyn Files,
@@ -83,7 +83,7 @@ impl OwnCatalogue {
         Self::read(&file.value, &bytes, Some(file.place), reader)
     }
 
-    /// `place` is that of the file's name, where a case has it.
+    /// Reads a catalogue; `place` is that of the file's name, where a case has it.
     fn read(name: &str, bytes: &[u8], place: Option<Span>, reader: &mut Reader) -> Option<Self> {
         let mistake = |message: String, expected: &str| {
             let diagnostic = Diagnostic::error(message);
@@ -122,7 +122,7 @@ impl OwnCatalogue {
         let table = OwnTable::read(&root, whole, reader);
         let (tubulars, casings) = (table.tubular.optional()?, table.casing.optional()?);
         if tubulars.is_none() && casings.is_none() {
-            let message = format!("the catalogue `{}` lists nothing", short(name));
+            let message = format!("the catalogue `{}` is empty", short(name));
             return mistake(message, CATALOGUE_FILE.needs).refuse(reader);
         }
         let tubulars = tubulars.map_or(&[][..], |at| &at.value[..]);
@@ -138,36 +138,37 @@ impl OwnCatalogue {
         Some(Self { tubulars: tubulars?, casings: casings? })
     }
 
-    /// The tubular of a name, without regard to capitals and blanks: of one's own, or built in.
+    /// Finds the tubular of a name, without regard to capitals and blanks, in the user's own
+    /// catalogue or among the built-in ones.
     pub(crate) fn find(&self, designation: &str) -> Result<CatalogueEntry, CatalogueError> {
-        let wanted = key(designation);
-        match self.tubulars.iter().find(|entry| key(&entry.designation) == wanted) {
+        let sought = key(designation);
+        match self.tubulars.iter().find(|entry| key(&entry.designation) == sought) {
             Some(entry) => Ok(entry.clone()),
             None => catalogue::find(designation),
         }
     }
 
-    /// Names of one's own that are spelt nearly so.
+    /// Returns the name of a tubular of the user's own with a similar spelling.
     pub(crate) fn nearest(&self, designation: &str) -> Option<&str> {
         nearest(designation, self.tubulars.iter().map(|entry| entry.designation.as_str()))
     }
 
-    /// The casing of a name, likewise.
+    /// Finds the casing of a name, likewise.
     pub(crate) fn find_casing(&self, designation: &str) -> Result<Casing, UnknownCasing> {
-        let wanted = key(designation);
-        match self.casings.iter().find(|casing| key(&casing.designation) == wanted) {
+        let sought = key(designation);
+        match self.casings.iter().find(|casing| key(&casing.designation) == sought) {
             Some(casing) => Ok(casing.clone()),
             None => find_casing(designation),
         }
     }
 
-    /// Names of one's own casings that are spelt nearly so.
+    /// Returns the name of a casing of the user's own with a similar spelling.
     pub(crate) fn nearest_casing(&self, designation: &str) -> Option<&str> {
         nearest(designation, self.casings.iter().map(|casing| casing.designation.as_str()))
     }
 }
 
-/// What tables make, each with a name of its own; nothing after a mistake.
+/// Returns the items of tables, each with a distinct name; `None` after a mistake.
 fn distinct<T, E>(
     noun: &str,
     tables: &[Spanned<T>],
@@ -197,7 +198,7 @@ fn distinct<T, E>(
     valid.then(|| found.into_iter().map(|(.., one)| one).collect())
 }
 
-/// What is compared of a name.
+/// The form of a name in which names are compared.
 fn key(name: &str) -> String {
     name.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase()
 }

@@ -19,15 +19,15 @@ const KINDS: &[(&str, TubularKind)] = &[
     ("coiled-tubing", TubularKind::CoiledTubing),
 ];
 
-/// Where an entry comes from whose file does not say.
+/// Default source of an entry.
 const SOURCE: &str = "a catalogue of one's own";
 
 table! {
-    /// A tubular of one's own.
+    /// A tubular of the user's own.
     TubularTable in "[[tubular]]" {
-        /// What `catalogue` under [[string]] calls it.
+        /// Name that `catalogue` under [[string]] refers to.
         name: String = required(Text);
-        /// "drill-pipe", "heavy-weight", "collar" or "coiled-tubing": where it is listed.
+        /// "drill-pipe", "heavy-weight", "collar" or "coiled-tubing": the list that contains it.
         kind: TubularKind = default(
             Choice { noun: "a kind of tubular", words: KINDS },
             TubularKind::DrillPipe,
@@ -53,14 +53,14 @@ table! {
         ));
         /// Distance between tool joints. Needed with `joint_od`.
         joint_spacing: f64 = optional(joint_spacing());
-        /// What its connections are called, such as "NC50". Of an API connection of a tool joint
-        /// the torques are computed where they are not given.
+        /// Type of its connections, such as "NC50". For an API connection of a tool joint the
+        /// torques are computed where they are not given.
         connection: String = optional(Text);
-        /// Torque that the connections are made up with.
+        /// Torque to which the connections are made up.
         make_up_torque: f64 = optional(make_up_torque());
         /// Torque at which the connections yield.
         torsional_yield: f64 = optional(make_up_torque());
-        /// Where the numbers come from.
+        /// Source of the numbers.
         source: String = optional(Text);
     }
 }
@@ -92,22 +92,22 @@ impl TubularTable {
             given_mass_kg_per_m: self.mass_per_length.optional()?.map(|at| at.value),
             yield_strength_Pa: *self.yield_strength.get()?,
             source: match self.source.optional()? {
-                Some(given) => given.value.clone().into(),
+                Some(item) => item.value.clone().into(),
                 None => SOURCE.into(),
             },
         })
     }
 
-    /// The joints, if it has any; nothing after a mistake.
+    /// Returns the joints, if it has any; the outer `None` follows a mistake.
     fn joints(&self, place: Span, reader: &mut Reader) -> Option<Option<JointDimensions>> {
         let (inside, length) = (self.joint_id.optional()?, self.joint_length.optional()?);
         let spacing = self.joint_spacing.optional()?;
         let Some(outside) = self.joint_od.optional()? else {
             let rest = [("joint_id", inside), ("joint_length", length), ("joint_spacing", spacing)];
-            for (name, given) in rest {
-                let Some(given) = given else { continue };
+            for (name, item) in rest {
+                let Some(item) = item else { continue };
                 return Diagnostic::error(format!("`{name}` needs `joint_od`"))
-                    .at(given.place, "`joint_od` is missing")
+                    .at(item.place, "`joint_od` is missing")
                     .refuse(reader);
             }
             return Some(None);
@@ -165,7 +165,7 @@ impl TubularTable {
         }))
     }
 
-    /// The connections, if anything is known of them; nothing after a mistake.
+    /// Returns the connections, if anything is known of them; the outer `None` follows a mistake.
     fn connection(
         &self,
         joints: Option<&JointDimensions>,

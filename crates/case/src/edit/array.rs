@@ -1,21 +1,21 @@
-//! Lists in brackets. A comment behind an item belongs to the item, and goes where that goes;
-//! the document has it in front of the next one.
+//! Lists in brackets. A comment after an item belongs to the item and moves with it; the document
+//! stores it in front of the next one.
 
 use toml_edit::{Array, RawString, Value};
 
-/// An item with what stands around it.
+/// An item with the text around it.
 pub(super) struct Element {
     value: Value,
-    /// What stands before it on lines of its own, and its indentation; `None` where it follows
-    /// on the line of the one before, or is new.
+    /// The text before the item on lines of its own, and its indentation; `None` where it follows
+    /// on the line of the previous item, or is new.
     lead: Option<String>,
-    /// What stands behind it on its line.
+    /// The text after the item on its line.
     tail: String,
     is_new: bool,
 }
 
 impl Element {
-    /// One that is put in.
+    /// Returns a new item.
     pub(super) fn new(value: Value) -> Self {
         Self { value, lead: None, tail: String::new(), is_new: true }
     }
@@ -24,7 +24,7 @@ impl Element {
 /// Changes the items of a list.
 pub(super) fn change(list: &mut Array, change: impl FnOnce(&mut Vec<Element>)) {
     let (head, mut elements, end) = taken_apart(list);
-    // New items stand as the others do.
+    // New items are laid out like the others.
     let indentation = elements.iter().find_map(|element| {
         let lead = element.lead.as_deref()?;
         Some(lead.rsplit('\n').next().unwrap_or(lead).to_owned())
@@ -36,10 +36,10 @@ pub(super) fn change(list: &mut Array, change: impl FnOnce(&mut Vec<Element>)) {
     put_together(list, head, elements, end);
 }
 
-/// What stands behind the opening bracket, the items, and what stands before the closing one.
+/// Returns the text after the opening bracket, the items, and the text before the closing bracket.
 fn taken_apart(list: &Array) -> (String, Vec<Element>, Option<String>) {
     let values: Vec<&Value> = list.iter().collect();
-    // What stands before each, and behind the last.
+    // The text before each item, and after the last.
     let mut gaps: Vec<String> = values.iter().map(|one| text(one.decor().prefix())).collect();
     let behind = values.last().map(|last| text(last.decor().suffix())).unwrap_or_default();
     gaps.push(behind + &text(Some(list.trailing())));

@@ -1,8 +1,8 @@
-//! Changes to the text of a case by programs: keys set and removed, items of lists put in, taken out
-//! and moved. What they leave alone stays as it was written, comments too.
+//! Changes to the text of a case by programs: keys are set and removed, items of lists inserted,
+//! removed and moved. All other text is preserved, comments included.
 //!
-//! [`edited`](crate::edited) takes the changes of a command line, with their short keys and units;
-//! these take whole keys and JSON, and change lists.
+//! [`edited`](crate::edited) applies the changes of a command line, with their short keys and
+//! units; these changes have whole keys and JSON, and also change lists.
 
 mod array;
 mod place;
@@ -15,56 +15,56 @@ use toml_edit::DocumentMut;
 /// A change. Keys are dotted, with the numbers of items from 0: `well.hole.0.friction`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Edit {
-    /// A key gets a value; tables on the way to it that are missing are made.
+    /// Sets a key; missing tables on the way to it are created.
     Set {
         /// The key.
         key: String,
-        /// Its value. An object in the place of a table changes what differs.
+        /// Its value. An object in place of a table changes only the keys that differ.
         to: Json,
     },
-    /// A key, or an item of a list, goes.
+    /// Removes a key, or an item of a list.
     Remove {
         /// The key.
         key: String,
     },
-    /// A list gets an item; a list that is missing is made.
+    /// Inserts an item into a list; a missing list is created.
     Insert {
         /// The key of the list.
         list: String,
-        /// The place that the item has then.
+        /// Index of the item after insertion.
         at: usize,
         /// The item.
         value: Json,
     },
-    /// An item of a list gets another place.
+    /// Moves an item of a list.
     Move {
         /// The key of the list.
         list: String,
-        /// Its place.
+        /// Its index.
         from: usize,
-        /// The place that it has then.
+        /// Its index after the move.
         to: usize,
     },
 }
 
-/// Why a text cannot be changed so.
+/// The reason why a text cannot be changed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum EditError {
-    /// There is nothing to change in it.
+    /// The text is not TOML.
     #[error("the text is not TOML: {0}")]
     NotToml(String),
-    /// A key that leads nowhere.
+    /// A key that does not exist.
     #[error("`{key}` cannot be changed: {why}")]
     Key {
         /// The key.
         key: String,
-        /// What is wrong with it.
+        /// The reason.
         why: String,
     },
 }
 
-/// The text with these changes, one after the other. Whether the case is valid,
-/// [`parse`](crate::parse) says.
+/// Returns the text with these changes, applied in order. Whether the case is valid is decided by
+/// [`parse`](crate::parse).
 ///
 /// ```
 /// use wholestring_case::{Edit, edit};
@@ -76,7 +76,7 @@ pub enum EditError {
 /// ```
 ///
 /// # Errors
-/// A text that is no TOML, and a change of what is not there.
+/// A text that is not TOML, and a change of a key that does not exist.
 pub fn edit(text: &str, changes: &[Edit]) -> Result<String, EditError> {
     let text = text.trim_start_matches('\u{feff}');
     let mut document: DocumentMut = text
@@ -94,7 +94,7 @@ pub fn edit(text: &str, changes: &[Edit]) -> Result<String, EditError> {
         applied.map_err(|why| EditError::Key { key: key.clone(), why })?;
     }
     let edited = document.to_string();
-    // A library that writes what it cannot read would be found here, not by whoever opens the file.
+    // Detects invalid output of the library here, before a user opens the file.
     match edited.parse::<DocumentMut>() {
         Ok(_) => Ok(edited),
         Err(error) => Err(EditError::NotToml(error.message().to_owned())),

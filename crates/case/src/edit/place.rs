@@ -1,4 +1,4 @@
-//! The place that a dotted key names, and what is done there.
+//! The place of a dotted key, and changes there.
 
 use serde_json::Value as Json;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Value};
@@ -8,10 +8,10 @@ use super::{
     value::{self, table_of},
 };
 
-/// What is wrong with a key.
+/// Reason of a failure.
 type Why = String;
 
-/// The keys before the last, and the last.
+/// Returns the keys before the last, and the last.
 fn parts(key: &str) -> Result<(Vec<&str>, &str), Why> {
     let mut parts: Vec<&str> = key.split('.').collect();
     if parts.iter().any(|part| part.trim().is_empty()) {
@@ -21,17 +21,17 @@ fn parts(key: &str) -> Result<(Vec<&str>, &str), Why> {
     Ok((parts, last))
 }
 
-/// What a part names in an item.
+/// Returns the item that a part names within an item.
 fn child<'a>(item: &'a mut Item, part: &str) -> Option<&'a mut Item> {
     match part.parse::<usize>() {
         Ok(index) if item.is_array() || item.is_array_of_tables() => item.get_mut(index),
-        // Asked first: to look for what is missing would put it there.
+        // Tested first, because indexing would create a missing key.
         _ if item.get(part).is_some() => item.get_mut(part),
         _ => None,
     }
 }
 
-/// What the parts lead to.
+/// Returns the item that the parts lead to.
 fn find<'a>(document: &'a mut DocumentMut, parts: &[&str]) -> Result<&'a mut Item, Why> {
     let mut item = document.as_item_mut();
     for part in parts {
@@ -40,7 +40,7 @@ fn find<'a>(document: &'a mut DocumentMut, parts: &[&str]) -> Result<&'a mut Ite
     Ok(item)
 }
 
-/// The same, and tables where there is nothing.
+/// Like [`find`], but creates missing tables.
 fn find_or_make<'a>(document: &'a mut DocumentMut, parts: &[&str]) -> Result<&'a mut Item, Why> {
     let mut item = document.as_item_mut();
     for part in parts {
@@ -55,7 +55,7 @@ fn find_or_make<'a>(document: &'a mut DocumentMut, parts: &[&str]) -> Result<&'a
 /// Puts a new key into a table.
 fn put(item: &mut Item, key: &str, new: Item) -> Result<(), Why> {
     let Some(table) = item.as_table_like_mut() else {
-        return Err(format!("what `{key}` would belong to is no table"));
+        return Err(format!("the parent of `{key}` is not a table"));
     };
     table.insert(key, new);
     Ok(())
@@ -73,18 +73,18 @@ pub(super) fn set(document: &mut DocumentMut, key: &str, to: &Json) -> Result<()
     }
 }
 
-/// Gives an item another value; comments behind it stay.
+/// Gives an item another value; comments after it are kept.
 fn change(item: &mut Item, to: &Json) -> Result<(), Why> {
-    if let (Some(table), Json::Object(wanted)) = (item.as_table_like_mut(), to) {
+    if let (Some(table), Json::Object(object)) = (item.as_table_like_mut(), to) {
         let gone: Vec<String> = table
             .iter()
             .map(|(key, _)| key.to_owned())
-            .filter(|key| !wanted.contains_key(key))
+            .filter(|key| !object.contains_key(key))
             .collect();
         for key in gone {
             table.remove(&key);
         }
-        for (key, to) in wanted {
+        for (key, to) in object {
             match table.get_mut(key) {
                 Some(old) => change(old, to)?,
                 None => {
@@ -127,7 +127,7 @@ pub(super) fn remove(document: &mut DocumentMut, key: &str) -> Result<(), Why> {
     } else if let Some(list) = parent.as_array_mut() {
         array::change(list, |items| drop(items.remove(index)));
     }
-    // A list of tables without one is not written: nothing of it is left.
+    // A list of tables that becomes empty is removed, because it would not be written.
     if length(parent) == Some(0) && parent.is_array_of_tables() {
         *parent = Item::None;
     }
@@ -149,16 +149,16 @@ pub(super) fn insert(
         };
         put(parent, last, empty)?;
     }
-    let list = child(parent, last).ok_or("it is no list")?;
-    let length = length(list).ok_or("it is no list")?;
+    let list = child(parent, last).ok_or("it is not a list")?;
+    let length = length(list).ok_or("it is not a list")?;
     if at > length {
         return Err(format!("it has {length} items: there is no place {at}"));
     }
     if let Some(list) = list.as_array_of_tables_mut() {
-        let Json::Object(of) = to else {
+        let Json::Object(object) = to else {
             return Err("its items are tables".to_owned());
         };
-        tables::insert(list, at, table_of(of)?);
+        tables::insert(list, at, table_of(object)?);
     } else if let Some(list) = list.as_array_mut() {
         let new = value::value(to)?;
         array::change(list, |items| items.insert(at, array::Element::new(new)));
@@ -175,7 +175,7 @@ pub(super) fn moved(
     let (mut all, last) = parts(key)?;
     all.push(last);
     let list = find(document, &all)?;
-    let length = length(list).ok_or("it is no list")?;
+    let length = length(list).ok_or("it is not a list")?;
     if from.max(to) >= length {
         return Err(format!("it has {length} items: there is no place {}", from.max(to)));
     }

@@ -1,18 +1,18 @@
 //! Lists of tables under headings. A document writes its tables by their positions, not by their
-//! order in a list: who moves a table moves its position.
+//! order in a list, so that moving a table means changing its position.
 
 use toml_edit::{ArrayOfTables, Item, Table};
 
-/// Puts a table in.
+/// Inserts a table.
 pub(super) fn insert(list: &mut ArrayOfTables, at: usize, mut table: Table) {
-    // Without a position of its own a table follows the one before it in the list; the first
-    // would follow what stands before the list, wherever that is.
+    // Without a position of its own a table follows the previous one in the list; the first would
+    // follow the text before the list, wherever that is.
     if at == 0
         && let Some(first) = list.get(0)
     {
         table.set_position(first.position());
         let prefix = first.decor().prefix().cloned();
-        // The comment above the first heading stays above the list.
+        // The comment above the first heading remains above the list.
         if let (Some(prefix), Some(first)) = (prefix, list.get_mut(0)) {
             first.decor_mut().set_prefix("\n");
             table.decor_mut().set_prefix(prefix);
@@ -21,7 +21,7 @@ pub(super) fn insert(list: &mut ArrayOfTables, at: usize, mut table: Table) {
     list.insert(at, table);
 }
 
-/// Gives a table another place, with all tables in it.
+/// Moves a table, with all tables in it.
 pub(super) fn move_one(list: &mut ArrayOfTables, from: usize, to: usize) {
     let mut positions = Vec::new();
     let mut last = None;
@@ -45,7 +45,7 @@ pub(super) fn move_one(list: &mut ArrayOfTables, from: usize, to: usize) {
     }
 }
 
-/// Visits a table and those in it, in the order in which they are written.
+/// Visits a table and the tables in it, in the order in which they are written.
 fn each(table: &mut Table, visit: &mut impl FnMut(&mut Table)) {
     visit(table);
     for (_, item) in table.iter_mut() {

@@ -1,4 +1,4 @@
-//! What stays as it was written, and what goes where.
+//! Text that is preserved, and places of new items.
 
 use serde_json::json;
 
@@ -60,7 +60,7 @@ fn moved(list: &str, from: usize, to: usize) -> Edit {
     Edit::Move { list: list.to_owned(), from, to }
 }
 
-/// The text with changes is the text with these parts replaced.
+/// Asserts that the changed text is the original with these parts replaced.
 #[track_caller]
 fn check(changes: &[Edit], replaced: &[(&str, &str)]) {
     let mut expected = CASE.to_owned();
@@ -98,9 +98,9 @@ fn a_key_is_set_where_it_stands() {
         ],
     );
     check(&[set("well.stations.1.0", json!(310))], &[("[300, 0, 0]", "[310, 0, 0]")]);
-    let of = json!({"kinetic": 0.2, "static": 0.3});
+    let friction = json!({"kinetic": 0.2, "static": 0.3});
     check(
-        &[set("well.hole.0.friction", of)],
+        &[set("well.hole.0.friction", friction)],
         &[("{ kinetic = 0.2, around = 0.1 }", "{ kinetic = 0.2, static = 0.3 }")],
     );
 }
@@ -111,7 +111,7 @@ fn a_list_of_lists_has_a_line_for_each() {
     let edited = edit("[well]\nsurvey = \"a.csv\"  # ours\n", &[stations]).unwrap();
     let list = "stations = [\n    [0, 0, 0],\n    [\"1000 ft\", 3.5, 45],\n]\n";
     assert_eq!(edited, format!("[well]\nsurvey = \"a.csv\"  # ours\n{list}"));
-    // Another one goes in on a line of its own.
+    // A further item is inserted on a line of its own.
     let edited = edit(&edited, &[insert("well.stations", 1, json!([100, 0, 0]))]).unwrap();
     assert!(edited.contains("    [0, 0, 0],\n    [100, 0, 0],\n    [\"1000 ft\""), "{edited}");
 }
@@ -209,7 +209,7 @@ fn items_move_with_what_belongs_to_them() {
     );
 }
 
-/// A table between the items of a list stays where it is.
+/// A table between the items of a list keeps its position.
 #[test]
 fn positions_of_other_tables_stay() {
     let text = "[[a]]\nx = 1\n\n[b]\ny = 2\n\n[[a]]\nx = 3\n";
@@ -228,7 +228,7 @@ fn what_cannot_be_is_said() {
         why(set("well.hole.2", json!({}))),
         "`well.hole.2` cannot be changed: there is no `2`"
     );
-    assert!(why(set("name.first", json!(1))).ends_with("what `first` would belong to is no table"));
+    assert!(why(set("name.first", json!(1))).ends_with("the parent of `first` is not a table"));
     assert!(why(set("name", Json::Null)).ends_with("TOML has no null; remove the key"));
     assert!(why(set("well..hole", json!(1))).ends_with("it has an empty part"));
     assert!(why(remove("mud.friction")).ends_with("there is no `friction`"));
@@ -236,7 +236,7 @@ fn what_cannot_be_is_said() {
     assert!(why(remove("name.0")).ends_with("there is no `0`"));
     assert!(why(insert("string", 4, json!({}))).ends_with("it has 3 items: there is no place 4"));
     assert!(why(insert("string", 0, json!(1))).ends_with("its items are tables"));
-    assert!(why(insert("name", 0, json!(1))).ends_with("it is no list"));
+    assert!(why(insert("name", 0, json!(1))).ends_with("it is not a list"));
     assert!(why(moved("string", 0, 3)).ends_with("it has 3 items: there is no place 3"));
     assert!(why(moved("rig", 0, 1)).ends_with("there is no `rig`"));
     assert!(matches!(edit("name = ", &[]), Err(EditError::NotToml(_))));

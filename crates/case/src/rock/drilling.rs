@@ -1,4 +1,4 @@
-//! What the bit drills.
+//! The rock under the bit.
 
 use wholestring::rock::DrillingSpec;
 use wholestring_config::prelude::*;
@@ -6,7 +6,8 @@ use wholestring_config::prelude::*;
 use super::{elements::Places, table::RockTable};
 use crate::bit::BitTable;
 
-/// What the bit drills, if anything requires solid rock: `required_by` is where.
+/// Returns the rock under the bit, if anything requires solid rock: `required_by` is the place of
+/// the requirement.
 pub(crate) fn drilling(
     table: &Field<RockTable>,
     bit: &BitTable,
@@ -16,9 +17,9 @@ pub(crate) fn drilling(
 ) -> Option<Option<DrillingSpec>> {
     let rock = match (table.given(), required_by) {
         (None, None) => return Some(None),
-        (Some(given), None) => {
+        (Some(entry), None) => {
             Diagnostic::warning("[rock] has no effect here")
-                .at(given.place, "used with law = \"rock\", and by a bit test")
+                .at(entry.place, "used with law = \"rock\", and by a bit test")
                 .help("set the law under [bit], or add [bit_test]")
                 .report(reader);
             return Some(None);
@@ -32,7 +33,7 @@ pub(crate) fn drilling(
             }
             return None;
         }
-        (Some(given), Some(_)) => given,
+        (Some(entry), Some(_)) => entry,
     };
     build(rock, bit, lowest, reader).map(Some)
 }

@@ -9,29 +9,29 @@ use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Span};
 use super::table::RockTable;
 use crate::bit::{self, BitTable};
 
-/// Where the case does not say: elements across the bit, and over how far the cutters stand out of
-/// its body.
+/// Defaults: number of elements across the bit, and element size over the exposure of the cutters.
 const ELEMENTS_ACROSS: f64 = 18.0;
 const OVER_EXPOSURE: f64 = 1.5;
-/// From which on the body meets the ridges of the elements, and the bit jams.
+/// Element size over exposure from which the body touches the ridges of the elements, so that the
+/// bit jams.
 const JAMS: f64 = 1.6;
 
-/// Wider elements than this part of the bit's diameter make no bottom.
+/// Largest element size as a part of the bit's diameter.
 const WIDEST: f64 = 0.25;
 
-/// More elements than this fill the memory.
+/// Maximum number of elements, limited by memory.
 const MAX_ELEMENTS: f64 = 4e6;
-/// Where tables stand.
+/// Places of tables.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Places {
-    /// The rock's.
+    /// Place of the rock.
     pub(crate) rock: Span,
-    /// The bit's diameter.
+    /// Place of the bit's diameter.
     pub(crate) od: Span,
 }
 
 impl RockTable {
-    /// The rock in elements under a bit `diameter_m` wide.
+    /// Builds the rock in elements under a bit `diameter_m` wide.
     pub(super) fn drilling(
         &self,
         rock: Rock,
@@ -59,8 +59,7 @@ impl RockTable {
             Diagnostic::warning("the elements are large for the bit's cutters")
                 .at(element.place, format!("expected at most {most}"))
                 .help(
-                    "its body meets the ridges between the cutters, and the bit jams: lower \
-                           element_size",
+                    "its body touches the ridges between the cutters, and the bit jams: lower element_size",
                 )
                 .report(reader);
         }

@@ -1,4 +1,4 @@
-//! How heavy the elements may be, and how long they may move.
+//! Limits of the inertia of the elements and of their simulated time.
 
 use wholestring::rock::{BitShape, DrillingSpec};
 
@@ -8,14 +8,14 @@ use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Span};
 
 use super::table::RockTable;
 
-/// Part of the strength that scaled density times the square of the rim's speed may be: the mean
-/// forces then move by less than 5 %.
+/// Limit of scaled density times the square of the rim's speed, as a part of the strength: below it
+/// the mean forces move by less than 5 %.
 const MAX_INERTIA: f64 = 0.0625;
 
-/// More element-steps than this are weeks of computing.
+/// Maximum number of element-steps; more are weeks of computing.
 const MAX_ELEMENT_STEPS: f64 = 3e13;
 impl RockTable {
-    /// Warns of elements so heavy that the bit feels them at a speed.
+    /// Warns of elements whose inertia affects the forces on the bit at a speed.
     pub(crate) fn warn_of_inertia(
         &self,
         spec: &DrillingSpec,
@@ -42,12 +42,12 @@ impl RockTable {
         .report(reader);
     }
 
-    /// What makes the elements heavy, if it stands in the case.
+    /// Returns the place of the key that makes the elements heavy, if the case has it.
     pub(crate) fn weighty_place(&self) -> Option<Span> {
         self.density_factor.place().or(self.element_size.place()).or(self.density.place())
     }
 
-    /// Refuses what would take weeks: the rock moving for so long.
+    /// Refuses a duration of moving rock that would take weeks to compute.
     pub(crate) fn check_effort(
         &self,
         spec: &DrillingSpec,

@@ -1,4 +1,4 @@
-//! The rock itself: how strong, how stiff, how tough.
+//! The rock material: strength, stiffness, toughness.
 
 use wholestring::rock::{Rock, RockError};
 
@@ -13,7 +13,7 @@ use wholestring_config::{
 use super::table::{DEGREE, RockTable};
 
 impl RockTable {
-    /// The rock; `place` is that of the table.
+    /// Builds the rock; `place` is that of the table.
     pub(super) fn rock(&self, place: Span, reader: &mut Reader) -> Option<Rock> {
         let friction_angle_rad = *self.friction_angle.get()?;
         let (sin, cos) = libm::sincos(friction_angle_rad);
@@ -24,7 +24,7 @@ impl RockTable {
             (None, Some(cohesion)) => cohesion.value * ratio,
             (Some(strength), Some(cohesion)) => {
                 return Diagnostic::error("the strength of the rock is given twice")
-                    .at(strength.place, "by what it bears unconfined")
+                    .at(strength.place, "by its unconfined strength")
                     .at(cohesion.place, "by its cohesion")
                     .help(
                         "keep one of `strength` and `cohesion`; with the friction angle the \
@@ -78,18 +78,18 @@ impl RockTable {
             return None;
         }
         let bears_Pa = rock.largest_tension_Pa();
-        if let Some(given) = self.tensile_strength.given()
-            && bears_Pa < given.value
+        if let Some(entry) = self.tensile_strength.given()
+            && bears_Pa < entry.value
         {
             let most = reader.shown(Dimension::Pressure, bears_Pa);
-            Diagnostic::warning("the rock shears before it bears this tension")
-                .at(given.place, format!("its cone allows {most} in sum of the principal stresses"))
+            Diagnostic::warning("the rock shears before it reaches this tension")
+                .at(entry.place, format!("its cone allows {most} in sum of the principal stresses"))
                 .report(reader);
         }
         Some(rock)
     }
 
-    /// The mistake, at those of its numbers that stand in the case.
+    /// Returns the mistake, at those of its numbers that the case gives.
     pub(super) fn unsound(&self, error: &RockError, whole: Span, units: UnitSet) -> Diagnostic {
         match error {
             RockError::OutOfRange { quantity, value, expected } => {
@@ -131,9 +131,9 @@ impl RockTable {
                     format!("expected elements below {most}"),
                 )
                 .help(
-                    "raise crushing_energy or youngs_modulus, or lower element_size and \
-                           raise the fracture energies: an element holds more elastic energy than \
-                           its failure takes",
+                    "raise crushing_energy or youngs_modulus, or lower element_size and raise the \
+                     fracture energies: an element stores more elastic energy than its failure \
+                     absorbs",
                 )
             }
             RockError::Cells(..) => Diagnostic::error(error.to_string())

@@ -1,4 +1,4 @@
-//! `[rock]`: the solid rock, and what drills it.
+//! `[rock]`: the solid rock, and the bit in it.
 
 mod drilling;
 mod elements;

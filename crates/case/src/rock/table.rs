@@ -2,7 +2,7 @@
 
 use wholestring_config::prelude::*;
 
-/// Factor on the density where the case does not say.
+/// Default factor on the density.
 const DENSITY_FACTOR: f64 = 400.0;
 
 pub(super) const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -24,15 +24,15 @@ fn length(example: &'static str) -> Quantity {
 }
 
 table! {
-    /// The solid rock under the bit: of the law "rock" and of a bit test. Its strength alone is
-    /// needed, or its cohesion; the rest is typical of sandstone and limestone.
+    /// The solid rock under the bit: of the law "rock" and of a bit test. Only its strength or its
+    /// cohesion is required; the other defaults are typical of sandstone and limestone.
     RockTable in "[rock]" {
         /// Unconfined compressive strength. Raising it slows the bit down.
         strength: f64 = optional(pressure(Range::from_to(1e5, 1e9).usual(1e6, 6e8), "60 MPa"));
         /// In place of the strength: cohesion of Mohr and Coulomb.
         cohesion: f64 = optional(pressure(Range::from_to(1e4, 1e9).usual(1e5, 2e8), "15 MPa"));
-        /// Friction angle of Mohr and Coulomb; a bare number is in deg. Raising it makes the rock
-        /// the stronger the more it is confined.
+        /// Friction angle of Mohr and Coulomb; a bare number is in deg. Raising it increases the
+        /// gain of strength with confinement.
         friction_angle: f64 = default(
             angle(Range::from_to(DEGREE, 70.0 * DEGREE), "35 deg"),
             35.0 * DEGREE,
@@ -42,7 +42,7 @@ table! {
         /// is less.
         dilation_angle: f64 = optional(angle(Range::from_to(0.0, 70.0 * DEGREE), "10 deg"));
         /// Young's modulus. Raising it makes the rock stiffer and more brittle, shortens its steps,
-        /// and takes more work per drilled volume: 1.3 times at twice the default, for which
+        /// and raises the work per drilled volume: 1.3 times at twice the default, for which
         /// `crushing_energy` is calibrated. Default: 300 times the strength.
         youngs_modulus: f64 = optional(pressure(Range::from_to(1e7, 1e12).usual(1e8, 2e11), "18 GPa"));
         /// Poisson's ratio.
@@ -55,15 +55,15 @@ table! {
         /// Strength in uniaxial tension. Raising it leaves less to chip and more to crush. Default:
         /// a tenth of the strength.
         tensile_strength: f64 = optional(pressure(Range::from_to(1e3, 1e9).usual(1e5, 1e8), "6 MPa"));
-        /// Energy that failure takes per volume at the least, in tension and in compression.
-        /// Raising it raises the bit's work per drilled volume about as much. Default: 0.085 of the
-        /// strength, with which that work is about the strength.
+        /// Least energy of failure per volume, in tension and in compression. Raising it raises the
+        /// bit's work per drilled volume about in proportion. Default: 0.085 of the strength, with
+        /// which that work is about the strength.
         crushing_energy: f64 = optional(pressure(Range::positive_to(1e9), "5 MJ/m3"));
-        /// Energy that a tensile crack takes per area. Elements of more than some millimetres are
-        /// crushed all through and do not feel it. Default: 80 J/m2.
+        /// Energy of a tensile crack per area. Elements of more than some millimetres are crushed
+        /// throughout, so that it has no effect on them. Default: 80 J/m2.
         tensile_fracture_energy: f64 = optional(toughness("80 J/m2"));
-        /// Energy that a crushed band takes per area. Elements of more than 2 mm do not feel the
-        /// default: 2 mm times `crushing_energy`.
+        /// Energy of a crushed band per area. The default, 2 mm times `crushing_energy`, has no
+        /// effect on elements of more than 2 mm.
         compressive_fracture_energy: f64 = optional(toughness("8 kJ/m2"));
         /// Pressure of the mud at the bottom over that in the rock's pores. Raising it strengthens
         /// the rock.
@@ -74,22 +74,22 @@ table! {
         /// Friction between bit and rock. Raising it drags more rock along.
         friction: f64 = default(Number { unit: "", range: Range::from_to(0.0, 2.0) }, 0.3);
         /// Edge of the elements. Halving it costs eight times the elements and twice the steps.
-        /// Default: an eighteenth of the bit's diameter, or one and a half times what the cutters
-        /// stand out of its body where that is less.
+        /// Default: an eighteenth of the bit's diameter, or one and a half times the exposure of
+        /// the cutters above its body where that is less.
         element_size: f64 = optional(Quantity::si(
             Dimension::Diameter,
             Range::from_to(5e-4, 0.2).usual(5e-4, 0.1),
             "12 mm",
         ));
         /// Factor on the density of the elements, for longer steps: twenty times the step at 400.
-        /// Raising it makes a run faster, until the rock's inertia is felt in the forces; a warning
-        /// says from where on.
+        /// Raising it makes a run faster, until the rock's inertia affects the forces; a warning
+        /// gives the limit.
         density_factor: f64 = default(
             Number { unit: "", range: Range::from_to(1.0, 1e6) },
             DENSITY_FACTOR,
         );
-        /// Rock beside the bit, on each side. Default: an eighth of its diameter, two elements at
-        /// least.
+        /// Width of rock on each side of the bit. Default: an eighth of its diameter, two elements
+        /// at least.
         beside: f64 = optional(length("27 mm"));
         /// Rock below the bit. Default: a quarter of its diameter, four elements at least.
         below: f64 = optional(length("54 mm"));

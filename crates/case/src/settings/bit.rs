@@ -8,7 +8,7 @@ use wholestring::{
 
 use super::fields::{Fields, json as to_json};
 
-/// The bit, with the keys of its law alone.
+/// Returns the bit, with the keys of its law only.
 pub(super) fn bit(bit: &BitSettings, operations: &[Operation]) -> Fields {
     Fields::of(bit)
         .without(["law", "motor"])
@@ -17,7 +17,7 @@ pub(super) fn bit(bit: &BitSettings, operations: &[Operation]) -> Fields {
         .and(law(&bit.law))
 }
 
-/// The torque of the bit in the first operation.
+/// Returns the torque of the bit in the first operation.
 pub(super) fn bit_torque(operations: &[Operation]) -> Json {
     to_json(&operations.first().map(|operation| operation.bit_torque_N_m))
 }
@@ -33,7 +33,7 @@ fn motor(motor: &Motor) -> Fields {
 }
 
 fn law(law: &BitLaw) -> Fields {
-    // Rock and face stand in tables of their own, those of a bit test too.
+    // Rock and face have tables of their own, as have those of a bit test.
     let fields = Fields::tagged("law", law)
         .spread("cutters", "")
         .without(["drilling"])
@@ -53,12 +53,13 @@ fn excitation(shaken: &Json) -> Json {
         .into()
 }
 
-/// What was measured, column by column.
+/// Returns the measured points, column by column.
 fn points(table: &BitTable) -> Json {
     let points = table.points();
-    let column = |of: fn(&TablePoint) -> f64| points.iter().map(of).collect::<Vec<_>>();
-    let spread =
-        |of: fn(&TablePoint) -> Option<f64>| points.iter().map(of).collect::<Option<Vec<_>>>();
+    let column = |value: fn(&TablePoint) -> f64| points.iter().map(value).collect::<Vec<_>>();
+    let spread = |value: fn(&TablePoint) -> Option<f64>| {
+        points.iter().map(value).collect::<Option<Vec<_>>>()
+    };
     json!({
         "weight_on_bit_N": column(|p| p.weight_on_bit_N),
         "rotary_speed_rad_per_s": column(|p| p.rotary_speed_rad_per_s),

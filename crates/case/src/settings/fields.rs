@@ -1,4 +1,4 @@
-//! The keys of a value of the engine, as the record of a run has them.
+//! The keys of a value of the engine, in the record of a run.
 
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
@@ -8,12 +8,12 @@ use serde_json::{Map, Value as Json};
 pub(super) struct Fields(Map<String, Json>);
 
 impl Fields {
-    /// No field yet.
+    /// Returns no fields.
     pub(super) fn empty() -> Self {
         Self(Map::new())
     }
 
-    /// The fields of a struct.
+    /// Returns the fields of a struct.
     pub(super) fn of(value: &impl Serialize) -> Self {
         match json(value) {
             Json::Object(fields) => Self(fields),
@@ -21,7 +21,7 @@ impl Fields {
         }
     }
 
-    /// The word of a variant under `tag`, and the variant's fields.
+    /// Returns the word of a variant under `tag`, and the variant's fields.
     pub(super) fn tagged(tag: &str, value: &impl Serialize) -> Self {
         Self::from_variant(tag, json(value))
     }
@@ -44,7 +44,7 @@ impl Fields {
         self
     }
 
-    /// Leaves out what the record does not have, or has elsewhere.
+    /// Removes keys that the record does not have, or has elsewhere.
     pub(super) fn without<const N: usize>(mut self, keys: [&str; N]) -> Self {
         for key in keys {
             self.0.remove(key);
@@ -52,8 +52,8 @@ impl Fields {
         self
     }
 
-    /// Gives fields other names, each pair the engine's and the record's. A field that is not there
-    /// keeps away.
+    /// Renames fields, each pair the engine's name and the record's. A missing field remains
+    /// missing.
     pub(super) fn renamed<const N: usize>(mut self, names: [(&str, &str); N]) -> Self {
         for (from, to) in names {
             if let Some(value) = self.0.remove(from) {
@@ -63,8 +63,8 @@ impl Fields {
         self
     }
 
-    /// Puts the fields of the table under `key` in its place, each after `prefix`; none where there
-    /// is no such table.
+    /// Replaces the table under `key` by its fields, each after `prefix`; no effect where there is
+    /// no such table.
     pub(super) fn spread(mut self, key: &str, prefix: &str) -> Self {
         if let Some(Json::Object(inner)) = self.0.remove(key) {
             let named = inner.into_iter();
@@ -73,7 +73,7 @@ impl Fields {
         self
     }
 
-    /// Puts the variant under `key` in its place: its word under `tag`, and its fields.
+    /// Replaces the variant under `key` by its word under `tag` and its fields.
     pub(super) fn spread_variant(mut self, key: &str, tag: &str) -> Self {
         if let Some(variant) = self.0.remove(key) {
             self.0.extend(Self::from_variant(tag, variant).0);
@@ -81,7 +81,7 @@ impl Fields {
         self
     }
 
-    /// Writes the variant under `key` as a table with its word under `tag`; `null` stays.
+    /// Writes the variant under `key` as a table with its word under `tag`; `null` is kept.
     pub(super) fn tag_inside(mut self, key: &str, tag: &str) -> Self {
         if let Some(value) = self.0.get_mut(key)
             && !value.is_null()
@@ -91,7 +91,7 @@ impl Fields {
         self
     }
 
-    /// Writes the value under `key` in another way; `null` stays, and no key.
+    /// Writes the value under `key` in another form; `null` and a missing key are kept.
     pub(super) fn mapped(mut self, key: &str, write: impl FnOnce(&Json) -> Json) -> Self {
         if let Some(value) = self.0.get_mut(key)
             && !value.is_null()
@@ -111,13 +111,13 @@ impl Fields {
         self
     }
 
-    /// The same keys without their values, where nothing uses them.
+    /// Returns the same keys with `null` values, where they are not used.
     pub(super) fn nulled(mut self) -> Self {
         self.0.values_mut().for_each(|value| *value = Json::Null);
         self
     }
 
-    /// All fields of both.
+    /// Returns all fields of both.
     pub(super) fn and(mut self, other: Self) -> Self {
         self.0.extend(other.0);
         self
@@ -130,7 +130,7 @@ impl From<Fields> for Json {
     }
 }
 
-/// The word of a variant without fields.
+/// Returns the word of a variant without fields.
 pub(super) fn word(variant: &impl Serialize) -> Json {
     match json(variant) {
         Json::String(name) => kebab(&name).into(),
@@ -138,12 +138,12 @@ pub(super) fn word(variant: &impl Serialize) -> Json {
     }
 }
 
-/// A value as JSON; a number that is not finite is `null`.
+/// Returns a value as JSON; a number that is not finite is `null`.
 pub(super) fn json(value: &impl Serialize) -> Json {
     serde_json::to_value(value).expect("numbers, words and lists")
 }
 
-/// `MinimumCurvature` as the case file writes it: `minimum-curvature`.
+/// Returns `MinimumCurvature` in the form of the case file: `minimum-curvature`.
 fn kebab(name: &str) -> String {
     let mut word = String::new();
     for letter in name.chars() {

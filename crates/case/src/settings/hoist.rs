@@ -8,8 +8,8 @@ use wholestring::{
 use super::fields::Fields;
 use crate::rig::TUNED_LIFT;
 
-/// The control by its word, as chosen; `null` leaves it to the operation. The numbers of a control that nothing
-/// puts in control are `null`.
+/// The control by its word, as chosen; `null` leaves it to the operation. The numbers of a control
+/// that is never active are `null`.
 pub(super) fn hoist(
     dynamics: &DynamicsSettings,
     operations: &[Operation],
@@ -36,7 +36,7 @@ pub(super) fn hoist(
         .with("tolerance", tuned.then_some(dynamics.lift_tolerance))
 }
 
-/// The drive as it runs; what it finds by itself from the string is `null`.
+/// The settings of the drive in a run; values that it derives from the string are `null`.
 pub(super) fn top_drive(drive: &TopDriveSettings) -> Fields {
     Fields::tagged("control", drive).spread_variant("controller", "control")
 }

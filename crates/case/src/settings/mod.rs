@@ -1,8 +1,7 @@
 //! The case with all defaults filled in, for the record of a run.
 //!
-//! What the solvers were given is written as the engine's own types write it, so that a number
-//! which they get is in the record too. Where the record has another name for it, the change of
-//! name stands here.
+//! The inputs of the solvers are serialised by the engine's own types, so that every number that
+//! they use is in the record too. Renamings for the record are in this module.
 
 mod bit;
 mod fields;

@@ -5,14 +5,14 @@ use wholestring::{dynamics::DynamicsSettings, operation::Operation, outcome::Mod
 
 use super::{bit, hoist, operation};
 
-/// Makes a record of all operations one of these, solved by these models.
+/// Reduces a record of all operations to one of these, solved by these models.
 pub(crate) fn narrow(
     settings: &mut Json,
     models: &[ModelKind],
     operations: &[Operation],
     dynamics: &DynamicsSettings,
 ) {
-    let names: Vec<&str> = models.iter().map(|of| of.name()).collect();
+    let names: Vec<&str> = models.iter().map(|model| model.name()).collect();
     let control = settings["hoist"]["control"].as_str().map(str::to_owned);
     settings["model"] = names.into();
     settings["bit"]["torque_N_m"] = bit::bit_torque(operations);

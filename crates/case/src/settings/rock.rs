@@ -42,7 +42,7 @@ fn inserts(bit: &InsertBit) -> Fields {
         .with("tip_radius_m", tip_radius_m)
 }
 
-/// What a bit alone on its rock is put to; bit and rock stand in tables of their own.
+/// The settings of a bit test; bit and rock have tables of their own.
 pub(super) fn bit_test(test: &BitTest) -> Fields {
     Fields::of(test)
         .without(["drilling"])

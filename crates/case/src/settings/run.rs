@@ -8,7 +8,7 @@ use crate::{auto::AUTO, records::Records};
 
 pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64>) -> Fields {
     let fields = Fields::of(dynamics)
-        // These stand in tables of their own.
+        // These have tables of their own.
         .without(["mesh", "hoist_control", "autodriller", "hoist_line"])
         .without(["lift_tolerance", "top_drive", "schedule", "bit", "probes"])
         .without(["steady"])
@@ -26,7 +26,7 @@ pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64
         ]),
     };
     match dynamics.steady {
-        // A word where the run finds it: what it was stands in the numerics of each operation.
+        // A word where the run determines it: the numerics of each operation contain the value.
         Some(_) => fields.with("settle_s", AUTO),
         None => fields,
     }

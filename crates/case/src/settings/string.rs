@@ -7,11 +7,11 @@ use super::fields::Fields;
 
 pub(super) fn string(string: &DrillString) -> Json {
     let components = string.components().iter();
-    components.map(|of| Json::from(component(of))).collect()
+    components.map(|part| Json::from(component(part))).collect()
 }
 
-/// What a component does not have, joints, blades, a bend, an eccentricity or a lateral force, is
-/// left out.
+/// Parts that a component does not have (joints, blades, a bend, an eccentricity, a lateral force)
+/// are omitted.
 fn component(component: &Component) -> Fields {
     Fields::of(component)
         .renamed([("name", "component")])

@@ -6,8 +6,9 @@ use wholestring::well::{HoleSection, Roughness, Station, Well};
 use super::fields::{Fields, json, word};
 
 pub(super) fn well(well: &Well, survey: Option<&String>, tortuosity: Option<Json>) -> Json {
-    let column =
-        |of: fn(&Station) -> f64| -> Vec<f64> { well.path.stations().iter().map(of).collect() };
+    let column = |value: fn(&Station) -> f64| -> Vec<f64> {
+        well.path.stations().iter().map(value).collect()
+    };
     let start = well.path.at(well.path.first_md_m()).position_m;
     let sections = well.hole.sections().iter();
     json!({
@@ -20,8 +21,8 @@ pub(super) fn well(well: &Well, survey: Option<&String>, tortuosity: Option<Json
         "path": word(&well.path.interpolation()),
         "tie_in": { "north_m": start.x, "east_m": start.y, "tvd_m": start.z },
         "tortuosity": tortuosity,
-        "roughness": well.hole.roughness().map(|of| Json::from(roughness(of))),
-        "hole": sections.map(|of| Json::from(section(of))).collect::<Vec<_>>(),
+        "roughness": well.hole.roughness().map(|rough| Json::from(roughness(rough))),
+        "hole": sections.map(|part| Json::from(section(part))).collect::<Vec<_>>(),
     })
 }
 
@@ -36,7 +37,7 @@ fn roughness(roughness: &Roughness) -> Fields {
 
 fn section(section: &HoleSection) -> Fields {
     let friction = &section.friction;
-    // The engine has it as a part of the kinetic one.
+    // The engine stores it as a part of the kinetic one.
     let around = friction.kinetic * friction.around;
     let friction =
         Fields::of(friction).renamed([("at_rest", "static")]).with("around", json(&around));

@@ -22,7 +22,7 @@ use crate::{
     rig::HoistTable,
 };
 
-/// What was made of the tables of a case.
+/// Values built from the tables of a case.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Given<'a> {
     pub(crate) name: &'a str,
@@ -37,8 +37,8 @@ pub(crate) struct Given<'a> {
     pub(crate) bit_test: Option<&'a BitTest>,
 }
 
-/// What the solvers were given, in SI, with units in the names of the keys.
-pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
+/// Returns the inputs of the solvers, in SI, with units in the names of the keys.
+pub(crate) fn settings(inputs: &Given<'_>, case: &CaseTable) -> Json {
     let Given {
         name,
         units,
@@ -50,11 +50,11 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
         records,
         drilling,
         bit_test,
-    } = *given;
+    } = *inputs;
     let survey = case.well.get().and_then(|well| well.survey.get());
     let tortuosity = case.well.get().and_then(|well| well.tortuosity.given()?.value.settings());
     let dynamics_table = case.dynamics.get();
-    let checkpoint_interval_s = dynamics_table.and_then(|of| of.checkpoint_interval.get());
+    let checkpoint_interval_s = dynamics_table.and_then(|table| table.checkpoint_interval.get());
     let control = case.hoist.get().and_then(HoistTable::control_word);
     let mut bit = bit::bit(&dynamics.bit, operations);
     if let Some(drilling) = drilling {
@@ -62,7 +62,7 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
     }
     let mut whole = Fields::empty()
         .with("name", name)
-        .with("model", models.iter().map(|of| of.name()).collect::<Vec<_>>())
+        .with("model", models.iter().map(|model| model.name()).collect::<Vec<_>>())
         .with("units", units.name())
         .with("well", well::well(&model.well, survey, tortuosity))
         .with("mud", Fields::of(&model.mud).tag_inside("rheology", "law"))

@@ -6,7 +6,7 @@ pub(crate) fn rows(table: &str) -> Vec<(&str, String)> {
     cells.map(|(before, text)| (name(before), text)).collect()
 }
 
-/// Rows of "name: `what stands there` -> `what stands there instead`", in which `\n` ends a line.
+/// Rows of "name: `original text` -> `replacement`", in which `\n` ends a line.
 pub(crate) fn changes(table: &str) -> Vec<(&str, String, String)> {
     let cells = cells(table);
     let (rows, rest) = cells.as_chunks::<2>();
@@ -23,11 +23,11 @@ fn name(before: &str) -> &str {
     before.strip_suffix(':').expect("a name and a colon")
 }
 
-/// Texts between backticks, each with what stands before it.
+/// Texts between backticks, each with the text before it.
 fn cells(table: &str) -> Vec<(&str, String)> {
     let parts: Vec<&str> = table.split('`').collect();
     let (cells, rest) = parts.as_chunks::<2>();
     assert!(!cells.is_empty() && rest.concat().trim().is_empty(), "{table}");
-    let of = cells.iter();
-    of.map(|[before, text]| (before.trim(), text.replace("\\n", "\n"))).collect()
+    let cells = cells.iter();
+    cells.map(|[before, text]| (before.trim(), text.replace("\\n", "\n"))).collect()
 }

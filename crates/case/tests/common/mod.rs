@@ -30,8 +30,8 @@ pub(crate) fn read_with(text: &str, settings: &[&str]) -> Result<Case, Report> {
     parse("case.toml", text.as_bytes(), &survey_files(SURVEY.as_bytes()), &changes)
 }
 
-/// The example with one text replaced by another, which must stand in it once.
+/// The example with one text, which must occur in it once, replaced by another.
 pub(crate) fn changed(from: &str, to: &str) -> String {
-    assert_eq!(EXAMPLE.matches(from).count(), 1, "`{from}` must stand once in the example");
+    assert_eq!(EXAMPLE.matches(from).count(), 1, "`{from}` must occur once in the example");
     EXAMPLE.replace(from, to)
 }

@@ -1,4 +1,4 @@
-//! Holds a TOML text against the schema: as much of JSON Schema as the schema uses.
+//! Checks a TOML text against the schema: as much of JSON Schema as the schema uses.
 
 use std::{cell::RefCell, collections::HashMap};
 
@@ -6,7 +6,7 @@ use regex::Regex;
 use serde_json::{Value as Json, json};
 use toml::de::{DeTable, DeValue};
 
-/// What a schema finds wrong with a TOML text: nothing, or where and why.
+/// Returns the violations of a schema by a TOML text, each with its place and reason.
 pub(crate) fn problems(schema: &Json, toml: &str) -> Vec<String> {
     let table = DeTable::parse(toml).expect("TOML");
     let mut problems = Vec::new();
@@ -30,7 +30,7 @@ fn converted(value: &DeValue<'_>) -> Json {
             Ok(whole) => json!(whole),
             Err(_) => json!(1e300),
         },
-        // JSON has no NaN and no infinity: they are no numbers there either.
+        // JSON has no NaN and no infinity, so that they are not numbers there either.
         DeValue::Float(float) => float.as_str().parse::<f64>().map_or(Json::Null, |v| json!(v)),
         DeValue::Boolean(value) => json!(value),
         DeValue::Datetime(_) => Json::Null,
@@ -73,7 +73,7 @@ fn check(schema: &Json, value: &Json, at: &str, problems: &mut Vec<String>) {
                 check_object(schema, value, at, problems);
                 true
             }
-            other => panic!("the schema says `{other}`, which is not checked here"),
+            other => panic!("the schema has `{other}`, which is not checked here"),
         };
         if !valid {
             problems.push(format!("{at}: {value} against {word} {rule}"));
@@ -129,7 +129,7 @@ fn length(value: &Json) -> Option<u64> {
     value.as_array().map(|items| items.len() as u64)
 }
 
-/// Whether a text has a match of a pattern. A schema has few, and they are tried on thousands of
+/// Whether a text matches a pattern. A schema has few patterns, and they are tried on thousands of
 /// texts.
 fn matches(pattern: &str, text: &str) -> bool {
     thread_local! {

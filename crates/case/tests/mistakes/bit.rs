@@ -151,8 +151,7 @@ fn tables() {
     }
 }
 
-/// A file and the same points in the case are the same law; columns that nobody requested are
-/// passed over.
+/// A file and the same points in the case give the same law; unknown columns are ignored.
 #[test]
 fn a_file_is_read_as_the_points_that_it_holds() {
     let file = format!(

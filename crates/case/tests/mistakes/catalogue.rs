@@ -1,4 +1,4 @@
-//! Mistakes in a catalogue of one's own.
+//! Mistakes in a user's own catalogue.
 
 use wholestring_case::{Case, InMemory, Report, parse};
 
@@ -11,7 +11,7 @@ const PIPE: &str = "[[tubular]]\nname = \"rig 7 pipe\"\nod = \"5 in\"\nid = \"4.
      yield_strength = \"135 ksi\"\njoint_od = \"6-5/8 in\"\njoint_id = \"3-1/4 in\"\n\
      joint_length = \"17 in\"\njoint_spacing = \"9.5 m\"\nconnection = \"NC50\"\n";
 
-/// The example with its pipe called `name`, beside a catalogue of that name and content.
+/// The example with its pipe named `name`, and a catalogue with that file name and content.
 fn with(file: &str, content: &[u8], name: &str) -> Result<Case, Report> {
     let mut files = InMemory::default();
     files.0.insert(SURVEY_NAME.to_owned(), SURVEY.as_bytes().to_vec());
@@ -20,7 +20,7 @@ fn with(file: &str, content: &[u8], name: &str) -> Result<Case, Report> {
     parse("case.toml", format!("catalogue = \"{file}\"\n{text}").as_bytes(), &files, &[])
 }
 
-/// Tool joints that overlap stand closer than others.
+/// Overlapping tool joints have a different spacing.
 fn spacing(name: &str) -> &'static str {
     if name == "own_joints_overlap" { "4.8 m" } else { "9.5 m" }
 }
@@ -56,7 +56,7 @@ fn in_toml() {
 const LINER: &str = "[[casing]]\nname = \"rig 7 liner\"\nod = \"9-5/8 in\"\nid = \"8.681 in\"\n\
      drift = \"8.525 in\"\nmass_per_length = \"47 lb/ft\"\nyield_strength = \"110 ksi\"\n";
 
-/// The example with its casing called `name`, beside a catalogue of that content.
+/// The example with its casing named `name`, and a catalogue of that content.
 fn cased(content: &str, name: &str) -> Result<Case, Report> {
     let mut files = InMemory::default();
     files.0.insert(SURVEY_NAME.to_owned(), SURVEY.as_bytes().to_vec());
@@ -79,8 +79,8 @@ fn casing() {
     refused("own_casing_misspelt", cased(LINER, "rig 7 linr"));
 }
 
-/// Its inside diameter is the hole's, and its yield strength the casing's; what is built in is
-/// found beside it.
+/// Its inside diameter is the hole's, and its yield strength the casing's; built-in casings are
+/// found as well.
 #[test]
 fn casing_of_ones_own_is_a_hole() {
     let both = format!("{PIPE}{LINER}");
@@ -112,7 +112,7 @@ fn in_csv() {
 }
 
 /// The same tubular from TOML and from CSV, with its masses, torques and words; capitals and blanks
-/// do not count.
+/// do not matter.
 #[test]
 fn toml_and_csv_say_the_same() {
     let csv = "Name;od in;id [in];yield_strength (ksi);joint_od in;joint_id in;joint_length in;\
@@ -127,7 +127,7 @@ fn toml_and_csv_say_the_same() {
     assert_eq!(toml, csv);
     let pipe = toml.expect("a pipe");
     let built_in = wholestring::string::catalogue::find("5 in 19.50 lb/ft G-105").expect("there");
-    // The same joint, a little closer.
+    // The same joint, with a slightly smaller spacing.
     let connection = built_in.connection.expect("a connection").strength;
     assert_eq!(pipe.connection, connection);
     assert!((pipe.mass_per_length_kg_per_m - 32.0).abs() < 2.0, "{pipe:?}");

@@ -1,4 +1,5 @@
-//! The same mistakes in a case that is shown in field units: no answer has a quantity in others.
+//! The same mistakes in a case that is displayed in field units: no message has a quantity in other
+//! units.
 
 use crate::common::read;
 
@@ -8,9 +9,9 @@ const OTHERS: [&str; 17] = [
     "m/s", "m/h", "t",
 ];
 
-/// Requires that the answer to a case in field units shows no quantity in other units, but for
-/// texts in quotes, which the case has or may take as they are, what is shown in both, and the
-/// range of a number, which is in the unit of that number.
+/// Requires that the message for a case in field units shows no quantity in other units. Exceptions
+/// are texts in quotes, which the case has or may have unchanged, quantities that are shown in
+/// both, and the range of a number, which is in the unit of that number.
 #[track_caller]
 pub(crate) fn required(name: &str, text: &str) {
     let report = match read(&format!("units = \"field\"\n{text}")) {

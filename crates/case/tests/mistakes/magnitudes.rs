@@ -1,4 +1,4 @@
-//! Numbers that are hardly meant: a unit forgotten, or another one's.
+//! Numbers that are probably mistakes: a missing unit, or a value in another unit.
 
 use wholestring_case::{Report, Severity, load};
 
@@ -53,7 +53,7 @@ fn numbers_without_unit_in_a_field_case() {
     assert!(shown_in_si.warnings.is_empty(), "{}", shown_in_si.warnings);
 }
 
-/// Of a number without a unit, the unit that is proposed gives a weight that a block can have: no
+/// The unit that is proposed for a number without a unit gives a weight that a block can have: not
 /// 110000 klbf, which are 489 MN.
 #[test]
 fn a_proposed_unit_gives_a_number_that_can_be() {
@@ -68,7 +68,7 @@ fn a_proposed_unit_gives_a_number_that_can_be() {
     refused("block_weight_of_no_size", answer);
 }
 
-/// Foot and inch marks, thousands that are parted, units by which people mean different things.
+/// Foot and inch marks, thousands separators, units with more than one meaning.
 #[test]
 fn lengths_and_weights_as_they_are_written() {
     each_refused(
@@ -94,8 +94,8 @@ fn zero_is_not_doubted() {
     {
         let case = read(&changed(from, to)).expect("a valid case");
         let doubts = |report: &Report| {
-            let mut said = report.diagnostics.iter();
-            said.any(|one| one.message.contains("unusually"))
+            let mut diagnostics = report.diagnostics.iter();
+            diagnostics.any(|one| one.message.contains("unusually"))
         };
         assert!(!doubts(&case.warnings), "{to}: {}", case.warnings);
     }
@@ -142,7 +142,7 @@ fn casing_by_its_name() {
     );
 }
 
-/// A shell takes away the quotes of `"9.5 ppg"`, and a number alone says nothing.
+/// A shell removes the quotes of `"9.5 ppg"`, and a number without a unit is ambiguous.
 #[test]
 fn a_number_on_the_command_line_needs_its_unit() {
     for (name, setting) in [
@@ -174,7 +174,7 @@ fn a_number_on_the_command_line_needs_its_unit() {
     }
 }
 
-/// What the project ships is what it calls usual.
+/// Shipped cases are within the usual ranges.
 #[test]
 fn shipped_cases_are_usual() {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");

@@ -1,4 +1,4 @@
-//! Mistakes that people make, and the answer that each gets, whole.
+//! Mistakes that people make, and the complete message for each.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -28,7 +28,7 @@ mod writing;
 use common::{change::changes, changed, read};
 use wholestring_case::{Case, Report};
 
-/// Holds the answer against the one on record. The mistake must be refused.
+/// Compares the message with the one on record. The mistake must be refused.
 #[track_caller]
 fn refused(name: &str, answer: Result<Case, Report>) {
     let Err(report) = answer else { panic!("`{name}` was accepted") };
@@ -36,7 +36,7 @@ fn refused(name: &str, answer: Result<Case, Report>) {
     on_record(name, &report);
 }
 
-/// The same for what is accepted with a warning.
+/// The same for input that is accepted with a warning.
 #[track_caller]
 fn warned(name: &str, answer: Result<Case, Report>) {
     let case = answer.unwrap_or_else(|report| panic!("`{name}` was refused:\n{report}"));

@@ -13,7 +13,7 @@ const FILE: &str = "weights.csv";
 const SOUND: &str = "Bit depth (m),Pick-up (kN),Rotating (kN),Torque (kN.m),use\n\
                      1500,900,700,4.5,yes\n3000,1300,1000,12,no\n";
 
-/// The example with a plan that names a file which holds this.
+/// The example with a plan that names a file with this content.
 fn with(table: &str) -> Result<Case, Report> {
     with_changed(table, |case| case)
 }
@@ -55,7 +55,7 @@ fn what_the_file_holds() {
     );
 }
 
-/// The weights beside it are of use all the same.
+/// The weights of the same file are still used.
 #[test]
 fn a_torque_on_bottom_is_left_out_where_nothing_drills() {
     let on_bottom = SOUND.replace("Torque (kN.m)", "Torque on bottom (kN.m)");
@@ -74,11 +74,11 @@ fn a_torque_on_bottom_is_left_out_where_nothing_drills() {
 #[test]
 fn a_block_of_which_nothing_is_known_is_told() {
     warned("warn_measured_without_block", with(SOUND));
-    let given = |case: String| case.replace("[rig]", "[rig]\nblock_weight = \"200 kN\"");
-    assert!(with_changed(SOUND, given).is_ok_and(|case| case.warnings.is_empty()));
+    let with_block = |case: String| case.replace("[rig]", "[rig]\nblock_weight = \"200 kN\"");
+    assert!(with_changed(SOUND, with_block).is_ok_and(|case| case.warnings.is_empty()));
 }
 
-/// Columns that are nothing are told, not refused; those that are keys of the case are its changes.
+/// Unknown columns are reported, not refused; columns that are keys of the case are its changes.
 #[test]
 fn what_was_measured_is_read_as_a_calibration_reads_it() {
     let table = SOUND.replace("use\n", "use,crew,string.1.length (ft)\n");

@@ -50,7 +50,8 @@ fn rheology_and_flow() {
     );
 }
 
-/// Dial readings: too few, beside the numbers that they give, and one that is off.
+/// Dial readings: too few, together with the numbers that they determine, and one with a large
+/// deviation.
 #[test]
 fn dial_readings() {
     let with = |lines: &str| {

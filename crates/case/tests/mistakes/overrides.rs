@@ -26,8 +26,8 @@ fn key_and_value() {
     }
 }
 
-/// A coefficient that keeps its ratio to the kinetic one and leaves the range by that is named with
-/// the ratio: what was set is in the range.
+/// A coefficient that keeps its ratio to the kinetic one and thereby leaves its range is reported
+/// with the ratio, because the number that was set is in the range.
 #[test]
 fn a_ratio_that_leads_out_of_the_range() {
     let table = "well.hole.0.friction={ kinetic = 0.1, around = 0.5 }";

@@ -65,7 +65,7 @@ fn plans() {
 #[test]
 fn a_case_without_a_plan_has_one() {
     let plan = accepted("").plan;
-    let names: Vec<&str> = plan.operations.iter().map(|of| of.kind.name()).collect();
+    let names: Vec<&str> = plan.operations.iter().map(|operation| operation.kind.name()).collect();
     assert_eq!(names, ["trip_out", "trip_in", "rotate_off_bottom", "drill"]);
     assert_eq!(plan.models, [Statics::Soft]);
     // Thirty evenly, one of them the case's, and the casing shoe.
@@ -82,12 +82,13 @@ fn plans_say_what_they_mean() {
          bit_depths = [\"4305 m\", \"900 m\", \"3000 m\"]\n\
          operations = [\"pick-up\", \"ream\", \"drilling\"]\nmodels = [\"soft\", \"stiff\"]",
     );
-    let kinds: Vec<OperationKind> = case.plan.operations.iter().map(|of| of.kind).collect();
+    let kinds: Vec<OperationKind> =
+        case.plan.operations.iter().map(|operation| operation.kind).collect();
     assert_eq!(kinds, [OperationKind::TripOut, OperationKind::Ream, OperationKind::Drill]);
     assert_eq!(case.plan.bit_depths_m, [900.0, 3000.0, 4305.0]);
     let broomstick = case.broomstick().expect("sound frictions");
     assert_eq!(broomstick.tasks().len(), 2 * 3 * 3);
-    let round = |of: f64| (1e9 * of).round() / 1e9;
+    let round = |number: f64| (1e9 * number).round() / 1e9;
     let frictions = FrictionLevel::ALL.map(|level| {
         let sections = broomstick.setup(level).well.hole.sections();
         [round(sections[0].friction.kinetic), round(sections[1].friction.kinetic)]

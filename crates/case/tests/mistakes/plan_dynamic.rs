@@ -1,4 +1,4 @@
-//! Mistakes in `[plan.dynamic]`, and in the gel strength that goes with it.
+//! Mistakes in `[plan.dynamic]`, and in the gel strength that it uses.
 
 use wholestring::operation::OperationKind;
 use wholestring_plan::{
@@ -58,8 +58,8 @@ fn events_and_wear() {
         ("gel_strength_as_viscosity", "\"20 cP\""),
         ("gel_strength_negative", "-1"),
     ] {
-        let given = format!("density = \"1.2 sg\"\ngel_strength = {value}");
-        refused(name, read(&changed("density = \"1.2 sg\"", &given)));
+        let with_gel = format!("density = \"1.2 sg\"\ngel_strength = {value}");
+        refused(name, read(&changed("density = \"1.2 sg\"", &with_gel)));
     }
     each_warned(
         r#"
@@ -97,12 +97,13 @@ fn what_is_given_is_asked() {
     let set = dynamic.set_points.expect("set points");
     assert!((set.flow_rate_m3_per_s - 2.0 / 60.0).abs() < 1e-12);
     assert!(set.rotary_speed_rad_per_s > 7.0);
-    let kinds: Vec<_> = dynamic.wear.iter().map(|of| of.kind).collect();
+    let kinds: Vec<_> = dynamic.wear.iter().map(|wear| wear.kind).collect();
     assert_eq!(kinds, [OperationKind::Drill, OperationKind::RotateOffBottom]);
-    // Drilling at both depths, turning off bottom where the campaign does: the deepest is nearest to 4000 m.
+    // Drilling at both depths, turning off bottom where the campaign does: the deepest is nearest
+    // to 4000 m.
     let broomstick = case.broomstick().expect("a broomstick");
     let tasks = dynamic.wear_tasks(broomstick.campaign().expect("a campaign"));
-    let tasks = tasks.iter().map(|of| (of.operation.kind, of.operation.bit_depth_m));
+    let tasks = tasks.iter().map(|task| (task.operation.kind, task.operation.bit_depth_m));
     let tasks: Vec<_> = tasks.collect();
     assert!(tasks.contains(&(OperationKind::RotateOffBottom, 4000.0)), "{tasks:?}");
     assert!(!tasks.contains(&(OperationKind::RotateOffBottom, 900.0)), "{tasks:?}");

@@ -58,7 +58,7 @@ fn what_is_not_given_is_usual() {
     let CampaignSettings { wear_factors, .. } = plan.campaign.clone();
     assert_eq!(plan.campaign, CampaignSettings::default());
     assert!((wear_factors.of_per_Pa(0) * PSI_PA * 1e10 - 5.0).abs() < 1e-9);
-    // An empty table says nothing else.
+    // An empty table equals the default.
     let plan = accepted("campaign = {}\nfatigue = {}\nfactors = {}").plan;
     assert_eq!(plan.limits, LimitSettings::default());
     assert_eq!(plan.campaign, CampaignSettings::default());
@@ -95,12 +95,13 @@ fn what_is_given_is_meant() {
     assert!(case.broomstick().is_ok());
 }
 
-/// A plan that lists one operation leaves the others to its campaign, with a rotary speed for what
-/// turns off bottom.
+/// A plan that lists one operation leaves the others to its campaign, with a rotary speed for
+/// operations that rotate off bottom.
 #[test]
 fn a_campaign_has_the_operations_that_the_plan_does_not_list() {
     let plan = accepted("operations = \"drill\"").plan;
-    let others: Vec<&str> = plan.campaign.operations.iter().map(|of| of.kind.name()).collect();
+    let others: Vec<&str> =
+        plan.campaign.operations.iter().map(|operation| operation.kind.name()).collect();
     assert_eq!(others, ["trip_out", "trip_in", "rotate_off_bottom"]);
     assert!(plan.campaign.operations[2].rotary_speed_rad_per_s > 0.0);
 }

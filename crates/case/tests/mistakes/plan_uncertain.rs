@@ -125,7 +125,7 @@ fn inputs_say_what_they_mean() {
     assert_eq!(density.written(1.25), "1.25 sg");
     assert_eq!(speed.written(1.0), "70");
     assert_eq!(
-        [density, weight, speed, friction].map(|of| of.said()),
+        [density, weight, speed, friction].map(|input| input.said()),
         [
             "normal, 1.2 sg ± 0.02 sg, up to 1.3 sg",
             "triangular, 5 tf to 8 tf, likeliest 6 tf",

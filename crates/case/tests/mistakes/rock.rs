@@ -11,7 +11,7 @@ fn with_bit(keys: &str) -> String {
     changed(torque, keys)
 }
 
-/// The example on solid rock: what else stands in `[bit]`, and the tables after it.
+/// The example on solid rock: further keys of `[bit]`, and the tables after it.
 fn on_rock(bit: &str, tables: &str) -> String {
     let separated = if bit.is_empty() { "" } else { "\n" };
     with_bit(&format!("law = \"rock\"\n{bit}{separated}{tables}")).replace("rop = ", "# rop = ")
@@ -137,8 +137,8 @@ fn what_has_no_effect() {
     warned("warn_bricks_large_for_the_cutters", read(&large));
     let heavy = on_rock("", "[rock]\nstrength = \"20 MPa\"").replace("rpm = 70", "rpm = 150");
     warned("warn_rock_too_heavy_for_the_speed", read(&heavy));
-    let given = on_rock("", SOUND).replace("# rop = ", "rop = ");
-    warned("warn_rate_of_penetration_on_rock", read(&given));
+    let with_rate = on_rock("", SOUND).replace("# rop = ", "rop = ");
+    warned("warn_rate_of_penetration_on_rock", read(&with_rate));
 }
 
 /// A bit test uses face, kind and rock whatever the law.

@@ -63,7 +63,7 @@ fn lines_of_a_schedule() {
     warned("warn_schedule_soft_too", read(&both));
     let pumps = format!("{LINE}at = \"30 s\"\nflow_rate = 0");
     warned("warn_schedule_flow_without_rheology", read(&scheduled(&pumps)));
-    // Where a schedule holds a weight, the autodriller's keys have their effect.
+    // Where a schedule sets a weight, the autodriller's keys have their effect.
     let tuned = format!("{held}\n[hoist]\ngain = 1e-7\nintegral_time = \"60 s\"");
     let case = read(&scheduled(&tuned)).expect("a valid case");
     assert!(case.warnings.is_empty());

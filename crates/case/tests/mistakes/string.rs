@@ -93,7 +93,7 @@ fn blades() {
     }
 }
 
-/// Only a bit below other components is taken to be solid.
+/// Only a bit below other components is assumed to be solid.
 #[test]
 fn a_pipe_alone() {
     let start = EXAMPLE.find("[[string]]").expect("the string");
@@ -122,8 +122,8 @@ fn what_has_no_effect_or_is_odd() {
     );
 }
 
-/// Weights and diameters that are another's: the nominal weight of pipe, the shank of a bit, the body of a stabiliser, casings that
-/// go into each other.
+/// Mistaken weights and diameters: the nominal weight of pipe, the shank of a bit, the body of a
+/// stabiliser, casings that do not fit into each other.
 #[test]
 fn weights_and_gauges() {
     each_warned(

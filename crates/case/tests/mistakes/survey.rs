@@ -36,7 +36,8 @@ fn what_the_file_holds() {
     );
 }
 
-/// The file of the survey is underlined: where the hole turns by 180 deg, at a slip, at a position that is another.
+/// The file of the survey is underlined: where the hole turns by 180 deg, at a slip, at a position
+/// that differs.
 #[test]
 fn rows_of_the_file_are_underlined() {
     let example =
@@ -57,7 +58,8 @@ fn rows_of_the_file_are_underlined() {
     warned("warn_sharp_turn", parse("case.toml", field.as_bytes(), &survey_files(survey), &[]));
 }
 
-/// The positions of the curve that a case runs on are compared: of a plan of few stations those of the spline are others.
+/// The positions of the curve that a case runs on are compared: for a plan of few stations those of
+/// the spline differ.
 #[test]
 fn positions_are_compared_on_the_curve_of_the_case() {
     let plan =
@@ -65,8 +67,8 @@ fn positions_are_compared_on_the_curve_of_the_case() {
     let read = |text: &str| parse("case.toml", text.as_bytes(), &survey_files(plan), &[]);
     let arcs = read(&EXAMPLE.replace("path = \"spline\"", "path = \"minimum-curvature\""));
     let arcs = arcs.unwrap_or_else(|report| panic!("{report}"));
-    assert!(arcs.survey_notes.iter().any(|note| note.contains("as rounding makes them")));
-    assert!(!arcs.warnings.to_string().contains("than what follows"), "{}", arcs.warnings);
+    assert!(arcs.survey_notes.iter().any(|note| note.contains("within rounding")));
+    assert!(!arcs.warnings.to_string().contains("than computed"), "{}", arcs.warnings);
     let spline = read(EXAMPLE).unwrap_or_else(|report| panic!("{report}")).warnings.to_string();
     assert!(
         spline.contains("12.") && spline.contains("by minimum curvature they agree"),

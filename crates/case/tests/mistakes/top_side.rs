@@ -66,26 +66,26 @@ fn limit_of_the_pump() {
 #[test]
 fn tuned_lifts() {
     let tuned = "[hoist]\ncontrol = \"tuned-lift\"\n[mesh]";
-    let of = |kind: &str| {
+    let with_kind = |kind: &str| {
         let text = changed("[mesh]", tuned);
         let from =
             text.lines().find(|line| line.starts_with("kind = \"drill\"")).expect("operations");
         text.replace(from, kind)
     };
     texts_refused([
-        ("lift_of_a_trip", of("kind = [\"drill\", \"trip_out\"]")),
-        ("lift_of_no_weight", of("kind = \"drill\"").replace("wob = \"6 tf\"", "wob = 0")),
+        ("lift_of_a_trip", with_kind("kind = [\"drill\", \"trip_out\"]")),
+        ("lift_of_no_weight", with_kind("kind = \"drill\"").replace("wob = \"6 tf\"", "wob = 0")),
         (
             "lift_of_a_moving_block",
-            of("kind = \"drill\"\nschedule = [{ at = 10, block_velocity = 0 }]"),
+            with_kind("kind = \"drill\"\nschedule = [{ at = 10, block_velocity = 0 }]"),
         ),
     ]);
-    let valid = read(&of("kind = \"drill\"")).unwrap_or_else(|report| panic!("{report}"));
+    let valid = read(&with_kind("kind = \"drill\"")).unwrap_or_else(|report| panic!("{report}"));
     assert!(valid.tunes_hook_load && valid.dynamics.hoist_control.is_none());
     assert_eq!(valid.settings["hoist"]["control"], "tuned-lift");
     texts_refused([(
         "lift_tolerance_in_per_cent",
-        of("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ntolerance = 2"),
+        with_kind("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ntolerance = 2"),
     )]);
     each_warned(
         r#"
@@ -94,7 +94,7 @@ fn tuned_lifts() {
     );
     warned(
         "warn_lift_with_gain",
-        read(&of("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ngain = 1e-7")),
+        read(&with_kind("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ngain = 1e-7")),
     );
 }
 

@@ -2,7 +2,7 @@
 
 use crate::{
     common::{EXAMPLE, changed, read},
-    each_refused, each_warned, refused, texts_refused,
+    each_refused, each_warned, refused, texts_refused, warned,
 };
 
 #[test]
@@ -18,6 +18,32 @@ fn hole() {
             -> `friction = { kinetic = 0.3, around = -0.1 }\n[[`
         friction_around_without_axial: `friction = 0.3\n[[`
             -> `friction = { kinetic = 0, around = 0.2 }\n[[`
+        "#,
+    );
+}
+
+/// Casings that cannot have been run, rock above a casing, a bit in the bore but not in the drift,
+/// and drilling inside casing.
+#[test]
+fn casing_programme() {
+    let wide_bit = EXAMPLE
+        .replace("diameter = \"222.96 mm\"", "casing = \"9-5/8 in 40 lb/ft\"")
+        .replace("od = \"215.9 mm\"", "od = \"8-3/4 in\"")
+        .replace("diameter = \"215.9 mm\"", "diameter = \"8-3/4 in\"");
+    warned("warn_bit_over_drift", read(&wide_bit));
+    let own_drift = wide_bit.replace("od = \"8-3/4 in\"", "od = \"8-1/2 in\"");
+    assert!(read(&own_drift).expect("a valid case").warnings.is_empty());
+    each_warned(
+        r#"
+        warn_open_hole_above_casing: `[[well.hole]]\nkind = "casing"`
+            -> `[[well.hole]]\nkind = "open"\nto = "500 m"\ndiameter = "12-1/4 in"\nfriction = 0.3\n[[well.hole]]\nkind = "casing"`
+        warn_drilling_in_casing: `bit_depth = "4305 m"` -> `bit_depth = "2500 m"`
+        "#,
+    );
+    each_refused(
+        r#"
+        casing_wider_than_the_one_above: `[[well.hole]]\nkind = "open"`
+            -> `[[well.hole]]\nkind = "casing"\nto = "3500 m"\ncasing = "13-3/8 in 72 lb/ft"\nfriction = 0.2\n[[well.hole]]\nkind = "open"`
         "#,
     );
 }

@@ -1,4 +1,4 @@
-//! Mistakes of spelling and form, whatever the table.
+//! Mistakes of spelling and form, in any table.
 
 use wholestring_case::{load, parse};
 
@@ -54,7 +54,7 @@ fn toml() {
     );
 }
 
-/// Paths as Windows writes them, in the quotes in which a backslash begins an escape.
+/// Windows paths, in the quotes in which a backslash begins an escape.
 #[test]
 fn windows_paths() {
     let survey = "\"np13-x1042-survey.csv\"";
@@ -99,7 +99,7 @@ fn several_at_once() {
     refused("several_at_once", read(&text));
 }
 
-/// What is no case file at all is not answered line by line.
+/// A file that is not a case at all is not reported line by line.
 #[test]
 fn a_hundred_at_most() {
     let keys: String = (0..20_000).map(|i| format!("key_{i} = {i}\n")).collect();

@@ -1,9 +1,9 @@
-//! What a program without the app says.
+//! The `app` command of a program that was built without the app.
 
 use super::AppArgs;
 use crate::failure::Failure;
 
-/// Says how the program is built with the app.
+/// Explains how to build the program with the app.
 pub(crate) fn app(args: &AppArgs) -> Result<(), Failure> {
     let AppArgs { folder, port: _, no_browser: _ } = args;
     Err(Failure::BadInput(format!(

@@ -1,4 +1,4 @@
-//! `wholestring app`: the local web app, where the program was built with it.
+//! `wholestring app`: the local web app, if the program was built with it.
 
 #[cfg(not(feature = "app"))]
 mod left_out;

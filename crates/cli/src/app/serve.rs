@@ -1,4 +1,4 @@
-//! The app is served until somebody ends it.
+//! Serves the app until it is interrupted.
 
 use std::process;
 
@@ -15,7 +15,7 @@ pub(crate) fn app(args: &AppArgs) -> Result<(), Failure> {
     let server = Server::bind(&options).map_err(refused)?;
     let url = server.url();
     let stop = server.stop();
-    // The first asks it to end what is open, the second ends it at once.
+    // The first Ctrl-C closes open connections gracefully, the second exits at once.
     let _ = ctrlc::set_handler(move || {
         if stop.stop() {
             process::exit(130);

@@ -1,4 +1,4 @@
-//! `wholestring bench` as the user writes it.
+//! Arguments of `wholestring bench`.
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
@@ -7,7 +7,7 @@ use wholestring_case::Override;
 
 #[derive(Debug, Args)]
 pub(crate) struct BenchArgs {
-    /// What to measure [default: all but the sweep]
+    /// Parts to measure [default: all but the sweep]
     #[arg(value_enum, value_name = "PART")]
     pub(crate) parts: Vec<BenchPart>,
 
@@ -32,7 +32,7 @@ pub(crate) enum BenchPart {
     Run,
     /// Memory of a run, on Linux
     Memory,
-    /// What each mechanism costs when it is switched on
+    /// Cost of each mechanism when it is switched on
     Mechanisms,
     /// The solid rock under a bit, with each instruction set
     Rock,

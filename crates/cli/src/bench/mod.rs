@@ -1,4 +1,4 @@
-//! `wholestring bench`: the machine's speed at this work.
+//! `wholestring bench`: speed of this machine at the program's work.
 
 mod args;
 mod screen;
@@ -25,7 +25,7 @@ use crate::{
 pub(crate) use args::BenchArgs;
 use args::BenchPart;
 
-/// What was measured, for `--json`; a part that was not requested is not there.
+/// The measurements, for `--json`; parts that were not requested are missing.
 #[derive(Serialize)]
 struct Numbers {
     version: &'static str,
@@ -46,7 +46,7 @@ struct Numbers {
     sweep: Option<Sweeps>,
 }
 
-/// The bar that shows what is measured.
+/// The bar that names the part being measured.
 struct Screen(ProgressBar);
 
 impl Watcher for Screen {
@@ -82,7 +82,7 @@ fn measure(bench: &Bench<'_>, args: &BenchArgs, screen: &Screen) -> Result<(), F
     let well = bench.well()?;
     screen.print(&screen::sentence(&well, args.repeat.get()))?;
     let parts = Parts { bench, requested: &args.parts, screen };
-    // In the order in which they are shown.
+    // In the order of the output.
     let numbers = Numbers {
         version: env!("CARGO_PKG_VERSION"),
         time: TIME,
@@ -100,7 +100,7 @@ fn measure(bench: &Bench<'_>, args: &BenchArgs, screen: &Screen) -> Result<(), F
     }
 }
 
-/// The parts to measure, and where they are shown.
+/// The parts to measure, and the screen.
 struct Parts<'a> {
     bench: &'a Bench<'a>,
     requested: &'a [BenchPart],
@@ -108,7 +108,7 @@ struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    /// Measures a part that is requested, and shows it.
+    /// Measures a requested part and prints it.
     fn show<T>(
         &self,
         part: BenchPart,

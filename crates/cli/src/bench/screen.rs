@@ -1,4 +1,4 @@
-//! What is shown of the measurements.
+//! Output of the measurements on the screen.
 
 use wholestring_runner::bench::{
     Kernel, MeasuredWell, Mechanisms, Memory, RockSpeed, RunRow, Spread, Sweeps, TIME,
@@ -18,7 +18,7 @@ pub(super) fn sentence(well: &MeasuredWell, count: usize) -> String {
     )
 }
 
-pub(super) fn kernel(of: &Kernel) -> String {
+pub(super) fn kernel(kernel: &Kernel) -> String {
     let mut table = Table::new(
         "The inner loop",
         2,
@@ -32,7 +32,7 @@ pub(super) fn kernel(of: &Kernel) -> String {
             "of it",
         ],
     );
-    for row in &of.rows {
+    for row in &kernel.rows {
         let [median, spread] = cells(row.ns_per_element_step, 1);
         let share = row.gflop_per_s / row.peak_gflop_per_s;
         table.row(vec![
@@ -45,14 +45,13 @@ pub(super) fn kernel(of: &Kernel) -> String {
             format!("{:.0} %", 100.0 * share),
         ]);
     }
-    let each = |count: u64| count as f64 / of.element_steps;
-    let flops = of.flops;
+    let each = |count: u64| count as f64 / kernel.element_steps;
+    let flops = kernel.flops;
     format!(
         "{}An element-step is {:.0} flop: {:.0} multiplications with addition (two each), \
          {:.0} multiplications, \
-         {:.0} additions,\n{:.1} divisions and {:.1} roots (one each). The peak is what the \
-         same registers \
-         multiply and add at best.\n",
+         {:.0} additions,\n{:.1} divisions and {:.1} roots (one each). The peak is the \
+         best rate of multiplications and additions with the same registers.\n",
         table.text(),
         each(flops.total()),
         each(flops.multiply_additions),
@@ -82,27 +81,27 @@ pub(super) fn runs(rows: &[RunRow]) -> String {
     table.text()
 }
 
-pub(super) fn memory(of: &Memory) -> String {
+pub(super) fn memory(memory: &Memory) -> String {
     format!(
         "`wholestring run` of {:.0} s, results written: {:.1} s of wall-clock time, {:.1} MB of \
          memory at most\n",
-        of.simulated_s, of.wall_time_s, of.peak_MB
+        memory.simulated_s, memory.wall_time_s, memory.peak_MB
     )
 }
 
-pub(super) fn mechanisms(of: &Mechanisms) -> String {
+pub(super) fn mechanisms(mechanisms: &Mechanisms) -> String {
     let mut table = Table::new(
-        "What a mechanism costs a whole run",
+        "Cost of each mechanism in a whole run",
         1,
         &["switched on", "ns per element-step", "costs", "least to most"],
     );
     table.row(vec![
         "nothing".to_owned(),
-        format!("{:.1}", of.ns_per_element_step),
+        format!("{:.1}", mechanisms.ns_per_element_step),
         String::new(),
         String::new(),
     ]);
-    for row in &of.rows {
+    for row in &mechanisms.rows {
         let percent = |ratio: f64| format!("{:+.0} %", 100.0 * (ratio - 1.0));
         let Spread { median, least, most } = row.time_ratio;
         table.row(vec![
@@ -115,12 +114,12 @@ pub(super) fn mechanisms(of: &Mechanisms) -> String {
     table.text()
 }
 
-pub(super) fn rock(of: &RockSpeed) -> String {
-    let [x, y, z] = of.cells;
+pub(super) fn rock(speed: &RockSpeed) -> String {
+    let [x, y, z] = speed.cells;
     let title = format!(
         "Solid rock, {x} × {y} × {z} hexahedra of {:.0} mm under a bit of {:.0} mm",
-        1e3 * of.edge_m,
-        1e3 * of.bit_m
+        1e3 * speed.edge_m,
+        1e3 * speed.bit_m
     );
     let mut table = Table::new(
         &title,
@@ -135,7 +134,7 @@ pub(super) fn rock(of: &RockSpeed) -> String {
             "nodes touching",
         ],
     );
-    for row in &of.rows {
+    for row in &speed.rows {
         let [median, spread] = cells(row.ns_per_hexahedron_step, 1);
         table.row(vec![
             row.rock.to_owned(),
@@ -150,14 +149,15 @@ pub(super) fn rock(of: &RockSpeed) -> String {
     table.text()
 }
 
-pub(super) fn sweeps(of: &Sweeps) -> String {
-    let title = format!("A sweep of {} cases on {} cores, results written", of.cases, of.cores);
+pub(super) fn sweeps(sweeps: &Sweeps) -> String {
+    let title =
+        format!("A sweep of {} cases on {} cores, results written", sweeps.cases, sweeps.cores);
     let mut table = Table::new(
         &title,
         2,
         &["precision", "friction", "simulated, s", "wall-clock, s", "× real time"],
     );
-    for row in &of.rows {
+    for row in &sweeps.rows {
         table.row(vec![
             row.precision.to_owned(),
             row.friction_law.to_owned(),
@@ -169,7 +169,7 @@ pub(super) fn sweeps(of: &Sweeps) -> String {
     table.text()
 }
 
-/// Median, and least to most beside it.
+/// Median, and the range from least to greatest.
 fn cells(spread: Spread, decimals: usize) -> [String; 2] {
     let Spread { median, least, most } = spread;
     [format!("{median:.decimals$}"), format!("{least:.decimals$} to {most:.decimals$}")]

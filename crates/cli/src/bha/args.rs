@@ -1,4 +1,4 @@
-//! `wholestring bha` as the user writes it.
+//! Arguments of `wholestring bha`.
 
 use std::num::NonZeroUsize;
 

@@ -1,4 +1,4 @@
-//! What a static BHA analysis shows on the screen.
+//! Output of a static BHA analysis on the screen.
 
 use wholestring::statics::assembly::{Contact, Touching};
 use wholestring_results::{BhaPoint, BhaState, BhaSummary, BhaVaried};
@@ -6,10 +6,10 @@ use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
 
-/// Points of a sweep that the screen shows.
+/// Largest number of points of a sweep on the screen.
 const MOST: usize = 7;
 
-/// Bit, contacts, sag and largest stress, what was varied, and warnings.
+/// Bit, contacts, sag and largest stress, the variations, and warnings.
 pub(super) fn text(summary: &BhaSummary, units: UnitSet) -> String {
     let mut text = format!("{}\n\n", head(summary, units));
     text += &bit(&summary.state, units);
@@ -90,28 +90,28 @@ fn contacts(state: &BhaState, units: UnitSet) -> String {
         unit_of("side", Dimension::Angle, units),
     ];
     let mut table = Table::new("Contacts", 2, &headings.each_ref().map(String::as_str));
-    // Of jointed pipe the lowest joint.
-    let is_joint = |of: &Contact| of.touching == Touching::Joint;
+    // The lowest joint of jointed pipe.
+    let is_joint = |contact: &Contact| contact.touching == Touching::Joint;
     let joint = state.contacts.iter().position(is_joint);
-    let shown = joint.map_or(state.contacts.len(), |joint| joint + 1);
-    for of in &state.contacts[..shown] {
-        let [low_m, high_m] = of.from_bit_m;
+    let count = joint.map_or(state.contacts.len(), |joint| joint + 1);
+    for contact in &state.contacts[..count] {
+        let [low_m, high_m] = contact.from_bit_m;
         let mut place = number(low_m, Dimension::Length, units);
         if high_m > low_m {
             place = format!("{place} to {}", number(high_m, Dimension::Length, units));
         }
         table.row(vec![
-            of.name.clone(),
-            of.touching.name().to_owned(),
+            contact.name.clone(),
+            contact.touching.name().to_owned(),
             place,
-            number(of.md_m, Dimension::Length, units),
-            number(of.size_N(), Dimension::Force, units),
-            number(of.force_N[0], Dimension::Force, units),
-            number(of.force_N[1], Dimension::Force, units),
-            number(of.side_rad, Dimension::Angle, units),
+            number(contact.md_m, Dimension::Length, units),
+            number(contact.size_N(), Dimension::Force, units),
+            number(contact.force_N[0], Dimension::Force, units),
+            number(contact.force_N[1], Dimension::Force, units),
+            number(contact.side_rad, Dimension::Angle, units),
         ]);
     }
-    let more = match state.contacts.len() - shown {
+    let more = match state.contacts.len() - count {
         0 => String::new(),
         more => format!("and {more} farther up, which are in bha_contacts\n"),
     };
@@ -178,14 +178,14 @@ fn sweep(summary: &BhaSummary, varied: BhaVaried, units: UnitSet) -> String {
     };
     let mut table = Table::new(&title, 0, &headings.each_ref().map(String::as_str));
     for point in points.iter().step_by(step) {
-        let found = |of: Option<f64>, dimension: Dimension| {
-            of.map_or("–".into(), |value| number(value, dimension, units))
+        let found = |si: Option<f64>, dimension: Dimension| {
+            si.map_or("–".into(), |value| number(value, dimension, units))
         };
         table.row(vec![
             plain(number(point.value(), dimension, units)),
-            found(point.found.map(|of| of.side_force_N[0]), Dimension::Force),
-            found(point.found.map(|of| of.side_force_N[1]), Dimension::Force),
-            found(point.found.map(|of| of.tilt_rad[0]), Dimension::Angle),
+            found(point.found.map(|state| state.side_force_N[0]), Dimension::Force),
+            found(point.found.map(|state| state.side_force_N[1]), Dimension::Force),
+            found(point.found.map(|state| state.tilt_rad[0]), Dimension::Angle),
         ]);
     }
     format!("\n{}", table.text())
@@ -217,7 +217,7 @@ fn holding(summary: &BhaSummary, units: UnitSet) -> String {
     text
 }
 
-/// One digit of an error, as large as it is.
+/// An error with one significant digit.
 fn small(si: f64, dimension: Dimension, units: UnitSet) -> String {
     let value = dimension.unit_in(units).from_si(si);
     if value >= 1e-3 || value == 0.0 {
@@ -227,7 +227,7 @@ fn small(si: f64, dimension: Dimension, units: UnitSet) -> String {
     }
 }
 
-/// Without zeros after its last decimal.
+/// A number without trailing zeros.
 fn plain(number: String) -> String {
     match number.contains('.') {
         true => number.trim_end_matches('0').trim_end_matches('.').to_owned(),
@@ -240,8 +240,8 @@ fn quantity(si: f64, dimension: Dimension, units: UnitSet) -> String {
     format!("{} {}", plain(number(si, dimension, units)), dimension.unit_in(units).symbol)
 }
 
-/// A number in the reader's unit, with four digits or to the third decimal; a length to the second
-/// decimal at least, because a contact is found by its depth.
+/// A number in the chosen unit, with four digits or to the third decimal; a length to the second
+/// decimal at least, because contacts are identified by their depth.
 fn number(si: f64, dimension: Dimension, units: UnitSet) -> String {
     let value = dimension.unit_in(units).from_si(si);
     let digits = match value.abs() {

@@ -1,4 +1,4 @@
-//! `wholestring bit-test` as the user writes it.
+//! Arguments of `wholestring bit-test`.
 
 use clap::Args;
 use wholestring_units::UnitSet;

@@ -1,4 +1,4 @@
-//! `wholestring bit-test`: the bit alone on its rock, under every weight at every speed.
+//! `wholestring bit-test`: the bit alone on its rock, at every weight and every speed.
 
 mod args;
 mod screen;

@@ -1,4 +1,4 @@
-//! What a bit test shows on the screen.
+//! Output of a bit test on the screen.
 
 use wholestring::rock::TrialOutcome;
 use wholestring_results::BitTestSummary;
@@ -6,24 +6,26 @@ use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
 
-/// A column: what people call the quantity, what it is measured in, and its value with its error,
-/// where there are such.
+/// A column: the common name of the quantity, its dimension, and its value with its error, if it
+/// has one.
 type Column = (&'static str, Dimension, fn(&TrialOutcome) -> Option<Value>);
 type Value = (f64, Option<f64>);
 
 const COLUMNS: [Column; 7] = [
-    ("weight on bit", Dimension::Force, |of| Some((of.weight_on_bit_N, None))),
-    ("rotary speed", Dimension::RotarySpeed, |of| Some((of.rotary_speed_rad_per_s, None))),
-    ("rate of penetration", Dimension::RateOfPenetration, |of| {
-        Some((of.rate_of_penetration_m_per_s, of.rate_of_penetration_error_m_per_s))
+    ("weight on bit", Dimension::Force, |outcome| Some((outcome.weight_on_bit_N, None))),
+    ("rotary speed", Dimension::RotarySpeed, |outcome| {
+        Some((outcome.rotary_speed_rad_per_s, None))
     }),
-    ("depth of cut", Dimension::Diameter, |of| Some((of.depth_of_cut_m, None))),
-    ("torque", Dimension::Torque, |of| Some((of.torque_N_m, of.torque_error_N_m))),
-    ("its deviation", Dimension::Torque, |of| Some((of.torque_std_N_m, None))),
-    ("specific energy", Dimension::Pressure, |of| Some((of.specific_energy_Pa?, None))),
+    ("rate of penetration", Dimension::RateOfPenetration, |outcome| {
+        Some((outcome.rate_of_penetration_m_per_s, outcome.rate_of_penetration_error_m_per_s))
+    }),
+    ("depth of cut", Dimension::Diameter, |outcome| Some((outcome.depth_of_cut_m, None))),
+    ("torque", Dimension::Torque, |outcome| Some((outcome.torque_N_m, outcome.torque_error_N_m))),
+    ("its deviation", Dimension::Torque, |outcome| Some((outcome.torque_std_N_m, None))),
+    ("specific energy", Dimension::Pressure, |outcome| Some((outcome.specific_energy_Pa?, None))),
 ];
 
-/// The finished points as a table, what they have in common, and warnings.
+/// The finished points as a table, properties common to all points, and warnings.
 pub(super) fn text(summary: &BitTestSummary, units: UnitSet) -> String {
     let title = format!(
         "{}: a bit of {} on rock of {}",
@@ -82,7 +84,7 @@ fn common(summary: &BitTestSummary) -> String {
     text
 }
 
-/// Three significant digits, and whole numbers whole.
+/// Three significant digits; integers without decimals.
 fn number(value: f64) -> String {
     const DIGITS: i32 = 3;
     let size = value.abs();

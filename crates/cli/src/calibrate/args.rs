@@ -1,4 +1,4 @@
-//! `wholestring calibrate` as the user writes it.
+//! Arguments of `wholestring calibrate`.
 
 use std::{num::NonZeroUsize, path::PathBuf};
 

@@ -1,4 +1,4 @@
-//! `wholestring calibrate`: friction factors from what was read at the surface.
+//! `wholestring calibrate`: friction factors from readings at the surface.
 
 mod args;
 mod screen;
@@ -15,8 +15,8 @@ pub(crate) use args::CalibrateArgs;
 
 pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
     let load = |file: &std::path::PathBuf| {
-        let of = CaseArgs { case: file.clone(), overrides: args.overrides.clone() };
-        load_with_template(&of, args.page.quiet)
+        let case_args = CaseArgs { case: file.clone(), overrides: args.overrides.clone() };
+        load_with_template(&case_args, args.page.quiet)
     };
     let cases: Vec<(Template, Case)> =
         args.cases.iter().map(load).collect::<Result<_, Failure>>()?;

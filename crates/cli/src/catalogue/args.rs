@@ -1,4 +1,4 @@
-//! `wholestring catalogue` as the user writes it.
+//! Arguments of `wholestring catalogue`.
 
 use std::path::PathBuf;
 

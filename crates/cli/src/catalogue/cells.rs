@@ -2,7 +2,7 @@
 
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-/// A heading with the unit of what stands below it.
+/// A heading with the unit of its column.
 pub(super) fn heading(what: &str, unit: &Unit) -> String {
     format!("{what} {}", unit.symbol)
 }
@@ -15,7 +15,7 @@ pub(super) fn units_of<const N: usize>(
     dimensions.map(|dimension| dimension.unit_in(units))
 }
 
-/// To three digits or the unit, whichever is finer.
+/// Rounded to three digits or to the unit, whichever is finer.
 pub(super) fn number(unit: &Unit, si: f64) -> String {
     let value = unit.from_si(si);
     let decimals = if value.abs() < 99.95 { 1 } else { 0 };

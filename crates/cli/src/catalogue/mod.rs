@@ -1,4 +1,4 @@
-//! `wholestring catalogue`: what a case can name, and what rigs commonly have.
+//! `wholestring catalogue`: tubulars that a case can name, and common rig equipment.
 
 mod args;
 mod cells;

@@ -1,4 +1,4 @@
-//! Top drives and hoists as tables: from the least to the most that is common.
+//! Top drives and hoists as tables, in ascending order of their common values.
 
 use wholestring::rig::catalogue::{HoistClass, Span, TopDriveClass};
 use wholestring_units::{Dimension, Unit, UnitSet};
@@ -40,7 +40,7 @@ pub(super) fn hoists(classes: &[HoistClass], units: UnitSet) -> String {
     ];
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let mut table = Table::new("Hoists (typical)", 1, &headings);
-    let known = |of: Option<Span>| of.map_or("–".to_owned(), |of| span(force, of));
+    let known = |range: Option<Span>| range.map_or("–".to_owned(), |range| span(force, range));
     for class in classes {
         table.row(vec![
             class.designation.clone(),
@@ -52,7 +52,7 @@ pub(super) fn hoists(classes: &[HoistClass], units: UnitSet) -> String {
     table.text()
 }
 
-fn span(unit: &Unit, of: Span) -> String {
-    let [least, most] = [of.least, of.most].map(|si| number(unit, si));
+fn span(unit: &Unit, span: Span) -> String {
+    let [least, most] = [span.least, span.most].map(|si| number(unit, si));
     if least == most { least } else { format!("{least} – {most}") }
 }

@@ -52,7 +52,7 @@ pub(super) fn of_string(kind: TubularKind, entries: &[CatalogueEntry], units: Un
         let known =
             |unit: &Unit, si: Option<f64>| si.map_or("–".to_owned(), |si| number(unit, si));
         let mut row = vec![entry.designation.clone()];
-        row.extend(entry.connection.as_ref().map(|of| of.name.to_string()));
+        row.extend(entry.connection.as_ref().map(|connection| connection.name.to_string()));
         row.push(diameter(across, entry.od_m));
         row.push(diameter(across, entry.id_m));
         row.extend(entry.joints.map(|joints| diameter(across, joints.od_m)));
@@ -61,9 +61,9 @@ pub(super) fn of_string(kind: TubularKind, entries: &[CatalogueEntry], units: Un
         row.push(format!("{:.0}", strength.from_si(entry.yield_strength_Pa)));
         row.push(known(force, body.tensile_yield_N()));
         row.push(known(torque, body.torsional_yield_N_m()));
-        if let Some(of) = &entry.connection {
-            row.push(known(torque, of.strength.torsional_yield_N_m));
-            row.push(known(torque, of.strength.make_up_torque_N_m));
+        if let Some(connection) = &entry.connection {
+            row.push(known(torque, connection.strength.torsional_yield_N_m));
+            row.push(known(torque, connection.strength.make_up_torque_N_m));
         }
         table.row(row);
     }
@@ -101,7 +101,7 @@ pub(super) fn casing(casings: &[Casing], units: UnitSet) -> String {
     table.text()
 }
 
-/// As the standards print it: to the thousandth of an inch, or the hundredth of a millimetre.
+/// As the standards print it: to 0.001 in or 0.01 mm.
 fn diameter(unit: &Unit, si: f64) -> String {
     let decimals = if unit.symbol == "in" { 3 } else { 2 };
     format!("{:.decimals$}", unit.from_si(si))

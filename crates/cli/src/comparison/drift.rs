@@ -1,8 +1,8 @@
-//! Marks in the table beside means that do not stand still.
+//! Marks in the table for means that drift.
 
 use wholestring_runner::Drift;
 
-/// The mark beside the deviation of what drifts.
+/// The mark after the deviation of a drifting quantity.
 pub(super) fn mark(drift: Drift) -> &'static str {
     match drift {
         Drift::None => "",
@@ -11,7 +11,7 @@ pub(super) fn mark(drift: Drift) -> &'static str {
     }
 }
 
-/// A column of deviations, those without a mark as far from the edge as those with one.
+/// A column of deviations, padded so that marked and unmarked ones align.
 pub(super) fn aligned(cells: Vec<String>) -> Vec<String> {
     let is_marked = |cell: &String| cell.ends_with(['↗', '↘']);
     if !cells.iter().any(is_marked) {
@@ -30,13 +30,13 @@ mod tests {
     use super::super::table;
 
     /// The table of one operation whose quantities have these deviations and drifts.
-    fn shown(spreads: &[(&str, f64, f64, bool)]) -> String {
+    fn screen(spreads: &[(&str, f64, f64, bool)]) -> String {
         let statistics = spreads.iter().map(|(name, std, drift, drifts)| {
-            let of = json!({
+            let statistic = json!({
                 "mean": 200e3, "std": std, "min": 0.0, "max": 0.0, "p05": 0.0, "p95": 0.0, "std_error": 10.0,
                 "drift": drift, "drifts": drifts,
             });
-            ((*name).to_owned(), of)
+            ((*name).to_owned(), statistic)
         });
         let statistics: serde_json::Map<String, Value> = statistics.collect();
         let solved = json!({
@@ -58,23 +58,23 @@ mod tests {
 
     #[test]
     fn what_drifts_is_marked() {
-        let shown = shown(&[
+        let screen = screen(&[
             ("hook_load_N", 700.0, -2100.0, true),
             ("axial_friction_N", 700.0, -2000.0, false),
             ("stretch_m", 0.003, 0.01, true),
         ]);
-        let row = |label: &str| shown.lines().find(|line| line.starts_with(label)).unwrap();
-        assert!(row("Hook load").ends_with("0.70 ↘"), "{shown}");
-        assert!(row("Stretch").ends_with("0.0030 ↗"), "{shown}");
-        // Digits stand below each other.
-        assert!(row("Axial friction").ends_with("0.70"), "{shown}");
+        let row = |label: &str| screen.lines().find(|line| line.starts_with(label)).unwrap();
+        assert!(row("Hook load").ends_with("0.70 ↘"), "{screen}");
+        assert!(row("Stretch").ends_with("0.0030 ↗"), "{screen}");
+        // Digits are aligned.
+        assert!(row("Axial friction").ends_with("0.70"), "{screen}");
         let place = |label| row(label).chars().position(|letter| letter == '.');
-        assert_eq!(place("Axial friction"), place("Hook load"), "{shown}");
+        assert_eq!(place("Axial friction"), place("Hook load"), "{screen}");
     }
 
     #[test]
     fn what_stands_still_is_not_marked() {
-        let still = shown(&[("hook_load_N", 700.0, 0.0, false)]);
+        let still = screen(&[("hook_load_N", 700.0, 0.0, false)]);
         assert!(!still.contains(['↗', '↘']), "{still}");
     }
 }

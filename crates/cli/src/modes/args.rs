@@ -1,4 +1,4 @@
-//! `wholestring modes` as the user writes it.
+//! Arguments of `wholestring modes`.
 
 use clap::Args;
 

@@ -1,4 +1,4 @@
-//! What small motions show on the screen.
+//! Output of a modal analysis on the screen.
 
 use std::f64::consts::TAU;
 
@@ -8,14 +8,14 @@ use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
 
-/// Part of the operation's rotary speed within which critical speeds are shown.
+/// Fraction of the operation's rotary speed within which critical speeds are shown.
 const NEAR: f64 = 0.3;
 
-/// Whether a critical speed is near the operation's rotary speed; all are to a string that does not
-/// rotate.
-fn is_near(summary: &ModesSummary, of: &CriticalSpeed) -> bool {
+/// Whether a critical speed is near the operation's rotary speed; always true if the string does
+/// not rotate.
+fn is_near(summary: &ModesSummary, critical: &CriticalSpeed) -> bool {
     let speed = summary.rotary_speed_rad_per_s;
-    speed == 0.0 || (of.rotary_speed_rad_per_s - speed).abs() <= NEAR * speed
+    speed == 0.0 || (critical.rotary_speed_rad_per_s - speed).abs() <= NEAR * speed
 }
 
 /// The modes and the critical speeds as tables, and warnings.
@@ -39,21 +39,24 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
         format!("strained most at MD, {}", length.symbol),
     ];
     let mut table = Table::new(&title, 3, &headings.each_ref().map(String::as_str));
-    let depth = |of: &Spot| format!("{:.1}", length.from_si(of.md_m));
-    for of in &summary.modes {
+    let depth = |spot: &Spot| format!("{:.1}", length.from_si(spot.md_m));
+    for mode in &summary.modes {
         table.row(vec![
-            format!("{} {}", of.family, of.number),
-            of.whirl.clone().unwrap_or_default(),
-            of.most_strained.component.clone(),
-            format!("{:.4}", of.frequency_Hz),
-            format!("{:.3}", 1.0 / of.frequency_Hz),
-            format!("{:.1}", speed.from_si(TAU * of.frequency_Hz)),
-            depth(&of.most_strained),
+            format!("{} {}", mode.family, mode.number),
+            mode.whirl.clone().unwrap_or_default(),
+            mode.most_strained.component.clone(),
+            format!("{:.4}", mode.frequency_Hz),
+            format!("{:.3}", 1.0 / mode.frequency_Hz),
+            format!("{:.1}", speed.from_si(TAU * mode.frequency_Hz)),
+            depth(&mode.most_strained),
         ]);
     }
     let mut text = table.text();
-    let near: Vec<&CriticalSpeed> =
-        summary.critical_speeds.iter().filter(|of| is_near(summary, of)).collect();
+    let near: Vec<&CriticalSpeed> = summary
+        .critical_speeds
+        .iter()
+        .filter(|critical_speed| is_near(summary, critical_speed))
+        .collect();
     if !near.is_empty() {
         let headings = [
             "mode".to_owned(),
@@ -64,14 +67,14 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
             format!("strained most at MD, {}", length.symbol),
         ];
         let mut table = Table::new("Critical speeds", 2, &headings.each_ref().map(String::as_str));
-        for of in &near {
+        for critical in &near {
             table.row(vec![
-                format!("{} {}", of.family, of.number),
-                of.most_strained.component.clone(),
-                format!("{:.1}", speed.from_si(of.rotary_speed_rad_per_s)),
-                format!("{}", (1e3 * of.order).round() / 1e3),
-                format!("{:.4}", of.frequency_Hz),
-                depth(&of.most_strained),
+                format!("{} {}", critical.family, critical.number),
+                critical.most_strained.component.clone(),
+                format!("{:.1}", speed.from_si(critical.rotary_speed_rad_per_s)),
+                format!("{}", (1e3 * critical.order).round() / 1e3),
+                format!("{:.4}", critical.frequency_Hz),
+                depth(&critical.most_strained),
             ]);
         }
         text += &format!("\n{}", table.text());
@@ -82,7 +85,7 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
     }
     text += "\nTorsional stability\n";
     let sentences = match (&summary.torsional_stability, &summary.no_torsional_stability) {
-        (Some(of), _) => stability_sentences(of, units),
+        (Some(map), _) => stability_sentences(map, units),
         (None, Some(why)) => vec![format!("no map: {why}")],
         (None, None) => Vec::new(),
     };
@@ -90,7 +93,7 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
         text += &format!("  {sentence}\n");
     }
     if !summary.stable {
-        text += "warning: the string at rest is not stable; what it would leave that state by has \
+        text += "warning: the static equilibrium is unstable; its unstable modes have \
                  no frequency\n";
     }
     text

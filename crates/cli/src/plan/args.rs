@@ -1,4 +1,4 @@
-//! `wholestring plan` as the user writes it.
+//! Arguments of `wholestring plan`.
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
@@ -49,7 +49,7 @@ pub(crate) struct PlanArgs {
 }
 
 impl PlanArgs {
-    /// Where the results go.
+    /// Folder of the results and how existing results are treated.
     pub(crate) fn output(&self) -> Output {
         Output {
             folder: self.output.clone(),

@@ -1,4 +1,4 @@
-//! `wholestring plan`: torque and drag at every depth of the bit, with low, expected and high friction.
+//! `wholestring plan`: torque and drag at every bit depth, with low, expected and high friction.
 
 mod args;
 mod screen;

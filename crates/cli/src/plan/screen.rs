@@ -1,4 +1,4 @@
-//! What a plan shows on the screen.
+//! Output of a plan on the screen.
 
 use wholestring_results::{PlanPoint, PlanSummary, Severity};
 use wholestring_runner::plan::{governing_sentences, notes, scatter};
@@ -9,11 +9,12 @@ use crate::{checks, screen_table::Table};
 /// Levels of friction, from the least to the most.
 const LEVELS: [&str; 3] = ["low", "expected", "high"];
 
-/// Every operation at the deepest depth, and what has no answer.
+/// Every operation at the deepest depth, and the points without a result.
 pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
-    let [length, force, torque] =
-        [Dimension::Length, Dimension::Force, Dimension::Torque].map(|of| of.unit_in(units));
-    let Some(deepest_m) = summary.points.iter().map(|of| of.bit_depth_m).reduce(f64::max) else {
+    let [length, force, torque] = [Dimension::Length, Dimension::Force, Dimension::Torque]
+        .map(|dimension| dimension.unit_in(units));
+    let Some(deepest_m) = summary.points.iter().map(|point| point.bit_depth_m).reduce(f64::max)
+    else {
         return String::new();
     };
     let title = format!(
@@ -35,18 +36,18 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
         for operation in &summary.operations {
             let points = LEVELS.map(|level| {
                 let mut curve = summary.curve(model, operation, level);
-                curve.find(|of| of.bit_depth_m == deepest_m)
+                curve.find(|curve| curve.bit_depth_m == deepest_m)
             });
             let number =
-                |of: Option<&PlanPoint>, value: fn(&PlanPoint) -> Option<f64>, worth: f64| {
-                    let value = of.and_then(value);
+                |point: Option<&PlanPoint>, value: fn(&PlanPoint) -> Option<f64>, worth: f64| {
+                    let value = point.and_then(value);
                     value.map_or_else(|| "–".to_owned(), |value| format!("{:.1}", value / worth))
                 };
             let mut row = vec![operation.replace('_', " "), model.clone(), worst(&points)];
-            let hook = |of: &PlanPoint| Some(of.scalars?.hook_load_N);
-            let turns = |of: &PlanPoint| Some(of.scalars?.surface_torque_N_m);
-            row.extend(points.map(|of| number(of, hook, force.factor)));
-            row.extend(points.map(|of| number(of, turns, torque.factor)));
+            let hook = |point: &PlanPoint| Some(point.scalars?.hook_load_N);
+            let turns = |point: &PlanPoint| Some(point.scalars?.surface_torque_N_m);
+            row.extend(points.map(|point| number(point, hook, force.factor)));
+            row.extend(points.map(|point| number(point, turns, torque.factor)));
             table.row(row);
         }
     }
@@ -84,32 +85,32 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
     for model in summary.models.iter().filter(|_| !summary.measured.is_empty()) {
         let (between, all) = summary.measured_between(model);
         text += &format!(
-            "measured: {between} of {all} readings that depend on friction lie between low and high \
+            "measured: {between} of {all} readings that depend on friction are between low and high \
              friction ({model} string)\n"
         );
     }
-    let differences = summary.overlay.iter().flat_map(|of| &of.differences);
-    for of in differences {
-        let unit = if of.is_torque { torque } else { force };
+    let differences = summary.overlay.iter().flat_map(|overlay| &overlay.differences);
+    for difference in differences {
+        let unit = if difference.is_torque { torque } else { force };
         text += &format!(
             "{}: ours less theirs, {} {}, {} string: {:.1} {unit} in the mean of {} depths, {:.1} at most, the bit \
              at {:.0} {}\n",
-            summary.overlay.as_ref().map_or("", |of| &of.file),
-            of.operation.replace('_', " "),
-            if of.is_torque { "torque" } else { "hook load" },
-            of.model,
-            unit.from_si(of.mean),
-            of.count,
-            unit.from_si(of.largest),
-            length.from_si(of.largest_at_m),
+            summary.overlay.as_ref().map_or("", |overlay| &overlay.file),
+            difference.operation.replace('_', " "),
+            if difference.is_torque { "torque" } else { "hook load" },
+            difference.model,
+            unit.from_si(difference.mean),
+            difference.count,
+            unit.from_si(difference.largest),
+            length.from_si(difference.largest_at_m),
             length.symbol,
             unit = unit.symbol,
         );
     }
-    let lacking = summary.points.iter().filter(|of| of.message.is_some()).count();
+    let lacking = summary.points.iter().filter(|point| point.message.is_some()).count();
     if lacking > 0 {
         text += &format!(
-            "{lacking} of {} points have no answer: plan_broomstick.csv says why\n",
+            "{lacking} of {} points have no answer: see plan_broomstick.csv for the reasons\n",
             summary.points.len()
         );
     }
@@ -124,7 +125,7 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
     text
 }
 
-/// What a string that sets itself in motion comes to; nothing where no one asked.
+/// Peak loads of a string that starts moving; empty unless requested.
 fn peaks(summary: &PlanSummary, units: UnitSet) -> String {
     if summary.peaks.is_empty() {
         return String::new();
@@ -134,24 +135,24 @@ fn peaks(summary: &PlanSummary, units: UnitSet) -> String {
     let mut table =
         Table::new("Peaks of a string that hangs at rest, by the dynamics", 3, &headings);
     let mut reasons = String::new();
-    for of in &summary.peaks {
-        let event = of.event.replace('_', " ");
+    for event_peaks in &summary.peaks {
+        let event = event_peaks.event.replace('_', " ");
         let depth = Dimension::Length.unit_in(units);
-        let bit = format!("{:.0} {}", depth.from_si(of.bit_depth_m), depth.symbol);
+        let bit = format!("{:.0} {}", depth.from_si(event_peaks.bit_depth_m), depth.symbol);
         let quantities = [
-            ("hook load", Dimension::Force, of.hook_load_N),
-            ("torque", Dimension::Torque, of.surface_torque_N_m),
-            ("pump pressure", Dimension::Pressure, of.pump_pressure_Pa),
+            ("hook load", Dimension::Force, event_peaks.hook_load_N),
+            ("torque", Dimension::Torque, event_peaks.surface_torque_N_m),
+            ("pump pressure", Dimension::Pressure, event_peaks.pump_pressure_Pa),
         ];
         for (name, dimension, peak) in quantities {
             let Some(peak) = peak else { continue };
             let unit = dimension.unit_in(units);
-            // Not a zero with a sign.
+            // Without negative zero.
             let number = |si: f64| format!("{:.1}", (10.0 * unit.from_si(si)).round() / 10.0 + 0.0);
             table.row(vec![
                 event.clone(),
                 format!("{name}, {}", unit.symbol),
-                of.friction.clone(),
+                event_peaks.friction.clone(),
                 bit.clone(),
                 number(peak.at_rest),
                 number(peak.peak),
@@ -159,7 +160,7 @@ fn peaks(summary: &PlanSummary, units: UnitSet) -> String {
                 number(peak.steady),
             ]);
         }
-        if let Some(gel) = of.gel {
+        if let Some(gel) = event_peaks.gel {
             let unit = Dimension::Pressure.unit_in(units);
             let pressure = unit.from_si(gel.bore_Pa + gel.annulus_Pa);
             reasons += &format!(
@@ -167,18 +168,21 @@ fn peaks(summary: &PlanSummary, units: UnitSet) -> String {
                 unit.symbol
             );
         }
-        if let Some(message) = &of.message {
-            reasons += &format!("{event}, {} friction, the bit at {bit}: {message}\n", of.friction);
+        if let Some(message) = &event_peaks.message {
+            reasons += &format!(
+                "{event}, {} friction, the bit at {bit}: {message}\n",
+                event_peaks.friction
+            );
         }
     }
     table.text() + &reasons
 }
 
-/// The most severe check of any friction.
+/// The most severe check at any friction.
 fn worst(points: &[Option<&PlanPoint>]) -> String {
-    let found = points.iter().flatten().filter_map(|of| of.worst.as_ref());
-    let worst = found.reduce(|a, b| if b.severity > a.severity { b } else { a });
-    worst.map_or_else(String::new, |of| {
-        format!("{}: {}", of.severity.name(), of.kind.label().to_lowercase())
+    let found = points.iter().flatten().filter_map(|point| point.worst.as_ref());
+    let worst = found.reduce(|a, b| if b.cmp_severity(a).is_gt() { b } else { a });
+    worst.map_or_else(String::new, |worst| {
+        format!("{}: {}", worst.severity.name(), worst.kind.label().to_lowercase())
     })
 }

@@ -1,4 +1,4 @@
-//! `wholestring reach` as the user writes it.
+//! Arguments of `wholestring reach`.
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
@@ -66,7 +66,7 @@ pub(crate) struct ReachArgs {
 }
 
 impl ReachArgs {
-    /// Where the results go.
+    /// Folder of the results and how existing results are treated.
     pub(crate) fn output(&self) -> Output {
         Output {
             folder: self.output.clone(),

@@ -1,4 +1,4 @@
-//! `wholestring reach`: how far the well can go, and what stops it.
+//! `wholestring reach`: greatest depth of the well, and the limit that stops it.
 
 mod args;
 mod screen;
@@ -68,9 +68,9 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
     refused()
 }
 
-/// The values of an option; none where it is not given.
-fn values(option: &str, text: Option<&str>, of: Dimension) -> Result<Vec<f64>, Failure> {
-    let values = text.map(|text| read_values(option, text, of)).transpose();
+/// The values of an option; empty if the option is missing.
+fn values(option: &str, text: Option<&str>, dimension: Dimension) -> Result<Vec<f64>, Failure> {
+    let values = text.map(|text| read_values(option, text, dimension)).transpose();
     let values = values.map_err(|report| Failure::BadInput(report.render(color())))?;
     Ok(values.unwrap_or_default())
 }

@@ -1,4 +1,4 @@
-//! What a reach shows on the screen.
+//! Output of a reach on the screen.
 
 use wholestring_results::ReachSummary;
 use wholestring_runner::reach::{answers, notes, scatter, uncertain_notes};
@@ -6,12 +6,12 @@ use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
 
-/// What stops the well, each limit with its depth and margins, and what is to be known besides.
+/// The governing limit, each limit with its depth and margins, and warnings.
 pub(super) fn text(summary: &ReachSummary, units: UnitSet) -> String {
     let length = Dimension::Length.unit_in(units);
     let depth = |depth_m: f64| format!("{:.0}", length.from_si(depth_m));
     let mut text = format!("{}: reach\n\n", summary.case);
-    for (answer, of) in answers(summary, units).iter().zip(&summary.frictions) {
+    for (answer, friction) in answers(summary, units).iter().zip(&summary.frictions) {
         let headings = [
             "operation".to_owned(),
             "limit".to_owned(),
@@ -21,7 +21,7 @@ pub(super) fn text(summary: &ReachSummary, units: UnitSet) -> String {
             format!("worst at MD, {}", length.symbol),
         ];
         let mut table = Table::new(answer, 2, &headings.each_ref().map(String::as_str));
-        for limit in &of.limits {
+        for limit in &friction.limits {
             let met = match limit.depth_m {
                 Some(_) if limit.already => format!("{} already", depth(summary.from_m)),
                 Some(depth_m) => depth(depth_m),
@@ -38,7 +38,7 @@ pub(super) fn text(summary: &ReachSummary, units: UnitSet) -> String {
         }
         text += &table.text();
         text.push('\n');
-        for check in summary.checks.iter().filter(|check| check.friction == of.friction) {
+        for check in summary.checks.iter().filter(|check| check.friction == friction.friction) {
             text += &format!("{}.\n", check.check.sentence);
         }
         text.push('\n');

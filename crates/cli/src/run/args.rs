@@ -1,4 +1,4 @@
-//! `wholestring run` as the user writes it.
+//! Arguments of `wholestring run`.
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
@@ -65,7 +65,7 @@ pub(crate) struct RunArgs {
 }
 
 impl RunArgs {
-    /// Where the results go.
+    /// Folder of the results and how existing results are treated.
     pub(crate) fn output(&self) -> Output {
         Output {
             folder: self.resume.clone().or_else(|| self.output.clone()),

@@ -49,7 +49,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     if args.strict { refuse(&outcome.summary) } else { Ok(()) }
 }
 
-/// Prints the table and what is to be known about it.
+/// Prints the table and its notes.
 fn show(case: &Case, outcome: &Outcome, units: UnitSet) -> Result<(), Failure> {
     let summary = &outcome.summary;
     let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
@@ -70,7 +70,7 @@ fn show(case: &Case, outcome: &Outcome, units: UnitSet) -> Result<(), Failure> {
 /// `bit at 4305 m, friction 0.3, mud 1200 kg/m3`
 fn subtitle(case: &Case, summary: &Summary, units: UnitSet) -> String {
     let depth = case.operations.first().map_or(0.0, |operation| operation.bit_depth_m);
-    let friction = match summary.operations.first().map(|of| &of.friction) {
+    let friction = match summary.operations.first().map(|operation| &operation.friction) {
         Some(Friction::Uniform(value)) => value.to_string(),
         Some(Friction::BySection(values)) => {
             values.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
@@ -84,9 +84,9 @@ fn subtitle(case: &Case, summary: &Summary, units: UnitSet) -> String {
     )
 }
 
-/// Why `--strict` does not let a run pass, if it does not.
+/// The reason why `--strict` rejects a run, if it does.
 fn refuse(summary: &Summary) -> Result<(), Failure> {
-    let wrong = summary.operations.iter().filter(|of| has_error(of));
+    let wrong = summary.operations.iter().filter(|operation| has_error(operation));
     let wrong: Vec<String> = wrong.map(name).collect();
     match wrong.is_empty() {
         true => Ok(()),

@@ -1,4 +1,4 @@
-//! How many cases or points are solved, and where their results go.
+//! Batches of cases or points, and their output folder.
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
@@ -7,7 +7,7 @@ use wholestring_runner::{BatchOptions, Output, Shard};
 
 use super::{checkpoint::CheckpointArgs, output::existing};
 
-/// How many cases are solved.
+/// Arguments of a batch of cases.
 #[derive(Debug, Args)]
 pub(crate) struct BatchArgs {
     /// Number of parallel jobs, a case each [default: one per core]
@@ -43,7 +43,7 @@ pub(crate) struct BatchArgs {
 }
 
 impl BatchArgs {
-    /// What they ask for.
+    /// The batch options of these arguments.
     pub(crate) fn options(&self) -> BatchOptions {
         BatchOptions {
             output: Output {

@@ -1,4 +1,4 @@
-//! A case, and keys of it that are set on the command line.
+//! A case, and overrides of its keys on the command line.
 
 use std::path::PathBuf;
 

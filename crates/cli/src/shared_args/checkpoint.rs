@@ -1,4 +1,4 @@
-//! How often a checkpoint is written.
+//! Interval between checkpoints.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What is kept of each of many cases.
+//! Results to keep of each of many cases.
 
 use clap::{Args, ValueEnum};
 use wholestring_runner::Keep;
@@ -6,7 +6,7 @@ use wholestring_runner::Keep;
 use super::batch::BatchArgs;
 use crate::failure::Failure;
 
-/// What is kept of each case.
+/// Results to keep of each case.
 #[derive(Debug, Args)]
 pub(crate) struct KeptArgs {
     /// Results to keep of each case [default: tables for the dynamic model, for --csv and where a
@@ -15,19 +15,19 @@ pub(crate) struct KeptArgs {
     keep: Option<KeepArg>,
 }
 
-/// What is kept of a case, each with what stands before it.
+/// Results to keep of a case; each level includes the preceding ones.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum KeepArg {
     /// `summary.json`
     Summary,
-    /// Tables too
+    /// Tables in addition.
     Tables,
-    /// All results of a run: the page and the picture too
+    /// All results of a run, including the page and the picture.
     All,
 }
 
 impl KeptArgs {
-    /// What they ask to keep, if anything.
+    /// The results to keep, if the option is given.
     pub(crate) fn keep(&self) -> Option<Keep> {
         self.keep.map(|keep| match keep {
             KeepArg::Summary => Keep::Summary,
@@ -36,7 +36,7 @@ impl KeptArgs {
         })
     }
 
-    /// Refuses tables as CSV where none are kept.
+    /// Refuses tables as CSV if no tables are kept.
     pub(crate) fn check(&self, batch: &BatchArgs) -> Result<(), Failure> {
         if batch.csv && self.keep() == Some(Keep::Summary) {
             return Err(Failure::BadInput(

@@ -4,10 +4,10 @@ use wholestring::operation::OperationKind;
 
 use crate::failure::Failure;
 
-/// The operation of that name.
+/// Returns the operation with this name.
 ///
 /// # Errors
-/// There is none.
+/// No operation has this name.
 pub(crate) fn operation(name: &str) -> Result<OperationKind, Failure> {
     OperationKind::from_name(name).ok_or_else(|| {
         let names = OperationKind::ALL.map(OperationKind::name).join(", ");

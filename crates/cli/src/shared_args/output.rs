@@ -1,4 +1,4 @@
-//! Where results go, for commands whose work is done at once.
+//! Output folder of commands that write their results in one step.
 
 use std::path::PathBuf;
 
@@ -7,7 +7,7 @@ use wholestring_runner::{Existing, Output};
 
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {
-    /// Folder for the results [default: each command says]
+    /// Folder for the results [default: depends on the command]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 
@@ -17,7 +17,7 @@ pub(crate) struct OutputArgs {
 }
 
 impl OutputArgs {
-    /// What they ask for.
+    /// The output options of these arguments.
     pub(crate) fn output(&self) -> Output {
         Output {
             folder: self.output.clone(),
@@ -27,7 +27,7 @@ impl OutputArgs {
     }
 }
 
-/// What becomes of what lies in the folder.
+/// Treatment of existing results in the folder.
 pub(crate) fn existing(resume: bool, overwrite: bool) -> Existing {
     match (resume, overwrite) {
         (true, _) => Existing::Resume,

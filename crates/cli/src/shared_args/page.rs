@@ -1,4 +1,4 @@
-//! What commands with a page show.
+//! Arguments of commands that write a page.
 
 use clap::Args;
 use wholestring_units::UnitSet;

@@ -1,4 +1,4 @@
-//! `wholestring bench`: what it measures and how it shows; never how fast this machine is.
+//! `wholestring bench`: its measurements and their output, never the speed of this machine.
 
 use serde_json::Value;
 use wholestring::{internals::instruction_sets, rock::Stepper};
@@ -9,7 +9,7 @@ use crate::desk::{Desk, args};
 const SMALL: [&str; 6] =
     ["--repeat", "1", "--set", "bit_depth=400 m", "--set", "mesh.element_length=10 m"];
 
-/// What is printed, and what is written to the file, of some parts.
+/// Output on the screen and in the file, for some parts.
 fn measured(arguments: &[&str]) -> (String, Value) {
     let desk = Desk::new();
     let output = desk.done(&[&["bench", "--json", "speed.json"], arguments].concat());
@@ -21,7 +21,7 @@ fn positive(number: &Value) -> bool {
     number.as_f64().is_some_and(|x| x > 0.0 && x.is_finite())
 }
 
-/// A row for each precision and each instruction set that this processor has, the fastest first.
+/// A row for each precision and each instruction set of this processor, the fastest first.
 fn assert_every_instruction_set(rows: &Value) {
     let rows = rows.as_array().unwrap();
     let sets = instruction_sets();
@@ -87,7 +87,7 @@ fn what_each_mechanism_costs() {
     }
 }
 
-/// All of the squeezed rock yields, some of that under the bit does; the bit touches both.
+/// All of the compressed rock yields, and some of that under the bit; the bit touches both.
 #[test]
 fn solid_rock_under_a_bit_with_every_instruction_set() {
     let (text, numbers) = measured(&["rock", "--repeat", "1"]);
@@ -126,8 +126,8 @@ fn a_sweep_of_every_law_and_precision() {
 }
 
 /// A run of 1346 elements over 80 s with tables and pictures, without frames, takes less than 50
-/// MB. Found: 40 MB, with optimised code. A run of seconds writes no checkpoint; on a machine that
-/// makes it minutes it shall not do so either.
+/// MB. Measured: 40 MB, with optimised code. A run of seconds writes no checkpoint, and must not do
+/// so on a slow machine, where it takes minutes.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_run_takes_less_than_50_MB() {
@@ -136,8 +136,8 @@ fn a_run_takes_less_than_50_MB() {
     assert!(peak_MB > 1.0 && peak_MB < 50.0, "{text}");
 }
 
-/// A run of 81 000 samples takes little more memory than one of 21 000: its series is on the disk.
-/// In memory the 60 000 samples between them would take 70 MB.
+/// A run of 81 000 samples takes little more memory than one of 21 000, because its series is on
+/// disk. In memory, the 60 000 additional samples would take 70 MB.
 #[test]
 #[cfg(target_os = "linux")]
 fn memory_does_not_grow_with_the_simulated_time() {

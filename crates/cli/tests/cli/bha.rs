@@ -15,7 +15,7 @@ fn summary(desk: &Desk, folder: &str) -> BhaSummary {
     BhaSummary::read(&desk.path(folder).join("summary.json")).unwrap()
 }
 
-/// Screen, summary, tables, page and pictures of one assembly say the same.
+/// Screen, summary, tables, page and pictures of one assembly agree.
 #[test]
 fn an_assembly_at_rest() {
     let desk = Desk::new();
@@ -44,7 +44,7 @@ fn an_assembly_at_rest() {
         "Other tool faces",
         "It builds at every inclination",
         "Mean of all tool faces",
-        // Depths to the centimetre, however deep.
+        // Depths to the centimetre at any depth.
         "1490.95",
     ] {
         assert!(screen.contains(part), "{part}: {screen}");
@@ -53,7 +53,7 @@ fn an_assembly_at_rest() {
     assert_eq!((summary.case.as_str(), summary.operation.as_str()), ("Bent motor", "slide"));
     let state = &summary.state;
     assert!(state.stable && state.residual < 1e-8);
-    // Towards 30° from the high side it presses, where its bend points.
+    // It presses towards 30° from the high side, the direction of its bend.
     let [high_N, right_N] = state.side_force_N;
     let angle = right_N.atan2(high_N).to_degrees();
     assert!((20.0..40.0).contains(&angle) && high_N > 10e3, "{high_N} {right_N}");
@@ -62,23 +62,25 @@ fn an_assembly_at_rest() {
     assert!(state.length_m > 140.0 && state.solved_m > state.length_m + 90.0);
     let [sag] = &state.sag[..] else { panic!("one sensor: {:?}", state.sag) };
     assert!((sag.from_bit_m - 13.7).abs() < 1e-9 && sag.inclination_rad < 0.0);
-    // What stands in the tables.
+    // Contents of the tables.
     let contacts = desk.table("results/bha_contacts.parquet");
     assert_eq!(contacts.rows(), state.contacts.len());
     assert_eq!(contacts.words("touching").expect("words")[0], "bit");
     let nodes = desk.table("results/bha.parquet");
     let moments = nodes.numbers("bending_moment_N_m").expect("numbers");
-    let largest = moments.iter().flatten().fold(0.0_f64, |most, of| most.max(*of));
+    let largest = moments.iter().flatten().fold(0.0_f64, |most, flatten| most.max(*flatten));
     assert!(largest >= state.largest_bending_moment_N_m.value);
     assert!(desk.path("results/bha_sweep.csv").is_file());
-    let varied = |of: BhaVaried| summary.sweep.iter().filter(move |point| point.varied == of);
+    let varied = |varied_input: BhaVaried| {
+        summary.sweep.iter().filter(move |point| point.varied == varied_input)
+    };
     assert_eq!(varied(BhaVaried::Toolface).count(), 4);
     assert_eq!(varied(BhaVaried::Weight).count(), 2);
     assert_eq!(varied(BhaVaried::Inclination).count(), 3);
     assert!(summary.sweep.iter().all(|point| point.found.is_some()));
     let mean = summary.mean_side_force_N.expect("a revolution");
     assert!(mean[0].abs() < 0.1 * high_N, "{mean:?}");
-    // The page and the pictures are made again from the files.
+    // The page and the pictures are rebuilt from the files.
     let page = || fs::read(desk.path("results/report.html")).unwrap();
     let before = page();
     desk.done(&["report", "results"]);
@@ -106,15 +108,15 @@ fn other_ways() {
     };
     let slide = run(&[], "slide");
     let whole = run(&["--whole"], "whole");
-    let force_N = |of: &BhaSummary| of.state.side_force_N[0];
+    let force_N = |summary: &BhaSummary| summary.state.side_force_N[0];
     assert!((force_N(&whole) / force_N(&slide) - 1.0).abs() < 1e-3);
     assert!((whole.state.solved_m - 1500.0).abs() < 1e-6);
     let drill = run(&["--operation", "drill"], "drill");
     assert_eq!(drill.operation, "drill");
     let builds = run(&["--build", "4deg/30m"], "builds");
     let drops = run(&["--build", "-4deg/30m"], "drops");
-    let straight = |of: &BhaSummary| {
-        let mut points = of.sweep.iter().filter(|one| one.varied == BhaVaried::Inclination);
+    let straight = |summary: &BhaSummary| {
+        let mut points = summary.sweep.iter().filter(|one| one.varied == BhaVaried::Inclination);
         points.next().and_then(|one| one.found).expect("a point").side_force_N[0]
     };
     assert!(straight(&builds) < straight(&slide) && straight(&slide) < straight(&drops));

@@ -11,7 +11,7 @@ use wholestring_results::{BitTestOutcome, BitTestSummary, CheckKind, Severity, S
 
 use crate::desk::{Desk, args, masked, transcript};
 
-/// Weak rock in coarse elements under the bit of 120 mm: a point takes a quarter of a second.
+/// Weak rock in coarse elements under a bit of 120 mm: a point takes a quarter of a second.
 const ROCK: &str = r#"
 [bit.face]
 cutter_diameter = "19 mm"
@@ -63,11 +63,11 @@ fn leavings(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     files
 }
 
-/// Tables, summary and points say the same, and a case with the law "table" drills as the bit did.
+/// Tables, summary and points agree, and a case with the law "table" drills as the bit did.
 #[test]
 fn every_weight_at_every_speed() {
     let desk = desk();
-    // The error is how far apart the revolutions are.
+    // The error is the difference between the revolutions.
     let two = ["-o", "results", "--csv", "--set", "bit_test.revolutions=2"];
     let output = desk.run(&bit_test(&two));
     assert_snapshot!(masked(&transcript(&output)));
@@ -75,9 +75,9 @@ fn every_weight_at_every_speed() {
     assert_eq!(summary.case, "Straight slant");
     assert_eq!(summary.bit_radius_m, 0.06);
     assert!((summary.rock_strength_Pa / 10e6 - 1.0).abs() < 1e-12);
-    let names: Vec<&str> = summary.points.iter().map(|of| of.point.as_str()).collect();
+    let names: Vec<&str> = summary.points.iter().map(|point| point.point.as_str()).collect();
     assert_eq!(names, POINTS);
-    // The page and the picture are made again from the files.
+    // The page and the picture are rebuilt from the files.
     let page = || fs::read(desk.path("results/report.html")).unwrap();
     let before = page();
     desk.done(&["report", "results"]);
@@ -152,7 +152,7 @@ fn every_weight_at_every_speed() {
     }
 }
 
-/// The same bits on one thread and on two.
+/// One thread and two give the same bits.
 #[test]
 fn threads_leave_the_numbers_alone() {
     let desk = desk();
@@ -166,8 +166,8 @@ fn threads_leave_the_numbers_alone() {
     assert!(one.len() == two.len() && differing.is_empty(), "{differing:?}");
 }
 
-/// What is finished is left alone, what was begun continues, the rest is drilled: as if nothing had
-/// happened. A grid that has grown keeps its points.
+/// A resumed test keeps finished points, continues the one under way and drills the rest, with the
+/// results of an uninterrupted test. An extended grid keeps its points.
 #[test]
 fn a_killed_test_goes_on() {
     let desk = desk();
@@ -184,7 +184,7 @@ fn a_killed_test_goes_on() {
     };
     let done = POINTS.iter().find(|point| written(point).is_some()).unwrap();
     let before = written(done);
-    // As if it had been killed between the outcome and this.
+    // As if killed between the outcome and this file.
     let left = desk.path("killed").join(done).join("checkpoint.bin");
     fs::write(left, "written to a checkpoint").unwrap();
     desk.done(&bit_test(&["-o", "killed", "--resume"]));
@@ -192,14 +192,14 @@ fn a_killed_test_goes_on() {
     assert!(!any("checkpoint.bin"));
     desk.done(&bit_test(&["-o", "whole"]));
     assert!(leavings(&desk.path("killed")) == leavings(&desk.path("whole")));
-    // Another speed joins.
+    // One more speed.
     let more = args("-o killed --resume --set 'bit_test.rpm=[240, 300, 360]'");
     desk.done(&bit_test(&more));
     assert_eq!(written(done), before);
     assert_eq!(summary(&desk, "killed").points.len(), 6);
 }
 
-/// Shares of the points in one folder; the table stands when all are there.
+/// Shares of the points in one folder; the table is written when all points are there.
 #[test]
 fn shards_make_up_the_whole() {
     let desk = desk();
@@ -215,7 +215,7 @@ fn shards_make_up_the_whole() {
     assert!(points.iter().all(|point| point.status == Status::Complete));
 }
 
-/// Shares that begin at once leave what one test of all points leaves.
+/// Simultaneous shares leave the files of a single test of all points.
 #[test]
 fn shares_at_once_make_up_the_whole() {
     let desk = desk();
@@ -229,12 +229,12 @@ fn shares_at_once_make_up_the_whole() {
         assert!(output.status.success(), "{}", transcript(&output));
     }
     for name in ["bit-table.csv", "summary.json"] {
-        let of = |folder: &str| fs::read(desk.path(folder).join(name)).unwrap();
-        assert!(of("shares") == of("whole"), "{name}");
+        let bytes = |folder: &str| fs::read(desk.path(folder).join(name)).unwrap();
+        assert!(bytes("shares") == bytes("whole"), "{name}");
     }
 }
 
-/// Ctrl-C keeps all.
+/// Ctrl-C keeps all finished results.
 #[cfg(unix)]
 #[test]
 fn an_interrupted_test_goes_on() {
@@ -244,7 +244,7 @@ fn an_interrupted_test_goes_on() {
     let stopped = bit_test(&["-o", "stopped", "-j", "1", "--set", "bit_test.rpm=300"]);
     let second = || desk.path("stopped").join(POINTS[1]).exists();
     let message = desk.interrupted(&stopped, second, Duration::ZERO);
-    let end = "interrupted: what was computed is in stopped\n\
+    let end = "interrupted: partial results are in stopped\n\
                to continue, run the bit test again with --resume\n";
     assert!(message.ends_with(end), "{message}");
     let place = desk.path("stopped");
@@ -256,8 +256,8 @@ fn an_interrupted_test_goes_on() {
     assert!(place.join("bit-table.csv").exists());
 }
 
-/// A bit that drills at no point has no table: an error, on which `--strict` ends, and a warning
-/// where it drills at another point.
+/// A bit that drills at no point has no table: an error, on which `--strict` ends, and a warning if
+/// it drills at another point.
 #[test]
 fn a_bit_that_does_not_drill_is_an_error() {
     let desk = desk();
@@ -283,7 +283,7 @@ fn a_bit_that_does_not_drill_is_an_error() {
     assert_eq!(idle("drills"), [(sentence("0.001kN"), Severity::Warning)]);
 }
 
-/// Mistakes are answered before anything is drilled.
+/// Mistakes are reported before anything is drilled.
 #[test]
 fn mistakes_are_told() {
     let desk = desk();

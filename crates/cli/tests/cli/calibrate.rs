@@ -1,4 +1,4 @@
-//! `calibrate`: friction factors from what was read at the surface.
+//! `calibrate`: friction factors from readings at the surface.
 
 use std::{fs, path::Path};
 
@@ -15,7 +15,7 @@ use crate::desk::{Desk, transcript};
 
 const BLOCK_N: f64 = 200e3;
 
-/// A desk with the slant well that is shipped.
+/// A desk with the shipped slant well.
 fn desk() -> Desk {
     let desk = Desk::new();
     let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
@@ -23,16 +23,16 @@ fn desk() -> Desk {
     desk
 }
 
-/// What is said to a command that ends as bad input does.
+/// Output of a command that ends with the status of invalid input.
 fn refused(desk: &Desk, arguments: &[&str]) -> String {
     let output = desk.run(arguments);
     assert_eq!(output.status.code(), Some(2), "{}", transcript(&output));
-    // Sentences are broken where the screen ends.
+    // Sentences are wrapped at the width of the screen.
     transcript(&output).split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// What would be read in the slant well with the friction of its case, 0.2 and 0.3, a block of 200 kN
-/// and the bit's torque of 2.5 kN·m.
+/// Readings of the slant well with the friction of its case, 0.2 and 0.3, a block of 200 kN and a
+/// bit torque of 2.5 kN·m.
 fn readings(desk: &Desk) -> String {
     let case = wholestring_case::load(&desk.path("well.toml"), &[]).unwrap();
     let setup = case.setup();
@@ -41,13 +41,14 @@ fn readings(desk: &Desk) -> String {
         .to_owned();
     for depth_m in [300.0, 450.0, 600.0, 700.0, 800.0, 900.0, 1000.0, 1100.0, 1200.0] {
         let model = setup.at(depth_m).unwrap();
-        let of = |kind: OperationKind| {
-            let operation = case.operations.iter().find(|of| of.kind == kind).unwrap();
+        let scalars = |kind: OperationKind| {
+            let operation =
+                case.operations.iter().find(|operation| operation.kind == kind).unwrap();
             let operation = Operation { bit_depth_m: depth_m, ..*operation };
             soft_string(&model, &operation).unwrap().scalars
         };
-        let hook_kN = |kind| 1e-3 * (of(kind).hook_load_N + BLOCK_N);
-        let torque_kN_m = |kind| 1e-3 * of(kind).surface_torque_N_m;
+        let hook_kN = |kind| 1e-3 * (scalars(kind).hook_load_N + BLOCK_N);
+        let torque_kN_m = |kind| 1e-3 * scalars(kind).surface_torque_N_m;
         text += &format!(
             "{depth_m},{:.6},{:.6},{:.6},{:.6},{:.6}\n",
             hook_kN(OperationKind::TripOut),
@@ -66,14 +67,14 @@ fn calibrate<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&["calibrate", "well.toml", "--data", "read.csv"], more].concat()
 }
 
-/// Terminal, folder, tables and page tell the same, and what was found is a case that is valid.
+/// Terminal, folder, tables and page agree, and the estimates form a valid case.
 #[test]
 fn friction_of_a_slant_well() {
     let desk = desk();
     fs::write(desk.path("read.csv"), readings(&desk)).unwrap();
     let more = [&ERRORS[..], &["--bit-torque", "-o", "out"]].concat();
     let output = desk.done(&calibrate(&more));
-    let said = String::from_utf8(output.stdout).unwrap();
+    let screen = String::from_utf8(output.stdout).unwrap();
     let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
     let expected = [
         ("friction_cased", 0.2),
@@ -81,11 +82,11 @@ fn friction_of_a_slant_well() {
         ("block_weight_N", BLOCK_N),
         ("bit_torque_N_m", 2500.0),
     ];
-    for (of, (name, value)) in summary.estimates.iter().zip(expected) {
-        assert_eq!(of.parameter, name);
+    for (estimate, (name, value)) in summary.estimates.iter().zip(expected) {
+        assert_eq!(estimate.parameter, name);
         // Steps of 5 m of the soft string; the readings have steps of 1 m.
-        assert!((of.value / value - 1.0).abs() < 2e-3, "{of:?}");
-        assert!(said.contains(&of.words), "{said}");
+        assert!((estimate.value / value - 1.0).abs() < 2e-3, "{estimate:?}");
+        assert!(screen.contains(&estimate.words), "{screen}");
     }
     assert_eq!((summary.readings, summary.within_band), (45, 45));
     for (name, columns) in [
@@ -100,8 +101,8 @@ fn friction_of_a_slant_well() {
     }
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
     assert!(page.contains("Measured and predicted") && page.contains("Correlations"));
-    // The numbers of a picture are all that it shows: what was read below the bands, the ends of
-    // the intervals below the profiles, the bound of outliers beside the residuals.
+    // The numbers of a picture are all that it shows: readings with their bands, the profiles with
+    // the ends of the intervals, the residuals with the bound of outliers.
     let csv = |name: &str| Table::read_csv(&desk.path(&format!("out/{name}.csv"))).unwrap();
     let filled = |table: &Table, name: &str| {
         table.words(name).unwrap().iter().filter(|cell| !cell.is_empty()).count()
@@ -111,14 +112,14 @@ fn friction_of_a_slant_well() {
     assert_eq!(filled(&csv("calibration_profiles"), "interval_end"), 8);
     assert_eq!(filled(&csv("calibration"), "outlier_beyond"), 45);
 
-    // The page is made of the files.
+    // The page is rebuilt from the files.
     fs::remove_file(desk.path("out/report.html")).unwrap();
     desk.done(&["report", "out"]);
     assert_eq!(fs::read_to_string(desk.path("out/report.html")).unwrap(), page);
     desk.done(&["plot", "out", "--units", "field"]);
     assert!(desk.path("out/plots/calibration_bands.svg").is_file());
 
-    // The fragment, tried and written into the case.
+    // The fragment, checked and merged into the case.
     let fragment = fs::read_to_string(desk.path("out/friction.toml")).unwrap();
     let tried = fragment.lines().find(|line| line.contains("--set")).unwrap();
     let mut arguments = vec!["check", "well.toml"];
@@ -135,14 +136,14 @@ fn friction_of_a_slant_well() {
     desk.done(&["check", "found.toml"]);
 }
 
-/// The well that is shipped with what was read on its rig: what its chapter of the book prints, in
-/// the digits that it prints.
+/// The shipped well with readings from its rig: the numbers of its chapter in the book, to the
+/// printed digits.
 #[test]
 fn the_real_well_has_what_its_chapter_prints() {
     let desk = Desk::new();
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
     let (case, data) = (cases.join("forge-16a.toml"), cases.join("forge-16a-measured.csv"));
-    let [case, data] = [case, data].map(|of| of.display().to_string());
+    let [case, data] = [case, data].map(|path| path.display().to_string());
     desk.done(&[
         "calibrate",
         &case,
@@ -166,27 +167,27 @@ fn the_real_well_has_what_its_chapter_prints() {
         ("friction_open_around", 0.220, 1.0, 0.0005),
         ("block_weight_N", 47.6, KLBF_N, 0.05),
     ] {
-        let of = summary.estimates.iter().find(|of| of.parameter == name).unwrap();
-        assert!((of.value / unit - printed).abs() <= half, "{of:?}");
+        let estimates =
+            summary.estimates.iter().find(|estimate| estimate.parameter == name).unwrap();
+        assert!((estimates.value / unit - printed).abs() <= half, "{estimates:?}");
     }
-    // Each reading beside its prediction and its band: what is counted is what lies between its
-    // ends.
+    // Each reading has its prediction and its band: the count is of the readings between its ends.
     let table = desk.table("out/calibration.parquet");
     let column = |name: &str| table.numbers(name).unwrap();
     let mut within = 0;
     for row in 0..table.rows() {
         let is_torque = table.words("reading").unwrap()[row].starts_with("torque");
-        let of = |name: &str| {
+        let value_of = |name: &str| {
             let unit = if is_torque { "N_m" } else { "N" };
             column(&format!("{name}_{unit}"))[row].unwrap()
         };
-        let (measured, predicted) = (of("measured"), of("predicted"));
-        assert!((of("residual") - (measured - predicted)).abs() < 1e-6);
-        let (low, high) = (of("reading_low"), of("reading_high"));
+        let (measured, predicted) = (value_of("measured"), value_of("predicted"));
+        assert!((value_of("residual") - (measured - predicted)).abs() < 1e-6);
+        let (low, high) = (value_of("reading_low"), value_of("reading_high"));
         let half = 0.5 * (high - low);
         assert!((low + half - predicted).abs() < 1e-6 * half);
-        // The readings' error and the prediction's: 1.645 times the root of their squares.
-        assert!(half > 1.64 * of("predicted_error"));
+        // The errors of reading and prediction: 1.645 times the root of their squares.
+        assert!(half > 1.64 * value_of("predicted_error"));
         let is_within = (low..=high).contains(&measured);
         assert_eq!(column("within_band")[row], Some(f64::from(u8::from(is_within))));
         within += usize::from(is_within);
@@ -195,9 +196,9 @@ fn the_real_well_has_what_its_chapter_prints() {
     assert!(desk.text("out/report.html").contains("band of 90 %"));
 }
 
-/// A factor for each section that the readings reach, written back section by section; of the
-/// deepest, which is reached by the deepest readings alone, the error is the largest. What no
-/// reading reaches keeps the case's own.
+/// A factor for each section that the readings reach, written back section by section. The error is
+/// largest in the deepest one, which only the deepest readings reach. A section that no reading
+/// reaches keeps the case's own factor.
 #[test]
 fn friction_of_each_section() {
     let desk = desk();
@@ -226,12 +227,12 @@ fn friction_of_each_section() {
     let expected =
         [("friction_section_1", 0.2), ("friction_section_2", 0.35), ("friction_section_3", 0.28)];
     assert_eq!(summary.estimates.len(), expected.len(), "{:?}", summary.estimates);
-    for (of, (name, value)) in summary.estimates.iter().zip(expected) {
-        assert_eq!(of.parameter, name);
+    for (estimate, (name, value)) in summary.estimates.iter().zip(expected) {
+        assert_eq!(estimate.parameter, name);
         // Steps of 5 m of the soft string; the readings have steps of 1 m.
-        assert!((of.value / value - 1.0).abs() < 5e-3, "{of:?}");
+        assert!((estimate.value / value - 1.0).abs() < 5e-3, "{estimate:?}");
     }
-    // The fragment has each section with its own.
+    // The fragment has each section with its own factor.
     let fragment = desk.text("out/friction.toml");
     fs::write(desk.path("found.toml"), format!("{before}{fragment}\n{after}")).unwrap();
     let found = wholestring_case::load(&desk.path("found.toml"), &[]).unwrap();
@@ -240,8 +241,8 @@ fn friction_of_each_section() {
     for (section, (_, value)) in sections_found.iter().zip(expected) {
         assert!((section.friction.kinetic / value - 1.0).abs() < 5e-3, "{section:?}");
     }
-    // Two sections through which every reading goes alike are not told apart, and that is said:
-    // readings from 1100 m down all lie in the whole of the upper two.
+    // Two sections that every reading passes alike cannot be separated, and a warning reports this:
+    // readings from 1100 m down all span the whole of the upper two.
     let deep: Vec<String> = readings(&desk)
         .lines()
         .enumerate()
@@ -252,22 +253,24 @@ fn friction_of_each_section() {
     let few = ["calibrate", "well.toml", "--data", "deep.csv", "-o", "deep"];
     desk.done(&[&few[..], &ERRORS, &more[..2]].concat());
     let summary = CalibrationSummary::read(&desk.path("deep/summary.json")).unwrap();
-    let untold =
-        summary.warnings.iter().filter(|of| of.contains("do not tell the friction factor"));
+    let untold = summary
+        .warnings
+        .iter()
+        .filter(|warning| warning.contains("do not separate the friction factor"));
     assert!(untold.count() >= 1, "{:?}", summary.warnings);
 
-    // More sections than are told apart.
+    // More sections than can be separated.
     let depths = ["200 m", "400 m", "600 m", "800 m", "1000 m", "1200 m"];
     let many = depths.map(|to| ("casing", to, "230 mm", "0.2"));
     fs::write(desk.path("well.toml"), sections(&many)).unwrap();
-    let said = refused(&desk, &calibrate(&[&ERRORS[..], &more[..2]].concat()));
-    assert!(said.contains("the hole has 6, 5 are the most"), "{said}");
-    let said = refused(&desk, &calibrate(&["--by-section", "--one-factor"]));
-    assert!(said.contains("cannot be used with"), "{said}");
+    let screen = refused(&desk, &calibrate(&[&ERRORS[..], &more[..2]].concat()));
+    assert!(screen.contains("the hole has 6, 5 are the most"), "{screen}");
+    let screen = refused(&desk, &calibrate(&["--by-section", "--one-factor"]));
+    assert!(screen.contains("cannot be used with"), "{screen}");
 }
 
-/// Another fit and other readings under the same name do not replace what is there; the same again
-/// does.
+/// Another fit or other readings under the same name do not replace existing results; a repetition
+/// of the same does.
 #[test]
 fn another_calibration_is_refused() {
     let desk = desk();
@@ -278,21 +281,21 @@ fn another_calibration_is_refused() {
     let summary = || fs::read(desk.path("out/summary.json")).unwrap();
     let first = summary();
     for more in [&["--model", "stiff"][..], &["--one-factor"], &["--band", "80"]] {
-        let said = refused(&desk, &calibrate(&[&named[..], more].concat()));
-        assert!(said.contains("with other settings or data"), "{more:?}: {said}");
-        assert!(said.contains("--overwrite"), "{said}");
+        let screen = refused(&desk, &calibrate(&[&named[..], more].concat()));
+        assert!(screen.contains("with other settings or data"), "{more:?}: {screen}");
+        assert!(screen.contains("--overwrite"), "{screen}");
     }
     fs::write(desk.path("read.csv"), text.replace("\n300,", "\n310,")).unwrap();
-    let said = refused(&desk, &calibrate(&named));
-    assert!(said.contains("out holds the calibration \"Slant well calibration\""), "{said}");
+    let screen = refused(&desk, &calibrate(&named));
+    assert!(screen.contains("out holds the calibration \"Slant well calibration\""), "{screen}");
     assert_eq!(summary(), first);
     fs::write(desk.path("read.csv"), &text).unwrap();
     desk.done(&calibrate(&named));
     assert_eq!(summary(), first);
 }
 
-/// The friction with which stiff strings were read is found by stiff strings, which tell how far
-/// they have come.
+/// Readings made with a friction factor by stiff strings are fitted by stiff strings, which report
+/// their progress.
 #[test]
 fn friction_by_the_stiff_string() {
     use std::sync::Mutex;
@@ -304,27 +307,27 @@ fn friction_by_the_stiff_string() {
         calibrate::{self, Fit, NamedCase, Request},
     };
 
-    /// Keeps how many strings were asked for at once, and how many of them have ended.
+    /// Keeps the number of strings requested at once, and of those that have ended.
     #[derive(Default)]
     struct Counts(Mutex<Vec<[usize; 2]>>);
     impl Observer for Counts {
         fn batch_started(&self, size: &BatchSize) {
             self.0.lock().unwrap().push([size.cases, 0]);
         }
-        fn case_ended(&self, of: &CaseEnded) {
+        fn case_ended(&self, ended: &CaseEnded) {
             let mut counts = self.0.lock().unwrap();
             let last = counts.last_mut().unwrap();
-            assert_eq!((of.ended, of.of), (last[1] + 1, last[0]));
+            assert_eq!((ended.ended, ended.of), (last[1] + 1, last[0]));
             last[1] += 1;
         }
     }
 
     let desk = desk();
-    // Coarse: the readings are of the same strings.
+    // Coarse, because the readings are of the same strings.
     let overrides: Vec<Override> = ["well.hole.0.friction=0.25", "well.hole.1.friction=0.25"]
         .into_iter()
         .chain(["mesh.element_length=20 m"])
-        .map(|of| of.parse().unwrap())
+        .map(|word| word.parse().unwrap())
         .collect();
     let template = Template::read(&desk.path("well.toml")).unwrap();
     let case = template.case(&overrides).unwrap();
@@ -332,7 +335,8 @@ fn friction_by_the_stiff_string() {
     for depth_m in [600.0, 1200.0] {
         let model = case.setup().at(depth_m).unwrap();
         let hook_kN = |kind: OperationKind| {
-            let operation = case.operations.iter().find(|of| of.kind == kind).unwrap();
+            let operation =
+                case.operations.iter().find(|operation| operation.kind == kind).unwrap();
             let operation = Operation { bit_depth_m: depth_m, ..*operation };
             let found = stiff::solve(&model, &operation, &case.dynamics.stiff_string()).unwrap();
             1e-3 * (found.scalars.hook_load_N + BLOCK_N)
@@ -376,17 +380,17 @@ fn friction_by_the_stiff_string() {
     assert_eq!(summary.model, "stiff");
     let [friction, block] = &summary.estimates[..] else { panic!("{:?}", summary.estimates) };
     // Between the nodes a prediction may be off by a fiftieth of an error, 100 N; the drag of a
-    // pick-up at 1200 m changes by more than 100 kN where the friction does by one.
+    // pick-up at 1200 m changes by more than 100 kN for a change of friction by one.
     assert!((friction.value - 0.25).abs() < 1e-3, "{friction:?}");
     assert!((block.value - BLOCK_N).abs() < 100.0, "{block:?}");
-    // Both have intervals, wherever the first box of factors ends.
+    // Both have intervals, wherever the initial box of factors ends.
     assert!(!friction.interval.contains(&None) && !block.interval.contains(&None), "{summary:?}");
     let counts = counts.0.into_inner().unwrap();
-    assert!(counts.iter().all(|[asked, ended]| asked == ended), "{counts:?}");
-    assert_eq!(counts.iter().map(|[asked, _]| asked).sum::<usize>(), summary.strings);
+    assert!(counts.iter().all(|[started, ended]| started == ended), "{counts:?}");
+    assert_eq!(counts.iter().map(|[started, _]| started).sum::<usize>(), summary.strings);
 }
 
-/// Two cases that share their friction, each with its rows; one number is held.
+/// Two cases that share their friction, each with its rows; one parameter is fixed.
 #[test]
 fn rows_belong_to_cases() {
     let desk = desk();
@@ -405,16 +409,17 @@ fn rows_belong_to_cases() {
     let held = ["--hold", "friction_cased=0.2", "--hold=block_weight=200kN", "--outlier=2.5"];
     desk.done(&[&two[..], &ERRORS, &held].concat());
     let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
-    let names: Vec<&str> = summary.estimates.iter().map(|of| of.parameter.as_str()).collect();
+    let names: Vec<&str> =
+        summary.estimates.iter().map(|estimate| estimate.parameter.as_str()).collect();
     assert_eq!(names, ["friction_open"]);
     assert!(summary.held.contains(&("friction_cased".to_owned(), 0.2)));
-    // Shorter collars are lighter: the last row's weights are too great for them.
-    let outliers = summary.warnings.iter().filter(|of| of.starts_with("outlier"));
+    // Shorter collars are lighter: the last row's weights are too large for them.
+    let outliers = summary.warnings.iter().filter(|warning| warning.starts_with("outlier"));
     assert!(outliers.count() >= 1, "{:?}", summary.warnings);
 
     fs::write(desk.path("read.csv"), with_case.replace("short collars", "long")).unwrap();
-    let said = refused(&desk, &two);
-    assert!(said.contains("no case is called 'long'"), "{said}");
+    let screen = refused(&desk, &two);
+    assert!(screen.contains("there is no case 'long'"), "{screen}");
 }
 
 #[test]
@@ -434,8 +439,12 @@ fn bad_readings_get_an_answer() {
             &["--one-factor"],
             "give their standard error",
         ),
-        (sound.clone(), &["--hold", "friction=0.2"], "is not looked for and cannot be held"),
-        (sound.clone(), &["--hold", "mass=2"], "nothing is called 'mass'"),
+        (
+            sound.clone(),
+            &["--hold", "friction=0.2"],
+            "is not a parameter of this fit and cannot be kept fixed",
+        ),
+        (sound.clone(), &["--hold", "mass=2"], "there is no parameter 'mass'"),
         (sound.clone(), &["--hold", "friction_open=5"], "expected 0 to 2"),
         (sound.clone(), &["--weight-error", "5"], "has no unit"),
         (sound.clone(), &["--band", "100"], "expected 50 to 99.9"),
@@ -445,15 +454,15 @@ fn bad_readings_get_an_answer() {
         (sound.clone(), &["--outlier", "nan"], "expected 1 to 100"),
         (String::new(), &[], "the file is empty"),
     ] {
-        let said = answer(&text, more);
-        assert!(said.contains(expected), "{said}\nlacks: {expected}");
+        let screen = answer(&text, more);
+        assert!(screen.contains(expected), "{screen}\nlacks: {expected}");
     }
     let none = refused(&desk, &["calibrate", "well.toml", "--data", "none.csv"]);
     assert!(none.contains("there is no such file"), "{none}");
 }
 
-/// The string in motion with what was found, at the depths that are asked for, on terminal, page and in the tables: what
-/// a run of the case with that friction and that block answers.
+/// The dynamic model with the fitted values, at the requested depths, on terminal, page and in the
+/// tables: equal to a run of the case with that friction and that block.
 #[test]
 fn the_dynamics_check_what_was_found() {
     let desk = desk();
@@ -465,14 +474,14 @@ fn the_dynamics_check_what_was_found() {
     ];
     let check = ["--check-dynamics=600m,1200m", "-o", "out"];
     let output = desk.done(&calibrate(&[&ERRORS[..], &quick, &check].concat()));
-    let said = String::from_utf8(output.stdout).unwrap();
-    assert!(said.contains("Checked by the dynamics"), "{said}");
+    let screen = String::from_utf8(output.stdout).unwrap();
+    assert!(screen.contains("Checked by the dynamics"), "{screen}");
     let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
-    let depths: Vec<f64> = summary.dynamics.iter().map(|of| of.bit_depth_m).collect();
+    let depths: Vec<f64> = summary.dynamics.iter().map(|dynamic| dynamic.bit_depth_m).collect();
     assert_eq!(depths, [[600.0; 5], [1200.0; 5]].concat());
-    for of in &summary.dynamics {
-        let dynamic = of.dynamic.unwrap_or_else(|| panic!("{of:?}"));
-        assert!((of.measured / of.predicted - 1.0).abs() < 5e-3, "{of:?}");
+    for reading in &summary.dynamics {
+        let dynamic = reading.dynamic.unwrap_or_else(|| panic!("{reading:?}"));
+        assert!((reading.measured / reading.predicted - 1.0).abs() < 5e-3, "{reading:?}");
         assert_eq!(dynamic.steady, None);
     }
     let value = |place: usize| summary.estimates[place].value;
@@ -492,9 +501,9 @@ fn the_dynamics_check_what_was_found() {
         ("rotating", turned.hook_load_N + value(2)),
         ("torque", turned.surface_torque_N_m),
     ] {
-        let of = summary.dynamics.iter().find(|of| of.reading == reading).unwrap();
-        // The same run, but for what the last digits of its friction do.
-        let mean = of.dynamic.unwrap().mean;
+        let dynamics = summary.dynamics.iter().find(|dynamic| dynamic.reading == reading).unwrap();
+        // The same run, except for the last digits of its friction.
+        let mean = dynamics.dynamic.unwrap().mean;
         assert!((mean / expected - 1.0).abs() < 1e-6, "{reading}: {mean}, {expected}");
     }
     let table = desk.table("out/calibration_dynamic.parquet");
@@ -507,13 +516,13 @@ fn the_dynamics_check_what_was_found() {
     let bare = desk.run(&calibrate(&["--check-dynamics=650"]));
     assert_eq!(bare.status.code(), Some(2), "{}", transcript(&bare));
 
-    // A calibration without it leaves none of it.
+    // A calibration without the check removes its files.
     desk.done(&calibrate(&[&ERRORS[..], &["-o", "out", "--overwrite"]].concat()));
     assert!(!desk.path("out/calibration_dynamic.csv").exists());
     assert!(!desk.text("out/report.html").contains("Checked by the dynamics"));
 }
 
-/// Who stops the check has the calibration, and is told so.
+/// An interrupted check keeps the calibration, and the message reports it.
 #[test]
 fn a_check_that_is_interrupted_leaves_the_calibration() {
     use wholestring_case::{Template, load};
@@ -522,7 +531,7 @@ fn a_check_that_is_interrupted_leaves_the_calibration() {
         calibrate::{self, CheckDynamics, Fit, NamedCase, Request},
     };
 
-    /// Cancels as soon as a string moves.
+    /// Cancels at the first progress of a dynamic run.
     struct Stops(CancellationToken);
     impl Observer for Stops {
         fn reached(&self, _: &Task<'_>, _: &Progress) {
@@ -566,6 +575,9 @@ fn a_check_that_is_interrupted_leaves_the_calibration() {
     let outcome = calibrate::run(&request, &stops, &stops.0).unwrap();
     assert!(outcome.interrupted && outcome.summary.dynamics.is_empty());
     let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
-    assert!(summary.warnings.iter().any(|of| of.contains("was interrupted")), "{summary:?}");
+    assert!(
+        summary.warnings.iter().any(|warning| warning.contains("was interrupted")),
+        "{summary:?}"
+    );
     assert!(desk.path("out/report.html").is_file());
 }

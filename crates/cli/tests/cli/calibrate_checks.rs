@@ -1,8 +1,8 @@
-//! `calibrate`: readings that cannot be what they say.
+//! `calibrate`: readings that cannot be real.
 //!
-//! The readings are those of a soft string in the well of `CASE` with friction 0.2 in casing and 0.3 in open hole,
-//! a block of 250 kN, and noise of 2 to 3 kN and 0.2 kN·m; undamaged they give 0.186 ± 0.010, 0.317 ± 0.013 and
-//! 250.9 ± 0.5 kN.
+//! The readings are those of a soft string in the well of `CASE` with friction 0.2 in casing and
+//! 0.3 in open hole, a block of 250 kN, and noise of 2 to 3 kN and 0.2 kN·m; undamaged they give
+//! 0.186 ± 0.010, 0.317 ± 0.013 and 250.9 ± 0.5 kN.
 
 use std::fs;
 
@@ -66,10 +66,10 @@ const ROWS: [[f64; 5]; 8] = [
     [3000.0, 1146.3, 838.4, 976.2, 13.18],
 ];
 
-/// The file of the readings with a change of each row.
+/// The file of the readings with a change in each row.
 fn file(change: impl Fn(usize, [f64; 5]) -> [f64; 5]) -> String {
     let rows = ROWS.iter().enumerate().map(|(place, row)| {
-        let cells = change(place, *row).map(|of| of.to_string());
+        let cells = change(place, *row).map(|change| change.to_string());
         cells.join(",") + "\n"
     });
     HEAD.to_owned() + &rows.collect::<String>()
@@ -87,7 +87,7 @@ fn words(output: &std::process::Output) -> String {
     transcript(output).split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A calibration that is refused: its words on one line.
+/// A calibration that is refused: its output on one line.
 fn refused(readings: &str, more: &[&str]) -> String {
     let desk = desk(readings);
     let output = desk.run(&[&["calibrate", "base.toml", "--data", "r.csv"], more].concat());
@@ -95,41 +95,41 @@ fn refused(readings: &str, more: &[&str]) -> String {
     words(&output)
 }
 
-/// A calibration that is made.
+/// A calibration that succeeds.
 fn made(readings: &str, more: &[&str]) -> (CalibrationSummary, String, Desk) {
     let desk = desk(readings);
     let all = [&["calibrate", "base.toml", "--data", "r.csv", "-o", "out"], more].concat();
     let output = desk.done(&all);
-    let said = String::from_utf8(output.stdout).unwrap();
+    let screen = String::from_utf8(output.stdout).unwrap();
     let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
-    (summary, said, desk)
+    (summary, screen, desk)
 }
 
 fn value(summary: &CalibrationSummary, name: &str) -> f64 {
-    summary.estimates.iter().find(|of| of.parameter == name).unwrap().value
+    summary.estimates.iter().find(|estimate| estimate.parameter == name).unwrap().value
 }
 
 #[track_caller]
 fn check<'a>(summary: &'a CalibrationSummary, kind: &str) -> &'a ReadingCheck {
-    let found = summary.checks.iter().find(|of| of.check.kind.name() == kind);
+    let found = summary.checks.iter().find(|check| check.check.kind.name() == kind);
     found.unwrap_or_else(|| panic!("{kind}: {:#?}", summary.checks))
 }
 
-/// Undamaged readings raise nothing but what is true of them: two factors that they hardly tell apart.
+/// Undamaged readings raise only the true warning: two factors that they hardly separate.
 #[test]
 fn sound_readings_raise_nothing() {
-    let (summary, said, _) = made(&file(|_, row| row), &[]);
-    let kinds: Vec<&str> = summary.checks.iter().map(|of| of.check.kind.name()).collect();
+    let (summary, screen, _) = made(&file(|_, row| row), &[]);
+    let kinds: Vec<&str> = summary.checks.iter().map(|check| check.check.kind.name()).collect();
     assert_eq!(kinds, ["not_told_apart"], "{:#?}", summary.checks);
     assert!(summary.comparison.is_none());
-    // The band is that of the noise: 1.7 times 2.8 kN, of weights of 800 kN.
-    assert!(said.contains("of 32 readings within the band of 90 %: ±4."), "{said}");
+    // The band is that of the noise: 1.7 times 2.8 kN, at weights of 800 kN.
+    assert!(screen.contains("of 32 readings within the band of 90 %: ±4."), "{screen}");
     for (name, expected, error) in [
         ("friction_cased", 0.186, 0.01),
         ("friction_open", 0.317, 0.013),
         ("block_weight_N", 250.9e3, 500.0),
     ] {
-        // Half of the last digit that the independent report has, and steps of the soft string.
+        // Half of the last digit of the independent report, and steps of the soft string.
         assert!((value(&summary, name) - expected).abs() < 0.1 * error, "{name}: {summary:?}");
     }
 }
@@ -147,7 +147,7 @@ fn swapped_columns_are_refused() {
     assert!(text.contains("are the columns swapped?"), "{text}");
 }
 
-/// klbf under `kN`, whether the block is looked for or held; one column of it; kN under `t`.
+/// klbf under `kN`, with the block fitted or fixed; a single column of it; kN under `t`.
 #[test]
 fn weights_in_another_unit_are_refused_with_it() {
     const KLBF: f64 = 4.448_221_615;
@@ -162,13 +162,14 @@ fn weights_in_another_unit_are_refused_with_it() {
     let one = file(|_, [md, a, b, c, torque]| [md, a, b / KLBF, c, torque]);
     let text = refused(&one, &[]);
     assert!(
-        text.contains("the slack-off weights are not in kN") && text.contains("Is the unit klbf?"),
+        text.contains("the slack-off weights seem not to be in kN")
+            && text.contains("Is the unit klbf?"),
         "{text}"
     );
     let tonnes = file(|_, row| row).replace("(kN)", "(t)");
     let text = refused(&tonnes, &[]);
     assert!(
-        text.contains("the weights are not in t") && text.contains("Is the unit kN?"),
+        text.contains("the weights seem not to be in t") && text.contains("Is the unit kN?"),
         "{text}"
     );
 }
@@ -183,30 +184,31 @@ fn torques_in_another_unit_are_refused_with_it() {
     ] {
         let text = file(|_, [md, a, b, c, torque]| [md, a, b, c, factor * torque]);
         let text = text.replace("(kN.m)", &format!("({heading})"));
-        let said = refused(&text, &[]);
+        let screen = refused(&text, &[]);
         assert!(
-            said.contains("ask for a friction factor of") && said.contains(unit),
-            "{heading}: {said}"
+            screen.contains("require a friction factor of") && screen.contains(unit),
+            "{heading}: {screen}"
         );
     }
-    // Foot-pounds in thousands under `kN.m` are not so far off that they can be nothing else: a warning.
+    // Foot-pounds in thousands under `kN.m` differ too little to exclude another cause: a warning.
     let text = file(|_, [md, a, b, c, torque]| [md, a, b, c, torque / 1.355_818]);
     let (summary, ..) = made(&text, &[]);
-    let of = check(&summary, "unit");
-    assert!(of.check.sentence.contains("in kft-lbf and not in kN.m"), "{of:?}");
+    let check = check(&summary, "unit");
+    assert!(check.check.sentence.contains("in kft-lbf instead of kN.m"), "{check:?}");
 }
 
-/// Weights without the block that the case has: the number is said; looked for, it is none.
+/// Weights without the case's block: the message gives the number; the fit gives none.
 #[test]
 fn a_block_that_the_readings_do_not_hold() {
     let text = file(|_, [md, a, b, c, torque]| [md, a - 250.0, b - 250.0, c - 250.0, torque]);
-    let (summary, said, _) = made(&text, &["--set=rig.block_weight=250 kN"]);
-    let of = check(&summary, "block_not_in_readings");
-    assert_eq!(of.check.limit, Some(250e3));
-    assert!(of.check.value.unwrap().abs() < 10e3, "{of:?}");
-    assert!(of.check.sentence.contains("they seem not to hold the block"), "{of:?}");
-    assert!(said.contains("warning: the weights lie 2"), "{said}");
-    // Errors of 250 kN are none of an instrument, and the count within the band says how wide that is.
+    let (summary, screen, _) = made(&text, &["--set=rig.block_weight=250 kN"]);
+    let found = check(&summary, "block_not_in_readings");
+    assert_eq!(found.check.limit, Some(250e3));
+    assert!(found.check.value.unwrap().abs() < 10e3, "{found:?}");
+    assert!(found.check.sentence.contains("they seem to exclude the block"), "{found:?}");
+    assert!(screen.contains("warning: the weights are 2"), "{screen}");
+    // Errors of 250 kN exceed those of any instrument, and the count within the band gives its
+    // width.
     let errors = check(&summary, "estimated_error");
     assert!(errors.check.value.unwrap() > 200e3, "{errors:?}");
     assert!(summary.status.contains("%) of the rotating weights"), "{}", summary.status);
@@ -215,23 +217,24 @@ fn a_block_that_the_readings_do_not_hold() {
     assert!((value(&summary, "block_weight_N") - 880.0).abs() < 100.0);
     assert!((value(&summary, "friction_open") - 0.317).abs() < 2e-3);
     check(&summary, "no_block");
-    // Another block than that of the case.
+    // A block other than the case's.
     let (summary, ..) = made(&file(|_, row| row), &["--set=rig.block_weight=400 kN"]);
-    let of = check(&summary, "block_weight");
-    assert!((of.check.value.unwrap() - 251e3).abs() < 10e3, "{of:?}");
+    let check = check(&summary, "block_weight");
+    assert!((check.check.value.unwrap() - 251e3).abs() < 10e3, "{check:?}");
 }
 
-/// Zeros, nulls and negative values are left out by their lines, and what is found is that of the others.
+/// Zeros, nulls and negative values are excluded with their lines, and the estimates are those of
+/// the others.
 #[test]
 fn values_that_are_no_readings_are_left_out() {
-    let empty = |of: &str| {
+    let empty = |cell: &str| {
         file(|_, row| row)
             .lines()
             .enumerate()
             .map(|(line, text)| {
                 let mut cells: Vec<&str> = text.split(',').collect();
                 if line > 3 {
-                    cells[2] = of;
+                    cells[2] = cell;
                 }
                 cells.join(",") + "\n"
             })
@@ -239,18 +242,18 @@ fn values_that_are_no_readings_are_left_out() {
     };
     let (expected, ..) = made(&empty(""), &[]);
     for (cell, kind) in [("0", Some("zero")), ("-999.25", None), ("-712", Some("negative"))] {
-        let (summary, said, _) = made(&empty(cell), &[]);
+        let (summary, screen, _) = made(&empty(cell), &[]);
         assert_eq!(summary.estimates, expected.estimates, "{cell}");
-        let words: String = said.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(words.contains("lines 5 to 9"), "{cell}: {said}");
+        let words: String = screen.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains("lines 5 to 9"), "{cell}: {screen}");
         if let Some(kind) = kind {
             assert_eq!(check(&summary, kind).lines.len(), 5, "{cell}");
         }
     }
     // Columns of zeros: pick-up and slack-off alone.
-    let (summary, said, _) = made(&file(|_, [md, a, b, ..]| [md, a, b, 0.0, 0.0]), &[]);
-    assert!(said.contains("the rotating weight is 0 in all 8 rows (lines 2 to 9)"), "{said}");
-    assert!(said.contains("the torque off bottom is 0 in all 8 rows"), "{said}");
+    let (summary, screen, _) = made(&file(|_, [md, a, b, ..]| [md, a, b, 0.0, 0.0]), &[]);
+    assert!(screen.contains("the rotating weight is 0 in all 8 rows (lines 2 to 9)"), "{screen}");
+    assert!(screen.contains("the torque off bottom is 0 in all 8 rows"), "{screen}");
     for (name, expected, half) in [
         ("friction_cased", 0.196, 5e-4),
         ("friction_open", 0.3, 5e-4),
@@ -258,24 +261,24 @@ fn values_that_are_no_readings_are_left_out() {
     ] {
         assert!((value(&summary, name) - expected).abs() <= half, "{name}: {summary:?}");
     }
-    // A hook load below the block alone.
+    // A hook load below the block's weight.
     let text =
         file(|place, [md, a, b, c, torque]| [md, a, b, if place == 3 { 120.0 } else { c }, torque]);
     let (summary, ..) = made(&text, &["--set=rig.block_weight=250 kN"]);
-    let of = check(&summary, "below_block");
+    let check = check(&summary, "below_block");
     assert_eq!(
-        (of.lines.clone(), of.check.value, of.check.limit),
+        (check.lines.clone(), check.check.value, check.check.limit),
         (vec!["line 5".into()], Some(120e3), Some(250e3))
     );
-    // Nothing is left.
+    // No reading remains.
     let text = refused(&file(|_, [md, ..]| [md, 0.0, 0.0, 0.0, 0.0]), &[]);
     assert!(text.contains("no weight and no torque is left"), "{text}");
     let text = refused(&file(|_, [md, a, b, c, d]| [md, -a, -b, -c, -d]), &[]);
     assert!(text.contains("in every row that has one (lines 2 to 9)"), "{text}");
 }
 
-/// A depth in whole feet that is 15 cm below the end of hole and survey is at the end; one that is 1 ft below is
-/// not, and is refused in the case's units.
+/// A depth in whole feet that is 15 cm below the end of hole and survey is taken as the end; one
+/// that is 1 ft below is refused, in the case's units.
 #[test]
 fn a_depth_that_is_rounded_beyond_the_end() {
     let text = "Depth (ft),PU Wt (klbs),SO Wt (klbs),ROT Wt (klbs),Off Btm TQ (kft-lbs)\n5249,165,146,154,2.4\n\
@@ -283,25 +286,32 @@ fn a_depth_that_is_rounded_beyond_the_end() {
         8530,232,176,201,7.5\n9186,245,183,210,8.6\n9843,258,188,219,9.7\n";
     let (summary, ..) = made(text, &[]);
     assert_eq!(summary.readings, 32);
-    let of = check(&summary, "rounded_depth");
-    assert_eq!((of.check.severity.name(), of.lines.clone()), ("note", vec!["line 9".to_owned()]));
-    // What whole klbf and a tenth of a kft·lbf leave of 0.2, 0.3 and 250 kN.
+    let check = check(&summary, "rounded_depth");
+    assert_eq!(
+        (check.check.severity.name(), check.lines.clone()),
+        ("note", vec!["line 9".to_owned()])
+    );
+    // Precision that readings rounded to klbf and 0.1 kft·lbf leave of 0.2, 0.3 and 250 kN.
     assert!((value(&summary, "friction_open") - 0.317).abs() < 0.02);
     assert!((value(&summary, "block_weight_N") - 250e3).abs() < 4e3);
-    let said = refused(&text.replace("9843,", "9844,"), &["--set=units=field"]);
+    let screen = refused(&text.replace("9843,", "9844,"), &["--set=units=field"]);
     assert!(
-        said.contains("the bit is at 9844.0 ft, but hole and survey of its case end at 9842.5 ft"),
-        "{said}"
+        screen
+            .contains("the bit is at 9844.0 ft, but hole and survey of its case end at 9842.5 ft"),
+        "{screen}"
     );
 }
 
-/// With outliers and without: what is found without them is what the others give, and `--without-outliers` takes
-/// it.
+/// With and without outliers: the estimates without them are those of the other readings, and
+/// `--without-outliers` applies them.
 #[test]
 fn outliers_are_named_and_both_fits_are_shown() {
     let wrong = [(2, 1, 969.8), (5, 2, 683.3), (6, 4, 5.8)];
     let damaged = file(|place, mut row| {
-        wrong.iter().filter(|of| of.0 == place).for_each(|of| row[of.1] = of.2);
+        wrong
+            .iter()
+            .filter(|reading| reading.0 == place)
+            .for_each(|reading| row[reading.1] = reading.2);
         row
     });
     let without: String = damaged
@@ -315,15 +325,18 @@ fn outliers_are_named_and_both_fits_are_shown() {
         })
         .collect();
     let (expected, ..) = made(&without, &[]);
-    let (summary, said, _) = made(&damaged, &[]);
+    let (summary, screen, _) = made(&damaged, &[]);
     let other = summary.comparison.as_ref().unwrap();
     assert_eq!(other.outliers, ["pick-up of line 4", "slack-off of line 7", "torque of line 8"]);
     assert!(!other.left_out && other.loss == "Huber");
     for (one, expected) in other.estimates.iter().zip(&expected.estimates) {
         assert!((one.value / expected.value - 1.0).abs() < 1e-6, "{one:?} {expected:?}");
     }
-    assert!(said.contains("With and without the outliers that Huber's loss finds"), "{said}");
-    assert_eq!(summary.checks.iter().filter(|of| of.check.kind.name() == "outlier").count(), 3);
+    assert!(screen.contains("With and without the outliers that Huber's loss finds"), "{screen}");
+    assert_eq!(
+        summary.checks.iter().filter(|check| check.check.kind.name() == "outlier").count(),
+        3
+    );
     let (summary, _, desk) = made(&damaged, &["--without-outliers"]);
     assert_eq!((summary.readings, summary.held_out), (29, 3));
     for (one, expected) in summary.estimates.iter().zip(&expected.estimates) {
@@ -332,8 +345,8 @@ fn outliers_are_named_and_both_fits_are_shown() {
     assert!(desk.text("out/report.html").contains("With and without outliers"));
 }
 
-/// What is written is the case's: its units, its casing, its friction at rest; and `check` accepts it with every
-/// case that was calibrated, with a block that would be negative too.
+/// The fragment follows the case: its units, its casing, its static friction; and `check` accepts
+/// it with every calibrated case, also with a block that would be negative.
 #[test]
 fn the_fragment_is_the_case_s() {
     let field = CASE.replace("units = \"si\"", "units = \"field\"");
@@ -345,7 +358,7 @@ fn the_fragment_is_the_case_s() {
             file(|_, row| row),
             &[],
         ),
-        // Weights that are 320 kN too small: the block would weigh less than nothing.
+        // Weights that are 320 kN too small: the block's weight would be negative.
         (
             CASE.to_owned(),
             file(|_, [md, a, b, c, d]| [md, a - 320.0, b - 320.0, c - 320.0, d]),
@@ -379,12 +392,13 @@ fn the_fragment_is_the_case_s() {
     }
     let light = file(|_, [md, a, b, c, d]| [md, a - 320.0, b - 320.0, c - 320.0, d]);
     let (summary, ..) = made(&light, &["--one-factor"]);
-    let block = summary.estimates.iter().find(|of| of.parameter == "block_weight_N").unwrap();
+    let block =
+        summary.estimates.iter().find(|estimate| estimate.parameter == "block_weight_N").unwrap();
     assert!(block.at_bound && block.value == 0.0, "{block:?}");
     assert!(check(&summary, "negative").check.sentence.contains("block weight would be negative"));
 }
 
-/// A hole that is vertical tells no friction, and that is said.
+/// A vertical hole does not determine friction, and the message explains this.
 #[test]
 fn a_vertical_hole_tells_no_friction() {
     let desk = desk(&file(|_, row| row));
@@ -392,11 +406,11 @@ fn a_vertical_hole_tells_no_friction() {
     fs::write(desk.path("base.toml"), vertical).unwrap();
     let output = desk.run(&["calibrate", "base.toml", "--data", "r.csv"]);
     assert_eq!(output.status.code(), Some(2), "{}", transcript(&output));
-    let said = words(&output);
-    assert!(said.contains("friction shows in none of the readings"), "{said}");
+    let screen = words(&output);
+    assert!(screen.contains("friction has no effect on the readings"), "{screen}");
 }
 
-/// Readings beside a plan are held to the same.
+/// Readings for a plan have the same checks.
 #[test]
 fn readings_of_a_plan_are_checked() {
     let swapped = file(|_, [md, up, down, turning, torque]| [md, down, up, turning, torque]);

@@ -1,4 +1,4 @@
-//! `catalogue`: what a case can name, found by its words.
+//! `catalogue`: entries that a case can name, found by words.
 
 use crate::desk::{Desk, transcript};
 use insta::assert_snapshot;
@@ -21,7 +21,7 @@ fn search_by_size_weight_grade_and_kind() {
     }
 }
 
-/// A file of one's own stands before what is built in; one that is missing or bad is told.
+/// Entries of a user's file precede the built-in ones; a missing or invalid file is reported.
 #[test]
 fn a_catalogue_of_ones_own() {
     let desk = Desk::new();
@@ -39,9 +39,9 @@ fn a_catalogue_of_ones_own() {
     for expected in ["rig 7 pipe", "rig 7 liner", "Drill pipe\n", "Casing\n"] {
         assert!(own.contains(expected), "{own}");
     }
-    // Nothing that is built in is called so, nor is its source told.
+    // No built-in entry has this name, and no built-in source is listed.
     assert!(own.ends_with("Sources:\n  a catalogue of one's own\n"), "{own}");
-    // With its diameters, its mass and its yield strength, before what is built in.
+    // With its diameters, its mass and its yield strength, before the built-in entries.
     let casings = listed(&["casing", "7"]);
     assert!(casings.contains("API Spec 5CT"), "{casings}");
     let at = casings.find("rig 7 liner").expect("a liner");
@@ -55,16 +55,16 @@ fn a_catalogue_of_ones_own() {
     for (name, answer) in [
         ("none.toml", "none.toml"),
         ("bad.toml", "the inside diameter is not smaller than the outside diameter"),
-        ("empty.toml", "the catalogue `empty.toml` lists nothing"),
+        ("empty.toml", "the catalogue `empty.toml` is empty"),
     ] {
         let output = desk.run(&["catalogue", "--with", name]);
-        let said = transcript(&output);
-        assert_eq!(output.status.code(), Some(2), "{name}: {said}");
-        assert!(said.contains(answer), "{name}: {said}");
+        let message = transcript(&output);
+        assert_eq!(output.status.code(), Some(2), "{name}: {message}");
+        assert!(message.contains(answer), "{name}: {message}");
     }
 }
 
-/// Without a word there is everything, and each kind has its table.
+/// Without a word, all entries are listed, with a table for each kind.
 #[test]
 fn all_of_it() {
     let output = Desk::new().run(&["catalogue"]);

@@ -1,4 +1,4 @@
-//! `check`, `schema` and the command line itself: what a user reads, and the exit status.
+//! `check`, `schema` and the command line itself: output and exit status.
 
 use std::{collections::BTreeSet, fs};
 
@@ -10,7 +10,7 @@ fn a_sound_case() {
     assert_snapshot!(transcript(&Desk::new().run(&["check", "slant.toml"])));
 }
 
-/// Of solid rock, what a run of it will cost and how finely it is cut.
+/// For solid rock, the cost of a run and the size of its elements.
 #[test]
 fn a_case_on_solid_rock() {
     let desk = Desk::new();
@@ -19,7 +19,7 @@ fn a_case_on_solid_rock() {
     assert_snapshot!(transcript(&desk.run(&["check", "rock.toml"])));
 }
 
-/// What comes through a pipe is read once: a case is a case, a survey a survey.
+/// A pipe is read once: a case is recognised as a case, a survey as a survey.
 #[cfg(unix)]
 #[test]
 fn a_case_and_a_survey_through_a_pipe() {
@@ -106,7 +106,8 @@ fn the_schema_lists_the_keys_of_a_case() {
     }
 }
 
-/// What a file is, its content tells: a case by any name, sound or not, and a survey called as a case.
+/// A file is recognised by its content: a case by any name, valid or not, and a survey named like a
+/// case.
 #[test]
 fn a_case_is_known_by_its_content() {
     let desk = Desk::new();
@@ -119,13 +120,13 @@ fn a_case_is_known_by_its_content() {
     fs::copy(desk.path("survey.csv"), desk.path("survey.toml")).unwrap();
     let survey = transcript(&desk.done(&["check", "survey.toml"]));
     assert!(survey.contains("survey.toml: a survey of"), "{survey}");
-    // What is neither is read as what it is called.
+    // Content that is neither is read according to the file's name.
     fs::write(desk.path("none.toml"), "nothing at all").unwrap();
     let none = transcript(&desk.run(&["check", "none.toml"]));
     assert!(none.contains("none.toml:1"), "{none}");
 }
 
-/// What is hardly meant is said, and what may be meant; a number that has lost its quotes to the
+/// An unlikely value is reported with its likely meaning; a number that has lost its quotes to the
 /// shell is refused.
 #[test]
 fn a_number_without_its_unit() {

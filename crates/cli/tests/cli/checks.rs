@@ -1,5 +1,5 @@
-//! What is reported of an answer: in the summary, on the screen, in `sweep.csv`, in studies, and as
-//! an exit status.
+//! Checks of a result: in the summary, on the screen, in `sweep.csv`, in studies, and as an exit
+//! status.
 
 use std::{collections::BTreeSet, fs, path::Path};
 
@@ -12,7 +12,7 @@ use crate::{
     sweep::split,
 };
 
-/// A lateral of 4500 m: what is wrong with it must be said by either model.
+/// A lateral of 4500 m, whose errors either model must report.
 fn lateral() -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
     let case = root.join("lateral-that-cannot-be-drilled.toml");
@@ -37,24 +37,24 @@ fn the_lateral_that_cannot_be_drilled_says_so() {
     let summary = desk.summary("results");
     let solved = |operation: &str, model| {
         let mut all = summary.operations.iter();
-        let of = all.find(|of| of.operation == operation && of.model == model);
-        of.unwrap_or_else(|| panic!("{operation}"))
+        let solved = all.find(|solved| solved.operation == operation && solved.model == model);
+        solved.unwrap_or_else(|| panic!("{operation}"))
     };
     for operation in ["trip_in", "slide"] {
         for model in [ModelKind::Soft, ModelKind::Dynamic] {
-            let of = solved(operation, model);
-            let errors = kinds(of, Severity::Error);
+            let solved = solved(operation, model);
+            let errors = kinds(solved, Severity::Error);
             assert!(
                 errors.is_superset(&[CheckKind::GoesDown, CheckKind::LockUp].into()),
                 "{errors:?}"
             );
-            let negative = found(of, CheckKind::GoesDown);
-            assert_eq!(negative.value, Some(of.scalars.hook_load_N));
-            let buckled = found(of, CheckKind::HelicalBuckling);
+            let negative = found(solved, CheckKind::GoesDown);
+            assert_eq!(negative.value, Some(solved.scalars.hook_load_N));
+            let buckled = found(solved, CheckKind::HelicalBuckling);
             assert!(buckled.value > buckled.limit);
-            // In the vertical part, into the build at least, and round the heel.
+            // In the vertical part, at least into the build, and round the heel.
             assert!(buckled.md_m.unwrap() < 300.0, "{buckled:?}");
-            assert!(of.checks.windows(2).all(|pair| pair[0].severity >= pair[1].severity));
+            assert!(solved.checks.windows(2).all(|pair| pair[0].severity >= pair[1].severity));
             let sentence = "The string does not go down by its weight: hook load ";
             let named = |line: &str| {
                 line.starts_with(&format!("error: {} (", operation.replace('_', " ")))
@@ -69,7 +69,7 @@ fn the_lateral_that_cannot_be_drilled_says_so() {
     assert_eq!(weight.severity, Severity::Error);
     assert_eq!(weight.value, Some(slide.scalars.weight_on_bit_N));
     assert!((weight.limit.unwrap() / 49_033.25 - 1.0).abs() < 1e-9);
-    // The most severe come first on the screen.
+    // The most severe checks are listed first on the screen.
     let levels = text.lines().filter_map(|line| {
         let places = [Severity::Error, Severity::Warning, Severity::Note].into_iter();
         places.into_iter().find(|level| line.starts_with(&format!("{}: ", level.name())))
@@ -85,9 +85,9 @@ fn strict_ends_with_four() {
     let arguments = [&["run", &lateral, "-o", "results", "--strict"], &SOFT[..]].concat();
     let output = desk.run(&arguments);
     assert_eq!(output.status.code(), Some(4));
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(told, "error: errors were found: trip in (soft), slide (soft)\n");
-    // All results are there.
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(stderr, "error: errors were found: trip in (soft), slide (soft)\n");
+    // All results exist.
     assert_eq!(desk.summary("results").operations.len(), 2);
     assert!(desk.path("results/report.html").exists());
 
@@ -96,8 +96,8 @@ fn strict_ends_with_four() {
     assert_eq!(output.status.code(), Some(0));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(!text.contains("error") && !text.contains("warning"), "{text}");
-    for of in desk.summary("out/Straight slant").operations {
-        assert_eq!(of.open_checks().next(), None);
+    for operation in desk.summary("out/Straight slant").operations {
+        assert_eq!(operation.open_checks().next(), None);
     }
 }
 
@@ -112,8 +112,11 @@ fn a_sweep_counts_what_was_found() {
     };
     let output = desk.run(&arguments(&["--strict"]));
     assert_eq!(output.status.code(), Some(4));
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(told, "error: errors were found in 1 of 2 cases\n  friction=0.6: trip in (soft)\n");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(
+        stderr,
+        "error: errors were found in 1 of 2 cases\n  friction=0.6: trip in (soft)\n"
+    );
     let text = desk.text("results/sweep.csv");
     let mut lines = text.lines().map(split);
     let heads = lines.next().unwrap();
@@ -159,8 +162,8 @@ only = { friction = 0.6 }
 "#;
     fs::write(desk.path("study.toml"), study).unwrap();
     let output = desk.run(&["study", "study.toml", "-o", "results"]);
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(0), "{told}");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{stderr}");
     let table = desk.text("results/tables/table-01.csv");
     let mut lines = table.lines().map(split);
     let heads = lines.next().unwrap();

@@ -1,5 +1,5 @@
-//! Every column has what its declaration says: a value in every row of the models that know it, but
-//! where it shows that it may be `null`; nothing in those of the others.
+//! Every column matches its declaration: a value in every row of the models that have it, except
+//! where it is declared to be possibly `null`; none in rows of the others.
 
 use std::{collections::BTreeSet, fs};
 
@@ -10,8 +10,8 @@ use wholestring_results::{
 
 use crate::desk::{Desk, args};
 
-/// A build and a tangent, tool joints and known strength, a mud that flows, a motor; all that is
-/// kept of time.
+/// A build and a tangent, tool joints and known strength, a flowing mud, a motor; all records over
+/// time.
 const DEVIATED: &str = r#"
 name = "Deviated"
 model = ["soft", "dynamic"]
@@ -123,7 +123,7 @@ fn has_value(column: &Column, row: usize) -> bool {
     }
 }
 
-/// The model of a row; of a table that does not tell, the dynamics.
+/// The model of a row; the dynamics for a table without that column.
 fn model(models: Option<&[String]>, row: usize) -> ModelKind {
     match models.map(|models| models[row].as_str()) {
         Some("soft") => ModelKind::Soft,
@@ -132,7 +132,7 @@ fn model(models: Option<&[String]>, row: usize) -> ModelKind {
     }
 }
 
-/// Where a column that may be `null` must be, as far as the row itself shows.
+/// Whether a column that may be `null` must be, as far as the row itself determines it.
 fn must_be_null(table: &Table, column: &str, row: usize) -> Option<bool> {
     match column {
         "climb_rad" => Some(number(table, "contact_fraction", row) == Some(0.0)),
@@ -140,8 +140,8 @@ fn must_be_null(table: &Table, column: &str, row: usize) -> Option<bool> {
     }
 }
 
-/// Holds a table of a folder against its declaration, and notes by table, column and model what had
-/// a value.
+/// Checks a table of a folder against its declaration, and records by table, column and model
+/// whether there was a value.
 fn check(
     desk: &Desk,
     folder: &str,
@@ -213,7 +213,7 @@ fn every_column_has_what_it_declares() {
             check(&desk, folder, table, &mut seen);
         }
     }
-    // What may be `null` is not so always, in rows of any model that knows it.
+    // A column that may be `null` is not always so, in rows of any model that has it.
     for (name, specs) in TABLES {
         let tells_models = specs.iter().any(|spec| spec.name == "model");
         for spec in specs {
@@ -225,7 +225,7 @@ fn every_column_has_what_it_declares() {
             }
         }
     }
-    // Plain pipe of unknown strength has no joints and no use of it; the other string's pipe has
+    // Plain pipe of unknown strength has no joints and no utilization; the other string's pipe has
     // both.
     for (folder, expected) in [("plain", false), ("deviated", true)] {
         let nodes = desk.table(&format!("{folder}/nodes.parquet"));
@@ -252,7 +252,7 @@ fn every_column_has_what_it_declares() {
             assert!(finite.iter().all(|value| value.is_finite()), "{place}");
             let deviated = folder == "deviated";
             assert_eq!(solved.hydraulics.is_some(), deviated, "{place}");
-            // Only with a build, and a bit that is pressed, are there such depths.
+            // Such depths exist only with a build and a loaded bit.
             assert_eq!(scalars.cutoff_depth_m.is_some(), deviated, "{place}");
             if deviated && scalars.weight_on_bit_N > 0.0 {
                 assert!(scalars.neutral_point_m.is_some(), "{place}");

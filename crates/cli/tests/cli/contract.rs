@@ -1,5 +1,5 @@
-//! What scripts rely on: the keys of `summary.json` and the columns of the tables, for every
-//! operation and model. A key may join; one that goes or changes its type breaks them.
+//! Interface for scripts: the keys of `summary.json` and the columns of the tables, for every
+//! operation and model. A key may be added; a removed or retyped one breaks them.
 
 use std::{collections::BTreeSet, fs, path::Path};
 
@@ -25,7 +25,7 @@ const SCALARS: [&str; 10] = [
     "stretch_m",
 ];
 
-/// Numbers, or `null` where there is none.
+/// Numbers, or `null` if there is none.
 const DEPTHS: [&str; 2] = ["neutral_point_m", "cutoff_depth_m"];
 
 const STATISTIC: [&str; 9] =
@@ -69,7 +69,7 @@ fn keys_of_the_summary() {
     assert_eq!(keys(&summary), top.into());
     assert_eq!(summary["schema_version"], 3);
     assert_eq!(summary["case"], "Straight slant");
-    // A default that the case does not give.
+    // A default that is not in the case.
     assert_eq!(summary["settings"]["dynamics"]["seed"], 1);
 
     let operations = summary["operations"].as_array().unwrap();
@@ -150,25 +150,25 @@ fn check_dynamic(operation: &Value) {
         assert!(numerics[key].as_u64().unwrap() > 0, "{key}: {numerics}");
     }
     let statistics = &operation["statistics"];
-    // All that the operation holds means of.
+    // All means of the operation.
     for key in SCALARS.iter().filter(|key| **key != "bit_depth_m") {
-        let of = &statistics[key];
-        assert_eq!(keys(of), STATISTIC.into(), "{key}");
-        let value = |name: &str| of[name].as_f64().unwrap();
-        assert_eq!(of["mean"], operation[key], "{key}");
+        let statistics = &statistics[key];
+        assert_eq!(keys(statistics), STATISTIC.into(), "{key}");
+        let value = |name: &str| statistics[name].as_f64().unwrap();
+        assert_eq!(statistics["mean"], operation[key], "{key}");
         let order = ["min", "p05", "p95", "max"].map(value);
-        assert!(order.is_sorted(), "{key}: {of}");
-        // But for the rounding of a mean of equal numbers.
+        assert!(order.is_sorted(), "{key}: {statistics}");
+        // Except for the rounding of a mean of equal numbers.
         let rounding = 1e-9 * value("mean").abs();
-        assert!(value("mean") >= value("min") - rounding, "{key}: {of}");
-        assert!(value("mean") <= value("max") + rounding, "{key}: {of}");
-        assert!(value("std") >= 0.0, "{key}: {of}");
-        assert!(value("std_error") >= 0.0 && value("drift").is_finite(), "{key}: {of}");
-        assert!(of["drifts"].is_boolean(), "{key}: {of}");
+        assert!(value("mean") >= value("min") - rounding, "{key}: {statistics}");
+        assert!(value("mean") <= value("max") + rounding, "{key}: {statistics}");
+        assert!(value("std") >= 0.0, "{key}: {statistics}");
+        assert!(value("std_error") >= 0.0 && value("drift").is_finite(), "{key}: {statistics}");
+        assert!(statistics["drifts"].is_boolean(), "{key}: {statistics}");
     }
 }
 
-/// Checks that a table has these columns, each of them filled, and no number that is none.
+/// Checks that a table has these columns, each of them filled, and only finite numbers.
 fn check_table(path: &Path, texts: &[&str], numbers: &[&str]) -> usize {
     let table = Table::read_parquet(path).unwrap();
     for name in texts {
@@ -202,7 +202,7 @@ fn columns_of_the_tables() {
     assert!(rows >= 7 * 18, "{rows} rows");
 }
 
-/// Machine files are SI whatever people are shown.
+/// Machine files are SI, whatever the units on the screen.
 #[test]
 fn units_of_the_screen_leave_the_files_alone() {
     let desk = Desk::new();
@@ -217,7 +217,7 @@ fn units_of_the_screen_leave_the_files_alone() {
     assert_eq!(run("metric"), si);
 }
 
-/// Where nobody hears an error, the exit status still tells it.
+/// If standard error is closed, the exit status still reports the error.
 #[cfg(target_os = "linux")]
 #[test]
 fn an_error_that_nobody_hears() {

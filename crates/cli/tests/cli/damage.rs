@@ -1,4 +1,4 @@
-//! Damaged files: a sentence with the file's name, exit status 2, and nothing printed by a panic.
+//! Damaged files: a message with the file's name, exit status 2, and no panic.
 
 use std::{fs, path::Path, process::Output};
 
@@ -8,10 +8,10 @@ use crate::desk::{Desk, args, transcript};
 
 #[track_caller]
 fn refused(output: &Output, file: &str) {
-    let told = transcript(output);
-    assert_eq!(output.status.code(), Some(2), "{told}");
-    assert!(told.contains(file), "{told}");
-    assert!(!told.contains("panicked"), "{told}");
+    let message = transcript(output);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains(file), "{message}");
+    assert!(!message.contains("panicked"), "{message}");
 }
 
 /// Parquet that made the reader panic.
@@ -28,8 +28,8 @@ fn a_damaged_table_is_named() {
     }
 }
 
-/// A table of another command, or without one of its columns of words, is named with the column; one
-/// that lacks numbers is drawn without them. Numbers beyond all reason are drawn in no time.
+/// A table of another command, or without one of its text columns, is reported with the column; one
+/// without its numbers is drawn without them. Absurdly large numbers do not delay drawing.
 #[test]
 fn foreign_tables_and_wild_numbers_are_no_end() {
     let desk = Desk::new();
@@ -39,8 +39,8 @@ fn foreign_tables_and_wild_numbers_are_no_end() {
     let bands = desk.path("calibrated/calibration_bands.parquet");
     let whole = Table::read_parquet(&bands).unwrap();
     let without = |names: &[&str]| {
-        let kept = whole.columns().iter().filter(|of| !names.contains(&of.name.as_str()));
-        Table::new(kept.cloned().collect()).write_parquet(&bands).unwrap();
+        let rest = whole.columns().iter().filter(|column| !names.contains(&column.name.as_str()));
+        Table::new(rest.cloned().collect()).write_parquet(&bands).unwrap();
     };
     without(&["reading"]);
     for command in ["report", "plot"] {
@@ -68,7 +68,7 @@ fn foreign_tables_and_wild_numbers_are_no_end() {
     }
 }
 
-/// Cut to its first columns it names no key: the page and the plots had nothing to draw against.
+/// Cut to its first columns it has no key column: the page and the plots had no abscissa.
 #[test]
 fn a_sweep_that_lost_its_columns_is_refused() {
     let desk = Desk::new();
@@ -82,19 +82,19 @@ fn a_sweep_that_lost_its_columns_is_refused() {
             .map(|line| line.split(',').take(columns).collect::<Vec<_>>().join(","))
             .collect();
         fs::write(&path, cut.join("\n") + "\n").unwrap();
-        // With its fourth column it has all that it takes.
+        // With its fourth column it is complete.
         if columns < 3 {
             for command in ["report", "plot"] {
                 refused(&desk.run(&[command, "swept"]), "sweep.csv");
             }
         } else {
-            let told = transcript(&desk.run(&["plot", "swept"]));
-            assert!(!told.contains("panicked"), "{told}");
+            let message = transcript(&desk.run(&["plot", "swept"]));
+            assert!(!message.contains("panicked"), "{message}");
         }
     }
 }
 
-/// Each part of a key was a call within a call.
+/// Each part of a key was once a recursive call.
 #[test]
 fn keys_of_sixteen_thousand_parts_are_refused() {
     let desk = Desk::new();
@@ -105,14 +105,14 @@ fn keys_of_sixteen_thousand_parts_are_refused() {
     {
         let output = desk.run(&arguments);
         assert_eq!(output.status.code(), Some(2));
-        let told = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(told.contains("this key has 16000 parts"), "{}", &told[..500]);
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(message.contains("this key has 16000 parts"), "{}", &message[..500]);
     }
     for text in [
         format!("{key} = 1\n"),
         format!("[{key}]\nx = 1\n"),
         format!("name = \"x\"\nx = {}1{}\n", "[".repeat(16_000), "]".repeat(16_000)),
-        // The parser forgets how deep it is past a mistake.
+        // The parser loses its depth count after a mistake.
         "x = { f\" = \"d\" [b]\n".repeat(16_000),
         format!("[[sweep]]\nname = \"a\"\ncase = \"slant.toml\"\nvary = [\"{change}\"]\n"),
         format!("[[sweep]]\nname = \"a\"\ncase = \"slant.toml\"\nset = [\"{change}\"]\n"),
@@ -124,7 +124,7 @@ fn keys_of_sixteen_thousand_parts_are_refused() {
     }
 }
 
-/// A survey of more than 64 MB is no survey.
+/// A survey of more than 64 MB is refused.
 #[test]
 fn a_survey_that_is_too_large_is_refused() {
     let desk = Desk::new();

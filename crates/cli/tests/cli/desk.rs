@@ -1,4 +1,4 @@
-//! Running the program in a folder of its own.
+//! Runs the program in a temporary folder.
 
 use std::{
     env, fs,
@@ -10,11 +10,11 @@ use std::{
 
 use wholestring_results::{Summary, Table};
 
-/// What stands in place of the program that was built with the tests, as `cargo xtask portability`
-/// says it, a word on each line: an emulator, and the program for the system that it shows.
+/// Replacement for the program that was built with the tests, set by `cargo xtask portability`, one
+/// word per line: an emulator, and the program of the emulated system.
 const IN_ITS_PLACE: &str = "WHOLESTRING_IN_ITS_PLACE";
 
-/// A folder with the test's case in it.
+/// A folder that contains the test's case.
 pub(crate) struct Desk {
     folder: tempfile::TempDir,
 }
@@ -43,7 +43,7 @@ impl Desk {
         self.command(arguments).output().unwrap()
     }
 
-    /// The same of a command that must succeed.
+    /// The same for a command that must succeed.
     #[track_caller]
     pub(crate) fn done(&self, arguments: &[&str]) -> Output {
         let output = self.run(arguments);
@@ -51,7 +51,7 @@ impl Desk {
         output
     }
 
-    /// What a file holds, as text.
+    /// Contents of a file, as text.
     #[track_caller]
     pub(crate) fn text(&self, name: &str) -> String {
         let path = self.path(name);
@@ -63,13 +63,14 @@ impl Desk {
         Table::read_parquet(&self.path(name)).unwrap()
     }
 
-    /// Begins a command, and waits until it has come `so_far`, which it must before it ends.
+    /// Starts a command and waits for the condition `so_far`, which must hold before the command
+    /// ends.
     #[track_caller]
     pub(crate) fn begun(&self, arguments: &[&str], so_far: impl Fn() -> bool) -> Child {
         let mut command = self.command(arguments);
         let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
         let start = Instant::now();
-        // An emulator takes some hundred times as long.
+        // An emulator is about a hundred times slower.
         let patience =
             Duration::from_secs(if env::var_os(IN_ITS_PLACE).is_some() { 3600 } else { 120 });
         while !so_far() {
@@ -80,7 +81,7 @@ impl Desk {
         child
     }
 
-    /// Kills a command as soon as it has come `so_far`.
+    /// Kills a command as soon as the condition `so_far` holds.
     #[track_caller]
     pub(crate) fn killed(&self, arguments: &[&str], so_far: impl Fn() -> bool) {
         let mut child = self.begun(arguments, so_far);
@@ -88,8 +89,8 @@ impl Desk {
         child.wait().unwrap();
     }
 
-    /// What is printed on standard error by a command that is interrupted, as by Ctrl-C, so long
-    /// after it has come `so_far`.
+    /// Standard error of a command that is interrupted, as by Ctrl-C, this long after the condition
+    /// `so_far` holds.
     #[cfg(unix)]
     pub(crate) fn interrupted(
         &self,
@@ -112,7 +113,7 @@ impl Desk {
     }
 }
 
-/// The program that is built with the tests, or what stands in its place.
+/// The program that is built with the tests, or its replacement.
 fn program() -> Command {
     let Ok(words) = env::var(IN_ITS_PLACE) else {
         return Command::new(env!("CARGO_BIN_EXE_wholestring"));
@@ -123,7 +124,7 @@ fn program() -> Command {
     command
 }
 
-/// The arguments of a command line; single quotes stand around those that contain blanks.
+/// The arguments of a command line; single quotes enclose those that contain blanks.
 pub(crate) fn args(text: &str) -> Vec<&str> {
     let parts = text.split('\'').enumerate();
     let arguments = parts.map(|(place, part)| match place % 2 {
@@ -133,7 +134,7 @@ pub(crate) fn args(text: &str) -> Vec<&str> {
     arguments.collect::<Vec<_>>().concat()
 }
 
-/// What was printed, with line ends and paths the same on every system.
+/// Output, with line ends and paths the same on every system.
 pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec())
         .unwrap()
@@ -142,7 +143,7 @@ pub(crate) fn text(bytes: &[u8]) -> String {
         .replace("wholestring.exe", "wholestring")
 }
 
-/// Exit status and everything printed, for snapshots; the same on every system.
+/// Exit status and all output, for snapshots; the same on every system.
 pub(crate) fn transcript(output: &Output) -> String {
     format!(
         "exit status {}\n--- standard output\n{}--- standard error\n{}",
@@ -152,8 +153,8 @@ pub(crate) fn transcript(output: &Output) -> String {
     )
 }
 
-/// Numbers whose digits differ from processor to processor, as `#`; runs of blanks and rules, whose
-/// length goes with them, as one.
+/// Replaces numbers whose digits differ between processors with `#`, and runs of blanks and rules,
+/// whose length depends on them, with one.
 pub(crate) fn masked(transcript: &str) -> String {
     let mut masked = String::new();
     for letter in transcript.chars() {

@@ -1,4 +1,4 @@
-//! The documentation's list of keys is the program's.
+//! The documented list of keys is the program's.
 
 use std::{env, fmt::Write as _, fs, path::Path};
 
@@ -7,11 +7,11 @@ use serde_json::Value;
 const BEGIN: &str = "<!-- keys, from the schema -->\n";
 const END: &str = "<!-- end of keys -->\n";
 
-/// Set to rewrite the page.
+/// Set this to rewrite the page.
 const UPDATE: &str = "WHOLESTRING_UPDATE_DOCS";
 
-/// A heading and a table of keys for this table of the case file and those below it, once where it
-/// stands at several places.
+/// A heading and a table of keys for this table of the case file and those below it, once if it
+/// occurs at several places.
 fn describe(schema: &Value, text: &mut String) {
     let (Some(title), Some(keys)) = (schema["title"].as_str(), schema["properties"].as_object())
     else {
@@ -38,7 +38,7 @@ fn describe(schema: &Value, text: &mut String) {
     }
 }
 
-/// Holds the keys that a page lists against the schema, or rewrites them.
+/// Compares the keys on a page with the schema, or rewrites them.
 fn list(page: &str, schema: &Value) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src").join(page);
     let text = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");

@@ -1,4 +1,4 @@
-//! `run` as it ends badly: refused, without a place to write to, diverged, interrupted.
+//! Failures of `run`: refused, without an output folder, diverged, interrupted.
 
 use std::{collections::BTreeSet, fs};
 
@@ -34,8 +34,8 @@ fn a_folder_in_the_place_of_a_file() {
     assert!(message.contains("nodes.parquet"), "{message}");
 }
 
-/// Two meganewtons on the bit lock a sliding pipe up. The soft string, which has no friction of a
-/// helix here, and the other operation are solved all the same.
+/// Two meganewtons on the bit lock a sliding pipe up. The soft string, which has no helix friction
+/// here, and the other operation are solved nevertheless.
 #[test]
 fn without_an_equilibrium() {
     let desk = Desk::new();
@@ -46,12 +46,12 @@ fn without_an_equilibrium() {
     assert_eq!(output.status.code(), Some(3));
     let message = String::from_utf8(output.stderr).unwrap();
     assert!(message.contains("error: slide: the stiff string has no answer"), "{message}");
-    assert!(message.contains("locks up at MD"), "{message}");
+    assert!(message.contains("has no answer: Locks up at"), "{message}");
     let table = String::from_utf8(output.stdout).unwrap();
     assert!(table.contains("stiff*") && table.contains("Locks up at"), "{table}");
 
     let summary = desk.summary("results");
-    let solved = |of: &OperationSummary| of.status == Status::Complete;
+    let solved = |summary: &OperationSummary| summary.status == Status::Complete;
     let found: Vec<bool> = summary.operations.iter().map(solved).collect();
     assert_eq!(found, [true, false, true, true]);
     let stiff = &summary.operations[1];
@@ -60,7 +60,7 @@ fn without_an_equilibrium() {
     assert_eq!(kinds, [CheckKind::LockUp]);
     let nodes = desk.table("results/nodes.parquet");
     let rows = nodes.words("operation").unwrap().iter().zip(nodes.words("model").unwrap());
-    let solved: BTreeSet<String> = rows.map(|(of, model)| format!("{of} {model}")).collect();
+    let solved: BTreeSet<String> = rows.map(|(row, model)| format!("{row} {model}")).collect();
     assert_eq!(solved, ["slide soft", "trip_out soft", "trip_out stiff"].map(Into::into).into());
     assert!(desk.path("results/report.html").is_file());
 }
@@ -75,12 +75,12 @@ fn diverged() {
     ));
     assert_eq!(output.status.code(), Some(3));
     let message = String::from_utf8(output.stderr).unwrap();
-    // Nobody means such a hook load, which is said first.
-    let told = message.split_once("error: ");
-    let (warning, message) = told.unwrap_or_else(|| panic!("{message}"));
+    // Such a hook load is surely unintended, which the first message reports.
+    let parts = message.split_once("error: ");
+    let (warning, message) = parts.unwrap_or_else(|| panic!("{message}"));
     assert!(warning.starts_with("warning: `hook_load` is unusually large"), "{warning}");
     assert!(message.starts_with("trip_out: the run diverged"), "{message}");
-    assert!(message.ends_with("what was computed is in results\n"), "{message}");
+    assert!(message.ends_with("partial results are in results\n"), "{message}");
     let table = String::from_utf8(output.stdout).unwrap();
     assert!(
         table.contains("dynamic*") && table.contains("\n* as far as it was computed\n"),
@@ -95,7 +95,7 @@ fn diverged() {
     assert!(matches!(&dynamic.status, Status::Failed(reason) if message.contains(reason)));
     let time = desk.table("results/time.parquet");
     assert!(time.rows() > 0);
-    // No number in a file is none: JSON would say `null` where the contract has a number.
+    // All numbers in a file are finite: JSON would have `null` where the contract has a number.
     let numerics = dynamic.numerics.as_ref().expect("a dynamic model");
     assert_eq!(
         (numerics.run.energy_residual, numerics.run.energy),
@@ -114,18 +114,18 @@ fn diverged() {
     }
 }
 
-/// Ctrl-C keeps what was computed, and says so. Other systems than Unix have no way to send it to
-/// another process from a test.
+/// Ctrl-C keeps the computed results and reports them. Only Unix can send it to another process
+/// from a test.
 #[cfg(unix)]
 #[test]
 fn interrupted() {
     let desk = Desk::new();
     let endless = args("run slant.toml -o results --set 'dynamics.duration=3600 s'");
-    // The soft string is on the disk when the dynamics begin.
+    // The soft string's results are written before the dynamics begin.
     let begun = || desk.path("results/summary.json").exists();
     assert_eq!(
         desk.interrupted(&endless, begun, std::time::Duration::from_millis(500)),
-        "interrupted: what was computed is in results\n\
+        "interrupted: partial results are in results\n\
          to continue, run the case with --resume results\n"
     );
 
@@ -136,7 +136,7 @@ fn interrupted() {
     assert!(time.rows() > 0);
 }
 
-/// A run that is stopped before its window begins has a profile of what it sampled until then.
+/// A run that is stopped before its window begins has a profile of its samples until then.
 #[test]
 fn a_profile_without_window() {
     let desk = Desk::new();

@@ -64,7 +64,7 @@ fn a_sweep_by_the_depth_of_the_bit() {
     assert!(text(&refused.stderr).contains("whose cases may differ"), "{}", transcript(&refused));
 }
 
-/// Eight digits, three decimals, every digit: as the format has them.
+/// Eight digits, three decimals, or every digit, depending on the format.
 #[test]
 fn a_survey_goes_out_and_comes_back() {
     let desk = Desk::new();
@@ -112,8 +112,8 @@ fn a_string_as_a_tally() {
     assert!(desk.text("slant-tally.xml").contains("<Len uom=\"ft\">1968.5039</Len>"));
 }
 
-/// A tally has the metal of each component, in every format and set of units that tables have, and is
-/// read again: lighter pipe is not refused for its weight.
+/// A tally has the metal of each component, in every format and set of units that tables have, and
+/// can be read again: lighter pipe is not refused for its weight.
 #[test]
 fn a_string_of_aluminium_goes_out_and_comes_back() {
     let desk = Desk::new();
@@ -122,7 +122,7 @@ fn a_string_of_aluminium_goes_out_and_comes_back() {
     let metal = "component = \"pipe\"\ndensity = 2800\nyoungs_modulus = \"71 GPa\"\n\
                  shear_modulus = \"26.7 GPa\"";
     fs::write(desk.path("light.toml"), format!("{head}{metal}{pipe}")).unwrap();
-    let of = |case: &str| {
+    let properties = |case: &str| {
         let folder = format!("{case}-results");
         desk.done(&["run", case, "--set", "model=soft", "-q", "-o", &folder]);
         let summary = desk.summary(&folder);
@@ -135,7 +135,7 @@ fn a_string_of_aluminium_goes_out_and_comes_back() {
         ];
         string.iter().map(|part| numbers.map(|key| part[key].as_f64().unwrap())).collect::<Vec<_>>()
     };
-    let before = of("light.toml");
+    let before = properties("light.toml");
     assert_eq!(before.last().unwrap()[..3], [2800.0, 71e9, 26.7e9]);
     for (units, format) in [("si", "csv"), ("field", "csv"), ("metric", "xlsx")] {
         desk.done(&["export", "light.toml", "--what", "tally", "--to", format, "--units", units]);
@@ -153,9 +153,9 @@ fn a_string_of_aluminium_goes_out_and_comes_back() {
         let after = after.split_once("\n[").map_or(String::new(), |(_, rest)| format!("[{rest}"));
         let again = format!("again-{units}.toml");
         fs::write(desk.path(&again), format!("{rest}{string}{after}")).unwrap();
-        for (one, other) in before.iter().zip(of(&again)) {
+        for (one, other) in before.iter().zip(properties(&again)) {
             for (one, other) in one.iter().zip(other) {
-                // Units that people read have factors of nine digits.
+                // Display units have factors of nine digits.
                 assert!((one - other).abs() <= 5e-8 * one.abs(), "{units}: {one} {other}");
             }
         }
@@ -164,7 +164,7 @@ fn a_string_of_aluminium_goes_out_and_comes_back() {
     assert!(transcript(&witsml).contains("of other metals than steel are left out"));
 }
 
-/// A file that is exported replaces another one whole or not at all; a device is written to.
+/// An exported file replaces another one entirely or not at all; a device is written to directly.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_leaves_what_was_there() {
@@ -175,8 +175,8 @@ fn a_full_disk_leaves_what_was_there() {
     ] {
         let full = desk.run(arguments);
         assert_eq!(full.status.code(), Some(3), "{}", transcript(&full));
-        let told = transcript(&full);
-        assert!(told.contains("cannot write /dev/full: the disk is full"), "{told}");
+        let message = transcript(&full);
+        assert!(message.contains("cannot write /dev/full: the disk is full"), "{message}");
     }
     desk.done(&["survey", "survey.csv", "-o", "/dev/null"]);
 }
@@ -185,7 +185,7 @@ fn a_full_disk_leaves_what_was_there() {
 fn what_cannot_be_exported_is_said() {
     let desk = Desk::new();
     for (arguments, sentence) in [
-        ("export slant.toml --to csv", "say which of them is exported: survey or tally"),
+        ("export slant.toml --to csv", "choose which of them to export: survey or tally"),
         ("export slant.toml --to csv --what results", "a case file has no results"),
         ("export slant.toml --to text --what tally", "a string is not exported as a text report"),
         ("export nothing.toml --to csv --what survey", "nothing.toml"),

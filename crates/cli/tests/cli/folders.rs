@@ -1,5 +1,5 @@
-//! Whose a folder is: results are not replaced by those of another case, and no two programs write
-//! to one folder.
+//! Ownership of folders: results are not replaced by those of another case, and no two programs
+//! write to one folder.
 
 use std::{collections::BTreeSet, fs, path::Path, process::Output};
 
@@ -19,12 +19,12 @@ fn soft(desk: &Desk, more: &[&str]) -> (i32, String, String) {
     words(&desk.run(&[&["run", "slant.toml"], &SOFT[..], more].concat()))
 }
 
-/// What a command says that is refused.
+/// Output of a command that is refused.
 #[track_caller]
 fn refused(desk: &Desk, arguments: &[&str]) -> String {
-    let (status, _, said) = words(&desk.run(arguments));
-    assert_eq!(status, 2, "{said}");
-    said
+    let (status, _, stderr) = words(&desk.run(arguments));
+    assert_eq!(status, 2, "{stderr}");
+    stderr
 }
 
 #[test]
@@ -32,28 +32,28 @@ fn another_case_goes_to_a_folder_of_its_own() {
     let desk = Desk::new();
     let friction =
         |folder: &str| desk.summary(folder).settings["well"]["hole"][0]["friction"].clone();
-    let (status, _, said) = soft(&desk, &[]);
-    assert_eq!((status, said.as_str()), (0, ""));
+    let (status, _, stderr) = soft(&desk, &[]);
+    assert_eq!((status, stderr.as_str()), (0, ""));
     let first = fs::read(desk.path("out/Straight slant/summary.json")).unwrap();
-    let (status, told, said) = soft(&desk, &["--set", "friction=0.4"]);
+    let (status, stdout, stderr) = soft(&desk, &["--set", "friction=0.4"]);
     assert_eq!(status, 0);
     assert_eq!(
-        said,
-        "note: out/Straight slant holds other results, and is left alone: these go to out/Straight slant-2\n"
+        stderr,
+        "note: out/Straight slant holds other results and is not changed: these are written to out/Straight slant-2\n"
     );
-    assert!(told.ends_with("Results in out/Straight slant-2\n"), "{told}");
+    assert!(stdout.ends_with("Results in out/Straight slant-2\n"), "{stdout}");
     assert_eq!(friction("out/Straight slant-2")["kinetic"], 0.4);
     assert_eq!(fs::read(desk.path("out/Straight slant/summary.json")).unwrap(), first);
-    // Each again: into its own, whatever it is called and shown in.
+    // Each again, into its own folder, whatever its name and units.
     assert_eq!(soft(&desk, &["--set", "friction=0.4"]).0, 0);
-    let (status, told, said) = soft(&desk, &["--set", "units=metric"]);
-    assert_eq!((status, said.as_str()), (0, ""));
-    assert!(told.ends_with("Results in out/Straight slant\n"), "{told}");
+    let (status, stdout, stderr) = soft(&desk, &["--set", "units=metric"]);
+    assert_eq!((status, stderr.as_str()), (0, ""));
+    assert!(stdout.ends_with("Results in out/Straight slant\n"), "{stdout}");
     assert!(!desk.path("out/Straight slant-3").exists());
-    // Where it may replace what is there, it does.
-    let (status, told, _) = soft(&desk, &["--set", "friction=0.5", "--overwrite"]);
+    // With permission, it replaces the existing results.
+    let (status, stdout, _) = soft(&desk, &["--set", "friction=0.5", "--overwrite"]);
     assert_eq!(status, 0);
-    assert!(told.ends_with("Results in out/Straight slant\n"), "{told}");
+    assert!(stdout.ends_with("Results in out/Straight slant\n"), "{stdout}");
     assert_eq!(friction("out/Straight slant")["kinetic"], 0.5);
 }
 
@@ -65,34 +65,34 @@ fn a_named_folder_with_another_case_is_refused() {
     desk.done(&["plot", "results"]);
     fs::write(desk.path("results/notes.txt"), "mine").unwrap();
     let other = ["-o", "results", "--set", "friction=0.4"];
-    let (status, told, said) = soft(&desk, &other);
-    assert_eq!((status, told.as_str()), (2, ""));
+    let (status, stdout, stderr) = soft(&desk, &other);
+    assert_eq!((status, stdout.as_str()), (2, ""));
     assert_eq!(
-        said,
+        stderr,
         "error: results holds the run \"Straight slant\" with other settings or data\n\
-         name another folder with -o, or add --overwrite to replace what lies there\n"
+         name another folder with -o, or add --overwrite to replace its contents\n"
     );
     assert!(desk.path("results/time.csv").exists());
-    // What it left goes with it, and nothing else.
+    // It removes the files of the old run, and nothing else.
     assert_eq!(soft(&desk, &[&other[..], &["--overwrite"]].concat()).0, 0);
     assert_eq!(desk.summary("results").operations.len(), 2);
     for gone in ["time.csv", "spectra.parquet", "spectra.csv", "plots"] {
         assert!(!desk.path("results").join(gone).exists(), "{gone}");
     }
     assert!(desk.path("results/notes.txt").exists());
-    // A run is no sweep.
+    // A run is not a sweep.
     let sweep = args("sweep slant.toml --vary friction=0.1 -o results");
-    let said = refused(&desk, &[&sweep[..], &SOFT].concat());
-    assert!(said.contains("results holds the run of another case"), "{said}");
-    // Results of a version that did not say of which case they are.
+    let stderr = refused(&desk, &[&sweep[..], &SOFT].concat());
+    assert!(stderr.contains("results holds the run of another case"), "{stderr}");
+    // Results of a version that did not record their case.
     let path = desk.path("results/summary.json");
     let mut summary: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
     summary.as_object_mut().unwrap().remove("identity");
     fs::write(&path, summary.to_string()).unwrap();
     fs::remove_file(desk.path("results/.wholestring")).unwrap();
-    let (status, _, said) = soft(&desk, &other);
+    let (status, _, stderr) = soft(&desk, &other);
     assert_eq!(status, 2);
-    assert!(said.contains("an earlier version"), "{said}");
+    assert!(stderr.contains("an earlier version"), "{stderr}");
 }
 
 #[test]
@@ -115,13 +115,13 @@ fn sweeps_are_not_replaced_by_other_sweeps() {
     assert_eq!(sweep(&[&other[..], &into].concat()).0, 2);
     assert_eq!(sweep(&[&other[..], &into, &["--overwrite"]].concat()).0, 0);
     assert_ne!(fs::read(&table).unwrap(), first);
-    // The case that is in both was written anew, the other is gone.
+    // The case in both sweeps was solved again, the other is removed.
     assert!(desk.path("out/Straight slant sweep/friction=0.1").exists());
     assert!(!desk.path("out/Straight slant sweep/friction=0.2").exists());
 }
 
-/// What is finished is so for the same case alone: a bend, an eccentricity and the tolerance of the
-/// lift were none of the settings that were compared.
+/// A case counts as finished only for the same settings: a bend, an eccentricity and the tolerance
+/// of the lift were once missing from the comparison.
 #[test]
 fn a_resumed_sweep_does_not_take_the_answers_of_another_case() {
     let desk = Desk::new();
@@ -133,25 +133,25 @@ fn a_resumed_sweep_does_not_take_the_answers_of_another_case() {
     let path = desk.path("swept/friction=0.1/summary.json");
     let written = || fs::metadata(&path).unwrap().modified().unwrap();
     let first = written();
-    let (status, _, said) = with(&["--resume"]);
-    assert_eq!((status, said.as_str()), (0, ""));
+    let (status, _, stderr) = with(&["--resume"]);
+    assert_eq!((status, stderr.as_str()), (0, ""));
     assert_eq!(written(), first);
     let mut before = first;
     for change in ["string.0.bend=1 deg", "string.0.eccentricity=2 mm", "hoist.tolerance=0.02"] {
-        // A bend of the only component stands where it is told to; with no bend it stands nowhere.
+        // A bend of the only component is at the given place; without a bend, the place is unused.
         let place = ["--set", "string.0.bend_at=20 m"];
         let place = if change.contains("bend") { &place[..] } else { &[] };
-        let (status, _, said) = with(&[&["--resume", "--set", change], place].concat());
-        assert_eq!(status, 0, "{said}");
-        assert!(said.contains("it is of another case"), "{change}: {said}");
-        assert!(said.contains("it begins anew"), "{change}: {said}");
+        let (status, _, stderr) = with(&[&["--resume", "--set", change], place].concat());
+        assert_eq!(status, 0, "{stderr}");
+        assert!(stderr.contains("it is of another case"), "{change}: {stderr}");
+        assert!(stderr.contains("it starts again"), "{change}: {stderr}");
         assert_ne!(written(), before, "{change}");
         before = written();
     }
 }
 
-/// The soft string of the first operation is on the disk, and nothing else: the run was killed
-/// before its first checkpoint.
+/// Only the soft string of the first operation is on disk: the run was killed before its first
+/// checkpoint.
 #[test]
 fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
     let desk = Desk::new();
@@ -159,23 +159,23 @@ fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
     let path = desk.path("results/summary.json");
     let mut summary: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
     let resume = || refused(&desk, &["run", "slant.toml", "--resume", "results"]);
-    let said = resume();
-    assert!(said.contains("is finished: nothing is left to do"), "{said}");
+    let stderr = resume();
+    assert!(stderr.contains("is finished: nothing is left to do"), "{stderr}");
     summary["operations"].as_array_mut().unwrap().truncate(1);
     assert_eq!(summary["operations"][0]["status"], "complete");
     fs::write(&path, summary.to_string()).unwrap();
     assert_eq!(
         resume(),
         "error: there is no checkpoint in results: the run ended before its first one, with 1 of 4 answers\n\
-         run the case without --resume to begin anew\n"
+         run the case without --resume to start again\n"
     );
     let other = args(
         "run slant.toml --resume results --set 'string.0.bend=1 deg' \
          --set 'string.0.bend_at=20 m'",
     );
-    let said = refused(&desk, &other);
-    assert!(said.contains("`string.0.bend_at_m` is not given there and 20.0 here"), "{said}");
-    assert!(!said.contains("is finished"), "{said}");
+    let stderr = refused(&desk, &other);
+    assert!(stderr.contains("`string.0.bend_at_m` is not given there and 20.0 here"), "{stderr}");
+    assert!(!stderr.contains("is finished"), "{stderr}");
 }
 
 #[test]
@@ -189,35 +189,35 @@ fn a_second_program_is_kept_out_and_an_unfinished_run_is_kept() {
         "error: another run is writing to results\n\
          wait until it has ended, or name another folder with -o\n"
     );
-    // Nor may it be replaced, or continued.
+    // It can be neither replaced nor continued.
     refused(&desk, &[&long[..], &["--overwrite"]].concat());
     let resume = args("run slant.toml --resume results --set 'dynamics.duration=4000 s'");
-    let said = refused(&desk, &resume);
-    assert!(said.contains("another run is writing"), "{said}");
+    let stderr = refused(&desk, &resume);
+    assert!(stderr.contains("another run is writing"), "{stderr}");
     child.kill().unwrap();
     child.wait().unwrap();
-    let kept = fs::read(desk.path("results/checkpoint.bin")).unwrap();
+    let checkpoint = fs::read(desk.path("results/checkpoint.bin")).unwrap();
     assert_eq!(
         refused(&desk, &long),
         "error: results holds an unfinished run of this case\n\
-         to continue with it, run the case with --resume results; to begin anew, add --overwrite\n"
+         to continue with it, run the case with --resume results; to start again, add --overwrite\n"
     );
-    assert_eq!(fs::read(desk.path("results/checkpoint.bin")).unwrap(), kept);
-    // Another case does not take its place either.
+    assert_eq!(fs::read(desk.path("results/checkpoint.bin")).unwrap(), checkpoint);
+    // Nor does another case replace it.
     assert_eq!(soft(&desk, &["-o", "results"]).0, 2);
-    assert_eq!(fs::read(desk.path("results/checkpoint.bin")).unwrap(), kept);
+    assert_eq!(fs::read(desk.path("results/checkpoint.bin")).unwrap(), checkpoint);
     assert_eq!(soft(&desk, &["-o", "results", "--overwrite"]).0, 0);
     assert!(!desk.path("results/checkpoint.bin").exists());
 }
 
-/// The summary and nothing else, with the version that computed it; with the other ways to ask what
-/// the program can do.
+/// The summary and nothing else, with the version that computed it, together with the other machine
+/// interfaces of the program.
 #[test]
 fn programs_are_told_in_their_own_words() {
     let desk = Desk::new();
-    let (status, told, said) = soft(&desk, &["--json", "-o", "results"]);
-    assert_eq!((status, said.as_str()), (0, ""));
-    let printed: serde_json::Value = serde_json::from_str(&told).unwrap();
+    let (status, stdout, stderr) = soft(&desk, &["--json", "-o", "results"]);
+    assert_eq!((status, stderr.as_str()), (0, ""));
+    let printed: serde_json::Value = serde_json::from_str(&stdout).unwrap();
     let written = fs::read(desk.path("results/summary.json")).unwrap();
     let written: serde_json::Value = serde_json::from_slice(&written).unwrap();
     assert_eq!(printed, written);
@@ -235,8 +235,8 @@ fn programs_are_told_in_their_own_words() {
     }
 }
 
-/// Of two sweeps of one case each continues with its own; one with more values than before
-/// continues with the one that has some.
+/// Each of two sweeps of one case continues with its own folder; a sweep with more values than
+/// before continues with the folder that has some of them.
 #[test]
 fn a_resumed_sweep_finds_its_folder() {
     let desk = Desk::new();
@@ -258,7 +258,7 @@ fn a_resumed_sweep_finds_its_folder() {
     sweep("0.1,0.2,0.25", &["--resume"]);
     assert_eq!(names.map(written), before);
     written("Straight slant sweep/friction=0.25");
-    // One that shares no case with either has a folder of its own.
+    // A sweep that shares no case with either has a folder of its own.
     sweep("0.4", &["--resume"]);
     written("Straight slant sweep-3/friction=0.4");
 }
@@ -278,8 +278,8 @@ fn files(folder: &Path) -> BTreeSet<String> {
     found
 }
 
-/// Whatever a command left, with all pictures and tables that can be asked for, another one
-/// replaces it with `--overwrite` as if it had never been there.
+/// Whatever a command wrote, with all optional pictures and tables, another one replaces it with
+/// `--overwrite` as if the folder had been empty.
 #[test]
 fn nothing_stale_is_left() {
     let desk = bit_test::desk();
@@ -290,7 +290,7 @@ fn nothing_stale_is_left() {
     let read = "Bit depth (m),Pick-up (kN),Slack-off (kN),Rotating (kN)\n\
                 300,330,300,310\n700,410,340,370\n1200,470,390,420\n";
     fs::write(desk.path("read.csv"), read).unwrap();
-    let of = "-o results --overwrite";
+    let options = "-o results --overwrite";
     desk.done(&args("run slant.toml --set model=soft -o clean"));
     let clean = files(&desk.path("clean"));
     for (command, left) in [
@@ -309,10 +309,10 @@ fn nothing_stale_is_left() {
         ),
         ("calibrate shipped-slant.toml --data read.csv --png", "friction.toml"),
     ] {
-        desk.done(&[args(command), args(of)].concat());
+        desk.done(&[args(command), args(options)].concat());
         let all = files(&desk.path("results"));
         assert!(all.contains(left), "{command} left {all:?}");
-        desk.done(&args(&format!("run slant.toml --set model=soft {of}")));
+        desk.done(&args(&format!("run slant.toml --set model=soft {options}")));
         assert_eq!(files(&desk.path("results")), clean, "{command}");
     }
 }

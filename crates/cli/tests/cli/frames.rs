@@ -10,9 +10,9 @@ fn numbers(table: &Table, name: &str) -> Vec<f64> {
     table.numbers(name).expect(name).iter().copied().flatten().collect()
 }
 
-/// Frames ten times a second of the two seconds of each operation, and a spectrum of the window:
+/// Frames ten times a second over the two seconds of each operation, and a spectrum of the window:
 /// the frames agree with the table of time, the spectrum with the statistics. A later run without
-/// them leaves none.
+/// them removes both.
 #[test]
 fn frames_and_spectra() {
     let desk = Desk::new();
@@ -46,18 +46,18 @@ fn frames_and_spectra() {
     assert_eq!(names, expected);
     let (times, twists) = (numbers(&time, "time_s"), numbers(&time, "twist_rad"));
     let (frame_times, frame_twists) = (numbers(&frames, "time_s"), numbers(&frames, "twist_rad"));
-    // The last operation, whose rows come last, turns the string.
+    // The last operation, whose rows are the last, rotates the string.
     let last = frames.rows() - nodes;
     let row = times.iter().rposition(|t| *t == frame_times[last]).unwrap();
     assert!(twists[row] != 0.0);
     assert!((frame_twists[last] / twists[row] - 1.0).abs() < 1e-6, "single precision");
 
-    // One segment over the whole window: Hann's window weighs its middle, the variance comes out
-    // roughly.
+    // One segment over the whole window: because Hann's window weighs its middle, the variance is
+    // only approximate.
     let spectra = desk.table("out/spectra.parquet");
     let frequencies = numbers(&spectra, "frequency_Hz");
     assert!((frequencies[1] - 1.0).abs() < 0.03, "{}", frequencies[1]);
-    // Of either operation a scalar and two signals of two nodes.
+    // For either operation, a scalar and two signals at two nodes.
     let rows = spectra.rows() / 10;
     let density = numbers(&spectra, "density");
     let variance: f64 = density[..rows].iter().sum::<f64>() * frequencies[1];

@@ -9,7 +9,7 @@ use wholestring_results::{PlanPoint, PlanSummary};
 
 use crate::desk::{Desk, transcript};
 
-/// A folder with these samples in it.
+/// A folder that contains these samples.
 fn desk(samples: &[&str]) -> Desk {
     let desk = Desk::new();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../import/tests/samples");
@@ -20,7 +20,7 @@ fn desk(samples: &[&str]) -> Desk {
     desk
 }
 
-/// A part of a case: what it lacks is said, on the screen and in the file.
+/// A part of a case: its missing parts are listed, on the screen and in the file.
 #[test]
 fn a_survey_alone() {
     let desk = desk(&["own/survey-wellpath-report.txt"]);
@@ -30,9 +30,9 @@ fn a_survey_alone() {
         "import_survey_written",
         transcript(&desk.run(&[&import[..], &["-o", "well.toml"]].concat()))
     );
-    // What is missing is found by the check of the case, too.
+    // The missing parts are found by the check of the case, too.
     assert_eq!(desk.run(&["check", "well.toml"]).status.code(), Some(2));
-    // Nothing is written over.
+    // Nothing is overwritten.
     assert_snapshot!(
         "import_survey_again",
         transcript(&desk.run(&[&import[..], &["-o", "well.toml"]].concat()))
@@ -52,7 +52,7 @@ fn witsml_to_a_plan() {
     assert!(desk.path("plan/plan.xlsx").is_file());
 }
 
-/// From an EDM export to a plan in two commands; what it does not tell is asked for.
+/// From an EDM export to a plan in two commands; missing values are requested.
 #[test]
 fn edm_to_a_plan() {
     let desk = desk(&["own/edm-well.xml"]);
@@ -61,37 +61,37 @@ fn edm_to_a_plan() {
     let picked = ["--pick", "wellbore=WS-1", "--pick", "case=8 1/2 in drilling"];
     let picked = [&import[..], &["--pick", "well=WS-1"], &picked].concat();
     assert_snapshot!("import_edm_units", transcript(&desk.run(&picked)));
-    let said = [&picked[..], &["--unit", "edm=api"]].concat();
-    assert_snapshot!("import_edm", transcript(&desk.run(&said)));
-    // Its own drag chart lies over ours.
+    let arguments = [&picked[..], &["--unit", "edm=api"]].concat();
+    assert_snapshot!("import_edm", transcript(&desk.run(&arguments)));
+    // Its own drag chart overlays the plan.
     let plan = desk.done(&["plan", "well.toml", "--overlay", "well-overlay.csv", "-o", "plan"]);
-    let said = String::from_utf8(plan.stdout).unwrap();
-    assert!(said.contains("well-overlay.csv: ours less theirs, "), "{said}");
+    let stdout = String::from_utf8(plan.stdout).unwrap();
+    assert!(stdout.contains("well-overlay.csv: ours less theirs, "), "{stdout}");
     let summary = desk.text("plan/summary.json");
     assert!(summary.contains("well-overlay.csv"), "{summary}");
 }
 
-/// Options that nobody asked for, that say nothing, or that are said twice.
+/// Options that were not requested, that are empty, or that are given twice.
 #[test]
 fn options_that_say_nothing() {
     let desk = desk(&["own/survey-wellpath-report.txt"]);
-    let said = |options: &[&str]| {
+    let refusal = |options: &[&str]| {
         let import = [&["import", "survey-wellpath-report.txt"], options].concat();
         let output = desk.run(&import);
         assert_eq!(output.status.code(), Some(2), "{}", transcript(&output));
         String::from_utf8(output.stderr).unwrap()
     };
-    let unused = said(&["--pick", "tubular=BHA 7"]);
-    assert!(unused.contains("--pick tubular says nothing that a file asks for"), "{unused}");
-    let twice = said(&["--unit", "md=ft", "--unit", "md=m"]);
+    let unused = refusal(&["--pick", "tubular=BHA 7"]);
+    assert!(unused.contains("no file uses --pick tubular"), "{unused}");
+    let twice = refusal(&["--unit", "md=ft", "--unit", "md=m"]);
     assert!(twice.contains("--unit md= is given twice"), "{twice}");
-    let empty = said(&["--unit", "md="]);
+    let empty = refusal(&["--unit", "md="]);
     assert!(empty.contains("expected a name, `=` and a value"), "{empty}");
-    let wrong = said(&["--unit", "md=psi"]);
+    let wrong = refusal(&["--unit", "md=psi"]);
     assert!(wrong.contains("expected a unit of length"), "{wrong}");
 }
 
-/// What a file is, of each format.
+/// Detection of each file format.
 #[test]
 fn files_are_told_apart() {
     let samples = [
@@ -108,8 +108,8 @@ fn files_are_told_apart() {
     assert_snapshot!("check_of_others", checks.join("\n"));
 }
 
-/// The shipped slant well with what a round trip may lose: a stabiliser with short blades, tool joints
-/// of its own, a strength, and a path that does not begin under the origin.
+/// The shipped slant well with features that a round trip may lose: a stabiliser with short blades,
+/// tool joints of its own, a strength, and a path that does not begin under the origin.
 fn rich_case(desk: &Desk) {
     let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
     let text = fs::read_to_string(own).unwrap();
@@ -126,15 +126,24 @@ fn rich_case(desk: &Desk) {
         .unwrap();
 }
 
-/// A case that is written in a format and read again is the same, as far as the format writes digits:
+/// A case that is written in a format and read again is the same, to the digits of the format:
 /// eight significant ones, in a report hundredths of a unit of length and thousandths of a degree.
 #[test]
 fn what_is_exported_is_imported() {
     let desk = Desk::new();
     rich_case(&desk);
     let known = wholestring_case::load(&desk.path("well.toml"), &[]).unwrap();
-    let joints = known.model.string.components().iter().filter(|of| of.joints.is_some()).count();
-    assert!(joints >= 2 && known.model.string.components().iter().any(|of| of.blades.is_some()));
+    let joints = known
+        .model
+        .string
+        .components()
+        .iter()
+        .filter(|component| component.joints.is_some())
+        .count();
+    assert!(
+        joints >= 2
+            && known.model.string.components().iter().any(|component| component.blades.is_some())
+    );
     for (survey, tally, units) in [
         ("csv", "csv", "field"),
         ("xlsx", "xlsx", "si"),
@@ -155,7 +164,7 @@ fn what_is_exported_is_imported() {
         }
         let case = format!("{survey}-{units}.toml");
         desk.done(&["import", &names[0], &names[1], "-o", &case]);
-        // What neither of the two holds.
+        // Missing from both files.
         let hole = "\n[[well.hole]]\nkind = \"open\"\nto = \"1300 m\"\ndiameter = \"9 in\"\nfriction = 0.3\n\
                     [mud]\ndensity = \"1.1 sg\"\n";
         let text = desk.text(&case).replace("\n[operation]\n", &format!("{hole}\n[operation]\n"));
@@ -190,12 +199,13 @@ fn same_path(ours: &WellPath, theirs: &WellPath, length_m: f64, angle_rad: f64, 
     near(a.z, b.z, length_m, "depth of the first station");
 }
 
-/// The components of two strings. A tally has no length of blades: they are taken to be all along.
+/// Compares the components of two strings. A tally has no length of blades, which are assumed over
+/// the full length.
 #[track_caller]
 fn same_string(ours: &[Component], theirs: &[Component], format: &str, has_blades: bool) {
     assert_eq!(ours.len(), theirs.len(), "{format}");
     for (a, b) in ours.iter().zip(theirs) {
-        let of = |c: &Component| {
+        let properties = |c: &Component| {
             let blades_m = c.blades.map(|blades| blades.length_m).filter(|_| has_blades);
             [
                 ("od", Some(c.od_m)),
@@ -209,7 +219,7 @@ fn same_string(ours: &[Component], theirs: &[Component], format: &str, has_blade
                 ("yield_strength", c.yield_strength_Pa),
             ]
         };
-        for ((what, ours), (_, theirs)) in of(a).into_iter().zip(of(b)) {
+        for ((what, ours), (_, theirs)) in properties(a).into_iter().zip(properties(b)) {
             // Eight digits in a file, and lengths that end at the bit's depth.
             let near = 1e-6 * ours.unwrap_or(0.0).abs().max(1e-3);
             let is_same = match (ours, theirs) {
@@ -222,7 +232,7 @@ fn same_string(ours: &[Component], theirs: &[Component], format: &str, has_blade
     }
 }
 
-/// Results of a plan as a log of WITSML are read as one: weights and torques against the bit's depth.
+/// Results of a plan as a WITSML log are read as one: weights and torques against bit depth.
 #[test]
 fn a_log_that_is_exported_is_read() {
     let desk = Desk::new();
@@ -230,40 +240,42 @@ fn a_log_that_is_exported_is_read() {
     desk.done(&["plan", "well.toml", "-o", "plan"]);
     let summary = PlanSummary::read(&desk.path("plan/summary.json")).unwrap();
     let formats = ["witsml", "witsml2", "witsml21"];
-    for (format, units) in formats.into_iter().flat_map(|of| [(of, "si"), (of, "field")]) {
+    for (format, units) in
+        formats.into_iter().flat_map(|format| [(format, "si"), (format, "field")])
+    {
         let name = format!("{format}-{units}.xml");
         let export = ["export", "plan", "--to", format, "--units", units, "-o", &name];
         desk.done(&export);
         let text = desk.text(&name);
         let open = |choices: &Choices| log(Input::of_bytes(&name, text.as_bytes()), choices);
-        // Several are in it: one is picked.
+        // The file contains several: one is picked.
         let names = match open(&Choices::default()).map_err(|error| error.kind().clone()) {
             Err(ImportErrorKind::Ambiguous { names, .. }) => names,
             other => panic!("{:?}", other.err()),
         };
         assert!(names.len() > 4, "{names:?}");
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-7 * b.abs().max(1.0);
-        let (mut rows, mut told) = (0, 0);
+        let (mut rows, mut finite) = (0, 0);
         for picked in &names {
             for row in open(&Choices::default().pick("log", picked)).unwrap() {
                 let row = row.unwrap();
-                let is_it = |of: &&PlanPoint| {
-                    let (load_N, torque_N_m) = match &of.scalars {
-                        Some(of) => (of.hook_load_N, of.surface_torque_N_m),
+                let is_it = |point: &&PlanPoint| {
+                    let (load_N, torque_N_m) = match &point.scalars {
+                        Some(point) => (point.hook_load_N, point.surface_torque_N_m),
                         None => (f64::NAN, f64::NAN),
                     };
                     let same = |a: f64, b: f64| near(a, b) || a.is_nan() && b.is_nan();
-                    near(row.bit_depth_m, of.bit_depth_m)
+                    near(row.bit_depth_m, point.bit_depth_m)
                         && same(row.hook_load_N, load_N)
                         && same(row.torque_N_m, torque_N_m)
                 };
-                assert!(summary.points.iter().any(|of| is_it(&of)), "{picked}: {row:?}");
+                assert!(summary.points.iter().any(|point| is_it(&point)), "{picked}: {row:?}");
                 assert!(row.time_s.is_nan());
                 rows += 1;
-                told += usize::from(row.hook_load_N.is_finite());
+                finite += usize::from(row.hook_load_N.is_finite());
             }
         }
         assert_eq!(rows, summary.points.len(), "{name}");
-        assert!(told > rows / 2, "{told} of {rows}");
+        assert!(finite > rows / 2, "{finite} of {rows}");
     }
 }

@@ -1,4 +1,4 @@
-//! The program as a user meets it: what it prints, what it writes and how it ends.
+//! The program from a user's side: its output, its files and its exit status.
 
 mod bench;
 mod bha;

@@ -16,20 +16,20 @@ fn few<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&FEW, more].concat()
 }
 
-/// Terminal, folder, tables and page tell the same.
+/// Terminal, folder, tables and page agree.
 #[test]
 fn modes_of_a_slant_well() {
     let desk = Desk::new();
     let output = desk.done(&few(&["-o", "out", "--operation", "rotate_off_bottom"]));
-    let said = String::from_utf8(output.stdout).unwrap();
+    let stdout = String::from_utf8(output.stdout).unwrap();
     let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();
     assert!(summary.stable);
     assert_eq!(summary.operation, "rotate_off_bottom");
     assert_eq!(summary.settings["modes"]["orders"], serde_json::json!([1.0, 4.0]));
-    let of = |family: &str| summary.modes.iter().filter(|of| of.family == family).count();
-    assert_eq!([of("lateral"), of("axial"), of("torsional")], [3; 3]);
+    let count = |family: &str| summary.modes.iter().filter(|mode| mode.family == family).count();
+    assert_eq!([count("lateral"), count("axial"), count("torsional")], [3; 3]);
     for mode in &summary.modes {
-        assert!(said.contains(&format!("{:.4}", mode.frequency_Hz)), "{said}");
+        assert!(stdout.contains(&format!("{:.4}", mode.frequency_Hz)), "{stdout}");
         assert!((mode.energy.iter().sum::<f64>() - 1.0).abs() < 1e-9);
     }
     assert!(!summary.critical_speeds.is_empty());
@@ -51,7 +51,7 @@ fn modes_of_a_slant_well() {
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
     assert!(page.contains("Campbell diagram") && page.contains("Critical speeds"));
 
-    // The page is made of the files.
+    // The page is rebuilt from the files.
     fs::remove_file(desk.path("out/report.html")).unwrap();
     desk.done(&["report", "out"]);
     assert_eq!(fs::read_to_string(desk.path("out/report.html")).unwrap(), page);
@@ -62,24 +62,24 @@ fn modes_of_a_slant_well() {
     }
 }
 
-/// The map is of the operation that drills, whichever is asked for; terminal, tables and page tell
-/// the same of it.
+/// The map is of the operation that drills, whichever is requested; terminal, tables and page
+/// agree.
 #[test]
 fn a_map_of_torsional_stability() {
     let desk = Desk::new();
     let drills = "operation.kind=[\"trip_out\", \"drill\"]";
     let heaviest = ["--set", "modes.heaviest=120 kN", "--set", "modes.highest_frequency=3"];
-    // Without friction that falls with speed there would be no such map.
+    // Without friction that decreases with speed there would be no such map.
     let falls = ["--set", "modes.static_over_kinetic=1.2"];
-    let asked = [&["--set", drills, "-o", "out"], &heaviest[..], &falls].concat();
-    let output = desk.done(&few(&asked));
-    let said = String::from_utf8(output.stdout).unwrap();
+    let arguments = [&["--set", drills, "-o", "out"], &heaviest[..], &falls].concat();
+    let output = desk.done(&few(&arguments));
+    let stdout = String::from_utf8(output.stdout).unwrap();
     let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();
     assert_eq!(summary.no_torsional_stability, None);
     let stability = summary.torsional_stability.expect("a string that drills");
     assert_eq!(stability.highest_frequency_Hz, 3.0);
     assert!(stability.complete);
-    assert!(said.contains("steady rotation is "), "{said}");
+    assert!(stdout.contains("steady rotation is "), "{stdout}");
     let table = Table::read_parquet(&desk.path("out/stability.parquet")).unwrap();
     assert!(table.is_like(&Table::with_columns(STABILITY)));
     assert_eq!(table.rows(), 20 * 19);
@@ -99,7 +99,7 @@ fn a_map_of_torsional_stability() {
     assert!(transcript(&output).contains("the map of [modes] has no weights on bit"));
 }
 
-/// A map of the vertical case up to a weight, and what the terminal shows.
+/// A map of the vertical case up to a weight, and the output on the terminal.
 fn of_vertical(more: &[&str]) -> (ModesSummary, String) {
     let desk = Desk::new();
     let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/vertical.toml");
@@ -110,8 +110,8 @@ fn of_vertical(more: &[&str]) -> (ModesSummary, String) {
     (summary, String::from_utf8(output.stdout).unwrap())
 }
 
-/// Where neither the bit's torque nor the friction falls with speed, a map on which every point is
-/// stable is no result: the reason says what the case lacks, and a usual ratio.
+/// If neither the bit's torque nor the friction decreases with speed, a map on which every point is
+/// stable is no result: the reason names the missing input of the case, and a usual ratio.
 #[test]
 fn no_map_where_nothing_falls_with_speed() {
     let light = ["--set", "modes.heaviest=80 kN"];
@@ -127,20 +127,20 @@ fn no_map_where_nothing_falls_with_speed() {
     assert!(!stability.driven_by_rate);
 }
 
-/// Under more weight the same case has unstable speeds: its bit drills less where it turns slower,
-/// which adds weight and torque. The map names that cause.
+/// Under more weight the same case has unstable speeds: its bit drills less at lower speed, which
+/// adds weight and torque. The map names that cause.
 #[test]
 fn a_map_that_the_rate_of_penetration_drives_says_so() {
-    let (summary, said) = of_vertical(&[]);
+    let (summary, stdout) = of_vertical(&[]);
     let stability = summary.torsional_stability.expect("a map");
     assert!(stability.driven_by_rate, "{stability:?}");
-    assert!(said.contains("is driven by the rate of penetration"), "{said}");
-    // A bit whose torque does not follow its weight has no such cause, and so no map.
+    assert!(stdout.contains("is driven by the rate of penetration"), "{stdout}");
+    // A bit whose torque does not depend on its weight has no such cause, and therefore no map.
     let (summary, _) = of_vertical(&["--set", "bit.torque=1 N.m"]);
     assert!(summary.torsional_stability.is_none());
 }
 
-/// Eccentric collars push by themselves.
+/// Eccentric collars excite without any other source.
 #[test]
 fn what_is_eccentric_is_what_pushes() {
     let desk = Desk::new();
@@ -151,7 +151,7 @@ fn what_is_eccentric_is_what_pushes() {
     assert_eq!(summary.forcing, "imbalance of the eccentric components");
 }
 
-/// Bad input gets an answer.
+/// Invalid input is reported.
 #[test]
 fn an_operation_that_the_case_lacks() {
     let desk = Desk::new();

@@ -1,11 +1,11 @@
-//! `new`: a case to begin with.
+//! `new`: a case to start from.
 
 use std::time::Instant;
 
 use crate::desk::{Desk, transcript};
 use insta::assert_snapshot;
 
-/// It is valid, without a warning, and runs as it is; every line that says something is explained.
+/// It is valid without a warning and runs unchanged; every line with a value is explained.
 #[test]
 fn a_new_case_runs() {
     let desk = Desk::new();
@@ -15,12 +15,12 @@ fn a_new_case_runs() {
     assert_snapshot!("new_case_checked", transcript(&desk.run(&["check", "north-1.toml"])));
     let start = Instant::now();
     desk.done(&["run", "north-1.toml", "-o", "out"]);
-    // A second where the machine is free; a crowded one has its time.
+    // A second on an idle machine; a loaded one may take longer.
     assert!(start.elapsed().as_secs() < 60);
     assert_eq!(desk.summary("out").operations.len(), 5);
 }
 
-/// Its dynamics are not requested, but sound.
+/// Its dynamics are not requested, but valid.
 #[test]
 fn its_dynamics_are_sound() {
     let desk = Desk::new();
@@ -29,7 +29,7 @@ fn its_dynamics_are_sound() {
     assert!(check.stderr.is_empty(), "{}", transcript(&check));
 }
 
-/// Each key of the file has its comment, but for what repeats a key that has one.
+/// Each key of the file has a comment, unless it repeats a key that has one.
 #[test]
 fn every_line_is_explained() {
     let desk = Desk::new();
@@ -62,7 +62,7 @@ fn nothing_is_written_over() {
     );
 }
 
-/// A name is a text of TOML, whatever is in it.
+/// A name is a TOML string, whatever its characters.
 #[test]
 fn a_name_with_a_point_and_quotes() {
     let desk = Desk::new();

@@ -1,4 +1,4 @@
-//! `plan`: broomsticks, weights to buckle and limits at every depth of the bit.
+//! `plan`: broomsticks, buckling weights and limits at every bit depth.
 
 use std::{fs, path::Path};
 
@@ -24,17 +24,17 @@ fn few<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&FEW, more].concat()
 }
 
-/// The same of the slant well that is shipped, whose pipe is of the catalogue.
+/// The same for the shipped slant well, whose pipe is from the catalogue.
 fn few_of_well<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&["plan", "well.toml"], &FEW[2..], more].concat()
 }
 
-/// Terminal, summary, tables, page and workbook tell the same, and the page is made again of the files.
+/// Terminal, summary, tables, page and workbook agree, and the page is rebuilt from the files.
 #[test]
 fn a_plan_of_a_slant_well() {
     let desk = Desk::new();
     let output = desk.done(&few(&["-o", "out"]));
-    let said = String::from_utf8(output.stdout).unwrap();
+    let stdout = String::from_utf8(output.stdout).unwrap();
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     assert_eq!(summary.operations, ["trip_out", "trip_in", "rotate_off_bottom", "drill"]);
     assert_eq!(summary.models, ["soft"]);
@@ -47,7 +47,7 @@ fn a_plan_of_a_slant_well() {
         for level in ["low", "expected", "high"] {
             let last = summary.curve("soft", operation, level).last().expect("points");
             let hook_kN = 1e-3 * last.scalars.expect("an answer").hook_load_N;
-            assert!(said.contains(&format!("{hook_kN:.1}")), "{said}");
+            assert!(stdout.contains(&format!("{hook_kN:.1}")), "{stdout}");
         }
     }
     for (name, columns) in [
@@ -101,14 +101,14 @@ fn limits_stand_on_the_broomstick() {
         "operation.flow_rate=30 l/s",
         "operation.wob=50 kN",
     ];
-    let rig: Vec<&str> = rig.iter().flat_map(|of| ["--set", of]).collect();
+    let rig: Vec<&str> = rig.iter().flat_map(|rig| ["--set", rig]).collect();
     desk.done(&few_of_well(&[&["-o", "out", "--quiet"][..], &rig].concat()));
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let limits = &summary.surface_limits;
-    let hoist = limits.iter().find(|of| of.kind == "hoist").unwrap();
+    let hoist = limits.iter().find(|limit| limit.kind == "hoist").unwrap();
     assert!((hoist.allowed - (0.9 * 600e3 - 100e3)).abs() < 1e-6, "{hoist:?}");
-    let of_torque = limits.iter().filter(|of| of.is_torque);
-    let kinds: Vec<&str> = of_torque.map(|of| of.kind.as_str()).collect();
+    let of_torque = limits.iter().filter(|limit| limit.is_torque);
+    let kinds: Vec<&str> = of_torque.map(|of_torque| of_torque.kind.as_str()).collect();
     assert_eq!(kinds, ["top_drive", "top_drive_peak", "make_up", "torsion"]);
     let table = desk.table("out/plan_surface_limits.parquet");
     assert!(table.is_like(&Table::with_columns(PLAN_SURFACE_LIMITS)));
@@ -120,14 +120,14 @@ fn limits_stand_on_the_broomstick() {
         assert!(!column.is_empty(), "{name}");
         assert!(column.iter().all(|cell| cell.parse() == Ok(value)), "{name}: {column:?}");
     };
-    for of in limits {
-        let (table, name) = match of.is_torque {
-            true => (&torque, format!("{}_limit_surface_torque_N_m", of.kind)),
-            false => (&hook_load, format!("{}_limit_hook_load_N", of.kind)),
+    for limit in limits {
+        let (table, name) = match limit.is_torque {
+            true => (&torque, format!("{}_limit_surface_torque_N_m", limit.kind)),
+            false => (&hook_load, format!("{}_limit_hook_load_N", limit.kind)),
         };
-        line(table, &name, of.allowed);
+        line(table, &name, limit.allowed);
     }
-    // So are the mud at rest, the pump's limit and the weight that the case drills with.
+    // The same holds for the static mud pressure, the pump's limit and the case's weight on bit.
     let mud = csv("hydraulics");
     line(&mud, "mud_density_kg_per_m3", 1200.0);
     line(&mud, "pump_limit_standpipe_pressure_Pa", 30e6);
@@ -136,22 +136,23 @@ fn limits_stand_on_the_broomstick() {
     assert!(picture.contains(">top drive<") && picture.contains(">top drive, peak<"));
 }
 
-/// Of each operation one limit that breaks or stops, with the least reserve of its kind of all
-/// rows: on the screen, on the page and in the summary. Less is left of buckling, which breaks
-/// nothing.
+/// For each operation, the one limit that breaks or stops with the smallest margin of all rows: on
+/// the screen, on the page and in the summary. The margin to buckling, which breaks nothing, is
+/// smaller.
 #[test]
 fn the_governing_limit_of_each_operation_is_given() {
     let desk = desk_with("");
     let rig = ["--set", "rig.top_drive_torque=5 kN.m", "--set", "operation.wob=100 kN"];
     let output = desk.done(&few_of_well(&[&["-o", "out"][..], &rig].concat()));
-    let said = String::from_utf8(output.stdout).unwrap();
+    let stdout = String::from_utf8(output.stdout).unwrap();
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
-    let operations: Vec<&str> = summary.governing.iter().map(|of| &*of.operation).collect();
+    let operations: Vec<&str> =
+        summary.governing.iter().map(|governing| &*governing.operation).collect();
     let mut all = summary.operations.clone();
     all.sort();
-    let mut told = operations.clone();
-    told.sort_unstable();
-    assert_eq!(told, all);
+    let mut sorted = operations.clone();
+    sorted.sort_unstable();
+    assert_eq!(sorted, all);
     let limits = desk.table("out/plan_limits.parquet");
     let words = |name: &str| limits.words(name).unwrap();
     let numbers = |name: &str| limits.numbers(name).unwrap();
@@ -173,15 +174,16 @@ fn the_governing_limit_of_each_operation_is_given() {
         }
     }
     let drilling = "drill, high friction, bit at ";
-    assert!(said.contains(drilling), "{said}");
+    assert!(stdout.contains(drilling), "{stdout}");
     assert!(desk.text("out/report.html").contains(drilling));
-    let pick_up = summary.governing.iter().find(|of| of.operation == "trip_out").unwrap();
+    let pick_up =
+        summary.governing.iter().find(|governing| governing.operation == "trip_out").unwrap();
     let place = format!("of {} at ", pick_up.check.component.as_deref().unwrap());
-    let sentence = said.lines().find(|line| line.trim_start().starts_with("trip out, ")).unwrap();
+    let sentence = stdout.lines().find(|line| line.trim_start().starts_with("trip out, ")).unwrap();
     assert!(sentence.contains(&place), "{sentence}");
 }
 
-/// One thread or four, the answers are the same.
+/// One thread and four give the same results.
 #[test]
 fn a_plan_does_not_depend_on_threads() {
     let desk = Desk::new();
@@ -193,7 +195,7 @@ fn a_plan_does_not_depend_on_threads() {
     }
 }
 
-/// A string that locks up is a row with a reason, not a lost plan.
+/// A string that locks up gives a row with a reason and does not fail the plan.
 #[test]
 fn what_has_no_answer_says_why() {
     let desk = Desk::new();
@@ -218,16 +220,16 @@ fn what_has_no_answer_says_why() {
         assert_eq!(point.scalars.is_none(), point.message.is_some());
     }
     assert_eq!(summary.points.len(), summary.bit_depths_m.len() * 2 * 3);
-    let locks_up = |of: &&wholestring_results::PlanPoint| {
-        of.message.as_ref().is_some_and(|why| why.contains("locks up"))
+    let locks_up = |point: &&wholestring_results::PlanPoint| {
+        point.message.as_ref().is_some_and(|why| why.contains("locks up"))
     };
-    assert!(summary.points.iter().any(|of| of.operation == "slide" && locks_up(&of)));
-    assert!(!summary.points.iter().any(|of| of.operation == "trip_in" && locks_up(&of)));
+    assert!(summary.points.iter().any(|point| point.operation == "slide" && locks_up(&point)));
+    assert!(!summary.points.iter().any(|point| point.operation == "trip_in" && locks_up(&point)));
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
     assert!(page.contains("Without an answer"));
 }
 
-/// Another case's results are left alone, and what is asked in vain gets an answer.
+/// Another case's results stay unchanged, and impossible requests are reported.
 #[test]
 fn bad_input_gets_an_answer() {
     let desk = Desk::new();
@@ -240,7 +242,8 @@ fn bad_input_gets_an_answer() {
     assert!(transcript(&output).contains("low friction is more than expected friction"));
 }
 
-/// Bands of uncertain numbers on the screen, the page and in the workbook's tables; the page is made again.
+/// Bands of uncertain inputs on the screen, the page and in the workbook's tables; the page is
+/// rebuilt.
 #[test]
 fn a_plan_of_uncertain_numbers() {
     let desk = Desk::new();
@@ -248,9 +251,15 @@ fn a_plan_of_uncertain_numbers() {
         { key = \"friction\", mean = 0.25, std = 0.03, from = 0.1 }]";
     let more = ["--set", uncertain, "--set", "plan.uncertain.samples=40"];
     let output = desk.done(&few(&[&more[..], &["-o", "out"]].concat()));
-    let said = String::from_utf8(output.stdout).unwrap();
-    assert!(said.contains("Bands: 5 to 95 % of 40 samples of 2 uncertain numbers, soft"), "{said}");
-    assert!(said.contains("trip out: hook load ") && said.contains("% due to friction"), "{said}");
+    let stdout = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        stdout.contains("Bands: 5 to 95 % of 40 samples of 2 uncertain numbers, soft"),
+        "{stdout}"
+    );
+    assert!(
+        stdout.contains("trip out: hook load ") && stdout.contains("% due to friction"),
+        "{stdout}"
+    );
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let found = summary.uncertain.expect("bands");
     assert_eq!((found.samples, found.solved, found.lacking), (40, 40, 0));
@@ -265,7 +274,7 @@ fn a_plan_of_uncertain_numbers() {
         assert!(table.rows() > 0 && desk.path(&format!("out/{name}.csv")).is_file(), "{name}");
     }
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
-    for expected in ["What is uncertain", "Bands", "Sensitivity", "Sobol indices"] {
+    for expected in ["Uncertain inputs", "Bands", "Sensitivity", "Sobol indices"] {
         assert!(page.contains(expected), "{expected}");
     }
     for name in ["report.html", "plan.xlsx"] {
@@ -276,7 +285,8 @@ fn a_plan_of_uncertain_numbers() {
     assert!(fs::read(desk.path("out/plan.xlsx")).unwrap().starts_with(b"PK"));
 }
 
-/// Another program's curves: ours of one plan, laid over the same plan, differ by nothing; more than ours by as much.
+/// Another program's curves: a plan's own curves differ from it by nothing; scaled ones by their
+/// scale.
 #[test]
 fn another_program_is_laid_over_the_plan() {
     let desk = desk_with("");
@@ -286,7 +296,7 @@ fn another_program_is_laid_over_the_plan() {
     let depths: Vec<f64> = own.bit_depths_m.clone();
     let scalars = |operation: &str, depth_m: f64| {
         let mut curve = own.curve("soft", operation, "expected");
-        curve.find(|of| of.bit_depth_m == depth_m).unwrap().scalars.unwrap()
+        curve.find(|curve| curve.bit_depth_m == depth_m).unwrap().scalars.unwrap()
     };
     for &depth_m in &depths {
         let pick_up_kN = scalars("trip_out", depth_m).hook_load_N / 1e3;
@@ -297,21 +307,23 @@ fn another_program_is_laid_over_the_plan() {
     fs::write(desk.path("other.csv"), &theirs).unwrap();
     let with = ["--overlay", "other.csv", "-o", "out"];
     let output = desk.done(&[&WELL[..], &with].concat());
-    let said = String::from_utf8(output.stdout).unwrap();
-    assert!(said.contains("other.csv: ours less theirs, trip in hook load"), "{said}");
+    let stdout = String::from_utf8(output.stdout).unwrap();
+    assert!(stdout.contains("other.csv: ours less theirs, trip in hook load"), "{stdout}");
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let overlay = summary.overlay.as_ref().unwrap();
     assert_eq!(overlay.file, "other.csv");
     let differences = &overlay.differences;
-    let means: Vec<(&str, bool, f64)> =
-        differences.iter().map(|of| (of.operation.as_str(), of.is_torque, of.mean)).collect();
-    // To the digits that the file has of them.
+    let means: Vec<(&str, bool, f64)> = differences
+        .iter()
+        .map(|difference| (difference.operation.as_str(), difference.is_torque, difference.mean))
+        .collect();
+    // To the digits of the file.
     let expected =
         [("trip_out", false, 0.0), ("trip_in", false, -10e3), ("rotate_off_bottom", true, 0.0)];
     assert_eq!(means.len(), expected.len(), "{means:?}");
-    for (found, wanted) in means.iter().zip(expected) {
-        assert_eq!((found.0, found.1), (wanted.0, wanted.1));
-        assert!((found.2 - wanted.2).abs() < 1e-6, "{found:?}");
+    for (found, expected_row) in means.iter().zip(expected) {
+        assert_eq!((found.0, found.1), (expected_row.0, expected_row.1));
+        assert!((found.2 - expected_row.2).abs() < 1e-6, "{found:?}");
     }
     let table = desk.table("out/plan_overlay.parquet");
     assert!(table.is_like(&Table::with_columns(PLAN_OVERLAY)));
@@ -328,7 +340,7 @@ fn another_program_is_laid_over_the_plan() {
     assert!(!desk.text("out/report.html").contains("another program"));
 }
 
-/// Another program's curves that are none.
+/// Invalid curves of another program.
 #[test]
 fn a_bad_overlay_gets_an_answer() {
     let desk = desk_with("");
@@ -343,17 +355,17 @@ fn a_bad_overlay_gets_an_answer() {
             fs::write(desk.path(name), text).unwrap();
         }
         let output = desk.run(&[&WELL[..], &["-o", "out", "--overlay", name]].concat());
-        let said = transcript(&output);
-        assert_eq!(output.status.code(), Some(2), "{name}: {said}");
-        let words = said.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(words.contains(answer) && words.contains(name), "{name}: {said}");
-        // What is wrong is said before anything is solved.
+        let stdout = transcript(&output);
+        assert_eq!(output.status.code(), Some(2), "{name}: {stdout}");
+        let words = stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(answer) && words.contains(name), "{name}: {stdout}");
+        // The mistake is reported before anything is solved.
         assert!(!desk.path("out/summary.json").exists(), "{name}");
     }
 }
 
-/// Weights and torques of the slant well, as the plan of the same friction has them at a depth, beside rows of another
-/// string and of what is held out.
+/// Weights and torques of the slant well, equal to the plan with the same friction at a depth, next
+/// to rows of another string and held-out rows.
 const READ: &str = "Bit depth (m),Pick-up (kN),Slack-off (kN),Rotating (kN),Torque (kN.m),use,\
                     string.1.length (m)\n";
 
@@ -373,25 +385,25 @@ fn measured<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&WELL[..], &["--set=plan.measured=read.csv"], more].concat()
 }
 
-/// Tables, page, workbook and terminal have what was measured, each row by its own string; a plan without has none
-/// of it.
+/// Tables, page, workbook and terminal have the measured values, each row compared with its own
+/// string; a plan without measurements has none.
 #[test]
 fn what_was_measured_is_held_against_the_plan() {
     let desk = desk_with("400,,,,,yes,\n500,330,250,290,1.2,yes,\n500,330,,,,no,20\n");
     let output = desk.done(&measured(&["-o", "out"]));
-    let said = String::from_utf8(output.stdout).unwrap();
+    let stdout = String::from_utf8(output.stdout).unwrap();
     let noted = String::from_utf8(output.stderr).unwrap();
     assert!(noted.contains("note: read.csv: ") && noted.contains("3 rows"), "{noted}");
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let rows = &summary.measured;
-    let readings: Vec<&str> = rows.iter().map(|of| of.reading.as_str()).collect();
+    let readings: Vec<&str> = rows.iter().map(|row| row.reading.as_str()).collect();
     assert_eq!(readings, ["pick_up", "pick_up", "slack_off", "rotating", "torque"]);
     let (between, all) = summary.measured_between("soft");
-    assert!(said.contains(&format!("measured: {between} of {all} readings")), "{said}");
-    // Rotating off bottom friction moves no weight.
+    assert!(stdout.contains(&format!("measured: {between} of {all} readings")), "{stdout}");
+    // Friction of rotating off bottom moves no weight.
     assert_eq!((all, rows[3].between()), (4, None));
 
-    // The first row is the plan's own string: what the plan has at that depth, and the block.
+    // The first row is the plan's own string: the value of the plan at that depth, and the block.
     desk.done(&measured(&["-o", "at", "--set=plan.bit_depths=[\"500 m\"]"]));
     let at = PlanSummary::read(&desk.path("at/summary.json")).unwrap();
     let (first, other) = (&rows[0], &rows[1]);
@@ -401,7 +413,7 @@ fn what_was_measured_is_held_against_the_plan() {
         assert_eq!(predicted, Some(hook_load_N + 200e3));
     }
     assert_eq!(first.residual(), Some(330e3 - first.predicted[1].unwrap()));
-    // The other is of a string with shorter collars.
+    // The other row belongs to a string with shorter collars.
     assert!(other.held_out && !first.held_out);
     assert!(other.predicted[1] < first.predicted[1]);
 
@@ -435,8 +447,8 @@ fn bad_measured_weights_get_an_answer() {
         let desk = desk_with(rows);
         let output = desk.run(&measured(&[]));
         assert_eq!(output.status.code(), Some(2), "{}", transcript(&output));
-        let said = transcript(&output).split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(said.contains("read.csv, ") && said.contains(expected), "{said}");
+        let stdout = transcript(&output).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(stdout.contains("read.csv, ") && stdout.contains(expected), "{stdout}");
         assert!(!desk.path("out").exists());
     }
 }

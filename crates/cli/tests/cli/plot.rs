@@ -1,4 +1,4 @@
-//! `plot`: the pictures of a run, of two on the same axes, and of a sweep.
+//! `plot`: the plots of a run, of two on the same axes, and of a sweep.
 
 use std::{collections::BTreeSet, fs};
 
@@ -21,14 +21,14 @@ fn files(desk: &Desk, folder: &str) -> BTreeSet<String> {
 fn read(desk: &Desk, name: &str) -> String {
     let svg = desk.text(name);
     assert!(svg.starts_with("<?xml") && svg.ends_with("</svg>\n"), "{name}");
-    // Pixels may spell anything.
+    // Encoded pixels may contain any text.
     if !svg.contains("<image") {
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
     }
     svg
 }
 
-/// Text of a picture, in the order in which it is drawn.
+/// Text of a picture, in the order of drawing.
 fn texts(svg: &str) -> Vec<&str> {
     let texts = svg.split("<text ").skip(1);
     texts.map(|text| text.split_once('>').unwrap().1.split_once("</text>").unwrap().0).collect()
@@ -56,23 +56,23 @@ fn a_run_is_drawn() {
     }
     let spectrum = read(&desk, "out/plots/spectrum-torque-nodes-trip-out.svg");
     assert!(texts(&spectrum).contains(&"Density of torque, (ft·lbf)²/Hz"));
-    // Of two nodes, those nearest to 328 and 1640 ft.
+    // Two nodes, those nearest to 328 and 1640 ft.
     let depths = texts(&spectrum).into_iter().filter_map(|text| text.strip_prefix("at "));
     let depths: Vec<&str> = depths.collect();
     assert!(
         depths.len() == 2 && depths[0].starts_with("32") && depths[1].starts_with("164"),
         "{depths:?}"
     );
-    // 85 mm at 300 dots to the inch: the width stands in the first bytes of the file.
+    // 85 mm at 300 dots per inch: the width is in the first bytes of the file.
     let png = fs::read(desk.path("out/plots/tension.png")).unwrap();
     assert_eq!(png[16..20], 1004_u32.to_be_bytes());
 
-    // Drawn again without them, no PNG of the first time is left.
+    // A second call without PNG removes the earlier PNG files.
     desk.done(&["plot", "out"]);
     assert_eq!(files(&desk, "out/plots").len(), names.len() / 2);
 }
 
-/// What a run draws by itself is what `plot` draws.
+/// A run's own picture equals that of `plot`.
 #[test]
 fn the_profile_of_a_run_is_the_same() {
     let desk = Desk::new();
@@ -88,8 +88,8 @@ fn two_runs_stand_on_the_same_axes() {
     let second = ["--set", "friction=0.4", "--set", r#"name="Rough & ready""#];
     run(&desk, "second", &second);
     let output = desk.done(&["plot", "first", "second"]);
-    let told = text(&output.stdout);
-    assert!(told.ends_with("pictures in first/plots-second\n"), "{told}");
+    let stdout = text(&output.stdout);
+    assert!(stdout.ends_with("pictures in first/plots-second\n"), "{stdout}");
     // Each operation has its own.
     for operation in ["trip-out", "rotate-off-bottom"] {
         for name in ["profile", "time-hook-load", "map-side-force"] {
@@ -99,7 +99,7 @@ fn two_runs_stand_on_the_same_axes() {
             }
         }
     }
-    // Of one case, runs are distinguished by where they lie.
+    // Runs of one case are distinguished by their folders.
     run(&desk, "third", &SOFT);
     desk.done(&["plot", "first", "third", "-o", "both"]);
     let svg = read(&desk, "both/torque-rotate-off-bottom.svg");

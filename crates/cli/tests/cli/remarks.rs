@@ -1,5 +1,4 @@
-//! What a run reports beside its numbers: what the rig cannot do, how a lift was tuned, where a bit
-//! left its table.
+//! Remarks of a run: exceeded limits of the rig, a tuned lift, a bit outside its table.
 
 use std::{f64::consts::PI, fs};
 
@@ -9,7 +8,7 @@ use crate::{
 };
 
 /// Tripping out takes `w L (cos i + μ sin i)` and rotating `μ r w L sin i`, as in
-/// `the_numbers_are_the_closed_forms`. The limits lie 1 % to either side.
+/// `the_numbers_are_the_closed_forms`. The limits are 1 % to either side.
 #[test]
 fn what_the_rig_cannot_do_is_told() {
     let desk = Desk::new();
@@ -48,16 +47,16 @@ fn what_the_rig_cannot_do_is_told() {
     assert!(beyond[0].contains(&kilo(0.99 * (hook_N + block_N))), "{beyond:?}");
     let torque = "error: rotate off bottom (soft): Top drive, continuous: load ";
     assert!(beyond[1].starts_with(torque), "{beyond:?}");
-    // Of the dynamics, whose friction torque is 3 % lower, the largest sample counts: a string that
-    // is still finding its place swings by more.
+    // Of the dynamics, whose friction torque is 3 % lower, the largest sample counts, because a
+    // string that is still settling swings by more.
     let dynamic = errors(0.9, &["--set", "model=dynamic"]);
-    let of = |what: &str| dynamic.iter().any(|line| line.contains(what));
-    assert!(of("trip out (dynamic): Hoist: load"), "{dynamic:?}");
-    assert!(of("rotate off bottom (dynamic): Top drive, "), "{dynamic:?}");
+    let any = |what: &str| dynamic.iter().any(|line| line.contains(what));
+    assert!(any("trip out (dynamic): Hoist: load"), "{dynamic:?}");
+    assert!(any("rotate off bottom (dynamic): Top drive, "), "{dynamic:?}");
 }
 
-/// A tuned lift is reported of on the screen and in the summary, and is what the answer was
-/// computed with.
+/// A tuned lift is reported on the screen and in the summary, and is the lift of the computed
+/// results.
 #[test]
 fn a_tuned_lift_is_reported() {
     let desk = Desk::new();
@@ -73,8 +72,8 @@ fn a_tuned_lift_is_reported() {
     assert!((lift.weight_on_bit_N / 20e3 - 1.0).abs() <= 0.01);
     assert_eq!(lift.weight_on_bit_N, solved.scalars.weight_on_bit_N);
     assert!((lift.hook_load_N / solved.scalars.hook_load_N - 1.0).abs() < 1e-9);
-    let told = format!("found in {} runs", lift.runs);
-    assert!(text.contains("Lift: ") && text.contains(&told), "{text}");
+    let sentence = format!("found in {} runs", lift.runs);
+    assert!(text.contains("Lift: ") && text.contains(&sentence), "{text}");
 
     // Frames are those of the run with that lift.
     let frames = [&arguments[..], &["--set", "records.frames=20 Hz", "-o", "frames"]].concat();
@@ -94,11 +93,11 @@ fn a_lift_that_is_not_found_says_which_came_nearest() {
          --set hoist.control=tuned-lift --set 'wob=240 kN' --set 'mud.density=1.0 sg'",
     ));
     assert_eq!(output.status.code(), Some(3));
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert!(told.contains("no constant lift gives a mean weight on bit of 240.0 kN"), "{told}");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(stderr.contains("no constant lift gives a mean weight on bit of 240.0 kN"), "{stderr}");
 }
 
-/// A bit whose weight swings beyond its table is reported of on the screen and in the summary; its
+/// A bit whose weight swings beyond its table is reported on the screen and in the summary; its
 /// rate of penetration is among the statistics.
 #[test]
 fn a_table_that_the_bit_leaves_is_told_of() {
@@ -112,15 +111,15 @@ fn a_table_that_the_bit_leaves_is_told_of() {
     ));
     let summary = desk.summary("out/Straight slant");
     let solved = &summary.operations[0];
-    let of = solved.bit_table.expect("a table");
-    assert!(of.outside_fraction > 0.1 && of.outside_fraction < 0.9);
-    assert!(of.weights_N[1] > 20e3);
+    let bit_table = solved.bit_table.expect("a table");
+    assert!(bit_table.outside_fraction > 0.1 && bit_table.outside_fraction < 0.9);
+    assert!(bit_table.weights_N[1] > 20e3);
     let text = String::from_utf8(output.stdout).unwrap();
-    let told = format!(
+    let sentence = format!(
         "The bit was outside its table for {:.1} % of the time",
-        of.outside_fraction * 100.0
+        bit_table.outside_fraction * 100.0
     );
-    assert!(text.contains(&told), "{text}");
+    assert!(text.contains(&sentence), "{text}");
     let rate = solved.statistics.as_ref().unwrap()["rate_of_penetration_m_per_s"];
     assert!((rate.mean * 3600.0 / 16.0 - 1.0).abs() < 0.2, "{rate:?}");
 }

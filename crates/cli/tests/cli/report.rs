@@ -1,4 +1,4 @@
-//! `report.html`: a run writes it, and `report` makes it again.
+//! `report.html`: a run writes it, and `report` rebuilds it.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use wholestring_report::{Cell, Place, Report};
 
 use crate::desk::{Desk, args, text};
 
-/// The report that stands in a page.
+/// The report that is embedded in a page.
 fn read(page: &str) -> Report {
     let (_, rest) = page.split_once(r#"id="report">"#).expect("a page");
     let (json, _) = rest.split_once("</script>").expect("the data end");
@@ -24,8 +24,8 @@ fn a_run_writes_it_and_report_makes_it_again() {
     let page = fs::read_to_string(&path).unwrap();
     fs::remove_file(&path).unwrap();
     let output = desk.done(&["report", "out"]);
-    let told = text(&output.stdout);
-    assert_eq!(told.trim_end(), "out/report.html");
+    let stdout = text(&output.stdout);
+    assert_eq!(stdout.trim_end(), "out/report.html");
     assert!(fs::read_to_string(&path).unwrap() == page, "the same page");
 
     let report = read(&page);
@@ -33,7 +33,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
     let solved: Vec<_> = report
         .solved
         .iter()
-        .map(|of| (of.model.as_str(), of.operation.as_str(), of.key_results.len()))
+        .map(|solved| (solved.model.as_str(), solved.operation.as_str(), solved.key_results.len()))
         .collect();
     assert_eq!(
         solved,
@@ -44,12 +44,15 @@ fn a_run_writes_it_and_report_makes_it_again() {
             ("dynamic", "rotate_off_bottom", 5),
         ]
     );
-    // What the page shows is what the summary says.
+    // The page shows the values of the summary.
     let summary = desk.summary("out");
-    for (shown, told) in report.solved.iter().zip(&summary.operations) {
-        assert_eq!(shown.key_results[0].value, Cell::quantity(told.scalars.hook_load_N, "force"));
-        let tension = shown.profile["tension_N"].values();
-        assert!((tension[0] / told.scalars.hook_load_N - 1.0).abs() < 1e-6);
+    for (answer, operation) in report.solved.iter().zip(&summary.operations) {
+        assert_eq!(
+            answer.key_results[0].value,
+            Cell::quantity(operation.scalars.hook_load_N, "force")
+        );
+        let tension = answer.profile["tension_N"].values();
+        assert!((tension[0] / operation.scalars.hook_load_N - 1.0).abs() < 1e-6);
     }
     for run in &report.runs {
         assert_eq!(run.history["time_s"].values().len(), run.samples);
@@ -65,7 +68,8 @@ fn a_run_writes_it_and_report_makes_it_again() {
             ["offset_high_m", "offset_right_m"].map(|name| frames.channels[name].values());
         assert_eq!(high.len(), times.len() * depths.len());
         // A pipe of 120 mm in a hole of 200 mm lies 40 mm off its axis, on the low side; where it
-        // turns it climbs the wall to the right. The contact gives by hundredths of a millimetre.
+        // rotates it climbs the wall to the right. The contact yields by hundredths of a
+        // millimetre.
         let middle = high.len() - depths.len() / 2;
         let offset = high[middle].hypot(right[middle]);
         assert!((offset - 0.04).abs() < 1e-4, "{offset} m");
@@ -77,8 +81,8 @@ fn a_run_writes_it_and_report_makes_it_again() {
     }
 }
 
-/// A string that is pulled with its pumps off draws mud after it: the page has that negative
-/// pressure as swab, and a pump pressure only where one is delivered.
+/// A string that is pulled with its pumps off draws mud after it: the page shows that negative
+/// pressure as swab, and a pump pressure only if there is one.
 #[test]
 fn a_negative_pump_pressure_is_swab() {
     let desk = Desk::new();
@@ -87,7 +91,8 @@ fn a_negative_pump_pressure_is_swab() {
     let run = ["run", "slant.toml", "--set", "model=soft", "--set", kinds, "-o", "out"];
     desk.done(&[&run[..], &mud].concat());
     let operations = desk.summary("out").operations;
-    let pressures_Pa = operations.iter().map(|of| of.hydraulics.expect("a mud").pump_pressure_Pa);
+    let pressures_Pa =
+        operations.iter().map(|operation| operation.hydraulics.expect("a mud").pump_pressure_Pa);
     let [pulled_Pa, lowered_Pa] = pressures_Pa.collect::<Vec<_>>()[..] else { panic!("two") };
     assert!(pulled_Pa < 0.0 && lowered_Pa > 0.0, "{pulled_Pa} {lowered_Pa}");
     let report = read(&fs::read_to_string(desk.path("out/report.html")).unwrap());
@@ -102,7 +107,7 @@ fn a_negative_pump_pressure_is_swab() {
     assert_eq!(row("Pump pressure"), [Cell::Nothing, pressure(lowered_Pa)]);
 }
 
-/// Straight down at 60 deg: what the page draws of path, hole and string.
+/// Straight down at 60 deg: the page's drawing of path, hole and string.
 #[test]
 fn path_hole_and_string_are_those_of_the_case() {
     let desk = Desk::new();
@@ -112,15 +117,15 @@ fn path_hole_and_string_are_those_of_the_case() {
     assert_eq!(last("md_m"), 600.0);
     assert!((last("tvd_m") - 300.0).abs() < 1e-3);
     assert!((last("north_m") - 600.0 * 0.75_f64.sqrt()).abs() < 1e-3);
-    let ends: Vec<_> = report.hole.iter().map(|of| (of.from_m, of.to_m)).collect();
+    let ends: Vec<_> = report.hole.iter().map(|hole| (hole.from_m, hole.to_m)).collect();
     assert_eq!(ends, [(0.0, 400.0), (400.0, 600.0)]);
     assert_eq!(report.string.len(), 1);
     assert_eq!((report.string[0].from_m, report.string[0].to_m), (0.0, 600.0));
     assert!(report.runs.is_empty());
 }
 
-/// Every operation by both models over a minute, with as many frames as there are samples: however
-/// much a run keeps, its page stays small.
+/// Every operation by both models over a minute, with as many frames as samples: however much a run
+/// records, its page stays small.
 #[test]
 fn a_report_of_a_minute_stays_small() {
     let desk = Desk::new();
@@ -136,13 +141,13 @@ fn a_report_of_a_minute_stays_small() {
         let rows = run.history["time_s"].values().len();
         assert!(rows <= 4000 && run.samples > 5500, "{rows} of {}", run.samples);
         let frames = run.frames.as_ref().expect("frames");
-        let shown = frames.time_s.values().len();
-        assert!((30..400).contains(&shown), "{shown} of {}", frames.kept);
+        let count = frames.time_s.values().len();
+        assert!((30..400).contains(&count), "{count} of {}", frames.kept);
     }
 }
 
-/// The hook load stands without block, as in the summary, with the block's beside it, which is what
-/// the hoist carries; checks and spectra reach the page.
+/// The hook load excludes the block, as in the summary, and is followed by the hook load with the
+/// block, which the hoist carries; checks and spectra are on the page.
 #[test]
 fn block_checks_and_spectra_reach_the_page() {
     let desk = Desk::new();
@@ -166,16 +171,16 @@ fn block_checks_and_spectra_reach_the_page() {
     fs::write(desk.path("out/summary.json"), serde_json::to_string(&summary).unwrap()).unwrap();
     desk.done(&["report", "out"]);
     let report = read(&desk.text("out/report.html"));
-    for (shown, told) in report.solved.iter().zip(&summary.operations) {
-        let hook = &shown.key_results[0];
-        let load_N = told.scalars.hook_load_N;
+    for (answer, operation) in report.solved.iter().zip(&summary.operations) {
+        let hook = &answer.key_results[0];
+        let load_N = operation.scalars.hook_load_N;
         assert_eq!(hook.label, "Hook load without block");
         assert_eq!(hook.value, Cell::quantity(load_N, "force"));
         assert_eq!(hook.more[0].value, Cell::quantity(load_N + 200e3, "force"));
-        let largest_N = told.statistics.as_ref().map_or(load_N, |all| all["hook_load_N"].max);
+        let largest_N = operation.statistics.as_ref().map_or(load_N, |all| all["hook_load_N"].max);
         assert_eq!(hook.compared, Some(largest_N + 200e3));
         assert_eq!(hook.limit, Some(1e6));
-        let found = &shown.checks[0];
+        let found = &answer.checks[0];
         assert_eq!((found.md_m, found.to_md_m), (Some(100.0), Some(300.0)));
         assert_eq!(found.value, Cell::quantity(190e3, "force"));
         assert_eq!(found.limit, Cell::quantity(95e3, "force"));
@@ -191,7 +196,8 @@ fn block_checks_and_spectra_reach_the_page() {
         (spectra[0].signal.as_str(), spectra[0].dimension.as_str()),
         ("surface_torque", "torque")
     );
-    let lengths = [&spectra[0].frequency_Hz, &spectra[0].density].map(|of| of.values().len());
+    let lengths =
+        [&spectra[0].frequency_Hz, &spectra[0].density].map(|column| column.values().len());
     assert!(lengths[0] > 3 && lengths[0] == lengths[1], "{lengths:?}");
 }
 
@@ -200,9 +206,9 @@ fn a_folder_of_no_run_is_refused() {
     let desk = Desk::new();
     let output = desk.run(&["report", "nowhere"]);
     assert_eq!(output.status.code(), Some(2));
-    let told = String::from_utf8(output.stderr).unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
     assert_eq!(
-        told,
+        stderr,
         "error: nowhere holds no results: neither summary.json nor sweep.csv is there\n"
     );
 }
@@ -214,6 +220,6 @@ fn a_damaged_folder_is_refused() {
     fs::write(desk.path("out/nodes.parquet"), "not a table").unwrap();
     let output = desk.run(&["report", "out"]);
     assert_eq!(output.status.code(), Some(2));
-    let told = text(&output.stderr);
-    assert!(told.starts_with("error: out/nodes.parquet is not a file of results: "), "{told}");
+    let stderr = text(&output.stderr);
+    assert!(stderr.starts_with("error: out/nodes.parquet is not a file of results: "), "{stderr}");
 }

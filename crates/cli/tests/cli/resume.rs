@@ -1,4 +1,5 @@
-//! `run --resume`: a run that was stopped or killed ends as if nothing had happened.
+//! `run --resume`: a run that was interrupted or killed ends with the results of an uninterrupted
+//! one.
 
 use std::{
     collections::BTreeMap,
@@ -14,8 +15,8 @@ use wholestring_results::Table;
 
 use crate::desk::{Desk, args, transcript};
 
-/// All that a run leaves but for the time that it took: every file but the summary and the page
-/// that reports it to the byte.
+/// All output of a run except its wall-clock time: every file but the summary and the page, to the
+/// byte.
 fn leavings(desk: &Desk, folder: &str) -> (Value, BTreeMap<String, Vec<u8>>) {
     let files = fs::read_dir(desk.path(folder)).unwrap();
     let mut files: BTreeMap<String, Vec<u8>> = files
@@ -39,7 +40,7 @@ fn leavings(desk: &Desk, folder: &str) -> (Value, BTreeMap<String, Vec<u8>>) {
     (summary, files)
 }
 
-/// Every table there is, and frames that fill more than one row group.
+/// All optional tables, and frames that fill more than one row group.
 pub(crate) const RECORDS: [&str; 5] =
     ["--csv", "--set", "records.frames=20 Hz", "--set", "records.spectra=hook_load"];
 
@@ -56,7 +57,7 @@ fn begin(desk: &Desk, arguments: &[&str]) -> Child {
     desk.command(arguments).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
 }
 
-/// Waits until there is a checkpoint that is newer than `since`; false where the run ended before.
+/// Waits until there is a checkpoint newer than `since`; false if the run ended before.
 fn checkpointed(desk: &Desk, child: &mut Child, since: SystemTime) -> bool {
     let begin = Instant::now();
     while child.try_wait().unwrap().is_none() {
@@ -70,8 +71,8 @@ fn checkpointed(desk: &Desk, child: &mut Child, since: SystemTime) -> bool {
     false
 }
 
-/// A run is killed at up to `times` moments, each up to 80 ms after the first checkpoint since the
-/// last, and resumed after each. It must end with the same bits as one that was not.
+/// A run is killed up to `times` times, each up to 80 ms after the first checkpoint since the last,
+/// and resumed each time. It must end with the same bits as an uninterrupted run.
 fn killed(times: u32, duration: &str) {
     let desk = Desk::new();
     desk.done(&arguments(duration, &["-o", "whole"]));
@@ -106,7 +107,7 @@ fn killed(times: u32, duration: &str) {
     assert_same(&desk, "killed", "whole");
 }
 
-/// That two folders hold the same, file for file: their numbers fill pages.
+/// Asserts that two folders have the same files: their numbers would fill pages.
 pub(crate) fn assert_same(desk: &Desk, one: &str, other: &str) {
     let [(one, files), (other, expected)] = [one, other].map(|folder| leavings(desk, folder));
     let names = files.keys().collect::<Vec<_>>();
@@ -128,7 +129,7 @@ fn a_run_killed_at_twenty_moments_ends_as_if_nothing_had_happened() {
     killed(20, "dynamics.duration=200 s");
 }
 
-/// Ctrl-C leaves a checkpoint however long the interval is, and shows how to continue.
+/// Ctrl-C writes a checkpoint however long the interval is, and prints how to continue.
 #[cfg(unix)]
 #[test]
 fn ctrl_c_lays_a_run_aside() {
@@ -137,21 +138,21 @@ fn ctrl_c_lays_a_run_aside() {
     let desk = Desk::new();
     let with = |more: [&'static str; 2]| arguments("dynamics.duration=100 s", &more);
     desk.done(&with(["-o", "whole"]));
-    // The soft string is on the disk when the dynamics begin.
+    // The soft string's results are written before the dynamics begin.
     let begun = || desk.path("stopped/summary.json").exists();
     let stopped = with(["-o", "stopped"]);
     assert_eq!(
         desk.interrupted(&stopped, begun, Duration::from_millis(50)),
-        "interrupted: what was computed is in stopped\n\
+        "interrupted: partial results are in stopped\n\
          to continue, run the case with --resume stopped\n"
     );
-    let kept = frames(&desk, "stopped");
+    let partial = frames(&desk, "stopped");
     let whole = frames(&desk, "whole");
-    assert!(kept.rows() < whole.rows());
-    for (kept, whole) in kept.columns().iter().zip(whole.columns()) {
-        let same = match (&kept.data, &whole.data) {
-            (Data::Number(kept), Data::Number(whole)) => whole.starts_with(kept),
-            (Data::Text(kept), Data::Text(whole)) => whole.starts_with(kept),
+    assert!(partial.rows() < whole.rows());
+    for (partial, whole) in partial.columns().iter().zip(whole.columns()) {
+        let same = match (&partial.data, &whole.data) {
+            (Data::Number(partial), Data::Number(whole)) => whole.starts_with(partial),
+            (Data::Text(partial), Data::Text(whole)) => whole.starts_with(partial),
             _ => false,
         };
         assert!(same, "{}", whole.name);
@@ -162,7 +163,7 @@ fn ctrl_c_lays_a_run_aside() {
     assert_eq!(child.wait().unwrap().code(), Some(2));
 }
 
-/// A run of 65 000 samples, of which 16 384 go to the disk at a time.
+/// A run of 65 000 samples, written 16 384 at a time.
 fn long_run(more: &[&'static str]) -> Vec<&'static str> {
     let run = args(
         "run slant.toml --csv --set model=dynamic --set operation.kind=rotate_off_bottom \
@@ -172,7 +173,7 @@ fn long_run(more: &[&'static str]) -> Vec<&'static str> {
     [&run[..], more].concat()
 }
 
-/// Whether a part of the series and a checkpoint that counts on it are on the disk.
+/// Whether a part of the series and a checkpoint that refers to it are on disk.
 fn is_long(desk: &Desk, folder: &str) -> bool {
     let there = |name: &str| fs::metadata(desk.path(&format!("{folder}/{name}"))).ok();
     let written = |name: &str| there(name).map(|file| file.modified().unwrap());
@@ -180,8 +181,8 @@ fn is_long(desk: &Desk, folder: &str) -> bool {
     part.is_some() && written("checkpoint.bin") > part
 }
 
-/// A series that goes to the disk while it grows is the same to the byte wherever the run was
-/// killed, and what is said of it is said of all of it.
+/// A series that is written while it grows is the same to the byte wherever the run was killed, and
+/// its report covers all of it.
 #[test]
 fn a_long_series_is_continued_without_loss() {
     use wholestring::dynamics::Statistic;
@@ -202,8 +203,9 @@ fn a_long_series_is_continued_without_loss() {
     let from = times_s.partition_point(|time_s| *time_s < settle_s);
     for (name, found) in solved.statistics.as_ref().unwrap() {
         let expected = Statistic::of(&column(name)[from..]).unwrap();
-        let of = |it: &Statistic| [it.mean, it.std, it.min, it.max, it.p05, it.p95, it.std_error];
-        assert_eq!(of(found), of(&expected), "{name}");
+        let numbers =
+            |it: &Statistic| [it.mean, it.std, it.min, it.max, it.p05, it.p95, it.std_error];
+        assert_eq!(numbers(found), numbers(&expected), "{name}");
     }
 
     let often = ["-o", "killed", "--checkpoint", "0.01 s"];
@@ -212,7 +214,7 @@ fn a_long_series_is_continued_without_loss() {
     assert_same(&desk, "killed", "whole");
 }
 
-/// Ctrl-C leaves the series so far, and a run that continues has the rest of it.
+/// Ctrl-C keeps the series so far, and a resumed run adds the rest.
 #[cfg(unix)]
 #[test]
 fn an_interrupted_long_series_is_kept() {
@@ -221,15 +223,15 @@ fn an_interrupted_long_series_is_kept() {
     let whole = desk.table("whole/time.parquet");
     let often = ["-o", "stopped", "--checkpoint", "0.01 s"];
     desk.interrupted(&long_run(&often), || is_long(&desk, "stopped"), Duration::ZERO);
-    let kept = desk.table("stopped/time.parquet");
-    let loads = kept.numbers("hook_load_N").unwrap();
+    let partial = desk.table("stopped/time.parquet");
+    let loads = partial.numbers("hook_load_N").unwrap();
     assert!((32_768..65_000).contains(&loads.len()), "{}", loads.len());
     assert!(whole.numbers("hook_load_N").unwrap().starts_with(loads));
     desk.done(&long_run(&["--resume", "stopped"]));
     assert_same(&desk, "stopped", "whole");
 }
 
-/// A run that continues with another case would answer neither.
+/// A run resumed with another case would match neither.
 #[test]
 fn what_cannot_be_resumed_is_refused() {
     let desk = Desk::new();
@@ -263,7 +265,7 @@ fn what_cannot_be_resumed_is_refused() {
     assert!(resume(&[]).contains("it does not begin like one"));
     assert_snapshot!("resume_into_another_folder", resume(&["-o", "elsewhere"]));
 
-    // A fresh run does not take the remains for its own, nor does it remove them unasked.
+    // A fresh run neither uses the remains nor removes them without `--overwrite`.
     put(&checkpoint);
     let anew = [&["run", "slant.toml", "-o", "results"], &soft[..]].concat();
     assert_eq!(desk.run(&anew).status.code(), Some(2));

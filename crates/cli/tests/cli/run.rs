@@ -1,4 +1,4 @@
-//! `run` as it goes well: what it prints and what it leaves.
+//! A successful `run`: its output and its files.
 
 use std::{collections::BTreeSet, f64::consts::PI, fs};
 
@@ -10,7 +10,7 @@ use wholestring_results::{Status, Summary, Table};
 /// The soft string alone, which is quick.
 pub(crate) const SOFT: [&str; 2] = ["--set", "model=soft"];
 
-/// What a run leaves without being asked for more.
+/// Files of a run without options.
 pub(crate) const FILES: [&str; 8] = [
     ".wholestring",
     "contact.parquet",
@@ -57,7 +57,7 @@ fn the_numbers_are_the_closed_forms() {
     let [trip_out, rotate] = &summary.operations[..] else {
         panic!("two operations");
     };
-    // The equations are linear in depth here: what is left is rounding of some 600 steps.
+    // The equations are linear in depth here, so that only the rounding of some 600 steps remains.
     let close = |obtained: f64, expected: f64| {
         assert!((obtained / expected - 1.0).abs() < 1e-12, "{obtained} against {expected}");
     };
@@ -124,27 +124,28 @@ fn soft_string_and_dynamics_side_by_side() {
     assert!((times[time.rows() - 1].unwrap() - 2.0).abs() < 0.02);
 }
 
-/// A string that turns clockwise climbs to the right, to `atan 0.25`; one that is pulled stays on
-/// the low side; the soft string lies there, whatever it does: its place is that of its load.
+/// A string that rotates clockwise climbs to the right, to `atan 0.25`; a pulled one stays on the
+/// low side. The soft string always lies there, in any operation, because its position follows its
+/// load.
 fn check_climb(nodes: &Table) {
     let [models, operations] = ["model", "operation"].map(|name| nodes.words(name).expect(name));
     let climb = nodes.numbers("climb_rad").expect("angles");
-    let of = |model: &str, operation: &str| -> Vec<f64> {
+    let climbs_of = |model: &str, operation: &str| -> Vec<f64> {
         (0..nodes.rows())
             .filter(|row| models[*row] == model && operations[*row] == operation)
             .filter_map(|row| climb[row])
             .collect()
     };
     for operation in ["trip_out", "rotate_off_bottom"] {
-        let climbs = of("soft", operation);
+        let climbs = climbs_of("soft", operation);
         assert!(climbs.len() > 600 && climbs.iter().all(|climb| *climb == 0.0), "{operation}");
     }
     let median = |operation: &str| {
-        let mut values = of("dynamic", operation);
+        let mut values = climbs_of("dynamic", operation);
         values.sort_by(f64::total_cmp);
         values[values.len() / 2]
     };
-    // After 2 s what is left of the start still moves it by some hundredths.
+    // After 2 s the initial transient still moves it by some hundredths.
     let (pulled, turned) = (median("trip_out"), median("rotate_off_bottom"));
     assert!(pulled.abs() < 0.05, "{pulled}");
     assert!((turned - 0.25_f64.atan()).abs() < 0.05, "{turned}");
@@ -157,21 +158,22 @@ fn quiet_prints_nothing() {
     assert!(output.stdout.is_empty() && output.stderr.is_empty());
 }
 
-/// The case and the case with twice the elements, each in its folder, and what differs: a straight
-/// string's weight does not.
+/// The case and the case with twice the elements, each in its folder, and the differences: the
+/// weight of a straight string has none.
 #[test]
 fn converge_halves_every_element() {
     let desk = Desk::new();
     let case = ["run", "slant.toml", "--converge", "-o", "both", "--set", "dynamics.duration=1s"];
     let printed = transcript(&desk.done(&case));
-    let [given, halved] = ["both", "both/halved"].map(|folder| desk.summary(folder));
-    let elements = |of: &Summary| of.operations[1].numerics.as_ref().unwrap().run.elements;
-    // Of a remainder that no other element is as long as, halving may leave one more or less.
-    assert!(elements(&halved).abs_diff(2 * elements(&given)) <= 1);
-    assert_eq!(given.settings["mesh"]["refinement"], serde_json::Value::Null);
+    let [coarse, halved] = ["both", "both/halved"].map(|folder| desk.summary(folder));
+    let elements =
+        |summary: &Summary| summary.operations[1].numerics.as_ref().unwrap().run.elements;
+    // A remainder shorter than all other elements may make one more or one less when halved.
+    assert!(elements(&halved).abs_diff(2 * elements(&coarse)) <= 1);
+    assert_eq!(coarse.settings["mesh"]["refinement"], serde_json::Value::Null);
     assert_eq!(halved.settings["mesh"]["refinement"], 2);
     let expected =
-        format!("trip_out: {} elements as given, {} halved", elements(&given), elements(&halved));
+        format!("trip_out: {} elements as given, {} halved", elements(&coarse), elements(&halved));
     assert!(printed.contains(&expected), "{printed}");
     let hook_load = printed.lines().filter(|line| line.starts_with("Hook load"));
     let changes: Vec<f64> = hook_load

@@ -1,4 +1,4 @@
-//! The cases that come with the program, as they are shipped.
+//! The shipped cases.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use crate::desk::Desk;
 use wholestring::outcome::ModelKind;
 use wholestring_results::{OperationSummary, Severity, Status};
 
-/// Runs the shipped case with these windows and gives what its `summary.json` holds.
+/// Runs the shipped case with these windows and returns the operations of its `summary.json`.
 fn solved(case: &Path, settle: &str, duration: &str) -> Vec<OperationSummary> {
     solved_with(
         case,
@@ -14,7 +14,7 @@ fn solved(case: &Path, settle: &str, duration: &str) -> Vec<OperationSummary> {
     )
 }
 
-/// The same with other values of its keys.
+/// The same with overrides.
 fn solved_with(case: &Path, changes: &[&str]) -> Vec<OperationSummary> {
     let desk = Desk::new();
     let case = case.to_str().unwrap();
@@ -30,13 +30,12 @@ fn cases() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases")
 }
 
-/// From the case file to `summary.json`, the dynamics of a quiet string carry what the soft string
-/// says: its hook load, and its friction torque lowered to `1/√(1 + μ²)` by the climb of a turning
-/// pipe.
+/// From the case file to `summary.json`, the dynamics of a quiet string agree with the soft string:
+/// its hook load, and its friction torque reduced to `1/√(1 + μ²)` by the climb of a rotating pipe.
 ///
 /// The hook load may differ by 1 % and the torque by 2 %: bending bridges the ends of the build and
-/// the bit carries the motor, 0.42 % of the torque after a settling of 20 s; the rest is for what 5
-/// s leave.
+/// the bit carries the motor, 0.42 % of the torque after a settling of 20 s; the rest allows for a
+/// settling of only 5 s.
 #[test]
 fn np13_with_both_models() {
     let solved = solved(&cases().join("np13-x1042.toml"), "5 s", "2 s");
@@ -54,17 +53,17 @@ fn np13_with_both_models() {
     assert!(numerics.run.added_axial_mass_fraction < 0.005, "{numerics:?}");
 }
 
-/// The dynamics of the shipped case as they are shipped: each operation was steady when its window
-/// began, and the deviation of its hook load is no drift, but where the string travels: its hook
-/// load changes with its place.
+/// The dynamics of the shipped case with its own settings: each operation was steady when its
+/// window began, and the deviation of its hook load is no drift, except where the string travels,
+/// because its hook load changes with its position.
 fn settles(name: &str) {
     let solved = solved_with(&cases().join(name), &["model=dynamic"]);
-    for of in &solved {
-        let numerics = of.numerics.as_ref().unwrap();
-        let hook_load = of.statistics.as_ref().unwrap()["hook_load_N"];
-        assert_eq!(numerics.run.settled, Some(true), "{name}: {}", of.operation);
+    for operation in &solved {
+        let numerics = operation.numerics.as_ref().unwrap();
+        let hook_load = operation.statistics.as_ref().unwrap()["hook_load_N"];
+        assert_eq!(numerics.run.settled, Some(true), "{name}: {}", operation.operation);
         let travels = numerics.run.bit_travel_m.abs() > 1.0;
-        assert!(!hook_load.drifts || travels, "{name}, {}: {hook_load:?}", of.operation);
+        assert!(!hook_load.drifts || travels, "{name}, {}: {hook_load:?}", operation.operation);
     }
 }
 
@@ -80,7 +79,7 @@ fn every_case_runs_to_its_end() {
     for shipped in wholestring_cases::ALL {
         let (path, text) = (cases().join(shipped.file_name), shipped.text);
         let solved = if text.contains("law = \"rock\"") {
-            // Wide elements, which take a fiftieth of the time and less, and are not too heavy for
+            // Long elements, which take a fiftieth of the time or less, and are not too heavy for
             // the bit.
             let coarse = [
                 "rock.element_size=24 mm",
@@ -92,22 +91,23 @@ fn every_case_runs_to_its_end() {
         } else {
             solved(&path, "0.5 s", "0.5 s")
         };
-        // Well B follows a schedule, of which a soft string knows nothing.
+        // Well B follows a schedule, which a soft string does not model.
         let scheduled = text.contains("schedule = [");
         for model in [ModelKind::Soft, ModelKind::Dynamic] {
             let mut lines = text.lines().filter(|line| line.starts_with("model ="));
             let named = lines.next().is_none_or(|line| line.contains(model.name()));
-            let wanted = named && (model == ModelKind::Dynamic || !scheduled);
-            assert_eq!(solved.iter().any(|of| of.model == model), wanted, "{path:?}");
+            let expected = named && (model == ModelKind::Dynamic || !scheduled);
+            assert_eq!(solved.iter().any(|solved| solved.model == model), expected, "{path:?}");
         }
-        // One is wrong on purpose; of the others the soft string finds no error. Of the dynamics
-        // these windows are too short.
+        // One case is wrong on purpose; for the others the soft string finds no error. These
+        // windows are too short for the dynamics.
         let wrong = path.ends_with("lateral-that-cannot-be-drilled.toml");
-        for of in &solved {
-            assert_eq!(of.status, Status::Complete, "{path:?}: {}", of.operation);
-            if of.model == ModelKind::Soft {
-                let errors = of.checks.iter().filter(|check| check.severity == Severity::Error);
-                assert_eq!(errors.count() > 0, wrong, "{path:?}: {:?}", of.checks);
+        for operation in &solved {
+            assert_eq!(operation.status, Status::Complete, "{path:?}: {}", operation.operation);
+            if operation.model == ModelKind::Soft {
+                let errors =
+                    operation.checks.iter().filter(|check| check.severity == Severity::Error);
+                assert_eq!(errors.count() > 0, wrong, "{path:?}: {:?}", operation.checks);
             }
         }
     }

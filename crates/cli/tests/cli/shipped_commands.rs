@@ -1,4 +1,5 @@
-//! Each shipped case with each command that applies to it: an answer, or the reason why there is none.
+//! Each shipped case with each command that applies to it: a result, or the reason why there is
+//! none.
 
 use std::path::Path;
 
@@ -14,7 +15,7 @@ fn path(case: &ReadyCase) -> String {
     folder.join(case.file_name).to_str().unwrap().to_owned()
 }
 
-/// Runs a command on each shipped case into the folder `out`, and looks at its results.
+/// Runs a command on each shipped case into the folder `out`, and checks its results.
 fn each_answers(command: &[&str], more: &[&str], look: impl Fn(&ReadyCase, &Desk)) {
     for case in ALL {
         let desk = Desk::new();
@@ -23,7 +24,7 @@ fn each_answers(command: &[&str], more: &[&str], look: impl Fn(&ReadyCase, &Desk
     }
 }
 
-/// The numbers of a summary that are missing, by their paths, apart from members whose absence is an answer.
+/// The missing numbers of a summary, by their paths, except members whose absence is a result.
 fn missing_numbers(value: &Value, path: &str, missing: &mut Vec<String>) {
     match value {
         Value::Null => missing.push(path.to_owned()),
@@ -46,7 +47,7 @@ fn every_case_is_valid() {
     each_answers(&["check"], &[], |_, _| ());
 }
 
-/// The survey and the tally of a case are written, and the survey is read again by `survey`.
+/// The survey and the tally of a case are written, and `survey` reads the survey again.
 #[test]
 fn every_case_exports_its_survey_and_its_string() {
     let out = ["-o", "out.csv", "--what"];
@@ -71,8 +72,8 @@ fn every_assembly_is_analysed() {
     });
 }
 
-/// Each point of a plan has numbers or the verdict that says why it has none. Shipped wells are healthy: with
-/// expected friction no check is an error, but in the lateral that is shipped for that.
+/// Each point of a plan has numbers or the reason why it has none. Shipped wells are valid: with
+/// expected friction no check is an error, except in the lateral that is shipped for that purpose.
 #[test]
 fn every_case_is_planned() {
     each_answers(&["plan"], &["--set", "plan.depths=2", "-o", "out"], |case, desk| {
@@ -92,8 +93,8 @@ fn every_case_is_planned() {
     });
 }
 
-/// Each operation of a reach has a check with a sentence, and each limit either a depth or the margin at
-/// the deepest bit.
+/// Each operation of a reach has a check with a sentence, and each limit either a depth or the
+/// margin at the deepest bit depth.
 #[test]
 fn every_case_has_a_reach() {
     each_answers(&["reach"], &["-o", "out", "--to", "5km"], |case, desk| {
@@ -105,7 +106,7 @@ fn every_case_has_a_reach() {
     });
 }
 
-/// A sweep of each case by the soft string; its page is made again, and its figures are drawn.
+/// A sweep of each case by the soft string; its page is rebuilt, and its figures are drawn.
 #[test]
 fn every_case_is_swept_reported_and_plotted() {
     let two = ["--vary", "friction=0.2,0.3", "-o", "out"];
@@ -115,7 +116,7 @@ fn every_case_is_swept_reported_and_plotted() {
         let arguments = [&["sweep", &case_path, "--set", "model=soft"], &two[..]].concat();
         let output = desk.run(&arguments);
         if case.text.contains("schedule = [") {
-            // A soft string has no answer for a schedule, and the refusal names it.
+            // A soft string cannot solve a schedule, and the error names it.
             assert_eq!(output.status.code(), Some(2), "{}", case.name);
             assert!(transcript(&output).contains("schedule"), "{}", transcript(&output));
             continue;

@@ -1,4 +1,4 @@
-//! `study`: the small study that is shipped, from its file to its page.
+//! `study`: the small shipped study, from its file to its page.
 
 use std::{fs, path::Path, process::Output};
 
@@ -9,7 +9,7 @@ use crate::{
     sweep::split,
 };
 
-/// A desk with the shipped studies on it.
+/// A desk with the shipped studies.
 fn desk() -> Desk {
     let desk = Desk::new();
     let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
@@ -39,7 +39,7 @@ fn rows(desk: &Desk, name: &str) -> Vec<[String; 4]> {
     rows.collect()
 }
 
-/// Statics meet their closed forms, and so do the dynamics, where a soft string does not.
+/// Statics agree with their closed forms, and so do the dynamics where a soft string does not.
 #[test]
 fn the_small_study_meets_its_closed_forms() {
     let desk = desk();
@@ -58,7 +58,7 @@ fn the_small_study_meets_its_closed_forms() {
         assert_eq!(agrees, expected, "{label}, {model}: {computed}");
     }
 
-    // A case for each combination, and the exception where it holds.
+    // A case for each combination, and the exception where it applies.
     assert_eq!(desk.summary("results/statics/friction=0.35,bit_depth=2000m").operations.len(), 3);
     for (friction, settle_s) in [("0.1", 8.0), ("0.2", 6.0)] {
         let case = format!("results/dynamics/friction={friction},bit_depth=300 m");
@@ -67,7 +67,7 @@ fn the_small_study_meets_its_closed_forms() {
     }
     assert_eq!(read(&desk, "statics/sweep.csv").lines().count(), 1 + 24 * 3);
 
-    // Figures draw what their data say.
+    // The figure draws its own data.
     let torque = read(&desk, "figures/torque.csv");
     assert_eq!(
         torque.lines().next(),
@@ -164,8 +164,8 @@ column = "contact_force_N_per_m"
 statistic = "max"
 "#;
 
-/// Maps show what the table of contact holds, wells are drawn once and named where there are
-/// several, and what is set on the command line holds for every case.
+/// Maps show the table of contact, wells are drawn once and named if there are several, and
+/// overrides of the command line apply to every case.
 #[test]
 fn maps_and_wells_are_drawn() {
     let desk = Desk::new();
@@ -178,7 +178,7 @@ fn maps_and_wells_are_drawn() {
         assert_eq!(summary.settings["mesh"]["element_length_m"], 8.0, "{case}");
     }
 
-    // Two maps of the half second on either side of where the window begins, and a line across
+    // Two maps over the half second on either side of the start of the window, and a line across
     // each.
     let map = read(&desk, "figures/map.svg");
     assert_eq!(map.matches("<image").count(), 2 * 2, "each with its colours");
@@ -187,7 +187,7 @@ fn maps_and_wells_are_drawn() {
     }
     let contact = desk.table("results/slow/bit_depth=500 m/contact.parquet");
     let column = |name: &str| -> Vec<f64> {
-        contact.numbers(name).expect(name).iter().map(|of| of.unwrap()).collect()
+        contact.numbers(name).expect(name).iter().map(|number| number.unwrap()).collect()
     };
     let (times, depths) = (column("time_s"), column("md_m"));
     let forces = column("side_force_N_per_m");
@@ -197,21 +197,23 @@ fn maps_and_wells_are_drawn() {
     let seen: Vec<Vec<f64>> = lines
         .map(split)
         .filter(|cells| cells[3] == "500 m")
-        .map(|cells| [4, 5, 7].map(|of: usize| cells[of].parse().unwrap()).into())
+        .map(|cells| [4, 5, 7].map(|index: usize| cells[index].parse().unwrap()).into())
         .collect();
-    let kept = (0..times.len()).filter(|row| times[*row] > 0.5 + 1e-6 && times[*row] < 1.5 + 1e-6);
-    let kept: Vec<Vec<f64>> = kept.map(|row| vec![times[row], depths[row], forces[row]]).collect();
-    assert!(kept.len() > 1000, "{}", kept.len());
-    assert_eq!(seen, kept);
+    let rows_between =
+        (0..times.len()).filter(|row| times[*row] > 0.5 + 1e-6 && times[*row] < 1.5 + 1e-6);
+    let rows_between: Vec<Vec<f64>> =
+        rows_between.map(|row| vec![times[row], depths[row], forces[row]]).collect();
+    assert!(rows_between.len() > 1000, "{}", rows_between.len());
+    assert_eq!(seen, rows_between);
 
-    // The table's numbers are of the same rows.
+    // The table uses the same rows.
     let numbers = rows(&desk, "contact.csv");
     let computed: Vec<f64> = numbers.iter().map(|row| row[2].parse().unwrap()).collect();
-    // A sample is a whole number of steps: no row ends at the half second exactly.
-    let near = |of: &f64, wanted: f64| (of - wanted).abs();
-    let nearest = |values: &[f64], wanted: f64| {
+    // A sample is a whole number of steps: no row ends exactly at the half second.
+    let near = |value: &f64, target: f64| (value - target).abs();
+    let nearest = |values: &[f64], target: f64| {
         let all = values.iter().copied();
-        all.min_by(|a, b| near(a, wanted).total_cmp(&near(b, wanted)))
+        all.min_by(|a, b| near(a, target).total_cmp(&near(b, target)))
     };
     let time_s = nearest(&times, 1.5).unwrap();
     let rows: Vec<usize> = (0..times.len()).filter(|row| times[*row] == time_s).collect();
@@ -241,7 +243,7 @@ fn maps_and_wells_are_drawn() {
         assert_eq!(painted[..4], *b"\x89PNG");
     }
 
-    // What a sweep varies cannot be set for all; what was painted goes where it is not requested
+    // A varied key cannot be set for all cases; earlier PNG files are removed unless requested
     // again.
     let output = desk.run(&[&study[..], &["--set", "bit_depth=400m"]].concat());
     assert_eq!(output.status.code(), Some(2));
@@ -255,7 +257,7 @@ fn maps_and_wells_are_drawn() {
 }
 
 /// Pulling takes `w L (cos i + μ sin i)`, 88 kN at 300 m and 147 kN at 500 m: a hoist of 120 kN
-/// lifts the first alone, and the figure rings the other.
+/// lifts only the first, and the figure rings the other.
 #[test]
 fn a_case_with_an_error_is_ringed() {
     const STUDY: &str = r#"
@@ -286,7 +288,7 @@ y = "hook_load_N"
     }
 }
 
-/// The study of the book's tour does what the book says, by the soft string.
+/// The study of the book's tour gives the results in the book, with the soft string.
 #[test]
 fn the_tours_study_answers_as_told() {
     let desk = Desk::new();
@@ -297,10 +299,10 @@ fn the_tours_study_answers_as_told() {
     let (study, rest) = rest.split_once("```").unwrap();
     fs::write(desk.path("my-study.toml"), study).unwrap();
     let output = desk.run(&["study", "my-study.toml", "--set", "model=soft"]);
-    let told = transcript(&output);
+    let text = transcript(&output);
     let folder = "out/Is the top drive strong enough-";
-    assert!(told.contains("12 of 12 cases finished"), "{told}");
-    assert!(told.contains(folder) && rest.contains(folder), "{told}");
+    assert!(text.contains("12 of 12 cases finished"), "{text}");
+    assert!(text.contains(folder) && rest.contains(folder), "{text}");
     let table = desk.text(&format!("{folder}/tables/table-01.md"));
     let numbers = |text: &str| -> Vec<[String; 2]> {
         let rows = text.lines().filter(|line| line.starts_with("| torque with"));
@@ -314,7 +316,7 @@ fn the_tours_study_answers_as_told() {
     assert_eq!(numbers(rest), numbers(&table));
 }
 
-/// Shares leave what a resumed study finds, which solves nothing again and shows all of it.
+/// After all shares, a resumed study solves nothing again and shows all results.
 #[test]
 fn shares_make_a_whole() {
     let desk = desk();
@@ -333,7 +335,7 @@ fn shares_make_a_whole() {
     assert_eq!(rows(&desk, "statics.csv").len(), 8);
 }
 
-/// Shares that begin at once leave the tables and the page of the whole study.
+/// Simultaneous shares leave the tables and the page of the whole study.
 #[test]
 fn shares_at_once_make_a_whole() {
     let desk = desk();
@@ -354,7 +356,7 @@ fn shares_at_once_make_a_whole() {
     }
 }
 
-/// A mistake in a case that the study makes is underlined where the study says it.
+/// A mistake in a case of the study is underlined in the study file.
 #[test]
 fn mistakes_are_underlined_in_the_study() {
     let desk = desk();
@@ -378,23 +380,23 @@ fn mistakes_are_underlined_in_the_study() {
     assert_snapshot!(transcript(&study(&desk, &[])));
 }
 
-/// All cases of the article's campaign are valid, and its table gives what the article prints.
+/// All cases of the article's campaign are valid, and its table has the numbers of the article.
 #[test]
 fn the_articles_study_is_sound() {
     let desk = Desk::new();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let file = root.join("studies/full-hole-system-dynamics.toml");
-    // The last case of all is a soft string: it is solved in no time.
+    // The very last case is a soft string, which is solved almost instantly.
     let output =
         desk.run(&["study", file.to_str().unwrap(), "-o", "results", "--shard", "180/180"]);
-    let told = transcript(&output);
-    assert!(told.contains("1 of 1 cases finished"), "{told}");
-    assert!(told.ends_with("--- standard error\n"), "{told}");
+    let text = transcript(&output);
+    assert!(text.contains("1 of 1 cases finished"), "{text}");
+    assert!(text.ends_with("--- standard error\n"), "{text}");
 
     let text = fs::read_to_string(root.join("verification/G01_paper_targets.json")).unwrap();
     let article: serde_json::Value = serde_json::from_str(&text).unwrap();
     let numbers = read(&desk, "tables/numbers.md");
-    let given = |label: &str| {
+    let entry = |label: &str| {
         let mut rows = numbers.lines().filter_map(|line| {
             let cells: Vec<&str> = line.split('|').map(str::trim).collect();
             let number = cells.get(3)?.split(' ').next()?.parse::<f64>().ok()?;
@@ -409,8 +411,8 @@ fn the_articles_study_is_sound() {
             ("axial_friction_kN", "axial friction, friction"),
         ] {
             let printed = article["outputs"][quantity][friction].as_f64().unwrap();
-            assert_eq!(given(&format!("{label} {friction}")), printed, "{quantity}");
+            assert_eq!(entry(&format!("{label} {friction}")), printed, "{quantity}");
         }
     }
-    assert_eq!(given("largest contact force"), article["outputs"]["contact_force_max_kN"]);
+    assert_eq!(entry("largest contact force"), article["outputs"]["contact_force_max_kN"]);
 }

@@ -69,7 +69,7 @@ fn rows_between_stations() {
     let output = desk.run(&args("survey survey.csv --step '100 ft' -o positions.csv"));
     assert!(output.status.success() && output.stdout.is_empty());
     let stepped = rows(&desk.text("positions.csv"));
-    // Every station is a multiple of the step: none comes twice.
+    // Every station is a multiple of the step: none occurs twice.
     let depths: Vec<f64> = stepped.iter().map(|row| row.md_m).collect();
     assert_eq!(depths.len(), 21);
     assert!(depths.windows(2).all(|pair| (pair[1] - pair[0] - 30.48).abs() < 1e-6));
@@ -87,7 +87,7 @@ fn both_paths_take_the_surveys_directions() {
     }
 }
 
-/// What it writes it reads, to the last printed digit.
+/// The command reads its own output, to the last printed digit.
 #[test]
 fn reads_its_own_result() {
     let desk = Desk::new();
@@ -135,8 +135,8 @@ fn with_survey(desk: &Desk, survey: &str) {
     fs::write(desk.path("own.toml"), case).unwrap();
 }
 
-/// A survey that begins at 500 m, of which nothing else is known, begins 500 m below the origin:
-/// alone as in a case.
+/// A survey that begins at 500 m without other information begins 500 m below the origin, alone as
+/// in a case.
 #[test]
 fn a_first_station_below_the_surface_lies_as_deep_everywhere() {
     let desk = Desk::new();
@@ -150,12 +150,12 @@ fn a_first_station_below_the_surface_lies_as_deep_everywhere() {
     assert!(text(&check.stdout).contains(note), "{}", transcript(&check));
 }
 
-/// Without units it is refused by all alike, until they are said.
+/// All commands refuse it without units, until they are given.
 #[test]
 fn a_survey_without_units_is_refused_by_all_alike() {
     let desk = Desk::new();
     with_survey(&desk, "0,60,0\n2000,60,0\n");
-    let said = ["--set", "well.survey_unit=ft"];
+    let units = ["--set", "well.survey_unit=ft"];
     for command in [
         &["check", "own.toml"][..],
         &["run", "own.toml", "--quiet", "--set", "model=soft", "-o", "r"],
@@ -163,7 +163,7 @@ fn a_survey_without_units_is_refused_by_all_alike() {
         let refused = desk.run(command);
         assert_eq!(refused.status.code(), Some(2), "{}", transcript(&refused));
         assert!(text(&refused.stderr).contains("survey_unit = \"m\""));
-        desk.done(&[command, &said[..]].concat());
+        desk.done(&[command, &units[..]].concat());
     }
     let refused = desk.run(&["survey", "own.csv"]);
     assert_eq!(refused.status.code(), Some(2), "{}", transcript(&refused));
@@ -172,7 +172,8 @@ fn a_survey_without_units_is_refused_by_all_alike() {
     assert_eq!(rows(&text(&accepted.stdout))[1].md_m, 2000.0 * 0.3048);
 }
 
-/// What no hole does is pointed out in its row: a turn of 180 deg refused, a slip warned of.
+/// Turns that no hole makes are reported in their row: 180 deg is refused, a likely slip gives a
+/// warning.
 #[test]
 fn turns_are_pointed_out_in_the_file() {
     let desk = Desk::new();
@@ -188,10 +189,13 @@ fn turns_are_pointed_out_in_the_file() {
     let output = desk.run(&["survey", "slip.csv"]);
     let warned = text(&output.stderr);
     assert!(output.status.success(), "{warned}");
-    assert!(warned.contains("slip.csv:4:1") && warned.contains("is 4.1 a slip of 41?"), "{warned}");
+    assert!(
+        warned.contains("slip.csv:4:1") && warned.contains("is 4.1 a typing error for 41?"),
+        "{warned}"
+    );
 }
 
-/// A case in place of a survey is named as one, with the command that writes its survey.
+/// A case in place of a survey is reported as a case, with the command that writes its survey.
 #[test]
 fn a_case_is_no_survey() {
     let desk = Desk::new();

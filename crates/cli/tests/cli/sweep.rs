@@ -1,4 +1,4 @@
-//! `sweep`: a case for all combinations of some values.
+//! `sweep`: a case for all combinations of given values.
 
 use std::{collections::BTreeSet, fs};
 
@@ -33,7 +33,7 @@ fn rows(desk: &Desk, folder: &str) -> Vec<Vec<String>> {
     text.lines().map(cells).collect()
 }
 
-/// The cells of a line; commas within quotes do not part.
+/// The cells of a line; commas within quotes do not separate.
 pub(crate) fn split(line: &str) -> Vec<String> {
     let mut cells = vec![String::new()];
     let mut quoted = false;
@@ -57,7 +57,7 @@ fn folders(desk: &Desk, folder: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// The table holds what the cases' summaries hold, a row per case, operation and model.
+/// The table has the values of the cases' summaries, one row per case, operation and model.
 #[test]
 fn every_combination_is_a_row() {
     let desk = Desk::new();
@@ -94,8 +94,7 @@ fn every_combination_is_a_row() {
     }
 }
 
-/// The same bits on one thread and on two, in a sweep and alone; and nothing but results on the
-/// disk.
+/// One thread and two give the same bits, in a sweep and alone; only results are left on disk.
 #[test]
 fn threads_leave_the_numbers_alone() {
     let desk = Desk::new();
@@ -116,7 +115,7 @@ fn threads_leave_the_numbers_alone() {
     assert_same(&desk, "alone", &format!("1/{}", CASES[4]));
 }
 
-/// A lift that is tuned stands in the table, in a share of its cases too.
+/// A tuned lift appears in the table, also in a share of the cases.
 #[test]
 fn a_tuned_lift_is_in_the_table() {
     let desk = Desk::new();
@@ -136,12 +135,12 @@ fn a_tuned_lift_is_in_the_table() {
         assert_eq!(table[1][place(name)], "", "a soft string has none");
         assert_eq!(table[2][place(name)].parse(), Ok(value), "{name}");
     }
-    // A key that is named like a column of its own has its place on the page.
+    // A key with the name of a built-in column has its place on the page.
     let page = desk.text("results/report.html");
     assert!(page.contains("\"heads\":[\"model\",\"Model\""));
 }
 
-/// A lift of ten thousand tonnes throws the string out of the hole; the others are solved.
+/// A lift of ten thousand tonnes throws the string out of the hole; the other cases are solved.
 #[test]
 fn one_case_that_fails() {
     let desk = Desk::new();
@@ -158,8 +157,8 @@ fn one_case_that_fails() {
     assert!(table[2][status + 1].contains("diverged"), "{:?}", table[2]);
 }
 
-/// What is finished is left alone, what was begun continues, the rest is solved: as if nothing had
-/// happened.
+/// A resumed sweep keeps finished cases, continues the one under way and solves the rest, with the
+/// results of an uninterrupted sweep.
 #[test]
 fn a_killed_sweep_goes_on() {
     let desk = Desk::new();
@@ -179,8 +178,9 @@ fn a_killed_sweep_goes_on() {
             let folder = desk.path("killed").join(case);
             let summary = wholestring_results::Summary::read(&folder.join("summary.json"));
             summary.is_ok_and(|summary| {
-                let complete =
-                    |of: &wholestring_results::OperationSummary| of.status == Status::Complete;
+                let complete = |summary: &wholestring_results::OperationSummary| {
+                    summary.status == Status::Complete
+                };
                 summary.operations.len() == 4 && summary.operations.iter().all(complete)
             })
         })
@@ -200,14 +200,14 @@ fn a_killed_sweep_goes_on() {
     }
     let table = |folder: &str| fs::read(desk.path(folder).join("sweep.csv")).unwrap();
     assert!(table("killed") == table("whole"));
-    // Other settings make other cases: nothing of this counts as finished for them.
+    // Other settings make other cases, for which nothing of this counts as finished.
     let other = ["-o", "killed", "--resume", "--set", "model=soft"];
     desk.done(&sweep(&other));
     assert_eq!(rows(&desk, "killed").len(), 1 + 6 * 2);
 }
 
-/// Of a soft string the summary is kept, of dynamics the tables, or what `--keep` says; what was
-/// kept before and is not now goes, and a resumed sweep solves what lacks tables that are to be
+/// The summary of a soft string is kept, the tables of dynamics, or the choice of `--keep`. Results
+/// kept before but not now are removed, and a resumed sweep solves the cases that lack tables to be
 /// kept.
 #[test]
 fn what_is_kept_of_a_case() {
@@ -239,12 +239,12 @@ fn what_is_kept_of_a_case() {
     let case = format!("results/{}", CASES[1]);
     for command in ["report", "plot"] {
         let output = desk.run(&[command, &case]);
-        let told = String::from_utf8_lossy(&output.stderr).replace('\\', "/");
+        let stderr = String::from_utf8_lossy(&output.stderr).replace('\\', "/");
         assert_eq!(output.status.code(), Some(2));
         let expected = format!(
             "error: {case} lacks nodes.parquet: run the case again; a sweep keeps them with --keep tables\n"
         );
-        assert_eq!(told, expected);
+        assert_eq!(stderr, expected);
     }
     with(&[&soft[..], &["--resume", "--keep", "tables"]].concat());
     assert_eq!(left("results"), with_tables);
@@ -271,8 +271,8 @@ fn what_is_kept_of_a_case() {
     assert_eq!(output.status.code(), Some(2));
 }
 
-/// Every case is in one share. Shares in folders of their own have tables that make up that of all;
-/// in one folder each adds to the table, which in the end is that of all to the byte.
+/// Every case is in one share. Shares in folders of their own have tables that together equal the
+/// whole; in one folder each adds to the table, which finally equals the whole to the byte.
 #[test]
 fn shards_make_up_the_whole() {
     let desk = Desk::new();
@@ -296,16 +296,16 @@ fn shards_make_up_the_whole() {
     assert_eq!(folders(&desk, "parts"), CASES.map(String::from).into());
     let bytes = |folder: &str| fs::read(desk.path(folder).join("sweep.csv")).unwrap();
     assert!(bytes("parts") == bytes("whole"));
-    // A call over the whole folder solves nothing, and leaves nothing of the shares.
+    // A call over the whole folder solves nothing and removes all traces of the shares.
     desk.done(&with(&["-o", "parts", "--resume"]));
     assert!(bytes("parts") == bytes("whole"));
     assert!(!desk.path("parts/.shares").exists());
 }
 
-/// How many trials of shares that begin at once are made, where not the few of every test run.
+/// Number of trials of simultaneous shares, if not the few of every test run.
 const SHARE_TRIALS: &str = "WHOLESTRING_SHARE_TRIALS";
 
-/// Four to sixteen shares that begin at once and write to one folder, as the jobs of a cluster do:
+/// Four to sixteen shares that start at once and write to one folder, like the jobs of a cluster:
 /// all succeed, and the last one to end leaves the table of all.
 #[test]
 fn shares_at_once_make_up_the_whole() {
@@ -345,7 +345,7 @@ fn a_failure_of_another_share_is_in_the_table() {
     let desk = Desk::new();
     let with =
         |more: &[&'static str]| sweep(&[&["--set", "model=soft", "--quiet"][..], more].concat());
-    // A file where the folder of a case would be: the case cannot be written.
+    // A file in place of the case's folder: the case cannot be written.
     fs::create_dir_all(desk.path("parts")).unwrap();
     fs::write(desk.path("parts").join(CASES[0]), "").unwrap();
     let failed = desk.run(&with(&["-o", "parts", "--shard", "1/2"]));
@@ -358,7 +358,8 @@ fn a_failure_of_another_share_is_in_the_table() {
     assert!(failed[0].contains(&CASES[0].to_owned()), "{failed:?}");
 }
 
-/// Names that a folder cannot bear, or that some system takes for the same, give way to numbers.
+/// Values that are invalid folder names, or that some system treats as equal, are replaced with
+/// numbers.
 #[test]
 fn folders_that_cannot_bear_their_values() {
     let desk = Desk::new();
@@ -370,12 +371,12 @@ fn folders_that_cannot_bear_their_values() {
         &[&["sweep", "slant.toml", "-o", "case", "--vary", "name=well,Well"], &soft[..]].concat(),
     );
     assert_eq!(folders(&desk, "case"), ["case-1", "case-2"].map(String::from).into());
-    // By default, the folder bears the name of the case.
+    // By default, the folder has the name of the case.
     desk.done(&[&["sweep", "slant.toml", "--vary", "rpm=60,70"], &soft[..]].concat());
     assert!(desk.path("out/Straight slant sweep/rpm=60/summary.json").exists());
 }
 
-/// Mistakes are answered before anything is solved, each with its place underlined.
+/// Mistakes are reported before anything is solved, each with its place underlined.
 #[test]
 fn mistakes_are_underlined() {
     let desk = Desk::new();
@@ -419,7 +420,7 @@ fn mistakes_are_underlined() {
     assert_snapshot!("sweep_too_many_cases", answer(&many));
 }
 
-/// Ctrl-C keeps all.
+/// Ctrl-C keeps all finished results.
 #[cfg(unix)]
 #[test]
 fn an_interrupted_sweep_goes_on() {
@@ -432,7 +433,7 @@ fn an_interrupted_sweep_goes_on() {
     let count = || fs::read_dir(desk.path("stopped")).map_or(0, |all| all.count());
     assert_eq!(
         desk.interrupted(&stopped, || count() >= 3, Duration::ZERO),
-        "interrupted: what was computed is in stopped\n\
+        "interrupted: partial results are in stopped\n\
          to continue, run the sweep again with --resume\n"
     );
     assert!(desk.path("stopped/sweep.csv").exists());

@@ -13,7 +13,7 @@ pub(crate) trait Law {
 }
 
 keys! {
-    /// What both words use.
+    /// Keys of both words.
     Shared {
         /// It must be there.
         both: f64 = required(Number::up_to(1.0));
@@ -87,7 +87,7 @@ fn tables() -> &'static crate::Json {
 }
 static KIND: Kind = Kind { noun: "file", needs: "a law", tables };
 
-/// The sum by the law, the keys that another law alone uses, and what is wrong.
+/// The value of the law, the keys that only another law uses, and the diagnostics.
 fn read(text: &str) -> (Option<f64>, Vec<&'static str>, String) {
     let (root, mut reader) = file::tree("file.toml", text.as_bytes(), &KIND).expect("TOML");
     let file = File::read(&root, Span::default(), &mut reader);
@@ -104,8 +104,8 @@ fn the_word_chooses_the_keys() {
     assert_eq!((sum, idle, wrong.as_str()), (Some(0.75), vec!["one"], ""));
 }
 
-/// Required is what the word needs; a key of another word that is wrong is wrong all the same,
-/// and a shared one is reported once.
+/// The keys of the chosen word are required; a mistake in a key of another word is reported as
+/// well, and one in a shared key once.
 #[test]
 fn mistakes_are_reported_once() {
     let (sum, _, wrong) = read("law = \"two\"");

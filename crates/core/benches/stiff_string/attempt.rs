@@ -68,8 +68,8 @@ impl Try {
         let ms = 1e3 * (processor_time() - begin).as_secs_f64();
         let (end, steps) = match solved {
             Ok(found) => {
-                let of = found.convergence;
-                (End::Found { stable: of.stable }, of.iterations)
+                let convergence = found.convergence;
+                (End::Found { stable: convergence.stable }, convergence.iterations)
             }
             Err(StiffError::LocksUp { .. }) => (End::LocksUp, 0),
             Err(StiffError::RunsAway { iterations, .. }) => (End::LocksUp, iterations),

@@ -124,9 +124,9 @@ fn times(tried: &[Try]) {
 }
 
 /// Wells of a list, to be looked at.
-fn list<'a>(title: &str, of: impl Iterator<Item = &'a Try>) {
+fn list<'a>(title: &str, tries: impl Iterator<Item = &'a Try>) {
     println!("{title}:");
-    for one in of {
+    for one in tries {
         println!("  {}", described(one));
     }
 }

@@ -60,14 +60,14 @@ pub(super) struct Modes {
 }
 
 impl<'a> Assembly<'a> {
-    pub(super) fn new(of: &'a SmallMotions, length_m: f64) -> Self {
-        let mesh = &of.rest.mesh;
+    pub(super) fn new(motions: &'a SmallMotions, length_m: f64) -> Self {
+        let mesh = &motions.rest.mesh;
         let nearest = |from_bit_m: f64| {
             if from_bit_m >= mesh.length_m() { 0 } else { mesh.nearest_node(from_bit_m) }
         };
         let (first, top) = (nearest(length_m + ABOVE_M), nearest(length_m));
-        let chain = if first == 0 { of.chain.clone() } else { of.chain.below(first) };
-        Self { of, chain, first, top }
+        let chain = if first == 0 { motions.chain.clone() } else { motions.chain.below(first) };
+        Self { of: motions, chain, first, top }
     }
 
     /// First node of the assembly, from the top of the string down.

@@ -80,8 +80,8 @@ impl Assembly<'_> {
         let mut branches = Vec::new();
         let mut critical = Vec::new();
         for track in tracks {
-            let fastest = track.last().map(|of| self.mode(&modes, of.omega, &of.parts));
-            let frequency_Hz: Vec<f64> = track.iter().map(|of| of.omega / TAU).collect();
+            let fastest = track.last().map(|track| self.mode(&modes, track.omega, &track.parts));
+            let frequency_Hz: Vec<f64> = track.iter().map(|track| track.omega / TAU).collect();
             for &order in orders {
                 critical.extend(self.crossings(
                     &modes,
@@ -112,7 +112,7 @@ impl Assembly<'_> {
                     });
                 }
             }
-            let alike = |of: &&Branch| of.family == mode.family;
+            let alike = |branch: &&Branch| branch.family == mode.family;
             branches.push(Branch {
                 family: mode.family,
                 number: branches.iter().filter(alike).count() + 1,
@@ -156,7 +156,7 @@ impl Assembly<'_> {
         order: f64,
         branch: usize,
     ) -> Vec<Critical> {
-        let over = |of: &TurningMode, speed: f64| of.omega - order * speed;
+        let over = |mode: &TurningMode, speed: f64| mode.omega - order * speed;
         let mut found = Vec::new();
         for step in 1..speeds.len() {
             let (mut from, mut to) = (speeds[step - 1], speeds[step]);
@@ -169,7 +169,7 @@ impl Assembly<'_> {
             for _ in 0..SECANTS {
                 let speed = (from * below - to * above) / (below - above);
                 let there = modes.turning.at(speed);
-                let like = |of: &&TurningMode| alike(first, of);
+                let like = |mode: &&TurningMode| alike(first, mode);
                 let Some(mode) = there.iter().max_by(|a, b| like(a).total_cmp(&like(b))) else {
                     break;
                 };

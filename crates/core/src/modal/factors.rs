@@ -54,12 +54,12 @@ impl<T: ComplexField<RealField = f64> + Copy> Block<T> {
     }
 
     /// This times a real one.
-    fn times(&self, of: &Stiffness) -> Self {
+    fn times(&self, stiffness: &Stiffness) -> Self {
         let mut product = [[T::zero(); MOTIONS]; MOTIONS];
         for (sums, own) in product.iter_mut().zip(&self.0) {
             for (k, part) in own.iter().enumerate() {
                 for (column, sum) in sums.iter_mut().enumerate() {
-                    *sum += part.scale(of[(k, column)]);
+                    *sum += part.scale(stiffness[(k, column)]);
                 }
             }
         }
@@ -67,11 +67,11 @@ impl<T: ComplexField<RealField = f64> + Copy> Block<T> {
     }
 
     /// Less the transpose of a real one times another.
-    fn less_transpose_times(&mut self, of: &Stiffness, other: &Self) {
+    fn less_transpose_times(&mut self, stiffness: &Stiffness, other: &Self) {
         for k in 0..MOTIONS {
             for row in 0..MOTIONS {
                 for column in 0..MOTIONS {
-                    self.0[row][column] -= other.0[k][column].scale(of[(k, row)]);
+                    self.0[row][column] -= other.0[k][column].scale(stiffness[(k, row)]);
                 }
             }
         }

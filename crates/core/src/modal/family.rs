@@ -97,11 +97,11 @@ fn follow(chain: &Chain, lambda: f64, guess: Vec<f64>, before: &[RealMode]) -> O
         look = (look as f64 * (1.0 + LOOKS_APART)) as usize + FIRST_LOOK;
         let mut found = space.ritz();
         // The first vector of the basis is the guess.
-        let shares = |of: &Ritz| of.parts[0].powi(2);
+        let shares = |ritz: &Ritz| ritz.parts[0].powi(2);
         found.sort_by(|a, b| shares(b).total_cmp(&shares(a)));
         let mut sure = found.iter().take_while(|of| of.residual < CONVERGED || !fresh);
-        let other = sure.find_map(|of| {
-            let mode = RealMode { lambda: of.lambda, motion: space.motion(of) };
+        let other = sure.find_map(|sure| {
+            let mode = RealMode { lambda: sure.lambda, motion: space.motion(sure) };
             let shared = |known: &RealMode| {
                 let masses = chain.mass.iter().flatten();
                 let both = mode.motion.iter().zip(&known.motion).zip(masses);

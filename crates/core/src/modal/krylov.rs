@@ -129,15 +129,17 @@ impl Krylov {
             made.push(vector);
         }
         for vector in &made {
-            self.projected.push(self.basis.iter().map(|of| dot(vector, of)).collect());
+            self.projected.push(self.basis.iter().map(|basis| dot(vector, basis)).collect());
         }
         self.width = 0;
         for vector in &made {
             self.admit(vector.clone());
         }
         let added = &self.basis[self.basis.len() - self.width..];
-        self.beyond =
-            added.iter().map(|of| made.iter().map(|vector| dot(of, vector)).collect()).collect();
+        self.beyond = added
+            .iter()
+            .map(|added| made.iter().map(|vector| dot(added, vector)).collect())
+            .collect();
         self.width > 0
     }
 
@@ -160,16 +162,16 @@ impl Krylov {
             })
             .collect();
         found.sort_by(|a, b| {
-            let far = |of: &Ritz| (of.lambda - self.shift).abs();
+            let far = |ritz: &Ritz| (ritz.lambda - self.shift).abs();
             far(a).total_cmp(&far(b))
         });
         found
     }
 
     /// The motion of a mode, of unit modal mass: `xᵀ M x = 1`.
-    pub(super) fn motion(&self, of: &Ritz) -> Vec<f64> {
+    pub(super) fn motion(&self, ritz: &Ritz) -> Vec<f64> {
         let mut sum = vec![0.0; self.root_mass.len()];
-        for (part, vector) in of.parts.iter().zip(&self.basis) {
+        for (part, vector) in ritz.parts.iter().zip(&self.basis) {
             subtract(&mut sum, -part, vector);
         }
         for (x, m) in sum.iter_mut().zip(&self.root_mass) {

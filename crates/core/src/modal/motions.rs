@@ -148,9 +148,9 @@ impl SmallMotions {
         Ok(found.iter().map(|mode| Mode { family, ..self.real(mode) }).collect())
     }
 
-    fn real(&self, of: &RealMode) -> Mode {
-        let motion: Vec<Complex<f64>> = of.motion.iter().map(|x| Complex::new(*x, 0.0)).collect();
-        self.mode(&self.chain, of.lambda.max(0.0).sqrt(), &motion, 0)
+    fn real(&self, mode: &RealMode) -> Mode {
+        let motion: Vec<Complex<f64>> = mode.motion.iter().map(|x| Complex::new(*x, 0.0)).collect();
+        self.mode(&self.chain, mode.lambda.max(0.0).sqrt(), &motion, 0)
     }
 
     pub(super) fn turning_modes(
@@ -166,7 +166,7 @@ impl SmallMotions {
         let rest = search::above(chain, omega, count + beyond).ok_or(incomplete)?;
         let turning = Turning::new(chain, &rest).at(rotary_rad_per_s);
         let modes = turning.iter().take(count);
-        Ok(modes.map(|of| self.mode(chain, of.omega, &motion(&rest, &of.parts), 0)).collect())
+        Ok(modes.map(|mode| self.mode(chain, mode.omega, &motion(&rest, &mode.parts), 0)).collect())
     }
 
     /// A mode of a chain that ends where the string does.
@@ -193,16 +193,18 @@ impl SmallMotions {
         };
         // In phase with the node that moves most.
         let largest = shape.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
-        let scale = largest.map_or(Complex::new(1.0, 0.0), |of| {
+        let scale = largest.map_or(Complex::new(1.0, 0.0), |largest| {
             let lead = match family {
-                Family::Torsional => of[5],
-                Family::Axial => of[2],
-                Family::Lateral if complex::norm(of[0]) >= complex::norm(of[1]) => of[0],
-                Family::Lateral => of[1],
+                Family::Torsional => largest[5],
+                Family::Axial => largest[2],
+                Family::Lateral if complex::norm(largest[0]) >= complex::norm(largest[1]) => {
+                    largest[0]
+                }
+                Family::Lateral => largest[1],
             };
             lead.conj()
                 / complex::norm(lead).max(f64::MIN_POSITIVE)
-                / size(of).max(f64::MIN_POSITIVE)
+                / size(largest).max(f64::MIN_POSITIVE)
         });
         shape.iter_mut().flatten().for_each(|x| *x *= scale);
         let element = match family {
@@ -237,11 +239,11 @@ impl SmallMotions {
         let turn = |node: usize| {
             let axes = Matrix3::from_columns(&self.rest.nodes[first + node].frame);
             // What bends it: the rotation about its own axis does not.
-            let of = |k: usize| motion[node * MOTIONS + k];
-            let part = |of: fn(Complex<f64>) -> f64, a: Complex<f64>, b: Complex<f64>| {
-                axes * Vector3::new(of(a), of(b), 0.0)
+            let motion = |k: usize| motion[node * MOTIONS + k];
+            let part = |complex: fn(Complex<f64>) -> f64, a: Complex<f64>, b: Complex<f64>| {
+                axes * Vector3::new(complex(a), complex(b), 0.0)
             };
-            let (a, b) = (of(3), of(4));
+            let (a, b) = (motion(3), motion(4));
             [part(|x| x.re, a, b), part(|x| x.im, a, b)]
         };
         let stress = |node: usize| {

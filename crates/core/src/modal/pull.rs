@@ -39,8 +39,8 @@ pub(super) fn chain(
     for (index, element) in rest.elements.iter().enumerate() {
         let tangent: SMatrix<f64, 12, 12> = dual::tangent(&element.stiffness, &element.pose);
         let block = |row: usize, column: usize| {
-            let of = tangent.fixed_view::<6, 6>(6 * row, 6 * column);
-            turned[index + row].tr_mul(&(of * turned[index + column]))
+            let fixed_view = tangent.fixed_view::<6, 6>(6 * row, 6 * column);
+            turned[index + row].tr_mul(&(fixed_view * turned[index + column]))
         };
         chain.diagonal[index] += block(0, 0);
         chain.diagonal[index + 1] += block(1, 1);

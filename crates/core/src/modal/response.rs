@@ -130,8 +130,8 @@ impl Assembly<'_> {
             let x = complex::polar(size, angle_rad);
             [x, x * Complex::new(0.0, -1.0)]
         };
-        let mut put = |node: usize, of: [Complex<f64>; 2]| {
-            for (k, part) in of.into_iter().enumerate() {
+        let mut put = |node: usize, complex: [Complex<f64>; 2]| {
+            for (k, part) in complex.into_iter().enumerate() {
                 if self.chain.mass[node][k] > 0.0 {
                     force[node][k] += part;
                 }

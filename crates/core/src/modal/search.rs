@@ -83,7 +83,7 @@ fn slice(chain: &Chain, least: f64, count: usize) -> Option<Slice> {
             .filter(|(number, between)| chain.shifted(*between).negative == below + number)
             .or((whole && found.len() == freedoms - below).then_some((found.len(), least)));
         if let Some((number, end)) = complete {
-            let mode = |of: &Ritz| RealMode { lambda: of.lambda, motion: space.motion(of) };
+            let mode = |ritz: &Ritz| RealMode { lambda: ritz.lambda, motion: space.motion(ritz) };
             return Some(Slice { modes: found[..number].iter().map(mode).collect(), end });
         }
         if clear.is_some() || !fresh {

@@ -188,11 +188,19 @@ mod tests {
     #[test]
     fn the_yield_power_law_has_the_others_in_it() {
         let (bore, flow) = (PI * 0.05 * 0.05, 8e-3);
-        let of = |rheology| gradient_Pa_per_m(&mud(rheology), bore, flow);
-        let bingham = of(Rheology::Bingham { plastic_viscosity_Pa_s: 0.3, yield_point_Pa: 8.0 });
-        let power = of(Rheology::PowerLaw { consistency_Pa_s_n: 2.0, flow_index: 0.55 });
+        let gradient_Pa_per_m = |rheology| gradient_Pa_per_m(&mud(rheology), bore, flow);
+        let bingham = gradient_Pa_per_m(Rheology::Bingham {
+            plastic_viscosity_Pa_s: 0.3,
+            yield_point_Pa: 8.0,
+        });
+        let power =
+            gradient_Pa_per_m(Rheology::PowerLaw { consistency_Pa_s_n: 2.0, flow_index: 0.55 });
         let both = |yield_point_Pa, consistency_Pa_s_n, flow_index| {
-            of(Rheology::HerschelBulkley { yield_point_Pa, consistency_Pa_s_n, flow_index })
+            gradient_Pa_per_m(Rheology::HerschelBulkley {
+                yield_point_Pa,
+                consistency_Pa_s_n,
+                flow_index,
+            })
         };
         assert!((both(8.0, 0.3, 1.0) / bingham - 1.0).abs() < 1e-9);
         assert!((both(0.0, 2.0, 0.55) / power - 1.0).abs() < 1e-9);

@@ -60,25 +60,26 @@ impl Conduit {
 
     /// Whether its parts add up to the stretch: not so of a stored one that is damaged.
     pub fn is_whole(&self) -> bool {
-        let sum: f64 = self.parts.iter().map(|of| of.part).sum();
+        let sum: f64 = self.parts.iter().map(|part| part.part).sum();
         (sum - 1.0).abs() < WHOLE
     }
 
     /// Mean drag of the annuli.
     pub fn drag(&self, mud: &Mud, motion: &Motion) -> AnnulusDrag {
-        let drags = self.parts.iter().map(|of| of.annulus.drag(mud, motion) * of.part);
+        let drags = self.parts.iter().map(|part| part.annulus.drag(mud, motion) * part.part);
         drags.fold(AnnulusDrag::default(), |sum, drag| sum + drag)
     }
 
     /// Mean pressure gradient by friction in the bores, Pa/m, at a flow rate relative to the pipe.
     pub fn bore_gradient_Pa_per_m(&self, mud: &Mud, flow_m3_per_s: f64) -> f64 {
-        let gradient = |of: &ConduitPart| bore::gradient_Pa_per_m(mud, of.bore_m2, flow_m3_per_s);
-        self.parts.iter().map(|of| of.part * gradient(of)).sum()
+        let gradient =
+            |part: &ConduitPart| bore::gradient_Pa_per_m(mud, part.bore_m2, flow_m3_per_s);
+        self.parts.iter().map(|part| part.part * gradient(part)).sum()
     }
 
     /// Mean speed of the mud up the annuli, m/s.
     pub fn rising_m_per_s(&self, flow_m3_per_s: f64) -> f64 {
-        self.parts.iter().map(|of| of.part * of.annulus.mean_m_per_s(flow_m3_per_s)).sum()
+        self.parts.iter().map(|part| part.part * part.annulus.mean_m_per_s(flow_m3_per_s)).sum()
     }
 }
 

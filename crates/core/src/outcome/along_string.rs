@@ -209,26 +209,26 @@ impl Buckling {
     }
 }
 
-fn bucklings(of: &Profile) -> Vec<&'static str> {
-    (0..of.helical_load_N.len()).map(|row| of.buckling(row).name()).collect()
+fn bucklings(profile: &Profile) -> Vec<&'static str> {
+    (0..profile.helical_load_N.len()).map(|row| profile.buckling(row).name()).collect()
 }
 
-fn contact_classes(of: &Profile) -> Vec<&'static str> {
+fn contact_classes(profile: &Profile) -> Vec<&'static str> {
     let class = |fraction: &f64| ContactClass::of(*fraction).name();
-    of.contact_fraction.iter().map(class).collect()
+    profile.contact_fraction.iter().map(class).collect()
 }
 
-fn size_reasons(of: &Profile) -> Vec<&'static str> {
-    of.element_size.iter().map(|reason| reason.name()).collect()
+fn size_reasons(profile: &Profile) -> Vec<&'static str> {
+    profile.element_size.iter().map(|reason| reason.name()).collect()
 }
 
-fn contact_sides(of: &Profile) -> Vec<&'static str> {
+fn contact_sides(profile: &Profile) -> Vec<&'static str> {
     let side = |force: &f64| match *force {
         force if force > 0.0 => "high",
         force if force < 0.0 => "low",
         _ => "none",
     };
-    of.side_force_N_per_m.iter().map(side).collect()
+    profile.side_force_N_per_m.iter().map(side).collect()
 }
 
 impl Profile {
@@ -240,8 +240,8 @@ impl Profile {
 
     /// Adds a row's critical loads, N.
     pub(crate) fn push_buckling_loads(&mut self, loads_N: Option<[f64; 2]>) {
-        self.sinusoidal_load_N.push(loads_N.map(|of| of[0]));
-        self.helical_load_N.push(loads_N.map(|of| of[1]));
+        self.sinusoidal_load_N.push(loads_N.map(|loads_N| loads_N[0]));
+        self.helical_load_N.push(loads_N.map(|loads_N| loads_N[1]));
     }
 
     /// The columns that are not as their declaration says for this method: left out though it knows

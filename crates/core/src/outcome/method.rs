@@ -129,7 +129,7 @@ impl ModelKind {
     /// How many methods are more detailed than it.
     pub fn rank(self) -> usize {
         let more_detailed = Self::ALL.iter().rev();
-        more_detailed.take_while(|of| **of != self).count()
+        more_detailed.take_while(|more_detailed| **more_detailed != self).count()
     }
 }
 

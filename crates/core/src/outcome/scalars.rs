@@ -144,7 +144,8 @@ mod tests {
 
     #[test]
     fn every_scalar_has_a_row_of_its_own() {
-        let rows: Vec<usize> = scalars_by_row().iter().map(|of| of.row.into()).collect();
+        let rows: Vec<usize> =
+            scalars_by_row().iter().map(|scalars_by_row| scalars_by_row.row.into()).collect();
         assert_eq!(rows, (1..=SCALARS.len()).collect::<Vec<_>>());
     }
 }

@@ -102,7 +102,7 @@ impl<'a> From<&'a StiffProfile> for Solution<'a> {
 }
 
 impl<'a> From<&'a DynamicOutcome> for Solution<'a> {
-    fn from(of: &'a DynamicOutcome) -> Self {
+    fn from(outcome: &'a DynamicOutcome) -> Self {
         let DynamicOutcome {
             scalars,
             statistics,
@@ -114,7 +114,7 @@ impl<'a> From<&'a DynamicOutcome> for Solution<'a> {
             wear,
             contact,
             series,
-        } = of;
+        } = outcome;
         Self {
             model: ModelKind::Dynamic,
             scalars: *scalars,

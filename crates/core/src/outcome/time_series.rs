@@ -121,9 +121,9 @@ pub(crate) const VARYING: [&Column<TimeSeries>; COUNT] = {
     let mut place = 0;
     while place < TIME_SERIES.len() {
         let column = &TIME_SERIES[place];
-        if let Some(of) = column.statistics {
-            assert!(all[of.place - 1].is_none(), "two columns have the same place");
-            all[of.place - 1] = Some(column);
+        if let Some(statistic) = column.statistics {
+            assert!(all[statistic.place - 1].is_none(), "two columns have the same place");
+            all[statistic.place - 1] = Some(column);
         }
         place += 1;
     }

@@ -415,10 +415,10 @@ impl Block {
         }
         for element in self.grid.each_element() {
             if self.intact[self.grid.element(element)] >= 0.0 {
-                let of = self.element_energies(element);
-                energies.elastic_J += of.elastic_J;
-                energies.hourglass_J += of.hourglass_J;
-                energies.pressure_J += of.pressure_J;
+                let element_energies = self.element_energies(element);
+                energies.elastic_J += element_energies.elastic_J;
+                energies.hourglass_J += element_energies.hourglass_J;
+                energies.pressure_J += element_energies.pressure_J;
             }
         }
         energies

@@ -29,10 +29,10 @@ impl Block {
         ensure(steps, "the step of the rock")?;
         let (nodes, elements) = (grid.node_places(), grid.element_places());
         let of_nodes = [&self.displacement, &self.velocity, &self.velocity_before];
-        let lengths = of_nodes.iter().all(|field| field.iter().all(|of| of.len() == nodes))
+        let lengths = of_nodes.iter().all(|field| field.iter().all(|field| field.len() == nodes))
             && self.inverse_mass.len() == nodes
             && self.around.len() == nodes
-            && self.stress.iter().all(|of| of.len() == elements)
+            && self.stress.iter().all(|stress| stress.len() == elements)
             && self.intact.len() == elements
             && self.left.len() == elements / GROUP
             && self.books.len() == grid.element_rows() * grid.cells[2];

@@ -129,9 +129,12 @@ impl ComponentSpec {
             let expected = "more than zero, and no more than length";
             fields.push(("blade_length", blades.length_m, length, expected));
         }
-        fields.extend(self.yield_strength_Pa.map(|of| positive("yield_strength", of)));
+        fields.extend(
+            self.yield_strength_Pa
+                .map(|yield_strength_Pa| positive("yield_strength", yield_strength_Pa)),
+        );
         let make_up = self.connection.make_up_torque_N_m;
-        fields.extend(make_up.map(|of| positive("make_up_torque", of)));
+        fields.extend(make_up.map(|make_up| positive("make_up_torque", make_up)));
         if let Some(bend) = self.bend {
             let (angle, at) = (bend.angle_rad, bend.from_lower_end_m);
             fields.push(("bend", angle, angle.abs() <= MAX_BEND_RAD, "10 deg at most"));
@@ -254,7 +257,9 @@ fn all_inside(string: DrillString) -> Result<DrillString, AssemblyError> {
     for (index, span) in string.spans().enumerate() {
         let component = span.component;
         let bend = component.bend.map(|bend| ("bend_at", bend.from_lower_end_m));
-        let force = component.lateral_force.map(|of| ("lateral_force_at", of.from_lower_end_m));
+        let force = component
+            .lateral_force
+            .map(|lateral_force| ("lateral_force_at", lateral_force.from_lower_end_m));
         for (field, from_lower_end_m) in bend.into_iter().chain(force) {
             let at = span.from_bit_m + from_lower_end_m;
             if at < body::NEAREST_BEND_M || at > length_m - body::NEAREST_BEND_M {

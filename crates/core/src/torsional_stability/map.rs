@@ -287,13 +287,13 @@ fn chains(mesh: &Mesh, plan: &StepPlan, settings: &DynamicsSettings) -> [LumpedC
         mass[subcycling.border_node + 1] += subcycling.axial_kg;
     }
     let damped = |inertia: &[f64]| -> Vec<f64> {
-        inertia.iter().map(|of| of * settings.damping.mass_per_s).collect()
+        inertia.iter().map(|inertia| inertia * settings.damping.mass_per_s).collect()
     };
     let (mut about, along) = (damped(&polar), damped(&mass));
     // The drive has the top node to itself.
     about[0] = 0.0;
-    let per_length = |of: fn(&crate::rod::section::Section) -> f64| -> Vec<f64> {
-        mesh.elements.iter().map(|e| of(&e.section) / e.length_m).collect()
+    let per_length = |section: fn(&crate::rod::section::Section) -> f64| -> Vec<f64> {
+        mesh.elements.iter().map(|e| section(&e.section) / e.length_m).collect()
     };
     let stiffness_damping_s = settings.damping.stiffness_s;
     [

@@ -60,7 +60,9 @@ impl TorsionalStability<'_> {
         let string = self.string();
         let tuned = match line.threshold {
             Threshold::Everywhere => None,
-            threshold => at.tuned_drive(settings)?.filter(|of| of.threshold.sooner_than(threshold)),
+            threshold => at
+                .tuned_drive(settings)?
+                .filter(|tuned_drive| tuned_drive.threshold.sooner_than(threshold)),
         };
         Ok(StabilityOfCase {
             rotary_speed_rad_per_s: own.rotary_speed_rad_per_s,

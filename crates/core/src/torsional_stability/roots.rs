@@ -242,9 +242,9 @@ fn count(roots: &[Complex<f64>], band: Band) -> usize {
 fn starts(axis: &[Sample]) -> Vec<[Complex<f64>; 2]> {
     let steps: Vec<Complex<f64>> = axis
         .windows(3)
-        .map(|of| {
-            let slope = (of[2].value.over(&of[1].value) - of[0].value.over(&of[1].value))
-                / (of[2].s - of[0].s);
+        .map(|axis| {
+            let slope = (axis[2].value.over(&axis[1].value) - axis[0].value.over(&axis[1].value))
+                / (axis[2].s - axis[0].s);
             -slope.inv()
         })
         .collect();

@@ -219,7 +219,7 @@ pub fn find(designation: &str) -> Result<Casing, UnknownCasing> {
         requested.is_some() && size < DIAMETER_TOLERANCE_IN && weight < WEIGHT_TOLERANCE_LB_PER_FT
     };
     if let Some(found) = entries.iter().find(|casing| same(casing)) {
-        let grade = requested.and_then(|of| of.grade);
+        let grade = requested.and_then(|requested| requested.grade);
         return Ok(Casing { grade, ..found.clone() });
     }
     if requested.is_some() {

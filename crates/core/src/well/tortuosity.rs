@@ -97,10 +97,10 @@ impl Path {
     ///
     /// # Errors
     /// Those of [`Path::new`].
-    pub fn with_tortuosity(&self, of: &Tortuosity) -> Result<Self, PathError> {
-        let [from_m, to_m] = of.md_m;
-        let spacing_m = of.spacing_m();
-        let is_there = of.amplitude_rad > 0.0 && spacing_m > 0.0 && to_m > from_m;
+    pub fn with_tortuosity(&self, tortuosity: &Tortuosity) -> Result<Self, PathError> {
+        let [from_m, to_m] = tortuosity.md_m;
+        let spacing_m = tortuosity.spacing_m();
+        let is_there = tortuosity.amplitude_rad > 0.0 && spacing_m > 0.0 && to_m > from_m;
         if !is_there {
             return Ok(self.clone());
         }
@@ -110,7 +110,7 @@ impl Path {
         let inside = between.chain([to_m]).filter(|md_m| {
             let next = depths.partition_point(|station_m| station_m < md_m);
             let near = |index: usize| {
-                depths.get(index).is_some_and(|of| (of - md_m).abs() < NEAR * spacing_m)
+                depths.get(index).is_some_and(|depth| (depth - md_m).abs() < NEAR * spacing_m)
             };
             let is_known = near(next) || next.checked_sub(1).is_some_and(near);
             *md_m <= to_m && !is_known
@@ -119,14 +119,14 @@ impl Path {
         depths.extend(added);
         depths.sort_by(f64::total_cmp);
         depths.dedup_by(|next, before| *next - *before < NEAR * spacing_m);
-        let mut random = Random::new(of.seed);
-        let draws = ((to_m - from_m) / of.period_m).ceil() as usize;
+        let mut random = Random::new(tortuosity.seed);
+        let draws = ((to_m - from_m) / tortuosity.period_m).ceil() as usize;
         let draws: Vec<f64> = (0..draws.saturating_sub(1)).map(|_| random.signed()).collect();
         let (first_m, last_m) = (self.first_md_m(), self.last_md_m());
         let stations: Vec<Station> = depths
             .into_iter()
             .filter(|md_m| (first_m..=last_m).contains(md_m))
-            .map(|md_m| self.turned(md_m, of.angles_rad(md_m, &draws)))
+            .map(|md_m| self.turned(md_m, tortuosity.angles_rad(md_m, &draws)))
             .collect();
         let start_m = self.at(first_m).position_m;
         let tie_in = super::TieIn { north_m: start_m.x, east_m: start_m.y, tvd_m: start_m.z };
@@ -139,7 +139,7 @@ impl Path {
         let angle_rad = libm::hypot(high_rad, right_rad);
         let index = self.stations().partition_point(|station| station.md_m < md_m);
         if angle_rad == 0.0
-            && let Some(planned) = self.stations().get(index).filter(|of| of.md_m == md_m)
+            && let Some(planned) = self.stations().get(index).filter(|station| station.md_m == md_m)
         {
             return *planned;
         }

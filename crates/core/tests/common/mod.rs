@@ -156,10 +156,10 @@ pub fn model(
 
 /// A model of arcs through stations, one friction, components from the bit up and a mud, with the
 /// bit at the last station.
-pub fn along(stations_m_deg: &[[f64; 3]], mu: f64, of: Vec<ComponentSpec>, mud: Mud) -> Model {
+pub fn along(stations_m_deg: &[[f64; 3]], mu: f64, specs: Vec<ComponentSpec>, mud: Mud) -> Model {
     let path = arcs(stations_m_deg);
     let bit_depth_m = path.last_md_m();
-    model(path, hole(mu, bit_depth_m), of, mud, bit_depth_m)
+    model(path, hole(mu, bit_depth_m), specs, mud, bit_depth_m)
 }
 
 /// A uniform plain string in air in one hole, the bit at the last station.

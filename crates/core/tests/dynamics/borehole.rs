@@ -28,7 +28,9 @@ fn a_block_velocity_is_the_trip_speed() {
         case.lasts(5.0, 5.0);
         case.run().scalars
     });
-    let pair = |of: fn(&wholestring::outcome::Scalars) -> f64| [of(&found[1]), of(&found[0])];
+    let pair = |scalars: fn(&wholestring::outcome::Scalars) -> f64| {
+        [scalars(&found[1]), scalars(&found[0])]
+    };
     for (what, [set, named]) in [
         ("hook load", pair(|s| s.hook_load_N)),
         ("axial friction", pair(|s| s.axial_friction_N)),

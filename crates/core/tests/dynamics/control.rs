@@ -77,8 +77,8 @@ fn a_constant_hook_load_sets_the_weight_on_bit() {
     simulation.set_hoist(HoistControl::HookLoad(hook + 5e3));
     go(&mut simulation, 45.0);
     let series = simulation.outcome().series;
-    let of = |from, to| mean_between(&series.time_s, &series.weight_on_bit_N, from, to);
-    let (same, less) = (of(20.0, 25.0), of(65.0, 70.0));
+    let mean_between = |from, to| mean_between(&series.time_s, &series.weight_on_bit_N, from, to);
+    let (same, less) = (mean_between(20.0, 25.0), mean_between(65.0, 70.0));
     assert!((same - weight).abs() < 20.0, "{same} N for {weight} N at the same hook load");
     assert!((weight - less - 5e3).abs() < 20.0, "{less} N for {weight} N less 5 kN");
 }

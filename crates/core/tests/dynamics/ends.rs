@@ -68,8 +68,8 @@ fn beams_with_ends_of_every_kind() {
     each(&cases, |(name, case)| {
         let (stiff, moving) = (at_rest(case), case.run());
         let nodes = moving.nodes.md_m.len();
-        let apart = |of: fn(&wholestring::outcome::Profile) -> &Vec<f64>| {
-            let (a, b) = (of(&stiff), of(&moving.nodes));
+        let apart = |profile: fn(&wholestring::outcome::Profile) -> &Vec<f64>| {
+            let (a, b) = (profile(&stiff), profile(&moving.nodes));
             let largest = b.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
             (0..nodes).fold(0.0_f64, |worst, i| worst.max((a[i] - b[i]).abs() / largest))
         };
@@ -78,10 +78,10 @@ fn beams_with_ends_of_every_kind() {
         let weight_N = WEIGHT_N_PER_M * LENGTH_M;
         let [high, right] = bit_forces_N(&moving);
         let side = [high + stiff.bit_side_force_N[0], right + stiff.bit_side_force_N[1]];
-        let sides = side.map(|of| of.abs() / weight_N);
+        let sides = side.map(|side| side.abs() / weight_N);
         println!("{name}: offsets {offsets:.1e}, moments {moments:.1e}, sides {sides:?}");
         assert!(offsets < 1e-4 && moments < 1e-4, "{name}");
-        assert!(sides.iter().all(|of| *of < 1e-4), "{name}");
+        assert!(sides.iter().all(|side| *side < 1e-4), "{name}");
     });
 }
 

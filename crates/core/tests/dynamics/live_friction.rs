@@ -53,8 +53,8 @@ fn friction_on_its_way_is_coulombs() {
     }
     let mut same = pulled(0.2).start();
     go(&mut same, 12.0);
-    let mean = |of: &TimeSeries, values: fn(&TimeSeries) -> &[f64]| {
-        mean_between(&of.time_s, values(of), 11.0, 12.0)
+    let mean = |series: &TimeSeries, values: fn(&TimeSeries) -> &[f64]| {
+        mean_between(&series.time_s, values(series), 11.0, 12.0)
     };
     let [changed_N, same_N] = [series, same.series()].map(|of| mean(of, |of| &of.hook_load_N));
     let across = [series, same.series()].map(|of| mean(of, |of| &of.side_force_total_N));

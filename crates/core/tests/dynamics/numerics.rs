@@ -25,13 +25,14 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         contact: c,
         bit_table,
     } = outcome;
-    let stick_slip = i.stick_slip.map(|of| {
-        let rare = [of.severity, of.torque_severity, of.period_s].into_iter();
-        let always = [of.stuck_fraction, of.bit_speed_max_rad_per_s];
+    let stick_slip = i.stick_slip.map(|stick_slip| {
+        let rare =
+            [stick_slip.severity, stick_slip.torque_severity, stick_slip.period_s].into_iter();
+        let always = [stick_slip.stuck_fraction, stick_slip.bit_speed_max_rad_per_s];
         rare.flatten().chain(always).collect()
     });
     let whirl = [i.backward_whirl, i.forward_whirl].into_iter().flatten();
-    let table = bit_table.iter().map(|of| of.outside_fraction);
+    let table = bit_table.iter().map(|bit_table| bit_table.outside_fraction);
     let mut all = vec![
         ("outside the bit's table", table.collect()),
         ("hook load", vec![s.hook_load_N]),
@@ -51,7 +52,12 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("energy residual", vec![n.energy_residual]),
         ("climb", p.climb_rad.iter().copied().flatten().collect()),
         ("stick-slip", stick_slip.unwrap_or_default()),
-        ("whirl", whirl.flat_map(|of| [of.rate_rad_per_s, of.ratio, of.length_fraction]).collect()),
+        (
+            "whirl",
+            whirl
+                .flat_map(|whirl| [whirl.rate_rad_per_s, whirl.ratio, whirl.length_fraction])
+                .collect(),
+        ),
         ("force of a joint", p.side_force_per_joint_N.iter().copied().flatten().collect()),
         ("use of the yield", p.yield_use.iter().copied().flatten().collect()),
         ("neutral point in time", t.neutral_point_m.iter().copied().flatten().collect()),

@@ -132,7 +132,7 @@ fn a_line_that_is_added_acts_as_one_of_the_plan() {
     assert_same(early.series(), late.series());
     assert_same(early.series(), resumed.series());
     assert_eq!(early.series().schedule_line, planned.series().schedule_line);
-    let set = |of: &Simulation| of.series().rotary_speed_set_rad_per_s.clone();
+    let set = |simulation: &Simulation| simulation.series().rotary_speed_set_rad_per_s.clone();
     assert_eq!(set(&early), set(&planned));
 
     // In the middle of the ramp, and late: from where it is.

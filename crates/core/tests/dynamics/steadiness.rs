@@ -24,9 +24,9 @@ fn a_prepared_start_is_settled_in_ten_seconds() {
     let mut case = np13(0.3);
     case.settings.duration_s = 20.0;
     let outcome = case.run();
-    let of = |name: &str| outcome.statistic(name).expect(name);
-    let (torque, hook) = (of("surface_torque_N_m"), of("hook_load_N"));
-    let weight = of("weight_on_bit_N");
+    let statistic = |name: &str| outcome.statistic(name).expect(name);
+    let (torque, hook) = (statistic("surface_torque_N_m"), statistic("hook_load_N"));
+    let weight = statistic("weight_on_bit_N");
     assert!(torque.std < 100.0, "torque varies by {} N·m", torque.std);
     assert!(hook.std < 100.0, "hook load varies by {} N", hook.std);
     for (what, found) in [("least", weight.min), ("mean", weight.mean), ("most", weight.max)] {
@@ -121,7 +121,7 @@ fn settling_goes_on_until_the_weight_stands() {
         (simulation.outcome(), longest_s)
     });
     let drifting = |outcome: &DynamicOutcome| {
-        let drifts = outcome.statistics.iter().filter(|(_, of)| of.drifts);
+        let drifts = outcome.statistics.iter().filter(|(_, statistic)| statistic.drifts);
         drifts.map(|(name, _)| *name).collect::<Vec<_>>()
     };
     let [(fixed, _), (steady, longest_s), (planned, planned_longest_s)] = &outcomes[..] else {

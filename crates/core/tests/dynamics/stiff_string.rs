@@ -22,8 +22,8 @@ fn share(nodes: usize, holds: impl Fn(usize) -> bool) -> f64 {
     (0..nodes).filter(|node| holds(*node)).count() as f64 / nodes as f64
 }
 
-fn side(of: &Profile, node: usize) -> i8 {
-    let force = of.side_force_N_per_m[node];
+fn side(profile: &Profile, node: usize) -> i8 {
+    let force = profile.side_force_N_per_m[node];
     i8::from(force > 0.0) - i8::from(force < 0.0)
 }
 
@@ -47,8 +47,8 @@ fn rests_where_the_dynamics_do() {
         let nodes = moving.nodes.md_m.len();
         assert_eq!(stiff.md_m.len(), nodes);
         let sides = share(nodes, |node| side(&stiff, node) == side(&moving.nodes, node));
-        let alike = |of: fn(&Profile) -> &Vec<f64>| {
-            let (a, b) = (of(&stiff), of(&moving.nodes));
+        let alike = |profile: fn(&Profile) -> &Vec<f64>| {
+            let (a, b) = (profile(&stiff), profile(&moving.nodes));
             let largest = b.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
             share(nodes, |node| (a[node] - b[node]).abs() < 2e-2 * largest)
         };

@@ -173,7 +173,7 @@ fn d09_spinning_shaft() {
             if speed > 0.0 {
                 assert_eq!(pair[0].whirl(), Some(Whirl::Backward));
                 assert_eq!(pair[1].whirl(), Some(Whirl::Forward));
-                assert!(pair.iter().all(|of| of.precession.abs() > 0.99));
+                assert!(pair.iter().all(|pair| pair.precession.abs() > 0.99));
             }
             let round = [1, 0].map(|way: usize| TAU * pair[way].frequency_Hz * HEAVY.sqrt());
             let roots = shaft_rad_per_s(&of["inputs"], shear_N, mode, speed);

@@ -111,8 +111,8 @@ fn differences_converge_to_the_tangent() {
     let mut random = Random(7);
     let elements: Vec<Ends> = (0..50).map(|_| Ends::random(&mut random)).collect();
     let error = |step: f64| {
-        let of = |ends: &Ends| apart(&tangent(&k, &ends.pose()), &ends.differences(&k, step));
-        elements.iter().map(of).fold(0.0, f64::max)
+        let apart = |ends: &Ends| apart(&tangent(&k, &ends.pose()), &ends.differences(&k, step));
+        elements.iter().map(apart).fold(0.0, f64::max)
     };
     let errors = [1e-2, 1e-3, 1e-4, 1e-5].map(error);
     for pair in errors[..3].windows(2) {
@@ -135,7 +135,7 @@ fn a_straight_element_has_a_symmetric_tangent() {
         let shift = random.vector(1.0);
         let zero = V::zeros();
         let whole = |parts: [V; 4]| {
-            SVector::<f64, 12>::from_iterator(parts.iter().flat_map(|of| of.iter().copied()))
+            SVector::<f64, 12>::from_iterator(parts.iter().flat_map(|part| part.iter().copied()))
         };
         let held = tangent * whole([shift, zero, shift, zero]);
         assert!(held.amax() < 1e-6, "{held}");

@@ -34,8 +34,8 @@ fn drilling(psi: f64, damping: f64, pitch: f64, coupling: f64, speed: f64) -> St
 }
 
 /// Speed above which no root in the band grows.
-fn threshold(of: impl Fn(f64) -> SteadyRotation, mut low: f64, mut high: f64) -> f64 {
-    let stable = |speed: f64| of(speed).stability(band(0.05, 30.0)).is_stable();
+fn threshold(rotation: impl Fn(f64) -> SteadyRotation, mut low: f64, mut high: f64) -> f64 {
+    let stable = |speed: f64| rotation(speed).stability(band(0.05, 30.0)).is_stable();
     assert!(!stable(low) && stable(high));
     for _ in 0..20 {
         let middle = 0.5 * (low + high);

@@ -81,7 +81,7 @@ fn string(numbers: &mut Numbers) -> SteadyRotation {
 }
 
 /// The system `y' = A y` of angles, spins, depths, velocities, and what drive, hoist and rock keep.
-fn eigenvalues(of: &SteadyRotation) -> Vec<Complex<f64>> {
+fn eigenvalues(rotation: &SteadyRotation) -> Vec<Complex<f64>> {
     let (
         LinearDrive::Tuned { inertia_kg_m2, gains, .. },
         LinearHoist::Line {
@@ -90,12 +90,12 @@ fn eigenvalues(of: &SteadyRotation) -> Vec<Complex<f64>> {
             damping_N_s_per_m: cl,
             autodriller: Some(driller),
         },
-    ) = (of.drive, of.hoist)
+    ) = (rotation.drive, rotation.hoist)
     else {
         panic!("a drive and a line");
     };
     let LinearRock::Front { stiffness_N_per_m: kr, rate_per_weight_m_per_s_per_N: rate } =
-        of.bit.rock
+        rotation.bit.rock
     else {
         panic!("a front");
     };
@@ -113,12 +113,14 @@ fn eigenvalues(of: &SteadyRotation) -> Vec<Complex<f64>> {
     };
     let mut rows = vec![zero(); size];
     let weight = (unit(depth + n - 1) - unit(front)) * kr;
-    let torque =
-        &weight * of.bit.torque_per_weight_m + unit(spin + n - 1) * of.bit.torque_per_speed_N_m_s;
+    let torque = &weight * rotation.bit.torque_per_weight_m
+        + unit(spin + n - 1) * rotation.bit.torque_per_speed_N_m_s;
     for i in 0..n {
         rows[angle + i] = unit(spin + i);
         rows[depth + i] = unit(speed + i);
-        for (chain, place, rate) in [(&of.torsion, angle, spin), (&of.axial, depth, speed)] {
+        for (chain, place, rate) in
+            [(&rotation.torsion, angle, spin), (&rotation.axial, depth, speed)]
+        {
             let mut force = unit(rate + i) * -chain.drag[i];
             if i > 0 {
                 force += spring(chain, place, rate, i - 1);
@@ -129,15 +131,15 @@ fn eigenvalues(of: &SteadyRotation) -> Vec<Complex<f64>> {
             rows[rate + i] = force / chain.inertia[i];
         }
     }
-    rows[spin + n - 1] -= torque / of.torsion.inertia[n - 1];
-    rows[speed + n - 1] -= &weight / of.axial.inertia[n - 1];
+    rows[spin + n - 1] -= torque / rotation.torsion.inertia[n - 1];
+    rows[speed + n - 1] -= &weight / rotation.axial.inertia[n - 1];
     // The drive: M = M₀ + J_½ Ω', Ω_r = −(M − slow)/Z, T = K_p (Ω_r − Ω) + K_i ∫.
-    let own = of.torsion.inertia[0];
-    let felt = spring(&of.torsion, angle, spin, 0);
+    let own = rotation.torsion.inertia[0];
+    let felt = spring(&rotation.torsion, angle, spin, 0);
     let (kp, ki) = (gains.proportional_N_m_s, gains.integral_N_m);
     let (hears, corner) =
         gains.shown.map_or((0.0, 0.0), |s| (1.0 / s.impedance_N_m_s, s.corner_rad_per_s));
-    let rubs = unit(spin) * of.torsion.drag[0];
+    let rubs = unit(spin) * rotation.torsion.drag[0];
     let push = ((&felt - unit(slow)) * -hears - unit(spin)) * kp + unit(missed) * ki - &felt - rubs;
     rows[spin] = push / (own + inertia_kg_m2 + kp * own * hears);
     let all = &felt + &rows[spin] * own;
@@ -146,12 +148,12 @@ fn eigenvalues(of: &SteadyRotation) -> Vec<Complex<f64>> {
     // The hoist.
     let drum = (unit(heard) + unit(sum) / driller.integral_time_s) * -driller.gain_m_per_s_per_N;
     let line = (unit(depth) - unit(block)) * kl + (unit(speed) - &drum) * cl;
-    let mass = of.axial.inertia[0];
+    let mass = rotation.axial.inertia[0];
     rows[speed] = (&rows[speed] * mass - line) / (mass + block_kg);
     rows[block] = drum;
     rows[heard] = (&weight - unit(heard)) / driller.filter_s;
     rows[sum] = unit(heard);
-    rows[front] = weight * rate + unit(spin + n - 1) * of.bit.advance_per_angle_m;
+    rows[front] = weight * rate + unit(spin + n - 1) * rotation.bit.advance_per_angle_m;
     DMatrix::from_fn(size, size, |i, j| rows[i][j]).complex_eigenvalues().iter().copied().collect()
 }
 

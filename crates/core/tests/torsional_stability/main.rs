@@ -42,9 +42,9 @@ fn in_torsion(torsion: LumpedChain, drive: LinearDrive, bit: LinearBit) -> Stead
     SteadyRotation { torsion, axial: hung(1.0), drive, hoist: LinearHoist::Force(0.0), bit }
 }
 
-fn worst(of: &Stability) -> Root {
-    assert!(of.complete, "{of:?}");
-    of.worst.expect("a root")
+fn worst(stability: &Stability) -> Root {
+    assert!(stability.complete, "{stability:?}");
+    stability.worst.expect("a root")
 }
 
 const fn band(lowest_rad_per_s: f64, highest_rad_per_s: f64) -> Band {

@@ -22,14 +22,14 @@ const IMPEDANCE: f64 = 400.0;
 const TRAVEL_S: f64 = 0.6;
 
 fn pipe(elements: usize) -> LumpedChain {
-    let of = elements as f64;
-    let inertia = IMPEDANCE * TRAVEL_S / of;
+    let f64 = elements as f64;
+    let inertia = IMPEDANCE * TRAVEL_S / f64;
     let mut nodes = vec![inertia; elements + 1];
     nodes[0] *= 0.5;
     nodes[elements] *= 0.5;
     LumpedChain {
         inertia: nodes,
-        stiffness: vec![IMPEDANCE * of / TRAVEL_S; elements],
+        stiffness: vec![IMPEDANCE * f64 / TRAVEL_S; elements],
         drag: vec![0.0; elements + 1],
         stiffness_damping_s: 0.0,
     }
@@ -106,7 +106,7 @@ fn a_uniform_pipe_under_a_drive_has_the_roots_of_the_continuous_one() {
             let h = 1e-6;
             s -= equation(s) * (2.0 * h) / (equation(s + h) - equation(s - h));
         }
-        let new = growing.iter().all(|of: &Complex<f64>| (of - s).modulus() > 1e-6);
+        let new = growing.iter().all(|complex: &Complex<f64>| (complex - s).modulus() > 1e-6);
         if equation(s).modulus() < 1e-6 && new && s.im > 0.3 && s.modulus() < 10.0 {
             growing.push(s);
         }
@@ -164,7 +164,7 @@ fn a_string_of_pipe_and_assembly_swings_at_its_frequency() {
             stiffness.push(stiffness_N_m2 / of_one_m);
         }
     }
-    let drag = inertia.iter().map(|of| 1e-3 * of).collect();
+    let drag = inertia.iter().map(|inertia| 1e-3 * inertia).collect();
     let chain = LumpedChain { inertia, stiffness, drag, stiffness_damping_s: 0.0 };
     let found = in_torsion(chain, LinearDrive::Constant, turning(0.0)).stability(band(0.3, 3.0));
     assert!(found.is_stable());

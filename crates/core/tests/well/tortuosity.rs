@@ -46,7 +46,9 @@ fn the_plan_is_kept_without_amplitude_and_at_its_ends() {
             let part = Tortuosity { md_m: [1000.0, 1400.0], ..tortuosity(kind, 3000.0) };
             let part = plan.with_tortuosity(&part).expect("a path");
             let middle = |md_m: &f64| (1000.0..1400.0).contains(md_m);
-            for md_m in part.stations().iter().map(|of| of.md_m).filter(|md_m| !middle(md_m)) {
+            for md_m in
+                part.stations().iter().map(|station| station.md_m).filter(|md_m| !middle(md_m))
+            {
                 let angle = part.at(md_m).dogleg_rad(&plan.at(md_m));
                 assert!(angle < 1e-12, "{kind:?} at {md_m} m: {angle}");
             }
@@ -86,24 +88,24 @@ fn doglegs_of_waves_are_those_of_their_closed_forms() {
 fn random_angles_are_as_they_are_said_to_be() {
     let length_m = 80_000.0;
     let plan = slant(length_m, Interpolation::MinimumCurvature);
-    let of = tortuosity(TortuosityKind::Random, length_m);
-    let wound = plan.with_tortuosity(&of).expect("a path");
+    let tortuosity = tortuosity(TortuosityKind::Random, length_m);
+    let wound = plan.with_tortuosity(&tortuosity).expect("a path");
     assert_eq!(wound.stations().len(), 1001);
     let mut squares = 0.0;
     for station in &wound.stations()[1..1000] {
         let built = station.inclination_rad - 60.0 * DEGREE;
         let across = (station.azimuth_rad - 30.0 * DEGREE) * station.inclination_rad.sin();
-        assert!(built.abs() <= of.amplitude_rad * 1.001);
+        assert!(built.abs() <= tortuosity.amplitude_rad * 1.001);
         // To the right as one looks down the hole the azimuth grows.
-        assert!((across - 0.5 * built).abs() < 1e-2 * of.amplitude_rad, "{across} {built}");
+        assert!((across - 0.5 * built).abs() < 1e-2 * tortuosity.amplitude_rad, "{across} {built}");
         squares += built * built;
     }
     verify("tortuosity", "root mean square of random inclinations, rad")
         .relative(0.04, "999 draws: 1.5 %")
-        .report(of.amplitude_rad / 3.0_f64.sqrt(), (squares / 999.0).sqrt());
-    let again = plan.with_tortuosity(&of).expect("a path");
+        .report(tortuosity.amplitude_rad / 3.0_f64.sqrt(), (squares / 999.0).sqrt());
+    let again = plan.with_tortuosity(&tortuosity).expect("a path");
     assert_eq!(again.stations(), wound.stations());
-    let other = plan.with_tortuosity(&Tortuosity { seed: 2, ..of }).expect("a path");
+    let other = plan.with_tortuosity(&Tortuosity { seed: 2, ..tortuosity }).expect("a path");
     assert_ne!(other.stations(), wound.stations());
 }
 

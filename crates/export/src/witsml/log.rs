@@ -1,4 +1,4 @@
-//! Results against the depth of the bit as WITSML logs.
+//! Results against bit depth as WITSML logs.
 
 use std::io;
 
@@ -14,20 +14,20 @@ use crate::{
     number::number,
 };
 
-/// The curve of the index: the measured depth of the bit.
+/// The index curve: measured depth of the bit.
 const INDEX: &str = "DBTM";
 const INDEX_MEANING: &str = "Measured depth of the bit";
 
-/// What logs of WITSML 2 are called.
+/// Title of logs of WITSML 2.
 const TITLE: &str = "Results against the depth of the bit";
 
-/// What stands where there is no number.
+/// Value for a missing number.
 const NULL: &str = "-999.25";
 
 /// Logs, one or several in a file: in 1.4.1.1 each by itself, in 2 each as a set of channels.
 ///
 /// # Errors
-/// None that logs give.
+/// None for valid logs.
 pub fn logs(look: &Look, logs: &[Log], version: Version) -> io::Result<String> {
     match version {
         Version::V1411 => v1411(look, logs),
@@ -84,8 +84,8 @@ fn v1411(look: &Look, logs: &[Log]) -> io::Result<String> {
         }
         xml.open("logData", &[])?;
         let listed = |texts: Vec<&str>| texts.join(",");
-        xml.leaf("mnemonicList", &[], &listed(curves.iter().map(|of| of.0).collect()))?;
-        xml.leaf("unitList", &[], &listed(curves.iter().map(|of| of.3.symbol).collect()))?;
+        xml.leaf("mnemonicList", &[], &listed(curves.iter().map(|curve| curve.0).collect()))?;
+        xml.leaf("unitList", &[], &listed(curves.iter().map(|curve| curve.3.symbol).collect()))?;
         for (row, &depth_m) in log.bit_depths_m.iter().enumerate() {
             let values = log.curves.iter().map(|curve| {
                 shown(look.uom(curve.dimension), curve.values.get(row).copied().flatten())
@@ -109,7 +109,8 @@ fn v20(look: &Look, logs: &[Log]) -> io::Result<String> {
     xml.leaf("TimeDepth", &[], "measured depth")?;
     xml.wellbore(look, Version::V20)?;
     for log in logs {
-        let about = |of: &str| uuid(&format!("{of} {} {} {}", log.name, look.name, look.created));
+        let about =
+            |kind: &str| uuid(&format!("{kind} {} {} {}", log.name, look.name, look.created));
         let set = [("schemaVersion", "2.0"), ("uuid", &about("ChannelSet"))];
         xml.open("ChannelSet", &set)?;
         xml.citation(look, &log.name)?;
@@ -147,7 +148,8 @@ fn v21(look: &Look, logs: &[Log]) -> io::Result<String> {
     xml.open_series_2("Log", look, TITLE, Version::V21)?;
     xml.inactive()?;
     for log in logs {
-        let about = |of: &str| uuid(&format!("{of} {} {} {}", log.name, look.name, look.created));
+        let about =
+            |kind: &str| uuid(&format!("{kind} {} {} {}", log.name, look.name, look.created));
         let version = ("schemaVersion", Version::V21.number());
         xml.open("ChannelSet", &[version, ("uuid", &about("ChannelSet"))])?;
         xml.citation(look, &log.name)?;
@@ -177,7 +179,7 @@ fn v21(look: &Look, logs: &[Log]) -> io::Result<String> {
 
 /// The rows of a set of channels.
 fn data(xml: &mut Xml, look: &Look, log: &Log) -> io::Result<()> {
-    let text = |shown: Option<String>| shown.unwrap_or_else(|| "null".to_owned());
+    let text = |number: Option<String>| number.unwrap_or_else(|| "null".to_owned());
     let rows = log.bit_depths_m.iter().enumerate().map(|(row, &depth_m)| {
         let values = log.curves.iter().map(|curve| {
             let value = curve.values.get(row).copied().flatten();
@@ -192,7 +194,7 @@ fn data(xml: &mut Xml, look: &Look, log: &Log) -> io::Result<()> {
     xml.close("Data")
 }
 
-/// What a set of channels is counted by; versions differ in what they call its kind.
+/// Index of a set of channels; its kind has different names in the versions.
 fn index(xml: &mut Xml, length: Uom, kind: &str) -> io::Result<()> {
     xml.open("Index", &[])?;
     xml.leaf(kind, &[], "measured depth")?;

@@ -1,7 +1,7 @@
 //! WITSML 1.4.1.1, 2.0 and 2.1.
 //!
-//! Elements stand in the order of their schemas; symbols of units are those that all versions
-//! have. What a schema asks for and a case has not is said to be unknown.
+//! Elements are in the order of their schemas; symbols of units are those that all versions have.
+//! Required elements that a case lacks are written as unknown.
 
 mod log;
 mod trajectory;

@@ -16,7 +16,7 @@ const METHOD: &str = "minimum curvature";
 /// The trajectory through these stations.
 ///
 /// # Errors
-/// None that stations give.
+/// None for valid stations.
 pub fn trajectory(look: &Look, rows: &[Row], version: Version) -> io::Result<String> {
     match version {
         Version::V1411 => v1411(look, rows),
@@ -125,7 +125,7 @@ fn v21(look: &Look, rows: &[Row]) -> io::Result<String> {
     xml.finish()
 }
 
-/// What both versions of WITSML 2 say alike of a station.
+/// Elements of a station that both versions of WITSML 2 share.
 fn direction_and_place(xml: &mut Xml, look: &Look, row: &Row) -> io::Result<()> {
     let (length, angle) = (look.uom(Dimension::Length), look.uom(Dimension::Angle));
     let severity = look.uom(Dimension::DoglegSeverity).of_series_2();
@@ -136,8 +136,7 @@ fn direction_and_place(xml: &mut Xml, look: &Look, row: &Row) -> io::Result<()> 
     xml.quantity("Dls", severity, row.dogleg_severity_rad_per_m)
 }
 
-/// What a station is: where the survey begins, or one that was measured or planned, which a case
-/// does not tell.
+/// Type of a station: the tie-in, or one whose type, measured or planned, a case does not contain.
 fn kind(place: usize) -> &'static str {
     if place == 0 { "tie in point" } else { "unknown" }
 }

@@ -12,7 +12,7 @@ use crate::{look::Look, tally::Component};
 
 const NAME: &str = "String of the case";
 
-/// What a name says that a component is: a word of it, and the type in WITSML.
+/// Type of a component by its name: a word of the name, and the type in WITSML.
 const TYPES: &[(&str, &str)] = &[
     ("bit", "bit"),
     ("motor", "motor"),
@@ -34,7 +34,7 @@ const TYPES: &[(&str, &str)] = &[
 /// The tubular of these components, from the bit up.
 ///
 /// # Errors
-/// None that components give.
+/// None for valid components.
 pub fn tubular(look: &Look, components: &[Component], version: Version) -> io::Result<String> {
     match version {
         Version::V1411 => v1411(look, components),
@@ -91,7 +91,7 @@ fn v2(look: &Look, components: &[Component], version: Version) -> io::Result<Str
     xml.finish()
 }
 
-/// The type as 2.1 calls it, which has no bit that is only a bit.
+/// The type in 2.1, which has no type for a plain bit.
 fn kind_21(component: &Component) -> &'static str {
     let name = component.name.to_lowercase();
     match kind(component) {
@@ -103,7 +103,7 @@ fn kind_21(component: &Component) -> &'static str {
     }
 }
 
-/// Names of version 2 begin with a capital.
+/// Capitalises a name, as in version 2.
 fn capital(name: &str) -> String {
     let mut letters = name.chars();
     letters
@@ -111,7 +111,7 @@ fn capital(name: &str) -> String {
         .map_or(String::new(), |first| first.to_ascii_uppercase().to_string() + letters.as_str())
 }
 
-/// What is measured of a component, in the order of all schemas.
+/// Measurements of a component, in the order of all schemas.
 fn measures(
     xml: &mut Xml,
     look: &Look,
@@ -121,7 +121,7 @@ fn measures(
     let (length, diameter) = (look.uom(Dimension::Length), look.uom(Dimension::Diameter));
     xml.quantity(&called("id"), diameter, component.id_m)?;
     xml.quantity(&called("od"), diameter, component.od_m)?;
-    // What stands out over the body: joints or blades.
+    // Maximum diameter beyond the body: joints or blades.
     if let Some(widest_m) = component.blade_od_m.or(component.joint_od_m) {
         xml.quantity(&called("odMx"), diameter, widest_m)?;
     }
@@ -134,7 +134,7 @@ fn measures(
     if let Some(strength_Pa) = component.yield_strength_Pa {
         xml.quantity(&called("tensYield"), look.uom(Dimension::Pressure), strength_Pa)?;
     }
-    // Of the tool joints, the diameter; readers find it here.
+    // The diameter of the tool joints, which readers expect here.
     if let Some(joint_m) = component.joint_od_m {
         let connection = called("connection");
         xml.open(&connection, &[("uid", "1")])?;
@@ -158,13 +158,15 @@ fn measures(
     Ok(())
 }
 
-/// The type of a component by the last word of its name that says one; what has tool joints is pipe.
+/// The type of a component by the last word of its name that has one; a component with tool joints
+/// is pipe.
 fn kind(component: &Component) -> &'static str {
     let name = component.name.to_lowercase();
     let words = name.split(|c: char| !c.is_alphanumeric() && c != '-').rev();
-    let of = |word: &str| TYPES.iter().find(|(of, _)| *of == word).map(|(_, kind)| *kind);
+    let type_of =
+        |word: &str| TYPES.iter().find(|(known, _)| *known == word).map(|(_, kind)| *kind);
     let heavy = name.contains("heavy");
-    match words.into_iter().find_map(of) {
+    match words.into_iter().find_map(type_of) {
         Some("drill pipe") if heavy => "heavy weight drill pipe",
         Some(kind) => kind,
         None if component.joint_od_m.is_some() => "drill pipe",

@@ -17,10 +17,10 @@ const SERIES_1: &str = "http://www.witsml.org/schemas/1series";
 const SERIES_2: &str = "http://www.energistics.org/energyml/data/witsmlv2";
 const COMMON_2: &str = "http://www.energistics.org/energyml/data/commonv2";
 
-/// A uid of a name is no longer than WITSML 1.4.1.1 lets it be.
+/// Maximum length of a uid made from a name, as WITSML 1.4.1.1 permits.
 const LONGEST_UID: usize = 64;
 
-/// XML that is being written: indented, names and texts escaped.
+/// An XML writer: indented, names and texts escaped.
 pub(super) struct Xml(Writer<Vec<u8>>);
 
 impl Xml {
@@ -56,7 +56,7 @@ impl Xml {
         self.citation(look, title)
     }
 
-    /// What an object of WITSML 2 is called, and who made it when.
+    /// Title, program and time of creation of an object of WITSML 2.
     pub(super) fn citation(&mut self, look: &Look, title: &str) -> io::Result<()> {
         self.open("eml:Citation", &[])?;
         self.leaf("eml:Title", &[], title)?;
@@ -88,7 +88,7 @@ impl Xml {
         self.close(name)
     }
 
-    /// That an object of WITSML 2.1 grows no more.
+    /// Marks an object of WITSML 2.1 as complete.
     pub(super) fn inactive(&mut self) -> io::Result<()> {
         self.leaf("eml:ActiveStatus", &[], "inactive")
     }
@@ -101,7 +101,7 @@ impl Xml {
         self.0.write_event(Event::End(BytesEnd::new(name)))
     }
 
-    /// An element that holds a text.
+    /// An element that contains a text.
     pub(super) fn leaf(
         &mut self,
         name: &str,
@@ -113,12 +113,12 @@ impl Xml {
         self.0.write_event(Event::End(BytesEnd::new(name)))
     }
 
-    /// An element that holds a quantity; nothing of one that is not finite.
+    /// An element that contains a quantity; nothing if it is not finite.
     pub(super) fn quantity(&mut self, name: &str, uom: Uom, si: f64) -> io::Result<()> {
         self.quantity_with(name, uom, &[], si)
     }
 
-    /// The same with more attributes.
+    /// The same with additional attributes.
     pub(super) fn quantity_with(
         &mut self,
         name: &str,
@@ -148,21 +148,21 @@ fn start<'a>(name: &'a str, attributes: &[(&str, &str)]) -> BytesStart<'a> {
     start
 }
 
-/// A text with the letters that XML may hold.
+/// A text reduced to the characters permitted in XML.
 fn allowed(text: &str) -> String {
     let may = |c: char| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');
     text.chars().map(|c| if may(c) { c } else { ' ' }).collect()
 }
 
-/// A uid of a name: its letters and digits, the others as dashes.
+/// A uid from a name: its letters and digits, the others as dashes.
 pub(super) fn uid(name: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
     let uid: String = name.chars().map(plain).take(LONGEST_UID).collect();
     if uid.is_empty() { "-".to_owned() } else { uid }
 }
 
-/// A UUID of a text, the same for the same: two 64-bit FNV-1a sums, marked as a name's (version 8,
-/// which anyone may fill).
+/// A UUID of a text, equal for equal texts: two 64-bit FNV-1a sums, marked as custom (version 8,
+/// whose contents are free).
 pub(super) fn uuid(text: &str) -> String {
     let sum = |seed: u64| {
         let step = |sum: u64, byte: u8| (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);

@@ -1,4 +1,4 @@
-//! Cases, what is set and varied in them, studies, the tables of bits, and quantities.
+//! Cases, `--set` and `--vary`, studies, tables of bits, and quantities.
 
 use wholestring_case::{InMemory, Override, Report, Variation, parse};
 use wholestring_cases::{HORIZONTAL, ISCWSA_04, NP13_X1042, NP13_X1042_ROCK, SLANT, VERTICAL};
@@ -17,7 +17,7 @@ pub(super) const READERS: &[(&str, New)] = &[
     ("quantity", quantity),
 ];
 
-/// What stands in cases and studies.
+/// Words of cases and studies.
 fn words() -> Vec<&'static str> {
     let words = r#"
         [ ] [[ ]] { } = , . " ' """ # true [well] [[well.hole]] [[string]] [operation] [dynamics]
@@ -47,7 +47,8 @@ fn files() -> InMemory {
     InMemory(files.map(|(name, text)| ((*name).to_owned(), text.as_bytes().to_vec())).collect())
 }
 
-/// What became of a text; a report is printed too, which must cut its lines where letters end.
+/// Whether a text is accepted; a report is printed too, which must cut its lines at character
+/// boundaries.
 fn printed<T>(read: Result<T, Report>) -> bool {
     match read {
         Ok(_) => true,
@@ -71,7 +72,7 @@ fn case() -> Reader {
     })
 }
 
-/// `--set`: an argument a line.
+/// `--set`: one argument per line.
 fn overrides() -> Reader {
     let seeds: [&[u8]; 3] = [
         b"well.hole.0.friction=0.1\noperation.bit_depth = 300m\nrpm=120",
@@ -95,7 +96,7 @@ fn overrides() -> Reader {
     })
 }
 
-/// `--vary`: an argument a line.
+/// `--vary`: one argument per line.
 fn vary() -> Reader {
     let seeds: [&[u8]; 4] = [
         b"friction=0.1,0.2,0.3\nbit_depth=300m..1500m/300m",

@@ -1,5 +1,5 @@
-//! Folders of results as `report` and `plot` find them: each command leaves one, and one of its files
-//! is damaged, missing, or that of another command.
+//! Folders of results as input of `report` and `plot`: the output of each command, with one of its
+//! files damaged, missing, or replaced by that of another command.
 
 use std::{fs, path::Path, slice, sync::OnceLock};
 
@@ -34,10 +34,11 @@ pub(super) const READERS: &[(&str, New)] = &[
 /// Files of a folder by their paths in it.
 type Files = Vec<(String, Vec<u8>)>;
 
-/// A command that leaves its results in a folder.
+/// A command that writes its results to a folder.
 type Command = fn(&Path);
 
-/// Quick work of each kind: a slant hole with plain pipe, its bit on weak rock in coarse elements.
+/// A quick case for each command: a slant hole with plain pipe, its bit on weak rock in coarse
+/// elements.
 const CASE: &str = include_str!("../../../cli/tests/data/slant.toml");
 const ROCK: &str = r#"
 [bit.face]
@@ -204,7 +205,7 @@ fn bit_test(folder: &Path) {
     bit_test::run(&request, &Silent, &CancellationToken::new()).expect("a bit test");
 }
 
-/// What a command leaves that pages and pictures are made of.
+/// Returns the files of a command from which pages and pictures are made.
 fn left_by(command: Command) -> Files {
     let place = tempfile::tempdir().expect("a folder for results");
     command(place.path());
@@ -225,7 +226,7 @@ fn left_by(command: Command) -> Files {
     files
 }
 
-/// A file without what the clock says of the machine, so that inputs are the same again.
+/// Removes wall-clock times from a file, so that inputs are reproducible.
 fn without_clock(bytes: Vec<u8>) -> Vec<u8> {
     let Ok(mut value) = serde_json::from_slice::<Json>(&bytes) else { return bytes };
     stop_clock(&mut value);
@@ -247,7 +248,7 @@ fn stop_clock(value: &mut Json) {
     }
 }
 
-/// A table of another command than those that have one of its name.
+/// A table of another command than those with one of its name.
 fn foreign() -> &'static [u8] {
     static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
     BYTES.get_or_init(|| {
@@ -282,8 +283,8 @@ fn folder(name: &'static str, command: Command) -> Reader {
     }
 }
 
-/// Whether page and pictures of a folder are made. What is refused says why, and names no mistake of
-/// the program.
+/// Whether page and pictures of a folder are drawn. A refusal has a reason, which must not be an
+/// internal error.
 fn is_drawn(scratch: &TempDir, files: &Files) -> bool {
     let folder = scratch.path().join("results");
     let _ = fs::remove_dir_all(&folder);
@@ -340,7 +341,7 @@ fn damaged(files: &Files, rng: &mut Rng) -> Files {
     files
 }
 
-/// Numbers that no solver has given.
+/// Numbers that no solver returns.
 const NUMBERS: [f64; 12] =
     [0.0, -0.0, 1.0, -1.0, 1e300, -1e300, 1e-300, 5e-324, 1e20, -1e12, 1e6, 4e9];
 
@@ -358,7 +359,7 @@ fn encoded(table: &Table) -> Vec<u8> {
     fs::read(path).expect("it is there")
 }
 
-/// A table with a column less, of another kind or another name, with rows less or in another order,
+/// A table with a column removed, of another kind or another name, with rows removed or reordered,
 /// or with other numbers and words.
 fn damaged_table(bytes: &[u8], rng: &mut Rng) -> Vec<u8> {
     let Some(table) = decoded(bytes) else {
@@ -379,8 +380,8 @@ fn damaged_table(bytes: &[u8], rng: &mut Rng) -> Vec<u8> {
             };
         }
         4 => {
-            let kept: Vec<usize> = (0..rows).filter(|_| rng.u8(..3) == 0).collect();
-            chosen(&mut columns, &kept);
+            let chosen_rows: Vec<usize> = (0..rows).filter(|_| rng.u8(..3) == 0).collect();
+            chosen(&mut columns, &chosen_rows);
         }
         5 => {
             let mut order: Vec<usize> = (0..rows).collect();
@@ -415,7 +416,7 @@ fn chosen(columns: &mut [Column], rows: &[usize]) {
     }
 }
 
-/// A summary with values in it that are missing, come twice, or are others.
+/// A summary with values that are missing, duplicated or changed.
 fn damaged_json(bytes: &[u8], rng: &mut Rng) -> Vec<u8> {
     let Ok(mut value) = serde_json::from_slice::<Json>(bytes) else {
         return bytes.to_vec();
@@ -426,7 +427,7 @@ fn damaged_json(bytes: &[u8], rng: &mut Rng) -> Vec<u8> {
     serde_json::to_vec(&value).expect("a value")
 }
 
-/// Goes down from a value at random, and changes where it ends.
+/// Descends from a value at random, and changes the value reached.
 fn change(value: &mut Json, rng: &mut Rng) {
     match value {
         Json::Object(map) if !map.is_empty() => {

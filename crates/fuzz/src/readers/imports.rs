@@ -1,4 +1,4 @@
-//! Files of other programs, as `wholestring import` reads them; logs apart.
+//! Files of other programs, as `wholestring import` reads them, except logs.
 
 use std::collections::BTreeMap;
 
@@ -25,7 +25,7 @@ pub(super) const READERS: &[(&str, New)] = &[
     ("import-utf16", utf16),
 ];
 
-/// What stands in files of XML.
+/// Words of XML files.
 pub(super) const XML: &[&str] = &[
     "<",
     ">",
@@ -54,8 +54,8 @@ pub(super) const XML: &[&str] = &[
     "-1",
 ];
 
-/// What holds of any file: it is read or refused with a sentence, with or without choices, and a case
-/// that it gives is valid or has its mistakes told.
+/// Checks the invariants of any file: it is read or refused with a sentence, with or without
+/// choices, and a case from it is valid or has reported errors.
 pub(super) fn reads(choices: Choices) -> impl FnMut(&[u8]) -> bool {
     move |input| {
         let file = || Input::of_bytes("file", input);
@@ -63,7 +63,7 @@ pub(super) fn reads(choices: Choices) -> impl FnMut(&[u8]) -> bool {
             Ok(contents) => assert!(!contents.what.is_empty()),
             Err(error) => assert!(!error.to_string().is_empty()),
         }
-        // What an import has asked for is remembered in its choices: each has its own.
+        // Choices record which of them an import has used: each import has its own copy.
         match import(vec![file()], &choices.clone()) {
             Ok(imported) => {
                 let text = imported.text_as("file");
@@ -82,12 +82,12 @@ pub(super) fn reads(choices: Choices) -> impl FnMut(&[u8]) -> bool {
     }
 }
 
-/// What its units are.
-fn units(said: &[(&str, &str)]) -> Choices {
-    said.iter().fold(Choices::default(), |all, (name, unit)| all.unit(*name, *unit))
+/// Choices of its units.
+fn units(units: &[(&str, &str)]) -> Choices {
+    units.iter().fold(Choices::default(), |all, (name, unit)| all.unit(*name, *unit))
 }
 
-/// Surveys with positions and dogleg severity, which are held against the path.
+/// Surveys with positions and dogleg severity, which are compared with the path.
 fn survey() -> Reader {
     let seeds: [&[u8]; 4] = [
         include_bytes!("../../../import/tests/samples/own/survey-wellpath-report.txt"),
@@ -97,9 +97,11 @@ fn survey() -> Reader {
           60,0;3,0;45,0;59,97;1,5\n",
         b"Plan\nMD,Inc,Azi\n0,0,0\n1000,1.5,45\n\nActual\nMD,Inc,Azi\n0,0,0\n31,1.5,45\n",
     ];
-    let (mut alone, mut said) =
+    let (mut alone, mut with_choices) =
         (reads(Choices::default()), reads(units(&[("md", "ft")]).pick("table", "Actual")));
-    Reader::text("import-survey", seeds, surveys::WORDS, move |input| alone(input) | said(input))
+    Reader::text("import-survey", seeds, surveys::WORDS, move |input| {
+        alone(input) | with_choices(input)
+    })
 }
 
 /// Surveys in a new workbook.
@@ -159,7 +161,7 @@ fn xlsx() -> Reader {
     workbooks::new("import-xlsx", STRINGS, SHEET, reads(Choices::default()))
 }
 
-/// Components in an old workbook, in each way that it has of writing them.
+/// Components in an old workbook, in each form of its cells.
 fn xls() -> Reader {
     let rows =
         [("Bit", 8.5, [2.0, 1.0]), ("DC", 6.75, [2.8125, 300.0]), ("DP", 5.0, [4.28, 9000.0])];
@@ -180,7 +182,7 @@ fn xls() -> Reader {
     workbooks::old("import-xls", &cells, reads(Choices::default()))
 }
 
-/// A report of muds of two fluids; none of the samples holds one of series 1.
+/// A mud report with two fluids; none of the samples of series 1 contains one.
 const MUD_REPORT: &[u8] =
     b"<?xml version=\"1.0\"?>\n<mudReports xmlns=\"http://www.witsml.org/schemas/1series\" \
       version=\"1.4.1.1\">\n<mudReport uid=\"1\"><nameWell>W</nameWell><name>M</name>\n\
@@ -213,7 +215,7 @@ fn edm() -> Reader {
         include_bytes!("../../../import/tests/samples/own/edm-well.xml"),
     ];
     let api = || units(&[("edm", "api")]);
-    // Of the second one's wells, wellbores and cases.
+    // Well, wellbore and case of the second one.
     let picked = [("well", "WS-1"), ("wellbore", "WS-1"), ("case", "8 1/2 in drilling")]
         .into_iter()
         .fold(api(), |choices, (what, name)| choices.pick(what, name));
@@ -221,7 +223,7 @@ fn edm() -> Reader {
     Reader::text("import-edm", seeds, XML, move |input| alone(input) || picked(input))
 }
 
-/// Files of any format in two bytes a character, with and without a mark.
+/// Files of any format in two bytes per character, with and without a byte order mark.
 fn utf16() -> Reader {
     let texts: Vec<Vec<u8>> = [
         &include_bytes!("../../../import/tests/samples/own/witsml-trajectory.xml")[..],
@@ -243,7 +245,7 @@ fn utf16() -> Reader {
     Reader { make: Make::Own(Box::new(make)), ..Reader::binary("import-utf16", seeds, read) }
 }
 
-/// A text in UTF-16, what is none of UTF-8 replaced.
+/// A text in UTF-16, with bytes that are not UTF-8 replaced.
 fn in_utf16(text: &[u8], mark: bool, big: bool) -> Vec<u8> {
     let text = String::from_utf8_lossy(text);
     let mark = mark.then_some('\u{feff}');

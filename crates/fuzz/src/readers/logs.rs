@@ -16,7 +16,7 @@ pub(super) const READERS: &[(&str, New)] = &[
     ("import-log-xlsx", xlsx),
 ];
 
-/// What stands in logs.
+/// Words of logs.
 const WORDS: &[&str] = &[
     "~V",
     "~W",
@@ -53,7 +53,7 @@ const WRAPPED: &[u8] =
       DMEA.m :\nBPOS.m :\nHKLA.kN :\n~ASCII\n0\n 2990 3000\n 10 600\n5\n 2985 3000\n 15 900\n10\n \
       2980 3000\n 20 -999.25\n15\n 2980 3000\n 20 200\n20\n 2985 3000\n 15 700\n";
 
-/// Sections of definitions and data, of which one is the log.
+/// Sections of definitions and data, one of which is the log.
 const LAS_3: &[u8] =
     b"~Version\nVERS. 3.0:\nWRAP. NO:\nDLM. COMMA:\n~Well\nNULL. -999.25:\nWELL. A-1: name\n\
       ~Parameter\nHKLA.kN 3 : no curve {F}\n~Log_Definition\nTIME.s : time {F8.1}\n\
@@ -81,7 +81,7 @@ fn las() -> Reader {
         include_bytes!("../../../import/tests/samples/own/surface-log.las"),
         WRAPPED,
         LAS_3,
-        // Commas before decimals, and a null of its own.
+        // Decimal commas, and a declared null value.
         b"~V\nVERS. 2.0:\n~W\nNULL. -1:\n~C\nTIME.s:\nDBTM.m:\nDMEA.m:\nBPOS.m:\nHKLA.kN:\n~A\n\
           0 2990 3000 10 600,5\n5 2985 3000 15 900,5\n10 2980 3000 20 905\n15 2980 3000 20 -1\n\
           20 2980 3000 20 200\n25 2985 3000 15 700\n",
@@ -121,7 +121,7 @@ fn witsml() -> Reader {
     Reader::text("import-log-witsml", [&one[..], &two, &two_one], XML, reads(block()))
 }
 
-/// What a log's weights are picked with.
+/// Choices for picking a log's weights.
 fn block() -> Choices {
     Choices::default().value("block-weight", "20 tf")
 }
@@ -129,7 +129,7 @@ fn block() -> Choices {
 /// Shared strings of a log's workbook.
 const STRINGS: &str = r#"<?xml version="1.0"?><sst xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" count="7" uniqueCount="7"><si><t>Time</t></si><si><t>Bit Depth (m)</t></si><si><t>Hole Depth (m)</t></si><si><t>Block Position (m)</t></si><si><t>Hook Load (kN)</t></si><si><t>Torque (kN.m)</t></si><si><t>RPM</t></si></sst>"#;
 
-/// Its sheet, with dates of Excel, a formula and a row that is hidden.
+/// Its sheet, with Excel dates, a formula and a hidden row.
 const SHEET: &str = r#"<?xml version="1.0"?><worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="A1:G9"/><sheetData><row r="1"><c r="A1" t="s"><v>0</v></c><c r="B1" t="s"><v>1</v></c><c r="C1" t="s"><v>2</v></c><c r="D1" t="s"><v>3</v></c><c r="E1" t="s"><v>4</v></c><c r="F1" t="s"><v>5</v></c><c r="G1" t="s"><v>6</v></c></row><row r="2"><c r="A2" s="1"><v>45368.16660000</v></c><c r="B2"><v>2990</v></c><c r="C2"><v>3000</v></c><c r="D2"><v>10</v></c><c r="E2"><v>600</v></c><c r="F2"><v>0</v></c><c r="G2"><v>0</v></c></row><row r="3"><c r="A3" s="1"><v>45368.16665787</v></c><c r="B3"><v>2985</v></c><c r="C3"><v>3000</v></c><c r="D3"><v>15</v></c><c r="E3"><f>400+500</f><v>900</v></c><c r="F3"><v>0</v></c><c r="G3"><v>0</v></c></row><row r="4"><c r="A4" s="1"><v>45368.16671574</v></c><c r="B4"><v>2980</v></c><c r="C4"><v>3000</v></c><c r="D4"><v>20</v></c><c r="E4"><v>905</v></c><c r="F4"><v>0</v></c><c r="G4"><v>0</v></c></row><row r="5"><c r="A5" s="1"><v>45368.16677361</v></c><c r="B5"><v>2980</v></c><c r="C5"><v>3000</v></c><c r="D5"><v>20</v></c><c r="E5"><v>200</v></c><c r="F5"><v>0</v></c><c r="G5"><v>0</v></c></row><row r="6" hidden="1"><c r="A6" t="inlineStr"><is><t>changed bit</t></is></c></row><row r="7"><c r="A7" s="1"><v>45368.16683148</v></c><c r="B7"><v>2985</v></c><c r="C7"><v>3000</v></c><c r="D7"><v>15</v></c><c r="E7"><v>700</v></c><c r="F7"><v>0</v></c><c r="G7"><v>0</v></c></row><row r="8"><c r="A8" s="1"><v>45368.16688935</v></c><c r="B8"><v>2990</v></c><c r="C8"><v>3000</v></c><c r="D8"><v>10</v></c><c r="E8"><v>702</v></c><c r="F8"><v>0</v></c><c r="G8"><v>0</v></c></row><row r="9"><c r="A9" s="1"><v>45368.16694722</v></c><c r="B9"><v>2990</v></c><c r="C9"><v>3000</v></c><c r="D9"><v>10</v></c><c r="E9"><v>201</v></c><c r="F9"><v>0</v></c><c r="G9"><v>0</v></c></row></sheetData></worksheet>"#;
 
 /// A log in a new workbook.

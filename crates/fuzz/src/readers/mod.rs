@@ -1,5 +1,4 @@
-//! The readers: each with sound files of its kind, the words that stand in them, and what it does
-//! with an input.
+//! The readers: each with valid files of its kind, their words, and its function for an input.
 
 mod cases;
 mod folders;
@@ -35,10 +34,10 @@ pub(crate) fn names() -> Vec<&'static str> {
     all().map(|(name, _)| name).collect()
 }
 
-/// The reader of that name.
+/// The reader of this name.
 pub(crate) fn of(name: &str) -> Result<Reader, String> {
     let found = all().find(|(known, _)| *known == name);
-    let (_, new) = found.ok_or_else(|| format!("`{name}` is no reader"))?;
+    let (_, new) = found.ok_or_else(|| format!("`{name}` is not a reader"))?;
     Ok(new())
 }
 
@@ -46,7 +45,7 @@ pub(crate) fn of(name: &str) -> Result<Reader, String> {
 mod tests {
     use super::*;
 
-    /// A seed that is refused tries nothing beyond its first mistake.
+    /// A seed that is refused tests nothing beyond its first error.
     #[test]
     fn every_seed_is_accepted() {
         let mut refused = Vec::new();

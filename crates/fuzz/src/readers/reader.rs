@@ -1,23 +1,23 @@
-//! A reader: its sound files, its words, and what it does with an input.
+//! A reader: its valid files, its words, and its function for an input.
 
 use fastrand::Rng;
 
 use crate::mutation;
 
-/// Makes a reader ready.
+/// Constructs a reader.
 pub(super) type New = fn() -> Reader;
 
-/// What reads inputs; whether it accepts one.
+/// Reads an input; returns whether it is accepted.
 pub(super) type Read = Box<dyn FnMut(&[u8]) -> bool>;
 
 /// Makes an input.
 pub(super) type Generator = dyn Fn(&mut Rng) -> Vec<u8>;
 
-/// How inputs are made.
+/// Way to generate inputs.
 pub(super) enum Make {
-    /// Damaged seeds: texts are changed by their words too.
+    /// Damaged seeds: texts are also changed by words.
     Damaged { is_text: bool },
-    /// In a way of their own.
+    /// A generator of their own.
     Own(Box<Generator>),
 }
 
@@ -65,8 +65,8 @@ impl Reader {
     /// An input.
     pub(crate) fn input(&self, rng: &mut Rng) -> Vec<u8> {
         match &self.make {
-            // Whatever is not changed is accepted: else nothing would be tried beyond the first
-            // mistake.
+            // An unchanged seed is accepted: otherwise nothing would be tested beyond the first
+            // error.
             Make::Damaged { .. } if rng.u8(..100) == 0 => {
                 rng.choice(&self.seeds).cloned().unwrap_or_default()
             }
@@ -75,7 +75,7 @@ impl Reader {
         }
     }
 
-    /// Reads an input; whether it is accepted.
+    /// Reads an input; returns whether it is accepted.
     pub(crate) fn read(&mut self, input: &[u8]) -> bool {
         (self.read)(input)
     }

@@ -51,19 +51,19 @@ fn csv() -> Reader {
     Reader::text("readings-csv", seeds, WORDS, |input| match read_readings(input, "a.csv") {
         Ok(read) => {
             assert!(!read.readings.is_empty());
-            for of in &read.readings {
-                assert!(of.bit_depth_m > 0.0 && of.bit_depth_m.is_finite());
-                let weights = [of.pick_up_N, of.slack_off_N, of.rotating_N];
+            for reading in &read.readings {
+                assert!(reading.bit_depth_m > 0.0 && reading.bit_depth_m.is_finite());
+                let weights = [reading.pick_up_N, reading.slack_off_N, reading.rotating_N];
                 assert!(weights.into_iter().flatten().all(f64::is_finite));
             }
             let (left, checks) = read.measured(UnitSet::Field);
-            let is_error = |of: &ReadingCheck| of.check.severity == Severity::Error;
-            for of in &left.readings {
-                let weights = [of.pick_up_N, of.slack_off_N, of.rotating_N];
+            let is_error = |check: &ReadingCheck| check.check.severity == Severity::Error;
+            for reading in &left.readings {
+                let weights = [reading.pick_up_N, reading.slack_off_N, reading.rotating_N];
                 let is_load = |load: &f64| *load > 0.0;
                 assert!(weights.iter().flatten().all(is_load) || checks.iter().any(is_error));
             }
-            assert!(checks.iter().all(|of| !of.check.sentence.is_empty()));
+            assert!(checks.iter().all(|check| !check.check.sentence.is_empty()));
             true
         }
         Err(error) => {

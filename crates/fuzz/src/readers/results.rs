@@ -1,4 +1,4 @@
-//! What a run left: summaries, tables in Parquet and CSV.
+//! Results of a run: summaries, tables in Parquet and CSV.
 
 use std::{fs, path::PathBuf};
 
@@ -15,7 +15,7 @@ use super::reader::{New, Reader};
 pub(super) const READERS: &[(&str, New)] =
     &[("summary", summary), ("parquet", parquet), ("sweep-csv", csv)];
 
-/// A file that inputs are written to, since these readers read files.
+/// A file to which inputs are written, because these readers read files.
 pub(super) struct Scratch {
     folder: TempDir,
     name: &'static str,
@@ -31,7 +31,7 @@ impl Scratch {
         ResultsFolder::create(self.folder.path()).expect("a folder for inputs")
     }
 
-    /// Writes an input; where it is.
+    /// Writes an input; returns its path.
     pub(super) fn put(&self, input: &[u8]) -> PathBuf {
         let path = self.folder.path().join(self.name);
         fs::write(&path, input).expect("the input is written");
@@ -39,7 +39,7 @@ impl Scratch {
     }
 }
 
-/// Whether something was read; an error names its file.
+/// Whether reading succeeded; an error must name its file.
 fn explained<T>(read: Result<T, ResultsError>, name: &str) -> bool {
     match read {
         Ok(_) => true,
@@ -67,7 +67,7 @@ const SUMMARY: &str = r#"{
   ]
 }"#;
 
-/// `summary.json`, and what a bit test or an assembly leaves in its place.
+/// `summary.json`, and its equivalents of a bit test or an assembly.
 fn summary() -> Reader {
     let scratch = Scratch::new("summary.json");
     let words = r#"
@@ -80,7 +80,7 @@ fn summary() -> Reader {
         let read = Summary::read(&path);
         let mut again = false;
         if let Ok(summary) = &read {
-            // What was read can be written, and read back.
+            // A summary that was read can be written and read back.
             summary.write(&path).expect("it can be written");
             again = Summary::read(&path).is_err();
         }
@@ -108,7 +108,7 @@ fn table(specs: &[ColumnSpec], rows: usize) -> Table {
     Table::new(columns.collect())
 }
 
-/// Parquet of each kind.
+/// Parquet files of each kind.
 fn parquet() -> Reader {
     let scratch = Scratch::new("table.parquet");
     let mut seeds = Vec::new();
@@ -152,7 +152,7 @@ fn frames() -> Vec<u8> {
     fs::read(folder.path().join("frames.parquet")).expect("they are there")
 }
 
-/// `sweep.csv` and the like.
+/// `sweep.csv` and similar files.
 fn csv() -> Reader {
     let scratch = Scratch::new("sweep.csv");
     let seeds: [&[u8]; 2] = [
@@ -166,7 +166,7 @@ fn csv() -> Reader {
         if let Ok(table) = &read
             && !table.columns().is_empty()
         {
-            // What was read is written and read back the same.
+            // A table that was read is written and read back unchanged.
             table.write_csv(&path).expect("it can be written");
             let again = Table::read_csv(&path).expect("it is read back");
             assert!(again == *table || table.rows() == 0, "it is not the same");

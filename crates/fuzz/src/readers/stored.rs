@@ -1,5 +1,5 @@
-//! Checkpoints: the file, the state of a string's run and that of a bit's trial, behind a checksum
-//! that fits.
+//! Checkpoints: the file, the state of a string's run and that of a bit's trial, after a valid
+//! checksum.
 
 use std::fs;
 
@@ -18,7 +18,7 @@ use super::{
 pub(super) const READERS: &[(&str, New)] =
     &[("checkpoint", file), ("simulation", simulation), ("trial", trial)];
 
-/// The file around a checkpoint.
+/// The container of a checkpoint.
 fn file() -> Reader {
     type Content = (Vec<f64>, String, Option<u64>, Vec<Option<f64>>);
     let scratch = Scratch::new("checkpoint.bin");
@@ -38,7 +38,8 @@ fn file() -> Reader {
     })
 }
 
-/// A short string that drills with a motor, in a mud with a rheology: each part of a run is there.
+/// A short string that drills with a motor, in a mud with a rheology, so that each part of a run is
+/// present.
 fn short_case() -> Case {
     const CASE: &str = r#"
         name = "short"
@@ -81,7 +82,7 @@ fn short_case() -> Case {
         .unwrap_or_else(|report| panic!("{}", report.render(false)))
 }
 
-/// A run of a string that is resumed, and continues.
+/// A run of a string that is resumed and continued.
 fn simulation() -> Reader {
     let case = short_case();
     let operation = case.operations[0];
@@ -112,7 +113,7 @@ fn simulation() -> Reader {
     })
 }
 
-/// A trial of a bit on solid rock that is resumed, and continues.
+/// A trial of a bit on solid rock that is resumed and continued.
 fn trial() -> Reader {
     let rock = Rock::for_drilling(60e6);
     let bit = BitShape::Pdc(wholestring::rock::bit_face::PdcBit::for_diameter(0.1));

@@ -19,14 +19,14 @@ pub(super) const READERS: &[(&str, New)] = &[
     ("survey-xls", xls),
 ];
 
-/// What stands in surveys.
+/// Words of surveys.
 pub(super) const WORDS: &[&str] = &[
     ",", ";", "\t", "  ", "\n", "\r\n", "\"", "\"\"", "(", ")", "MD", "MD (m)", "md_m", "Inc",
     "Azi", "TVD [ft]", "N/S", "E/W", "ft", "ftKB", "deg", "rad", "°", "½", "1,500.0", "1.500,5",
     "!", "#", "--", "\u{c}", "\u{a0}", "Measured", "Depth", "RKB",
 ];
 
-/// What holds of any survey that is read, and of any error.
+/// Checks the invariants of any survey that is read, and of any error.
 fn valid(read: Result<ImportedSurvey, TableError>) -> bool {
     match read {
         Ok(survey) => {
@@ -50,16 +50,16 @@ fn valid(read: Result<ImportedSurvey, TableError>) -> bool {
     }
 }
 
-/// Reads under a name, with a unit that is said or without.
+/// Reads under a name, with or without a unit given by the user.
 fn reads(name: &'static str) -> impl FnMut(&[u8]) -> bool {
-    let said = Said { length_unit: Dimension::Length.find_unit("ft"), ..Said::default() };
+    let in_feet = Said { length_unit: Dimension::Length.find_unit("ft"), ..Said::default() };
     move |input| {
         let plain = valid(read_as(input, name, &Said::default()));
-        plain | valid(read_as(input, name, &said))
+        plain | valid(read_as(input, name, &in_feet))
     }
 }
 
-/// Cells parted by commas and semicolons.
+/// Cells separated by commas and semicolons.
 fn csv() -> Reader {
     let seeds: [&[u8]; 5] = [
         b"Survey of S-1\nMD (m),Inc,Azi,TVD (m)\n,deg,deg,\n0,0,0,0\n30,1.5,45,30\n60,3,45,59.9\n",
@@ -72,7 +72,7 @@ fn csv() -> Reader {
     Reader::text("survey-csv", seeds, WORDS, reads("a.csv"))
 }
 
-/// Cells parted by tabs.
+/// Cells separated by tabs.
 fn tsv() -> Reader {
     let seeds: [&[u8]; 3] = [
         b"Well S-1\r\n# made by \
@@ -129,7 +129,7 @@ mod tests {
     use super::*;
     use crate::worker;
 
-    /// What begins like files that are known, and goes on with anything.
+    /// Inputs that begin like known files and continue with random bytes.
     #[test]
     fn any_bytes_are_a_survey_or_are_refused() {
         let heads: [&[u8]; 5] =
@@ -163,7 +163,7 @@ mod tests {
                 reader.read(&input)
             });
             let accepted = accepted.count() as u64;
-            // What is always refused tries nothing beyond its first mistake.
+            // A seed that is always refused tests nothing beyond its first error.
             assert!(accepted > INPUTS / 50, "{accepted} of {INPUTS} by {}", reader.name);
         }
     }

@@ -1,4 +1,4 @@
-//! Workbooks of either kind, damaged where they hold what a reader looks at.
+//! Workbooks of either kind, damaged in the parts that a reader examines.
 
 #[path = "../../../tabular/tests/old_excel/mod.rs"]
 mod old_excel;
@@ -67,7 +67,7 @@ const TAGS: &[&str] = &[
     "state=\"veryHidden\"",
 ];
 
-/// The least header of an old workbook: the header itself, the table of sectors and the directory.
+/// The minimal header of an old workbook: the header itself, the sector table and the directory.
 const OLD_HEADER: usize = 3 * 512;
 
 fn archive(parts: &[(&str, Vec<u8>)], method: CompressionMethod) -> Vec<u8> {
@@ -80,8 +80,8 @@ fn archive(parts: &[(&str, Vec<u8>)], method: CompressionMethod) -> Vec<u8> {
     zip.finish().expect("memory is never full").into_inner()
 }
 
-/// A reader of new workbooks with one sheet, of these shared strings and this XML: their parts
-/// damaged and packed again, and the archive damaged.
+/// A reader of new workbooks with one sheet, of these shared strings and this XML: their parts are
+/// damaged and packed again, or the archive is damaged.
 pub(super) fn new(
     name: &'static str,
     strings: &'static str,
@@ -110,14 +110,13 @@ pub(super) fn new(
     Reader { make: Make::Own(Box::new(make)), ..Reader::binary(name, seeds, read) }
 }
 
-/// A reader of old workbooks with one sheet of these cells: damaged where their records are, or
-/// anywhere.
+/// A reader of old workbooks with one sheet of these cells, damaged in their records or anywhere.
 pub(super) fn old(
     name: &'static str,
     cells: &[(u16, u16, Value)],
     read: impl FnMut(&[u8]) -> bool + 'static,
 ) -> Reader {
-    // One that names a sheet three times is refused: nobody can say which is meant.
+    // A workbook that names a sheet three times is refused as ambiguous.
     let wholes = vec![old_excel::workbook(cells), old_excel::workbook_of(cells, 3)];
     let seeds = wholes[..1].to_vec();
     let make = move |rng: &mut Rng| {

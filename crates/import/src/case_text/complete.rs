@@ -1,32 +1,32 @@
-//! What a case needs beyond its files: assumed where that may be, missing otherwise.
+//! Parts that a case needs and its files lack: assumed where possible, otherwise missing.
 
 use wholestring_case::MAX_FRICTION;
 use wholestring_units::number_text;
 
 use crate::{
     fragment::{Block, Entry, Note, Origin, Part, Value},
-    merge::{Draft, Of},
+    merge::{Draft, Sourced},
     pipe::is_pipe,
 };
 
-/// Friction of steel on steel and on rock where nothing tells it: what torque and drag is usually
-/// planned with in water-based mud, before anything has been measured.
+/// Default friction factors in casing and open hole: the usual values for planning torque and drag
+/// in water-based mud before measurements exist.
 const CASED: f64 = 0.2;
 const OPEN: f64 = 0.3;
 
-/// What a string does at a depth, where nothing tells what it does.
+/// Default operations at a depth.
 const OPERATIONS: [&str; 3] = ["trip_out", "trip_in", "rotate_off_bottom"];
 
-/// Of a string that rotates off bottom, where nothing tells how fast.
+/// Default rotary speed of a string that rotates off bottom.
 const ROTARY_SPEED_REV_PER_MIN: f64 = 60.0;
 
-/// A part that a case cannot do without.
+/// A part that a case requires.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Missing {
     pub(crate) part: Part,
-    /// For people.
+    /// Sentence for messages.
     pub(crate) sentence: &'static str,
-    /// How it is written in the case, each line to be uncommented.
+    /// Example lines for the case, as comments.
     pub(crate) example: &'static str,
 }
 
@@ -58,7 +58,7 @@ const NEEDED: [Missing; 4] = [
     },
 ];
 
-/// Of a string whose topmost component is of an assembly.
+/// For a string whose topmost component belongs to an assembly.
 const PIPE: Missing = Missing {
     part: Part::String,
     sentence: "the pipe above the topmost component: write it as the last [[string]], \"to surface\"",
@@ -66,7 +66,7 @@ const PIPE: Missing = Missing {
               \"to surface\"",
 };
 
-/// Fills in what may be assumed, and returns what is missing.
+/// Fills in the parts that may be assumed, and returns the missing ones.
 pub(crate) fn complete(draft: &mut Draft) -> Vec<Missing> {
     friction(draft);
     let ends_in_pipe = top_component(draft);
@@ -76,7 +76,7 @@ pub(crate) fn complete(draft: &mut Draft) -> Vec<Missing> {
         Part::Survey => draft.survey.is_none(),
         Part::Hole => draft.hole.is_none(),
         Part::String => draft.string.is_none(),
-        Part::Mud => !draft.mud.iter().any(|entry| entry.of.key == "density"),
+        Part::Mud => !draft.mud.iter().any(|entry| entry.item.key == "density"),
         Part::Rig | Part::Operation => false,
     };
     let mut missing: Vec<Missing> =
@@ -87,28 +87,28 @@ pub(crate) fn complete(draft: &mut Draft) -> Vec<Missing> {
     missing
 }
 
-/// What the string does, and how fast it turns.
+/// Adds the operations and the rotary speed.
 fn operations(draft: &mut Draft) {
     let words = OPERATIONS.map(str::to_owned).to_vec();
     let assumed = [
-        ("kind", Value::Words(words), "no file says what the string does"),
+        ("kind", Value::Words(words), "no file gives the operations of the string"),
         (
             "rpm",
             Value::Number(ROTARY_SPEED_REV_PER_MIN),
-            "no file says it; weights and torque at rest do not depend on it",
+            "no file gives it; weights and torque at rest do not depend on it",
         ),
     ];
     for (at, (key, value, because)) in assumed.into_iter().enumerate() {
-        if !draft.operation.iter().any(|entry| entry.of.key == key) {
+        if !draft.operation.iter().any(|entry| entry.item.key == key) {
             let origin = Origin::Assumed { because: because.to_owned() };
-            draft.operation.insert(at, Of { file: 0, of: Entry { key, value, origin } });
+            draft.operation.insert(at, Sourced { file: 0, item: Entry { key, value, origin } });
         }
     }
 }
 
-/// Gives sections without friction the usual one.
+/// Adds the default friction to sections without any.
 fn friction(draft: &mut Draft) {
-    let Some(Of { file, of: sections }) = &mut draft.hole else { return };
+    let Some(Sourced { file, item: sections }) = &mut draft.hole else { return };
     let mut assumed = 0;
     for section in sections.iter_mut().filter(|section| section.get("friction").is_none()) {
         let cased = section.get("kind") == Some(&Value::text("casing"));
@@ -120,7 +120,7 @@ fn friction(draft: &mut Draft) {
     }
     if assumed > 0 {
         let text = format!(
-            "no file tells the friction of {assumed} of {} hole sections: {CASED} in casing, \
+            "no file gives the friction of {assumed} of {} hole sections: {CASED} in casing, \
              {OPEN} in rock",
             sections.len()
         );
@@ -128,10 +128,10 @@ fn friction(draft: &mut Draft) {
     }
 }
 
-/// The topmost component fills the string whatever the depth of the bit, if it is pipe; whether the
-/// string reaches to the surface.
+/// Extends the topmost component to the surface for any bit depth, if it is pipe; returns whether
+/// the string reaches the surface.
 fn top_component(draft: &mut Draft) -> bool {
-    let Some(Of { file, of: components }) = &mut draft.string else { return true };
+    let Some(Sourced { file, item: components }) = &mut draft.string else { return true };
     let Some(top) = components.last_mut() else { return true };
     let name = match top.get("component") {
         Some(Value::Text(name)) => name.clone(),
@@ -156,18 +156,18 @@ fn top_component(draft: &mut Draft) -> bool {
     true
 }
 
-/// The bit is where the hole ends, if the survey goes deeper.
+/// Sets the bit at the end of the hole, if the survey is deeper.
 fn bit_depth(draft: &mut Draft) {
-    if draft.operation.iter().any(|entry| entry.of.key == "bit_depth") {
+    if draft.operation.iter().any(|entry| entry.item.key == "bit_depth") {
         return;
     }
     let (Some(survey), Some(hole)) = (&draft.survey, &draft.hole) else { return };
-    let end = hole.of.last().and_then(|section: &Block| section.get("to")).cloned();
-    let (Some(last), Some(end)) = (survey.of.stations.last(), end) else { return };
+    let end = hole.item.last().and_then(|section: &Block| section.get("to")).cloned();
+    let (Some(last), Some(end)) = (survey.item.stations.last(), end) else { return };
     if end.si().is_some_and(|end_m| end_m < last.md_m) {
         let because = "the hole ends there, above the last station".to_owned();
         let entry =
             Entry { key: "bit_depth", value: end, origin: Origin::Derived { from: because } };
-        draft.operation.push(Of { file: hole.file, of: entry });
+        draft.operation.push(Sourced { file: hole.file, item: entry });
     }
 }

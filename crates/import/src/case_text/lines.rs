@@ -8,40 +8,40 @@ use wholestring_units::{Dimension, UnitSet};
 use super::complete::Missing;
 use crate::{
     fragment::{Block, Entry, Note, Origin, Part, Survey, Value, rounded},
-    merge::{Draft, Of},
+    merge::{Draft, Sourced},
 };
 
 /// Column in which comments begin.
 const COMMENTS: usize = 40;
 
-/// The whole text.
+/// The whole case file.
 pub(crate) fn text(draft: &Draft, missing: &[Missing]) -> String {
     let mut text = head(draft, missing);
     let lacks = |part: Part| missing.iter().find(|missing| missing.part == part);
     match &draft.name {
-        Some(name) => entry(&mut text, draft, name.file, &name.of),
+        Some(name) => entry(&mut text, draft, name.file, &name.item),
         None => line(&mut text, "name", "\"Imported well\"", "no file names the well"),
     }
     line(&mut text, "model", "\"soft\"", "or \"stiff\", \"dynamic\", or a list of them");
     let set = shown_units(draft);
     let units = format!("\"{}\"", set.name());
-    line(&mut text, "units", &units, "what you are shown: \"si\", \"metric\" or \"field\"");
+    line(&mut text, "units", &units, "units of results: \"si\", \"metric\" or \"field\"");
 
     text.push_str("\n[well]\n");
     match (&draft.survey, lacks(Part::Survey)) {
-        (Some(Of { file, of }), _) => survey(&mut text, *file, of, set),
+        (Some(Sourced { file, item }), _) => survey(&mut text, *file, item, set),
         (None, lacking) => example(&mut text, lacking),
     }
     match &draft.hole {
-        Some(of) => blocks(&mut text, draft, "well.hole", of),
+        Some(hole) => blocks(&mut text, draft, "well.hole", hole),
         None => example(&mut text, lacks(Part::Hole)),
     }
     table(&mut text, draft, "mud", &draft.mud);
     example(&mut text, lacks(Part::Mud));
-    if let Some(of) = &draft.string {
-        blocks(&mut text, draft, "string", of);
+    if let Some(string) = &draft.string {
+        blocks(&mut text, draft, "string", string);
     }
-    // All of it, or the pipe above an assembly.
+    // The whole string, or the pipe above an assembly.
     example(&mut text, lacks(Part::String));
     table(&mut text, draft, "bit", &draft.bit);
     table(&mut text, draft, "rig", &draft.rig);
@@ -49,14 +49,15 @@ pub(crate) fn text(draft: &Draft, missing: &[Missing]) -> String {
     text
 }
 
-/// What it was made of, what was assumed and what was left out.
+/// Head of the file: its sources, assumptions and omissions.
 fn head(draft: &Draft, missing: &[Missing]) -> String {
     let mut text = String::from("# Imported from\n");
     for (index, (name, what)) in draft.files.iter().enumerate() {
         let _ = writeln!(text, "#   [{}] {}: {}", index + 1, plain(name), plain(what));
     }
     text.push_str(
-        "# Values stand as they were found, in their units; behind each is the file and the place.\n",
+        "# Values are as found in the files, in their units; the comment after each gives its \
+         file and place.\n",
     );
     for kind in ["assumed", "left out", "checked", "read"] {
         let of_kind: Vec<&(Option<usize>, Note)> =
@@ -80,11 +81,11 @@ fn head(draft: &Draft, missing: &[Missing]) -> String {
     text
 }
 
-/// The units of the files: feet mean the field's.
+/// Units of the case: field units if the files use feet.
 pub(super) fn shown_units(draft: &Draft) -> UnitSet {
-    let survey = draft.survey.iter().map(|survey| survey.of.units.as_str());
+    let survey = draft.survey.iter().map(|survey| survey.item.units.as_str());
     let blocks = [&draft.hole, &draft.string].into_iter().flatten();
-    let values = blocks.flat_map(|of| &of.of).flat_map(|block| &block.entries);
+    let values = blocks.flat_map(|block| &block.item).flat_map(|block| &block.entries);
     let in_feet = values.filter(|entry| {
         let feet = Dimension::Length.unit_in(UnitSet::Field);
         matches!(&entry.value, Value::Quantity { unit, .. } if unit.symbol == feet.symbol)
@@ -93,7 +94,7 @@ pub(super) fn shown_units(draft: &Draft) -> UnitSet {
     if feet { UnitSet::Field } else { UnitSet::Si }
 }
 
-/// The stations: depths in the unit that they were found in, angles in degrees.
+/// The stations: depths in the unit of their file, angles in degrees.
 fn survey(text: &mut String, file: usize, survey: &Survey, set: UnitSet) {
     let place = match survey.place.is_empty() {
         true => String::new(),
@@ -101,7 +102,7 @@ fn survey(text: &mut String, file: usize, survey: &Survey, set: UnitSet) {
     };
     let found = survey.units.split(',').next().and_then(|unit| Dimension::Length.find_unit(unit));
     let unit = found.unwrap_or(Dimension::Length.unit_in(set));
-    // A bare number is in metres, and is warned of where other units are shown.
+    // A bare number is in metres, which causes a warning where other units are shown.
     let is_bare = set == UnitSet::Si && unit.factor == 1.0;
     let _ = writeln!(text, "# measured depth, inclination and azimuth; angles in deg");
     let _ = writeln!(text, "{:<COMMENTS$} # [{}]{place}", "stations = [", file + 1);
@@ -114,7 +115,7 @@ fn survey(text: &mut String, file: usize, survey: &Survey, set: UnitSet) {
     }
     text.push_str("]\n");
     line(text, "path", "\"minimum-curvature\"", "arcs, as the positions of a survey are computed");
-    // Without it, the first station lies vertically under the origin.
+    // By default, the first station is vertically below the origin.
     let tie_in = survey.tie_in.filter(|tie_in| *tie_in != under_origin(&survey.stations));
     if let Some(tie_in) = tie_in {
         text.push_str("\n[well.tie_in]\n");
@@ -125,9 +126,14 @@ fn survey(text: &mut String, file: usize, survey: &Survey, set: UnitSet) {
     }
 }
 
-/// A list of tables.
-fn blocks(text: &mut String, draft: &Draft, name: &str, Of { file, of }: &Of<Vec<Block>>) {
-    for block in of {
+/// Writes a list of tables.
+fn blocks(
+    text: &mut String,
+    draft: &Draft,
+    name: &str,
+    Sourced { file, item }: &Sourced<Vec<Block>>,
+) {
+    for block in item {
         let _ = writeln!(text, "\n[[{name}]]");
         if let Some(remark) = &block.remark {
             let _ = writeln!(text, "# {}", plain(remark));
@@ -138,18 +144,18 @@ fn blocks(text: &mut String, draft: &Draft, name: &str, Of { file, of }: &Of<Vec
     }
 }
 
-/// A table of keys, if there are any.
-fn table(text: &mut String, draft: &Draft, name: &str, entries: &[Of<Entry>]) {
+/// Writes a table of keys, if there are any.
+fn table(text: &mut String, draft: &Draft, name: &str, entries: &[Sourced<Entry>]) {
     if entries.is_empty() {
         return;
     }
     let _ = writeln!(text, "\n[{name}]");
     for one in entries {
-        entry(text, draft, one.file, &one.of);
+        entry(text, draft, one.file, &one.item);
     }
 }
 
-/// A key, its value, and where it comes from.
+/// Writes a key, its value and its origin.
 fn entry(text: &mut String, draft: &Draft, file: usize, entry: &Entry) {
     let mark = match draft.files.len() {
         1 => String::new(),
@@ -169,7 +175,7 @@ fn line(text: &mut String, key: &str, value: &str, comment: &str) {
     let _ = writeln!(text, "{pair:<COMMENTS$} # {}", plain(comment));
 }
 
-/// What is missing, as comments to fill in.
+/// Writes a missing part as comments to fill in.
 fn example(text: &mut String, missing: Option<&Missing>) {
     let Some(missing) = missing else { return };
     let _ = writeln!(text, "\n# Missing: {}", missing.sentence);
@@ -178,7 +184,7 @@ fn example(text: &mut String, missing: Option<&Missing>) {
     }
 }
 
-/// A text that cannot end its comment.
+/// A text without line ends, which would end its comment.
 fn plain(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

@@ -1,4 +1,4 @@
-//! A case file with comments: every value with where it comes from.
+//! A case file with comments: every value with its origin.
 
 mod complete;
 mod lines;
@@ -9,7 +9,7 @@ use crate::{
     readings_csv::readings_csv,
 };
 
-/// Writes a draft: what it lacks is assumed where that may be, or stands in it as a comment.
+/// Writes a draft: parts that it lacks are assumed where possible, otherwise written as comments.
 pub(crate) fn write(mut draft: Draft) -> Imported {
     let missing = complete::complete(&mut draft);
     let text = lines::text(&draft, &missing);

@@ -1,4 +1,4 @@
-//! Which well, wellbore and case of an export is meant.
+//! Selection of well, wellbore and case in an export.
 
 use super::{
     keys::parent,
@@ -11,12 +11,12 @@ use crate::{
     fragment::Note,
 };
 
-/// What is imported of an export.
+/// Rows of the selected case or path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chosen<'a> {
     pub(super) well: Option<Row<'a>>,
     pub(super) wellbore: Option<Row<'a>>,
-    /// The case; none in an export of paths alone.
+    /// The case; `None` in an export of paths only.
     pub(super) case: Option<Row<'a>>,
     pub(super) scenario: Option<Row<'a>>,
     /// The path of an export without cases.
@@ -24,23 +24,23 @@ pub(super) struct Chosen<'a> {
 }
 
 impl Chosen<'_> {
-    /// The name of a case for people.
+    /// Name of a case, for messages.
     pub(super) fn name(&self) -> String {
-        let of = |row: Option<Row>| row.map(|row| label(row).to_owned());
-        let names = [of(self.wellbore.or(self.well)), of(self.case)];
+        let name = |row: Option<Row>| row.map(|row| label(row).to_owned());
+        let names = [name(self.wellbore.or(self.well)), name(self.case)];
         names.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 }
 
-/// What `--pick` takes, in the order in which it is asked.
+/// Names that `--pick` accepts, in the order in which they are required.
 const LEVELS: [&str; 5] = ["well", "wellbore", "case", "scenario", "wellpath"];
 
-/// One that may be meant: the row at each level.
+/// A possible selection: the row at each level.
 struct Candidate<'a> {
     levels: [Option<Row<'a>>; LEVELS.len()],
 }
 
-/// The name of a row, or its id.
+/// Name of a row, or its id.
 pub(super) fn label(row: Row<'_>) -> &str {
     let columns: &[&str] = match row.table {
         Table::Well => &["well_common_name", "well_legal_name", "well_id"],
@@ -56,7 +56,7 @@ pub(super) fn label(row: Row<'_>) -> &str {
     columns.iter().find_map(|column| row.get(column)).unwrap_or("without a name")
 }
 
-/// Whether a name that was picked is that of a row: its name or its id.
+/// Whether a picked name is the name or id of a row.
 fn is_called(row: Row, picked: &str) -> bool {
     let id = match row.table {
         Table::Well => "well_id",
@@ -68,7 +68,7 @@ fn is_called(row: Row, picked: &str) -> bool {
     label(row).eq_ignore_ascii_case(picked) || row.get(id) == Some(picked)
 }
 
-/// Names of different ones, as they stand.
+/// Distinct names in file order.
 fn names<'a>(rows: impl Iterator<Item = Row<'a>>) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     let mut seen = std::collections::HashSet::new();
@@ -80,7 +80,7 @@ fn names<'a>(rows: impl Iterator<Item = Row<'a>>) -> Vec<String> {
     names
 }
 
-/// Chooses by what was picked, and says what was taken.
+/// Selects by the user's choice, and adds a note on the selection.
 pub(super) fn choose<'a>(
     rows: &'a Rows,
     choices: &Choices,
@@ -117,12 +117,12 @@ pub(super) fn choose<'a>(
         .zip(one.levels)
         .filter_map(|(what, row)| row.map(|row| format!("{what} '{}'", label(row))))
         .collect();
-    let of = if all > 1 { format!(", of {all} in the file") } else { String::new() };
-    notes.push(Note::Read(format!("{}{of}", taken.join(", "))));
+    let count = if all > 1 { format!(", of {all} in the file") } else { String::new() };
+    notes.push(Note::Read(format!("{}{count}", taken.join(", "))));
     Ok(Chosen { well, wellbore, case, scenario, path })
 }
 
-/// The cases, or where there are none the paths, each with what it lies in.
+/// Returns the cases, or the paths if there are none, each with its parents.
 fn candidates(rows: &Rows) -> Result<Vec<Candidate<'_>>, ImportError> {
     let of_cases = rows.of(Table::Case).next().is_some();
     let table = if of_cases { Table::Case } else { Table::SurveyHeader };
@@ -141,7 +141,7 @@ fn candidates(rows: &Rows) -> Result<Vec<Candidate<'_>>, ImportError> {
     Ok(found)
 }
 
-/// Asks for the first level that tells those that are left apart.
+/// Error that requests the first level at which the remaining candidates differ.
 fn ambiguous(left: &[Candidate]) -> ImportErrorKind {
     for (level, what) in LEVELS.iter().enumerate() {
         let names = names(left.iter().filter_map(|one| one.levels[level]));
@@ -155,10 +155,10 @@ fn ambiguous(left: &[Candidate]) -> ImportErrorKind {
     ImportErrorKind::Ambiguous { what: what.to_owned(), names: ids.map(str::to_owned).collect() }
 }
 
-/// Cases or paths that are listed; a whole database may have thousands.
+/// Maximum number of listed cases or paths; a whole database may have thousands.
 const LISTED: usize = 200;
 
-/// Everything that may be meant, a line each.
+/// Lists every candidate, one line each.
 pub(super) fn list(rows: &Rows) -> Result<Vec<String>, ImportError> {
     let all = candidates(rows)?;
     let mut lines: Vec<String> = Vec::new();

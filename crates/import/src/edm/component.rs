@@ -16,10 +16,10 @@ use crate::{
 
 const KEYS: [&str; 4] = ["well_id", "wellbore_id", "assembly_id", "assembly_comp_id"];
 
-/// Diameters of one tubular differ by less, m: of rounding to thousandths of an inch.
+/// Tolerance of diameters of one tubular, m, from rounding to thousandths of an inch.
 const SAME_M: f64 = 2e-4;
 
-/// What codes of `sect_type_code` stand for.
+/// Meaning of the codes of `sect_type_code`.
 const NAMES: [(&[&str], &str); 20] = [
     (&["BIT", "PDC", "TRI"], BIT),
     (&["DP", "DRP"], "drill pipe"),
@@ -45,7 +45,7 @@ const NAMES: [(&[&str], &str); 20] = [
 
 const BIT: &str = "bit";
 
-/// What a component is, by its code.
+/// Name of a component from its code.
 fn name(row: Row) -> Option<&'static str> {
     let code = row.get("sect_type_code")?;
     let known = |codes: &[&str]| codes.iter().any(|own| own.eq_ignore_ascii_case(code));
@@ -56,7 +56,7 @@ pub(super) fn is_bit(row: Row) -> bool {
     name(row) == Some(BIT)
 }
 
-/// The component of a row; none where it has no length.
+/// Reads the component of a row; `None` if it has no length.
 pub(super) fn read(
     reader: &mut Reader,
     row: Row,
@@ -100,7 +100,8 @@ pub(super) fn read(
     Ok(Some(block))
 }
 
-/// The entry of our catalogue that the row plainly is, or its diameters; whether it is listed.
+/// Adds the catalogue entry that the row plainly is, or its diameters; returns whether it is
+/// listed.
 fn diameters(
     reader: &mut Reader,
     row: Row,
@@ -122,7 +123,7 @@ fn diameters(
         }
         reader.checked(format!(
             "line {} is called '{described}', but its diameters {} and {} are not that one's; the \
-             diameters are taken",
+             diameters are used",
             row.line(),
             od.text(),
             id.text()
@@ -161,7 +162,7 @@ fn diameters(
     Ok(false)
 }
 
-/// The diameter of a bit whose body has none: its size, or that of the hole.
+/// Diameter of a bit whose body has none: its size, or that of the hole.
 fn size(
     reader: &mut Reader,
     row: Row,
@@ -182,7 +183,7 @@ fn size(
     found.extend(assembly.map(|assembly| (assembly, "hole_size")));
     for (row, column) in found {
         if let Some(size) = reader.units.positive(row, column, Measure::Diameter)? {
-            let from = format!("{}, for the bit has no od_body", row.place(column));
+            let from = format!("{}, because the bit has no od_body", row.place(column));
             block.push("od", size.value(), Origin::Derived { from });
             return Ok(size);
         }
@@ -196,7 +197,7 @@ fn mass(reader: &mut Reader, row: Row, block: &mut Block) -> Result<(), ImportEr
     Ok(())
 }
 
-/// What touches the wall: blades, or tool joints.
+/// Adds the parts that touch the wall: blades, or tool joints.
 fn touching(
     reader: &mut Reader,
     row: Row,
@@ -220,7 +221,7 @@ fn touching(
     if let Some((od, from, od_column, length_column)) = blades.filter(|(od, ..)| beyond(od)) {
         if listed {
             reader.left_out(format!(
-                "the blades of line {}, for its entry of the catalogue has tool joints",
+                "the blades of line {}, because its catalogue entry has tool joints",
                 row.line()
             ));
             return Ok(());
@@ -244,7 +245,7 @@ fn touching(
     let spacing = units.positive(row, "average_joint_length", Measure::Length)?;
     if spacing.is_none() && !listed {
         reader.left_out(format!(
-            "the tool joints of {} of line {}, for there is no average_joint_length",
+            "the tool joints of {} of line {}, because there is no average_joint_length",
             joint.text(),
             row.line()
         ));

@@ -1,4 +1,4 @@
-//! From where depths are counted.
+//! Reference of depths.
 
 use super::{
     chooser::{Chosen, label},
@@ -10,21 +10,21 @@ use super::{
 };
 use crate::{error::ImportError, fragment::Value};
 
-/// Two elevations nearer than this are the same, m.
+/// Tolerance within which elevations are equal, m.
 const SAME_M: f64 = 0.05;
 
-/// What is added to depths of the file so that they begin at the rig's datum.
+/// Shift of the depths in a file so that they begin at the rig's datum.
 ///
-/// Landmark's applications count depths from a datum of the rig; what they store may begin at the
-/// system's datum below, such as the mean sea level, and then the surface is at minus the
-/// elevation of the rig's datum.
+/// Landmark's applications count depths from a datum of the rig. Stored depths may begin at the
+/// system's datum below it, such as the mean sea level; the surface is then at minus the elevation
+/// of the rig's datum.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Depths {
     pub(super) shift_m: f64,
 }
 
 impl Depths {
-    /// By the depth of the first station, and says from which datum.
+    /// Determines it from the depth of the first station, and adds a note on the datum.
     pub(super) fn found(
         reader: &mut Reader,
         chosen: &Chosen,
@@ -52,7 +52,7 @@ impl Depths {
             "the path begins at {}: depths of the file are counted from {}, and were moved to begin \
              at the datum {name}",
             first.text(),
-            if agrees { "mean sea level or such" } else { "elsewhere" }
+            if agrees { "mean sea level or similar" } else { "elsewhere" }
         );
         match agrees {
             true => reader.checked(text),

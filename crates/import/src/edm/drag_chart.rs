@@ -1,4 +1,4 @@
-//! What Landmark computed of torque and drag: a curve to lay over our plan.
+//! Torque and drag computed by Landmark: a curve to draw over a plan.
 
 use wholestring_tabular::ImportedReading;
 
@@ -44,7 +44,7 @@ pub(super) fn read(
             held_out: false,
             keys: Vec::new(),
         };
-        // A string that is not in the hole yet has no weight and no torque.
+        // A string that is not yet in the hole has no weight and no torque.
         match depth_m > 0.0 {
             true => readings.push(reading),
             false => without += 1,
@@ -66,8 +66,8 @@ pub(super) fn read(
             if let Some(weight) = units.positive(options, column, Measure::Force)? {
                 reader.read(format!(
                     "line {} gives the hoisting equipment a weight of {}: hook loads of the drag \
-                     chart stand as they were found; if they hold that weight, subtract it before \
-                     you compare them, for ours never do",
+                     chart are unchanged; if they include that weight, subtract it before you \
+                     compare them, because those of wholestring never do",
                     options.line(),
                     weight.text()
                 ));
@@ -78,24 +78,24 @@ pub(super) fn read(
     Ok(readings)
 }
 
-/// Friction of the analysis beside that of the hole sections.
+/// Friction of the analysis, in addition to that of the hole sections.
 fn parameters(reader: &mut Reader, chosen: &Chosen) -> Result<(), ImportError> {
     let Some(case) = chosen.case else { return Ok(()) };
     for row in children(reader.rows, Table::DragParameters, case, &KEYS)? {
         let columns =
             ["cof_casing_trip_out", "cof_oh_trip_out", "cof_casing_trip_in", "cof_oh_trip_in"];
-        let mut said = Vec::new();
+        let mut values = Vec::new();
         for column in columns {
             if let Some(number) = row.number(column)?.filter(|number| *number > 0.0) {
-                said.push(format!("{column} {number}"));
+                values.push(format!("{column} {number}"));
             }
         }
-        if !said.is_empty() {
+        if !values.is_empty() {
             reader.left_out(format!(
                 "the friction factors of single operations in line {} ({}): those of the hole \
-                 sections are taken",
+                 sections are used",
                 row.line(),
-                said.join(", ")
+                values.join(", ")
             ));
         }
     }

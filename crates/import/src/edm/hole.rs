@@ -16,13 +16,13 @@ use crate::{
 
 const KEYS: [&str; 3] = ["well_id", "wellbore_id", "hole_sect_group_id"];
 
-/// Lengths and depths that agree within this agree, m.
+/// Tolerance within which lengths and depths agree, m.
 const SAME_M: f64 = 0.3;
 
-/// Friction factors that a case takes.
+/// Maximum friction factor that a case accepts.
 const MAX_FRICTION: f64 = wholestring_case::MAX_FRICTION;
 
-/// A section, from where to where.
+/// A section with its depths.
 struct Section<'a> {
     row: Row<'a>,
     cased: bool,
@@ -40,7 +40,7 @@ pub(super) fn read(
 ) -> Result<Vec<Block>, ImportError> {
     let Some(case) = chosen.case else { return Ok(Vec::new()) };
     let Some(group) = case.get("hole_sect_group_id") else {
-        reader.left_out("the hole, for the case names no group of hole sections");
+        reader.left_out("the hole, because the case names no group of hole sections");
         return Ok(Vec::new());
     };
     let rows = children(reader.rows, Table::HoleSection, case, &KEYS)?;
@@ -59,7 +59,7 @@ pub(super) fn read(
     blocks(reader, &sections, depths)
 }
 
-/// A row of a section; none where it has no length.
+/// Reads the row of a section; `None` if it has no length.
 fn section<'a>(reader: &mut Reader, row: Row<'a>) -> Result<Option<Section<'a>>, ImportError> {
     let Some(length) = reader.units.positive(row, "length", Measure::Length)? else {
         reader.left_out(format!("the hole section of line {}, which has no length", row.line()));
@@ -71,7 +71,7 @@ fn section<'a>(reader: &mut Reader, row: Row<'a>) -> Result<Option<Section<'a>>,
         "OPEN" | "OH" | "OPN" => false,
         _ => {
             let cased = row.get("od_casing").is_some() || row.get("id_casing").is_some();
-            let taken = if cased { "cased, for it has a casing" } else { "open" };
+            let taken = if cased { "cased, because it has a casing" } else { "open" };
             reader.assumed(format!(
                 "the hole section of line {} with the code '{code}' is taken to be {taken}",
                 row.line()
@@ -87,7 +87,8 @@ fn section<'a>(reader: &mut Reader, row: Row<'a>) -> Result<Option<Section<'a>>,
     Ok(Some(Section { row, cased, length, shoe, top_m: 0.0, bottom_m: 0.0 }))
 }
 
-/// From the surface down: by number where all have one, or casings by their shoes and then rock.
+/// Sorts from the surface down: by number if all have one, otherwise casings by their shoes, then
+/// open hole.
 fn order(reader: &mut Reader, sections: &mut [Section]) -> Result<(), ImportError> {
     let mut numbers = Vec::new();
     for section in sections.iter() {
@@ -120,14 +121,16 @@ fn order(reader: &mut Reader, sections: &mut [Section]) -> Result<(), ImportErro
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
     if sections.iter().filter(|section| !section.cased).count() > 1 {
-        reader.assumed("the open hole sections lie one below the other as they stand in the file");
+        reader.assumed("the open hole sections are in file order, one below the other");
     }
     Ok(())
 }
 
-/// Where each begins and ends: by its shoe where it has one, below the one above otherwise.
+/// Sets start and end of each section: at its shoe if it has one, otherwise below the section
+/// above.
 fn place(reader: &mut Reader, sections: &mut [Section], depths: Depths) {
-    // Shoes counted from the datum agree with the lengths from the surface; others do when moved.
+    // Shoes counted from the datum agree with the lengths from the surface; otherwise they agree
+    // after a shift.
     let disagree = |shift_m: f64| {
         let mut bottom_m = 0.0;
         sections.iter().any(|section| {
@@ -156,7 +159,7 @@ fn place(reader: &mut Reader, sections: &mut [Section], depths: Depths) {
         if section.top_m - above_m > SAME_M {
             reader.checked(format!(
                 "the section of line {} begins {} m below the end of the one above; that one is \
-                 taken to reach it",
+                 extended to it",
                 section.row.line(),
                 ((section.top_m - above_m) * 100.0).round() / 100.0
             ));
@@ -165,7 +168,7 @@ fn place(reader: &mut Reader, sections: &mut [Section], depths: Depths) {
     }
 }
 
-/// What of each section the string sees: the innermost, which are those that reach deeper.
+/// Visible interval of each section: a section is hidden by those inside it, which reach deeper.
 fn blocks(
     reader: &mut Reader,
     sections: &[Section],
@@ -176,7 +179,7 @@ fn blocks(
     for (place, section) in sections.iter().enumerate() {
         let below = &sections[place + 1..];
         let hidden_m = below.iter().map(|other| other.top_m).fold(f64::INFINITY, f64::min);
-        // A gap below belongs to this one.
+        // A gap below belongs to this section.
         let mut end_m = section.bottom_m.min(hidden_m);
         if let Some(next) = below.first()
             && next.top_m > section.bottom_m
@@ -185,7 +188,7 @@ fn blocks(
         }
         if end_m - above_m < SAME_M {
             reader.left_out(format!(
-                "the hole section of line {} ({}), which lies behind a deeper one",
+                "the hole section of line {} ({}), which is hidden behind a deeper one",
                 section.row.line(),
                 section.row.get("catalog_key_desc").unwrap_or("without a description")
             ));
@@ -243,7 +246,7 @@ fn block(
     Ok(block)
 }
 
-/// The diameter that the string sees.
+/// Inside diameter that the string meets.
 fn diameter(reader: &mut Reader, section: &Section, block: &mut Block) -> Result<(), ImportError> {
     let row = section.row;
     let mut push = |reader: &Reader, column| {

@@ -1,4 +1,4 @@
-//! Which row belongs to which: ids are unique below their well only.
+//! Relations between rows: ids are unique only within their well.
 
 use super::{
     row::{Row, Rows},
@@ -6,8 +6,8 @@ use super::{
 };
 use crate::error::{ImportError, ImportErrorKind};
 
-/// Whether two rows agree in keys: the last one, which both must have, and those before it where
-/// both have them.
+/// Whether two rows agree in keys: the last key, which both must have, and the earlier ones if both
+/// have them.
 pub(super) fn agree(a: Row, b: Row, keys: &[&str]) -> bool {
     let Some((own, above)) = keys.split_last() else { return false };
     a.get(own).is_some()
@@ -18,7 +18,7 @@ pub(super) fn agree(a: Row, b: Row, keys: &[&str]) -> bool {
         })
 }
 
-/// The row of a table that another refers to; none where it is not there.
+/// The row of a table to which another refers; `None` if it is missing.
 pub(super) fn parent<'a>(
     rows: &'a Rows,
     table: Table,
@@ -42,26 +42,27 @@ pub(super) fn parent<'a>(
 /// The rows of a table that belong to another row.
 ///
 /// # Errors
-/// One of them may belong to another row as well, for it does not say the well.
+/// One of them may belong to another row as well, because it does not contain its well.
 pub(super) fn children<'a>(
     rows: &'a Rows,
     table: Table,
-    of: Row<'a>,
+    owner: Row<'a>,
     keys: &[&str],
 ) -> Result<Vec<Row<'a>>, ImportError> {
     let mut found: Vec<Row> = Vec::new();
-    found.extend(rows.of(table).filter(|row| agree(*row, of, keys)));
-    // The same row twice says nothing new.
+    found.extend(rows.of(table).filter(|row| agree(*row, owner, keys)));
+    // Duplicate rows are skipped.
     let mut seen = std::collections::HashSet::new();
     found.retain(|row| seen.insert(row.text()));
     let lacking = found
         .iter()
-        .find(|row| keys.iter().any(|key| row.get(key).is_none() && of.get(key).is_some()));
+        .find(|row| keys.iter().any(|key| row.get(key).is_none() && owner.get(key).is_some()));
     if let Some(child) = lacking {
-        let differs = |other: &Row| keys.iter().any(|key| other.get(key) != of.get(key));
-        let other = rows.of(of.table).find(|other| agree(*child, *other, keys) && differs(other));
+        let differs = |other: &Row| keys.iter().any(|key| other.get(key) != owner.get(key));
+        let other =
+            rows.of(owner.table).find(|other| agree(*child, *other, keys) && differs(other));
         if let (Some(other), Some(own)) = (other, keys.last()) {
-            return Err(child.error(own, two(of.table, own, *child, of, other)));
+            return Err(child.error(own, two(owner.table, own, *child, owner, other)));
         }
     }
     Ok(found)
@@ -69,8 +70,8 @@ pub(super) fn children<'a>(
 
 fn two(table: Table, own: &str, child: Row, first: Row, second: Row) -> ImportErrorKind {
     ImportErrorKind::Refused(format!(
-        "it belongs to {own} '{}', of which {} has two (lines {} and {}), and does not say of \
-         which well",
+        "it belongs to {own} '{}', of which {} has two (lines {} and {}), and does not name its \
+         well",
         child.get(own).unwrap_or_default(),
         table.declared().name,
         first.line(),

@@ -1,7 +1,7 @@
 //! Landmark EDM: exports of the Engineer's Data Model as XML, an element for each row of a table.
 //!
-//! The names of tables and columns are those that public readers of such exports and of the
-//! database behind them use.
+//! Names of tables and columns are those used by public readers of such exports and of the
+//! underlying database.
 
 mod chooser;
 mod component;
@@ -66,7 +66,7 @@ fn name_entry(chosen: &chooser::Chosen, name: String) -> Option<Entry> {
     Some(Entry { key: "name", value: Value::text(name), origin: Origin::at(row.place(column)) })
 }
 
-/// What an export holds: its wellbores, and the cases of each.
+/// Lists the wellbores of an export and the cases of each.
 pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
     let rows = Rows::read(Xml::new(input))?;
     Ok(Contents { what: "a Landmark EDM export".to_owned(), lines: chooser::list(&rows)? })

@@ -46,13 +46,13 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, chosen: &Chosen<'a>) -> Result<B
         let because = "the file has a plastic viscosity and a yield point".to_owned();
         block.push("rheology", Value::text("bingham"), Origin::Derived { from: because });
     }
-    let wanted = |key: &str| if key == "gel_strength" { gel } else { viscous };
-    block.entries.extend(flow.entries.into_iter().filter(|entry| wanted(entry.key)));
+    let is_used = |key: &str| if key == "gel_strength" { gel } else { viscous };
+    block.entries.extend(flow.entries.into_iter().filter(|entry| is_used(entry.key)));
     block.remark = Some(label(fluid).to_owned());
     Ok(block)
 }
 
-/// The fluid: the one picked, the case's, or the only one of the well.
+/// Returns the fluid: the picked one, the case's, or the only one of the well.
 fn fluid<'a>(reader: &mut Reader<'a>, chosen: &Chosen<'a>) -> Result<Option<Row<'a>>, ImportError> {
     let Some(case) = chosen.case else { return Ok(None) };
     let all = reader.rows.of(Table::Fluid);

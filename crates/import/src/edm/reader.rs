@@ -1,9 +1,9 @@
-//! What the parts of an export are read with, and what they say.
+//! Context of the readers of an export, and their notes.
 
 use super::{row::Rows, unit_set::Units};
 use crate::{choices::Choices, fragment::Note};
 
-/// What every part of an export is read with.
+/// Context shared by the readers of an export.
 pub(super) struct Reader<'a> {
     pub(super) rows: &'a Rows,
     pub(super) choices: &'a Choices,

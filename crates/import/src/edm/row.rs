@@ -1,4 +1,4 @@
-//! The rows of an export, kept small.
+//! Rows of an export, stored compactly.
 
 use super::table::{TABLES, Table};
 use crate::{
@@ -6,24 +6,25 @@ use crate::{
     xml::{Event, Xml},
 };
 
-/// Between the values of a row.
+/// Separator of the values of a row.
 const UNIT_SEPARATOR: char = '\u{1f}';
 
-/// Text of all rows that are kept, bytes. An export of 200 MB has a tenth of it in the tables that
-/// are read; with it the program stays within 200 MB of memory.
+/// Maximum bytes of all rows that are kept. In an export of 200 MB a tenth of the text is in the
+/// tables that are read; with this limit the program stays within 200 MB of memory.
 const LARGEST: usize = 100 << 20;
 
-/// The rows of one table: their values in the order of its columns, one after the other.
+/// Rows of one table: their values in the order of its columns, one after the other.
 #[derive(Debug, Clone, Default)]
 struct Stored {
     text: String,
-    /// Where each row's text ends, and the line in which it stands.
+    /// End of each row's text, and its line.
     rows: Vec<(u32, u32)>,
 }
 
-/// The rows of all tables that are read.
+/// Rows of all tables that are read.
 ///
-/// A file has them in any order, children before their parents, and is read once: so all are kept.
+/// A file has them in any order, children before their parents, and is read once, so that all are
+/// kept.
 #[derive(Debug, Clone)]
 pub(super) struct Rows {
     file: String,
@@ -46,7 +47,7 @@ impl Rows {
             file: xml.file().to_owned(),
             tables: TABLES.iter().map(|_| Stored::default()).collect(),
         };
-        let mut kept = 0;
+        let mut bytes = 0;
         let mut elements = 0_u64;
         loop {
             match xml.next()? {
@@ -75,8 +76,8 @@ impl Rows {
                         let value = own.map_or("", |(_, value)| value.trim());
                         stored.text.extend(value.chars().filter(|c| !c.is_control()));
                     }
-                    kept += stored.text.len() - before;
-                    if kept > LARGEST {
+                    bytes += stored.text.len() - before;
+                    if bytes > LARGEST {
                         let most = format!("{} MB", LARGEST >> 20);
                         let found =
                             format!("more than {most} in the tables of wells, strings and holes");
@@ -100,7 +101,7 @@ impl Rows {
         Ok(rows)
     }
 
-    /// The rows of a table, as they stand in the file.
+    /// Rows of a table in file order.
     pub(super) fn of(&self, table: Table) -> impl Iterator<Item = Row<'_>> {
         let count = self.tables[table as usize].rows.len();
         (0..count).map(move |index| Row { rows: self, table, index })
@@ -123,23 +124,23 @@ impl<'a> Row<'a> {
         &stored.text[from as usize..stored.rows[self.index].0 as usize]
     }
 
-    /// The value of a column; none where it is empty or not there.
+    /// Value of a column; `None` if it is empty or missing.
     pub(super) fn get(self, column: &str) -> Option<&'a str> {
         let place = self.table.declared().columns.iter().position(|own| *own == column)?;
         self.text().split(UNIT_SEPARATOR).nth(place).filter(|value| !value.is_empty())
     }
 
-    /// Whether all its values are those of another.
+    /// Whether all its values equal those of another.
     pub(super) fn same(self, other: Row) -> bool {
         self.table == other.table && self.text() == other.text()
     }
 
-    /// The line in which it stands.
+    /// Its line.
     pub(super) fn line(self) -> u32 {
         self.rows.tables[self.table as usize].rows[self.index].1
     }
 
-    /// Where a value stands.
+    /// Place of a value.
     pub(super) fn place(self, column: &str) -> String {
         format!("line {}, {} {column}", self.line(), self.table.declared().name)
     }

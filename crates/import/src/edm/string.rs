@@ -17,7 +17,7 @@ use crate::{
 
 const KEYS: [&str; 3] = ["well_id", "wellbore_id", "assembly_id"];
 
-/// The string of the chosen case from the bit up, and where its bit is.
+/// Reads the string of the chosen case from the bit up, and the depth of its bit.
 pub(super) fn read(
     reader: &mut Reader,
     chosen: &Chosen,
@@ -26,7 +26,7 @@ pub(super) fn read(
 ) -> Result<Vec<Block>, ImportError> {
     let Some(case) = chosen.case else { return Ok(Vec::new()) };
     let Some(id) = case.get("assembly_id") else {
-        reader.left_out("the string, for the case names no assembly");
+        reader.left_out("the string, because the case names no assembly");
         return Ok(Vec::new());
     };
     let assembly = parent(reader.rows, Table::Assembly, case, &KEYS)?;
@@ -69,7 +69,7 @@ pub(super) fn read(
     Ok(blocks)
 }
 
-/// Components by their numbers, turned about where the bit has the last one.
+/// Sorts components by number, reversed if the bit has the last one.
 fn from_the_bit_up<'a>(
     reader: &mut Reader,
     rows: Vec<Row<'a>>,
@@ -82,7 +82,7 @@ fn from_the_bit_up<'a>(
         let key = |number: Option<f64>| number.unwrap_or(f64::NAN);
         numbered.sort_by(|a, b| key(a.0).total_cmp(&key(b.0)));
     } else {
-        reader.assumed("components follow each other as they stand in the file, for not all have a sequence_no");
+        reader.assumed("components are in file order, because not all have a sequence_no");
     }
     let mut rows: Vec<Row> = numbered.into_iter().map(|(_, row)| row).collect();
     let is_bit = |row: Option<&Row>| row.is_some_and(|row| component::is_bit(*row));
@@ -93,7 +93,7 @@ fn from_the_bit_up<'a>(
             rows.reverse();
         }
         _ if rows.len() > 1 => reader
-            .assumed("components are numbered from the bottom up, for none at an end is a bit"),
+            .assumed("components are numbered from the bottom up, because neither end is a bit"),
         _ => {}
     }
     Ok(rows)

@@ -20,19 +20,19 @@ use crate::{
 
 const KEYS: [&str; 3] = ["well_id", "wellbore_id", "def_survey_header_id"];
 
-/// Two depths nearer than this are the same, m.
+/// Tolerance within which depths are equal, m.
 const SAME_M: f64 = 1e-3;
 
-/// The path of what was chosen, and from where its depths are counted.
+/// Reads the chosen path and the reference of its depths.
 pub(super) fn read<'a>(
     reader: &mut Reader<'a>,
     chosen: &Chosen<'a>,
 ) -> Result<(Option<Survey>, Depths), ImportError> {
-    let Some(of) = header(reader, chosen)? else {
-        reader.left_out("the path of the well, for the file has none of this wellbore");
+    let Some(header) = header(reader, chosen)? else {
+        reader.left_out("the path of the well, because the file has none of this wellbore");
         return Ok((None, Depths::default()));
     };
-    let rows = children(reader.rows, Table::SurveyStation, of, &KEYS)?;
+    let rows = children(reader.rows, Table::SurveyStation, header, &KEYS)?;
     let (rows, order) = sorted(reader, rows)?;
     let mut stations: Vec<(Station, Row)> = Vec::with_capacity(rows.len());
     let mut depths = Depths::default();
@@ -64,14 +64,14 @@ pub(super) fn read<'a>(
                     && station.azimuth_rad == above.azimuth_rad
                 {
                     reader.read(format!(
-                        "the station at {} of line {} stands there twice",
+                        "the station at {} of line {} is a duplicate and is skipped",
                         md.text(),
                         row.line()
                     ));
                     continue;
                 }
                 let kind = ImportErrorKind::Refused(format!(
-                    "two stations stand at {} with other angles",
+                    "two stations at {} have different angles",
                     md.text()
                 ));
                 return Err(row.error("md", kind));
@@ -82,7 +82,7 @@ pub(super) fn read<'a>(
     if stations.len() < 2 {
         reader.left_out(format!(
             "the path '{}', which has {} stations of the two it needs",
-            label(of),
+            label(header),
             stations.len()
         ));
         return Ok((None, depths));
@@ -105,17 +105,21 @@ pub(super) fn read<'a>(
     for note in notes.chain(doubts::notes(&list, set, place)) {
         reader.checked(note.text());
     }
-    let phase = of.get("phase").map_or(String::new(), |phase| format!(" ({phase})"));
+    let phase = header.get("phase").map_or(String::new(), |phase| format!(" ({phase})"));
     let survey = Survey {
         tie_in,
-        place: format!("{} stations of wellpath '{}'{phase}, {order}", stations.len(), label(of)),
+        place: format!(
+            "{} stations of wellpath '{}'{phase}, {order}",
+            stations.len(),
+            label(header)
+        ),
         units: format!("{unit}, deg, deg"),
         stations: list,
     };
     Ok((Some(survey), depths))
 }
 
-/// The header of the path: the one picked, the scenario's, or the only one of the wellbore.
+/// Returns the header of the path: the picked one, the scenario's, or the only one of the wellbore.
 fn header<'a>(
     reader: &mut Reader<'a>,
     chosen: &Chosen<'a>,
@@ -152,7 +156,7 @@ fn header<'a>(
         None => None,
     };
     if let Some((scenario, id)) = named {
-        // The stations may be there without their header.
+        // The stations may be present without their header.
         let without = children(reader.rows, Table::SurveyStation, scenario, &KEYS)?;
         if !without.is_empty() {
             reader.read(format!("the path '{id}' of the scenario has stations and no header"));
@@ -177,7 +181,7 @@ fn header<'a>(
     }
 }
 
-/// Stations down the hole: by their numbers, or by depth where numbers do not go down the hole.
+/// Sorts the stations by number, or by depth if the numbers do not increase with depth.
 fn sorted<'a>(
     reader: &mut Reader,
     rows: Vec<Row<'a>>,
@@ -200,7 +204,7 @@ fn sorted<'a>(
     Ok((numbered.into_iter().map(|(.., row)| row).collect(), "by md"))
 }
 
-/// Where the first station lies, if that is not the surface.
+/// Position of the first station, unless it is at the surface.
 fn tie_in(
     reader: &mut Reader,
     (first, row): &(Station, Row),
@@ -221,7 +225,7 @@ fn tie_in(
     Ok(Some(TieIn { north_m: north.si(), east_m: east.si(), tvd_m: tvd.si() + depths.shift_m }))
 }
 
-/// Positions that the file states of its stations, from where its depths are counted.
+/// Positions of the stations in the file, relative to the depth reference.
 fn stated(
     reader: &Reader,
     stations: &[(Station, Row)],
@@ -229,7 +233,7 @@ fn stated(
 ) -> Result<Vec<StatedPosition>, ImportError> {
     let unit = reader.units.of(Measure::Length);
     let of_row = |(_, row): &(Station, Row)| {
-        // A zero stands for what was not entered.
+        // A zero means that no value was entered.
         let length_m = |column| -> Result<Option<f64>, ImportError> {
             let written = row.number(column)?.filter(|number| *number != 0.0);
             Ok(written.map(|number| unit.to_si(number)))

@@ -1,6 +1,6 @@
 //! The tables of an export that are read, and their columns.
 
-/// A table of Landmark's Engineer's Data Model that is read.
+/// A table of Landmark's Engineer's Data Model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Table {
     Well,
@@ -22,7 +22,7 @@ pub(super) enum Table {
     DragChart,
 }
 
-/// A table: its name in a file, its columns that are kept, and how many rows a file may have of it.
+/// A table: its name in a file, the columns that are kept, and its maximum number of rows.
 pub(super) struct Declared {
     table: Table,
     pub(super) name: &'static str,
@@ -30,9 +30,10 @@ pub(super) struct Declared {
     pub(super) most: usize,
 }
 
-/// Rows of what one chooses among. A whole company's database has fewer wells than that.
+/// Maximum number of rows of tables from which one is chosen. A whole company's database has fewer
+/// wells.
 const FEW: usize = 10_000;
-/// Rows of what one case has many of.
+/// Maximum number of rows of tables with many rows per case.
 const MANY: usize = 2_000_000;
 
 const fn declared(
@@ -241,12 +242,12 @@ pub(super) const TABLES: [Declared; 17] = [
 ];
 
 impl Table {
-    /// What is declared of it.
+    /// Its declaration.
     pub(super) fn declared(self) -> &'static Declared {
         &TABLES[self as usize]
     }
 
-    /// The table that an element is a row of.
+    /// The table of an element.
     pub(super) fn of(name: &str) -> Option<Self> {
         TABLES.iter().find(|own| own.name.eq_ignore_ascii_case(name)).map(|own| own.table)
     }

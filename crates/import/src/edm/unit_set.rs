@@ -1,4 +1,4 @@
-//! The units of an export, which it does not tell.
+//! Units of an export, which the file does not give.
 
 use std::ops::RangeInclusive;
 
@@ -12,7 +12,7 @@ use crate::{
     fragment::{Block, Origin},
 };
 
-/// What a column measures.
+/// Dimension of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Measure {
     Length,
@@ -27,7 +27,7 @@ pub(super) enum Measure {
     ShearStress,
 }
 
-/// A measure: its name in `--unit`, its units in both sets, and what is plausible in SI.
+/// A measure: its name in `--unit`, its units in both sets, and its plausible range in SI.
 struct Declared {
     name: &'static str,
     dimension: Dimension,
@@ -45,8 +45,8 @@ const fn declared(
     Declared { name, dimension, api, si, range }
 }
 
-/// In the order of [`Measure`]. The ranges catch a set that is not the file's: feet for metres are
-/// a factor of three, inches for millimetres one of 25.
+/// In the order of [`Measure`]. The ranges reveal a wrong set of units: feet for metres are a
+/// factor of three, inches for millimetres one of 25.
 const MEASURES: [Declared; 10] = [
     declared("length", Dimension::Length, ["ft", "m"], -1e3..=2e4),
     declared("diameter", Dimension::Diameter, ["in", "mm"], 0.0..=2.0),
@@ -60,7 +60,7 @@ const MEASURES: [Declared; 10] = [
     declared("shear_stress", Dimension::ShearStress, ["lbf/100ft2", "Pa"], 0.0..=1e3),
 ];
 
-/// A number with its unit, as it stands in a row.
+/// A number with its unit from a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Found {
     pub(super) number: f64,
@@ -76,7 +76,7 @@ impl Found {
         Value::quantity(self.number, self.unit)
     }
 
-    /// For people: `9.625 in`.
+    /// Text for messages: `9.625 in`.
     pub(super) fn text(self) -> String {
         format!("{} {}", number_text(self.number), self.unit.symbol)
     }
@@ -87,7 +87,7 @@ impl Found {
 pub(super) struct Units(Vec<&'static Unit>);
 
 impl Units {
-    /// What is said with `--unit edm=SET`, and of single measures.
+    /// Reads the user's choice in `--unit edm=SET`, and of single measures.
     pub(super) fn said(rows: &Rows, choices: &Choices) -> Result<Self, ImportError> {
         let mut units = Vec::new();
         let set = choices.said("edm").map(|(_, set)| set);
@@ -115,7 +115,7 @@ impl Units {
         self.0[measure as usize]
     }
 
-    /// The quantity in a column, which is in the range of what there is.
+    /// Returns the quantity in a column, checked against its plausible range.
     pub(super) fn quantity(
         &self,
         row: Row,
@@ -125,7 +125,7 @@ impl Units {
         let Some(number) = row.number(column)? else { return Ok(None) };
         let found = Found { number, unit: self.of(measure) };
         let declared = &MEASURES[measure as usize];
-        // A zero stands for what was not entered.
+        // A zero means that no value was entered.
         if number != 0.0 && !declared.range.contains(&found.si()) {
             let [from, to] = [declared.range.start(), declared.range.end()]
                 .map(|si| number_text(found.unit.from_si(*si)));
@@ -142,7 +142,7 @@ impl Units {
         Ok(Some(found))
     }
 
-    /// The quantity in a column where it is more than nothing.
+    /// Returns the quantity in a column if it is above zero.
     pub(super) fn positive(
         &self,
         row: Row,
@@ -152,7 +152,7 @@ impl Units {
         Ok(self.quantity(row, column, measure)?.filter(|found| found.number > 0.0))
     }
 
-    /// Writes a key where its column has more than nothing.
+    /// Writes a key if its column is above zero.
     pub(super) fn push(
         &self,
         block: &mut Block,
@@ -169,17 +169,17 @@ impl Units {
     }
 }
 
-/// Both sets, for people.
+/// Both sets of units, for messages.
 fn sets() -> String {
-    let list = |of: fn(&Declared) -> &'static str| {
-        let mut units: Vec<&str> = MEASURES.iter().map(of).collect();
+    let list = |declared: fn(&Declared) -> &'static str| {
+        let mut units: Vec<&str> = MEASURES.iter().map(declared).collect();
         units.dedup();
         units.join(", ")
     };
     format!("api is {}; si is {}", list(|own| own.api), list(|own| own.si))
 }
 
-/// Why nothing can be read without a set, and what the file looks like.
+/// Error for a missing set of units, with the set that the file resembles.
 fn unsaid(rows: &Rows) -> ImportErrorKind {
     use super::table::Table::{Component, SurveyStation};
     let largest = |table, column: &'static str| {
@@ -198,8 +198,8 @@ fn unsaid(rows: &Rows) -> ImportErrorKind {
     };
     let names: Vec<&str> = MEASURES.iter().map(|own| own.name).collect();
     ImportErrorKind::Refused(format!(
-        "an EDM export does not tell its units{seen}; say the set: --unit edm=api, as Landmark \
-         stores numbers as a rule, or --unit edm=si ({}); single ones are said beside it, as \
+        "an EDM export does not contain its units{seen}; give the set with --unit edm=api, the \
+         usual one of Landmark, or --unit edm=si ({}); single units can be given in addition, as \
          --unit length=m, of {}",
         sets(),
         names.join(", ")

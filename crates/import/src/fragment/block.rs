@@ -1,24 +1,24 @@
-//! A table of a case: keys with values that know where they come from.
+//! A table of a case: keys with values and their origins.
 
 use super::{Origin, Value};
 
 /// A key of the case file with its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
-    /// The key, as the case file calls it.
+    /// The key, as in the case file.
     pub key: &'static str,
     /// Its value.
     pub value: Value,
-    /// Where it comes from.
+    /// Its origin.
     pub origin: Origin,
 }
 
 /// A table of the case file, or one of several.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Block {
-    /// What stands above it as a comment.
+    /// Comment above it.
     pub remark: Option<String>,
-    /// Its keys, in the order in which they are written.
+    /// Its keys, in the order of the file.
     pub entries: Vec<Entry>,
 }
 

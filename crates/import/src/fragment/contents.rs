@@ -1,10 +1,10 @@
-//! What a file is, and what it holds.
+//! Description of a file and its contents.
 
-/// What a file is, and what it holds, in words.
+/// Description of a file and its contents, in words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contents {
-    /// What it is: `a survey`, `WITSML 1.4.1.1`.
+    /// Kind of file: `a survey`, `WITSML 1.4.1.1`.
     pub what: String,
-    /// What it holds, a line each: `tubular 'BHA 7': 12 components`.
+    /// Contents, one line each: `tubular 'BHA 7': 12 components`.
     pub lines: Vec<String>,
 }

@@ -1,4 +1,4 @@
-//! What a file gives to a case.
+//! Parts of a case from one file.
 
 mod block;
 mod contents;
@@ -19,7 +19,7 @@ use wholestring_tabular::ImportedReading;
 
 use crate::log::picking::Picks;
 
-/// A part of a case that one file gives whole.
+/// A part of a case that comes from one file as a whole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Part {
     /// The path of the well.
@@ -41,7 +41,7 @@ impl Part {
     pub const ALL: [Part; 6] =
         [Part::Survey, Part::Hole, Part::Mud, Part::String, Part::Rig, Part::Operation];
 
-    /// Its name, as `--pick` takes it: `--pick survey=FILE`.
+    /// Its name in `--pick`: `--pick survey=FILE`.
     pub fn name(self) -> &'static str {
         match self {
             Part::Survey => "survey",
@@ -56,10 +56,10 @@ impl Part {
 
 /// Parts of a case, from one file.
 ///
-/// Keys of entries are those of the case file. A part that the file does not hold is empty.
+/// Keys of entries are those of the case file. A part that is not in the file is empty.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Fragment {
-    /// What the file is, for people: `a tally of 7 components`.
+    /// Kind of file, for messages: `a tally of 7 components`.
     pub what: String,
     /// Name of the well, for `name`.
     pub name: Option<Entry>,
@@ -77,18 +77,18 @@ pub struct Fragment {
     pub operation: Block,
     /// The keys of `[bit]`.
     pub bit: Block,
-    /// Weights and torques at the surface that were measured, or picked from a log.
+    /// Weights and torques at the surface, measured or picked from a log.
     pub measured: Vec<ImportedReading>,
-    /// Weights and torques at the surface that another program computed, to be laid over a plan.
+    /// Weights and torques at the surface computed by another program, to be drawn over a plan.
     pub overlay: Vec<ImportedReading>,
-    /// How those were picked that were picked from a log.
+    /// Evidence of the weights that were picked from a log.
     pub picks: Option<Box<Picks>>,
-    /// What was assumed, left out, checked.
+    /// Notes on assumptions, omissions and checks.
     pub notes: Vec<Note>,
 }
 
 impl Fragment {
-    /// The parts that it holds.
+    /// The parts that are present.
     pub fn parts(&self) -> Vec<Part> {
         Part::ALL.into_iter().filter(|part| self.has(*part)).collect()
     }

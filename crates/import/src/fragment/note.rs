@@ -1,15 +1,15 @@
-//! What is to be said of an import.
+//! Notes of an import.
 
-/// A sentence on how a file was understood.
+/// A sentence on the interpretation of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Note {
-    /// Something that the file does not tell was taken to be so.
+    /// An assumption on a value that the file does not give.
     Assumed(String),
-    /// Something of the file is not in the case, and why.
+    /// Contents of the file that are not in the case, with the reason.
     LeftOut(String),
-    /// Two statements of the file agree, or do not.
+    /// Agreement or disagreement of two statements of the file.
     Checked(String),
-    /// How something was read.
+    /// Information on reading.
     Read(String),
 }
 
@@ -23,7 +23,7 @@ impl Note {
         }
     }
 
-    /// What it is: `assumed`, `left out`, `checked`, `read`.
+    /// Kind of note: `assumed`, `left out`, `checked`, `read`.
     pub fn kind(&self) -> &'static str {
         match self {
             Note::Assumed(_) => "assumed",

@@ -1,34 +1,34 @@
-//! Where a value comes from.
+//! Origin of a value.
 
-/// Where a value comes from.
+/// Origin of a value.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Origin {
-    /// A place of the file, and what stands there, its unit included where it is not in `value`.
+    /// A place in the file and its text, including the unit where it differs from that of `value`.
     Found {
         /// Such as `line 5, column 'OD'`, `sheet 'BHA', cell C7`, `tubularComponent 3, od`.
         place: String,
-        /// As it is written there, where the value does not show it: `8 1/2`.
+        /// The text as written, if the value differs from it: `8 1/2`.
         written: Option<String>,
     },
-    /// It follows from something in the file.
+    /// The value follows from others in the file.
     Derived {
-        /// From what, and how, in words.
+        /// Source and method, in words.
         from: String,
     },
-    /// The file does not tell it.
+    /// The file does not give it.
     Assumed {
-        /// Why it is taken to be so.
+        /// Reason of the assumption.
         because: String,
     },
 }
 
 impl Origin {
-    /// A place whose value says all that stands there.
+    /// A place whose text equals the value.
     pub fn at(place: impl Into<String>) -> Self {
         Origin::Found { place: place.into(), written: None }
     }
 
-    /// A place, and what is written there.
+    /// A place and the text written there.
     pub fn written(place: impl Into<String>, written: impl Into<String>) -> Self {
         Origin::Found { place: place.into(), written: Some(written.into()) }
     }

@@ -2,15 +2,15 @@
 
 use wholestring::well::{Station, TieIn};
 
-/// Stations of a path, and where they were found.
+/// Stations of a path and their location.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Survey {
     /// The stations, m and rad, down the hole.
     pub stations: Vec<Station>,
-    /// Where the first one lies, if the file says it.
+    /// Position of the first one, if given in the file.
     pub tie_in: Option<TieIn>,
-    /// Where they were found: `lines 13 to 165`, `trajectory 'Plan #2'`.
+    /// Their location: `lines 13 to 165`, `trajectory 'Plan #2'`.
     pub place: String,
-    /// The units that they were found in: `ft, deg, deg`.
+    /// Their units in the file: `ft, deg, deg`.
     pub units: String,
 }

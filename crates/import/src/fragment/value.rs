@@ -2,36 +2,36 @@
 
 use wholestring_units::Unit;
 
-/// A value as a case file has it, in the unit that it was found in.
+/// A value as in a case file, in the unit of its source.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number with its unit.
     Quantity {
-        /// The number, in the unit.
+        /// The number, in this unit.
         number: f64,
         /// The unit.
         unit: &'static Unit,
     },
     /// A number without a unit: a friction factor, rev/min.
     Number(f64),
-    /// Words.
+    /// A text.
     Text(String),
-    /// A list of words.
+    /// A list of texts.
     Words(Vec<String>),
 }
 
 impl Value {
-    /// A quantity.
+    /// Returns a quantity.
     pub fn quantity(number: f64, unit: &'static Unit) -> Self {
         Value::Quantity { number, unit }
     }
 
-    /// A text.
+    /// Returns a text.
     pub fn text(text: impl Into<String>) -> Self {
         Value::Text(text.into())
     }
 
-    /// The number in SI; none of words.
+    /// The number in SI; `None` for texts.
     pub fn si(&self) -> Option<f64> {
         match self {
             Value::Quantity { number, unit } => Some(unit.to_si(*number)),
@@ -56,7 +56,8 @@ impl Value {
     }
 }
 
-/// Twelve significant digits: beyond what any file has, and without the last bits of a factor.
+/// Twelve significant digits: more than any file has, and without the rounding errors of conversion
+/// factors.
 pub(crate) fn rounded(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
@@ -69,7 +70,7 @@ pub(crate) fn quoted(text: &str) -> String {
         match character {
             '"' => quoted.push_str("\\\""),
             '\\' => quoted.push_str("\\\\"),
-            // Nothing that a name needs.
+            // Control characters are not needed in a name.
             other if other.is_control() => quoted.push(' '),
             other => quoted.push(other),
         }

@@ -1,4 +1,4 @@
-//! The channels of a log, and which of them give a record.
+//! Channels of a log, and the choice of those that fill a record.
 
 use wholestring_units::{Dimension, Unit};
 
@@ -11,13 +11,13 @@ use crate::{choices::Choices, error::ImportErrorKind, fragment::Note};
 /// A channel of a log.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Channel {
-    /// Its name, with `:2` behind the second of the same name.
+    /// Its name, with `:2` after the second channel of the same name.
     pub mnemonic: String,
-    /// Its unit as it is written; empty where none is.
+    /// Its unit as written; empty if there is none.
     pub unit: String,
     /// Which field of a [`Record`](super::Record) it gives.
     pub quantity: Option<Quantity>,
-    /// What the file says of it.
+    /// Description in the file.
     pub description: String,
 }
 
@@ -37,13 +37,13 @@ impl Channel {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Column {
     pub(crate) mnemonic: String,
-    /// Another name for the same.
+    /// An alternative name.
     pub(crate) alias: Option<String>,
     pub(crate) unit: String,
     pub(crate) description: String,
-    /// What stands for nothing in this column only.
+    /// Null value of this column only.
     pub(crate) null: Option<f64>,
-    /// What it is by its place: the index of the log.
+    /// Quantity given by its position: the index of the log.
     pub(crate) index: Option<Quantity>,
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct Wanted {
     pub(crate) unit: &'static Unit,
 }
 
-/// Which columns give what.
+/// Columns chosen for each quantity.
 #[derive(Debug, Default)]
 pub(crate) struct Chosen {
     pub(crate) channels: Vec<Channel>,
@@ -63,7 +63,7 @@ pub(crate) struct Chosen {
     pub(crate) time: Option<usize>,
     pub(crate) date: Option<usize>,
     pub(crate) notes: Vec<Note>,
-    /// What must be said before the log can be read.
+    /// Choices that the user must make before the log can be read.
     pub(crate) asked: Vec<ImportErrorKind>,
 }
 
@@ -89,7 +89,7 @@ pub(crate) fn choose(columns: &[Column], choices: &Choices) -> Chosen {
     chosen
 }
 
-/// The unit of a quantity under the spellings of recorders: `ft_lbs`, `gal_per_min`.
+/// The unit of a quantity, including spellings of recorders such as `ft_lbs` and `gal_per_min`.
 pub(crate) fn unit(dimension: Dimension, written: &str) -> Option<&'static Unit> {
     dimension.find_unit(written).or_else(|| {
         let tidy = written.to_ascii_lowercase().replace("_per_", "/").replace('_', ".");
@@ -97,23 +97,23 @@ pub(crate) fn unit(dimension: Dimension, written: &str) -> Option<&'static Unit>
     })
 }
 
-/// Whether a unit says that there is none.
+/// Whether a unit text means that there is no unit.
 pub(crate) fn is_no_unit(written: &str) -> bool {
     let words = ["", "-", "--", "none", "unitless", "n/a", "na", "unknown", "nil", "null"];
     words.contains(&written.to_ascii_lowercase().as_str())
 }
 
-/// Channels of the columns, the second of a name with `:2` behind it.
+/// Channels of the columns; the second of a name gets `:2` after it.
 fn numbered(columns: &[Column]) -> Vec<Channel> {
     let mut seen = std::collections::BTreeMap::<String, usize>::new();
-    let of = |column: &Column| {
+    let channel = |column: &Column| {
         let Column { mnemonic, unit, description, .. } = column;
         let count = seen.entry(mnemonic.clone()).or_default();
         *count += 1;
         let mnemonic = if *count == 1 { mnemonic.clone() } else { format!("{mnemonic}:{count}") };
         Channel { mnemonic, unit: unit.clone(), quantity: None, description: description.clone() }
     };
-    columns.iter().map(of).collect()
+    columns.iter().map(channel).collect()
 }
 
 fn one(
@@ -128,7 +128,7 @@ fn one(
         let found = unit(dimension, written);
         if found.is_none() && !is_no_unit(written) {
             let kind = ImportErrorKind::WrongUnit { found: written.clone(), dimension };
-            said(quantity, column, choices, chosen)?.ok_or(kind)?;
+            unit_choice(quantity, column, choices, chosen)?.ok_or(kind)?;
         }
         return take(quantity, column, found, choices, chosen);
     }
@@ -140,14 +140,14 @@ fn one(
             .or_else(|| alias.as_deref().and_then(mnemonics::quantity));
         let rank = match (index, by_name) {
             (Some(index), _) if *index == quantity => Rank::Index,
-            // In a log of trips the only depth is the bit's.
+            // In a log of trips the only depth is that of the bit.
             (_, Some((Quantity::HoleDepth, Rank::Loose))) if of_trips => {
                 if quantity != Quantity::BitDepth {
                     continue;
                 }
                 Rank::Loose
             }
-            (_, Some((of, rank))) if of == quantity => rank,
+            (_, Some((named, rank))) if named == quantity => rank,
             _ => continue,
         };
         // `--pick bit-depth=DEPT` has taken it.
@@ -157,20 +157,20 @@ fn one(
         let found = unit(dimension, written);
         if found.is_none()
             && !is_no_unit(written)
-            && said(quantity, column, choices, chosen)?.is_none()
+            && unit_choice(quantity, column, choices, chosen)?.is_none()
         {
             let name = &chosen.channels[column].mnemonic;
             let (words, measures) = (quantity.words(), dimension.name());
             chosen.notes.push(Note::LeftOut(format!(
-                "{name} is not taken for the {words}, for its unit '{written}' is none of \
-                 {measures} (--unit {}=UNIT takes it)",
+                "{name} is not used as the {words}, because its unit '{written}' is not one of \
+                 {measures} (--unit {}=UNIT selects it)",
                 quantity.name()
             )));
             continue;
         }
         candidates.push(Candidate { column, rank, unit: found });
     }
-    // Of two that fit alike the one whose unit is known.
+    // Of two equally good candidates, the one with a known unit is preferred.
     candidates.sort_by_key(|candidate| (candidate.rank, candidate.unit.is_none()));
     let Some(best) = candidates.first() else { return Ok(()) };
     let name = |candidate: &Candidate| chosen.channels[candidate.column].mnemonic.clone();
@@ -183,7 +183,7 @@ fn one(
     if candidates.len() > 1 {
         let others: Vec<String> = candidates[1..].iter().map(name).collect();
         let note = format!(
-            "{} is {} and taken for the {}; not taken: {} ({} takes that)",
+            "{} is {} and used as the {}; not used: {} ({} selects that)",
             name(best),
             best.rank.words(),
             quantity.words(),
@@ -196,20 +196,20 @@ fn one(
     if best.rank == Rank::Loose && of_trips {
         let name = &chosen.channels[column].mnemonic;
         chosen.notes.push(Note::Assumed(format!(
-            "{name} is taken for the depth of the bit, for the log is one of trips ({} takes it for \
-             the hole's)",
+            "{name} is used as the depth of the bit, because this is a log of trips ({} uses it \
+             as the hole's)",
             pick(Quantity::HoleDepth, name)
         )));
     } else if best.rank == Rank::Loose {
         let name = &chosen.channels[column].mnemonic;
         chosen.notes.push(Note::Assumed(format!(
-            "{name} is taken for the depth of the hole, not of the bit ({} takes it for that)",
+            "{name} is used as the depth of the hole, not of the bit ({} uses it as that)",
             pick(Quantity::BitDepth, name)
         )));
     }
     if best.rank == Rank::Greatest || best.rank == Rank::Least {
         chosen.notes.push(Note::Assumed(format!(
-            "{} is taken for the {}, though it is {} between two rows; there is no average",
+            "{} is used as the {}, though it is {} between two rows; there is no average",
             chosen.channels[column].mnemonic,
             quantity.words(),
             best.rank.words(),
@@ -218,10 +218,10 @@ fn one(
     take(quantity, column, unit, choices, chosen)
 }
 
-/// Whether the channels are those of a log of trips: `TRIPNUM`, `TRIPFILL`, `STANDSTOGO`, and no
-/// depth but one.
+/// Whether the channels are those of a log of trips: `TRIPNUM`, `TRIPFILL`, `STANDSTOGO`, and only
+/// one depth.
 fn is_of_trips(columns: &[Column]) -> bool {
-    /// So many of its channels.
+    /// Minimum number of its channels.
     const FEWEST: usize = 3;
     let is_of_trip = |column: &&Column| {
         let name = column.mnemonic.to_ascii_uppercase();
@@ -242,7 +242,7 @@ fn is_of_trips(columns: &[Column]) -> bool {
         && columns.iter().any(is_time)
 }
 
-/// The option that picks a channel, as a shell takes it.
+/// The option that picks a channel, quoted for a shell.
 fn pick(quantity: Quantity, name: &str) -> String {
     let option = format!("{}={name}", quantity.name());
     let plain = |c: char| c.is_alphanumeric() || "=-_.:".contains(c);
@@ -268,8 +268,8 @@ fn picked(
     })
 }
 
-/// The unit that is said of a column.
-fn said(
+/// The unit given for a column with `--unit`.
+fn unit_choice(
     quantity: Quantity,
     column: usize,
     choices: &Choices,
@@ -279,7 +279,7 @@ fn said(
     choices.unit_of(&[quantity.name(), mnemonic], quantity.dimension())
 }
 
-/// Takes a column for a quantity, in the unit that is said, or else in that of the file.
+/// Assigns a column to a quantity, with the unit given by the user or else that of the file.
 fn take(
     quantity: Quantity,
     column: usize,
@@ -288,17 +288,20 @@ fn take(
     chosen: &mut Chosen,
 ) -> Result<(), ImportErrorKind> {
     chosen.channels[column].quantity = Some(quantity);
-    let said = said(quantity, column, choices, chosen)?;
+    let chosen_unit = unit_choice(quantity, column, choices, chosen)?;
     let channel = &chosen.channels[column];
     let (name, written) = (&channel.mnemonic, &channel.unit);
-    if let Some(said) = said
+    if let Some(chosen_unit) = chosen_unit
         && !is_no_unit(written)
-        && of_file.is_none_or(|unit| unit.symbol != said.symbol)
+        && of_file.is_none_or(|unit| unit.symbol != chosen_unit.symbol)
     {
-        let note = format!("{name} is in {}, as was said; the file has '{written}'", said.symbol);
+        let note = format!(
+            "{name} is in {}, as given with --unit; the file has '{written}'",
+            chosen_unit.symbol
+        );
         chosen.notes.push(Note::Checked(note));
     }
-    let unit = match said.or(of_file) {
+    let unit = match chosen_unit.or(of_file) {
         Some(unit) => unit,
         None if quantity == Quantity::RotarySpeed => {
             let note = format!("{name} has no unit and is taken to be in rpm");
@@ -319,7 +322,7 @@ fn take(
     Ok(())
 }
 
-/// Finds the columns of time and date; what they hold is seen in the rows.
+/// Finds the columns of time and date; their format is determined from the rows.
 fn time(columns: &[Column], choices: &Choices, chosen: &mut Chosen) -> Result<(), ImportErrorKind> {
     let is_time = |column: &Column| {
         matches!(mnemonics::quantity(&column.mnemonic), Some((Quantity::Time, _)))
@@ -336,7 +339,7 @@ fn time(columns: &[Column], choices: &Choices, chosen: &mut Chosen) -> Result<()
     {
         let name = |at: usize| &chosen.channels[at].mnemonic;
         chosen.notes.push(Note::Read(format!(
-            "{} is taken for the time, not {} ({} takes that)",
+            "{} is used as the time, not {} ({} selects that)",
             name(taken),
             name(other),
             pick(Quantity::Time, name(other)),
@@ -351,7 +354,7 @@ fn time(columns: &[Column], choices: &Choices, chosen: &mut Chosen) -> Result<()
     Ok(())
 }
 
-/// Whether a unit may be that of a column of times: `s`, or the way in which they are written.
+/// Whether a unit may be that of a time column: `s`, or the pattern of a date or time.
 fn may_be_of_time(written: &str) -> bool {
     unit(Dimension::Time, written).is_some() || is_pattern(written)
 }

@@ -1,4 +1,4 @@
-//! The time of a row.
+//! Time of a row.
 
 use wholestring_units::Dimension;
 
@@ -11,16 +11,16 @@ use super::{
 };
 use crate::{choices::Choices, error::ImportErrorKind, fragment::Note};
 
-/// How times are written.
+/// Format of the times.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Form {
-    /// A number, so many seconds each.
+    /// A number of units of this many seconds.
     Number { seconds: f64 },
-    /// Days as Excel counts them.
+    /// Days in Excel's count.
     Excel,
-    /// Date and time of the day in one text.
+    /// Date and time of day in one text.
     Moment,
-    /// A time of the day, the date elsewhere or nowhere.
+    /// Time of day, with the date in another column or absent.
     OfDay { packed: bool },
 }
 
@@ -32,18 +32,18 @@ pub(crate) struct Clock {
     form: Form,
     marks: Marks,
     order: Order,
-    /// The date that was read last, as it is written, and its day: the next row mostly has it too.
+    /// The date that was read last, as written, and its day: the next row mostly has the same.
     last_date: (Vec<u8>, i64),
-    /// Midnights that were passed.
+    /// Number of midnights passed.
     midnights: i64,
     last_of_day: f64,
     first: Option<Moment>,
-    /// Whether times are written with a zone.
+    /// Time zone of the times, if written.
     zone: &'static str,
 }
 
 impl Clock {
-    /// Sees how times are written in the first rows; none where the log has no time.
+    /// Determines the format of times from the first rows; `None` if the log has no time.
     pub(crate) fn of(
         chosen: &mut Chosen,
         rows: &[Row],
@@ -55,7 +55,7 @@ impl Clock {
         let Some(cell) = cells().next() else { return Ok(None) };
         let channel = &chosen.channels[column];
         let (name, written) = (channel.mnemonic.clone(), channel.unit.clone());
-        let said = choices.unit_of(&[Quantity::Time.name(), &name], Dimension::Time)?;
+        let given_unit = choices.unit_of(&[Quantity::Time.name(), &name], Dimension::Time)?;
         let of_file = unit(Dimension::Time, &written);
         let mut order = Order::DayFirst;
         let zone = if has_zone(cell) { " UTC" } else { "" };
@@ -65,22 +65,25 @@ impl Clock {
             None if time_of_day(cell).is_some() => Form::OfDay { packed: false },
             None => {
                 return Err(ImportErrorKind::Refused(format!(
-                    "'{}' in the column {name} is no time; expected seconds, or a date and time \
-                     such as 2021-03-24T12:34:56Z",
+                    "'{}' in the column {name} is not a time; expected seconds, or a date and \
+                     time such as 2021-03-24T12:34:56Z",
                     String::from_utf8_lossy(cell)
                 )));
             }
-            // Whatever the unit: so many days are a date, and no rig logs a thousand rows a second.
+            // This applies with any unit: such a number of days is a date, and no rig logs a
+            // thousand rows per second.
             Some(value)
                 if is_serial_day(value)
-                    && said.or(of_file).is_some_and(|unit| {
+                    && given_unit.or(of_file).is_some_and(|unit| {
                         unit.factor == DAY_S || (unit.factor == 1.0 && are_days(cells(), marks))
                     }) =>
             {
                 assume(format!("{name} is taken to be days as Excel counts them"));
                 Form::Excel
             }
-            Some(_) if said.is_some() => Form::Number { seconds: said.map_or(1.0, |s| s.factor) },
+            Some(_) if given_unit.is_some() => {
+                Form::Number { seconds: given_unit.map_or(1.0, |unit| unit.factor) }
+            }
             Some(_) if of_file.is_some() => {
                 Form::Number { seconds: of_file.map_or(1.0, |unit| unit.factor) }
             }
@@ -153,13 +156,13 @@ impl Clock {
         }))
     }
 
-    /// The time of a row in seconds since the first that had one; none where it has none.
+    /// Returns the time of a row in seconds since the first row with a time; `None` if it has none.
     ///
     /// # Errors
-    /// What stands there as it is written.
+    /// The cell's text, if it is not a time.
     pub(crate) fn time_s(&mut self, row: &Row) -> Result<Option<f64>, String> {
         let cell = row.cell(self.column);
-        // The nulls of a column of numbers are far below any time.
+        // Null values of a numeric column are far below any time.
         let is_null = |value: f64| value < -800.0;
         if is_nothing(cell) || marked(cell, self.marks).is_some_and(is_null) {
             return Ok(None);
@@ -206,7 +209,7 @@ impl Clock {
         }
     }
 
-    /// The time of the first row, where it is a date.
+    /// Time of the first row, if it is a date.
     pub(crate) fn start(&self) -> Option<String> {
         let first = self.first?;
         match (self.form, self.date) {
@@ -225,12 +228,13 @@ impl Clock {
 /// A day, s.
 const DAY_S: f64 = 86_400.0;
 
-/// Whether a number of days is a date as Excel counts them: of the years 1954 to 2119.
+/// Whether a number of days is a date in Excel's count, in the years 1954 to 2119.
 fn is_serial_day(value: f64) -> bool {
     (20_000.0..80_000.0).contains(&value)
 }
 
-/// Whether numbers grow by less than a thousandth from row to row: parts of days, not seconds.
+/// Whether numbers increase by less than a thousandth from row to row: fractions of days, not
+/// seconds.
 fn are_days<'a>(cells: impl Iterator<Item = &'a [u8]>, marks: Marks) -> bool {
     let values: Vec<f64> = cells.filter_map(|cell| marked(cell, marks)).collect();
     let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
@@ -239,13 +243,14 @@ fn are_days<'a>(cells: impl Iterator<Item = &'a [u8]>, marks: Marks) -> bool {
     steps.get(steps.len() / 2).is_some_and(|step| *step < 1e-3)
 }
 
-/// Which way round dates are: by one that can only be so, or as is said.
+/// Order of day and month in dates: from an unambiguous date, or as the user gives it.
 fn day_or_month(dates: &[&[u8]], choices: &Choices) -> Result<Order, ImportErrorKind> {
     let mut unsure = None;
     for date in dates {
         match moment(date, Order::DayFirst) {
             Some((_, true)) => unsure = unsure.or(Some(*date)),
-            // `13/04/2021` and `04/13/2021` are read the same either way; they tell the rest.
+            // `13/04/2021` and `04/13/2021` can be read in one way only; they decide for the other
+            // dates.
             Some((_, false)) if date.iter().filter(|b| **b == b'/').count() == 2 => {
                 let first: Vec<u8> = date.iter().copied().take_while(u8::is_ascii_digit).collect();
                 let first = number(&first).unwrap_or(0.0);
@@ -269,8 +274,8 @@ fn day_or_month(dates: &[&[u8]], choices: &Choices) -> Result<Order, ImportError
             names: vec!["dmy".to_owned(), "mdy".to_owned()],
         }),
         None => Err(ImportErrorKind::Refused(format!(
-            "the date '{}' may begin with the day or with the month; say which: --pick date=dmy or \
-             --pick date=mdy",
+            "the date '{}' may begin with the day or with the month; choose with --pick date=dmy \
+             or --pick date=mdy",
             String::from_utf8_lossy(date)
         ))),
     }

@@ -1,30 +1,30 @@
-//! What a log holds, for people.
+//! Summary of a log for the user.
 
 use super::{channel::Channel, kind::Kind, log::Log, quantity::Quantity, read::unasked};
 use crate::{choices::Choices, error::ImportError, fragment::Contents, input::Input};
 
-/// Channels that are not used and still named.
+/// Maximum number of unused channels that are listed.
 const NAMED: usize = 200;
 
-/// What a log is, and what it holds. Its rows are counted; what must be said before it can be
-/// imported stands at the end.
+/// Describes a log and its contents. Its rows are counted; choices that an import requires are
+/// listed at the end.
 pub(crate) fn contents(input: Input, kind: Kind) -> Result<Contents, ImportError> {
     contents_of(unasked(input, kind, &Choices::default())?)
 }
 
-/// What a log that is open is, and what it holds.
+/// Describes an open log and its contents.
 pub(super) fn contents_of(mut log: Log) -> Result<Contents, ImportError> {
     let mut lines = Vec::new();
     lines.extend(log.well.iter().map(|well| format!("well: {well}")));
     for channel in &log.channels {
         let Some(quantity) = channel.quantity else { continue };
         let (name, words) = (&channel.mnemonic, quantity.words());
-        let said = if channel.description.is_empty() || channel.description == *name {
+        let description = if channel.description.is_empty() || channel.description == *name {
             String::new()
         } else {
             format!(": {}", channel.description)
         };
-        lines.push(format!("{words}: {}{said}", channel.named()));
+        lines.push(format!("{words}: {}{description}", channel.named()));
     }
     let unused = || log.channels.iter().filter(|channel| channel.quantity.is_none());
     let names: Vec<String> = unused().take(NAMED).map(Channel::named).collect();
@@ -38,11 +38,11 @@ pub(super) fn contents_of(mut log: Log) -> Result<Contents, ImportError> {
     };
     let mut depths = (f64::INFINITY, f64::NEG_INFINITY);
     let mut last_s = f64::NAN;
-    // Without their units depths and loads are not known.
+    // Without their units, depths and loads are unknown.
     for record in log.by_ref() {
         let record = record?;
         last_s = record.time_s;
-        // A comparison with nothing is false.
+        // A comparison with NaN is false.
         depths = (depths.0.min(depth(&record)), depths.1.max(depth(&record)));
     }
     let count = log.rows();
@@ -55,11 +55,11 @@ pub(super) fn contents_of(mut log: Log) -> Result<Contents, ImportError> {
     }
     lines.push(rows);
     if depths.0 <= depths.1 {
-        let of = if log.has(Quantity::BitDepth) { "bit depth" } else { "depth" };
-        lines.push(format!("{of} from {:.1} to {:.1} m", depths.0, depths.1));
+        let words = if log.has(Quantity::BitDepth) { "bit depth" } else { "depth" };
+        lines.push(format!("{words} from {:.1} to {:.1} m", depths.0, depths.1));
     }
     lines.extend(log.notes.iter().map(|note| format!("{}: {}", note.kind(), note.text())));
-    lines.extend(log.asked.iter().map(|kind| format!("to be imported: {kind}")));
+    lines.extend(log.asked.iter().map(|kind| format!("to import it: {kind}")));
     Ok(Contents { what: log.what, lines })
 }
 

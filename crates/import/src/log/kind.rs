@@ -1,21 +1,21 @@
-//! The kinds of logs.
+//! Kinds of logs.
 
 use super::{csv, las, witsml};
 use crate::xml;
 
-/// How a log is written.
+/// Format of a log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Log ASCII Standard.
     Las,
-    /// Text with a sign between its columns.
+    /// Text with a separator between its columns.
     Csv,
     /// WITSML, of either generation.
     Witsml,
 }
 
 impl Kind {
-    /// The kind of a file that begins so; none where it is no log.
+    /// The kind of a file with these first bytes; `None` if it is not a log.
     pub(crate) fn of(head: &[u8]) -> Option<Self> {
         if wholestring_tabular::is_workbook(head) {
             return None;

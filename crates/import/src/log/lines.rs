@@ -1,4 +1,4 @@
-//! The lines of a text that may be longer than memory.
+//! Lines of a text that may exceed memory.
 
 use std::io::{self, BufRead, BufReader, Read};
 
@@ -7,10 +7,10 @@ use crate::{
     input::{Input, unreadable},
 };
 
-/// Bytes of one line: thousands of columns fit, a file without line ends does not.
+/// Maximum bytes of a line: thousands of columns fit, a file without line ends does not.
 pub(crate) const LONGEST_LINE: usize = 1 << 20;
 
-/// Lines without their ends, in whatever way these are written, as UTF-8.
+/// Lines without their line ends, of any kind, as UTF-8.
 pub(crate) struct Lines<'a> {
     file: String,
     reader: Box<dyn BufRead + 'a>,
@@ -20,14 +20,14 @@ pub(crate) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// Reads a file from its beginning. Byte order marks are passed over; UTF-16 is decoded.
+    /// Reads a file from its beginning. Byte order marks are skipped; UTF-16 is decoded.
     pub(crate) fn new(mut input: Input<'a>) -> Result<Self, ImportError> {
         let head = input.head()?;
         let (mark, big) = match head {
             [0xef, 0xbb, 0xbf, ..] => (3, None),
             [0xff, 0xfe, ..] => (2, Some(false)),
             [0xfe, 0xff, ..] => (2, Some(true)),
-            // Without a mark every other byte of plain letters is zero.
+            // Without a mark, every other byte of ASCII text is zero.
             [first, 0, _, 0, ..] if *first != 0 => (0, Some(false)),
             [0, second, 0, _, ..] if *second != 0 => (0, Some(true)),
             _ => (0, None),
@@ -43,7 +43,7 @@ impl<'a> Lines<'a> {
         Ok(Self { file, reader, end, line: 0, cut: false })
     }
 
-    /// Appends the next line; false where there is none.
+    /// Appends the next line; returns false at the end.
     pub(crate) fn next(&mut self, into: &mut Vec<u8>) -> Result<bool, ImportError> {
         let before = into.len();
         self.line += 1;
@@ -66,7 +66,7 @@ impl<'a> Lines<'a> {
         Ok(read > 0)
     }
 
-    /// The line that was read last, from 1.
+    /// Number of the line that was read last, from 1.
     pub(crate) fn line(&self) -> u64 {
         self.line
     }
@@ -87,7 +87,7 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// A line as text; one that is not UTF-8 has a byte for each letter.
+/// Decodes a line; if it is not UTF-8, each byte becomes one character.
 pub(crate) fn text(line: &[u8]) -> String {
     match std::str::from_utf8(line) {
         Ok(text) => text.to_owned(),
@@ -95,26 +95,26 @@ pub(crate) fn text(line: &[u8]) -> String {
     }
 }
 
-/// UTF-16 as UTF-8; what is no character becomes the sign for that.
+/// Converts UTF-16 to UTF-8; invalid code units become the replacement character.
 struct Utf16<R> {
     inner: R,
     big: bool,
-    /// The first half of a character beyond the first plane.
+    /// The first half of a surrogate pair.
     high: Option<u16>,
     ready: Vec<u8>,
-    given: usize,
+    returned: usize,
 }
 
 impl<R: Read> Utf16<R> {
     fn new(inner: R, big: bool) -> Self {
-        Self { inner, big, high: None, ready: Vec::new(), given: 0 }
+        Self { inner, big, high: None, ready: Vec::new(), returned: 0 }
     }
 
     fn decode(&mut self) -> io::Result<()> {
         let mut bytes = Vec::with_capacity(8192);
         (&mut self.inner).take(8192).read_to_end(&mut bytes)?;
         self.ready.clear();
-        self.given = 0;
+        self.returned = 0;
         let ends = bytes.len() < 8192;
         let mut units: Vec<u16> = self.high.take().into_iter().collect();
         units.extend(bytes.chunks_exact(2).map(|pair| match self.big {
@@ -134,12 +134,12 @@ impl<R: Read> Utf16<R> {
 
 impl<R: Read> Read for Utf16<R> {
     fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
-        if self.given == self.ready.len() {
+        if self.returned == self.ready.len() {
             self.decode()?;
         }
-        let count = into.len().min(self.ready.len() - self.given);
-        into[..count].copy_from_slice(&self.ready[self.given..self.given + count]);
-        self.given += count;
+        let count = into.len().min(self.ready.len() - self.returned);
+        into[..count].copy_from_slice(&self.ready[self.returned..self.returned + count]);
+        self.returned += count;
         Ok(count)
     }
 }

@@ -17,49 +17,50 @@ use crate::{
     fragment::Note,
 };
 
-/// Rows that are read before the first is given, to see how numbers and times are written.
+/// Number of rows read in advance to determine the format of numbers and times.
 const AHEAD: usize = 64;
 
-/// Bytes of the rows of a log that is put into the order of time: all of them are read first.
+/// Maximum bytes of the rows of a log that is sorted by time, because all of them are read first.
 const SORTED_BYTES: usize = 256 << 20;
 
-/// What stands for nothing in many logs, whatever their heads say. Nothing on a rig measures them.
+/// Null values of many logs, whether or not their heads declare them. No sensor of a rig measures
+/// them.
 const USUAL_NULLS: [f64; 7] = [-999.25, -9999.25, -999.0, -9999.0, -8888.0, -99_999.0, -999.99];
 
 /// A log whose head has been read.
 pub(crate) struct Opened<'a> {
     pub(crate) file: String,
-    /// What it is: `LAS 2.0`.
+    /// Format and version: `LAS 2.0`.
     pub(crate) what: String,
     pub(crate) well: Option<String>,
     pub(crate) columns: Vec<Column>,
     pub(crate) null: Option<f64>,
     pub(crate) marks: Marks,
-    /// The beginning of a log whose times are counted from it.
+    /// Start of a log whose times are relative to it.
     pub(crate) start: Option<String>,
     pub(crate) notes: Vec<Note>,
     pub(crate) rows: Box<dyn Rows + 'a>,
 }
 
-/// A log whose channels are known and whose rows are read as they are asked for.
+/// A log whose channels are known and whose rows are read on demand.
 ///
 /// It ends after its first error.
 pub struct Log<'a> {
-    /// What it is: `LAS 2.0`.
+    /// Format and version: `LAS 2.0`.
     pub what: String,
-    /// Name of the well, if the file says it.
+    /// Name of the well, if given in the file.
     pub well: Option<String>,
-    /// Its channels, in their order.
+    /// Its channels, in order.
     pub channels: Vec<Channel>,
-    /// How it is read; what is to be said of the rows follows when the last has been given.
+    /// Notes on its interpretation; those on the rows follow after the last row.
     pub notes: Vec<Note>,
-    /// Date and time of the first row, if the file says it.
+    /// Date and time of the first row, if given in the file.
     pub start: Option<String>,
-    /// What must be said before rows can be read.
+    /// Choices that the user must make before rows can be read.
     pub(crate) asked: Vec<ImportErrorKind>,
     file: String,
     rows: Box<dyn Rows + 'a>,
-    /// Rows that were read ahead, the next one last, and whether more follow.
+    /// Rows that were read in advance, the next one last, and whether more follow.
     ahead: Vec<Row>,
     more: bool,
     row: Row,
@@ -77,7 +78,7 @@ impl std::fmt::Debug for Log<'_> {
 }
 
 impl<'a> Log<'a> {
-    /// Chooses the channels and looks at the first rows.
+    /// Chooses the channels and examines the first rows.
     pub(crate) fn of(opened: Opened<'a>, choices: &Choices) -> Result<Self, ImportError> {
         let Opened { file, what, well, columns, null, mut marks, start, mut notes, mut rows } =
             opened;
@@ -93,10 +94,14 @@ impl<'a> Log<'a> {
         }
         if marks == Marks::Comma {
             marks = number::marks(ahead.iter().flat_map(|row| {
-                chosen.wanted.iter().map(|of| row.cell(of.column)).filter(|cell| !cell.is_empty())
+                chosen
+                    .wanted
+                    .iter()
+                    .map(|wanted| row.cell(wanted.column))
+                    .filter(|cell| !cell.is_empty())
             }));
             if marks == Marks::Comma {
-                notes.push(Note::Read("numbers have a comma before their decimals".to_owned()));
+                notes.push(Note::Read("numbers have decimal commas".to_owned()));
             }
         }
         let clock = match Clock::of(&mut chosen, &ahead, marks, choices) {
@@ -107,26 +112,27 @@ impl<'a> Log<'a> {
             }
         };
         let mut zeros = Vec::new();
-        let mut nulls = |of: &Wanted| {
-            let all = null.into_iter().chain(columns[of.column].null);
+        let mut nulls = |wanted: &Wanted| {
+            let all = null.into_iter().chain(columns[wanted.column].null);
             let (zero, others): (Vec<f64>, Vec<f64>) = all.partition(|null| *null == 0.0);
-            if zero.is_empty() || !of.quantity.is_often_zero() {
+            if zero.is_empty() || !wanted.quantity.is_often_zero() {
                 return [zero, others].concat();
             }
-            zeros.push(of.quantity.words());
+            zeros.push(wanted.quantity.words());
             others
         };
         let wanted: Vec<(Wanted, Vec<f64>)> = chosen
             .wanted
             .into_iter()
-            .map(|of| {
-                let nulls = nulls(&of);
-                (of, nulls)
+            .map(|wanted| {
+                let nulls = nulls(&wanted);
+                (wanted, nulls)
             })
             .collect();
         if !zeros.is_empty() {
             notes.push(Note::Assumed(format!(
-                "a 0 is a value of {}, though the head says that 0 stands for nothing: it is often one",
+                "0 is read as a value of {}, although the head declares it as the null value, \
+                 because these are often 0",
                 zeros.join(", ")
             )));
         }
@@ -178,7 +184,7 @@ impl<'a> Log<'a> {
         self.channels.iter().any(|channel| channel.quantity == Some(quantity))
     }
 
-    /// The first of what must be said before rows can be read.
+    /// Returns the first of the choices that are missing before rows can be read, as an error.
     pub(crate) fn ask(&mut self) -> Result<(), ImportError> {
         if self.asked.is_empty() {
             return Ok(());
@@ -186,7 +192,7 @@ impl<'a> Log<'a> {
         Err(ImportError::new(&self.file, None, self.asked.swap_remove(0)))
     }
 
-    /// Rows that were given so far.
+    /// Number of rows returned so far.
     pub fn rows(&self) -> u64 {
         self.watch.rows()
     }
@@ -248,14 +254,14 @@ impl<'a> Log<'a> {
         }
     }
 
-    /// The time of the row; none of a row that has none or goes back.
+    /// Time of the row; `None` if it has none or goes back.
     fn time_s(&mut self) -> Result<Option<f64>, ImportError> {
         let Some(clock) = &mut self.clock else { return Ok(None) };
         let line = self.row.line;
         let time_s = match clock.time_s(&self.row) {
             Ok(time_s) => time_s,
             Err(found) => {
-                let sentence = format!("'{found}' is not a time as the rows above have it");
+                let sentence = format!("'{found}' is not a time in the format of the rows above");
                 return Err(self.error(ImportErrorKind::Refused(sentence)));
             }
         };
@@ -280,9 +286,9 @@ impl Iterator for Log<'_> {
     }
 }
 
-/// Whether the time of the first rows goes back from row to row.
+/// Whether the times of the first rows decrease from row to row.
 fn is_newest_first(clock: &Clock, rows: &[Row]) -> bool {
-    /// Longer steps are midnights of a clock without a date, s.
+    /// Step above which a clock without a date has passed midnight, s.
     const LONGEST_STEP_S: f64 = 43_200.0;
     let mut clock = clock.clone();
     let times: Vec<f64> = rows.iter().filter_map(|row| clock.time_s(row).ok().flatten()).collect();
@@ -293,7 +299,7 @@ fn is_newest_first(clock: &Clock, rows: &[Row]) -> bool {
     back >= 2 && 20 * forth <= back
 }
 
-/// Reads the rows that follow behind those that were read; whether there are more is answered with no.
+/// Reads the remaining rows after those read in advance; there are no more afterwards.
 fn read_all(
     rows: &mut dyn Rows,
     ahead: &mut Vec<Row>,
@@ -325,7 +331,7 @@ fn has_comma(cell: &[u8]) -> bool {
     cell.contains(&b',') && cell.iter().all(|b| b.is_ascii_digit() || b",.-+".contains(b))
 }
 
-/// The beginning of a cell, for a sentence.
+/// Beginning of a cell, for a sentence.
 pub(crate) fn short(cell: &[u8]) -> String {
     let text = super::lines::text(&cell[..cell.len().min(160)]);
     let mut short: String = text.chars().take(40).collect();

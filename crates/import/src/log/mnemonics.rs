@@ -1,27 +1,27 @@
-//! The names under which channels are known.
+//! Names of known channels.
 //!
-//! Those of four letters are the long mnemonics of WITS level 0, record 1 (general time-based);
-//! beside them stand its item numbers (`0108`) and the words that recorders print.
+//! Names of four letters are the long mnemonics of WITS level 0, record 1 (general time-based). The
+//! list also has its item numbers (`0108`) and the words that recorders print.
 
 use std::{collections::HashMap, sync::LazyLock};
 
 use super::quantity::Quantity::{self, *};
 
-/// How well a name fits: of two channels for one quantity the lower is taken.
+/// Quality of a name's match: of two channels for one quantity the lower one is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Rank {
-    /// Not by its name, but by its place.
+    /// By position, not by name.
     Index,
     Average,
     Plain,
-    /// A name that may mean something else where a better one is there: `DEPT`.
+    /// A name that may have another meaning if a better one is present: `DEPT`.
     Loose,
     Greatest,
     Least,
 }
 
 impl Rank {
-    /// In a sentence, behind the channel's name.
+    /// Explanation in a sentence, after the channel's name.
     pub(crate) fn words(self) -> &'static str {
         match self {
             Rank::Index => "the index",
@@ -34,7 +34,7 @@ impl Rank {
     }
 }
 
-/// Names in small letters and digits only.
+/// Names reduced to lower-case letters and digits.
 const NAMES: &[(Quantity, Rank, &str)] = &[
     (
         Time,
@@ -115,7 +115,7 @@ const NAMES: &[(Quantity, Rank, &str)] = &[
     (StandpipePressure, Rank::Greatest, "sppx"),
 ];
 
-/// The same by name: every cell of what may be headings is asked for.
+/// The same, indexed by name, because every cell of a possible heading is looked up.
 static QUANTITIES: LazyLock<HashMap<&'static str, (Quantity, Rank)>> = LazyLock::new(|| {
     let each = |&(quantity, rank, names): &(Quantity, Rank, &'static str)| {
         names.split_ascii_whitespace().map(move |name| (name, (quantity, rank)))
@@ -123,15 +123,15 @@ static QUANTITIES: LazyLock<HashMap<&'static str, (Quantity, Rank)>> = LazyLock:
     NAMES.iter().flat_map(each).collect()
 });
 
-/// Columns of a date beside one of the time of the day.
+/// Columns of a date that accompanies one of the time of day.
 const DATES: &str =
     "date yyyymmdd ddmmyyyy mmddyyyy yymmdd ddmmyy mmddyy 0105 logdate dateutc rigdate";
 
-/// Headings of a table of readings, which is no log.
+/// Headings of a table of readings, which is not a log.
 const READINGS: &str = "pickup pickupweight puw pu pickuphookload slackoff slackoffweight sow so \
     rotatingweight rotating rob robweight freerotating freerotatingweight";
 
-/// The quantity that a name means.
+/// The quantity of a name.
 pub(crate) fn quantity(name: &str) -> Option<(Quantity, Rank)> {
     if name.len() > 80 || is_number(name) {
         return None;
@@ -164,7 +164,7 @@ pub(crate) fn quantity(name: &str) -> Option<(Quantity, Rank)> {
     (found == Rank::Plain).then_some((quantity, rank))
 }
 
-/// The name before the time over which it is an average: `rpm` of `rpm30s`.
+/// The name before the averaging time: `rpm` of `rpm30s`.
 fn over_a_time(squeezed: &str) -> Option<&str> {
     let rest = ["sec", "min", "s"].iter().find_map(|unit| squeezed.strip_suffix(unit))?;
     let name = rest.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -176,12 +176,12 @@ pub(crate) fn is_date(name: &str) -> bool {
     !is_number(name) && is_of(DATES, &words(name).concat())
 }
 
-/// Whether a name means a reading that someone took off a log.
+/// Whether a name is that of a reading taken from a log by hand.
 pub(crate) fn is_reading(name: &str) -> bool {
     is_of(READINGS, &words(name).concat())
 }
 
-/// Whether it is a number and no item of WITS, which has four digits: most cells are.
+/// Whether it is a number other than an item of WITS, which has four digits; most cells are.
 fn is_number(name: &str) -> bool {
     name.len() != 4 && !name.contains(char::is_alphabetic)
 }
@@ -194,7 +194,7 @@ fn is_of(names: &str, squeezed: &str) -> bool {
     !squeezed.is_empty() && names.split_ascii_whitespace().any(|name| name == squeezed)
 }
 
-/// The words of a name in small letters: `hookLoadAvg` is three.
+/// Words of a name in lower case: `hookLoadAvg` has three.
 fn words(name: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut before = ' ';
@@ -233,7 +233,7 @@ mod tests {
             ("GS_TQA", Some((Quantity::Torque, Rank::Average))),
             ("HKLDs", None),
             ("YYYY/MM/DD HH:MM:SS", Some((Quantity::Time, Rank::Plain))),
-            // A motor turns the bit faster than the rig the string.
+            // With a motor the bit turns faster than the string.
             ("Bit RPM", None),
             ("Max - Min TQ", None),
             ("TQ on btm", None),

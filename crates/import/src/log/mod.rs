@@ -1,9 +1,9 @@
-//! Logs of a rig: what was measured at the surface against time or depth.
+//! Logs of a rig: measurements at the surface against time or depth.
 //!
-//! LAS, the text of electronic drilling recorders and WITSML each give columns and [rows](row::Rows)
-//! of cells; what follows is the same for all of them: [channels](channel) are chosen by name and
-//! unit, the [clock] reads the time, and a [`Log`] gives one [`Record`] after the other without ever
-//! holding more than a few rows.
+//! LAS, the text of electronic drilling recorders and WITSML each provide columns and
+//! [rows](row::Rows) of cells. The further steps are the same for all: [channels](channel) are
+//! chosen by name and unit, the [clock] reads the time, and a [`Log`] returns one [`Record`] after
+//! the other without holding more than a few rows.
 
 mod channel;
 mod clock;
@@ -12,7 +12,7 @@ pub(crate) mod csv;
 mod kind;
 mod las;
 mod lines;
-// The noun of this folder.
+// The type of this module.
 #[expect(clippy::module_inception)]
 mod log;
 mod mnemonics;

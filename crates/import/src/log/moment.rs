@@ -1,6 +1,6 @@
-//! Dates and times of the day, as logs write them.
+//! Dates and times of day, as logs write them.
 
-/// A point in time: days since 1970-01-01, and seconds of the day, in UTC where a zone is written.
+/// A point in time: days since 1970-01-01 and seconds of the day, in UTC if a zone is written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Moment {
     pub(crate) day: i64,
@@ -8,12 +8,12 @@ pub(crate) struct Moment {
 }
 
 impl Moment {
-    /// Seconds from another one to this.
+    /// Seconds from another moment to this one.
     pub(crate) fn since(self, other: Moment) -> f64 {
         (self.day - other.day) as f64 * 86_400.0 + (self.second - other.second)
     }
 
-    /// As people and ISO 8601 write it.
+    /// ISO 8601 text with a space between date and time.
     pub(crate) fn text(self) -> String {
         let shift = (self.second / 86_400.0).floor();
         let (year, month, day) = civil(self.day + shift as i64);
@@ -33,12 +33,12 @@ pub(crate) enum Order {
     MonthFirst,
 }
 
-/// A date: its day, and whether its first two numbers might be the other way round.
+/// Parses a date: its day, and whether its first two numbers might be in the other order.
 pub(crate) fn date(text: &[u8], order: Order) -> Option<(i64, bool)> {
     let parted = |b: &u8| matches!(b, b'-' | b'/' | b'.' | b' ');
     let sign = text.iter().copied().find(|b| parted(b));
     let Some(sign) = sign else {
-        // 20210324; 210324 as WITS has it.
+        // 20210324, or 210324 as in WITS.
         let value = digits(text)?;
         let (year, rest) = (value / 10_000, value % 10_000);
         let year = match text.len() {
@@ -66,14 +66,14 @@ pub(crate) fn date(text: &[u8], order: Order) -> Option<(i64, bool)> {
         return Some((day_of(year(first)?, digits(second)?, digits(third)?)?, false));
     }
     let (one, two, year) = (digits(first)?, digits(second)?, year(third)?);
-    // Points part dates only where the day comes first.
+    // Points separate dates only where the day is first.
     let both = one <= 12 && two <= 12 && one != two && sign != b'.';
     let day_first = sign == b'.' || one > 12 || (both || one == two) && order == Order::DayFirst;
     let (day, month) = if day_first { (one, two) } else { (two, one) };
     Some((day_of(year, month, day)?, both))
 }
 
-/// A time of the day with its zone: seconds of the day in UTC, or as written without a zone.
+/// Parses a time of day with its zone: seconds of the day in UTC, or as written without a zone.
 pub(crate) fn time_of_day(text: &[u8]) -> Option<f64> {
     let mut text = text.trim_ascii();
     let mut shift = 0.0;
@@ -100,7 +100,7 @@ pub(crate) fn time_of_day(text: &[u8]) -> Option<f64> {
     let mut hour = digits(parts.next()?)?;
     let minute = digits(parts.next()?)?;
     let second = match parts.next() {
-        // A comma before the fraction is ISO 8601, too.
+        // ISO 8601 also allows a comma before the fraction.
         Some(part) if part.first().is_some_and(u8::is_ascii_digit) => {
             super::number::marked(part, super::number::Marks::Either)?
         }
@@ -118,7 +118,7 @@ pub(crate) fn time_of_day(text: &[u8]) -> Option<f64> {
     Some((hour * 3600 + minute * 60) as f64 + second + shift)
 }
 
-/// `123456` as a time of the day: 12:34:56.
+/// Parses `123456` as a time of day: 12:34:56.
 pub(crate) fn packed_time(text: &[u8]) -> Option<f64> {
     let whole = text.split(|b| *b == b'.').next()?;
     if !(1..=6).contains(&whole.len()) {
@@ -131,7 +131,7 @@ pub(crate) fn packed_time(text: &[u8]) -> Option<f64> {
     valid.then(|| (hour * 3600 + minute * 60 + second) as f64 + fraction)
 }
 
-/// A date and a time of the day in one text, and whether day and month might be the other way round.
+/// Parses date and time of day in one text, and whether day and month might be in the other order.
 pub(crate) fn moment(text: &[u8], order: Order) -> Option<(Moment, bool)> {
     // 2021-03-24T12:34:56.
     if let Some((&[y1, y2, y3, y4, b'-', m1, m2, b'-', d1, d2], rest)) = text.split_first_chunk()
@@ -154,17 +154,17 @@ pub(crate) fn moment(text: &[u8], order: Order) -> Option<(Moment, bool)> {
     Some((Moment { day, second }, both))
 }
 
-/// Whether a text of a moment tells its zone, so that it is read as UTC.
+/// Whether a text of a moment includes a time zone, so that it is read as UTC.
 pub(crate) fn has_zone(text: &[u8]) -> bool {
     let time = text.iter().position(|b| *b == b':').map_or(&[][..], |at| &text[at..]);
     time.iter().any(|b| matches!(b, b'Z' | b'z' | b'+' | b'-' | b'C' | b'c'))
 }
 
-/// The moment that Excel counts so many days.
+/// Converts Excel's count of days to a moment.
 pub(crate) fn of_excel(days: f64) -> Moment {
     // Day 25569 of its calendar is 1970-01-01.
     let day = days.floor();
-    // Excel's seconds are whole but for rounding.
+    // Excel's seconds are whole except for rounding.
     let second = ((days - day) * 86_400_000.0).round() / 1000.0;
     Moment { day: day as i64 - 25_569, second }
 }
@@ -193,7 +193,7 @@ fn month(text: &[u8]) -> Option<i64> {
     text.iter().all(u8::is_ascii_alphabetic).then_some(found as i64 + 1)
 }
 
-/// Days since 1970-01-01 of a date of the Gregorian calendar; none where there is no such date.
+/// Days since 1970-01-01 of a date of the Gregorian calendar; `None` for an impossible date.
 fn day_of(year: i64, month: i64, day: i64) -> Option<i64> {
     let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
     let length = match month {
@@ -205,14 +205,14 @@ fn day_of(year: i64, month: i64, day: i64) -> Option<i64> {
     if !(1..=length).contains(&day) || !(1900..=2200).contains(&year) {
         return None;
     }
-    // Years from March on, so that the day of a leap year is the last.
+    // Years begin in March, so that the leap day is the last one.
     let (years, months) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
     let days =
         365 * years + years / 4 - years / 100 + years / 400 + (153 * months + 2) / 5 + day - 1;
     Some(days - 719_468)
 }
 
-/// Year, month and day, so many days after 1970-01-01.
+/// Year, month and day of a number of days since 1970-01-01.
 fn civil(day: i64) -> (i64, i64, i64) {
     let days = day + 719_468;
     let era = days.div_euclid(146_097);

@@ -1,26 +1,26 @@
 //! Numbers of logs, read fast.
 
-/// What the marks within numbers mean.
+/// Meaning of decimal points and commas within numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Marks {
-    /// A point before the decimals; commas part thousands: `12,030.5`.
+    /// Decimal point; commas group thousands: `12,030.5`.
     Point,
-    /// A comma before the decimals; points part thousands: `12.030,5`.
+    /// Decimal comma; points group thousands: `12.030,5`.
     Comma,
-    /// Either of them before the decimals; nothing parts thousands.
+    /// Either is a decimal mark; thousands are not grouped.
     Either,
 }
 
-/// Powers of ten that a double holds exactly.
+/// Powers of ten that a double represents exactly.
 const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
-/// A number with a point before its decimals, rounded correctly; none of anything else.
+/// Parses a number with a decimal point, rounded correctly; `None` for any other text.
 ///
 /// Digits that make less than 2^53 and a power of ten up to 22 are both exact, so that their
-/// quotient is rounded once; anything longer goes the standard library's way.
+/// quotient is rounded once; longer numbers use the standard library.
 pub(crate) fn number(text: &[u8]) -> Option<f64> {
     let (negative, digits) = match text {
         [b'-', rest @ ..] => (true, rest),
@@ -56,7 +56,7 @@ fn long(text: &[u8]) -> Option<f64> {
     std::str::from_utf8(text).ok()?.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// A number whose marks mean so.
+/// Parses a number with the given marks.
 pub(crate) fn marked(text: &[u8], marks: Marks) -> Option<f64> {
     let comma = text.contains(&b',');
     match marks {
@@ -65,15 +65,15 @@ pub(crate) fn marked(text: &[u8], marks: Marks) -> Option<f64> {
             let one = text.iter().filter(|b| matches!(b, b',' | b'.')).count() == 1;
             one.then(|| plain(text, b',', 0)).flatten()
         }
-        // "12,030" alone might be twelve and a bit.
+        // "12,030" alone might be 12.03.
         Marks::Point if !text.contains(&b'.') => None,
         Marks::Point => grouped(text, b'.', b','),
         Marks::Comma => grouped(text, b',', b'.'),
     }
 }
 
-/// What marks mean in numbers of a file whose columns are not parted by commas: one that can mean
-/// only one thing tells it for all.
+/// Determines the marks of numbers in a file whose columns are not separated by commas: one
+/// unambiguous number decides for all.
 pub(crate) fn marks<'a>(numbers: impl Iterator<Item = &'a [u8]>) -> Marks {
     let mut unsure_comma = false;
     let mut point = false;
@@ -96,14 +96,14 @@ pub(crate) fn marks<'a>(numbers: impl Iterator<Item = &'a [u8]>) -> Marks {
     if unsure_comma && !point { Marks::Comma } else { Marks::Point }
 }
 
-/// A number with its thousands parted in threes.
+/// Parses a number with its thousands grouped in threes.
 fn grouped(text: &[u8], decimal: u8, group: u8) -> Option<f64> {
     let mut whole = text.split(|b| *b == decimal);
     let before = whole.next()?;
     if before.contains(&group) {
         let mut groups = before.split(|b| *b == group);
         let first = groups.next()?.iter().filter(|b| b.is_ascii_digit()).count();
-        if !(1..=3).contains(&first) || !groups.all(|of| of.len() == 3) {
+        if !(1..=3).contains(&first) || !groups.all(|group| group.len() == 3) {
             return None;
         }
     }
@@ -111,17 +111,17 @@ fn grouped(text: &[u8], decimal: u8, group: u8) -> Option<f64> {
     (after_is_plain && whole.next().is_none()).then(|| plain(text, decimal, group)).flatten()
 }
 
-/// The number with a point for its decimal mark, and without the other.
+/// Returns the number with a decimal point and without the grouping mark.
 fn plain(text: &[u8], decimal: u8, group: u8) -> Option<f64> {
     if text.len() > 40 {
         return None;
     }
-    let kept = text.iter().filter(|b| **b != group);
-    let plain: Vec<u8> = kept.map(|b| if *b == decimal { b'.' } else { *b }).collect();
+    let ungrouped = text.iter().filter(|b| **b != group);
+    let plain: Vec<u8> = ungrouped.map(|b| if *b == decimal { b'.' } else { *b }).collect();
     number(&plain)
 }
 
-/// Whether a text says that there is nothing.
+/// Whether a text denotes a missing value.
 pub(crate) fn is_nothing(text: &[u8]) -> bool {
     let words: &[&[u8]] = &[
         b"", b"nan", b"null", b"n/a", b"#n/a", b"na", b"nil", b"none", b"-", b"--", b"---",
@@ -165,13 +165,13 @@ mod tests {
 
     #[test]
     fn a_number_that_is_sure_tells_the_marks() {
-        let of = |texts: &[&str]| super::marks(texts.iter().map(|text| text.as_bytes()));
-        assert_eq!(of(&["12", "12,030", "62,1"]), Marks::Comma);
-        assert_eq!(of(&["12.030,5"]), Marks::Comma);
-        assert_eq!(of(&["12,030", "62.1"]), Marks::Point);
-        assert_eq!(of(&["12,030.5"]), Marks::Point);
-        assert_eq!(of(&["12,030"]), Marks::Comma);
-        assert_eq!(of(&["12.030", "a,b"]), Marks::Point);
+        let marks = |texts: &[&str]| super::marks(texts.iter().map(|text| text.as_bytes()));
+        assert_eq!(marks(&["12", "12,030", "62,1"]), Marks::Comma);
+        assert_eq!(marks(&["12.030,5"]), Marks::Comma);
+        assert_eq!(marks(&["12,030", "62.1"]), Marks::Point);
+        assert_eq!(marks(&["12,030.5"]), Marks::Point);
+        assert_eq!(marks(&["12,030"]), Marks::Comma);
+        assert_eq!(marks(&["12.030", "a,b"]), Marks::Point);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What a channel of a log measures.
+//! Quantity that a channel of a log measures.
 
 use wholestring_units::Dimension;
 
@@ -7,7 +7,7 @@ use super::record::Record;
 /// The quantities of a [`Record`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Quantity {
-    /// Time, against which a log is measured.
+    /// Time, the index of the log.
     Time,
     /// Measured depth of the bit.
     BitDepth,
@@ -54,7 +54,7 @@ impl Quantity {
         self.declared().1
     }
 
-    /// What its unit must measure.
+    /// Dimension that its unit must have.
     pub fn dimension(self) -> Dimension {
         self.declared().2
     }
@@ -74,8 +74,8 @@ impl Quantity {
         }
     }
 
-    /// Whether 0 is a value that its sensor often gives: a string that does not turn, pumps that are
-    /// off, a block on the floor.
+    /// Whether its sensor often reads 0: a string that does not turn, pumps that are off, a block
+    /// on the floor.
     pub(crate) fn is_often_zero(self) -> bool {
         !matches!(
             self,
@@ -83,7 +83,7 @@ impl Quantity {
         )
     }
 
-    /// Its place in a row.
+    /// Its field in a record.
     pub(crate) fn field(self, record: &mut Record) -> &mut f64 {
         match self {
             Quantity::Time => &mut record.time_s,

@@ -1,4 +1,4 @@
-//! Opening a log.
+//! Opens a log.
 
 use wholestring_units::{Dimension, UnitSet};
 
@@ -16,7 +16,7 @@ use crate::{
     input::Input,
 };
 
-/// A log of a rig, whose rows are read as they are asked for.
+/// Opens a log of a rig, whose rows are read on demand.
 ///
 /// ```
 /// use wholestring_import::{Choices, Input, log};
@@ -29,10 +29,10 @@ use crate::{
 /// ```
 ///
 /// # Errors
-/// It is no log, its head is damaged, a unit is missing or several channels may be meant.
+/// It is not a log, its head is damaged, a unit is missing or several channels are possible.
 pub fn log<'a>(mut input: Input<'a>, choices: &Choices) -> Result<Log<'a>, ImportError> {
     let Some(kind) = Kind::of(input.head()?) else {
-        let kind = ImportErrorKind::NotRecognised { found: "it is no log".to_owned() };
+        let kind = ImportErrorKind::NotRecognised { found: "it is not a log".to_owned() };
         return Err(ImportError::new(input.name(), None, kind));
     };
     open(input, kind, choices)
@@ -45,7 +45,7 @@ fn open<'a>(input: Input<'a>, kind: Kind, choices: &Choices) -> Result<Log<'a>, 
     Ok(log)
 }
 
-/// Opens a log without asking for what is missing.
+/// Opens a log without an error for missing choices.
 pub(super) fn unasked<'a>(
     input: Input<'a>,
     kind: Kind,
@@ -59,13 +59,13 @@ pub(super) fn unasked<'a>(
     Log::of(opened, choices)
 }
 
-/// Picks weights and torques of a log.
+/// Picks weights and torques from a log.
 pub(crate) fn read(input: Input, kind: Kind, choices: &Choices) -> Result<Fragment, ImportError> {
     let name = input.name().to_owned();
     read_log(open(input, kind, choices)?, &name, choices)
 }
 
-/// Picks weights and torques of a log that is open.
+/// Picks weights and torques from an open log.
 pub(super) fn read_log(
     mut log: Log,
     name: &str,
@@ -83,7 +83,7 @@ pub(super) fn read_log(
             .map(Note::text)
             .filter(|text| {
                 let not = |quantity: &Quantity| {
-                    text.contains(&format!("is not taken for the {}", quantity.words()))
+                    text.contains(&format!("is not used as the {}", quantity.words()))
                 };
                 measured.iter().any(not)
             })
@@ -91,8 +91,8 @@ pub(super) fn read_log(
         let left_out =
             if left_out.is_empty() { String::new() } else { format!("; {}", left_out.join("; ")) };
         let sentence = format!(
-            "no hook load and no torque at the surface is in it; its channels are {}{more} (say which \
-             it is: --pick hookload=CHANNEL){left_out}",
+            "it has no hook load and no surface torque; its channels are {}{more} (choose one \
+             with --pick hookload=CHANNEL){left_out}",
             channels.join(", "),
         );
         return Err(ImportError::new(name, None, ImportErrorKind::Refused(sentence)));
@@ -108,7 +108,8 @@ pub(super) fn read_log(
     Ok(Fragment { notes, ..fragment })
 }
 
-/// The error of a log that lacks something, with the channels that may be it and were left out.
+/// Adds to the error of an incomplete log the channels that might be the missing one and were left
+/// out.
 fn explained(error: ImportError, notes: &[Note]) -> ImportError {
     let ImportErrorKind::Refused(sentence) = error.kind() else { return error };
     let is_missing = |quantity: &&Quantity| {
@@ -116,8 +117,8 @@ fn explained(error: ImportError, notes: &[Note]) -> ImportError {
             && sentence.contains(&format!("--pick {}=", quantity.name()))
     };
     let Some(missing) = Quantity::ALL.iter().find(is_missing) else { return error };
-    let words = format!("is not taken for the {}", missing.words());
-    let others = |text: &str| text.contains("is not taken for the ") && !text.contains(&words);
+    let words = format!("is not used as the {}", missing.words());
+    let others = |text: &str| text.contains("is not used as the ") && !text.contains(&words);
     let all = || notes.iter().filter(|note| matches!(note, Note::LeftOut(_))).map(Note::text);
     let mut left_out: Vec<&str> = all().filter(|text| text.contains(&words)).collect();
     if left_out.is_empty() {
@@ -128,7 +129,7 @@ fn explained(error: ImportError, notes: &[Note]) -> ImportError {
     ImportError::new(error.file(), None, ImportErrorKind::Refused(sentence))
 }
 
-/// What each channel that is used was taken for.
+/// Lists the quantity assigned to each channel in use.
 fn taken(log: &Log) -> String {
     let taken = log.channels.iter().filter_map(|channel| {
         Some(format!("{} from {}", channel.quantity?.words(), channel.named()))

@@ -1,8 +1,8 @@
 //! A row of a log.
 
-/// What the sensors of a rig said at a time; NaN where one said nothing.
+/// Values of the sensors of a rig at one time; NaN where a sensor has none.
 ///
-/// Readers of logs give these one after the other, however long the log is.
+/// Readers of logs return these one after the other, whatever the length of the log.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Record {
     /// Time since the log's first row, s. NaN in a log against depth.
@@ -13,7 +13,8 @@ pub struct Record {
     pub hole_depth_m: f64,
     /// Height of the travelling block, m.
     pub block_position_m: f64,
-    /// Hook load as it was logged, the block's weight included where it hangs on the sensor, N.
+    /// Hook load as it was logged, including the block's weight where the block hangs on the
+    /// sensor, N.
     pub hook_load_N: f64,
     /// Weight on bit as the rig computes it, N.
     pub weight_on_bit_N: f64,
@@ -28,7 +29,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// A row in which no sensor said anything.
+    /// A row without values.
     pub const NONE: Record = Record {
         time_s: f64::NAN,
         bit_depth_m: f64::NAN,

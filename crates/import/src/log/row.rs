@@ -1,33 +1,33 @@
-//! A row of cells, as it is read.
+//! A row of cells.
 
 use crate::{error::ImportError, fragment::Note};
 
-/// Columns of a row. A rig has hundreds of channels.
+/// Maximum number of columns of a row. A rig has hundreds of channels.
 pub(crate) const COLUMNS: usize = 4096;
 
-/// The cells of a row: one text, and where in it they lie.
+/// Cells of a row: one text, and the range of each cell in it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Row {
     pub(crate) bytes: Vec<u8>,
     pub(crate) cells: Vec<(u32, u32)>,
-    /// The line in which it begins, from 1.
+    /// Number of the line on which it begins, from 1.
     pub(crate) line: u64,
 }
 
 impl Row {
-    /// Makes room for the next.
+    /// Clears it for the next row.
     pub(crate) fn clear(&mut self) {
         self.bytes.clear();
         self.cells.clear();
     }
 
-    /// A cell without blanks around it; empty where the row is shorter.
+    /// A cell without surrounding blanks; empty if the row is shorter.
     pub(crate) fn cell(&self, column: usize) -> &[u8] {
         let range = self.cells.get(column);
         range.map_or(&[][..], |&(from, to)| &self.bytes[from as usize..to as usize])
     }
 
-    /// Adds the cell that lies there, without blanks and quotation marks around it.
+    /// Adds the cell in this range, without surrounding blanks and quotation marks.
     pub(crate) fn push(&mut self, mut from: usize, mut to: usize) {
         let blank = |b: u8| b.is_ascii_whitespace();
         while from < to && blank(self.bytes[from]) {
@@ -42,9 +42,9 @@ impl Row {
         self.cells.push((from as u32, to as u32));
     }
 
-    /// Parts what lies behind `from` at a sign; false where a quotation stays open.
+    /// Splits the text from `from` on at a separator; false if a quotation is not closed.
     ///
-    /// A quotation begins a cell: the inches of `9 5/8"` open none.
+    /// A quotation starts at the beginning of a cell: the inch mark of `9 5/8"` does not start one.
     pub(crate) fn part_at(&mut self, sign: u8, from: usize) -> bool {
         let mut start = from;
         let mut open = false;
@@ -66,7 +66,7 @@ impl Row {
         !open
     }
 
-    /// Parts what lies behind `from` at blanks; quotation marks hold words together.
+    /// Splits the text from `from` on at blanks; quotation marks join words.
     pub(crate) fn part_at_blanks(&mut self, from: usize) {
         let end = self.bytes.len();
         let mut at = from;
@@ -89,8 +89,8 @@ impl Row {
     }
 }
 
-/// What gives the rows of a log, one after the other.
+/// A source of the rows of a log, one after the other.
 pub(crate) trait Rows {
-    /// Reads the next row; false where there is none. Notes are what is to be said of the rows.
+    /// Reads the next row; false at the end. Remarks on the rows are added to `notes`.
     fn next(&mut self, row: &mut Row, notes: &mut Vec<Note>) -> Result<bool, ImportError>;
 }

@@ -1,5 +1,5 @@
-//! A log in a sheet of a workbook, as recorders export them: read as text between tabs, of which each
-//! line is a row of the sheet.
+//! A log in a sheet of a workbook, as recorders export them: read as tab-separated text with one
+//! line per row of the sheet.
 
 use wholestring_tabular::SheetText;
 
@@ -17,16 +17,16 @@ use crate::{
     input::Input,
 };
 
-/// Rows in which headings are looked for.
+/// Number of rows searched for headings.
 const AHEAD: usize = 60;
 
-/// The sheets that are logs.
+/// Returns the sheets that are logs.
 pub(crate) fn logs(sheets: &[SheetText]) -> Vec<&SheetText> {
     let is_log = |sheet: &&SheetText| csv::is_log(&text(sheet, AHEAD));
     sheets.iter().filter(is_log).collect()
 }
 
-/// The one that is meant of several: the only one, or the one that is picked.
+/// Returns the sheet to read: the only log, or the picked one.
 pub(crate) fn picked<'a>(
     logs: &[&'a SheetText],
     name: &str,
@@ -45,7 +45,7 @@ pub(crate) fn picked<'a>(
     Err(ImportError::new(name, None, kind))
 }
 
-/// Picks weights and torques of a log.
+/// Picks weights and torques from a log.
 pub(crate) fn read(
     sheet: &SheetText,
     name: &str,
@@ -57,7 +57,7 @@ pub(crate) fn read(
     read.map_err(|error| in_sheet(error, sheet))
 }
 
-/// What a log holds.
+/// Describes the contents of a log.
 pub(crate) fn contents(sheet: &SheetText, name: &str) -> Result<Contents, ImportError> {
     let text = text(sheet, usize::MAX);
     let opened = opened(sheet, name, &text, &Choices::default());
@@ -77,7 +77,7 @@ fn opened<'a>(
     Ok(log)
 }
 
-/// The error with its place in the sheet.
+/// Adds the place in the sheet to an error.
 fn in_sheet(error: ImportError, sheet: &SheetText) -> ImportError {
     let line = error.place().and_then(|place| place.strip_prefix("line "));
     let Some(line) = line else { return error };
@@ -85,7 +85,7 @@ fn in_sheet(error: ImportError, sheet: &SheetText) -> ImportError {
     ImportError::new(error.file(), Some(place), error.kind().clone())
 }
 
-/// The first rows of a sheet as lines of cells between tabs, which no cell holds.
+/// Returns the first rows of a sheet as lines of tab-separated cells; no cell contains a tab.
 fn text(sheet: &SheetText, rows: usize) -> Vec<u8> {
     let mut text = Vec::new();
     for row in sheet.rows.iter().take(rows) {
@@ -93,7 +93,7 @@ fn text(sheet: &SheetText, rows: usize) -> Vec<u8> {
             if at > 0 {
                 text.push(b'\t');
             }
-            // A quotation mark would hold cells together.
+            // A quotation mark would join cells.
             text.extend(cell.replace('"', "''").into_bytes());
         }
         text.push(b'\n');

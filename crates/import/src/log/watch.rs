@@ -1,34 +1,34 @@
-//! What is seen while rows go by, to be said at their end.
+//! Observations on rows, reported at the end of the log.
 
 use crate::{error::ImportErrorKind, fragment::Note};
 
-/// What is seen while rows go by.
+/// Observations on the rows of a log.
 #[derive(Debug, Default)]
 pub(super) struct Watch {
     given: u64,
     last_time_s: Option<f64>,
     same_time: u64,
-    /// Rows of a time before that of the row above, and the line of the first.
+    /// Number of rows with a time before that of the row above, and the line of the first.
     back: (u64, u64),
     without_time: (u64, u64),
-    /// Values that stand for nothing though the head does not say so.
+    /// Null values that the head does not declare.
     usual_nulls: (u64, f64, u64),
-    /// Numbers with a comma for a point.
+    /// Numbers with a decimal comma.
     commas: (u64, u64),
 }
 
 impl Watch {
-    /// Rows that were given.
+    /// Number of rows returned.
     pub(super) fn rows(&self) -> u64 {
         self.given
     }
 
-    /// A row is given.
+    /// Counts a returned row.
     pub(super) fn given(&mut self) {
         self.given += 1;
     }
 
-    /// The time of a row; none of a row that has none or goes back.
+    /// Time of a row; `None` if it has none or goes back.
     pub(super) fn time_s(&mut self, time_s: Option<f64>, line: u64) -> Option<f64> {
         let Some(time_s) = time_s else {
             count(&mut self.without_time, line);
@@ -46,7 +46,7 @@ impl Watch {
         Some(time_s)
     }
 
-    /// A number stands for nothing though the head does not say so.
+    /// Counts a null value that the head does not declare.
     pub(super) fn usual_null(&mut self, value: f64, line: u64) {
         let (count, first, at) = &mut self.usual_nulls;
         if *count == 0 {
@@ -55,19 +55,19 @@ impl Watch {
         *count += 1;
     }
 
-    /// A number has a comma before its decimals.
+    /// Counts a number with a decimal comma.
     pub(super) fn comma(&mut self, line: u64) {
         count(&mut self.commas, line);
     }
 
-    /// Says what was seen.
+    /// Adds the notes on the observations.
     pub(super) fn finish(&self, notes: &mut Vec<Note>) -> Result<(), ImportErrorKind> {
         let Watch { given, same_time, back, without_time, usual_nulls, commas, .. } = *self;
         if back.0 * 10 > given {
             let sentence = format!(
-                "the time goes back: {} of {} rows are earlier than one above, the first in line {}; \
-                 expected rows in the order of time (cut the file there and read its parts one by one, \
-                 or say another column: --pick time=CHANNEL)",
+                "the time goes back: {} of {} rows are earlier than one above, the first in line \
+                 {}; expected rows in the order of time (cut the file there and read its parts \
+                 one by one, or choose another column with --pick time=CHANNEL)",
                 back.0,
                 back.0 + given,
                 back.1
@@ -94,8 +94,8 @@ impl Watch {
         }
         if usual_nulls.0 > 0 {
             notes.push(Note::Assumed(format!(
-                "taken for nothing, as in many logs, though the head does not say so: {} such as {}, \
-                 the first in line {}",
+                "read as null values, as in many logs, although the head does not declare them: \
+                 {} such as {}, the first in line {}",
                 values(usual_nulls.0),
                 usual_nulls.1,
                 usual_nulls.2
@@ -103,7 +103,7 @@ impl Watch {
         }
         if commas.0 > 0 {
             notes.push(Note::Assumed(format!(
-                "a comma within a number stands before its decimals: {}, the first in line {}",
+                "a comma within a number is read as the decimal sign: {}, the first in line {}",
                 values(commas.0),
                 commas.1
             )));

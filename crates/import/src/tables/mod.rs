@@ -14,10 +14,10 @@ use crate::{
     log,
 };
 
-/// No table of a well is larger.
+/// Maximum bytes of a table; no table of a well is larger.
 const LARGEST_BYTES: usize = 64 << 20;
 
-/// What a table may be, as `--pick table=` calls it.
+/// Kinds of tables, as in `--pick table=`.
 const SURVEY: &str = "survey";
 const TALLY: &str = "tally";
 const READINGS: &str = "readings";
@@ -36,19 +36,20 @@ pub(crate) fn read(input: Input, choices: &Choices) -> Result<Fragment, ImportEr
         }
         let readings = std::mem::take(&mut held.readings);
         if !readings.is_empty() {
-            let text = format!("the weights in sheet '{}', beside a log", readings.join("', '"));
+            let text =
+                format!("the weights in sheet '{}', in addition to a log", readings.join("', '"));
             whole.notes.push(Note::LeftOut(text));
         }
         return others(whole, &bytes, &held, &name, choices);
     }
     if sorts(&held, &name, choices)?.is_empty() {
-        // A table without a heading may be a survey still.
+        // A table without headings may still be a survey.
         return survey::read(&bytes, &name, choices).map_err(|error| unheaded(error, held, &name));
     }
     others(Fragment::default(), &bytes, &held, &name, choices)
 }
 
-/// The tables of a file, joined to what was read of it before.
+/// Reads the other tables of a file and joins them to those read before.
 fn others(
     mut whole: Fragment,
     bytes: &[u8],
@@ -67,7 +68,7 @@ fn others(
     Ok(whole)
 }
 
-/// What a table is, and what it holds.
+/// Describes a table and its contents.
 pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
     let name = input.name().to_owned();
     let bytes = input.bytes(LARGEST_BYTES)?;
@@ -86,7 +87,7 @@ pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
             lines.extend(fragment.notes.iter().map(|note| note.text().to_owned()));
             Ok(Contents { what: fragment.what, lines })
         }
-        // It is known what it is, and what is to be said for its import.
+        // The table is recognised; the message lists the option that its import requires.
         Err(error) if is_asked(error.kind()) => {
             let held = held(&bytes, &name)?;
             let what = match (held.tallies.is_empty(), held.surveys.is_empty()) {
@@ -102,12 +103,12 @@ pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
     }
 }
 
-/// Whether an option answers it.
+/// Whether an option resolves the error.
 fn is_asked(kind: &ImportErrorKind) -> bool {
     matches!(kind, ImportErrorKind::MissingUnit { .. } | ImportErrorKind::Ambiguous { .. })
 }
 
-/// What the tables of a file are: what is picked, or all that its sheets hold, each of them one.
+/// Kinds of the tables of a file: the picked one, or those of all its sheets, each once.
 fn sorts(held: &Held, name: &str, choices: &Choices) -> Result<Vec<&'static str>, ImportError> {
     let all: Vec<(&'static str, &Vec<String>)> =
         [(SURVEY, &held.surveys), (TALLY, &held.tallies), (READINGS, &held.readings)]
@@ -140,7 +141,7 @@ fn sorts(held: &Held, name: &str, choices: &Choices) -> Result<Vec<&'static str>
     Ok(all.into_iter().map(|(sort, _)| sort).collect())
 }
 
-/// The sheet of the tally: the only one, or the one that is picked.
+/// Returns the sheet of the tally: the only one, or the picked one.
 fn sheet<'a>(
     sheets: &'a [String],
     name: &str,
@@ -172,7 +173,7 @@ fn readings(bytes: &[u8], name: &str) -> Result<Fragment, ImportError> {
     })
 }
 
-/// Adds what another sheet of the same file holds.
+/// Adds the contents of another sheet of the same file.
 fn join(whole: &mut Fragment, part: Fragment) {
     let what = match whole.what.is_empty() {
         true => part.what,
@@ -194,13 +195,13 @@ fn join(whole: &mut Fragment, part: Fragment) {
     whole.measured.extend(part.measured);
     whole.overlay.extend(part.overlay);
     whole.picks = whole.picks.take().or(part.picks);
-    // Hidden sheets are those of the whole file.
+    // Notes on hidden sheets apply to the whole file.
     let new = |note: &Note| !whole.notes.contains(note);
     let notes: Vec<Note> = part.notes.into_iter().filter(new).collect();
     whole.notes.extend(notes);
 }
 
-/// The error of a file none of whose rows is a header.
+/// The error of a file without a header row.
 fn unheaded(error: ImportError, held: Held, name: &str) -> ImportError {
     if let Some(nearly) = held.nearly_tally {
         return nearly.into();

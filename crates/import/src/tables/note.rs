@@ -1,8 +1,8 @@
-//! What the reader of tables says.
+//! Notes of the reader of tables.
 
 use crate::fragment::Note;
 
-/// How something was read, or what is hidden and was not.
+/// Classifies a note as information on reading or as omission of hidden contents.
 pub(super) fn of(text: String) -> Note {
     match text.ends_with("hidden and not read") {
         true => Note::LeftOut(text),

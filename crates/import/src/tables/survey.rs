@@ -14,13 +14,13 @@ use crate::{
     tables::note,
 };
 
-/// What `--pick` calls one of several surveys in a file, and what `--unit` calls measured depths and
-/// the lengths of positions.
+/// Name in `--pick` of one of several surveys in a file, and names in `--unit` of measured depths
+/// and of the lengths of positions.
 const TABLE: &str = "table";
 const DEPTH: &str = "md";
 const POSITION: &str = "tvd";
 
-/// The survey of a file.
+/// Reads the survey of a file.
 pub(crate) fn read(bytes: &[u8], name: &str, choices: &Choices) -> Result<Fragment, ImportError> {
     let (survey, left_out) = picked(tables(bytes, name, choices)?, name, choices)?;
     let mut notes: Vec<Note> = left_out.into_iter().collect();
@@ -31,10 +31,10 @@ pub(crate) fn read(bytes: &[u8], name: &str, choices: &Choices) -> Result<Fragme
         true => Note::Assumed(text.clone()),
         false => note::of(text.clone()),
     }));
-    let of = well(&survey.preamble);
+    let well = well(&survey.preamble);
     Ok(Fragment {
         what: format!("a survey of {} stations", survey.stations.len()),
-        name: of,
+        name: well,
         survey: Some(Survey {
             stations: survey.stations,
             tie_in: survey.tie_in,
@@ -46,7 +46,7 @@ pub(crate) fn read(bytes: &[u8], name: &str, choices: &Choices) -> Result<Fragme
     })
 }
 
-/// The positions of the file against those of its path, and turns that are hardly the hole's.
+/// Notes on positions that differ from those of the path, and on implausible turns.
 fn checked(survey: &ImportedSurvey, name: &str) -> Result<Vec<Note>, ImportError> {
     let set = survey.unit_set();
     let path = Path::new(&survey.stations, Interpolation::MinimumCurvature, survey.start());
@@ -61,28 +61,28 @@ fn checked(survey: &ImportedSurvey, name: &str) -> Result<Vec<Note>, ImportError
     Ok(notes)
 }
 
-/// The tables of a file that are surveys.
+/// Returns the tables of a file that are surveys.
 fn tables(bytes: &[u8], name: &str, choices: &Choices) -> Result<Vec<SurveyTable>, ImportError> {
-    let said = |unit: &str| {
+    let unit_of = |unit: &str| {
         let unit = choices.unit_of(&[unit], Dimension::Length);
         unit.map_err(|kind| ImportError::new(name, None, kind))
     };
-    let mut known = Said { length_unit: said(DEPTH)?, ..Said::default() };
-    let found = read_all(bytes, name, &known).map_err(asked)?;
-    // Only a file that asks for it is told.
+    let mut known = Said { length_unit: unit_of(DEPTH)?, ..Said::default() };
+    let found = read_all(bytes, name, &known).map_err(with_option)?;
+    // A choice counts as used only for a file that needs it.
     let lacks = |table: &SurveyTable| {
         let kind = table.survey.as_ref().err().map(|error| error.kind());
         matches!(kind, Some(TableErrorKind::MissingUnit { column, .. })
             if *column != Column::MeasuredDepth)
     };
     if found.iter().any(lacks) {
-        known.position_unit = said(POSITION)?;
-        return read_all(bytes, name, &known).map_err(asked);
+        known.position_unit = unit_of(POSITION)?;
+        return read_all(bytes, name, &known).map_err(with_option);
     }
     Ok(found)
 }
 
-/// One survey of several, and what the others are.
+/// Returns the picked survey of several, with a note on the others.
 fn picked(
     mut tables: Vec<SurveyTable>,
     file: &str,
@@ -97,7 +97,7 @@ fn picked(
             let Some(name) = choices.picked(TABLE) else {
                 return Err(error(ImportErrorKind::Ambiguous { what, names }));
             };
-            let at = names.iter().position(|of| of == name);
+            let at = names.iter().position(|other| other == name);
             let name = name.to_owned();
             at.ok_or_else(|| error(ImportErrorKind::NoSuch { what, name, names: names.clone() }))?
         }
@@ -105,7 +105,7 @@ fn picked(
     if tables.is_empty() {
         return Err(error(ImportErrorKind::Missing { what: "a survey".to_owned() }));
     }
-    let survey = tables.swap_remove(at).survey.map_err(asked)?;
+    let survey = tables.swap_remove(at).survey.map_err(with_option)?;
     let others: Vec<String> = names
         .iter()
         .enumerate()
@@ -113,13 +113,17 @@ fn picked(
         .map(|(_, name)| format!("'{name}'"))
         .collect();
     let left_out = (!others.is_empty()).then(|| {
-        Note::LeftOut(format!("the survey {}, for '{}' was picked", others.join(", "), names[at]))
+        Note::LeftOut(format!(
+            "the survey {}, because '{}' was picked",
+            others.join(", "),
+            names[at]
+        ))
     });
     Ok((survey, left_out))
 }
 
-/// The error of a table, which asks for a unit as an import is told it.
-fn asked(error: wholestring_tabular::TableError) -> ImportError {
+/// The error of a table, with a missing unit as the option of an import.
+fn with_option(error: wholestring_tabular::TableError) -> ImportError {
     let (column, name) = match error.kind() {
         TableErrorKind::NoUnits => (Column::MeasuredDepth, DEPTH),
         TableErrorKind::MissingUnit { column: Column::MeasuredDepth, .. } => {
@@ -136,7 +140,7 @@ fn asked(error: wholestring_tabular::TableError) -> ImportError {
     ImportError::new(error.file(), error.place().map(ToString::to_string), kind)
 }
 
-/// What becomes of the other columns.
+/// Note on the columns that are not used.
 fn columns(survey: &ImportedSurvey) -> Option<Note> {
     let first = survey.stated.first().copied().unwrap_or_default();
     let position = [
@@ -160,10 +164,10 @@ fn columns(survey: &ImportedSurvey) -> Option<Note> {
     )))
 }
 
-/// The name of the well: that of the wellbore, after the well's where it does not hold it.
+/// Name of the well: that of the wellbore, preceded by the well's unless it already contains it.
 fn well(preamble: &[Stated]) -> Option<Entry> {
-    let of = |about| preamble.iter().find(|stated| stated.about == about);
-    let (name, place) = match (of(About::Well), of(About::Wellbore)) {
+    let entry = |about| preamble.iter().find(|stated| stated.about == about);
+    let (name, place) = match (entry(About::Well), entry(About::Wellbore)) {
         (Some(well), Some(bore)) if !bore.value.contains(&well.value) => (
             format!("{}, {}", well.value, bore.value),
             format!("{} and {}, well and wellbore", well.place, bore.place),
@@ -175,16 +179,16 @@ fn well(preamble: &[Stated]) -> Option<Entry> {
     Some(Entry { key: "name", value: Value::text(name), origin: Origin::at(place) })
 }
 
-/// What azimuths and depths are counted from, and that nothing is turned or moved.
+/// Notes on the references of azimuths and depths, and that nothing is rotated or shifted.
 fn reference(preamble: &[Stated]) -> Vec<Note> {
-    let of = |about| preamble.iter().find(|stated| stated.about == about);
+    let entry = |about| preamble.iter().find(|stated| stated.about == about);
     let mut notes = Vec::new();
     for (about, what) in [
         (About::Design, "the design"),
         (About::DepthReference, "the reference of depths"),
         (About::Method, "the method of the file"),
     ] {
-        if let Some(Stated { value, place, .. }) = of(about) {
+        if let Some(Stated { value, place, .. }) = entry(about) {
             notes.push(Note::Read(format!("{what} is '{value}' ({place})")));
         }
     }
@@ -193,19 +197,19 @@ fn reference(preamble: &[Stated]) -> Vec<Note> {
         (About::Declination, "the magnetic declination"),
         (About::Convergence, "the convergence of the grid"),
     ] {
-        if let Some(Stated { value, place, .. }) = of(about) {
+        if let Some(Stated { value, place, .. }) = entry(about) {
             notes.push(Note::Read(format!(
-                "{what} is '{value}' ({place}): azimuths stay as they are written"
+                "{what} is '{value}' ({place}): azimuths are used as written"
             )));
         }
     }
     notes
 }
 
-/// Notes of the reader that say what the file does not.
+/// Whether a note of the reader is on an assumption.
 fn is_assumed(note: &str) -> bool {
     let begins = ["no unit for inclination", "no unit for azimuth", "three columns read as"];
-    begins.iter().any(|of| note.starts_with(of))
+    begins.iter().any(|begin| note.starts_with(begin))
         || note.contains("taken as 0")
-        || note.contains("taken to be as deep")
+        || note.contains("assumed at a true vertical depth")
 }

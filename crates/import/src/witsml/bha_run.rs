@@ -1,4 +1,4 @@
-//! `bhaRun`: what the string did, and what was read at the surface.
+//! `bhaRun`: operation of the string and readings at the surface.
 
 use wholestring_tabular::ImportedReading;
 use wholestring_units::Dimension;
@@ -13,10 +13,11 @@ use crate::{
     fragment::{Fragment, Note, Origin, Value},
 };
 
-/// Densities of drilling fluids, kg/m³: below are foams and gases, above nothing is pumped.
+/// Densities of drilling fluids, kg/m³; lower values are foams and gases, higher ones cannot be
+/// pumped.
 const MUDS_KG_PER_M3: std::ops::RangeInclusive<f64> = 600.0..=2600.0;
 
-/// Keys of `[operation]`: where each stands, and what it measures.
+/// Keys of `[operation]` with their elements and dimensions.
 const SET_POINTS: [(&str, &str, Dimension); 5] = [
     ("rpm", "rpmAv", Dimension::RotarySpeed),
     ("wob", "wobAv", Dimension::Force),
@@ -25,7 +26,7 @@ const SET_POINTS: [(&str, &str, Dimension); 5] = [
     ("bit_pressure_drop", "presDropBit", Dimension::Pressure),
 ];
 
-/// Set points and readings of the drilling that went deepest.
+/// Reads the set points and readings of the drilling interval that reached deepest.
 pub(crate) fn read(
     object: &Object,
     source: &Source,
@@ -52,27 +53,27 @@ pub(crate) fn read(
     };
     if sets.len() > 1 {
         notes.push(Note::Assumed(format!(
-            "of {} drillingParams of {} those in line {} hold, which end deepest",
+            "of {} drillingParams of {} those in line {} are used, because they end deepest",
             sets.len(),
             object.label(),
             node.line
         )));
     }
-    let mut told = Vec::new();
+    let mut keys = Vec::new();
     for (key, names, dimension) in SET_POINTS {
         let Some(found) = source.optional(node, names, dimension, notes)? else { continue };
         if found.number > 0.0 {
-            told.push(key);
+            keys.push(key);
             fragment.operation.push(key, found.value(), found.origin);
         }
     }
-    let drills = ["rpm", "wob", "rop"].iter().all(|key| told.contains(key));
-    if told.contains(&"rpm") {
+    let drills = ["rpm", "wob", "rop"].iter().all(|key| keys.contains(key));
+    if keys.contains(&"rpm") {
         let mut kinds = vec!["trip_out", "trip_in", "rotate_off_bottom"];
         kinds.extend(drills.then_some("drill"));
         let kinds = kinds.into_iter().map(str::to_owned).collect();
-        let told = if drills { "speed, weight and rate are" } else { "rotary speed is" };
-        let from = format!("what a string does of which the {told} told");
+        let values = if drills { "speed, weight and rate" } else { "rotary speed" };
+        let from = format!("the operations of a string with the {values} given");
         let kind = Value::Words(kinds);
         fragment.operation.push("kind", kind, Origin::Derived { from });
         fragment.operation.entries.rotate_right(1);
@@ -86,28 +87,29 @@ pub(crate) fn read(
     let torques: Vec<&str> = torques.collect();
     if drills && !torques.is_empty() {
         fragment.notes.push(Note::LeftOut(format!(
-            "{}, for the bit's torque: there is the string's friction in it, of all of it or of \
-             what is below a sensor; write `torque` under [bit]",
+            "{}, for the bit's torque: it includes friction of the whole string or of the part \
+             below a sensor; write `torque` under [bit]",
             torques.join(" and ")
         )));
     }
     Ok(())
 }
 
-/// The density of the mud, where no report has told it.
+/// Density of the mud, if no mud report gives it.
 fn mud(node: &Node, source: &Source, fragment: &mut Fragment) -> Result<(), ImportError> {
     let notes = &mut fragment.notes;
     let Some(density) = source.optional(node, "wtMud", Dimension::Density, notes)? else {
         return Ok(());
     };
     if fragment.mud.get("density").is_some() {
-        let text = format!("wtMud in line {}: the mudReport tells the density", density.line);
+        let text = format!("wtMud in line {}: the mudReport gives the density", density.line);
         notes.push(Note::LeftOut(text));
     } else if MUDS_KG_PER_M3.contains(&density.si()) {
         fragment.mud.push("density", density.value(), density.origin);
     } else {
         notes.push(Note::LeftOut(format!(
-            "the wtMud of {} in line {}: {:.3} sg is no mud's; write `density` into the case",
+            "the wtMud of {} in line {}: {:.3} sg is outside the range of muds; write `density` \
+             into the case",
             density.written,
             density.line,
             density.si() / 1e3
@@ -116,7 +118,7 @@ fn mud(node: &Node, source: &Source, fragment: &mut Fragment) -> Result<(), Impo
     Ok(())
 }
 
-/// What was read at the surface with the bit at the end of the run.
+/// Readings at the surface with the bit at the end of the run.
 fn measured(
     node: &Node,
     stop: Option<&Measure>,
@@ -148,21 +150,22 @@ fn measured(
         return Ok(());
     }
     if stop.is_none() {
-        let text = "the hook loads and torques of the run: no mdHoleStop tells at which depth";
+        let text = "the hook loads and torques of the run: without mdHoleStop their depth is \
+             unknown";
         notes.push(Note::LeftOut(text.to_owned()));
         return Ok(());
     }
-    // Friction lifts the one and lowers the other.
+    // Friction raises one and lowers the other.
     let known: Vec<f64> = weights.into_iter().flatten().collect();
     if known.windows(2).any(|pair| pair[0] < pair[1]) {
-        let text = "the hook loads and torques of the run: hkldUp, hkldRot and hkldDn do not fall \
-                    in this order, as friction makes them";
+        let text = "the hook loads and torques of the run: hkldUp, hkldRot and hkldDn do not \
+             decrease in this order, as friction requires";
         notes.push(Note::LeftOut(text.to_owned()));
         return Ok(());
     }
     notes.push(Note::Assumed(format!(
         "the hook loads and torques of the run were read with the bit at its mdHoleStop, {}, and \
-         hold the weight of the block",
+         include the weight of the block",
         stop.map_or("", |stop| &stop.written)
     )));
     fragment.measured.push(reading);

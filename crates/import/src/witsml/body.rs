@@ -1,4 +1,4 @@
-//! The keys of `[[string]]` of a component.
+//! Keys of `[[string]]` for a component.
 
 use wholestring_units::Dimension;
 
@@ -23,7 +23,9 @@ impl Component<'_> {
         let mut block = Block { remark: self.remark(), ..Block::default() };
         let type_of = self.node.child("typeTubularComp|TypeTubularComponent");
         let origin = match type_of {
-            Some(of) => Origin::written(format!("line {}, {}", of.line, of.name), short(&of.text)),
+            Some(child) => {
+                Origin::written(format!("line {}, {}", child.line, child.name), short(&child.text))
+            }
             None => Origin::at(format!("line {}, {}", self.node.line, self.node.name)),
         };
         block.push("component", Value::text(self.name()), origin);
@@ -43,7 +45,7 @@ impl Component<'_> {
         ];
         for (name, _) in lacks.iter().filter(|(_, lacks)| *lacks) {
             notes.push(Note::LeftOut(format!(
-                "the {name} of {label}, which the file does not tell: write it into the case"
+                "the {name} of {label}, which the file does not give: write it into the case"
             )));
         }
         self.joints(&mut block, od.as_ref(), source, notes)?;
@@ -57,7 +59,7 @@ impl Component<'_> {
         self.sensor(&mut block, length.as_ref(), source, notes)?;
         if let Some(count) = self.node.text_of("count").filter(|count| *count != "1") {
             notes.push(Note::Assumed(format!(
-                "{label} has a count of {}: len is that of all of them",
+                "{label} has a count of {}: its len is taken as the total length",
                 short(count)
             )));
         }
@@ -70,7 +72,7 @@ impl Component<'_> {
         (!words.is_empty()).then(|| words.join(", "))
     }
 
-    /// Its outside diameter: of a bit that of the hole that it drills.
+    /// Outside diameter; for a bit, the diameter of the hole that it drills.
     fn diameter(
         &self,
         hole: Option<&Measure>,
@@ -94,8 +96,8 @@ impl Component<'_> {
                 if (gauge.si() - own.si()).abs() > 1e-4 {
                     let (diameter, written) = (&gauge.written, &own.written);
                     notes.push(Note::LeftOut(format!(
-                        "the od of {label}, {written}: its diaBit is {diameter}, which is what \
-                         fills the hole"
+                        "the od of {label}, {written}: its diaBit is {diameter}, which fills the \
+                         hole"
                     )));
                 }
                 Ok(Some(gauge))
@@ -104,7 +106,7 @@ impl Component<'_> {
                 let Some(hole) = hole else { return Ok(None) };
                 let because = format!("diaHoleAssy of the tubular, line {}", hole.line);
                 notes.push(Note::Assumed(format!(
-                    "{label} has no diameter: that of the hole, {}",
+                    "{label} has no diameter: the diameter of the hole is used,  {}",
                     hole.written
                 )));
                 Ok(Some(Measure { origin: Origin::Assumed { because }, ..hole.clone() }))

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::measure::Measure;
 use crate::fragment::Note;
 
-/// The units that stations are written in, and how often each.
+/// Units of the stations and how often each occurs.
 #[derive(Default)]
 pub(crate) struct Units(BTreeMap<(usize, &'static str), usize>);
 
@@ -15,7 +15,7 @@ impl Units {
         *self.0.entry((column, measure.unit.symbol)).or_default() += 1;
     }
 
-    /// Those of a column, the commonest first.
+    /// Units of a column, the most common first.
     fn of(&self, index: usize) -> Vec<&'static str> {
         let mut found: Vec<(usize, &str)> = self
             .0
@@ -27,18 +27,18 @@ impl Units {
         found.into_iter().map(|(_, symbol)| symbol).collect()
     }
 
-    /// `ft, deg, deg`: the commonest of each column.
+    /// The most common unit of each column: `ft, deg, deg`.
     pub(crate) fn said(&self) -> String {
         let commonest = |index| self.of(index).first().copied().unwrap_or("deg");
         [0, 1, 2].map(commonest).join(", ")
     }
 
-    /// What is said where a column has several, or angles are not in degrees.
+    /// Note if a column has several units, or angles are not in degrees.
     pub(crate) fn note(&self) -> Option<Note> {
         let columns = [0, 1, 2].map(|index| self.of(index).join(" and "));
         let plain = self.of(0).len() == 1
             && columns[1..].iter().all(|column| ["", "deg"].contains(&column.as_str()));
-        let text = format!("md, incl and azi of the stations stand in {}", columns.join(", "));
+        let text = format!("md, incl and azi of the stations are in {}", columns.join(", "));
         (!plain).then_some(Note::Read(text))
     }
 }

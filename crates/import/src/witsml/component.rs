@@ -1,4 +1,4 @@
-//! A component of a tubular: what it is, and what the case calls it.
+//! A component of a tubular: its type and its name in the case.
 
 use wholestring_units::Dimension;
 
@@ -12,18 +12,18 @@ use crate::error::{ImportError, ImportErrorKind};
 const TURNED: &[(&str, &str)] =
     &[("sub-", "sub"), ("stabilizer ", "stabilizer"), ("motor ", "motor"), ("mill ", "mill")];
 
-/// A component as it stands in its tubular.
+/// A component as its tubular describes it.
 pub(crate) struct Component<'a> {
     pub(crate) node: &'a Node,
     pub(crate) sequence: Option<i64>,
-    /// `typeTubularComp`, in small letters.
+    /// `typeTubularComp`, in lower case.
     kind: String,
 }
 
 impl<'a> Component<'a> {
     pub(crate) fn of(node: &'a Node, source: &Source) -> Result<Self, ImportError> {
         let sequence = match node.child("sequence") {
-            Some(of) => source.number_of(of, "sequence")?.map(|number| (number, of.line)),
+            Some(child) => source.number_of(child, "sequence")?.map(|number| (number, child.line)),
             None => None,
         };
         if let Some((number, line)) = sequence.filter(|(number, _)| number.fract() != 0.0) {
@@ -35,7 +35,7 @@ impl<'a> Component<'a> {
         Ok(Self { node, sequence, kind: short(&kind.to_lowercase()) })
     }
 
-    /// Whether it is the bit, not what opens the hole above one.
+    /// Whether it is the bit, as opposed to a hole opener above one.
     pub(crate) fn is_bit(&self) -> bool {
         let opens = ["bit hole opener", "bit under reamer"].contains(&self.kind.as_str());
         let named = self.kind == "bit" || self.kind.starts_with("bit ") && !opens;
@@ -48,12 +48,12 @@ impl<'a> Component<'a> {
         ["drill pipe", "tubing", "casing", "liner"].iter().any(|word| self.kind.contains(word))
     }
 
-    /// Whether it is drill pipe of the catalogue's kind.
+    /// Whether it is drill pipe of a kind in the catalogue.
     pub(crate) fn is_drill_pipe(&self) -> bool {
         self.kind.contains("drill pipe") && !self.kind.contains("heavy")
     }
 
-    /// What the case calls it: the field's words for those of WITSML.
+    /// Name in the case: the usual oilfield term for that of WITSML.
     pub(crate) fn name(&self) -> String {
         let kind = self.kind.strip_suffix(" lh").unwrap_or(&self.kind);
         if self.is_bit() {
@@ -81,7 +81,7 @@ impl<'a> Component<'a> {
         }
     }
 
-    /// In messages: `component 3 (stabilizer)`.
+    /// Label in messages: `component 3 (stabilizer)`.
     pub(crate) fn label(&self) -> String {
         match self.sequence {
             Some(sequence) => format!("component {sequence} ({})", self.name()),
@@ -89,7 +89,7 @@ impl<'a> Component<'a> {
         }
     }
 
-    /// Its length, m, if it has one.
+    /// Its length, m, if given.
     pub(crate) fn length(&self, source: &Source) -> Result<Option<Measure>, ImportError> {
         source.measure(self.node, "len", Dimension::Length)
     }

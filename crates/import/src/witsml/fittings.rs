@@ -1,4 +1,4 @@
-//! What stands out of a component or sits in it: blades, a bend, a sensor.
+//! Fittings of a component: blades, a bend, a sensor.
 
 use wholestring_units::Dimension;
 
@@ -12,14 +12,15 @@ use crate::{
     fragment::{Block, Note},
 };
 
-/// A blade's middle this far from its component's is where the case has it, m.
+/// Distance between the middle of the blade and the middle of its component within which the case's
+/// default position applies, m.
 const SAME_PLACE_M: f64 = 0.1;
 
-/// What a sensor of the hole's direction measures, as `typeMeasurement` has it.
+/// Quantities of a directional sensor in `typeMeasurement`.
 const DIRECTIONS: &[&str] = &["deviation", "azimuth", "inclination", "direction"];
 
-/// Words that tell it in `typeMeasurement` or `comments`. Others measure around the hole, too:
-/// an azimuthal gamma ray.
+/// Words in `typeMeasurement` or `comments` that identify a directional sensor. Other sensors may
+/// measure around the hole too, such as an azimuthal gamma ray.
 const DIRECTIONAL: &[&str] = &["directional", "d&i"];
 
 impl Component<'_> {
@@ -113,7 +114,7 @@ impl Component<'_> {
         let settings = motor.and_then(|motor| motor.text_of("bendSettingsMx"));
         if let Some(most) = settings.filter(|most| most.parse() != Ok(0.0)) {
             notes.push(Note::LeftOut(format!(
-                "the bend of {label}: it can be set up to {}, but not how it is set is told; write \
+                "the bend of {label}: it can be set up to {}, but its setting is not given; write \
                  `bend` and `bend_at` into the case",
                 short(most)
             )));
@@ -131,11 +132,11 @@ impl Component<'_> {
     ) -> Result<(), ImportError> {
         let tools = self.node.all("mwdTool|rotarySteerableTool|motor");
         for sensor in tools.flat_map(|tool| tool.all("sensor")) {
-            let of = |name| sensor.text_of(name).unwrap_or_default().to_lowercase();
-            let (measures, comments) = (of("typeMeasurement"), of("comments"));
-            let told = |word: &str| measures.contains(word) || comments.contains(word);
+            let lower_text = |name| sensor.text_of(name).unwrap_or_default().to_lowercase();
+            let (measures, comments) = (lower_text("typeMeasurement"), lower_text("comments"));
+            let mentions = |word: &str| measures.contains(word) || comments.contains(word);
             if !DIRECTIONS.contains(&measures.as_str())
-                && !DIRECTIONAL.iter().any(|word| told(word))
+                && !DIRECTIONAL.iter().any(|word| mentions(word))
             {
                 continue;
             }

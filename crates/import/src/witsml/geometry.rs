@@ -16,24 +16,24 @@ use crate::{
     fragment::{Block, Entry, Fragment, Note, Origin, Value},
 };
 
-/// Sections of a wellbore. A well has less than ten.
+/// Maximum number of sections of a wellbore. A well has fewer than ten.
 const MOST: usize = 500;
 
-/// No hole is deeper along its axis, m.
+/// Maximum measured depth of a hole, m.
 const DEEPEST_M: f64 = 1e5;
 
-/// Pipes that a string moves in.
+/// Kinds of pipe in which a string moves.
 const CASED: &[&str] = &["casing", "liner", "conductor", "curved conductor", "riser"];
 
 /// A section of the file.
 struct Section<'a> {
     node: &'a Node,
     kind: String,
-    /// Keys of the case but for kind and depths.
+    /// Keys of the case except kind and depths.
     entries: Vec<Entry>,
 }
 
-/// The sections of the hole that the string meets.
+/// Reads the sections of the hole that the string touches.
 pub(crate) fn read(
     object: &Object,
     source: &Source,
@@ -60,7 +60,7 @@ pub(crate) fn read(
     for (index, (section, wall)) in sections.iter().zip(&walls).enumerate() {
         if !stretches.iter().any(|stretch| stretch.wall == index) {
             notes.push(Note::LeftOut(format!(
-                "{} from {} to {}: it lies behind others",
+                "{} from {} to {}: hidden behind other sections",
                 label(section),
                 wall.top.written,
                 wall.bottom.written
@@ -78,15 +78,14 @@ pub(crate) fn read(
         if stretch.gap {
             block.push("from", stretch.from.value(), stretch.from.origin.clone());
             notes.push(Note::LeftOut(format!(
-                "what the hole is above {}, from where {} goes down: no section tells it; write it \
-                 into the case",
+                "the hole above {}, the top of {}: no section describes it; write it into the case",
                 stretch.from.written,
                 label(section)
             )));
         }
         if stretch.several {
             notes.push(Note::Assumed(format!(
-                "several open holes end at or below {}: there the last one of the file is drilled",
+                "several open holes end at or below {}: the last one in the file is used there",
                 stretch.to.written
             )));
         }
@@ -97,7 +96,7 @@ pub(crate) fn read(
     Ok(())
 }
 
-/// A section in which a string may move; none of what it does not.
+/// Reads a section in which a string may move; `None` for other sections.
 fn section<'a>(
     node: &'a Node,
     source: &Source,
@@ -115,8 +114,8 @@ fn section<'a>(
     }
     let edge = |names: &str| -> Result<Measure, ImportError> {
         let found = match depth(node, names) {
-            Some(of) => {
-                source.measure_of(of, name_of(names), interval_unit(node), Dimension::Length)?
+            Some(depth) => {
+                source.measure_of(depth, name_of(names), interval_unit(node), Dimension::Length)?
             }
             None => None,
         };
@@ -157,7 +156,7 @@ fn section<'a>(
     Ok(Some((section, Wall { top, bottom, cased, id_m })))
 }
 
-/// The inside diameter of a section: told, or that of the casing of its size and weight.
+/// Inside diameter of a section, as given or from the casing of its size and weight.
 fn width(
     section: &mut Section,
     cased: bool,
@@ -212,7 +211,7 @@ fn width(
     }
 }
 
-/// The casing of a size and a nominal weight, m and kg/m.
+/// Casing of a size and a nominal weight, m and kg/m.
 fn pipe(od_m: f64, mass_kg_per_m: f64) -> Option<casing::Casing> {
     let inches = Dimension::Diameter.find_unit("in")?.from_si(od_m);
     let pounds = Dimension::MassPerLength.find_unit("lb/ft")?.from_si(mass_kg_per_m);
@@ -220,7 +219,7 @@ fn pipe(od_m: f64, mass_kg_per_m: f64) -> Option<casing::Casing> {
     casing::find(&format!("{} in {} lb/ft", number_text(inches), number_text(pounds))).ok()
 }
 
-/// Where a section begins or ends: beside its kind, or in its interval since 2.0.
+/// Start or end depth of a section, in the section itself or, since 2.0, in its interval.
 fn depth<'a>(node: &'a Node, names: &str) -> Option<&'a Node> {
     node.child(names).or_else(|| interval(node)?.child(names))
 }
@@ -229,7 +228,7 @@ fn interval(node: &Node) -> Option<&Node> {
     node.child("sectionMdInterval|mdInterval")
 }
 
-/// The unit of an interval, which stands beside its depths in 2.1.
+/// Unit of an interval, which 2.1 gives as a sibling of its depths.
 fn interval_unit(node: &Node) -> Option<&str> {
     let interval = interval(node)?;
     interval.text_of("uom").or_else(|| interval.attribute("uom"))
@@ -249,7 +248,7 @@ fn remark(section: &Section) -> Option<String> {
     let outside = outside.map(|od| {
         format!(", outside {} {}", short(&od.text), short(od.attribute("uom").unwrap_or_default()))
     });
-    let told = outside.is_some() || grade.is_some();
+    let known = outside.is_some() || grade.is_some();
     let (outside, grade) = (outside.unwrap_or_default(), grade.unwrap_or_default());
-    told.then(|| format!("{}{}{grade}", section.kind, outside.trim_end()))
+    known.then(|| format!("{}{}{grade}", section.kind, outside.trim_end()))
 }

@@ -1,6 +1,6 @@
-//! The objects of WITSML that are read.
+//! WITSML objects that are read.
 
-/// An object that is read, in every version.
+/// A WITSML object that is read, in any version.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Trajectory,
@@ -14,8 +14,8 @@ impl Kind {
     pub(crate) const ALL: [Kind; 5] =
         [Kind::Trajectory, Kind::Geometry, Kind::MudReport, Kind::Tubular, Kind::BhaRun];
 
-    /// Its name in 1.3 and 1.4, which `--pick` takes too, and that in 2.0 and 2.1 where it differs
-    /// by more than a capital.
+    /// Its name in 1.3 and 1.4, which `--pick` also accepts, and that in 2.0 and 2.1 where it
+    /// differs by more than capitals.
     fn names(self) -> [&'static str; 2] {
         match self {
             Kind::Trajectory => ["trajectory"; 2],
@@ -37,12 +37,12 @@ impl Kind {
         Self::ALL.into_iter().find(is)
     }
 
-    /// The object of which there are several under an element: `trajectorys`.
+    /// Returns the object whose plural element has this name: `trajectorys`.
     pub(crate) fn of_several(name: &str) -> Option<Self> {
         Self::of(name.strip_suffix('s')?)
     }
 
-    /// What it holds many of, and how they are called in messages.
+    /// Elements that it contains many of, and their name in messages.
     pub(crate) fn parts(self) -> (&'static str, &'static str) {
         match self {
             Kind::Trajectory => ("trajectoryStation", "station"),

@@ -9,16 +9,16 @@ use crate::{
     fragment::{Block, Note, Origin, Value},
 };
 
-/// Characters of foreign text in a sentence: a name, or a remark of a line.
+/// Maximum length of quoted foreign text in a sentence, characters: a name or a remark.
 const LONGEST: usize = 80;
 
-/// A number with its unit, and where it stands.
+/// A number with its unit and its location.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Measure {
     pub(crate) number: f64,
     pub(crate) unit: &'static Unit,
     pub(crate) origin: Origin,
-    /// As it is written: `25 lbm/ft`.
+    /// The text as written: `25 lbm/ft`.
     pub(crate) written: String,
     pub(crate) line: u64,
 }
@@ -33,7 +33,7 @@ impl Measure {
     }
 }
 
-/// The file that is read, and what is said of it beside it.
+/// The file being read and the user's choices.
 pub(crate) struct Source<'a> {
     pub(crate) file: &'a str,
     pub(crate) choices: &'a Choices,
@@ -45,9 +45,9 @@ impl Source<'_> {
         ImportError::new(self.file, Some(format!("line {line}")), kind)
     }
 
-    /// A quantity that an element holds; none where it is left out or empty.
+    /// Reads the quantity in a child element; `None` if the element is missing or empty.
     ///
-    /// The first of the names is that in messages and in `--unit`.
+    /// The first of the names is the one used in messages and in `--unit`.
     pub(crate) fn measure(
         &self,
         node: &Node,
@@ -60,8 +60,8 @@ impl Source<'_> {
         }
     }
 
-    /// The quantity of an element, or of the one within it that has a unit, as depths have it in
-    /// 2.1; its unit may stand beside it.
+    /// Reads the quantity of an element, or of its child that has a unit, as depths have it in 2.1;
+    /// its unit may be given next to it.
     pub(crate) fn measure_of(
         &self,
         node: &Node,
@@ -79,12 +79,12 @@ impl Source<'_> {
                 let wrong = || ImportErrorKind::WrongUnit { found: short(uom), dimension };
                 let unit = dimension.find_unit(uom);
                 let unit = unit.ok_or_else(|| self.error(node.line, wrong()))?;
-                // `27 x 1000 lbf.ft`: two numbers side by side are read as one.
+                // Two adjacent numbers such as `27 x 1000 lbf.ft` would be read as one.
                 let times = if uom.starts_with(|c: char| c.is_ascii_digit()) { "x " } else { "" };
                 let written = format!("{} {times}{}", short(&node.text), short(uom));
-                let shown = unit.symbol == uom;
+                let as_written = unit.symbol == uom;
                 let origin =
-                    if shown { Origin::at(place) } else { Origin::written(place, &written) };
+                    if as_written { Origin::at(place) } else { Origin::written(place, &written) };
                 (unit, origin, written)
             }
             None => {
@@ -93,8 +93,8 @@ impl Source<'_> {
                     name: name.to_owned(),
                     dimension,
                 };
-                let said = self.choices.unit_of(&[name], dimension);
-                let unit = said.and_then(|unit| unit.ok_or_else(missing));
+                let chosen = self.choices.unit_of(&[name], dimension);
+                let unit = chosen.and_then(|unit| unit.ok_or_else(missing));
                 let unit = unit.map_err(|kind| self.error(node.line, kind))?;
                 (unit, Origin::written(place, short(&node.text)), short(&node.text))
             }
@@ -117,7 +117,7 @@ impl Source<'_> {
         }
     }
 
-    /// A quantity above zero. Zero stands for one that is not known, and is said.
+    /// Reads a quantity above zero. Zero means unknown and is noted.
     pub(crate) fn positive(
         &self,
         node: &Node,
@@ -137,7 +137,7 @@ impl Source<'_> {
         Ok(Some(measure))
     }
 
-    /// A quantity that a case can do without: one that cannot be read is left out and said.
+    /// Reads a quantity that a case does not need: an unreadable one is left out with a note.
     pub(crate) fn optional(
         &self,
         node: &Node,
@@ -176,19 +176,19 @@ pub(crate) fn name_of(names: &str) -> &str {
     names.split('|').next().unwrap_or(names)
 }
 
-/// Foreign text in a sentence: in one line, and not long.
+/// Formats foreign text for a sentence: on one line and shortened.
 pub(crate) fn short(text: &str) -> String {
     let words: Vec<&str> = text.split(|c: char| c.is_whitespace() || c.is_control()).collect();
     let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
     words.join(" ").chars().take(LONGEST).collect()
 }
 
-/// A length in a sentence, m.
+/// Formats a length for a sentence, m.
 pub(crate) fn metres(length_m: f64) -> String {
     format!("{} m", number_text((length_m * 1e3).round() / 1e3))
 }
 
-/// Adds a key where there is a value.
+/// Adds a key if it has a value.
 pub(crate) fn push(block: &mut Block, key: &'static str, measure: Option<&Measure>) {
     if let Some(measure) = measure {
         block.push(key, measure.value(), measure.origin.clone());

@@ -31,7 +31,7 @@ use crate::{
     xml::{Element, Xml},
 };
 
-/// Roots of logs, which have a reader of their own.
+/// Roots of logs, which have their own reader.
 const LOGS: &[&str] = &["logs", "log", "channelSet", "channel"];
 
 /// Whether a file with this root is WITSML without logs.
@@ -51,11 +51,11 @@ pub(crate) fn read(input: Input, choices: &Choices) -> Result<Fragment, ImportEr
     let (name, objects) = objects;
     let source = Source { file: &name, choices };
     let mut fragment = Fragment::default();
-    let mut said = Vec::new();
+    let mut labels = Vec::new();
     let mut well: Option<String> = None;
     for kind in Kind::ALL {
         let Some(object) = one(kind, &objects.read, &source)? else { continue };
-        said.push(object.label());
+        labels.push(object.label());
         if let Some(node) = object.well() {
             match &well {
                 None => {
@@ -91,11 +91,11 @@ pub(crate) fn read(input: Input, choices: &Choices) -> Result<Fragment, ImportEr
     for (other, count) in &objects.others {
         fragment.notes.push(Note::LeftOut(format!("{count} of <{}>: not read", short(other))));
     }
-    fragment.what = format!("WITSML {}, {}", objects.version, said.join(" and "));
+    fragment.what = format!("WITSML {}, {}", objects.version, labels.join(" and "));
     Ok(fragment)
 }
 
-/// What a file holds, object by object.
+/// Lists the objects of a file.
 pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
     let (_, objects) = objects(input)?;
     let uid =
@@ -112,7 +112,7 @@ pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
     Ok(Contents { what: format!("WITSML {}", objects.version), lines })
 }
 
-/// The name of a file, and its objects, of which there is one at least.
+/// Returns the name of a file and its objects, of which there is at least one.
 fn objects(input: Input) -> Result<(String, Objects), ImportError> {
     let mut xml = Xml::new(input);
     let name = xml.file().to_owned();
@@ -131,7 +131,7 @@ fn objects(input: Input) -> Result<(String, Objects), ImportError> {
     Ok((name, objects))
 }
 
-/// The object of a kind: the only one, or the one that is picked by its name or its uid.
+/// Returns the object of a kind: the only one, or the one picked by name or uid.
 fn one<'a>(
     kind: Kind,
     objects: &'a [Object],

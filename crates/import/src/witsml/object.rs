@@ -1,4 +1,4 @@
-//! The objects of a file.
+//! Objects of a WITSML file.
 
 use std::collections::BTreeMap;
 
@@ -12,10 +12,11 @@ use crate::{
     xml::{Element, Event, Xml},
 };
 
-/// Objects of a file. Each has hundreds of lines; a store gives some tens at a time.
+/// Maximum number of objects in a file. Each object has hundreds of lines; a store returns some
+/// tens at a time.
 const MOST: usize = 1000;
 
-/// An object that is read.
+/// An object of a kind that is read.
 #[derive(Debug)]
 pub(crate) struct Object {
     pub(crate) kind: Kind,
@@ -30,23 +31,23 @@ impl Object {
         short(name.or_else(|| self.uid()).unwrap_or("without a name"))
     }
 
-    /// What tells it from others of its name.
+    /// Its `uid`, which distinguishes it from other objects of the same name.
     pub(crate) fn uid(&self) -> Option<&str> {
         self.node.attribute("uid").or_else(|| self.node.attribute("uuid"))
     }
 
-    /// The well that it is of, or since 2.0 the wellbore.
+    /// The well it belongs to, or since 2.0 the wellbore.
     pub(crate) fn well(&self) -> Option<&Node> {
         let well = self.node.child("nameWell").filter(|well| !well.text.is_empty());
         well.or_else(|| self.node.child("Wellbore")?.child("Title"))
     }
 
-    /// In messages: `trajectory 'Plan #2'`.
+    /// Label in messages: `trajectory 'Plan #2'`.
     pub(crate) fn label(&self) -> String {
         format!("{} '{}'", self.kind.name(), self.name())
     }
 
-    /// How many of its parts it has, in words.
+    /// Number of its parts, in words.
     pub(crate) fn counted(&self) -> String {
         let (names, noun) = self.kind.parts();
         match self.node.all(names).count() {
@@ -57,14 +58,14 @@ impl Object {
     }
 }
 
-/// What a file holds.
+/// Contents of a WITSML file.
 #[derive(Debug)]
 pub(crate) struct Objects {
-    /// The version that it says it has, as messages call it.
+    /// WITSML version that the file declares, in the form used in messages.
     pub(crate) version: String,
-    /// Those that are read.
+    /// Objects of the kinds that are read.
     pub(crate) read: Vec<Object>,
-    /// How many there are of those that are not.
+    /// Number of objects of each kind that is not read.
     pub(crate) others: BTreeMap<String, usize>,
 }
 
@@ -94,7 +95,7 @@ impl Objects {
                 let node = Node::read(element, xml, &mut budget)?;
                 objects.read.push(Object { kind, node });
             } else if !root || element.attribute("schemaVersion").is_some() {
-                // What only says of itself who wrote it is no object.
+                // The `documentInfo` element only describes the author and is not an object.
                 if element.name != "documentInfo" && objects.others.len() < MOST {
                     *objects.others.entry(element.name).or_default() += 1;
                 }
@@ -104,12 +105,12 @@ impl Objects {
     }
 }
 
-/// `1.4.1.1`: as the root says it, or by its namespace.
+/// Version such as `1.4.1.1`, from the attributes of the root or from its namespace.
 fn version(root: &Element) -> String {
-    let said = root.attribute("version").or(root.attribute("schemaVersion"));
+    let version = root.attribute("version").or(root.attribute("schemaVersion"));
     let space = |part: &str| root.attributes.iter().any(|(_, value)| value.contains(part));
-    match said.filter(|said| !said.is_empty()) {
-        Some(said) => short(said),
+    match version.filter(|version| !version.is_empty()) {
+        Some(version) => short(version),
         None if space("schemas/131") => "1.3.1.1".to_owned(),
         None if space("schemas/1series") => "1.4.1.1".to_owned(),
         None if space("witsmlv2") => "2".to_owned(),

@@ -1,4 +1,4 @@
-//! What pipe has: tool joints, a weight, a grade.
+//! Properties of pipe: tool joints, weight and grade.
 
 use wholestring::string::{
     Material,
@@ -15,18 +15,18 @@ use crate::{
     fragment::{Block, Note, Origin, Value},
 };
 
-/// Outside diameters this close are those of one pipe, m; weights, lb/ft.
+/// Tolerance within which outside diameters are those of one pipe, m, and weights, lb/ft.
 const SAME_OD_M: f64 = 2e-4;
 const SAME_LB_PER_FT: f64 = 0.06;
 
-/// Stresses at which metals of strings yield, Pa: from soft aluminium to the hardest steel.
+/// Range of yield strengths of string metals, Pa, from soft aluminium to the hardest steel.
 const STRENGTHS_PA: std::ops::RangeInclusive<f64> = 5e7..=3e9;
 
-/// How a sentence on a yield strength that is none begins; one of it is enough.
+/// Beginning of the note on an implausible yield strength; only one such note is written.
 const NO_STRENGTH: &str = "a tensYield such as";
 
 impl Component<'_> {
-    /// Whether the weight of drill pipe is the nominal one, which leaves tool joints out.
+    /// Whether the weight of drill pipe is the nominal one, which excludes tool joints.
     pub(super) fn weight(
         &self,
         od: Option<&Measure>,
@@ -50,14 +50,14 @@ impl Component<'_> {
                 pounds.from_si(entry.mass_per_length_kg_per_m(Material::STEEL.density_kg_per_m3));
             notes.push(Note::Checked(format!(
                 "the wtPerLen of {}, {}, is the nominal weight of such pipe: with its tool joints \
-                 it weighs some {with_joints:.1} lb/ft, which is what `mass_per_length` means",
+                 it weighs some {with_joints:.1} lb/ft, which is the value of `mass_per_length`",
                 self.label(),
                 mass.written
             )));
         }
     }
 
-    /// Tool joints: the connections of a pipe that stand out over it.
+    /// Tool joints: connections of a pipe that are larger than its body.
     pub(super) fn joints(
         &self,
         block: &mut Block,
@@ -82,12 +82,12 @@ impl Component<'_> {
                     push(block, "joint_spacing", Some(&spacing));
                 }
                 (Some(_), None) => notes.push(Note::LeftOut(format!(
-                    "the tool joints of {}: lenJointAv does not say how far apart they are",
+                    "the tool joints of {}: lenJointAv does not give their spacing",
                     self.label()
                 ))),
                 (None, _) => notes.push(Note::Assumed(format!(
-                    "{} has no tool joints: no connection with an od larger than the body's is \
-                     told; its body touches the wall",
+                    "{} has no tool joints: no connection has an od larger than the body's; its \
+                     body touches the wall",
                     self.label()
                 ))),
             }
@@ -96,7 +96,7 @@ impl Component<'_> {
         Ok(())
     }
 
-    /// The yield strength: of a grade of drill pipe that the catalogue has, or else as it is told.
+    /// Yield strength from a grade of drill pipe in the catalogue, or as the file gives it.
     pub(super) fn strength(
         &self,
         block: &mut Block,
@@ -107,13 +107,13 @@ impl Component<'_> {
         if block.get("yield_strength").is_some() {
             return Ok(());
         }
-        let told = source.optional(self.node, "tensYield", Dimension::Pressure, notes)?;
-        match told.filter(|told| told.number != 0.0) {
-            Some(told) if STRENGTHS_PA.contains(&told.si()) => {
-                push(block, "yield_strength", Some(&told));
+        let strength = source.optional(self.node, "tensYield", Dimension::Pressure, notes)?;
+        match strength.filter(|strength| strength.number != 0.0) {
+            Some(strength) if STRENGTHS_PA.contains(&strength.si()) => {
+                push(block, "yield_strength", Some(&strength));
             }
-            Some(told) if !notes.iter().any(|note| note.text().starts_with(NO_STRENGTH)) => {
-                let (label, written) = (self.label(), told.written);
+            Some(strength) if !notes.iter().any(|note| note.text().starts_with(NO_STRENGTH)) => {
+                let (label, written) = (self.label(), strength.written);
                 notes.push(Note::LeftOut(format!(
                     "{NO_STRENGTH} {written} of {label}: no metal yields there"
                 )));
@@ -123,7 +123,7 @@ impl Component<'_> {
         Ok(())
     }
 
-    /// The yield strength of drill pipe of a grade that the catalogue has.
+    /// Yield strength of drill pipe of a grade in the catalogue.
     fn of_grade(&self, block: &mut Block, notes: &mut Vec<Note>) {
         let grade = self.node.child("grade").filter(|grade| !grade.text.is_empty());
         let grade = grade.filter(|_| self.is_drill_pipe());
@@ -157,12 +157,12 @@ fn yield_strength_Pa(grade: &str) -> Option<f64> {
     let bare = |text: &str| -> String {
         text.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_uppercase()
     };
-    let wanted = bare(grade);
+    let name = bare(grade);
     let entries = catalogue::entries();
     let pipes = entries.iter().filter(|entry| entry.kind == TubularKind::DrillPipe);
     let mut grades = pipes.filter_map(|entry| {
         let (_, grade) = entry.designation.rsplit_once(' ')?;
         Some((bare(grade), entry.yield_strength_Pa))
     });
-    grades.find(|(grade, _)| *grade == wanted).map(|(_, yield_Pa)| yield_Pa)
+    grades.find(|(grade, _)| *grade == name).map(|(_, yield_Pa)| yield_Pa)
 }

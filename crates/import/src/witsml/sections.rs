@@ -1,4 +1,4 @@
-//! The wall that a string meets at each depth: of what is in the hole, the innermost.
+//! The wall that a string meets at each depth: the innermost pipe or open hole.
 
 use super::measure::Measure;
 
@@ -19,24 +19,24 @@ pub(crate) struct Stretch {
     pub(crate) wall: usize,
     pub(crate) from: Measure,
     pub(crate) to: Measure,
-    /// Nothing is known of what lies between it and the stretch above, or the surface.
+    /// Whether the interval between this stretch and the one above, or the surface, is unknown.
     pub(crate) gap: bool,
-    /// Several open holes were told of here.
+    /// Whether the file describes several open holes here.
     pub(crate) several: bool,
 }
 
-/// Depths closer than this are the same: tallies are rounded to the centimetre, m.
+/// Tolerance within which depths are equal, m; tallies are rounded to the centimetre.
 const SAME_M: f64 = 0.02;
 
-/// The walls from the surface down, each where it is the innermost.
+/// Returns the walls from the surface down, each where it is the innermost.
 ///
-/// In cased hole that is the narrowest pipe; in open hole, which lies outside every pipe, what was
-/// told last.
+/// In cased hole that is the narrowest pipe; in open hole, which is outside every pipe, it is the
+/// last one in the file.
 pub(crate) fn innermost(walls: &[Wall]) -> Vec<Stretch> {
     let mut depths: Vec<&Measure> =
         walls.iter().flat_map(|wall| [&wall.top, &wall.bottom]).collect();
     depths.sort_by(|a, b| a.si().total_cmp(&b.si()));
-    depths.dedup_by(|next, kept| next.si() - kept.si() < SAME_M);
+    depths.dedup_by(|next, previous| next.si() - previous.si() < SAME_M);
     let mut stretches: Vec<Stretch> = Vec::new();
     for pair in depths.windows(2) {
         let &[from, to] = pair else { continue };

@@ -17,10 +17,10 @@ use crate::{
     fragment::{Fragment, Note, Survey},
 };
 
-/// No hole is deeper along its axis, m.
+/// Maximum measured depth of a hole, m.
 const DEEPEST_M: f64 = 1e5;
 
-/// A station, and the element that it was found in.
+/// A station and the element that contains it.
 struct Found<'a> {
     station: Station,
     md: Measure,
@@ -88,7 +88,7 @@ pub(crate) fn read(
     Ok(())
 }
 
-/// A station; none where it has neither inclination nor azimuth.
+/// Reads a station; `None` if it has neither inclination nor azimuth.
 fn station<'a>(
     node: &'a Node,
     source: &Source,
@@ -123,7 +123,7 @@ fn station<'a>(
             units.add(2, azimuth);
             azimuth.si()
         }
-        // A vertical hole has none.
+        // A vertical hole has no azimuth.
         None if inclination_rad == 0.0 => {
             *vertical += 1;
             0.0
@@ -135,33 +135,34 @@ fn station<'a>(
     Ok(Some(Found { station: Station { md_m, inclination_rad, azimuth_rad }, md, node }))
 }
 
-/// Each depth once: of those alike the first, of others the one that is in use or was measured last.
+/// Keeps one station per depth: the first of identical ones, otherwise the one in use or measured
+/// last.
 fn once<'a>(
     stations: Vec<Found<'a>>,
     source: &Source,
     notes: &mut Vec<Note>,
 ) -> Result<Vec<Found<'a>>, ImportError> {
-    let mut kept: Vec<Found> = Vec::with_capacity(stations.len());
+    let mut unique: Vec<Found> = Vec::with_capacity(stations.len());
     let mut alike = 0;
     for found in stations {
-        let Some(last) = kept.last_mut().filter(|last| last.station.md_m == found.station.md_m)
+        let Some(last) = unique.last_mut().filter(|last| last.station.md_m == found.station.md_m)
         else {
-            kept.push(found);
+            unique.push(found);
             continue;
         };
         if last.station == found.station {
             alike += 1;
             continue;
         }
-        let rank = |of: &Found<'a>| {
-            let in_use = of.node.text_of("statusTrajStation") == Some("position");
-            (in_use, of.node.text_of("dTimStn"))
+        let rank = |station: &Found<'a>| {
+            let in_use = station.node.text_of("statusTrajStation") == Some("position");
+            (in_use, station.node.text_of("dTimStn"))
         };
         let (old, new) = (rank(last), rank(&found));
         if old == new {
             let kind = ImportErrorKind::Refused(format!(
-                "two stations at {} differ, and neither statusTrajStation nor dTimStn tells which \
-                 holds (the other is in line {}); take one out",
+                "two stations at {} differ, and neither statusTrajStation nor dTimStn shows which \
+                 is valid (the other is in line {}); remove one of them",
                 found.md.written, last.node.line
             ));
             return Err(source.error(found.node.line, kind));
@@ -178,14 +179,14 @@ fn once<'a>(
     }
     if alike > 0 {
         notes.push(Note::LeftOut(format!(
-            "{} of a depth that another has, alike",
+            "{} of the same depth as another and identical",
             stations_of(alike)
         )));
     }
-    Ok(kept)
+    Ok(unique)
 }
 
-/// Where the first station lies, as it says.
+/// Position of the first station as the file states it.
 fn tie_in(
     first: &Found,
     source: &Source,
@@ -198,17 +199,18 @@ fn tie_in(
     let md_m = first.station.md_m;
     let Some(tvd_m) = tvd_m.or((md_m == 0.0).then_some(0.0)) else {
         notes.push(Note::Assumed(format!(
-            "the first station, at {}, does not say its tvd: as deep, vertically under the origin",
+            "the first station, at {}, has no tvd: assumed equal to its measured depth, \
+             vertically below the origin",
             first.md.written
         )));
         return Ok(None);
     };
     let tie_in = TieIn { north_m: north_m.unwrap_or(0.0), east_m: east_m.unwrap_or(0.0), tvd_m };
-    // The case begins there anyway.
+    // The case starts there by default.
     Ok((tie_in != TieIn::default() || md_m != 0.0).then_some(tie_in))
 }
 
-/// Notes on the positions that stations state against those of the path through them.
+/// Notes on the positions that the stations state against those of the path through them.
 fn positions(
     stations: &[Found],
     tie_in: Option<TieIn>,
@@ -237,17 +239,17 @@ fn positions(
     Ok(doubts::positions(&list, &stated, &path, set, |index| line_of(stations, index)))
 }
 
-/// `line 12`: where a station stands in its file.
+/// Line of a station in its file: `line 12`.
 fn line_of(stations: &[Found], index: usize) -> String {
     stations.get(index).map_or_else(String::new, |found| format!("line {}", found.node.line))
 }
 
-/// What the trajectory says of itself that an engineer asks.
+/// Adds notes on the properties of the trajectory that an engineer needs to know.
 fn says_how(object: &Object, stations: &[Found], notes: &mut Vec<Note>) {
     let node = &object.node;
     notes.extend(datum(stations[0].node.child("md")));
     if let Some(north) = node.text_of("aziRef") {
-        notes.push(Note::Read(format!("azimuths are from {}, as they stand", short(north))));
+        notes.push(Note::Read(format!("azimuths are from {}, as written", short(north))));
     }
     for (kind, said) in
         [("interpolated", "interpolated"), ("extrapolated", "extrapolated, not surveyed")]

@@ -1,17 +1,18 @@
-//! An object of a file as a tree, within a budget.
+//! An object of a file as a tree, within a memory budget.
 
 use crate::{
     error::{ImportError, ImportErrorKind},
     xml::{Element, Event, Xml},
 };
 
-/// Elements of a file that are kept: ten thousand stations have so many.
+/// Maximum number of elements kept from a file: ten thousand stations have that many.
 const ELEMENTS: usize = 400_000;
 
-/// Bytes of their names, texts and attributes.
+/// Maximum bytes of their names, texts and attributes.
 const BYTES: usize = 32 << 20;
 
-/// What no case needs, and what makes most of a trajectory: not kept, whatever it holds.
+/// Elements that no case needs and that make up most of a trajectory; they are skipped with their
+/// content.
 const PASSED_OVER: &[&str] = &[
     "rawData",
     "corUsed",
@@ -29,12 +30,12 @@ const PASSED_OVER: &[&str] = &[
 /// Attributes that are kept.
 const ATTRIBUTES: &[&str] = &["uom", "uid", "uuid", "uidRef", "datum"];
 
-/// An element with what it holds.
+/// An element with its content.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Node {
-    /// Its name without a prefix.
+    /// Its name without namespace prefix.
     pub(crate) name: String,
-    /// Line in which it begins.
+    /// Line on which it begins.
     pub(crate) line: u64,
     /// Its own text, trimmed.
     pub(crate) text: String,
@@ -42,7 +43,7 @@ pub(crate) struct Node {
     children: Vec<Node>,
 }
 
-/// How much of a file may still be kept.
+/// Remaining budget for elements and bytes of the file.
 #[derive(Debug)]
 pub(crate) struct Budget {
     elements: usize,
@@ -70,7 +71,7 @@ impl Budget {
 }
 
 impl Node {
-    /// The element that began last, with all that it holds.
+    /// Reads the element that began last with all its content.
     pub(crate) fn read(
         element: Element,
         xml: &mut Xml,
@@ -97,7 +98,7 @@ impl Node {
                 Event::Start(element) => node.children.push(Self::read(element, xml, budget)?),
                 Event::Text(text) => {
                     budget.take(0, text.trim().len(), xml)?;
-                    // Blanks between elements are no text.
+                    // Whitespace between elements is not text.
                     if !node.text.is_empty() || !text.trim().is_empty() {
                         node.text.push_str(&text);
                     }
@@ -111,33 +112,33 @@ impl Node {
 
     /// Whether it has one of these names, written `wbGeometrySection|WellboreGeometrySection`.
     ///
-    /// Versions before and after 2.0 differ by a capital at most, but where names are given.
+    /// Names before and after 2.0 differ at most by a capital, except where several are given.
     pub(crate) fn is(&self, names: &str) -> bool {
         names.split('|').any(|name| name.eq_ignore_ascii_case(&self.name))
     }
 
-    /// Those that it holds of these names.
+    /// Children with one of these names.
     pub(crate) fn all<'a>(&'a self, names: &'a str) -> impl Iterator<Item = &'a Node> {
         self.children.iter().filter(move |child| child.is(names))
     }
 
-    /// The first that it holds of these names.
+    /// First child with one of these names.
     pub(crate) fn child(&self, names: &str) -> Option<&Node> {
         self.children.iter().find(|child| child.is(names))
     }
 
-    /// All that it holds.
+    /// All children.
     pub(crate) fn children(&self) -> &[Node] {
         &self.children
     }
 
-    /// The text of the first that it holds of these names, if it has one.
+    /// Text of the first child with one of these names, if any.
     pub(crate) fn text_of(&self, names: &str) -> Option<&str> {
         let texts = self.children.iter().filter(|child| child.is(names));
         texts.map(|child| child.text.as_str()).find(|text| !text.is_empty())
     }
 
-    /// An attribute, if it says anything.
+    /// An attribute, if it is not empty.
     pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
         let found = self.attributes.iter().find(|(key, _)| key == name);
         found.map(|(_, value)| value.trim()).filter(|value| !value.is_empty())

@@ -14,10 +14,10 @@ use crate::{
     fragment::{Fragment, Note},
 };
 
-/// Components of a string. A string has some tens.
+/// Maximum number of components of a string. A string has some tens.
 const MOST: usize = 2000;
 
-/// What of a component is read; what else it holds is said.
+/// Elements of a component that are read; other elements are listed in a note.
 const READ: &str = "typeTubularComp|TypeTubularComponent|sequence|description|id|od|len|lenJointAv|\
                     wtPerLen|grade|tensYield|vendor|model|count|connection|stabilizer|holeOpener|bend|\
                     bitRecord|mwdTool|rotarySteerableTool|nameTag";
@@ -73,13 +73,14 @@ pub(crate) fn read(
         .collect();
     if !unread.is_empty() {
         let names: Vec<&str> = unread.into_iter().collect();
-        let text = format!("of the components what a case has no key for: {}", names.join(", "));
+        let text =
+            format!("elements of the components that have no key in a case: {}", names.join(", "));
         notes.push(Note::LeftOut(text.chars().take(1000).collect()));
     }
     Ok(())
 }
 
-/// Puts components in their order from the bit up.
+/// Sorts the components from the bit up.
 fn order(
     components: &mut [Component],
     object: &Object,
@@ -120,8 +121,8 @@ fn order(
         }
         Some(index) if index == last => {
             notes.push(Note::Read(format!(
-                "the order is turned: {} comes last, so that the components were listed from the \
-                 top down",
+                "the order is reversed: {}is last, so that the components are listed from the top \
+                 down",
                 components[last].label()
             )));
             components.reverse();
@@ -136,8 +137,8 @@ fn order(
         }
         None => {
             notes.push(Note::Assumed(format!(
-                "no component is a bit: {} is the lowest, for WITSML counts in the order in which \
-                 they go into the hole",
+                "no component is a bit: {} is the lowest, because WITSML numbers components in \
+                 the order in which they enter the hole",
                 components[0].label()
             )));
         }
@@ -145,7 +146,7 @@ fn order(
     Ok(())
 }
 
-/// Leaves one survey sensor, the lowest.
+/// Keeps one survey sensor, the lowest.
 fn sensors(string: &mut [crate::fragment::Block], notes: &mut Vec<Note>) {
     let mut found = 0;
     for block in string.iter_mut() {

@@ -1,4 +1,4 @@
-//! A guard before a parser: how long a single token may be, and in which line it stands.
+//! A limit before a parser on the length of a token, and the current line.
 
 use std::{
     io::{self, BufRead, Read},
@@ -8,17 +8,17 @@ use std::{
     },
 };
 
-/// What the parser has taken so far, shared with whoever asks.
+/// Amount of input taken by the parser, shared with its caller.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Taken {
     /// Bytes since the last token began.
     since: Arc<AtomicU64>,
-    /// Line ends passed.
+    /// Number of line ends passed.
     lines: Arc<AtomicU64>,
 }
 
 impl Taken {
-    /// A token ends here.
+    /// Marks the end of a token.
     pub(crate) fn token(&self) {
         self.since.store(0, Relaxed);
     }
@@ -29,7 +29,7 @@ impl Taken {
     }
 }
 
-/// Refuses to give more than so many bytes to one token: text without an end would fill memory.
+/// Limits the bytes of one token, because text without end would exhaust memory.
 pub(crate) struct Capped<R> {
     inner: R,
     most: u64,
@@ -72,7 +72,7 @@ impl<R: BufRead> BufRead for Capped<R> {
     }
 }
 
-/// One thread alone counts: nothing has to be locked.
+/// Only one thread counts, so that no locked operation is needed.
 fn add(to: &AtomicU64, count: usize) {
     to.store(to.load(Relaxed) + count as u64, Relaxed);
 }

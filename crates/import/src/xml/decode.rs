@@ -1,21 +1,21 @@
-//! Bytes of any of the encodings that XML files come in, as UTF-8.
+//! Conversion of XML encodings to UTF-8.
 
 use std::io::{self, BufRead, BufReader, Read};
 
-/// How the bytes of a file make text.
+/// Encoding of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Encoding {
-    /// As it is read: UTF-8, of which ASCII is a part.
+    /// UTF-8, passed through unchanged; ASCII is a subset.
     Utf8,
     Utf16 {
         little: bool,
     },
-    /// Windows-1252. What is declared as ISO-8859-1 is read as this, as browsers do: they differ
-    /// where ISO-8859-1 has controls only.
+    /// Windows-1252, also for files declared as ISO-8859-1, as in browsers: the two differ only
+    /// where ISO-8859-1 has control characters.
     Western,
 }
 
-/// Names of encodings that are read, in small letters.
+/// Supported encodings by name, in lower case.
 const NAMES: &[(&str, Encoding)] = &[
     ("utf-8", Encoding::Utf8),
     ("utf8", Encoding::Utf8),
@@ -30,13 +30,13 @@ const NAMES: &[(&str, Encoding)] = &[
     ("cp1252", Encoding::Western),
 ];
 
-/// The declaration of XML stands within so many bytes.
+/// Number of bytes that include the XML declaration.
 const DECLARATION: usize = 256;
 
-/// A file's bytes as UTF-8.
+/// Returns a reader of a file's bytes as UTF-8.
 ///
 /// # Errors
-/// It cannot be read, or is in an encoding that is not: its name.
+/// The file cannot be read, or the name of an unsupported encoding.
 pub(crate) fn utf8<'a>(
     mut bytes: Box<dyn BufRead + 'a>,
 ) -> io::Result<Result<Box<dyn BufRead + 'a>, String>> {
@@ -59,11 +59,11 @@ pub(crate) fn utf8<'a>(
     if encoding == Encoding::Utf8 {
         return Ok(Ok(bytes));
     }
-    let decoded = Decoded { inner: bytes, encoding, pending: Vec::new(), given: 0 };
+    let decoded = Decoded { inner: bytes, encoding, pending: Vec::new(), returned: 0 };
     Ok(Ok(Box::new(BufReader::with_capacity(1 << 16, decoded))))
 }
 
-/// The encoding in `<?xml version="1.0" encoding="ISO-8859-1"?>`.
+/// The encoding declared in `<?xml version="1.0" encoding="ISO-8859-1"?>`.
 fn declared(head: &[u8]) -> Option<String> {
     let head = &head[..head.len().min(DECLARATION)];
     let text: String = head.iter().map(|&byte| char::from(byte)).collect();
@@ -76,30 +76,30 @@ fn declared(head: &[u8]) -> Option<String> {
     Some(name.to_owned())
 }
 
-/// Text that is written in UTF-8 as it is read.
+/// Text converted to UTF-8 on reading.
 struct Decoded<'a> {
     inner: Box<dyn BufRead + 'a>,
     encoding: Encoding,
-    /// UTF-8 that is still to be given.
+    /// UTF-8 that is still to be returned.
     pending: Vec<u8>,
-    /// How much of it was given.
-    given: usize,
+    /// Number of bytes of it that were returned.
+    returned: usize,
 }
 
-/// Characters that are decoded at once.
+/// Number of characters decoded at once.
 const AT_ONCE: usize = 8192;
 
 impl Read for Decoded<'_> {
     fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
-        if self.given == self.pending.len() {
-            self.given = 0;
+        if self.returned == self.pending.len() {
+            self.returned = 0;
             self.pending.clear();
             self.decode()?;
         }
-        let from = &self.pending[self.given..];
+        let from = &self.pending[self.returned..];
         let count = from.len().min(into.len());
         into[..count].copy_from_slice(&from[..count]);
-        self.given += count;
+        self.returned += count;
         Ok(count)
     }
 }
@@ -116,7 +116,7 @@ impl Decoded<'_> {
             let no_text = || io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-16");
             text.push(character.ok_or_else(no_text)?);
         }
-        // The mark of the byte order is no part of the text.
+        // The byte order mark is not part of the text.
         let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
         self.pending.extend_from_slice(text.as_bytes());
         Ok(())
@@ -128,7 +128,7 @@ impl Decoded<'_> {
         Ok(byte)
     }
 
-    /// The character that begins with a byte; none where there is half of one.
+    /// The character that begins with a byte; `None` if it is incomplete.
     fn utf16(&mut self, first: u8, little: bool) -> io::Result<Option<char>> {
         let Some(one) = self.unit(first, little)? else { return Ok(None) };
         if !(0xd800..0xdc00).contains(&one) {
@@ -140,8 +140,8 @@ impl Decoded<'_> {
     }
 
     fn unit(&mut self, first: u8, little: bool) -> io::Result<Option<u16>> {
-        let of = if little { u16::from_le_bytes } else { u16::from_be_bytes };
-        Ok(self.byte()?.map(|second| of([first, second])))
+        let from_bytes = if little { u16::from_le_bytes } else { u16::from_be_bytes };
+        Ok(self.byte()?.map(|second| from_bytes([first, second])))
     }
 }
 

@@ -1,4 +1,4 @@
-//! XML, read event by event and kept within limits.
+//! XML, read event by event within limits.
 
 mod capped;
 mod decode;

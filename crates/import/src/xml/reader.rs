@@ -1,4 +1,4 @@
-//! The events of an XML file: elements by their local names, texts, ends.
+//! Events of an XML file: elements by their local names, texts, ends.
 
 use std::io::BufRead;
 
@@ -16,26 +16,26 @@ use crate::{
     input::{Input, unreadable},
 };
 
-/// Elements within elements.
+/// Maximum nesting of elements.
 const DEEPEST: usize = 64;
 
-/// Attributes of an element. EDM has rows of a few hundred.
+/// Maximum number of attributes of an element. EDM has rows of a few hundred.
 const ATTRIBUTES: usize = 2000;
 
-/// Bytes of one tag, and of the text of one element. Tests need not wait for as many.
+/// Maximum bytes of one tag, and of the text of one element; smaller in tests to save time.
 const LONGEST_TOKEN: u64 = if cfg!(test) { 1 << 20 } else { 64 << 20 };
 
-/// Bytes of what a parser says that are passed on: it may name what it found, however long that is.
+/// Maximum bytes quoted from a parser's message, which may include input of any length.
 const LONGEST_REASON: usize = 200;
 
-/// The beginning of an element.
+/// Start tag of an element.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Element {
-    /// Its name without the prefix of its namespace.
+    /// Its name without namespace prefix.
     pub(crate) name: String,
-    /// Its attributes by their local names, in their order.
+    /// Its attributes by local names, in order.
     pub(crate) attributes: Vec<(String, String)>,
-    /// Line in which it begins, from 1.
+    /// Line on which it begins, from 1.
     pub(crate) line: u64,
 }
 
@@ -46,12 +46,12 @@ impl Element {
     }
 }
 
-/// What comes next in a file.
+/// An event of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Event {
-    /// An element begins. One without content is followed by its end, too.
+    /// An element begins. An empty element is followed by its end, too.
     Start(Element),
-    /// Text, references resolved, blanks as they stand.
+    /// Text with references resolved and whitespace unchanged.
     Text(String),
     /// The innermost element ends.
     End,
@@ -66,14 +66,14 @@ pub(crate) struct Xml<'a> {
     taken: Taken,
     buffer: Vec<u8>,
     depth: usize,
-    /// The element that ends without having had content.
+    /// Whether an empty element is about to end.
     empty: bool,
-    /// The first element of the file has begun.
+    /// Whether the first element of the file has begun.
     rooted: bool,
-    /// Why nothing of the file can be read.
+    /// Reason why the file cannot be read.
     unreadable: Option<ImportError>,
-    /// Whose attributes are read.
-    wanted: fn(&str) -> bool,
+    /// Names of elements whose attributes are read.
+    has_attributes: fn(&str) -> bool,
 }
 
 impl<'a> Xml<'a> {
@@ -104,14 +104,14 @@ impl<'a> Xml<'a> {
             empty: false,
             rooted: false,
             unreadable,
-            wanted: |_| true,
+            has_attributes: |_| true,
         }
     }
 
-    /// Reads the attributes of some elements only, by their names; others come without. Of a file
-    /// of which little is needed this takes a part of the time.
-    pub(crate) fn only(&mut self, wanted: fn(&str) -> bool) {
-        self.wanted = wanted;
+    /// Restricts attributes to elements with some names; others have none. This saves time in a
+    /// file of which little is needed.
+    pub(crate) fn only(&mut self, has_attributes: fn(&str) -> bool) {
+        self.has_attributes = has_attributes;
     }
 
     /// The file's name.
@@ -158,7 +158,7 @@ impl<'a> Xml<'a> {
                 Ok(XmlEvent::Text(text)) if self.depth == 0 => {
                     match text.xml10_content().trim().is_empty() {
                         true => Ok(None),
-                        false => Err(self.ill_formed("text stands outside its elements")),
+                        false => Err(self.ill_formed("there is text outside its elements")),
                     }
                 }
                 Ok(XmlEvent::Text(text)) => {
@@ -167,7 +167,7 @@ impl<'a> Xml<'a> {
                 Ok(XmlEvent::CData(text)) => {
                     Ok(Some(Event::Text(text.xml10_content().into_owned())))
                 }
-                Ok(XmlEvent::GeneralRef(of)) => match reference(&of) {
+                Ok(XmlEvent::GeneralRef(entity)) => match reference(&entity) {
                     Some(text) => Ok(Some(Event::Text(text))),
                     None => Err(self.ill_formed("it uses an entity that XML does not have")),
                 },
@@ -185,7 +185,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// Passes over the rest of the element that began last.
+    /// Skips the rest of the element that began last.
     pub(crate) fn skip(&mut self) -> Result<(), ImportError> {
         let outside = self.depth.saturating_sub(1);
         while self.depth > outside {
@@ -194,7 +194,7 @@ impl<'a> Xml<'a> {
         Ok(())
     }
 
-    /// The text of the element that began last, trimmed, and passes over what else it holds.
+    /// Returns the trimmed text of the element that began last and skips its other content.
     pub(crate) fn text(&mut self) -> Result<String, ImportError> {
         let outside = self.depth.saturating_sub(1);
         let mut text = String::new();
@@ -220,13 +220,13 @@ impl<'a> Xml<'a> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(self.error(ImportErrorKind::TooMuch {
-                found: format!("elements more than {DEEPEST} deep in each other"),
+                found: format!("elements nested more than {DEEPEST} deep"),
                 most: DEEPEST.to_string(),
             }));
         }
         let name = start.local_name().as_ref().to_owned();
         let mut attributes = Vec::new();
-        if !(self.wanted)(&name) {
+        if !(self.has_attributes)(&name) {
             return Ok(Event::Start(Element { name, attributes, line }));
         }
         for attribute in start.attributes() {
@@ -255,7 +255,7 @@ impl<'a> Xml<'a> {
         let io = match error {
             quick_xml::Error::Io(error) => error,
             quick_xml::Error::Encoding(_) => {
-                return self.ill_formed("its text is not the UTF-8 that it says, or is cut off");
+                return self.ill_formed("its text is not UTF-8 as declared, or is truncated");
             }
             error => {
                 let reason: String = error.to_string().chars().take(LONGEST_REASON).collect();
@@ -274,20 +274,20 @@ impl<'a> Xml<'a> {
     }
 }
 
-/// What reads a file of which nothing can be read.
+/// A reader without content, for a file that cannot be read.
 fn nothing<'a>() -> Box<dyn BufRead + 'a> {
     Box::new(std::io::empty())
 }
 
-/// What a reference stands for: a character by its number, or one of the five of XML.
-fn reference(of: &quick_xml::events::BytesRef) -> Option<String> {
-    if let Ok(Some(character)) = of.resolve_char_ref() {
+/// Resolves a reference: a character by its number, or one of the five of XML.
+fn reference(entity: &quick_xml::events::BytesRef) -> Option<String> {
+    if let Ok(Some(character)) = entity.resolve_char_ref() {
         return Some(character.to_string());
     }
-    quick_xml::escape::resolve_xml_entity(&of.xml10_content()).map(str::to_owned)
+    quick_xml::escape::resolve_xml_entity(&entity.xml10_content()).map(str::to_owned)
 }
 
-/// Whether a file begins as XML does, in any encoding.
+/// Whether a file begins as XML, in any encoding.
 fn begins_as_xml(head: &[u8]) -> bool {
     let text = match head {
         [0xef, 0xbb, 0xbf, rest @ ..] => rest,
@@ -300,12 +300,12 @@ fn begins_as_xml(head: &[u8]) -> bool {
         && text.next().is_some_and(|byte| byte.is_ascii_alphabetic() || b"?!_".contains(byte))
 }
 
-/// The first element of what begins as XML does; none of what does not.
+/// The first element of a file that begins as XML; `None` otherwise.
 pub(crate) fn root(head: &[u8]) -> Option<Element> {
     first(head)?.ok()
 }
 
-/// Refuses what begins as XML but is none up to its first element, with the line.
+/// Refuses a file that begins as XML but is not well formed up to its first element, with the line.
 pub(crate) fn check(name: &str, head: &[u8]) -> Result<(), ImportError> {
     match first(head) {
         Some(Err(error)) => {

@@ -1,4 +1,4 @@
-//! What the reader of XML gives, and what it refuses.
+//! Events and errors of the XML reader.
 
 use std::io::Read;
 
@@ -8,10 +8,10 @@ use crate::{
     input::Input,
 };
 
-/// Every event of a file, short: `<a x=1>`, `text`, `/`.
+/// Every event of a file in short form: `<a x=1>`, `text`, `/`.
 fn events(bytes: &[u8]) -> Result<String, ImportError> {
     let mut xml = Xml::new(Input::of_bytes("a.xml", bytes));
-    let mut told = String::new();
+    let mut text = String::new();
     loop {
         match xml.next()? {
             Event::Start(element) => {
@@ -20,11 +20,11 @@ fn events(bytes: &[u8]) -> Result<String, ImportError> {
                     .iter()
                     .map(|(key, value)| format!(" {key}={value}"))
                     .collect();
-                told.push_str(&format!("<{}{attributes}>", element.name));
+                text.push_str(&format!("<{}{attributes}>", element.name));
             }
-            Event::Text(text) => told.push_str(&text),
-            Event::End => told.push('/'),
-            Event::Eof => return Ok(told),
+            Event::Text(content) => text.push_str(&content),
+            Event::End => text.push('/'),
+            Event::Eof => return Ok(text),
         }
     }
 }
@@ -66,11 +66,11 @@ fn every_encoding_of_the_list_is_read() {
          save it as UTF-8"
     );
     assert!(check("a.xml", unknown).is_err());
-    // Not what it says.
+    // The encoding differs from the declared one.
     assert_eq!(
         refusal(b"<a>\n\xd8</a>"),
-        "a.xml, line 2: it is not well-formed XML: its text is not the UTF-8 that it says, or is \
-         cut off"
+        "a.xml, line 2: it is not well-formed XML: its text is not UTF-8 as declared, or is \
+         truncated"
     );
     assert!(refusal(b"\xff\xfe<\0a\0>\0\0\xd8<\0/\0a\0>\0").contains("not UTF-16"));
 }
@@ -80,8 +80,8 @@ fn document_types_are_refused_before_anything_grows() {
     let laughs = "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY lol \"lol\">\
                   <!ENTITY lol2 \"&lol;&lol;&lol;&lol;&lol;&lol;&lol;&lol;&lol;&lol;\">]>\
                   <lolz>&lol2;</lolz>";
-    let sentence = "a.xml, line 2: it declares a document type (DTD), which is not read; take the \
-                    line out";
+    let sentence = "a.xml, line 2: it declares a document type (DTD), which is not read; remove \
+         the line";
     assert_eq!(refusal(laughs.as_bytes()), sentence);
     assert_eq!(check("a.xml", laughs.as_bytes()).unwrap_err().to_string(), sentence);
     assert!(refusal(b"<a>&file;</a>").contains("an entity that XML does not have"));
@@ -95,16 +95,19 @@ fn what_is_no_xml_is_refused_with_its_line() {
         ("<a>\n<b></a>", "line 2"),
         ("<a>\n", "it ends before its elements do"),
         ("<a/>\n<a/>", "line 2: it is not well-formed XML: a second root element"),
-        ("<a/>more", "text stands outside its elements"),
+        ("<a/>more", "there is text outside its elements"),
         ("<a x=1/>", "not well-formed"),
         ("<a x='1' x='2'/>", "not well-formed"),
         ("<a", "not well-formed"),
         ("<a><!-- </a>", "not well-formed"),
     ] {
-        let told = refusal(text.as_bytes());
-        assert!(told.contains(reason) && told.contains("not well-formed"), "{text}: {told}");
+        let message = refusal(text.as_bytes());
+        assert!(
+            message.contains(reason) && message.contains("not well-formed"),
+            "{text}: {message}"
+        );
     }
-    // A name that never ends is not repeated in the message.
+    // A name without end is not repeated in the message.
     let long = format!("<a></{}>", "b".repeat(1_000_000));
     assert!(refusal(long.as_bytes()).len() < 400);
 }
@@ -114,7 +117,7 @@ fn depth_and_attributes_are_limited() {
     let deep = "<a>".repeat(100_000);
     assert_eq!(
         refusal(deep.as_bytes()),
-        "a.xml, line 1: it holds elements more than 64 deep in each other; at most 64 are read"
+        "a.xml, line 1: it holds elements nested more than 64 deep; at most 64 are read"
     );
     let attributes: String = (0..100_000).map(|index| format!(" a{index}=''")).collect();
     assert!(
@@ -123,7 +126,7 @@ fn depth_and_attributes_are_limited() {
     );
 }
 
-/// Gives the same bytes again and again after a beginning.
+/// Returns the same bytes repeatedly after a beginning.
 struct Endless {
     head: &'static [u8],
     again: &'static [u8],
@@ -157,7 +160,7 @@ fn a_token_without_an_end_does_not_fill_memory() {
         (b"<!--", b"x"),
         (b"<a><![CDATA[", b"x"),
         (b"<?x ", b"x"),
-        // Many short texts make one long one.
+        // Many short texts make a long one.
         (b"<a><b>", b"0123456789abcdef0123456789abcdef0123456789abcdef&amp;"),
     ] {
         let endless = Endless { head, again, at: 0 };

@@ -1,4 +1,4 @@
-//! Which channel is taken for what.
+//! Assignment of channels to quantities.
 
 use wholestring_import::{Choices, ImportErrorKind, Quantity};
 
@@ -11,8 +11,8 @@ fn the_average_comes_before_the_greatest() {
     assert_eq!(found[0].hook_load_N, 5000.0);
     assert_eq!(
         notes(&log),
-        "read: HKLA is the average and taken for the hook load; not taken: HKLX \
-         (--pick hookload=HKLX takes that)\n"
+        "read: HKLA is the average and used as the hook load; not used: HKLX (--pick \
+         hookload=HKLX selects that)\n"
     );
     let (found, log) =
         rows("a.csv", text.as_bytes(), &Choices::default().pick("hookload", "hklx")).unwrap();
@@ -25,8 +25,8 @@ fn the_greatest_alone_is_said() {
     let (_, log) = read("Time (s),HKLX (kN),BPOS (m)\n0,9,5\n");
     assert_eq!(
         notes(&log),
-        "assumed: HKLX is taken for the hook load, though it is the greatest between two rows; there \
-         is no average\n"
+        "assumed: HKLX is used as the hook load, though it is the greatest between two rows; \
+         there is no average\n"
     );
 }
 
@@ -38,28 +38,30 @@ fn a_unit_of_another_dimension_is_not_that_channel() {
     assert!(!log.has(Quantity::Torque));
     assert_eq!(
         notes(&log),
-        "left out: Hook Load is not taken for the hook load, for its unit 'm' is none of force \
-         (--unit hookload=UNIT takes it)\n\
-         left out: Torque is not taken for the torque, for its unit 'furlong' is none of torque \
-         (--unit torque=UNIT takes it)\n"
+        "left out: Hook Load is not used as the hook load, because its unit 'm' is not one of \
+         force (--unit hookload=UNIT selects it)\nleft out: Torque is not used as the torque, \
+         because its unit 'furlong' is not one of torque (--unit torque=UNIT selects it)\n"
     );
 }
 
 #[test]
 fn a_unit_is_said_or_asked_for() {
     let text = "Time (s),Hook Load,Block Position (m)\n0,9,5\n";
-    assert!(refused(text).contains("say it: --unit hookload="), "{}", refused(text));
+    assert!(refused(text).contains("give it with --unit hookload="), "{}", refused(text));
     for name in ["hookload", "Hook Load"] {
         let choices = Choices::default().unit(name, "t");
         let (rows, _) = rows("a.csv", text.as_bytes(), &choices).unwrap();
         assert_eq!(rows[0].hook_load_N, 9.0 * 9806.65);
     }
-    // What is said counts, and that it is not what the file has is said.
+    // The user's unit takes precedence, and a note reports that it differs from the file's.
     let text = "Time (s),Hook Load (kN),Block Position (m)\n0,9,5\n";
     let (rows, log) =
         rows("a.csv", text.as_bytes(), &Choices::default().unit("hookload", "t")).unwrap();
     assert_eq!(rows[0].hook_load_N, 9.0 * 9806.65);
-    assert_eq!(notes(&log), "checked: Hook Load is in t, as was said; the file has 'kN'\n");
+    assert_eq!(
+        notes(&log),
+        "checked: Hook Load is in t, as given with --unit; the file has 'kN'\n"
+    );
 }
 
 #[test]
@@ -100,8 +102,8 @@ fn a_depth_is_the_holes_unless_it_is_said() {
     assert_eq!(found[0].hole_depth_m, 100.0);
     assert_eq!(
         notes(&log),
-        "assumed: DEPT is taken for the depth of the hole, not of the bit (--pick bit-depth=DEPT \
-         takes it for that)\n"
+        "assumed: DEPT is used as the depth of the hole, not of the bit (--pick bit-depth=DEPT \
+         uses it as that)\n"
     );
     let choices = Choices::default().pick("bit-depth", "DEPT");
     let (found, log) = rows("a.csv", text.as_bytes(), &choices).unwrap();

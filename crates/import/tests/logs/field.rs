@@ -1,13 +1,14 @@
-//! Logs as the field writes them: symbols of WITS and LAS, nulls, serial days, rows newest first, joined
-//! exports, a sensor whose zero is off, workbooks. All are of one trip of five stands, whose pick-ups are
-//! known: those that were put into the log, in which the indicator has the block's 55 klbf.
+//! Logs from the field: symbols of WITS and LAS, nulls, serial days, rows newest first, joined
+//! exports, a sensor with a zero offset, workbooks. All are of one trip of five stands with known
+//! pick-up weights: those that were put into the log, in which the indicator includes the block's
+//! 55 klbf.
 
 use wholestring_import::{Choices, Input, contents, import};
 
 /// The trip with depths in `F`, as a recorder writes it to LAS.
 const TRIP: &str = include_str!("../samples/own/trip-in-feet.las");
 
-/// Weights at pick-up with the block, kN, from the deepest on: of the log's own makers.
+/// Pick-up weights including the block, kN, from the deepest on, as put into the log.
 const PICK_UPS_KN: [f64; 5] = [1200.8, 1192.0, 1183.5, 1174.6, 1165.6];
 
 /// A pound-force, kN.
@@ -42,8 +43,8 @@ fn picked(name: &str, bytes: &[u8]) -> Picked {
     picked_with(name, bytes, &Choices::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The pick-ups that were put in. They were printed to 0.1 kN; the median in slips is within 0.1 klbf of
-/// the block's weight, which is not corrected.
+/// Checks the pick-up weights. They were printed to 0.1 kN; the median in slips is within 0.1 klbf
+/// of the block's weight, which is not corrected.
 #[track_caller]
 fn assert_pick_ups(picked: &Picked) {
     assert_eq!(picked.pick_ups_kN.len(), 5, "{:?}", picked.notes);
@@ -52,7 +53,7 @@ fn assert_pick_ups(picked: &Picked) {
     }
 }
 
-/// The rows of the trip, from the first on, as numbers.
+/// The rows of the trip in order, as numbers.
 fn rows() -> Vec<Vec<f64>> {
     let (_, data) = TRIP.split_once("~ASCII").unwrap();
     let rows = data.lines().skip(1).filter(|line| !line.trim().is_empty());
@@ -82,14 +83,14 @@ fn in_metres() -> Vec<Vec<f64>> {
 #[test]
 fn feet_are_f_in_las() {
     assert_pick_ups(&picked("trip.las", TRIP.as_bytes()));
-    // In metres as they are written in Cyrillic letters, and in WITS.
+    // Metres in Cyrillic letters, and in WITS.
     for metres in ["м", "метр", "M", "mts"] {
         let text = with_rows(&in_metres()).replace(".F ", &format!(".{metres} "));
         assert_pick_ups(&picked("trip.las", text.as_bytes()));
     }
 }
 
-/// The letters of Windows-1251, a byte each, in which `м` is no text of UTF-8.
+/// Letters of Windows-1251, one byte each, in which `м` is not valid UTF-8.
 #[test]
 fn cyrillic_letters_of_a_byte_are_read() {
     let text = with_rows(&in_metres()).replace(".F ", ".\u{ec} ");
@@ -115,35 +116,35 @@ fn the_symbols_of_wits_are_read() {
     assert_pick_ups(&picked("trip.las", metric.as_bytes()));
 }
 
-/// A channel that was left out is named where it is missed, and the unit alone takes it.
+/// A channel that was left out is named in the error, and its unit alone includes it.
 #[test]
 fn a_channel_left_out_is_named_where_it_is_missed() {
     let odd = TRIP.replace(".F ", ".ftx ");
     let refused = picked_with("trip.las", odd.as_bytes(), &Choices::default());
     let refused = refused.err().expect("a log without depths");
     assert!(refused.contains("the depth of the bit is missing"), "{refused}");
-    let reason = "DBTM is not taken for the bit depth, for its unit 'ftx' is none of length (--unit \
-                  bit-depth=UNIT takes it)";
+    let reason = "DBTM is not used as the bit depth, because its unit 'ftx' is not one of length \
+         (--unit bit-depth=UNIT selects it)";
     assert!(refused.contains(reason), "{refused}");
-    let mut said = Choices::default();
+    let mut choices = Choices::default();
     for name in ["bit-depth", "hole-depth", "block-position"] {
-        said = said.unit(name, "ft");
+        choices = choices.unit(name, "ft");
     }
-    let found = picked_with("trip.las", odd.as_bytes(), &said);
+    let found = picked_with("trip.las", odd.as_bytes(), &choices);
     assert_pick_ups(&found.unwrap_or_else(|error| panic!("{error}")));
 }
 
-/// A null of 0 would make nothing of every speed and torque of a string that does not turn.
+/// A null of 0 would remove every speed and torque of a string that does not turn.
 #[test]
 fn a_null_of_zero_is_not_believed_of_what_is_often_zero() {
     let text = TRIP.replace("-999.25 : NULL", "0 : NULL");
     assert_ne!(text, TRIP);
     let found = picked("trip.las", text.as_bytes());
     assert_pick_ups(&found);
-    assert!(found.says("a 0 is a value of"), "{:?}", found.notes);
+    assert!(found.says("0 is read as a value of"), "{:?}", found.notes);
 }
 
-/// Days as Excel counts them, whatever the unit says: 45368.1666 is 2024-03-17 04:00.
+/// Excel's days, regardless of the unit: 45368.1666 is 2024-03-17 04:00.
 #[test]
 fn serial_days_are_dates() {
     let days: Vec<Vec<f64>> = rows()
@@ -160,7 +161,7 @@ fn serial_days_are_dates() {
         assert!(from, "{unit}: {:?}", held.lines);
         assert_pick_ups(&picked("trip.las", text.as_bytes()));
     }
-    // Hours of a long campaign stay hours.
+    // Hours of a long campaign remain hours.
     let hours = with_rows(&rows());
     assert_pick_ups(&picked("trip.las", hours.as_bytes()));
 }
@@ -172,7 +173,7 @@ fn rows_newest_first_are_read_from_the_last_on() {
     let found = picked("trip.las", with_rows(&newest).as_bytes());
     assert_pick_ups(&found);
     assert!(found.says("the log runs newest first"), "{:?}", found.notes);
-    // A clock that is set back once is no log that runs backwards.
+    // A clock that is set back once is not a log in reverse order.
     let mut back = rows();
     let late = back.len() / 2;
     back[late..].iter_mut().for_each(|row| row[0] -= 1.0);
@@ -207,7 +208,7 @@ const HEADING: &str = "YYYY/MM/DD HH:MM:SS,Bit Depth (feet),Hole Depth (feet),Bl
                        (feet),Hook Load (klbs),Weight on Bit (klbs),Rotary Torque (ft_lbs),Rotary RPM \
                        (RPM)";
 
-/// Two exports joined have their headings twice.
+/// Two joined exports have their headings twice.
 #[test]
 fn headings_in_the_middle_are_passed_over() {
     let rows = rows();
@@ -217,7 +218,7 @@ fn headings_in_the_middle_are_passed_over() {
     assert_pick_ups(&found);
     let line = format!("1 line with the headings again, the first line {}", half + 2);
     assert!(found.says(&line), "{:?}", found.notes);
-    // Other headings are another log.
+    // Different headings are those of another log.
     let other =
         HEADING.replace("Bit Depth (feet),Hole Depth (feet)", "Hole Depth (feet),Bit Depth (feet)");
     let text = text_of(&rows[..half], HEADING) + &text_of(&rows[half..], &other);
@@ -225,14 +226,14 @@ fn headings_in_the_middle_are_passed_over() {
     assert!(refused.contains("the headings of another log follow"), "{refused}");
 }
 
-/// What hangs below the block is what is read less what is read in slips, wherever the zero is.
+/// The load below the block is the reading minus the reading in slips, for any zero offset.
 #[test]
 fn a_weight_indicator_off_zero_is_corrected() {
     // In slips the indicator shows 55 klbf; these shift it.
-    for (shift, said) in [
-        (-47.0, "its zero is off by 8"),
-        (-62.0, "its zero is off by -6.99"),
-        (-90.0, "its zero is off by -35"),
+    for (shift, note) in [
+        (-47.0, "with an offset of 8"),
+        (-62.0, "with an offset of -6.99"),
+        (-90.0, "with an offset of -35"),
         (4.0, "the zero of the weight indicator is off"),
         (-4.0, "the zero of the weight indicator is off"),
     ] {
@@ -244,7 +245,7 @@ fn a_weight_indicator_off_zero_is_corrected() {
             })
             .collect();
         let found = picked("trip.las", with_rows(&off).as_bytes());
-        assert!(found.says(said), "{shift}: {:?}", found.notes);
+        assert!(found.says(note), "{shift}: {:?}", found.notes);
         assert_eq!(found.pick_ups_kN.len(), 5, "{shift}");
         for (found, expected) in found.pick_ups_kN.iter().zip(PICK_UPS_KN) {
             // The noise of the median in slips, 0.1 klbf.
@@ -253,7 +254,7 @@ fn a_weight_indicator_off_zero_is_corrected() {
     }
 }
 
-/// A recorder's export as a workbook is a log, its date and time cells of Excel.
+/// A recorder's export as a workbook is a log, with Excel cells of date and time.
 #[test]
 fn a_log_as_a_workbook_is_a_log() {
     let bytes = include_bytes!("../samples/own/recorder.xlsx");
@@ -270,7 +271,7 @@ fn a_log_as_a_workbook_is_a_log() {
         // Hook loads are written to 0.1 klbf.
         assert!((found - expected).abs() < 0.1 * KLBF_KN, "{found} for {expected}");
     }
-    // A fault names the row of the sheet.
+    // An error names the row of the sheet.
     let mut workbook = rust_xlsxwriter::Workbook::new();
     let sheet = workbook.add_worksheet().set_name("Rig").unwrap();
     for (column, text) in ["Time (s)", "Bit Depth (m)", "Hook Load (kN)"].into_iter().enumerate() {
@@ -287,7 +288,7 @@ fn a_log_as_a_workbook_is_a_log() {
     assert!(error.starts_with("rig.xlsx, sheet 'Rig', row 4: 'off' is not a number"), "{error}");
 }
 
-/// In a log of trips the only depth is the bit's.
+/// In a log of trips the only depth is that of the bit.
 #[test]
 fn the_only_depth_of_a_log_of_trips_is_the_bits() {
     let names = "Time,TRIPNUM,TRIPFILL,STANDSTOGO,Depth,BLOCKCOMP,HKLD,RPM30s,TORQUE30s";
@@ -307,11 +308,12 @@ fn the_only_depth_of_a_log_of_trips_is_the_bits() {
     );
     let found = picked("trip.xml", text.as_bytes());
     assert_pick_ups(&found);
-    assert!(found.says("Depth is taken for the depth of the bit"), "{:?}", found.notes);
-    assert!(found.says("it is off bottom all along"), "{:?}", found.notes);
-    // By what it does, where no channel tells that it is of trips: no hole gets shallower.
+    assert!(found.says("Depth is used as the depth of the bit"), "{:?}", found.notes);
+    assert!(found.says("it is assumed to be off bottom throughout"), "{:?}", found.notes);
+    // It is recognised by decreasing depth even if no channel shows that it is a log of trips,
+    // because no hole gets shallower.
     let plain = text.replace("TRIPNUM,TRIPFILL,STANDSTOGO", "A,B,C");
     let found = picked("trip.xml", plain.as_bytes());
     assert_pick_ups(&found);
-    assert!(found.says("the only depth goes up and down"), "{:?}", found.notes);
+    assert!(found.says("the only depth increases and decreases"), "{:?}", found.notes);
 }

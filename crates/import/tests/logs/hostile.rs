@@ -1,4 +1,4 @@
-//! Files that mean harm, or that were damaged.
+//! Malicious and damaged files.
 
 use std::io::Read;
 
@@ -25,7 +25,7 @@ impl Read for Endless {
     }
 }
 
-/// Reads until something is refused.
+/// Reads until the file is refused.
 fn endless(head: &'static [u8], body: &'static [u8]) -> String {
     let input = Input::new("endless", Endless { head, body, at: 0 });
     let choices = Choices::default();
@@ -57,7 +57,7 @@ fn lines_without_an_end_are_refused() {
     }
 }
 
-/// Tables are read whole, up to a limit: told of by `check` as well as by `import`.
+/// Tables are read whole, up to a limit, which applies to `check` as well as to `import`.
 #[test]
 fn tables_without_an_end_are_refused() {
     for (head, body) in [
@@ -87,8 +87,8 @@ fn heads_without_an_end_are_refused() {
     assert!(channels.contains("more than 4096 channels"), "{channels}");
 }
 
-/// Rows of WITSML 2 stand in one text, which is read whole: what to do instead is said, however the
-/// quotes in it are written.
+/// Rows of WITSML 2 are one text, which is read whole: the error names the remedy, for any form of
+/// the quotes in it.
 #[test]
 fn rows_of_witsml_2_without_an_end_are_refused() {
     const HEAD: &[u8] =
@@ -124,7 +124,7 @@ const SAMPLES: [&[u8]; 5] = [
       </ChannelSet></Log>",
 ];
 
-/// What parts and quotes.
+/// Separators and quotation marks.
 const MARKS: &[u8] = b"\n~.:,;\"\t-0[]<>&";
 
 proptest! {

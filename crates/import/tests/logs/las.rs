@@ -1,10 +1,10 @@
-//! The traps of LAS.
+//! Difficulties of LAS.
 
 use wholestring_import::{Choices, Quantity};
 
 use crate::{notes, read, refused, rows};
 
-/// A log of time, bit depth and hook load with rows.
+/// A log of time, bit depth and hook load with these rows.
 fn las(rows: &str) -> String {
     format!(
         "~V\nVERS. 2.0:\nWRAP. NO:\n~W\nNULL. -999.25:\n~C\nTIME.s :\nDBTM.m :\nHKLA.kN :\n~A\n{rows}"
@@ -29,8 +29,8 @@ fn usual_nulls_are_said_where_the_head_has_another() {
     assert!(rows[0].hook_load_N.is_nan() && rows[2].bit_depth_m.is_nan());
     assert_eq!(
         notes(&log),
-        "assumed: taken for nothing, as in many logs, though the head does not say so: 2 values such \
-         as -9999, the first in line 11\n"
+        "assumed: read as null values, as in many logs, although the head does not declare them: \
+         2 values such as -9999, the first in line 11\n"
     );
 }
 
@@ -66,8 +66,8 @@ fn wrapped_rows_end_with_their_last_line() {
     let uneven = las("0\n 1.5 2.5\n1\n 2.5\n2\n 3.5 4.5\n").replace("WRAP. NO", "WRAP. YES");
     assert_eq!(
         refused(&uneven),
-        "a log, line 16: this wrapped row does not begin as the first did, with its index alone in a \
-         line or not; a value may be missing above"
+        "a log, line 16: this wrapped row begins differently from the first, with or without its \
+         index alone in a line; a value may be missing above"
     );
 }
 
@@ -75,29 +75,33 @@ fn wrapped_rows_end_with_their_last_line() {
 fn a_comma_may_stand_before_decimals() {
     let (rows, log) = read(&las("0 1 2,5\n1,5 2 3.5\n"));
     assert_eq!(rows[0].hook_load_N, 2500.0);
-    assert!(notes(&log).contains("a comma within a number stands before its decimals: 1 value"));
+    assert!(notes(&log).contains("a comma within a number is read as the decimal sign: 1 value"));
 }
 
 #[test]
 fn delimiters_are_those_of_the_head_or_of_the_rows() {
-    for (told, rows) in [
+    for (declared, rows) in [
         ("DLM. COMMA :\n", "0,1,2\n1,,3\n"),
         ("DLM. TAB :\n", "0\t1\t2\n1\t\t3\n"),
         ("DLM. SPACE :\n", "0 1 2\n1 -999.25 3\n"),
         ("", "0,1,2\n1,,3\n"),
         ("", "0, 1, 2,\n1, , 3,\n"),
         ("", "0\t1\t2\n1\t\t3\n"),
-        // What the head says does not hold.
+        // The head is wrong.
         ("DLM. SPACE :\n", "0,1,2\n1,,3\n"),
     ] {
-        let text = las(rows).replace("~W\n", &format!("{told}~W\n"));
-        if rows.starts_with("0\t1") && told.is_empty() {
-            // Blanks part three values; the row below has two.
+        let text = las(rows).replace("~W\n", &format!("{declared}~W\n"));
+        if rows.starts_with("0\t1") && declared.is_empty() {
+            // Blanks separate three values; the row below has two.
             assert!(refused(&text).contains("line 12: the row has 2 values"), "{rows}");
             continue;
         }
         let (rows, _) = read(&text);
-        assert_eq!((rows[0].hook_load_N, rows[1].hook_load_N), (2000.0, 3000.0), "{told}{text}");
+        assert_eq!(
+            (rows[0].hook_load_N, rows[1].hook_load_N),
+            (2000.0, 3000.0),
+            "{declared}{text}"
+        );
         assert!(rows[1].bit_depth_m.is_nan());
     }
 }
@@ -136,8 +140,8 @@ fn names_may_stand_behind_the_title_of_the_data() {
     let choices = Choices::default().unit("hookload", "kN").unit("bit-depth", "m");
     let (rows, log) = rows("a.las", text.as_bytes(), &choices).unwrap();
     assert_eq!(rows[0].hook_load_N, 20_000.0);
-    assert!(notes(&log).contains("the names behind ~A are taken for the curves'"));
-    assert!(refused("~V\nVERS. 2.0:\n~A\n1 2\n").contains("no section ~Curve stands before"));
+    assert!(notes(&log).contains("the names after ~A are used as the curves'"));
+    assert!(refused("~V\nVERS. 2.0:\n~A\n1 2\n").contains("there is no section ~Curve before"));
     assert!(refused("~V\nVERS. 2.0:\n~A\n1 2\n~C\nDEPT.m:\n").contains("no section ~Curve"));
     assert_eq!(
         refused("~V\nVERS. 2.0:\n~C\nTIME.s:\n"),
@@ -168,7 +172,7 @@ fn las_3_has_definitions_and_data() {
     assert_eq!(log.well.as_deref(), Some("A-1"));
     assert_eq!(log.channels[2].description, "Hook load");
     let notes = notes(&log);
-    assert!(notes.contains("the sections ~Core_Data, which are no log"), "{notes}");
+    assert!(notes.contains("the sections ~Core_Data, which are not the log"), "{notes}");
     assert!(notes.contains("what follows from line 22: ~Tops_Data"), "{notes}");
 }
 
@@ -197,13 +201,13 @@ fn a_curve_without_a_point_has_no_unit() {
     let text = "~V\nVERS. 2.0:\n~C\nTIME.s:\nHKLD kN: hook load\n~A\n0 1\n";
     let error = refused(text);
     assert!(
-        error.starts_with("a log: the hook load HKLD has no unit; say it: --unit hookload="),
+        error.starts_with("a log: the hook load HKLD has no unit; give it with --unit hookload="),
         "{error}"
     );
     let (rows, log) =
         rows("a.las", text.as_bytes(), &Choices::default().unit("hookload", "kN")).unwrap();
     assert_eq!(rows[0].hook_load_N, 1000.0);
-    assert!(notes(&log).contains("without a point behind the name"));
+    assert!(notes(&log).contains("without a point after the name"));
 }
 
 #[test]

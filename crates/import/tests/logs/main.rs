@@ -11,7 +11,7 @@ mod witsml;
 
 use wholestring_import::{Choices, ImportError, Input, Log, Record, contents, import, log};
 
-/// The rows of a log, and the log when it has ended.
+/// Rows of a log, and the log after its end.
 pub fn rows(
     name: &str,
     text: &[u8],
@@ -22,12 +22,12 @@ pub fn rows(
     Ok((rows?, log))
 }
 
-/// The rows of a log that needs nothing to be said.
+/// Rows of a log that requires no choices.
 pub fn read(text: &str) -> (Vec<Record>, Log<'static>) {
     rows("a log", text.as_bytes(), &Choices::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Why a log is not read.
+/// The reason why a log is refused.
 pub fn refused(text: &str) -> String {
     match rows("a log", text.as_bytes(), &Choices::default()) {
         Ok((rows, _)) => panic!("{} rows were read", rows.len()),
@@ -35,13 +35,13 @@ pub fn refused(text: &str) -> String {
     }
 }
 
-/// What was said of a log.
+/// Notes of a log.
 pub fn notes(log: &Log) -> String {
     let notes = log.notes.iter().map(|note| format!("{}: {}\n", note.kind(), note.text()));
     notes.collect()
 }
 
-/// A log for people: what it is, its rows, and what was said; or why it is refused.
+/// Summary of a log: its kind, rows and notes, or the refusal.
 pub fn summary(name: &str, bytes: &[u8], choices: &Choices) -> String {
     let mut text = match contents(Input::of_bytes(name, bytes)) {
         Ok(contents) => format!("{}\n  {}\n", contents.what, contents.lines.join("\n  ")),
@@ -73,20 +73,20 @@ pub fn summary(name: &str, bytes: &[u8], choices: &Choices) -> String {
 }
 
 fn line(row: &Record) -> String {
-    let of = |name: &str, value: f64, unit: &str| {
+    let shown = |name: &str, value: f64, unit: &str| {
         (!value.is_nan()).then(|| format!("{name} {value:.3} {unit}"))
     };
     let parts = [
-        of("t", row.time_s, "s"),
-        of("bit", row.bit_depth_m, "m"),
-        of("hole", row.hole_depth_m, "m"),
-        of("block", row.block_position_m, "m"),
-        of("hook load", row.hook_load_N, "N"),
-        of("wob", row.weight_on_bit_N, "N"),
-        of("torque", row.torque_N_m, "N.m"),
-        of("rotary", row.rotary_speed_rad_per_s, "rad/s"),
-        of("flow", row.flow_rate_m3_per_s, "m3/s"),
-        of("spp", row.standpipe_pressure_Pa, "Pa"),
+        shown("t", row.time_s, "s"),
+        shown("bit", row.bit_depth_m, "m"),
+        shown("hole", row.hole_depth_m, "m"),
+        shown("block", row.block_position_m, "m"),
+        shown("hook load", row.hook_load_N, "N"),
+        shown("wob", row.weight_on_bit_N, "N"),
+        shown("torque", row.torque_N_m, "N.m"),
+        shown("rotary", row.rotary_speed_rad_per_s, "rad/s"),
+        shown("flow", row.flow_rate_m3_per_s, "m3/s"),
+        shown("spp", row.standpipe_pressure_Pa, "Pa"),
     ];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }

@@ -27,13 +27,14 @@ sample! {
     witsml_2_without_rows: "witsml-2.0/hashmap-log20.xml";
 }
 
-/// The case of a log whose block's weight is said, and what stands beside it.
+/// The case of a log with the given block weight, and its accompanying files.
 #[test]
 fn las_of_a_rig_with_its_block() {
     let bytes = include_bytes!("../samples/own/surface-log.las");
     let choices = Choices::default().value("block-weight", "20 tf");
     let imported = import(vec![Input::of_bytes("surface-log.las", bytes)], &choices).unwrap();
-    let beside = imported.beside.iter().map(|of| format!("---- well{}\n{}", of.ending, of.text));
+    let beside =
+        imported.beside.iter().map(|beside| format!("---- well{}\n{}", beside.ending, beside.text));
     let beside: String = beside.collect();
     assert_snapshot!(format!("{}{beside}", imported.text_as("well")));
 }

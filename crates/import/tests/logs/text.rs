@@ -4,7 +4,7 @@ use wholestring_import::{Choices, Input, contents};
 
 use crate::{notes, read, refused, summary};
 
-/// Headings as a recorder writes them, made up.
+/// Headings in a recorder's style, invented.
 const RECORDER: &str = "\"Well: Synthetic 2\"\n\"Exported 2021-03-25\"\n\n\
     YYYY/MM/DD,HH:MM:SS,Hole Depth (feet),Bit Depth (feet),Block Height (feet),Hook Load (klbs),\
     Weight on Bit (klbs),Rotary Torque (kft_lb),Rotary RPM (RPM),Standpipe Pressure (psi),\
@@ -28,7 +28,7 @@ fn units_may_stand_in_the_second_row() {
         let (rows, log) = read(text);
         assert_eq!(rows[0].bit_depth_m, 10.5);
         assert_eq!(rows[0].hook_load_N, 1000.5 * 9806.65);
-        assert_eq!(notes(&log), "read: numbers have a comma before their decimals\n");
+        assert_eq!(notes(&log), "read: numbers have decimal commas\n");
     }
     let (rows, _) = read("Time;Bit depth;Hook load\ns;m;t\n0;10.5;1,000.5\n5;11;2\n");
     assert_eq!(rows[0].hook_load_N, 1000.5 * 9806.65);
@@ -65,7 +65,7 @@ fn a_line_between_headings_and_rows_is_said() {
     let (rows, log) =
         read("Time (s),Bit depth (m),Hook load (t)\nRig clock,Driller,Sensor 2\n0,1,2\n1,2,3\n");
     assert_eq!(rows.len(), 2);
-    assert_eq!(notes(&log), "left out: line 2, which is no row: 'Rig clock,Driller,Sensor 2'\n");
+    assert_eq!(notes(&log), "left out: line 2, which is not a row: 'Rig clock,Driller,Sensor 2'\n");
 }
 
 #[test]
@@ -83,7 +83,7 @@ fn readings_and_surveys_are_no_logs() {
         "MD (m),Inc (deg),Azi (deg)\n0,0,0\n10,0,0\n20,0,0\n",
         "Bit depth (m),Pick-up (t),Slack-off (t)\n100,50,40\n200,60,50\n",
     ] {
-        let what = contents(Input::of_bytes("a.csv", text.as_bytes())).map(|of| of.what);
+        let what = contents(Input::of_bytes("a.csv", text.as_bytes())).map(|content| content.what);
         assert!(!what.unwrap_or_default().contains("log"), "{text}");
     }
 }

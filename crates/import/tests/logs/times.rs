@@ -58,7 +58,10 @@ fn what_numbers_count_is_said() {
     assert!((rows[1].time_s - 8640.0).abs() < 1e-3);
     assert_eq!(log.start.as_deref(), Some("2021-03-24 12:00:00"));
     let error = refused(&csv("Time", &["0", "1", "2"]));
-    assert!(error.starts_with("a log: the time Time has no unit; say it: --unit time="), "{error}");
+    assert!(
+        error.starts_with("a log: the time Time has no unit; give it with --unit time="),
+        "{error}"
+    );
 }
 
 #[test]
@@ -75,8 +78,8 @@ fn day_or_month_is_seen_or_asked_for() {
     let unsure = csv("Time", &["03/04/2021 10:00:00", "03/05/2021 10:00:00"]);
     assert_eq!(
         refused(&unsure),
-        "a log: the date '03/04/2021 10:00:00' may begin with the day or with the month; say which: \
-         --pick date=dmy or --pick date=mdy"
+        "a log: the date '03/04/2021 10:00:00' may begin with the day or with the month; choose \
+         with --pick date=dmy or --pick date=mdy"
     );
     for (order, days) in [("mdy", 1.0), ("dmy", 30.0)] {
         let choices = Choices::default().pick("date", order);
@@ -107,14 +110,14 @@ fn rows_that_go_back_are_left_out_and_said() {
 
 #[test]
 fn a_log_against_time_backwards_is_refused() {
-    // Newest first it is read from its last row on.
+    // A log with the newest row first is read from its last row on.
     assert_eq!(times_s(&csv("Time (s)", &["30", "20", "10", "0"])), [0.0, 10.0, 20.0, 30.0]);
     let text = csv("Time (s)", &["30", "20", "10", "40", "5", "3"]);
     assert_eq!(
         refused(&text),
         "a log: the time goes back: 4 of 6 rows are earlier than one above, the first in line 3; \
-         expected rows in the order of time (cut the file there and read its parts one by one, or say \
-         another column: --pick time=CHANNEL)"
+         expected rows in the order of time (cut the file there and read its parts one by one, or \
+         choose another column with --pick time=CHANNEL)"
     );
 }
 
@@ -128,9 +131,9 @@ fn what_is_no_time_is_refused_with_its_line() {
     let text = csv("Time", &["2021-03-24T10:00:00", "2021-02-30T10:00:00"]);
     assert_eq!(
         refused(&text),
-        "a log, line 3: '2021-02-30T10:00:00' is not a time as the rows above have it"
+        "a log, line 3: '2021-02-30T10:00:00' is not a time in the format of the rows above"
     );
-    assert!(refused(&csv("Time", &["soon"])).contains("'soon' in the column Time is no time"));
+    assert!(refused(&csv("Time", &["soon"])).contains("'soon' in the column Time is not a time"));
 }
 
 #[test]

@@ -60,7 +60,7 @@ fn one_of_several_logs_is_picked() {
         assert_eq!(rows[0].hook_load_N, 7000.0);
         assert_eq!(
             notes(&log),
-            "left out: the logs before 'two': one\nleft out: the logs behind 'two': three\n"
+            "left out: the logs before 'two': one\nleft out: the logs after 'two': three\n"
         );
     }
     let error =
@@ -127,8 +127,7 @@ fn rows_may_be_character_data_and_names_of_version_2_1() {
     assert_eq!((rows[1].time_s, rows[1].hook_load_N), (60.0, 6000.0));
 }
 
-/// A whole file of version 2.1: prefixes, the names that it changed, channels with an index of their
-/// own.
+/// A whole file of version 2.1: prefixes, changed names, channels with their own index.
 #[test]
 fn a_log_of_version_2_1_is_read() {
     let channel = |mnemonic: &str, unit: &str| {
@@ -167,7 +166,7 @@ fn a_log_of_version_2_1_is_read() {
 fn rows_that_are_not_json_are_refused_with_their_line() {
     assert_eq!(
         refused(&log2("[[[\"2021-03-24T10:00:00Z\"],[5,1]],\n[[\"2021-03-24T10:00:02Z\"] 5]]")),
-        "a log, line 2: the rows are not JSON as WITSML has it: ']' behind a row was expected"
+        "a log, line 2: the rows are not JSON as WITSML defines it: ']' after a row was expected"
     );
     assert!(
         refused(&log2("[[[\"2021-03-24T10:00:00Z\"],[5,1,2]]]"))

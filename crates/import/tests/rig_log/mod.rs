@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use wholestring_import::{ImportError, Record};
 
-/// What the string truly weighs, by the depth of the bit: the block apart, N and N·m.
+/// True weights and torques of the string by bit depth, without the block, N and N·m.
 #[derive(Debug, Clone, Copy)]
 pub struct Truth<Of = fn(f64) -> f64> {
     pub pick_up_N: Of,
@@ -17,7 +17,7 @@ pub struct Truth<Of = fn(f64) -> f64> {
     pub torque_on_bottom_N_m: Of,
 }
 
-/// A string of 250 N/m in a well of friction that takes and gives a fifth of it.
+/// A string of 250 N/m in a well whose friction adds or removes a fifth of its weight.
 pub const TRUTH: Truth = Truth {
     pick_up_N: |depth| 1.2 * 250.0 * depth,
     slack_off_N: |depth| 0.8 * 250.0 * depth,
@@ -26,7 +26,7 @@ pub const TRUTH: Truth = Truth {
     torque_on_bottom_N_m: |depth| 4.0 * depth + 6e3,
 };
 
-/// What the log is like.
+/// Properties of the log.
 #[derive(Debug, Clone, Copy)]
 pub struct Manner {
     pub step_s: f64,
@@ -39,10 +39,11 @@ pub struct Manner {
     pub stick_slip: f64,
     /// Swing of the hook load with the sea, N, and its period, s.
     pub heave: (f64, f64),
-    /// One row in so many has a spike, one a sensor that says nothing, one a long silence of one.
+    /// Interval of faults in rows: one row in this many has a spike, one a missing value, one the
+    /// start of a long gap.
     pub faults: Option<u64>,
     pub block_N: f64,
-    /// Whether the sensor was set to zero with the block on it.
+    /// Whether the sensor was zeroed with the block on it.
     pub zeroed: bool,
 }
 
@@ -67,14 +68,14 @@ pub struct Rig<Of = fn(f64) -> f64> {
     pub manner: Manner,
     pub truth: Truth<Of>,
     pub records: Vec<Record>,
-    /// From when to when the string hung in slips, s.
+    /// Periods in which the string hung in slips, s.
     pub slips: Vec<(f64, f64)>,
     time_s: f64,
     bit_m: f64,
     hole_m: f64,
     block_m: f64,
     random: u64,
-    /// Rows for which a sensor stays silent, and which.
+    /// Number of rows for which a sensor has no value, and which sensor.
     silent: (u64, u64),
 }
 
@@ -118,14 +119,14 @@ impl<Of: Fn(f64) -> f64> Rig<Of> {
         (-2.0 * a.ln()).sqrt() * (TAU * b).cos()
     }
 
-    /// Writes a row of what the sensors show.
+    /// Writes a row of the sensors' values.
     fn write(&mut self, string_N: f64, torque_N_m: f64, rotary_rad_per_s: f64) {
         let manner = self.manner;
         let block_N = if manner.zeroed { 0.0 } else { manner.block_N };
         let hangs = string_N > 0.0;
         let heave =
             if hangs { manner.heave.0 * (TAU * self.time_s / manner.heave.1).sin() } else { 0.0 };
-        // A wave with a second one, so that its middle is not its mean.
+        // A wave with a harmonic, so that its median is not its mean.
         let phase = TAU * self.time_s / 4.3;
         let swing = manner.stick_slip * (phase.sin() + 0.3 * (2.0 * phase).cos());
         let noise =
@@ -164,7 +165,7 @@ impl<Of: Fn(f64) -> f64> Rig<Of> {
         self.time_s += manner.step_s;
     }
 
-    /// Stands still on the hook.
+    /// Waits on the hook without motion.
     pub fn wait(&mut self, time_s: f64) {
         let end = self.time_s + time_s;
         while self.time_s < end {
@@ -173,7 +174,7 @@ impl<Of: Fn(f64) -> f64> Rig<Of> {
         }
     }
 
-    /// In slips, while the block goes to another height.
+    /// Hangs the string in slips while the block moves to another height.
     pub fn slips(&mut self, block_m: f64, time_s: f64) {
         let (from_s, from_m) = (self.time_s, self.block_m);
         while self.time_s < from_s + time_s {
@@ -186,7 +187,7 @@ impl<Of: Fn(f64) -> f64> Rig<Of> {
         self.slips.push((from_s, self.time_s));
     }
 
-    /// Moves the block without rotation, upwards or, by a negative way, downwards.
+    /// Moves the block without rotation, upwards or, for a negative travel, downwards.
     pub fn moves(&mut self, way_m: f64, speed_m_per_s: f64) {
         const ACCELERATION_M_PER_S2: f64 = 0.1;
         let (from_block_m, from_bit_m, from_s) = (self.block_m, self.bit_m, self.time_s);
@@ -202,7 +203,7 @@ impl<Of: Fn(f64) -> f64> Rig<Of> {
             self.bit_m = from_bit_m - way * way_m.signum();
             let weight = if way_m > 0.0 { &self.truth.pick_up_N } else { &self.truth.slack_off_N };
             let (moving_N, still_N) = (weight(self.bit_m), (self.truth.rotating_N)(self.bit_m));
-            // The string stretches over the first half metre, static friction breaks in the next.
+            // The string stretches over the first half metre; static friction breaks in the next.
             let stretched = (way / 0.5).min(1.0);
             let sticks = 0.08 * (way / 0.25).min(1.0) * (-way / 0.3).exp();
             let drag_N = moving_N - still_N;
@@ -213,7 +214,7 @@ impl<Of: Fn(f64) -> f64> Rig<Of> {
         self.bit_m = from_bit_m - way_m;
     }
 
-    /// Turns off bottom; friction along the string goes with the first turns.
+    /// Turns off bottom; axial friction vanishes with the first turns.
     pub fn rotates(&mut self, time_s: f64) {
         let from_s = self.time_s;
         while self.time_s < from_s + time_s {
@@ -225,7 +226,7 @@ impl<Of: Fn(f64) -> f64> Rig<Of> {
         }
     }
 
-    /// Drills so far.
+    /// Drills this distance.
     pub fn drills(&mut self, way_m: f64, speed_m_per_s: f64) {
         let end_m = self.hole_m + way_m;
         // Down to bottom, turning.
@@ -251,7 +252,7 @@ impl<Of: Fn(f64) -> f64> Rig<Of> {
         }
     }
 
-    /// Pulls so many stands, with a connection after each.
+    /// Pulls this many stands, with a connection after each.
     pub fn trips_out(&mut self, stands: usize) {
         for _ in 0..stands {
             self.wait(6.0);
@@ -261,7 +262,7 @@ impl<Of: Fn(f64) -> f64> Rig<Of> {
         }
     }
 
-    /// Runs so many stands, with a connection before each.
+    /// Runs this many stands, with a connection before each.
     pub fn trips_in(&mut self, stands: usize) {
         for _ in 0..stands {
             self.slips(self.block_m + STAND_M, 120.0);
@@ -271,7 +272,7 @@ impl<Of: Fn(f64) -> f64> Rig<Of> {
         }
     }
 
-    /// Drills a stand, and holds the string up and down and in rotation after it.
+    /// Drills a stand, then moves the string up and down and rotates it off bottom.
     pub fn drills_a_stand(&mut self) {
         self.slips(self.block_m + STAND_M, 180.0);
         self.wait(6.0);

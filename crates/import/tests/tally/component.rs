@@ -1,4 +1,4 @@
-//! What a component is: its weight, its pipe of the catalogue, its blades.
+//! Properties of a component: its weight, its pipe in the catalogue, its blades.
 
 use insta::assert_snapshot;
 
@@ -6,7 +6,7 @@ use crate::{components, imported, notes, refused, string};
 
 #[test]
 fn a_weight_may_be_per_length_or_of_the_whole_and_a_force() {
-    let of = |heading: &str, weight: &str| {
+    let tally = |heading: &str, weight: &str| {
         format!(
             "Component,OD (in),ID (in),Length (ft),{heading}\nBit,8.5,2,1,\nDC,6.5,2.25,30,{weight}\n\
              DP,5,4.276,TO SURFACE,\n"
@@ -14,18 +14,18 @@ fn a_weight_may_be_per_length_or_of_the_whole_and_a_force() {
     };
     let mass = |text: &str| components(&imported(text))[1].mass_per_length_kg_per_m;
     let near = |text: &str, kg_per_m: f64| assert!((mass(text) - kg_per_m).abs() < 0.01, "{text}");
-    near(&of("Weight (lb/ft)", "99.5"), 148.07);
-    near(&of("Weight [ppf]", "99.5"), 148.07);
-    near(&of("Wt lbs/ft", "99.5"), 148.07);
-    near(&of("Weight (kg/m)", "148.07"), 148.07);
-    near(&of("Weight (kN/m)", "1.452"), 148.06);
-    near(&of("Total weight (lb)", "2985"), 148.07);
-    near(&of("Weight (klb)", "2.985"), 148.07);
-    near(&of("Weight (lbs)", "2985"), 148.07);
-    near(&of("Weight", "99.5 lb/ft"), 148.07);
-    assert_snapshot!(refused(&of("Weight (lbs)", "99.5")), @"tally.csv, line 3, column 'Weight (lbs)': the weight per length 4.935744 kg/m of 'DC' is out of range; expected about the 148.1 kg/m of its body or more (is the column the weight per length, and in the right unit?)");
-    assert_snapshot!(refused(&of("Weight (kg/m)", "500")), @"tally.csv, line 3, column 'Weight (kg/m)': the weight per length 500 kg/m of 'DC' is out of range; expected at most the 168.3 kg/m of a solid bar of 165.1 mm");
-    assert_snapshot!(refused(&of("Weight (furlong)", "500")), @"tally.csv, line 1, column 39: 'furlong' is not a unit of mass per length; expected kg/m, lb/ft, t/m");
+    near(&tally("Weight (lb/ft)", "99.5"), 148.07);
+    near(&tally("Weight [ppf]", "99.5"), 148.07);
+    near(&tally("Wt lbs/ft", "99.5"), 148.07);
+    near(&tally("Weight (kg/m)", "148.07"), 148.07);
+    near(&tally("Weight (kN/m)", "1.452"), 148.06);
+    near(&tally("Total weight (lb)", "2985"), 148.07);
+    near(&tally("Weight (klb)", "2.985"), 148.07);
+    near(&tally("Weight (lbs)", "2985"), 148.07);
+    near(&tally("Weight", "99.5 lb/ft"), 148.07);
+    assert_snapshot!(refused(&tally("Weight (lbs)", "99.5")), @"tally.csv, line 3, column 'Weight (lbs)': the weight per length 4.935744 kg/m of 'DC' is out of range; expected about the 148.1 kg/m of its body or more (is the column the weight per length, and in the right unit?)");
+    assert_snapshot!(refused(&tally("Weight (kg/m)", "500")), @"tally.csv, line 3, column 'Weight (kg/m)': the weight per length 500 kg/m of 'DC' is out of range; expected at most the 168.3 kg/m of a solid bar of 165.1 mm");
+    assert_snapshot!(refused(&tally("Weight (furlong)", "500")), @"tally.csv, line 1, column 39: 'furlong' is not a unit of mass per length; expected kg/m, lb/ft, t/m");
     let both = imported(
         "Component,OD (in),ID (in),Length (ft),Weight (lb/ft),Total weight (lb)\nBit,8.5,2,1,,\n\
          DC,6.5,2.25,30,99.5,3300\nDP,5,4.276,TO SURFACE,,\n",
@@ -35,13 +35,13 @@ fn a_weight_may_be_per_length_or_of_the_whole_and_a_force() {
 
 #[test]
 fn pipe_that_the_catalogue_has_is_named_if_its_diameters_agree() {
-    let of = |name: &str, id: &str| {
+    let tally = |name: &str, id: &str| {
         imported(&format!(
             "Component,OD (in),ID (in),Jts,Length (ft),Connection,Grade\nBit,8.5,2,1,1,,\n{name},5,{id},\
              ,TO SURFACE,HT50,S-135\n"
         ))
     };
-    let listed = of("DP 5in 19.50# S-135", "4.28");
+    let listed = tally("DP 5in 19.50# S-135", "4.28");
     assert_snapshot!(string(&listed), @r#"
     [[string]]
     component = "Bit"
@@ -56,10 +56,10 @@ fn pipe_that_the_catalogue_has_is_named_if_its_diameters_agree() {
     "#);
     assert_snapshot!(notes(&listed), @r"
     read: the tally is read as listed, from the bit up: the bit, 'Bit', is in line 2
-    read: 'DP 5in 19.50# S-135' is the catalogue's '5 in 19.50 lb/ft S-135': od and id agree, and the case leaves them to it
+    read: 'DP 5in 19.50# S-135' is the catalogue's '5 in 19.50 lb/ft S-135': od and id agree, and the case uses the catalogue's
     left out: the connection HT50 of 'DP 5in 19.50# S-135': the case has the catalogue's NC50; where tool joints or their torques matter, give joint_od and make_up_torque
     assumed: 'Bit': no weight; computed from the diameters as steel
-    read: header in line 1, columns parted by commas
+    read: header in line 1, columns separated by commas
     read: component from 'Component'
     read: outside diameter from 'OD (in)' in in
     read: length from 'Length (ft)' in ft
@@ -68,7 +68,7 @@ fn pipe_that_the_catalogue_has_is_named_if_its_diameters_agree() {
     read: connection from 'Connection'
     read: grade from 'Grade'
     ");
-    let other = of("DP 5in 19.50# S-135", "4.0");
+    let other = tally("DP 5in 19.50# S-135", "4.0");
     assert_snapshot!(string(&other), @r#"
     [[string]]
     component = "Bit"
@@ -130,12 +130,12 @@ fn grades_and_tool_joints_are_taken_where_the_catalogue_is_not() {
     mass_per_length = "22 lb/ft"
     "#);
     assert_snapshot!(notes(&imported), @r"
-    assumed: the length (line 3, column 'Length (ft)') is that of all joints: divided by their number it is a joint's
+    assumed: the length (line 3, column 'Length (ft)') is that of all joints: divided by their number it is the length of a joint
     read: the tally is read as listed, from the bit up: the bit, 'Bit', is in line 2
     assumed: 'Pipe above': a tool joint every 9.6 m, as in range 2
     assumed: 'Bit': no weight; computed from the diameters as steel
     left out: the grade '4145H' of 'Pipe above' (line 4, column 'Grade'): its yield strength is not known; give yield_strength
-    read: header in line 1, columns parted by commas
+    read: header in line 1, columns separated by commas
     read: component from 'Component'
     read: outside diameter from 'OD (in)' in in
     read: length from 'Length (ft)' in ft
@@ -160,7 +160,7 @@ fn what_is_missing_is_named_with_its_row() {
     assert_snapshot!(row("DC,6,6.5,30"), @"tally.csv, line 3, column 'ID (in)': the inside diameter of 'DC' 6.5 in is out of range; expected less than its outside diameter, 6 in");
     assert_snapshot!(row("DC,600,2,30"), @"tally.csv, line 3, column 'OD (in)': the outside diameter of 'DC' 600 in is out of range; expected 5 mm to 2 m (0.2 to 78 in)");
     assert_snapshot!(row("DC,6,2,-3"), @"tally.csv, line 3: the length of 'DC' -3 ft is out of range; expected 0.01 to 20000 m");
-    assert_snapshot!(row("DC,6,2,TO SURFACE\nDP,5,4,90"), @"tally.csv, line 3: 'DC' reaches to the surface, and 'DP' stands above it; only the topmost component can");
+    assert_snapshot!(row("DC,6,2,TO SURFACE\nDP,5,4,90"), @"tally.csv, line 3: 'DC' reaches to the surface, and 'DP' is above it; only the topmost component can");
     assert_snapshot!(row("DC,six,2,30"), @"tally.csv, line 3, column 4: 'six' is not a number; the outside diameter was expected");
     assert_snapshot!(row("DC,6 furlongs,2,30"), @"tally.csv, line 3, column 4: 'furlongs' is not a unit of diameter; expected mm, in, m, cm, ft, km, yd, usft");
     assert_snapshot!(refused("Component,ID (in),Length (ft),Weight (lb/ft)\nBit,2,1,\n"), @"tally.csv, line 1, column 1: no column of outside diameter; the header has: 'Component', 'ID (in)', 'Length (ft)', 'Weight (lb/ft)'");
@@ -169,12 +169,12 @@ fn what_is_missing_is_named_with_its_row() {
 
 #[test]
 fn stabilisers_have_blades() {
-    let of = |gauge: &str| {
+    let tally = |gauge: &str| {
         format!(
             "Component,OD (in),ID (in),Gauge (in),Length (ft)\nBit,6.5,2,8.5,1\nStab,6.75,2.8,{gauge},6\nDP,5,4,,TO SURFACE\n"
         )
     };
-    let imported = imported(&of("8 3/8"));
+    let imported = imported(&tally("8 3/8"));
     assert_snapshot!(string(&imported), @r#"
     [[string]]
     component = "Bit"
@@ -196,12 +196,14 @@ fn stabilisers_have_blades() {
     length = "to surface"
     "#);
     assert!(components(&imported)[1].blades.is_some());
-    assert_snapshot!(refused(&of("6.5")), @"tally.csv, line 3, column 'Gauge (in)': the gauge of 'Stab' 6.5 in is out of range; expected its outside diameter, 6.75 in, or more");
-    assert!(!string(&crate::imported(&of("0"))).contains("blade_od"));
+    assert_snapshot!(refused(&tally("6.5")), @"tally.csv, line 3, column 'Gauge (in)': the gauge of 'Stab' 6.5 in is out of range; expected its outside diameter, 6.75 in, or more");
+    assert!(!string(&crate::imported(&tally("0"))).contains("blade_od"));
 }
 
-/// A weight that is the one in the pipe's name is its nominal weight, without tool joints: the catalogue's counts, 22.0 lb/ft, and 25.7 lb/ft with the
-/// 7-1/2 in joints of S-135 (API RP 7G: 24 to 26 by the joint). Without an entry the tally's stands, and is named.
+/// A weight equal to the one in the pipe's name is its nominal weight, without tool joints. The
+/// catalogue's value is used instead, 22.0 lb/ft, and 25.7 lb/ft with the 7-1/2 in joints of S-135
+/// (API RP 7G: 24 to 26, depending on the joint). Without an entry the tally's value remains, with
+/// a note.
 #[test]
 fn a_nominal_weight_is_told_from_the_weight() {
     let head =
@@ -225,7 +227,8 @@ fn a_nominal_weight_is_told_from_the_weight() {
     assert!(!notes(&right).contains("NOMINAL"), "{}", notes(&right));
 }
 
-/// The widest diameter of a bit is its gauge, that of a stabiliser its blades', that of pipe its tool joints'.
+/// The largest diameter of a bit is its gauge, that of a stabiliser is over its blades, and that of
+/// a pipe is over its tool joints.
 #[test]
 fn the_widest_diameter_is_the_gauge() {
     for heading in ["Max OD", "Maximum OD", "Blade/Gauge OD", "Gauge OD"] {
@@ -242,7 +245,7 @@ fn the_widest_diameter_is_the_gauge() {
     }
 }
 
-/// Grades of API Spec 5CT; of one that is not known there is one note, however many components have it.
+/// Grades of API Spec 5CT; an unknown grade has one note, however many components have it.
 #[test]
 fn grades_of_casing_are_known() {
     let tally = |grade: &str| {

@@ -56,11 +56,11 @@ fn a_sheet_as_a_directional_driller_hands_it_over() {
     "#);
     assert_snapshot!(notes(&imported), @r#"
     read: the tally is read as listed, from the bit up: the bit, 'PDC Bit 12 1/4"', is in line 3
-    read: '12 x 5" HWDP' is the catalogue's 'HWDP 5 in 49.3 lb/ft': od and id agree, and the case leaves them to it
-    read: '5" DP 19.5# S-135' is the catalogue's '5 in 19.50 lb/ft S-135': od and id agree, and the case leaves them to it
-    assumed: '9 5/8" Motor (1.15 deg bend)', 'String Stabilizer': the gauge is that of blades all along the component; give blade_length where they are shorter
+    read: '12 x 5" HWDP' is the catalogue's 'HWDP 5 in 49.3 lb/ft': od and id agree, and the case uses the catalogue's
+    read: '5" DP 19.5# S-135' is the catalogue's '5 in 19.50 lb/ft S-135': od and id agree, and the case uses the catalogue's
+    assumed: '9 5/8" Motor (1.15 deg bend)', 'String Stabilizer': the gauge is assumed for blades along the whole component; give blade_length if they are shorter
     assumed: 'PDC Bit 12 1/4"', '9 5/8" Motor (1.15 deg bend)', 'String Stabilizer', '8 1/4" MWD': no weight; computed from the diameters as steel
-    read: header in line 2, columns parted by commas
+    read: header in line 2, columns separated by commas
     read: component from 'Description'
     read: outside diameter from 'OD (in)' in in
     read: length from 'Length (m)' in m

@@ -1,4 +1,4 @@
-//! Tables that are large, random or damaged.
+//! Large, random or damaged tables.
 
 use insta::assert_snapshot;
 use proptest::prelude::*;
@@ -20,7 +20,8 @@ fn many_rows_and_wide_lines_are_refused_in_time() {
     let bit_first = Choices::default().pick("order", "bit-first");
     let many = refused_with(&(head.to_owned() + &names), &bit_first);
     assert_snapshot!(many, @"tally.csv: it holds 4000 components; at most 500 are read");
-    // A debug build on a busy machine; what is not linear in the file would take hours.
+    // The limit allows for a debug build on a busy machine; an algorithm that is not linear in the
+    // file would take hours.
     assert!(start.elapsed().as_secs() < 60, "{:?}", start.elapsed());
 }
 
@@ -79,13 +80,15 @@ proptest! {
         let components = components(&imported);
         prop_assert_eq!(components.len(), expected.len());
         let last = expected.len() - 1;
-        for (index, (of, (od_m, id_m, length_m, mass))) in components.iter().zip(&expected).enumerate() {
-            prop_assert!((of.od_m - od_m).abs() < 1e-9);
-            prop_assert!((of.id_m - id_m).abs() < 1e-9);
+        for (index, (component, (od_m, id_m, length_m, mass))) in
+            components.iter().zip(&expected).enumerate()
+        {
+            prop_assert!((component.od_m - od_m).abs() < 1e-9);
+            prop_assert!((component.id_m - id_m).abs() < 1e-9);
             // Twelve digits are written.
-            prop_assert!((of.mass_per_length_kg_per_m - mass).abs() < 1e-10 * mass);
+            prop_assert!((component.mass_per_length_kg_per_m - mass).abs() < 1e-10 * mass);
             if index < last {
-                prop_assert!((of.length_m - length_m).abs() < 1e-10 * length_m);
+                prop_assert!((component.length_m - length_m).abs() < 1e-10 * length_m);
             }
         }
     }

@@ -1,4 +1,4 @@
-//! What stands around the numbers, and between them.
+//! Text around the numbers and between them.
 
 use insta::assert_snapshot;
 
@@ -36,7 +36,7 @@ fn titles_footnotes_empty_rows_and_repeated_headings_are_passed_over() {
     checked: the total agrees with the lengths below the topmost component: 1009.4 m (line 13, column 'Length')
     assumed: 'DP': no weight; computed from the diameters as steel, WITHOUT TOOL JOINTS, which make pipe a tenth heavier or more: give mass_per_length, or catalogue
     assumed: 'Bit', 'DC': no weight; computed from the diameters as steel
-    read: header in line 4, columns parted by commas
+    read: header in line 4, columns separated by commas
     read: component from 'Component'
     read: outside diameter from 'OD' in in
     read: length from 'Length' in m

@@ -1,4 +1,4 @@
-//! Tallies as text and workbooks, and what traps they hold.
+//! Tallies as text and workbooks, with typical difficulties.
 
 mod component;
 mod found_in_the_field;
@@ -39,7 +39,7 @@ pub fn refused(text: &str) -> String {
     refused_with(text, &Choices::default())
 }
 
-/// The blocks of the string in a case, without comments, parted by blank lines.
+/// The blocks of the string in a case, without comments, separated by blank lines.
 pub fn string(imported: &Imported) -> String {
     let text = &imported.text;
     let from = text.find("\n[[string]]\n").unwrap_or_else(|| panic!("no string: {text}"));
@@ -53,7 +53,7 @@ pub fn notes(imported: &Imported) -> String {
     notes.collect::<Vec<_>>().join("\n")
 }
 
-/// The components of the case, which accepts them: what the file lacks besides is filled in.
+/// The components of the case after the parts that the file lacks are filled in.
 pub fn components(imported: &Imported) -> Vec<wholestring::string::Component> {
     let text = imported.text.replace(
         "\n[well]\n",
@@ -61,7 +61,7 @@ pub fn components(imported: &Imported) -> Vec<wholestring::string::Component> {
          \"open\"\nto = \"3000 m\"\ndiameter = \"26 in\"\nfriction = 0.3\n[mud]\ndensity = \"1.2 \
          sg\"\n",
     );
-    // Above an assembly alone stands pipe.
+    // Pipe is added above an assembly without pipe.
     let lacks_pipe = imported.missing.iter().any(|missing| missing.starts_with("the pipe above"));
     let pipe = "[[string]]\ncomponent = \"pipe\"\nod = \"5 in\"\nid = \"4 in\"\nlength = \"to surface\"\n\n";
     let text =

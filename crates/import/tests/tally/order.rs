@@ -7,30 +7,30 @@ use crate::{components, imported, notes, of_bytes, refused, refused_with, string
 
 #[test]
 fn the_order_is_found_by_the_bit_the_cumulative_length_or_the_numbers() {
-    let of = |rows: &str| {
+    let tally = |rows: &str| {
         imported(&format!("No,Component,OD (in),ID (in),Length (ft),Cum. length (ft)\n{rows}"))
     };
     let order = |imported: &Imported| {
         let notes = notes(imported);
         notes.lines().find(|line| line.contains("the tally is")).unwrap().to_owned()
     };
-    let by_bit = of(",DP,5,4,TO SURFACE,\n,DC,6,2,30,31\n,Bit,8.5,2,1,1\n");
-    assert_snapshot!(order(&by_bit), @"read: the tally is listed from the surface down, and turned over: the bit, 'Bit', is in line 4");
+    let by_bit = tally(",DP,5,4,TO SURFACE,\n,DC,6,2,30,31\n,Bit,8.5,2,1,1\n");
+    assert_snapshot!(order(&by_bit), @"read: the tally is listed from the surface down, and reversed: the bit, 'Bit', is in line 4");
     assert!(components(&by_bit)[0].is_bit());
-    let by_cumulative = of(",DP,5,4,90,130\n,DC,6,2,30,40\n,Mill,8.5,2,10,10\n");
-    assert_snapshot!(order(&by_cumulative), @"assumed: the tally is listed from the surface down, and turned over: the cumulative length falls down the table, and counts from the bit");
+    let by_cumulative = tally(",DP,5,4,90,130\n,DC,6,2,30,40\n,Mill,8.5,2,10,10\n");
+    assert_snapshot!(order(&by_cumulative), @"assumed: the tally is listed from the surface down, and reversed: the cumulative length decreases down the table, and counts from the bit");
     assert_eq!(components(&by_cumulative)[0].name, "Mill");
-    let by_growing = of(",Mill,8.5,2,10,10\n,DC,6,2,30,40\n,DP,5,4,90,130\n");
-    assert_snapshot!(order(&by_growing), @"assumed: the tally is read as listed, from the bit up: the cumulative length grows down the table, and counts from the bit");
-    let by_number = of("3,DP,5,4,90,\n2,DC,6,2,30,\n1,Mill,8.5,2,10,\n");
-    assert_snapshot!(order(&by_number), @"assumed: the tally is listed from the surface down, and turned over: the numbers count from the bit");
+    let by_growing = tally(",Mill,8.5,2,10,10\n,DC,6,2,30,40\n,DP,5,4,90,130\n");
+    assert_snapshot!(order(&by_growing), @"assumed: the tally is read as listed, from the bit up: the cumulative length increases down the table, and counts from the bit");
+    let by_number = tally("3,DP,5,4,90,\n2,DC,6,2,30,\n1,Mill,8.5,2,10,\n");
+    assert_snapshot!(order(&by_number), @"assumed: the tally is listed from the surface down, and reversed: the numbers count from the bit");
     assert_eq!(components(&by_number)[0].name, "Mill");
 }
 
 #[test]
 fn an_order_that_nothing_tells_is_asked_for() {
     let text = "Component,OD (in),ID (in),Length (ft)\nDP,5,4,90\nDC,6,2,30\nMill,8.5,2,10\n";
-    assert_snapshot!(refused(text), @"tally.csv: nothing tells which end of the tally is the bit's: no row is a bit, and neither a cumulative length nor numbers count from it; say it: --pick order=bit-first, or --pick order=bit-last");
+    assert_snapshot!(refused(text), @"tally.csv: it is unknown which end of the tally is the bit's: no row is a bit, and neither a cumulative length nor numbers count from it; choose with --pick order=bit-first or --pick order=bit-last");
     let picked = |order: &str| Choices::default().pick("order", order);
     let last = of_bytes("a.csv", text.as_bytes(), &picked("bit-last"));
     assert_eq!(components(&last)[0].name, "Mill");
@@ -38,12 +38,12 @@ fn an_order_that_nothing_tells_is_asked_for() {
     assert_eq!(components(&first)[0].name, "DP");
     assert_snapshot!(refused_with(text, &picked("up")), @"tally.csv: there is no order 'up'; it holds: 'bit-first', 'bit-last'");
     let within = "Component,OD (in),ID (in),Length (ft)\nDC,6,2,30\nBit,8.5,2,1\nDP,5,4,90\n";
-    assert_snapshot!(refused(within), @"tally.csv, line 3: the bit, 'Bit', stands neither first nor last; expected the components of one string, from the bit up or from the surface down (--pick order=bit-first or bit-last if it is no bit)");
+    assert_snapshot!(refused(within), @"tally.csv, line 3: the bit, 'Bit', is neither first nor last; expected the components of one string, from the bit up or from the surface down (--pick order=bit-first or bit-last if it is not a bit)");
 }
 
 #[test]
 fn cumulative_lengths_and_totals_are_held_against_the_lengths() {
-    let of = |cumulative: &str, total: &str| {
+    let tally = |cumulative: &str, total: &str| {
         imported(&format!(
             "Component,OD (in),ID (in),Length (ft),Cum. (ft)\nBit,8.5,2,0.85,0.85\nRSS,6.75,2,\
              13.6,14.45\nDC,6.5,2,30.90,{cumulative}\nTOTAL,,,{total},\n"
@@ -54,33 +54,33 @@ fn cumulative_lengths_and_totals_are_held_against_the_lengths() {
         let checked = notes.lines().filter(|line| line.starts_with("checked"));
         checked.collect::<Vec<_>>().join("\n")
     };
-    assert_snapshot!(checked(&of("45.35", "45.35")), @r"
+    assert_snapshot!(checked(&tally("45.35", "45.35")), @r"
     checked: the cumulative length agrees with the lengths in 3 rows
     checked: the total agrees with the lengths: 45.35 ft (line 5, column 'Length (ft)')
     ");
-    assert_snapshot!(checked(&of("54.35", "45.85")), @r"
-    checked: THE CUMULATIVE LENGTH DIFFERS from the sum of the lengths: 54.35 ft (line 4, column 'Cum. (ft)') against 45.35 ft; the lengths are taken
+    assert_snapshot!(checked(&tally("54.35", "45.85")), @r"
+    checked: THE CUMULATIVE LENGTH DIFFERS from the sum of the lengths: 54.35 ft (line 4, column 'Cum. (ft)') against 45.35 ft; the lengths are used
     checked: THE TOTAL DIFFERS from the sum of the lengths: 45.85 ft (line 5, column 'Length (ft)') against 45.35 ft
     ");
     // The last digit may be rounded.
-    assert!(checked(&of("45.36", "45.34")).contains("agrees"));
+    assert!(checked(&tally("45.36", "45.34")).contains("agrees"));
 }
 
 #[test]
 fn lengths_of_several_joints_are_told_apart() {
-    let of = |rows: &str| {
+    let tally = |rows: &str| {
         format!("Component,OD (in),ID (in),Jts,Length (ft),Cum (ft)\nBit,8.5,2,1,1,1\n{rows}")
     };
     let length = |imported: &Imported| components(imported)[1].length_m / 0.3048;
     let near = |imported: &Imported, feet: f64| assert!((length(imported) - feet).abs() < 1e-6);
     let top = "DP,5,4,,TO SURFACE,\n";
-    near(&imported(&of(&format!("DC,6.5,2,3,90.3,91.3\n{top}"))), 90.3);
-    let each = imported(&of(&format!("DC,6.5,2,3,30.1,91.3\n{top}")));
+    near(&imported(&tally(&format!("DC,6.5,2,3,90.3,91.3\n{top}"))), 90.3);
+    let each = imported(&tally(&format!("DC,6.5,2,3,30.1,91.3\n{top}")));
     near(&each, 90.3);
-    assert!(notes(&each).contains("is that of each joint: the cumulative lengths add up so"));
-    near(&imported(&of(&format!("DC,6.5,2,3,90.3,\n{top}"))), 90.3);
-    let unclear = of(&format!("DC,6.5,2,3,30.1,\n{top}"));
-    assert_snapshot!(refused(&unclear), @"tally.csv, line 3: the length '30.1' of 3 joints may be that of all or of each, and no cumulative length tells; say it: --pick length=total, or --pick length=each");
+    assert!(notes(&each).contains("is that of each joint: the cumulative lengths confirm it"));
+    near(&imported(&tally(&format!("DC,6.5,2,3,90.3,\n{top}"))), 90.3);
+    let unclear = tally(&format!("DC,6.5,2,3,30.1,\n{top}"));
+    assert_snapshot!(refused(&unclear), @"tally.csv, line 3: the length '30.1' of 3 joints may be that of all or of each, and no cumulative length decides; choose with --pick length=total or --pick length=each");
     let picked = Choices::default().pick("length", "each");
     near(&of_bytes("a.csv", unclear.as_bytes(), &picked), 90.3);
     // A column of its own for the length of a joint.

@@ -1,4 +1,4 @@
-//! Tables that are read as they stand.
+//! Tables read unchanged.
 
 use insta::assert_snapshot;
 use wholestring_import::{Choices, Input, contents, import};

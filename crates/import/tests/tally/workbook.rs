@@ -1,4 +1,4 @@
-//! Workbooks, of today and of Excel 97.
+//! Workbooks, current ones and those of Excel 97.
 
 use insta::assert_snapshot;
 use rust_xlsxwriter::{Format, Worksheet};
@@ -7,7 +7,7 @@ use wholestring_import::{Choices, Input, import};
 use crate::old_excel::{self, Value as Old};
 use crate::{components, header, of_bytes, saved, string};
 
-/// A sheet whose headings stand over several columns and in three rows.
+/// A sheet with headings that span several columns and three rows.
 fn merged() -> Worksheet {
     let mut sheet = Worksheet::new();
     sheet.set_name("BHA 7").unwrap();
@@ -66,7 +66,7 @@ fn a_workbook_gives_survey_and_tally_of_its_sheets() {
     let both = of_bytes("well.xlsx", &bytes, &Choices::default());
     assert_snapshot!(both.files[0].1, @"a survey of 3 stations, and a tally of 3 components in sheet 'BHA 7'");
     assert_eq!(both.missing.len(), 2);
-    // One alone, where it is picked.
+    // One table alone, picked by name.
     let one = of_bytes("well.xlsx", &bytes, &Choices::default().pick("table", "survey"));
     assert!(!one.text.contains("\n[[string]]"));
     // Two tallies.
@@ -79,7 +79,7 @@ fn a_workbook_gives_survey_and_tally_of_its_sheets() {
     assert!(eight.text.contains("sheet 'BHA 8', cell C6"));
 }
 
-/// As Excel writes the old format: each text once, short numbers, merged headings.
+/// A workbook as Excel writes the old format: shared texts, short numbers, merged headings.
 fn old_tally(od: Old<'static>) -> Vec<u8> {
     let mut cells = vec![
         (0, 0, Old::Shared("Bottom-hole assembly 7")),
@@ -102,7 +102,7 @@ fn an_old_workbook_as_excel_writes_it() {
     assert_snapshot!(string(&imported));
 }
 
-/// The cell holds the day, and only its format shows that it is one.
+/// The cell contains the day, and only its format shows that it is a date.
 #[test]
 fn dates_of_an_old_workbook_are_refused_with_their_cell() {
     let bytes = old_tally(Old::Date(46_030.0));

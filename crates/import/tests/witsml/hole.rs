@@ -1,11 +1,11 @@
-//! The geometry of the hole, the runs in it, its mud.
+//! Geometry of the hole, the runs in it and its mud.
 
 use crate::{component, geometry, one_series, refusal, section, station, text_of, values};
 
 #[test]
 fn the_hole_is_the_innermost_wall_at_each_depth() {
     let inside = |inches: f64| format!("<idSection uom='in'>{inches}</idSection>");
-    // A liner hangs in the casing; the open hole was listed from the surface.
+    // A liner hangs in the casing; the open hole is listed from the surface.
     let sections = section("open hole", 0.0, 4000.0, &inside(6.0))
         + &section("liner", 1900.0, 3000.0, &inside(6.276))
         + &section("casing", 0.0, 2000.0, &inside(8.681))
@@ -15,7 +15,7 @@ fn the_hole_is_the_innermost_wall_at_each_depth() {
     assert_eq!(values(&text, "to"), ["\"1900 m\"", "\"3000 m\"", "\"4000 m\""]);
     assert_eq!(values(&text, "diameter"), ["\"8.681 in\"", "\"6.276 in\"", "\"6 in\""]);
     assert!(
-        text.contains("the riser in line 1 from 0 m to 100 m: it lies behind others"),
+        text.contains("the riser in line 1 from 0 m to 100 m: hidden behind other sections"),
         "{text}"
     );
     // Casing without an inside diameter, by its size and weight.
@@ -43,11 +43,11 @@ fn a_gap_in_the_hole_makes_no_green_case() {
     let sections =
         section("casing", 0.0, 900.0, inside) + &section("open hole", 950.0, 1800.0, inside);
     let text = text_of(&geometry(&sections));
-    assert!(text.contains("what the hole is above 950 m"), "{text}");
+    assert!(text.contains("the hole above 950 m"), "{text}");
     assert_eq!(values(&text, "from"), ["\"950 m\""]);
     let below = text_of(&geometry(&section("open hole", 950.0, 1800.0, inside)));
     assert_eq!(values(&below, "from"), ["\"950 m\""]);
-    // Rounded to the centimetre they meet.
+    // Rounded to the centimetre, they meet.
     let met = section("casing", 0.0, 900.0, inside) + &section("open hole", 900.01, 1800.0, inside);
     assert!(values(&text_of(&geometry(&met)), "from").is_empty());
     for (sections, reason) in [
@@ -62,8 +62,8 @@ fn a_gap_in_the_hole_makes_no_green_case() {
             "the factFric 30 is out of range; expected 0 to 2",
         ),
     ] {
-        let told = refusal(&geometry(&sections));
-        assert!(told.contains(reason), "{told}");
+        let message = refusal(&geometry(&sections));
+        assert!(message.contains(reason), "{message}");
     }
 }
 
@@ -77,7 +77,13 @@ fn a_run_gives_what_can_be_believed() {
         text_of(&one_series("bhaRun", &object))
     };
     let text = run("<rpmAv uom='rpm'>100</rpmAv><wtMud uom='lbm/ft3'>0.14</wtMud>");
-    assert!(text.contains("the wtMud of 0.14 lbm/ft3 in line 1: 0.002 sg is no mud's"), "{text}");
+    assert!(
+        text.contains(
+            "the wtMud of 0.14 lbm/ft3 in line 1: 0.002 sg is outside the range of \
+         muds"
+        ),
+        "{text}"
+    );
     assert_eq!(values(&text, "kind"), [r#"["trip_out", "trip_in", "rotate_off_bottom"]"#]);
     let loads = |up: f64, down: f64| {
         run(&format!(
@@ -85,10 +91,10 @@ fn a_run_gives_what_can_be_believed() {
              <hkldDn uom='klbf'>{down}</hkldDn>"
         ))
     };
-    assert!(loads(200.0, 200.0).contains("do not fall in this order, as friction makes them"));
+    assert!(loads(200.0, 200.0).contains("do not decrease in this order, as friction requires"));
     assert!(loads(200.0, 120.0).contains("were read with the bit at its mdHoleStop, 2000 m"));
     let unknown = run("<wobAv uom='bananas'>100</wobAv>");
-    assert!(unknown.contains("wobAv in line 1: 'bananas' is no unit of force"), "{unknown}");
+    assert!(unknown.contains("wobAv in line 1: 'bananas' is not a unit of force"), "{unknown}");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Files that are damaged, or mean harm.
+//! Damaged and malicious files.
 
 use std::collections::BTreeMap;
 
@@ -48,7 +48,7 @@ fn hostile_files_are_refused_in_time() {
     );
 }
 
-/// Bytes of a sample, some of them changed.
+/// Returns the bytes of a sample with some of them changed.
 fn changed(bytes: &[u8], changes: &[(usize, u8)], cut: usize) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     for &(at, byte) in changes {
@@ -63,7 +63,7 @@ fn changed(bytes: &[u8], changes: &[(usize, u8)], cut: usize) -> Vec<u8> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
-    /// Damaged files are read or refused; what is written is TOML.
+    /// Damaged files are read or refused; the output is TOML.
     #[test]
     fn damaged_files_do_not_end_the_program(
         which in 0..9usize,

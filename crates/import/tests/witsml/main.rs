@@ -1,4 +1,4 @@
-//! WITSML: whole outputs of samples, and each trap by itself.
+//! WITSML: whole outputs of samples, and each difficulty by itself.
 
 mod hole;
 mod hostile;
@@ -21,7 +21,7 @@ pub fn imported(files: &[(&str, &[u8])], choices: &Choices) -> Result<Imported, 
     import(inputs, choices).map_err(|error| error.to_string())
 }
 
-/// The case of a text, and what is said of it; or the refusal.
+/// The case of a text with its notes, or the refusal.
 pub fn whole(files: &[(&str, &[u8])], choices: &Choices) -> String {
     match imported(files, choices) {
         Ok(imported) => imported.text,
@@ -38,7 +38,7 @@ pub fn of_samples(folder: &str, names: &[&str]) -> String {
     whole(&files, &Choices::default())
 }
 
-/// Whether the case that was written is one that can be solved.
+/// Checks that the written case can be solved.
 pub fn assert_solvable(text: &str) {
     let template = Template::in_memory("case.toml", text, BTreeMap::new());
     if let Err(report) = template.case(&[]) {

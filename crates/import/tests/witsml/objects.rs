@@ -1,4 +1,4 @@
-//! Which objects a file holds, and what they make together.
+//! Objects in a file and their combination.
 
 use wholestring_import::{Choices, Input, contents};
 
@@ -38,7 +38,7 @@ fn published_samples() {
 
 #[test]
 fn check_says_what_a_file_holds() {
-    let mut told = String::new();
+    let mut text = String::new();
     for (folder, name) in [
         ("own", "witsml-trajectory.xml"),
         ("own", "witsml-bharun.xml"),
@@ -49,9 +49,9 @@ fn check_says_what_a_file_holds() {
     ] {
         let bytes = sample(&format!("{folder}/{name}"));
         let found = contents(Input::of_bytes(name, &bytes)).unwrap();
-        told.push_str(&format!("{name}: {}\n  {}\n", found.what, found.lines.join("\n  ")));
+        text.push_str(&format!("{name}: {}\n  {}\n", found.what, found.lines.join("\n  ")));
     }
-    insta::assert_snapshot!("contents", told);
+    insta::assert_snapshot!("contents", text);
 }
 
 #[test]
@@ -75,15 +75,15 @@ fn other_objects_are_refused_by_their_names() {
 #[test]
 fn versions_are_told_by_the_root_or_its_namespace() {
     let stations = station("0", "0", "0") + &station("100", "0", "0");
-    let of = |head: &str| {
+    let version = |head: &str| {
         let file = format!(
             "<{head}><trajectory uid='1'><name>T</name>{stations}</trajectory></trajectorys>"
         );
         contents(Input::of_bytes("a.xml", file.as_bytes())).unwrap().what
     };
-    assert_eq!(of("trajectorys xmlns='http://www.witsml.org/schemas/131'"), "WITSML 1.3.1.1");
-    assert_eq!(of("trajectorys version='1.3.1.1'"), "WITSML 1.3.1.1");
-    assert_eq!(of("trajectorys"), "WITSML of no version");
+    assert_eq!(version("trajectorys xmlns='http://www.witsml.org/schemas/131'"), "WITSML 1.3.1.1");
+    assert_eq!(version("trajectorys version='1.3.1.1'"), "WITSML 1.3.1.1");
+    assert_eq!(version("trajectorys"), "WITSML of no version");
 }
 
 #[test]
@@ -92,9 +92,9 @@ fn units_are_those_of_each_number() {
                  <azi uom='dega'>45</azi></trajectoryStation>";
     let text = text_of(&trajectory(&(station("0", "0", "0") + mixed)));
     assert!(text.contains("[\"1000 ft\", 5.72957795131, 45],"), "{text}");
-    assert!(text.contains("of the stations stand in ft and m, deg and rad, deg"), "{text}");
+    assert!(text.contains("of the stations are in ft and m, deg and rad, deg"), "{text}");
     let wrong = trajectory(&mixed.replace("'rad'", "'m'"));
-    assert!(refusal(&wrong).contains("line 1: 'm' is no unit of angle; expected deg"));
+    assert!(refusal(&wrong).contains("line 1: 'm' is not a unit of angle; expected deg"));
     let weight = tubular(&component("drill pipe", "", "<wtPerLen uom='N/m'>300</wtPerLen>"));
     assert!(refusal(&weight).contains("'N/m' is no unit of mass per length"));
 }
@@ -105,12 +105,12 @@ fn a_missing_unit_is_asked_for() {
     let file = file.replace("<md uom='m'>", "<md>");
     assert_eq!(
         refusal(&file).split(", or one of").next().unwrap(),
-        "a.xml, line 1: the md has no unit; say it: --unit md=m"
+        "a.xml, line 1: the md has no unit; give it with --unit md=m"
     );
     let files = [("a.xml", file.as_bytes())];
     let text = imported(&files, &Choices::default().unit("md", "ft")).unwrap().text;
     assert!(text.contains("[\"1000 ft\", 3, 45],"));
-    // It is said of what has a unit: nothing asks for it.
+    // The datum is noted for depths that have a unit; no choice is required.
     let complete = trajectory(&(station("0", "0", "0") + &station("1000", "3", "45")));
     let files = [("a.xml", complete.as_bytes())];
     let unused = imported(&files, &Choices::default().unit("md", "ft")).unwrap_err();
@@ -123,8 +123,8 @@ fn one_of_several_objects_is_picked_by_name_or_uid() {
         let stations = station("0", "0", "0") + &station(depth, "3", "45");
         format!("<trajectory uid='{uid}'><name>{name}</name>{stations}</trajectory>")
     };
-    let of = |objects: &[String]| one_series("trajectory", &objects.concat());
-    let file = of(&[object("1", "Plan", "1000"), object("2", "Actual", "1500")]);
+    let one_series = |objects: &[String]| one_series("trajectory", &objects.concat());
+    let file = one_series(&[object("1", "Plan", "1000"), object("2", "Actual", "1500")]);
     assert_eq!(
         refusal(&file),
         "a.xml: it holds 2 of the kind 'trajectory': 'Plan', 'Actual'; pick one: --pick \
@@ -140,7 +140,7 @@ fn one_of_several_objects_is_picked_by_name_or_uid() {
         pick(&file, "Other").unwrap_err(),
         "a.xml: there is no trajectory 'Other'; it holds: 'Plan', 'Actual'"
     );
-    let alike = of(&[object("1", "Plan", "1000"), object("2", "Plan", "1500")]);
+    let alike = one_series(&[object("1", "Plan", "1000"), object("2", "Plan", "1500")]);
     assert!(refusal(&alike).contains("'1', '2'"));
     assert!(pick(&alike, "2").unwrap().text.contains("[1500, 3, 45],"));
 }

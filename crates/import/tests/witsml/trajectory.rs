@@ -1,4 +1,4 @@
-//! Trajectories: the order of the stations, and where the first one lies.
+//! Trajectories: the order of the stations and the position of the first one.
 
 use crate::{refusal, station, text_of, trajectory, values};
 
@@ -12,16 +12,19 @@ fn stations_are_ordered_by_depth_and_stand_once() {
     let early = "<dTimStn>2024-01-01T00:00:00Z</dTimStn>";
     let late = "<dTimStn>2024-01-02T00:00:00Z</dTimStn>";
     let in_use = "<statusTrajStation>position</statusTrajStation>";
-    for (one, two, kept) in [(early, late, 4), (late, early, 3), (in_use, late, 3)] {
+    for (one, two, inclination) in [(early, late, 4), (late, early, 3), (in_use, late, 3)] {
         let text = text_of(&twice(one, two));
-        assert!(text.contains(&format!("[1000, {kept}, 45],\n    [2000, 5, 45],")), "{text}");
+        assert!(
+            text.contains(&format!("[1000, {inclination}, 45],\n    [2000, 5, 45],")),
+            "{text}"
+        );
         assert!(text.contains("of two stations at 1000 m that in line 1: the other, in line 1,"));
     }
-    let told = refusal(&twice(early, early));
-    assert!(told.contains("two stations at 1000 m differ"), "{told}");
+    let message = refusal(&twice(early, early));
+    assert!(message.contains("two stations at 1000 m differ"), "{message}");
     let same = station("1000", "3", "45");
     let text = text_of(&trajectory(&(station("0", "0", "0") + &same + &same)));
-    assert!(text.contains("1 station of a depth that another has, alike"), "{text}");
+    assert!(text.contains("1 station of the same depth as another and identical"), "{text}");
 }
 
 #[test]
@@ -46,8 +49,8 @@ fn what_is_no_station_is_left_out_or_refused() {
         (good.clone() + &station("1,000", "3", "4"), "'1,000' is not a number"),
         (good.clone() + &station("1001", "177", "225"), "its stations make no path"),
     ] {
-        let told = refusal(&trajectory(&stations));
-        assert!(told.contains(reason), "{told}");
+        let message = refusal(&trajectory(&stations));
+        assert!(message.contains(reason), "{message}");
     }
 }
 
@@ -60,11 +63,11 @@ fn the_first_station_says_where_it_lies() {
     assert_eq!(values(&text, "tvd"), ["\"301.752 m\""]);
     assert_eq!(values(&text, "east"), ["\"-6.096 m\""]);
     let untied = trajectory(&(station("500", "0", "0") + &station("1000", "5", "45")));
-    assert!(text_of(&untied).contains("the first station, at 500 m, does not say its tvd"));
+    assert!(text_of(&untied).contains("the first station, at 500 m, has no tvd"));
 }
 
-/// Positions that stations state are compared with those of the path, each column on its own, and
-/// turns that no pipe endures are named with the station's line.
+/// Positions stated at stations are compared with those of the path, each column on its own, and
+/// turns that no pipe endures are reported with the station's line.
 #[test]
 fn stations_are_checked_against_their_own_positions_and_by_what_pipe_endures() {
     let stated = |md: &str, inclination: &str, more: &str| {
@@ -74,8 +77,8 @@ fn stations_are_checked_against_their_own_positions_and_by_what_pipe_endures() {
     let text = text_of(&trajectory(
         &(station("0", "0", "0") + &stated("500", "0", "<tvd uom='m'>500</tvd>") + &deep),
     ));
-    let warning = "true vertical depth of the file is 100.00 m less than what follows from its \
-                   angles by minimum curvature, at 1000 m";
+    let warning = "true vertical depth of the file is 100.00 m less than computed from its angles \
+         by minimum curvature, at 1000 m";
     assert!(text.contains(warning), "{text}");
     // A quarter of a circle of 1200/π m ends as far north as it ends below its beginning.
     let north = |north: &str| {
@@ -84,15 +87,12 @@ fn stations_are_checked_against_their_own_positions_and_by_what_pipe_endures() {
         text_of(&trajectory(&(stated("0", "0", begin) + &stated("600", "90", &end))))
     };
     let agreeing = north("381.97");
-    assert!(
-        agreeing.contains("differ from those of the file as rounding makes them"),
-        "{agreeing}"
-    );
+    assert!(agreeing.contains("agree with those of the file within rounding"), "{agreeing}");
     let text = north("400");
-    assert!(text.contains("north of the file is 18.03 m more than what follows"), "{text}");
+    assert!(text.contains("north of the file is 18.03 m more than computed"), "{text}");
     let slip = station("0", "0", "0") + &station("1000", "40", "0") + &station("1030", "4", "0");
     let text =
         text_of(&trajectory(&(slip + &station("1060", "41", "0") + &station("2000", "41", "0"))));
     assert!(text.contains("deg/30 m") || text.contains("deg/30m"), "{text}");
-    assert!(text.contains("is 4 a slip of 4"), "{text}");
+    assert!(text.contains("is 4 a typing error for 4"), "{text}");
 }

@@ -21,7 +21,7 @@ fn components_are_ordered_by_sequence_from_the_bit_up() {
     let down: String = parts.iter().enumerate().map(|(at, kind)| numbered(kind, at + 1)).collect();
     let text = text_of(&tubular(&down));
     assert_eq!(names(&text), expected);
-    assert!(text.contains("the order is turned: component 3 (bit) comes last"), "{text}");
+    assert!(text.contains("the order is reversed: component 3 (bit) is last"), "{text}");
     let none: String = parts.iter().rev().map(|kind| component(kind, "", "")).collect();
     let text = text_of(&tubular(&none));
     assert_eq!(names(&text), expected);
@@ -41,8 +41,8 @@ fn components_are_ordered_by_sequence_from_the_bit_up() {
         (component("jar", "<sequence>1.5</sequence>", ""), "'1.5' is not a number; the sequence"),
         (String::new(), "a tubularComponent of tubular 'S' is missing"),
     ] {
-        let told = refusal(&tubular(&parts));
-        assert!(told.contains(reason), "{told}");
+        let message = refusal(&tubular(&parts));
+        assert!(message.contains(reason), "{message}");
     }
     // As large as numbers may be.
     let huge = component("bit", "<sequence>1e300</sequence>", "") + &numbered("jar", 2);
@@ -74,37 +74,37 @@ fn components_have_the_fields_names() {
 
 #[test]
 fn parts_of_a_component_become_its_keys_where_they_can() {
-    let of = |kind: &str, more: &str| text_of(&tubular(&component(kind, "", more)));
+    let text_for = |kind: &str, more: &str| text_of(&tubular(&component(kind, "", more)));
     let blades = "<stabilizer><lenBlade uom='m'>0.6</lenBlade><odBladeMx uom='in'>8.5</odBladeMx>\
                   <distBladeBot uom='m'>1</distBladeBot></stabilizer>";
-    let text = of("stabilizer", blades);
+    let text = text_for("stabilizer", blades);
     assert_eq!(values(&text, "blade_od"), ["\"8.5 in\""]);
     assert_eq!(values(&text, "blade_length"), ["\"0.6 m\""]);
     assert!(text.contains("by distBladeBot they are 3.7 m below it"), "{text}");
-    let long = of("stabilizer", &blades.replace("0.6", "60"));
+    let long = text_for("stabilizer", &blades.replace("0.6", "60"));
     assert!(values(&long, "blade_length").is_empty() && long.contains("blades all along it"));
-    let thin = of("stabilizer", &blades.replace("8.5", "4.5"));
+    let thin = text_for("stabilizer", &blades.replace("8.5", "4.5"));
     assert!(values(&thin, "blade_od").is_empty() && thin.contains("no wider than its od"));
 
     let motor = "<bend><angle uom='dega'>1.15</angle><distBendBot uom='ft'>6</distBendBot></bend>";
-    let text = of("motor", motor);
+    let text = text_for("motor", motor);
     assert_eq!(
         (values(&text, "bend"), values(&text, "bend_at")),
         (vec!["\"1.15 deg\""], vec!["\"6 ft\""])
     );
     let outside = tubular(&component("motor", "", &motor.replace(">6<", ">60<")));
     assert!(refusal(&outside).contains("the distBendBot 60 ft is out of range"));
-    let set = of("motor", "<motor><bendSettingsMx uom='dega'>3</bendSettingsMx></motor>");
-    assert!(set.contains("it can be set up to 3, but not how it is set is told"), "{set}");
+    let set = text_for("motor", "<motor><bendSettingsMx uom='dega'>3</bendSettingsMx></motor>");
+    assert!(set.contains("it can be set up to 3, but its setting is not given"), "{set}");
 
     let sensor = "<mwdTool><sensor><typeMeasurement>gamma ray</typeMeasurement><offsetBot uom='m'>2\
                   </offsetBot></sensor><sensor><typeMeasurement>deviation</typeMeasurement>\
                   <offsetBot uom='m'>4</offsetBot></sensor></mwdTool>";
-    assert_eq!(values(&of("MWD", sensor), "survey_sensor"), ["\"4 m\""]);
-    let outside = of("MWD", &sensor.replace(">4<", ">40<"));
+    assert_eq!(values(&text_for("MWD", sensor), "survey_sensor"), ["\"4 m\""]);
+    let outside = text_for("MWD", &sensor.replace(">4<", ">40<"));
     assert!(values(&outside, "survey_sensor").is_empty() && outside.contains("outside it"));
     let around = sensor.replace("deviation", "azimuthal gamma ray");
-    assert!(values(&of("MWD", &around), "survey_sensor").is_empty());
+    assert!(values(&text_for("MWD", &around), "survey_sensor").is_empty());
     let two = tubular(&(component("bit", "", "") + &component("MWD", "", sensor).repeat(2)));
     let text = text_of(&two);
     assert_eq!(values(&text, "survey_sensor").len(), 1);
@@ -112,29 +112,29 @@ fn parts_of_a_component_become_its_keys_where_they_can() {
 
     let joints = "<lenJointAv uom='m'>9.5</lenJointAv><grade>S135</grade><connection>\
                   <od uom='in'>6.625</od><tqMakeup uom='ft.lbf'>30000</tqMakeup></connection>";
-    let text = of("drill pipe", joints);
+    let text = text_for("drill pipe", joints);
     assert_eq!(values(&text, "joint_od"), ["\"6.625 in\""]);
     assert_eq!(values(&text, "joint_spacing"), ["\"9.5 m\""]);
     assert_eq!(values(&text, "yield_strength"), ["\"135000 psi\""]);
     assert_eq!(values(&text, "make_up_torque"), ["\"30000 ft-lbf\""]);
-    let slick = of("drill pipe", "<grade>Q-1</grade>");
+    let slick = text_for("drill pipe", "<grade>Q-1</grade>");
     assert!(
         slick.contains("its body touches the wall") && slick.contains("no grade of the catalogue")
     );
 
-    // Nominal weights leave out the tool joints.
-    let nominal = of("drill pipe", "<wtPerLen uom='lbm/ft'>19.5</wtPerLen>");
+    // Nominal weights exclude the tool joints.
+    let nominal = text_for("drill pipe", "<wtPerLen uom='lbm/ft'>19.5</wtPerLen>");
     assert!(
         nominal.contains("is the nominal weight of such pipe: with its tool joints"),
         "{nominal}"
     );
-    let adjusted = of("drill pipe", "<wtPerLen uom='lbm/ft'>22.1</wtPerLen>");
+    let adjusted = text_for("drill pipe", "<wtPerLen uom='lbm/ft'>22.1</wtPerLen>");
     assert!(!adjusted.contains("nominal"));
 
     let bit = "<bitRecord><diaBit uom='in'>8.5</diaBit></bitRecord>";
-    let text = of("bit", bit);
+    let text = text_for("bit", bit);
     assert_eq!(values(&text, "od"), ["\"8.5 in\""]);
-    assert!(text.contains("its diaBit is 8.5 in, which is what fills the hole"));
+    assert!(text.contains("its diaBit is 8.5 in, which fills the hole"));
     let hole = tubular(&component("bit", "", "").replace("<od uom='in'>5</od>", ""));
     let hole = hole.replace("<name>", "<diaHoleAssy uom='in'>12.25</diaHoleAssy><name>");
     assert_eq!(values(&text_of(&hole), "od"), ["\"12.25 in\""]);
@@ -145,7 +145,7 @@ fn what_a_component_lacks_is_said_and_the_case_is_not_green() {
     let parts = numbered("bit", 1)
         + &numbered("drill pipe", 2).replace("<id uom='in'>3</id>", "").replace(">10<", ">0<");
     let text = text_of(&tubular(&parts));
-    assert!(text.contains("the id of component 2 (drill pipe), which the file does not tell"));
+    assert!(text.contains("the id of component 2 (drill pipe), which the file does not give"));
     assert!(text.contains("the len of component 2 (drill pipe), which is 0: not known"), "{text}");
     let template = Template::in_memory("case.toml", &text, BTreeMap::new());
     assert!(template.case(&[]).is_err());

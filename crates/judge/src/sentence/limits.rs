@@ -61,7 +61,7 @@ fn verdict(check: &Check) -> String {
 }
 
 impl Words<'_> {
-    /// A limit, that of the hoist with the parts of its load.
+    /// A limit; for the hoist with the parts of its load.
     pub(super) fn limit(&self, check: &Check) -> String {
         if check.kind != CheckKind::Hoist {
             return self.text.limit(check);
@@ -112,7 +112,7 @@ impl Words<'_> {
         )
     }
 
-    /// Whether the requested weight reaches the bit.
+    /// The sentence on whether the requested weight reaches the bit.
     pub(crate) fn lock_up(&self, descent: &Descent, check: &Check) -> String {
         if !descent.locks_up {
             return self.text.limit(check);
@@ -140,7 +140,7 @@ impl Words<'_> {
             )
         } else if arrives_N < 0.0 {
             format!(
-                "Lock-up: {pushed}, the string stops; {} short of what moves it",
+                "Lock-up: {pushed}, the string stops; {} more force is needed to move it",
                 self.text.force(-arrives_N)
             )
         } else {

@@ -1,5 +1,5 @@
-//! Sentences on states that are reported: how the string goes down, turns and settles, and how far
-//! the numbers can be trusted.
+//! Sentences on reported states: descent, rotation and settling of the string, and the reliability
+//! of the numbers.
 
 use std::f64::consts::TAU;
 
@@ -163,7 +163,7 @@ impl Words<'_> {
         }
     }
 
-    /// Of a rig that pushes, with a largest force, N.
+    /// The sentence for a rig that pushes, with its largest force, N.
     fn push(&self, check: &Check, hook_load_N: f64, largest_N: f64) -> String {
         let text = &self.text;
         let (hook_load, largest) = (text.force(hook_load_N), text.force(largest_N));

@@ -136,7 +136,8 @@ fn lock_up_names_what_arrives() {
     );
     assert_eq!(
         sentence(0.0, -30e3, None),
-        "Lock-up: with all of its weight slacked off, the string stops; 30 kN short of what moves it"
+        "Lock-up: with all of its weight slacked off, the string stops; 30 kN more force is \
+         needed to move it"
     );
     assert!(sentence(0.0, 0.0, None).ends_with("does not follow the block"));
 }

@@ -24,7 +24,7 @@ impl Text {
         self.quantity(Dimension::Length, length_m)
     }
 
-    /// A length across the hole.
+    /// A radial length, in small units.
     pub(crate) fn across(&self, length_m: f64) -> String {
         self.quantity(Dimension::Diameter, length_m)
     }

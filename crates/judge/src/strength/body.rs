@@ -4,8 +4,8 @@ use wholestring::string::{BodySection, Component};
 
 use super::{Tube, collapse::Collapse};
 
-/// The body of a component whose yield strength is known. Of used pipe its outside diameter is what is left
-/// ([`Component::class`]).
+/// The body of a component whose yield strength is known. For used pipe the outside diameter is the
+/// remaining one ([`Component::class`]).
 #[derive(Debug, Clone, Copy)]
 pub struct Body<'a> {
     component: &'a Component,
@@ -57,15 +57,14 @@ impl<'a> Body<'a> {
     /// moment `J`, the diameter `D` and the yield strength `Y`:
     ///
     #[doc = include_str!("../../equations/torsional-yield-under-tension.html")]
-    ///
-    /// nothing beyond the tensile yield. A compression counts as a tension.
+    /// and zero beyond the tensile yield. A compression counts as a tension.
     pub fn torsional_yield_under_N_m(&self, tension_N: f64) -> f64 {
         let part = tension_N / self.tensile_yield_N;
         self.torsional_yield_N_m * (1.0 - part * part).max(0.0).sqrt()
     }
 
-    /// Pressure inside over that outside at which it yields, Pa: new `0.875 · 2 Y t/D`, used with the
-    /// wall that is left and the nominal diameter (API RP 7G).
+    /// Pressure inside over that outside at which it yields, Pa: new `0.875 · 2 Y t/D`, used with
+    /// the remaining wall and the nominal diameter (API RP 7G).
     pub fn burst_Pa(&self) -> f64 {
         let class = self.component.class;
         if class.is_new() {
@@ -75,10 +74,10 @@ impl<'a> Body<'a> {
         Tube { od_m: nominal_od_m, ..self.tube }.barlow_Pa(self.tube.wall_m())
     }
 
-    /// Pressure outside over that inside at which it collapses under an effective tension, N
-    /// (API RP 7G, API TR 5C3; used pipe worn evenly on the outside). `σ_a + p_i` is the effective
-    /// tension over the metal's area, less `(p_o − p_i) A_o/A`, what the pressure outside presses on the
-    /// end: it is left out, to the safe side.
+    /// Pressure outside over that inside at which it collapses under an effective tension, N (API
+    /// RP 7G, API TR 5C3; used pipe worn evenly on the outside). `σ_a + p_i` is the effective
+    /// tension over the metal's area, less `(p_o − p_i) A_o/A` for the pressure outside on the end,
+    /// which is left out on the safe side.
     pub fn collapse(&self, effective_tension_N: f64) -> Collapse {
         self.tube.collapse(effective_tension_N / self.component.area_m2())
     }

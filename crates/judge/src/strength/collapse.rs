@@ -2,7 +2,7 @@
 
 use super::PSI_PA;
 
-/// How a tube collapses.
+/// Regime of a tube's collapse.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CollapseRegime {
     /// The inner surface yields.
@@ -13,7 +13,7 @@ pub enum CollapseRegime {
     Transition,
     /// Elastic instability.
     Elastic,
-    /// Not computed: the tension leaves less yield strength than the formulas are made for.
+    /// Not computed: the tension leaves less yield strength than the formulas allow.
     BeyondFormulas,
 }
 
@@ -35,7 +35,7 @@ impl CollapseRegime {
 pub struct Collapse {
     /// Pressure outside over that inside, Pa.
     pub pressure_Pa: f64,
-    /// How it collapses; of [`CollapseRegime::BeyondFormulas`] the pressure is not a number.
+    /// Regime of the collapse; for [`CollapseRegime::BeyondFormulas`] the pressure is not a number.
     pub regime: CollapseRegime,
 }
 
@@ -43,12 +43,12 @@ pub struct Collapse {
 const ELASTIC_PSI: f64 = 46.95e6;
 
 impl Collapse {
-    /// Of a tube with this outside diameter over wall and minimum yield strength, Pa, under an axial
-    /// stress, Pa: that of the real force in the metal and the pressure inside together,
-    /// `σ_a + p_i`. A tension takes from the yield strength as API TR 5C3 says,
-    /// `Y_a = Y (√(1 − ¾ (σ/Y)²) − ½ σ/Y)`, a compression gives nothing. Of a tube
-    /// that its tension makes yield, or leaves so little strength that the fits give no positive
-    /// pressure, there is [none](CollapseRegime::BeyondFormulas).
+    /// Computes the collapse of a tube with this outside diameter over wall and minimum yield
+    /// strength, Pa, under an axial stress, Pa: that of the real force in the metal and the
+    /// pressure inside together, `σ_a + p_i`. A tension reduces the yield strength by API TR 5C3,
+    /// `Y_a = Y (√(1 − ¾ (σ/Y)²) − ½ σ/Y)`; a compression adds nothing. A tube that yields by its
+    /// tension, or keeps so little strength that the fits give no positive pressure, has
+    /// [none](CollapseRegime::BeyondFormulas).
     pub fn of(slenderness: f64, yield_strength_Pa: f64, axial_stress_Pa: f64) -> Self {
         let pulled = (axial_stress_Pa / yield_strength_Pa).max(0.0);
         let beyond = Self { pressure_Pa: f64::NAN, regime: CollapseRegime::BeyondFormulas };

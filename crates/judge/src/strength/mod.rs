@@ -1,7 +1,7 @@
-//! What pipe bears: the stresses in a body, and the strengths of API RP 7G and API TR 5C3.
+//! Capacity of pipe: the stresses in a body, and the strengths of API RP 7G and API TR 5C3.
 //!
-//! A [`Body`] is the tube of a component; a [`Tube`] is what burst and collapse need, of drill pipe and casing
-//! alike. Theory and sources: `docs/src/theory/strength.md`.
+//! A [`Body`] is the tube of a component; a [`Tube`] has the dimensions that burst and collapse
+//! need, for drill pipe and casing alike. Theory and sources: `docs/src/theory/strength.md`.
 
 mod body;
 mod collapse;

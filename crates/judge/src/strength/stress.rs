@@ -5,9 +5,9 @@ use wholestring::string::Component;
 /// A surface of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Surface {
-    /// That of the bore.
+    /// The surface of the bore.
     Inner,
-    /// The outer one.
+    /// The outer surface.
     Outer,
 }
 
@@ -40,7 +40,7 @@ impl BendSide {
     }
 }
 
-/// What a body carries at a place.
+/// Loads of a body at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BodyLoads {
     /// Effective tension, N.
@@ -62,25 +62,25 @@ pub struct SurfaceStress {
     pub surface: Surface,
     /// Which side of the bend.
     pub side: BendSide,
-    /// Along the axis, Pa: of the real force in the metal and of bending.
+    /// Axial stress, Pa: of the real force in the metal and of bending.
     pub axial_Pa: f64,
-    /// Across the wall, Pa (Lamé).
+    /// Radial stress, Pa (Lamé).
     pub radial_Pa: f64,
-    /// Around, Pa (Lamé).
+    /// Hoop stress, Pa (Lamé).
     pub hoop_Pa: f64,
-    /// Shear of the torque, Pa.
+    /// Shear stress of the torque, Pa.
     pub shear_Pa: f64,
     /// Von Mises stress, Pa.
     pub von_mises_Pa: f64,
 }
 
-/// The stresses at both surfaces and on both sides of the bend of a component's body, with `A_i` and
-/// `A_o` the areas within the inner and the outer diameter and `A` the metal's:
+/// Computes the stresses at both surfaces and on both sides of the bend of a component's body, with
+/// `A_i` and `A_o` the areas within the inner and the outer diameter and `A` the metal's:
 ///
 #[doc = include_str!("../../equations/surface-stresses.html")]
 ///
-/// Their largest von Mises stress is what
-/// [`BodySection::von_mises_Pa`](wholestring::string::BodySection::von_mises_Pa) gives in one formula.
+/// The largest von Mises stress of them equals the single formula of
+/// [`BodySection::von_mises_Pa`](wholestring::string::BodySection::von_mises_Pa).
 pub fn surface_stresses(body: &Component, loads: &BodyLoads) -> [SurfaceStress; 4] {
     let BodyLoads { effective_tension_N, bending_N_m, torque_N_m, inside_Pa, outside_Pa } = *loads;
     let true_tension_N = body.true_tension_N(effective_tension_N, outside_Pa, inside_Pa, 0.0);
@@ -99,7 +99,8 @@ pub fn surface_stresses(body: &Component, loads: &BodyLoads) -> [SurfaceStress; 
             BendSide::Tension => pulled_Pa + bent_Pa,
             BendSide::Compression => pulled_Pa - bent_Pa,
         };
-        // Of a solid body the axis is no surface: hoop and radial stress are the pressure outside.
+        // The axis of a solid body is not a surface: hoop and radial stress are the pressure
+        // outside.
         let radial_Pa = if radius_m > 0.0 { -pressure_Pa } else { -outside_Pa };
         let hoop_Pa = 2.0 * mean_Pa - radial_Pa;
         let shear_Pa = torque_N_m * radius_m / body.polar_moment_m4();
@@ -117,7 +118,7 @@ pub fn surface_stresses(body: &Component, loads: &BodyLoads) -> [SurfaceStress; 
     ]
 }
 
-/// The point of a body that bears most: among equals the inner one, on the side that is pulled.
+/// The most highly stressed point of a body: among equals the inner one, on the side in tension.
 pub fn worst_stress(body: &Component, loads: &BodyLoads) -> SurfaceStress {
     let [first, rest @ ..] = surface_stresses(body, loads);
     rest.into_iter().fold(

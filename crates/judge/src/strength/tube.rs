@@ -5,7 +5,7 @@ use super::collapse::Collapse;
 /// Least wall of a new pipe over its nominal wall: API Spec 5DP and 5CT allow 12.5 % less.
 pub const MILL_TOLERANCE: f64 = 0.875;
 
-/// What burst and collapse of a tube need.
+/// Dimensions and strength that burst and collapse of a tube need.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tube {
     /// Nominal outside diameter, m.
@@ -28,12 +28,12 @@ impl Tube {
         2.0 * self.yield_strength_Pa * wall_m.max(0.0) / self.od_m
     }
 
-    /// The same of new pipe, `0.875 · 2 Y t/D`: its wall may be so much thinner.
+    /// The same for new pipe, `0.875 · 2 Y t/D`, because its wall may be thinner by that factor.
     pub fn burst_Pa(&self) -> f64 {
         self.barlow_Pa(MILL_TOLERANCE * self.wall_m())
     }
 
-    /// Pressure outside over that inside at which the new tube collapses, and how.
+    /// Pressure outside over that inside at which the new tube collapses, and its regime.
     /// `axial_stress_Pa` is that of the real force in the metal and the pressure inside together,
     /// `σ_a + p_i`.
     pub fn collapse(&self, axial_stress_Pa: f64) -> Collapse {

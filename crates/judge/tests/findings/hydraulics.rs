@@ -81,7 +81,7 @@ fn pump_limit() {
     let pressure_Pa = profile.hydraulics.expect("a mud that flows").pump_pressure_Pa;
     let mut level = |part: f64| {
         model.rig.pump_pressure_limit_Pa = Some(pressure_Pa / part);
-        only(&soft_checks(&model, &turning), CheckKind::PumpPressure).map(|of| of.severity)
+        only(&soft_checks(&model, &turning), CheckKind::PumpPressure).map(|check| check.severity)
     };
     assert_eq!(
         [1.01, 0.95, 0.89].map(&mut level),

@@ -1,4 +1,4 @@
-//! Findings in answers of the dynamics.
+//! Findings in results of the dynamics.
 
 use wholestring::{
     dynamics::{
@@ -14,7 +14,7 @@ use wholestring_judge::{Check, CheckKind, Judge, Severity};
 
 use crate::{common::pipe, judged::*};
 
-/// A short run whose numbers are then set as they are to be judged.
+/// A short run whose numbers are then set to values that are to be judged.
 struct Ran {
     model: Model,
     operation: Operation,
@@ -46,15 +46,15 @@ impl Ran {
     }
 
     fn severity(&self, kind: CheckKind) -> Option<Severity> {
-        self.has(kind).map(|of| of.severity)
+        self.has(kind).map(|ha| ha.severity)
     }
 
     fn statistic(&mut self, name: &str) -> &mut Statistic {
         let mut all = self.outcome.statistics.iter_mut();
-        &mut all.find(|(of, _)| *of == name).expect("a quantity").1
+        &mut all.find(|(quantity, _)| *quantity == name).expect("a quantity").1
     }
 
-    /// A quantity that has this mean and varies by this much.
+    /// Sets a quantity to this mean and variation.
     fn set(&mut self, name: &str, mean: f64, by: f64) {
         *self.statistic(name) = Statistic {
             mean,
@@ -93,9 +93,9 @@ fn a_string_that_stands_has_locked_up() {
     let mut ran = Ran::new(Slide);
     ran.set("hook_load_N", 0.0, 0.0);
     ran.set("weight_on_bit_N", 1.5e3, 0.0);
-    let of = ran.has(CheckKind::LockUp).expect("a finding");
-    // Of both sides friction is a part.
-    assert!((of.value.unwrap() - of.limit.unwrap() - 0.5e3).abs() < 1e-6, "{of:?}");
+    let has = ran.has(CheckKind::LockUp).expect("a finding");
+    // Friction is part of both sides.
+    assert!((has.value.unwrap() - has.limit.unwrap() - 0.5e3).abs() < 1e-6, "{has:?}");
     ran.set("weight_on_bit_N", 1.9e3, 0.0);
     assert_eq!(ran.has(CheckKind::LockUp), None);
     let mut ran = Ran::new(TripIn);
@@ -121,7 +121,7 @@ fn weight_on_bit_against_its_target() {
         assert_eq!(ran.severity(WeightOnBitNotReached), below, "{part}");
         assert_eq!(ran.severity(WeightOnBitExceeded), above, "{part}");
     }
-    // A lift that is given holds nothing: it is what the user requested.
+    // A given lift holds nothing: it is requested by the user.
     ran.outcome.series.weight_on_bit_set_N.fill(None);
     assert_eq!(ran.severity(WeightOnBitExceeded), None);
     ran.settings.hoist_control = Some(HoistControl::HookLoad(1e3));
@@ -136,9 +136,9 @@ fn weight_on_bit_against_its_target() {
     let weights = &mut ran.outcome.series.weight_on_bit_N;
     let last = weights.len() - 1;
     weights[last] = 0.0;
-    let of = ran.has(BitBounce).expect("a finding");
+    let has = ran.has(BitBounce).expect("a finding");
     // One sample of the twenty or so of the window.
-    assert!((of.value.unwrap() - 0.05).abs() < 0.005, "{of:?}");
+    assert!((has.value.unwrap() - 0.05).abs() < 0.005, "{has:?}");
 }
 
 #[test]
@@ -152,8 +152,8 @@ fn compression_of_nodes_buckles_too() {
     ran.outcome.nodes.tension_N.fill(load(0.99));
     assert_eq!(ran.has(CheckKind::SinusoidalBuckling), None);
     ran.outcome.nodes.tension_N.fill(load(1.01));
-    let of = ran.has(CheckKind::SinusoidalBuckling).expect("a stretch");
-    assert!(of.to_md_m.unwrap() - of.md_m.unwrap() > 99.0, "{of:?}");
+    let has = ran.has(CheckKind::SinusoidalBuckling).expect("a stretch");
+    assert!(has.to_md_m.unwrap() - has.md_m.unwrap() > 99.0, "{has:?}");
     assert_eq!(ran.has(CheckKind::HelicalBuckling), None);
     ran.outcome.nodes.tension_N.fill(load(1.42));
     assert!(ran.has(CheckKind::HelicalBuckling).is_some());
@@ -177,9 +177,9 @@ fn stress_near_and_beyond_yield() {
         ran.outcome.nodes.von_mises_stress_max_Pa[place] = part * YIELD_PA;
         assert_eq!(ran.severity(CheckKind::VonMises), level, "{part}");
     }
-    let of = ran.has(CheckKind::VonMises).expect("a finding");
-    assert_eq!(of.md_m, Some(ran.outcome.nodes.md_m[place]));
-    assert_eq!((of.value, of.limit), (Some(1.01 * YIELD_PA), Some(YIELD_PA)));
+    let has = ran.has(CheckKind::VonMises).expect("a finding");
+    assert_eq!(has.md_m, Some(ran.outcome.nodes.md_m[place]));
+    assert_eq!((has.value, has.limit), (Some(1.01 * YIELD_PA), Some(YIELD_PA)));
 }
 
 fn driven(torque_limit_N_m: Option<f64>) -> TopDriveSettings {
@@ -190,7 +190,7 @@ fn driven(torque_limit_N_m: Option<f64>) -> TopDriveSettings {
     }
 }
 
-/// A stall is a stall, whatever severity of stick-slip its speeds amount to.
+/// A stall is reported as a stall, whatever severity of stick-slip its speeds give.
 #[test]
 fn a_stalled_top_drive() {
     let mut ran = Ran::new(RotateOffBottom);
@@ -206,11 +206,11 @@ fn a_stalled_top_drive() {
     ran.outcome.series.surface_torque_N_m.fill(30e3);
     assert_eq!(ran.severity(CheckKind::StickSlip), Some(Severity::Warning));
     ran.settings.top_drive = driven(Some(30e3));
-    let of = ran.has(CheckKind::TopDriveStalled).expect("a finding");
-    assert_eq!((of.severity, of.limit), (Severity::Error, Some(30e3)));
+    let has = ran.has(CheckKind::TopDriveStalled).expect("a finding");
+    assert_eq!((has.severity, has.limit), (Severity::Error, Some(30e3)));
     assert_eq!(ran.has(CheckKind::StickSlip), None);
     assert_eq!(ran.has(CheckKind::TopDriveAtLimit), None);
-    // One that turns, if slowly, works at its limit.
+    // A top drive that turns, however slowly, works at its limit.
     for (part, level) in [(0.5, Severity::Error), (0.95, Severity::Warning)] {
         let set = ran.outcome.series.rotary_speed_set_rad_per_s.clone();
         ran.outcome.series.rotary_speed_rad_per_s = set.iter().map(|set| part * set).collect();
@@ -233,21 +233,21 @@ fn stick_slip_and_whirl() {
         stuck_fraction,
         bit_speed_max_rad_per_s: 3.0,
     };
-    for (of, level) in [
+    for (stick_slip, level) in [
         (stick_slip(Some(0.49), 0.0), None),
         (stick_slip(Some(0.51), 0.0), Some(Severity::Note)),
         (stick_slip(Some(1.01), 0.2), Some(Severity::Warning)),
         (stick_slip(None, 0.9), None),
         (stick_slip(None, 1.0), Some(Severity::Warning)),
     ] {
-        ran.outcome.indicators.stick_slip = Some(of);
-        assert_eq!(ran.severity(CheckKind::StickSlip), level, "{of:?}");
+        ran.outcome.indicators.stick_slip = Some(stick_slip);
+        assert_eq!(ran.severity(CheckKind::StickSlip), level, "{stick_slip:?}");
     }
     assert_eq!(ran.has(CheckKind::BackwardWhirl), None);
     let whirl = Whirl { md_m: 90.0, rate_rad_per_s: -20.0, ratio: -2.7, length_fraction: 0.1 };
     ran.outcome.indicators.backward_whirl = Some(whirl);
-    let of = ran.has(CheckKind::BackwardWhirl).expect("a finding");
-    assert_eq!((of.severity, of.md_m), (Severity::Warning, Some(90.0)));
+    let has = ran.has(CheckKind::BackwardWhirl).expect("a finding");
+    assert_eq!((has.severity, has.md_m), (Severity::Warning, Some(90.0)));
     assert_eq!(ran.has(CheckKind::ForwardWhirl), None);
     ran.outcome.indicators.forward_whirl = Some(whirl);
     assert_eq!(ran.severity(CheckKind::ForwardWhirl), Some(Severity::Note));
@@ -275,7 +275,7 @@ fn numbers_that_are_not_to_be_trusted() {
         ran.outcome.numerics.energy_residual = residual;
         assert_eq!(ran.severity(CheckKind::EnergyResidual), level, "{residual}");
     }
-    let of = |outside_fraction| TableUse {
+    let table_use = |outside_fraction| TableUse {
         outside_fraction,
         weights_N: [0.0, 1e4],
         table_weights_N: [1e3, 9e3],
@@ -283,13 +283,13 @@ fn numbers_that_are_not_to_be_trusted() {
         table_speeds_rad_per_s: [1.0, 2.0],
     };
     for (fraction, level) in [(0.0, None), (0.01, Some(Severity::Warning))] {
-        ran.outcome.bit_table = Some(of(fraction));
+        ran.outcome.bit_table = Some(table_use(fraction));
         assert_eq!(ran.severity(CheckKind::BitTableLeft), level);
     }
 }
 
-/// A bit that shakes a string of elements from joint to joint is a note, one that does not is not,
-/// nor is one on shorter elements.
+/// A bit that shakes a string of elements from joint to joint is a note; one that does not shake it
+/// is not, nor is one on shorter elements.
 #[test]
 fn a_shaken_string_of_long_elements() {
     let mut ran = Ran::new(Drill);
@@ -317,22 +317,22 @@ fn a_node_that_never_settled() {
     let mut ran = Ran::new(RotateOffBottom);
     let nodes = &mut ran.outcome.nodes;
     nodes.tension_std_N.fill(10.0);
-    let largest_N = nodes.tension_N.iter().fold(0.0, |of: f64, t| of.max(t.abs()));
+    let largest_N = nodes.tension_N.iter().fold(0.0, |largest: f64, t| largest.max(t.abs()));
     let place = nodes.md_m.len() / 2;
     let md_m = nodes.md_m[place];
     nodes.tension_std_N[place] = 0.019 * largest_N;
     assert_eq!(ran.has(CheckKind::NodeUnsettled), None);
     ran.outcome.nodes.tension_std_N[place] = 0.021 * largest_N;
-    let of = ran.has(CheckKind::NodeUnsettled).expect("a finding");
-    assert_eq!((of.severity, of.md_m), (Severity::Warning, Some(md_m)));
-    // A string that swings as a whole is another matter.
+    let has = ran.has(CheckKind::NodeUnsettled).expect("a finding");
+    assert_eq!((has.severity, has.md_m), (Severity::Warning, Some(md_m)));
+    // A string that swings as a whole is a different case.
     ran.outcome.nodes.tension_std_N.fill(0.021 * largest_N);
     assert_eq!(ran.has(CheckKind::NodeUnsettled), None);
 }
 
 /// A mean that moves is a warning, and no more than a note where the bit moves, too.
 #[test]
-fn means_that_drift_and_settling_without_end_are_told() {
+fn means_that_drift_and_endless_settling_are_reported() {
     let mut ran = Ran::new(OperationKind::TripIn);
     ran.outcome.numerics.bit_travel_m = 0.9;
     assert_eq!(ran.severity(CheckKind::WindowDrifts), None);
@@ -363,19 +363,21 @@ fn an_element_beyond_its_own_buckling_load_is_an_error() {
 
 /// Settling that takes longer than foreseen moves the bit on; a time that is given is meant so.
 #[test]
-fn a_bit_that_has_gone_on_is_told() {
+fn a_bit_that_has_advanced_is_reported() {
     let mut ran = Ran::new(OperationKind::TripIn);
-    let asked_m = ran.operation.bit_depth_m;
-    for (settled, off_m, told) in [
+    let requested_m = ran.operation.bit_depth_m;
+    for (settled, off_m, is_reported) in [
         (None, 27.0, false),
         (Some(true), 0.9, false),
         (Some(true), 1.1, true),
         (Some(false), -1.1, true),
     ] {
         ran.outcome.numerics.settled = settled;
-        ran.outcome.numerics.mean_bit_depth_m = asked_m + off_m;
+        ran.outcome.numerics.mean_bit_depth_m = requested_m + off_m;
         let found = ran.has(CheckKind::BitElsewhere);
-        assert_eq!(found.is_some(), told, "{settled:?} {off_m}");
-        assert!(found.is_none_or(|of| of.limit == Some(asked_m) && of.severity == Severity::Note));
+        assert_eq!(found.is_some(), is_reported, "{settled:?} {off_m}");
+        assert!(found.is_none_or(
+            |check| check.limit == Some(requested_m) && check.severity == Severity::Note
+        ));
     }
 }

@@ -1,4 +1,4 @@
-//! Strings whose answers are judged.
+//! Strings whose results are judged.
 
 use wholestring::{
     prelude::*,
@@ -8,7 +8,7 @@ use wholestring_judge::{Check, CheckKind, Judge, Verdict};
 
 use crate::common::*;
 
-/// A horizontal well: vertical to 500 m, a quarter circle to 1400 m, and on to `to_m`.
+/// A horizontal well: vertical to 500 m, a quarter circle to 1400 m, then horizontal to `to_m`.
 pub fn lateral(to_m: f64, mu: f64) -> Model {
     let stations = [[0.0, 0.0, 0.0], [500.0, 0.0, 0.0], [1400.0, 90.0, 0.0], [to_m, 90.0, 0.0]];
     five_inch(&stations, 0.2159, mu, 260.0)
@@ -38,13 +38,13 @@ pub fn open(checks: Vec<Check>) -> Vec<Check> {
     checks.into_iter().filter(is_open).collect()
 }
 
-/// With the bit where the string ends, and a weight on it.
+/// The bit at the end of the string, with a weight on it.
 pub fn at_full_depth(kind: OperationKind, model: &Model, weight_on_bit_N: f64) -> Operation {
     pressing(kind, model.string.length_m(), weight_on_bit_N)
 }
 
 pub fn only(found: &[Check], kind: CheckKind) -> Option<Check> {
-    let mut all = found.iter().filter(|of| of.kind == kind);
+    let mut all = found.iter().filter(|check| check.kind == kind);
     let first = all.next().cloned();
     assert!(all.next().is_none(), "{kind:?} twice: {found:?}");
     first
@@ -52,5 +52,5 @@ pub fn only(found: &[Check], kind: CheckKind) -> Option<Check> {
 
 #[track_caller]
 pub fn none(found: &[Check], kind: CheckKind) {
-    assert_eq!(found.iter().find(|of| of.kind == kind), None);
+    assert_eq!(found.iter().find(|check| check.kind == kind), None);
 }

@@ -1,4 +1,4 @@
-//! What is reported of an answer: every kind where it must be, and not where it must not.
+//! Findings of a result: every kind is reported where it must be, and only there.
 
 #[path = "../../../core/tests/common/mod.rs"]
 #[allow(unused_macros)]

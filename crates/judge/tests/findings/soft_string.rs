@@ -1,4 +1,4 @@
-//! Findings in answers of the soft string.
+//! Findings in results of the soft string.
 
 use wholestring::{
     operation::OperationKind::*,
@@ -29,15 +29,15 @@ fn a_hook_load_below_zero_is_an_error() {
     none(&soft_checks(&goes, &operation(TripIn, 1000.0)), CheckKind::GoesDown);
     let mut stands = slant(1.01 * critical);
     let found = soft_checks(&stands, &operation(TripIn, 1000.0));
-    let of = only(&found, CheckKind::GoesDown).expect("a finding");
+    let check = only(&found, CheckKind::GoesDown).expect("a finding");
     // 1 % of the weight along the hole.
-    assert_close("hook load", of.value.unwrap(), -0.01 * 260e3 * 0.5, 1e-6);
-    assert_eq!((of.severity, of.limit), (Severity::Error, Some(0.0)));
-    // Less than what an indicator shows is none.
+    assert_close("hook load", check.value.unwrap(), -0.01 * 260e3 * 0.5, 1e-6);
+    assert_eq!((check.severity, check.limit), (Severity::Error, Some(0.0)));
+    // A value below the resolution of an indicator counts as zero.
     let barely = slant(0.9999 * critical);
     let found = soft_checks(&barely, &operation(TripIn, 1000.0));
     assert!(only(&found, CheckKind::GoesDown).is_some());
-    // A block that pushes harder makes it a warning, one that does not leaves it an error.
+    // A block that pushes harder makes it a warning; one that does not leaves it an error.
     for (block_N, level) in [(5e3, Severity::Warning), (1e3, Severity::Error)] {
         stands.rig.block_weight_N = Some(block_N);
         let found = soft_checks(&stands, &operation(TripIn, 1000.0));
@@ -45,8 +45,8 @@ fn a_hook_load_below_zero_is_an_error() {
     }
 }
 
-/// A rig that snubs makes a push a choice: nothing is found up to its force, an error beyond it,
-/// and its push reaches the bit.
+/// With a rig that snubs, a push is a choice: nothing is reported up to its force, an error beyond
+/// it, and its push reaches the bit.
 #[test]
 fn a_rig_that_pushes_brings_the_string_down() {
     let level = |snubbing_force_N| {
@@ -57,10 +57,10 @@ fn a_rig_that_pushes_brings_the_string_down() {
         let found = soft_checks(&model, &slide);
         [CheckKind::GoesDown, CheckKind::LockUp].map(|kind| only(&found, kind))
     };
-    // What rubs and what is asked for.
+    // Friction and the requested weight.
     let push_N = 0.3 * 260.0 * 500.0 + 10e3;
     assert_eq!(level(Some(1.01 * push_N)), [None, None]);
-    let [beyond, missing] = level(Some(0.9 * push_N)).map(|of| of.expect("a finding"));
+    let [beyond, missing] = level(Some(0.9 * push_N)).map(|level| level.expect("a finding"));
     assert_eq!((beyond.severity, beyond.limit), (Severity::Error, Some(-0.9 * push_N)));
     assert_close("hook load", beyond.value.unwrap(), -push_N, 1e-9);
     // Friction is a part of both sides.
@@ -70,7 +70,7 @@ fn a_rig_that_pushes_brings_the_string_down() {
     assert_eq!(level(None), [None, None]);
 }
 
-/// The soft string says what it leaves out.
+/// The soft string reports the forces that it leaves out.
 #[test]
 fn a_lateral_force_is_left_out() {
     let mut model = five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
@@ -82,11 +82,11 @@ fn a_lateral_force_is_left_out() {
     let string = StringSpec { components: vec![part] }.assemble(1000.0);
     model.string = string.expect("a sound string");
     let found = soft_checks(&model, &turning);
-    let of = only(&found, CheckKind::LateralForceLeftOut).expect("a finding");
-    assert_eq!((of.severity, of.value, of.limit), (Severity::Note, Some(15e3), None));
+    let only = only(&found, CheckKind::LateralForceLeftOut).expect("a finding");
+    assert_eq!((only.severity, only.value, only.limit), (Severity::Note, Some(15e3), None));
 }
 
-/// In a straight slant without helix what is missing at the bit is what is missing at the hook.
+/// In a straight slant without helix, the weight missing at the bit equals that at the hook.
 #[test]
 fn lock_up_is_what_does_not_arrive() {
     let stations = [[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]];
@@ -95,26 +95,26 @@ fn lock_up_is_what_does_not_arrive() {
     let slide =
         |model: &Model, part: f64| soft_checks(model, &at_full_depth(Slide, model, part * push_N));
     none(&slide(&slant, 0.98), CheckKind::LockUp);
-    let of = only(&slide(&slant, 1.5), CheckKind::LockUp).expect("a finding");
-    assert_eq!((of.severity, of.md_m), (Severity::Error, None));
-    let missing_N = of.value.unwrap() - of.limit.unwrap();
+    let only = only(&slide(&slant, 1.5), CheckKind::LockUp).expect("a finding");
+    assert_eq!((only.severity, only.md_m), (Severity::Error, None));
+    let missing_N = only.value.unwrap() - only.limit.unwrap();
     assert_close("missing", missing_N, 0.5 * push_N, 1e-9);
     slant.rig.block_weight_N = Some(0.6 * push_N);
     none(&slide(&slant, 1.5), CheckKind::LockUp);
-    // A string that turns has its friction around it.
+    // The friction of a rotating string is circumferential.
     slant.rig.block_weight_N = None;
     let drill = at_full_depth(Drill, &slant, 1.5 * push_N);
     none(&soft_checks(&slant, &drill), CheckKind::LockUp);
 }
 
-/// How a soft string goes down.
+/// Descent of a soft string.
 fn descent(model: &Model, operation: &Operation, settings: &SoftSettings) -> Descent {
     let profile = soft::solve(model, operation, settings).expect("an answer");
     let judge = Judge { soft_has_helix_friction: settings.helix_side_force, ..Judge::default() };
     judge.descent(model, operation, &(&profile).into()).expect("a string that slides down")
 }
 
-/// In a long lateral the helix takes all push: as far above the bit as in `S2b`'s closed form,
+/// In a long lateral the helix absorbs all push, as far above the bit as in `S2b`'s closed form,
 /// which has no build.
 #[test]
 fn a_helix_that_takes_all_push_is_placed() {
@@ -158,19 +158,19 @@ fn s2a_buckled_stretches() {
             none(&found, CheckKind::SinusoidalBuckling);
             continue;
         };
-        let of = only(&found, CheckKind::SinusoidalBuckling).expect("a stretch");
+        let only = only(&found, CheckKind::SinusoidalBuckling).expect("a stretch");
         verify("S2a", "depth from which a string that slides down is buckled, m")
             .absolute(1.0, "the spacing of its nodes, by its source")
-            .report(change["md_m"].as_f64().unwrap(), of.md_m.unwrap());
-        assert_eq!(of.to_md_m, Some(4500.0));
-        assert_eq!((of.severity, of.value), (Severity::Warning, Some(150e3)));
+            .report(change["md_m"].as_f64().unwrap(), only.md_m.unwrap());
+        assert_eq!(only.to_md_m, Some(4500.0));
+        assert_eq!((only.severity, only.value), (Severity::Warning, Some(150e3)));
         // The tangent of 30°: the load of Dawson and Paslay there.
-        assert_close("load", of.limit.unwrap(), 111_651.265_330_979_6, 1e-6);
+        assert_close("load", only.limit.unwrap(), 111_651.265_330_979_6, 1e-6);
     }
 }
 
-/// A vertical string is held by its own weight: Lubinski's load below 10 m above the bit, and
-/// nothing of it a tenth less.
+/// A vertical string is held by its own weight: Lubinski's load is reported below 10 m above the
+/// bit, and no buckling for a load a tenth smaller.
 #[test]
 fn a_vertical_hole_has_a_scale_of_its_own() {
     let vertical = five_inch(&[[0.0, 0.0, 0.0], [2000.0, 0.0, 0.0]], 0.2159, 0.3, 260.0);
@@ -179,37 +179,37 @@ fn a_vertical_hole_has_a_scale_of_its_own() {
     let drill = |weight_N| soft_checks(&vertical, &at_full_depth(Drill, &vertical, weight_N));
     none(&drill(1.93 * scale_N), CheckKind::SinusoidalBuckling);
     let bowed = drill(1.94 * scale_N + 50.0 * 260.0);
-    let of = only(&bowed, CheckKind::SinusoidalBuckling).expect("a stretch");
+    let check = only(&bowed, CheckKind::SinusoidalBuckling).expect("a stretch");
     // Every hole that is drilled with its collars in compression has it.
-    assert_eq!(of.severity, Severity::Note);
-    assert_close("from", of.md_m.unwrap(), 1950.0, 1e-6);
-    assert_close("load", of.limit.unwrap(), 1.94 * scale_N, 1e-6);
+    assert_eq!(check.severity, Severity::Note);
+    assert_close("from", check.md_m.unwrap(), 1950.0, 1e-6);
+    assert_close("load", check.limit.unwrap(), 1.94 * scale_N, 1e-6);
     none(&bowed, CheckKind::HelicalBuckling);
     let helical = drill(5.55 * scale_N + 50.0 * 260.0);
-    let of = only(&helical, CheckKind::HelicalBuckling).expect("a stretch");
-    assert_eq!(of.severity, Severity::Warning);
-    assert_close("from", of.md_m.unwrap(), 1950.0, 1e-6);
+    let check = only(&helical, CheckKind::HelicalBuckling).expect("a stretch");
+    assert_eq!(check.severity, Severity::Warning);
+    assert_close("from", check.md_m.unwrap(), 1950.0, 1e-6);
     // A helix is more than a bow.
     none(&helical, CheckKind::SinusoidalBuckling);
     // Less than a joint of it is a note.
     let short = drill(5.55 * scale_N + 9.0 * 260.0);
-    let of = only(&short, CheckKind::HelicalBuckling).expect("a stretch");
-    assert_eq!(of.severity, Severity::Note);
+    let only = only(&short, CheckKind::HelicalBuckling).expect("a stretch");
+    assert_eq!(only.severity, Severity::Note);
 }
 
-/// A lateral of which the driller gets nothing to the bit has all three, the most severe first.
+/// A lateral in which no weight reaches the bit has all three, the most severe first.
 #[test]
 fn a_lateral_that_cannot_be_drilled() {
     let model = lateral(4500.0, 0.35);
     let found = soft_checks(&model, &at_full_depth(Slide, &model, 49e3));
-    let kinds: Vec<CheckKind> = found.iter().map(|of| of.kind).collect();
+    let kinds: Vec<CheckKind> = found.iter().map(|check| check.kind).collect();
     assert_eq!(kinds[..2], [CheckKind::GoesDown, CheckKind::LockUp], "{found:?}");
     assert!(found.windows(2).all(|pair| pair[0].severity >= pair[1].severity));
     let helical: Vec<&Check> =
-        found.iter().filter(|of| of.kind == CheckKind::HelicalBuckling).collect();
+        found.iter().filter(|check| check.kind == CheckKind::HelicalBuckling).collect();
     assert!(!helical.is_empty());
-    for of in helical {
-        assert!(of.value > of.limit && of.md_m < of.to_md_m, "{of:?}");
+    for stretch in helical {
+        assert!(stretch.value > stretch.limit && stretch.md_m < stretch.to_md_m, "{stretch:?}");
     }
 }
 
@@ -228,7 +228,8 @@ fn rig_limits() {
             ..Rig::default()
         };
         let found = soft_checks(&model, &turning);
-        [CheckKind::Hoist, CheckKind::TopDrive].map(|kind| only(&found, kind).map(|of| of.severity))
+        [CheckKind::Hoist, CheckKind::TopDrive]
+            .map(|kind| only(&found, kind).map(|check| check.severity))
     };
     use Severity::*;
     assert_eq!(levels(1.01, Some(block_N)), [Some(Error); 2]);
@@ -236,7 +237,7 @@ fn rig_limits() {
     assert_eq!(levels(0.89, Some(block_N)), [None; 2]);
     // Without the block the hoist has less to carry.
     assert_eq!(levels(1.01, None), [None, Some(Error)]);
-    // A torque that lasts is held against the rating, whatever the peak torque.
+    // A sustained torque is compared with the rating, whatever the peak torque.
     let mut top_drive = |rated: Option<f64>, peak: f64| {
         model.rig = Rig {
             top_drive_torque_N_m: rated.map(|part| torque_N_m / part),
@@ -245,7 +246,7 @@ fn rig_limits() {
         };
         let found = soft_checks(&model, &turning);
         only(&found, CheckKind::TopDrive)
-            .map(|of| (of.severity, torque_N_m / of.limit.expect("a limit")))
+            .map(|check| (check.severity, torque_N_m / check.limit.expect("a limit")))
     };
     let near = |found: Option<(Severity, f64)>, level, part: f64| {
         let (at, against) = found.expect("a finding");
@@ -258,8 +259,8 @@ fn rig_limits() {
     assert_eq!(top_drive(Some(0.7), 0.5), None);
 }
 
-/// A column knows what a finding knows, and no more: a stretch of the column's word longer than a
-/// joint is in a finding, whose value and limit are those of a row.
+/// A column and a finding agree: a stretch of the column's word longer than a joint is in a
+/// finding, whose value and limit are those of a row.
 #[test]
 fn columns_and_findings_agree() {
     for criterion in [Criterion::HeKyllingstad, Criterion::ChenLinCheatham, Criterion::WuJuvkamWold]
@@ -272,16 +273,17 @@ fn columns_and_findings_agree() {
             (CheckKind::HelicalBuckling, Buckling::Helical),
             (CheckKind::SinusoidalBuckling, Buckling::Sinusoidal),
         ] {
-            let stretches: Vec<_> = found.iter().filter(|of| of.kind == kind).collect();
+            let stretches: Vec<_> = found.iter().filter(|check| check.kind == kind).collect();
             if stretches.is_empty() {
-                // A bow by weight alone is not reported beside a helix.
+                // A bow by weight alone is not reported where there is a helix.
                 assert_eq!(word, Buckling::Sinusoidal, "{criterion:?}");
                 continue;
             }
-            for of in &stretches {
-                let (from_m, to_m) = (of.md_m.expect("a place"), of.to_md_m.expect("another"));
+            for stretch in &stretches {
+                let (from_m, to_m) =
+                    (stretch.md_m.expect("a place"), stretch.to_md_m.expect("another"));
                 let row = (0..profile.md_m.len())
-                    .find(|row| Some(-profile.tension_N[*row]) == of.value)
+                    .find(|row| Some(-profile.tension_N[*row]) == stretch.value)
                     .expect("the row of the finding");
                 assert!(from_m <= profile.md_m[row] && profile.md_m[row] <= to_m);
                 assert!(profile.buckling(row) >= word);
@@ -289,15 +291,16 @@ fn columns_and_findings_agree() {
                     Buckling::Helical => profile.helical_load_N[row],
                     _ => profile.sinusoidal_load_N[row],
                 };
-                // The limit is the load to rounding of compression over their quotient.
-                let (limit_N, load_N) = (of.limit.expect("a limit"), load_N.expect("clearance"));
+                // The limit equals the load, to the rounding of compression over their quotient.
+                let (limit_N, load_N) =
+                    (stretch.limit.expect("a limit"), load_N.expect("clearance"));
                 assert!((limit_N / load_N - 1.0).abs() < 1e-14, "{limit_N} {load_N}");
             }
             let mut outside_m = 0.0;
             for (row, md_m) in profile.md_m.iter().enumerate().skip(1) {
-                let covered = stretches
-                    .iter()
-                    .any(|of| of.md_m.unwrap() <= *md_m && *md_m <= of.to_md_m.unwrap());
+                let covered = stretches.iter().any(|stretch| {
+                    stretch.md_m.unwrap() <= *md_m && *md_m <= stretch.to_md_m.unwrap()
+                });
                 outside_m = match profile.buckling(row) >= word && !covered {
                     true => outside_m + md_m - profile.md_m[row - 1],
                     false => 0.0,
@@ -308,9 +311,9 @@ fn columns_and_findings_agree() {
     }
 }
 
-/// What a helix presses to the wall drags in the soft string, if asked: the push at nine tenths of
-/// the length that locks up, as `S2b` has it; beyond that length there is no answer. The lock-up
-/// that is found, which counts the helix anyway, stays what it is.
+/// On request, the wall force of a helix causes drag in the soft string: the push at nine tenths of
+/// the length that locks up, as in `S2b`; beyond that length there is no result. The reported
+/// lock-up, which always counts the helix, is unchanged.
 #[test]
 fn s2b_the_drag_of_a_helix_counts_if_asked() {
     let file = verification("S2b_lockup_horizontal.json");
@@ -320,9 +323,10 @@ fn s2b_the_drag_of_a_helix_counts_if_asked() {
     let counted = SoftSettings { helix_side_force: true, ..SoftSettings::default() };
     let mut rows = Vec::new();
     for row in file["cases"].as_array().unwrap() {
-        let (of, expected) = (&row["inputs"], &row["expected"]);
-        let (mu, at_bit_N) = (of["mu"].as_f64().unwrap(), of["F_at_bit_N"].as_f64().unwrap());
-        let buckling = match of["F_hel_rule"].as_str() {
+        let (inputs, expected) = (&row["inputs"], &row["expected"]);
+        let (mu, at_bit_N) =
+            (inputs["mu"].as_f64().unwrap(), inputs["F_at_bit_N"].as_f64().unwrap());
+        let buckling = match inputs["F_hel_rule"].as_str() {
             Some("WuJuvkamWold") => Criterion::WuJuvkamWold,
             _ => Criterion::ChenLinCheatham,
         };
@@ -360,13 +364,15 @@ fn s2b_the_drag_of_a_helix_counts_if_asked() {
         let Err(SoftError::LocksUp { md_m }) = refused else {
             panic!("it locks up: {refused:?}");
         };
-        // Found a step before it is infinite, where a step of a metre is as long as what is left.
+        // The limit is found a step before it is infinite, where a step of a metre is as long as
+        // the rest.
         assert!((md_m - 0.01 * locks_up_m).abs() < 3.0, "{md_m}");
     }
     report_worst(rows);
 }
 
-/// A string that turns is a helix as well: its torque grows by what the helix presses, to rounding.
+/// The helix counts in a rotating string as well: its torque grows by the wall force of the helix,
+/// to rounding.
 #[test]
 fn the_torque_of_a_helix_counts_if_asked() {
     let model = five_inch(&[[0.0, 90.0, 0.0], [1000.0, 90.0, 0.0]], 0.2159, 0.3, 260.0);
@@ -379,9 +385,9 @@ fn the_torque_of_a_helix_counts_if_asked() {
         assert_eq!(helix.buckling(row), Buckling::Helical, "{md_m}");
         let pressed = 260.0 + place.helix_load_N_per_m(-helix.tension_N[row]);
         let part = pressed / 260.0;
-        let torque = |of: &SoftProfile| of.friction_torque_N_m_per_m[row];
+        let torque = |profile: &SoftProfile| profile.friction_torque_N_m_per_m[row];
         assert_close("torque per metre", torque(&helix), part * torque(&plain), 1e-12);
     }
-    let [more, less] = [&helix, &plain].map(|of| of.scalars.friction_torque_N_m);
+    let [more, less] = [&helix, &plain].map(|profile| profile.scalars.friction_torque_N_m);
     assert!(more > 2.0 * less, "{more} {less}");
 }

@@ -1,4 +1,4 @@
-//! The answers of a task, friction by friction.
+//! The results of a task, for each friction.
 
 use wholestring::{
     model::Model,
@@ -16,17 +16,17 @@ use super::{
     point::{PointAnswer, Statics},
 };
 
-/// An answer with its checks.
+/// A result with its checks.
 type Judged = (PointAnswer, Checks);
 
 impl Broomstick {
-    /// The points of a task, one for each of [`FrictionLevel::ALL`]. A point without an answer has
-    /// the reason and its verdict.
+    /// Returns the points of a task, one for each of [`FrictionLevel::ALL`]. A point without a
+    /// result has the reason and its verdict.
     pub fn solve(&self, task: &BroomstickTask) -> Vec<BroomstickPoint> {
         self.solve_at(task, &FrictionLevel::ALL)
     }
 
-    /// The points of a task at these levels of friction alone.
+    /// Returns the points of a task at these levels of friction only.
     pub fn solve_at(
         &self,
         task: &BroomstickTask,
@@ -41,7 +41,7 @@ impl Broomstick {
                 levels.iter().map(point).collect()
             }
             Statics::Stiff => {
-                // The string rests with other friction much as it does with what is expected.
+                // The equilibrium at another friction is close to that at the expected one.
                 let expected = levels.iter().find(|level| **level == FrictionLevel::Expected);
                 let Some(&first) = expected.or(levels.first()) else { return Vec::new() };
                 let (judged, near) = self.by_stiff(first, operation, None);
@@ -91,7 +91,7 @@ impl Broomstick {
         Ok((self.answer(level, &model, operation, &(&solved).into()), checks))
     }
 
-    /// The answer, and the equilibrium of the string, to begin another search with.
+    /// Returns the result, and the equilibrium of the string, as a start of another search.
     fn by_stiff(
         &self,
         level: FrictionLevel,
@@ -117,8 +117,8 @@ impl Broomstick {
         }
     }
 
-    /// Whether no section of the hole rubs less at a level of friction than at another: what locks
-    /// up under the one locks up under the other.
+    /// Whether the friction of every section at a level is at least that at another: a string that
+    /// locks up under the latter locks up under the former.
     fn rubs_more(&self, level: FrictionLevel, other: FrictionLevel) -> bool {
         let sections = |level| self.setup(level).well.hole.sections();
         let mut pairs = sections(level).iter().zip(sections(other));
@@ -138,7 +138,7 @@ impl Broomstick {
     }
 }
 
-/// Why a string that locks up has no answer; none where it has one, or another reason.
+/// Returns the reason of a string that locks up; `None` where it has a result, or another reason.
 fn locked_up(judged: &Result<Judged, NoAnswer>) -> Option<&NoAnswer> {
     let is_lock_up = |why: &&NoAnswer| {
         matches!(why, NoAnswer::Stiff(StiffError::LocksUp { .. } | StiffError::RunsAway { .. }))

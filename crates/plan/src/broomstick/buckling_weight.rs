@@ -10,60 +10,63 @@ use wholestring_judge::NoAnswer;
 use super::{Broomstick, FrictionLevel};
 use crate::root;
 
-/// More weight than any bit bears, N: a string that stands it does not buckle.
+/// Upper limit of the weight on bit, N: a string that does not buckle below it does not buckle in
+/// practice.
 const MOST_N: f64 = 5e6;
 
-/// What the weight is found to, as a part of it, and at the least, N.
+/// Tolerance of the weight, as a part of it, and the least tolerance, N.
 const PART: f64 = 1e-4;
 const LEAST_N: f64 = 1.0;
 
-/// Rotary speed of a string whose operations do not turn, rad/s: 60 rev/min.
+/// Default rotary speed of a string whose operations do not turn, rad/s: 60 rev/min.
 pub(crate) const USUAL_ROTATION_RAD_PER_S: f64 = 2.0 * std::f64::consts::PI;
 
-/// Rate of penetration where the operations give none, m/s: 10 m/h. The soft string asks for its
-/// sign, and of a string that turns for its smallness.
+/// Default rate of penetration, m/s: 10 m/h. The soft string uses only its sign, and for a rotating
+/// string requires a small value.
 const USUAL_RATE_M_PER_S: f64 = 10.0 / 3600.0;
 
 /// The least weight on bit under which a string buckles somewhere, at one depth with one friction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BucklingWeight {
-    /// How much friction there is.
+    /// Friction level.
     pub friction: FrictionLevel,
-    /// How it drills: [`OperationKind::Drill`], turning, or [`OperationKind::Slide`].
+    /// Kind of drilling: [`OperationKind::Drill`], rotating, or [`OperationKind::Slide`].
     pub operation: OperationKind,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// For a sinusoid and for a helix, N; zero where it buckles without weight, none where it does
-    /// not under any that a bit bears. Or why nothing is known.
+    /// Weights for a sinusoid and for a helix, N: zero where it buckles without weight, `None`
+    /// where it does not buckle below the upper limit. Or the reason why they are not known.
     pub weights_N: Result<[Option<f64>; 2], NoAnswer>,
 }
 
 impl Broomstick {
-    /// The weights on bit under which the soft string begins to buckle with its bit at a depth, m,
-    /// for each of [`FrictionLevel::ALL`] and each way to drill.
+    /// Returns the weights on bit under which the soft string begins to buckle with its bit at a
+    /// depth, m, for each of [`FrictionLevel::ALL`] and each kind of drilling.
     pub fn weights_to_buckle(&self, bit_depth_m: f64) -> Vec<BucklingWeight> {
         at(self, bit_depth_m, &FrictionLevel::ALL)
     }
 
-    /// The same with the friction that is expected, and no other.
+    /// Like [`weights_to_buckle`](Self::weights_to_buckle) with the expected friction only.
     pub fn expected_weights_to_buckle(&self, bit_depth_m: f64) -> Vec<BucklingWeight> {
         at(self, bit_depth_m, &[FrictionLevel::Expected])
     }
 }
 
-/// For each of these frictions and each way to drill.
-fn at(of: &Broomstick, bit_depth_m: f64, levels: &[FrictionLevel]) -> Vec<BucklingWeight> {
-    let base = of.operations.first().copied();
+/// Returns the weights for each of these frictions and each kind of drilling.
+fn at(broomstick: &Broomstick, bit_depth_m: f64, levels: &[FrictionLevel]) -> Vec<BucklingWeight> {
+    let base = broomstick.operations.first().copied();
     let base = base.unwrap_or_else(|| Operation::drill(bit_depth_m));
     let mut found = Vec::new();
     for friction in levels.iter().copied() {
-        let model = of.setup(friction).at(bit_depth_m).map_err(NoAnswer::from);
+        let model = broomstick.setup(friction).at(bit_depth_m).map_err(NoAnswer::from);
         let string = match &model {
-            Ok(model) => SoftString::new(model, bit_depth_m, &of.soft).map_err(NoAnswer::from),
+            Ok(model) => {
+                SoftString::new(model, bit_depth_m, &broomstick.soft).map_err(NoAnswer::from)
+            }
             Err(why) => Err(why.clone()),
         };
         for operation in [OperationKind::Drill, OperationKind::Slide] {
-            let own = of.operations.iter().find(|own| own.kind == operation);
+            let own = broomstick.operations.iter().find(|own| own.kind == operation);
             let operation = drilling(*own.unwrap_or(&base), operation, bit_depth_m);
             let weights_N = match &string {
                 Ok(string) => weights_N(string, &operation),
@@ -80,15 +83,15 @@ fn at(of: &Broomstick, bit_depth_m: f64, levels: &[FrictionLevel]) -> Vec<Buckli
     found
 }
 
-/// An operation that drills, with the set points of another one.
-fn drilling(of: Operation, kind: OperationKind, bit_depth_m: f64) -> Operation {
+/// Returns an operation that drills, with the set points of another one.
+fn drilling(operation: Operation, kind: OperationKind, bit_depth_m: f64) -> Operation {
     let or = |value: f64, usual: f64| if value > 0.0 { value } else { usual };
     Operation {
         kind,
         bit_depth_m,
-        rotary_speed_rad_per_s: or(of.rotary_speed_rad_per_s, USUAL_ROTATION_RAD_PER_S),
-        rate_of_penetration_m_per_s: or(of.rate_of_penetration_m_per_s, USUAL_RATE_M_PER_S),
-        ..of
+        rotary_speed_rad_per_s: or(operation.rotary_speed_rad_per_s, USUAL_ROTATION_RAD_PER_S),
+        rate_of_penetration_m_per_s: or(operation.rate_of_penetration_m_per_s, USUAL_RATE_M_PER_S),
+        ..operation
     }
 }
 
@@ -108,8 +111,8 @@ fn weights_N(string: &SoftString<'_>, operation: &Operation) -> Result<[Option<f
     Ok(found)
 }
 
-/// The least weight whose margin is none; it falls as the weight grows. Without friction it falls as
-/// fast, so that the margin is the step.
+/// Returns the least weight without a margin; the margin falls as the weight grows. Without
+/// friction it falls at the same rate, so that the margin is the step.
 fn least(
     unloaded_N: f64,
     margin_N: impl Fn(f64) -> Result<f64, SoftError>,
@@ -126,9 +129,9 @@ fn least(
         }
         high = (next_N, margin_N(next_N)?);
     }
-    // A string that locks up has no number for how far it is beyond.
+    // The distance beyond the limit of a string that locks up has no finite value.
     let bounded = |margin_N: f64| margin_N.max(-unloaded_N);
     let ends = [low, high].map(|(weight_N, margin_N)| (weight_N, bounded(margin_N)));
-    let of = |weight_N: f64| margin_N(weight_N).map(bounded);
-    Ok(Some(root(of, ends, (PART * high.0).max(LEAST_N))?))
+    let bounded_margin = |weight_N: f64| margin_N(weight_N).map(bounded);
+    Ok(Some(root(bounded_margin, ends, (PART * high.0).max(LEAST_N))?))
 }

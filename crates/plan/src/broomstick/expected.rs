@@ -1,4 +1,4 @@
-//! What operations with the friction that is expected ask of string and rig, and no more.
+//! Loads of string and rig in operations with the expected friction only.
 
 use wholestring::{
     operation::Operation,
@@ -10,7 +10,7 @@ use wholestring_judge::{Checks, NoAnswer};
 
 use super::{Broomstick, FrictionLevel, Statics};
 
-/// Loads of an operation at the surface, and how near it is to its limits.
+/// Loads of an operation at the surface, and its limits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExpectedLoads {
     /// Hook load, N.
@@ -22,16 +22,16 @@ pub struct ExpectedLoads {
 }
 
 impl Broomstick {
-    /// What operations with the friction that is expected come to by a model with their bit at a
-    /// depth, m; the same as of their [points](Self::solve), in less time. What has no answer says
-    /// why.
+    /// Returns the loads of operations with the expected friction by a model with their bit at a
+    /// depth, m; the same as those of their [points](Self::solve), in less time. Operations without
+    /// a result have the reason.
     pub fn expected_loads(
         &self,
         by: Statics,
         bit_depth_m: f64,
         operations: &[Operation],
     ) -> Vec<Result<ExpectedLoads, NoAnswer>> {
-        let here = |of: &Operation| Operation { bit_depth_m, ..*of };
+        let here = |operation: &Operation| Operation { bit_depth_m, ..*operation };
         let none = |why: NoAnswer| operations.iter().map(|_| Err(why.clone())).collect();
         let model = match self.setup(FrictionLevel::Expected).at(bit_depth_m) {
             Ok(model) => model,
@@ -43,7 +43,7 @@ impl Broomstick {
                     Ok(string) => string,
                     Err(error) => return none(error.into()),
                 };
-                let of = |operation: Operation| {
+                let loads = |operation: Operation| {
                     let found = string.loads(&operation)?;
                     Ok(ExpectedLoads {
                         hook_load_N: found.hook_load_N,
@@ -51,10 +51,10 @@ impl Broomstick {
                         limits: self.judge.soft_limits(&model, &operation, &found),
                     })
                 };
-                operations.iter().map(here).map(of).collect()
+                operations.iter().map(here).map(loads).collect()
             }
             Statics::Stiff => {
-                let of = |operation: Operation| {
+                let loads = |operation: Operation| {
                     let found = stiff::equilibrium(&model, &operation, &self.stiff)?;
                     let found = found.profile(&model, &operation);
                     let solution = Solution::from(&found);
@@ -64,7 +64,7 @@ impl Broomstick {
                         limits: self.judge.limits(&model, &operation, &solution),
                     })
                 };
-                operations.iter().map(here).map(of).collect()
+                operations.iter().map(here).map(loads).collect()
             }
         }
     }

@@ -5,12 +5,12 @@ use wholestring::well::{Friction, HoleError, HoleKind, HoleSection};
 
 use crate::Setup;
 
-/// How much friction there is, of what there may be.
+/// Friction level within the range of uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 pub enum FrictionLevel {
     /// Less than expected.
     Low,
-    /// What is expected.
+    /// Expected.
     Expected,
     /// More than expected.
     High,
@@ -33,23 +33,24 @@ impl FrictionLevel {
 /// Friction of one kind of hole at one level.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub enum KindFriction {
-    /// Each section's own coefficient along the hole and so much more; those at rest and around the
-    /// hole stay in their ratio to it. What is taken away leaves [`KindFriction::LEAST`], or what
-    /// the section has if that is less.
+    /// Each section's own coefficient along the hole plus this shift; the static one and the one
+    /// around the hole keep their ratio to it. A negative shift does not go below
+    /// [`KindFriction::LEAST`], or the section's own coefficient if that is less.
     Shifted(f64),
     /// The same for all sections of the kind.
     Given(Friction),
 }
 
 impl KindFriction {
-    /// How much low and high friction differ from what is expected where nothing else is said: about
-    /// what open-hole factors of one field scatter by.
+    /// Default shift of low and high friction from the expected one: about the scatter of open-hole
+    /// factors of one field.
     pub const USUAL_SHIFT: f64 = 0.1;
 
-    /// Less than this no hole is taken to rub by taking away.
+    /// Least coefficient that a negative shift leaves.
     pub const LEAST: f64 = 0.05;
 
-    /// As another one is beside a section's own, beside this one.
+    /// Returns `other` relative to this friction, where this one is given, instead of a section's
+    /// own.
     fn beside(self, other: Self) -> Self {
         match self {
             Self::Given(friction) => Self::Given(other.of(&friction)),
@@ -57,7 +58,7 @@ impl KindFriction {
         }
     }
 
-    /// The friction of a section.
+    /// Returns the friction of a section.
     pub fn of(&self, own: &Friction) -> Friction {
         match *self {
             Self::Given(friction) => friction,
@@ -76,31 +77,32 @@ impl KindFriction {
 /// Friction of a well at one level.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LevelFriction {
-    /// Of casings and liners.
+    /// Friction of casings and liners.
     pub cased: KindFriction,
-    /// Of the rock.
+    /// Friction of the rock.
     pub open: KindFriction,
 }
 
 impl LevelFriction {
-    /// Every section's own, and so much more.
+    /// Returns every section's own friction plus a shift.
     pub const fn shifted(shift: f64) -> Self {
         Self { cased: KindFriction::Shifted(shift), open: KindFriction::Shifted(shift) }
     }
 
-    /// The same everywhere.
+    /// Returns the same friction everywhere.
     pub const fn uniform(coefficient: f64) -> Self {
         let friction = KindFriction::Given(Friction::uniform(coefficient));
         Self { cased: friction, open: friction }
     }
 
-    /// As another level is beside each section's own friction, beside this one.
+    /// Returns `other` relative to this level, where this one is given, instead of each section's
+    /// own friction.
     #[must_use]
     pub fn beside(&self, other: &Self) -> Self {
         Self { cased: self.cased.beside(other.cased), open: self.open.beside(other.open) }
     }
 
-    /// The friction of a section.
+    /// Returns the friction of a section.
     pub fn of(&self, section: &HoleSection) -> Friction {
         match section.kind {
             HoleKind::Casing => self.cased.of(&section.friction),
@@ -108,7 +110,7 @@ impl LevelFriction {
         }
     }
 
-    /// A string with this friction.
+    /// Returns a string with this friction.
     ///
     /// # Errors
     /// A factor that is out of its range.
@@ -120,16 +122,16 @@ impl LevelFriction {
 /// Friction of a well at every level.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Frictions {
-    /// The least.
+    /// Low friction.
     pub low: LevelFriction,
-    /// What is expected.
+    /// Expected friction.
     pub expected: LevelFriction,
-    /// The most.
+    /// High friction.
     pub high: LevelFriction,
 }
 
 impl Default for Frictions {
-    /// Expected is what the hole has; low and high differ by [`KindFriction::USUAL_SHIFT`].
+    /// Expected friction is the hole's own; low and high differ by [`KindFriction::USUAL_SHIFT`].
     fn default() -> Self {
         Self {
             low: LevelFriction::shifted(-KindFriction::USUAL_SHIFT),
@@ -140,7 +142,7 @@ impl Default for Frictions {
 }
 
 impl Frictions {
-    /// The friction of a level.
+    /// Returns the friction of a level.
     pub const fn of(&self, level: FrictionLevel) -> &LevelFriction {
         match level {
             FrictionLevel::Low => &self.low,

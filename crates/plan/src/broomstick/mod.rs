@@ -1,9 +1,9 @@
-//! Hook load and surface torque against the depth of the bit, for several frictions: what a driller
-//! compares his weight indicator with, and calls a broomstick for its shape.
+//! Hook load and surface torque against the depth of the bit, for several frictions: the curves
+//! that a driller compares with the weight indicator, known as a broomstick for their shape.
 //!
-//! Each point is one operation of one string, so long that it reaches the bit, at one friction: a
-//! [soft](wholestring::statics::soft) or a [stiff](wholestring::statics::stiff) string. Beside them
-//! stands the weight on bit under which the string begins to buckle.
+//! Each point is one operation of one string, just long enough to reach the bit, at one friction: a
+//! [soft](wholestring::statics::soft) or a [stiff](wholestring::statics::stiff) string. A
+//! broomstick also includes the weight on bit under which the string begins to buckle.
 
 mod answer;
 mod buckling_weight;
@@ -33,20 +33,20 @@ use crate::{Campaign, CampaignSettings, Setup, wear::CasingError};
 pub struct Broomstick {
     /// The well, the string, the mud and the rig at each of [`FrictionLevel::ALL`].
     setups: [Setup; FrictionLevel::ALL.len()],
-    /// What is done; their depths are those of the case.
+    /// The operations; their depths are those of the case.
     operations: Vec<Operation>,
-    /// Depths of the bit, m, growing.
+    /// Depths of the bit, m, increasing.
     depths_m: Vec<f64>,
     models: Vec<Statics>,
     soft: SoftSettings,
     stiff: StiffSettings,
     judge: Judge,
-    /// What the operations with the friction that is expected are part of.
+    /// The campaign that the operations with the expected friction are part of.
     campaign: Option<Campaign>,
 }
 
-/// What is solved together: one operation at one depth by one model, with every friction; or the
-/// weight to buckle at one depth.
+/// The unit of solving: one operation at one depth by one model, with every friction; or the weight
+/// to buckle at one depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BroomstickTask {
     /// The model.
@@ -56,7 +56,7 @@ pub struct BroomstickTask {
 }
 
 impl Broomstick {
-    /// A broomstick of these operations at these depths, m, by these models.
+    /// Returns a broomstick of these operations at these depths, m, by these models.
     ///
     /// # Errors
     /// A friction factor that is out of its range.
@@ -81,19 +81,19 @@ impl Broomstick {
         })
     }
 
-    /// The same with the settings of its models.
+    /// Returns the same with the settings of its models.
     #[must_use]
     pub fn with_settings(self, soft: SoftSettings, stiff: StiffSettings) -> Self {
         Self { soft, stiff, ..self }
     }
 
-    /// The same with the judge of its answers.
+    /// Returns the same with the judge of its results.
     #[must_use]
     pub fn with_judge(self, judge: Judge) -> Self {
         Self { judge, ..self }
     }
 
-    /// The same with a campaign: its operations with the friction that is expected have their
+    /// Returns the same with a campaign: its operations with the expected friction have their
     /// [`Share`](crate::Share) of it.
     ///
     /// # Errors
@@ -104,34 +104,34 @@ impl Broomstick {
         Ok(Self { campaign: Some(campaign), ..self })
     }
 
-    /// The campaign, if it has one.
+    /// Returns the campaign, if it has one.
     pub fn campaign(&self) -> Option<&Campaign> {
         self.campaign.as_ref()
     }
 
-    /// The judge of its answers.
+    /// Returns the judge of its results.
     pub fn judge(&self) -> &Judge {
         &self.judge
     }
 
-    /// The string at a level of friction.
+    /// Returns the string at a level of friction.
     pub fn setup(&self, level: FrictionLevel) -> &Setup {
         &self.setups[level as usize]
     }
 
-    /// Depths of the bit, m, growing.
+    /// Returns the depths of the bit, m, increasing.
     pub fn depths_m(&self) -> &[f64] {
         &self.depths_m
     }
 
-    /// What is to be solved: model after model, operation after operation, down the hole.
+    /// Returns the tasks to solve: model after model, operation after operation, down the hole.
     pub fn tasks(&self) -> Vec<BroomstickTask> {
         let operations = |model: Statics| {
-            let depths = |of: &Operation| {
-                let of = *of;
+            let depths = |operation: &Operation| {
+                let template = *operation;
                 self.depths_m.iter().map(move |bit_depth_m| BroomstickTask {
                     model,
-                    operation: Operation { bit_depth_m: *bit_depth_m, ..of },
+                    operation: Operation { bit_depth_m: *bit_depth_m, ..template },
                 })
             };
             self.operations.iter().flat_map(depths).collect::<Vec<_>>()
@@ -139,9 +139,9 @@ impl Broomstick {
         self.models.iter().flat_map(|model| operations(*model)).collect()
     }
 
-    /// The operations of the campaign that are no points of the broomstick, by each of its models:
-    /// at other depths, or not among its operations. To be solved with
-    /// [the expected friction](Self::solve_at) alone.
+    /// Returns the operations of the campaign that are not points of the broomstick, by each of its
+    /// models: at other depths, or not among its operations. Only [the expected
+    /// friction](Self::solve_at) is needed for them.
     pub fn campaign_tasks(&self) -> Vec<BroomstickTask> {
         let is_point = |operation: &Operation| {
             let mut own = self.operations.iter();

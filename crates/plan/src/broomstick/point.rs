@@ -10,7 +10,7 @@ use wholestring_judge::{Checks, NoAnswer};
 use super::FrictionLevel;
 use crate::Share;
 
-/// The models that a plan is made by: states of equilibrium, which take milliseconds to seconds.
+/// The models of a plan: states of equilibrium, which take milliseconds to seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 pub enum Statics {
     /// Without bending stiffness.
@@ -23,7 +23,7 @@ impl Statics {
     /// Every one, the fastest first.
     pub const ALL: [Self; 2] = [Self::Soft, Self::Stiff];
 
-    /// Which of the engine's models it is.
+    /// Returns the engine's model.
     pub const fn kind(self) -> ModelKind {
         match self {
             Self::Soft => ModelKind::Soft,
@@ -31,7 +31,7 @@ impl Statics {
         }
     }
 
-    /// Name in case files and results.
+    /// Returns the name in case files and results.
     pub const fn name(self) -> &'static str {
         self.kind().method().name
     }
@@ -42,26 +42,26 @@ impl Statics {
 pub struct BroomstickPoint {
     /// The model that solved it.
     pub model: Statics,
-    /// How much friction there is.
+    /// Friction level.
     pub friction: FrictionLevel,
-    /// What is done.
+    /// The operation.
     pub operation: OperationKind,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// The answer, or why there is none.
+    /// The result, or the reason why there is none.
     pub outcome: Result<PointAnswer, NoAnswer>,
-    /// The checks of the answer, or the verdict that there is none.
+    /// The checks of the result, or the verdict that there is none.
     pub checks: Checks,
 }
 
-/// The answer of a point.
+/// The result of a point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointAnswer {
     /// Torque and drag.
     pub scalars: Scalars,
-    /// What compression makes of the string where it makes most of it.
+    /// Buckling of the string where it is most severe.
     pub buckling: Buckling,
-    /// What it takes of string and casing; none where it is no part of a campaign.
+    /// Share of the campaign in wear and damage; `None` where the point is no part of a campaign.
     pub share: Option<Share>,
 }
 

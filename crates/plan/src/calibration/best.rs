@@ -8,43 +8,43 @@ use super::{
     surface::{Station, Surfaces},
 };
 
-/// How often errors are estimated anew, and when they stand.
+/// Maximum number of estimates of the errors, and the relative change at which they have converged.
 const ERROR_ROUNDS: usize = 60;
 const ERROR_CHANGE: f64 = 1e-7;
 
-/// How often predictions are made anew, on a box that suits the fit better.
+/// Maximum number of recomputations of the predictions, on a box that suits the fit better.
 const BOX_ROUNDS: usize = 6;
 
-/// Predictions between nodes may be off by this part of a reading's error.
+/// Tolerance of predictions between nodes, as a part of a reading's error.
 const INTERPOLATION: f64 = 0.02;
 
-/// How often the box is made wider for the intervals after that, and how far beyond their ends by the standard
-/// error: profiles are not parabolas.
+/// Number of subsequent extensions of the box for the intervals, and their distance beyond the ends
+/// by the standard error, because profiles are not parabolas.
 const WIDER_ROUNDS: usize = 2;
 const WIDER: f64 = 1.4;
 
-/// A narrower box reaches so many standard errors and so far at least.
+/// Half width of a narrower box in standard errors, and its least value.
 const REACH: f64 = 6.0;
 const LEAST_REACH: f64 = 0.02;
 
-/// Readings of a kind have this many degrees of freedom, or their error is not estimated.
+/// Least number of degrees of freedom of readings of a kind for an estimate of their error.
 const LEAST_FREEDOM: f64 = 0.5;
 
-/// Where the fit begins.
+/// Initial friction factor of the fit.
 const FIRST_FACTOR: f64 = 0.25;
 
 /// The best fit.
 pub(super) struct Best {
     pub(super) values: Vec<f64>,
     pub(super) at_bound: Vec<bool>,
-    /// By kind; NaN of kinds without readings whose error is not given.
+    /// Errors by kind; NaN for kinds without readings whose error is not given.
     pub(super) errors: [f64; 3],
     pub(super) surfaces: Surfaces,
     pub(super) interpolation_error: f64,
     pub(super) strings: usize,
 }
 
-/// Fits, on a box of factors that holds the answer and is narrow enough.
+/// Fits the parameters on a box of factors that contains the solution and is narrow enough.
 pub(super) fn best(
     model: &impl Predict,
     settings: &Settings,
@@ -55,7 +55,7 @@ pub(super) fn best(
     let parameters = &settings.parameters;
     let mut span = vec![settings.first_box; parameters.len()];
     let [from, to] = settings.first_box;
-    let start = |of: &super::Parameter| match of.is_factor() {
+    let start = |parameter: &super::Parameter| match parameter.is_factor() {
         true => FIRST_FACTOR.clamp(from, to),
         false => 0.0,
     };
@@ -63,7 +63,7 @@ pub(super) fn best(
     let mut errors = first_errors(settings, readings);
     let mut strings = 0;
     let mut round = 0;
-    // A fit that stands, in a box that its intervals leave: its answer where a wider box has none.
+    // A converged fit whose intervals leave its box: the result where a wider box has none.
     let mut narrow: Option<Best> = None;
     let mut widened = 0;
     loop {
@@ -86,31 +86,32 @@ pub(super) fn best(
         let all = Spread::of(&likelihood.design(&found), &vec![false; found.len()], settings)?;
         errors = likelihood.errors;
         values = found;
-        let outside = |of: usize| {
-            let [from, to] = surfaces.span[of];
-            parameters[of].is_factor() && (values[of] > to || (values[of] < from && !at_bound[of]))
+        let outside = |index: usize| {
+            let [from, to] = surfaces.span[index];
+            parameters[index].is_factor()
+                && (values[index] > to || (values[index] < from && !at_bound[index]))
         };
-        if let Some(of) = (0..values.len()).find(|&of| outside(of)) {
+        if let Some(index) = (0..values.len()).find(|&index| outside(index)) {
             strings += counted.strings.get();
             if let Some(narrow) = narrow.take() {
                 return Ok(Best { strings, ..narrow });
             }
-            if values[of] > LARGEST_FACTOR || round >= BOX_ROUNDS {
-                let limit = surfaces.span[of][1].max(LARGEST_FACTOR.min(values[of]));
-                return Err(CalibrationError::Beyond { parameter: parameters[of], limit });
+            if values[index] > LARGEST_FACTOR || round >= BOX_ROUNDS {
+                let limit = surfaces.span[index][1].max(LARGEST_FACTOR.min(values[index]));
+                return Err(CalibrationError::Beyond { parameter: parameters[index], limit });
             }
-            for (of, span) in span.iter_mut().enumerate() {
+            for (index, span) in span.iter_mut().enumerate() {
                 let half = 0.5 * (span[1] - span[0]);
-                if parameters[of].is_factor() && outside(of) {
-                    let middle = values[of].max(half);
+                if parameters[index].is_factor() && outside(index) {
+                    let middle = values[index].max(half);
                     *span = [(middle - half).max(0.0), (middle + half).min(1.2 * LARGEST_FACTOR)];
                 }
             }
             continue;
         }
-        let asked: Vec<_> =
+        let requests: Vec<_> =
             stations.iter().map(|station| station.asked(settings, &values)).collect();
-        let exact = counted.loads(&asked)?;
+        let exact = counted.loads(&requests)?;
         strings += counted.strings.get();
         let between = surfaces.at(&values);
         let off = |(reading, &station): (&Reading, &usize)| {
@@ -123,7 +124,7 @@ pub(super) fn best(
         };
         let interpolation_error = readings.iter().zip(station_of).map(off).fold(0.0, f64::max);
         if interpolation_error <= INTERPOLATION || round >= BOX_ROUNDS {
-            let reach = |of: usize| WIDER * interval_factor * all.standard_error(of);
+            let reach = |index: usize| WIDER * interval_factor * all.standard_error(index);
             let wider = wider(parameters, &surfaces.span, &values, reach)
                 .filter(|_| settings.profiles && widened < WIDER_ROUNDS);
             let best = Best { values, at_bound, errors, surfaces, interpolation_error, strings };
@@ -134,34 +135,35 @@ pub(super) fn best(
             narrow = Some(best);
             continue;
         }
-        for (of, span) in span.iter_mut().enumerate() {
-            if parameters[of].is_factor() {
+        for (index, span) in span.iter_mut().enumerate() {
+            if parameters[index].is_factor() {
                 let width = 0.5 * (span[1] - span[0]);
-                let reach = (REACH * spread.standard_error(of)).max(LEAST_REACH).min(0.6 * width);
-                *span = [(values[of] - reach).max(0.0), values[of].max(0.0) + reach];
+                let reach =
+                    (REACH * spread.standard_error(index)).max(LEAST_REACH).min(0.6 * width);
+                *span = [(values[index] - reach).max(0.0), values[index].max(0.0) + reach];
             }
         }
     }
 }
 
-/// A box that the intervals of the factors lie in, where this one is too narrow for them.
+/// Returns a box that contains the intervals of the factors, where this one is too narrow for them.
 fn wider(
     parameters: &[super::Parameter],
     span: &[[f64; 2]],
     values: &[f64],
     reach: impl Fn(usize) -> f64,
 ) -> Option<Vec<[f64; 2]>> {
-    let wide = |of: usize| {
-        let [from, to] = span[of];
-        let low = (values[of] - reach(of)).max(0.0).min(from);
-        let high = (values[of] + reach(of)).min(LARGEST_FACTOR).max(to);
-        if parameters[of].is_factor() && high.is_finite() { [low, high] } else { [from, to] }
+    let wide = |index: usize| {
+        let [from, to] = span[index];
+        let low = (values[index] - reach(index)).max(0.0).min(from);
+        let high = (values[index] + reach(index)).min(LARGEST_FACTOR).max(to);
+        if parameters[index].is_factor() && high.is_finite() { [low, high] } else { [from, to] }
     };
     let wide: Vec<[f64; 2]> = (0..values.len()).map(wide).collect();
     (wide != span).then_some(wide)
 }
 
-/// A model whose answers are counted.
+/// A model that counts its solutions.
 struct Counted<'a, M> {
     model: &'a M,
     strings: std::cell::Cell<usize>,
@@ -172,24 +174,24 @@ impl<M: Predict> Predict for Counted<'_, M> {
         self.model.reaches(setup, bit_depth_m, part)
     }
 
-    fn loads(&self, asked: &[super::Asked]) -> Result<Vec<super::Loads>, CalibrationError> {
-        self.strings.set(self.strings.get() + asked.len());
-        self.model.loads(asked)
+    fn loads(&self, requests: &[super::Asked]) -> Result<Vec<super::Loads>, CalibrationError> {
+        self.strings.set(self.strings.get() + requests.len());
+        self.model.loads(requests)
     }
 }
 
-/// Errors to begin with: as given, or a part of what is read.
+/// Returns the initial errors: as given, or a part of the readings.
 fn first_errors(settings: &Settings, readings: &[Reading]) -> [f64; 3] {
     ErrorKind::ALL.map(|kind| {
-        let of = readings.iter().filter(|reading| reading.channel.error() == kind);
-        let values: Vec<f64> = of.map(|reading| reading.value.abs()).collect();
+        let readings = readings.iter().filter(|reading| reading.channel.error() == kind);
+        let values: Vec<f64> = readings.map(|reading| reading.value.abs()).collect();
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         settings.errors[kind.place()].unwrap_or(0.05 * mean)
     })
 }
 
-/// The fit by turns with the errors that are not given: each is the root of the mean square of its
-/// residuals, over the readings less the parameters that they pay for.
+/// Alternates the fit with estimates of the errors that are not given: each is the root of the mean
+/// square of its residuals, over the number of readings less their share of the parameters.
 pub(super) fn with_errors(
     likelihood: &mut Likelihood<'_>,
     from: &[f64],
@@ -205,14 +207,14 @@ pub(super) fn with_errors(
         let mut change: f64 = 0.0;
         let mut errors = likelihood.errors;
         for kind in ErrorKind::ALL {
-            let of: Vec<usize> = (0..residuals.len())
+            let rows: Vec<usize> = (0..residuals.len())
                 .filter(|&row| likelihood.readings[row].channel.error() == kind)
                 .collect();
-            if settings.errors[kind.place()].is_some() || of.is_empty() {
+            if settings.errors[kind.place()].is_some() || rows.is_empty() {
                 continue;
             }
-            let freedom: f64 = of.iter().map(|&row| 1.0 - spread.leverage[row]).sum();
-            let squares: f64 = of.iter().map(|&row| residuals[row].powi(2)).sum();
+            let freedom: f64 = rows.iter().map(|&row| 1.0 - spread.leverage[row]).sum();
+            let squares: f64 = rows.iter().map(|&row| residuals[row].powi(2)).sum();
             let ratio = (squares / freedom).sqrt();
             if freedom < LEAST_FREEDOM || !(ratio > 1e-9 && ratio.is_finite()) {
                 return Err(CalibrationError::UnknownError(kind));

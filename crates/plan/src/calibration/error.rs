@@ -1,57 +1,58 @@
-//! Why nothing is found.
+//! Errors of a calibration.
 
 use super::{Channel, ErrorKind, Parameter};
 
-/// Why nothing is found.
+/// The reason why a calibration fails.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CalibrationError {
-    /// Nothing is looked for.
-    #[error("nothing is looked for: no friction factor, block weight or bit torque")]
+    /// No parameter is to be fitted.
+    #[error("nothing is to be fitted: no friction factor, block weight or bit torque")]
     NothingAsked,
     /// Two parameters that are the same number.
-    #[error("the {} and the {} are one number: look for one of them", .0.words(), .1.words())]
+    #[error("the {} and the {} are one number: fit one of them", .0.words(), .1.words())]
     Twice(Parameter, Parameter),
-    /// More numbers than readings.
+    /// More parameters than readings.
     #[error(
-        "{readings} readings cannot tell {parameters} numbers: give more readings, or look for less"
+        "{readings} readings cannot determine {parameters} numbers: give more readings, or fit \
+         fewer numbers"
     )]
     TooFew {
-        /// How many were read.
+        /// Number of readings.
         readings: usize,
-        /// How many are looked for.
+        /// Number of fitted parameters.
         parameters: usize,
     },
-    /// A number that no reading depends on.
-    #[error("no reading depends on the {}: leave it out, or hold it", .0.words())]
+    /// A parameter that no reading depends on.
+    #[error("no reading depends on the {}: keep it fixed", .0.words())]
     Untold(Parameter),
-    /// The errors of readings of a kind cannot be told from themselves.
+    /// The errors of readings of a kind cannot be estimated from the residuals.
     #[error(
         "the {} are too few to estimate their error from, or agree with the model to the last digit: \
          give their standard error", .0.name()
     )]
     UnknownError(ErrorKind),
     /// Readings of a kind that are all zero.
-    #[error("the {} are all zero, which is no reading: leave them out", .0.name())]
+    #[error("the {} are all zero, which is not a reading: remove them", .0.name())]
     AllZero(ErrorKind),
-    /// The fit runs away.
+    /// The fit exceeds the limits of a parameter.
     #[error(
-        "the {} that fits best lies beyond {limit}: the readings or the case are not what they seem \
-         (units, block weight, mud, string)", .parameter.words()
+        "the best fit of the {} is beyond {limit}: check the readings and the case (units, block \
+         weight, mud, string)", .parameter.words()
     )]
     Beyond {
-        /// Which number.
+        /// The parameter.
         parameter: Parameter,
-        /// How far it may go.
+        /// Its limit.
         limit: f64,
     },
-    /// The fit comes to no end.
-    #[error("the fit did not come to an end: {0}")]
+    /// The fit does not converge.
+    #[error("the fit did not converge: {0}")]
     NotFitted(String),
-    /// Who asked for it does not want it any more.
+    /// The caller interrupted the calibration.
     #[error("interrupted")]
     Interrupted,
-    /// A model has no answer.
+    /// A model has no solution.
     #[error(
         "no {model} string with the bit at {bit_depth_m:.1} m, {} with friction {along:.3} along the \
          hole and {around:.3} around it in open hole: {reason}", .motion
@@ -61,19 +62,19 @@ pub enum CalibrationError {
         model: &'static str,
         /// Measured depth of the bit, m.
         bit_depth_m: f64,
-        /// What the string does.
+        /// The motion of the string.
         motion: &'static str,
         /// Factor of open hole along it.
         along: f64,
         /// Factor of open hole around it.
         around: f64,
-        /// What the model says.
+        /// The reason given by the model.
         reason: String,
     },
-    /// A reading that is no number.
+    /// A reading that is not a finite number.
     #[error("the {} at {bit_depth_m} m is not a finite number", .channel.name())]
     NotFinite {
-        /// What was read.
+        /// The channel.
         channel: Channel,
         /// Measured depth of the bit, m.
         bit_depth_m: f64,
@@ -81,7 +82,7 @@ pub enum CalibrationError {
 }
 
 impl CalibrationError {
-    /// Whether the work was interrupted, so that another try is not wanted.
+    /// Whether the work was interrupted, so that it should not be tried again.
     pub(super) fn is_interruption(&self) -> bool {
         *self == Self::Interrupted
     }

@@ -5,33 +5,33 @@ use nalgebra_0_34::{DMatrix, DVector, Dyn, U1, VecStorage};
 
 use super::{CalibrationError, Channel, Parameter, Reading, Settings, surface::Surfaces};
 
-/// Readings, what they would be, and their errors.
+/// Readings, their predictions, and their errors.
 #[derive(Debug, Clone)]
 pub(super) struct Likelihood<'a> {
     pub(super) settings: &'a Settings,
     pub(super) surfaces: &'a Surfaces,
     pub(super) readings: &'a [Reading],
-    /// Each reading's place among the stations.
+    /// The index of each reading's station.
     pub(super) station_of: &'a [usize],
     /// Standard errors by kind.
     pub(super) errors: [f64; 3],
-    /// Weights of the squared residuals, by which a robust loss takes less of those that are large; all one
-    /// where there are none.
+    /// Weights of the squared residuals, with which a robust loss reduces those that are large; all
+    /// one otherwise.
     pub(super) weights: Vec<f64>,
 }
 
 impl Likelihood<'_> {
-    /// The root of a reading's weight.
+    /// Returns the root of a reading's weight.
     fn root_weight(&self, row: usize) -> f64 {
         self.weights.get(row).map_or(1.0, |weight| weight.sqrt())
     }
 
-    /// What each reading would be, and its slope by each parameter.
+    /// Returns the prediction of each reading, and its derivative with respect to each parameter.
     pub(super) fn predictions(&self, values: &[f64]) -> Vec<(f64, Vec<f64>)> {
         let stations = self.surfaces.at(values);
         let state = self.settings.state(values);
         let parameters = &self.settings.parameters;
-        let of = |(reading, &station): (&Reading, &usize)| {
+        let prediction = |(reading, &station): (&Reading, &usize)| {
             let channel = reading.channel;
             let part = usize::from(channel.is_torque());
             let sloped = &stations[station];
@@ -44,33 +44,33 @@ impl Likelihood<'_> {
                 Channel::OffBottomTorque => return (sloped.loads[part], slopes),
                 _ => (Parameter::BlockWeight, state.block_weight_N),
             };
-            if let Some(place) = parameters.iter().position(|of| *of == beside.0) {
+            if let Some(place) = parameters.iter().position(|parameter| *parameter == beside.0) {
                 slopes[place] = 1.0;
             }
             (sloped.loads[part] + beside.1, slopes)
         };
-        self.readings.iter().zip(self.station_of).map(of).collect()
+        self.readings.iter().zip(self.station_of).map(prediction).collect()
     }
 
     pub(super) fn error_of(&self, reading: &Reading) -> f64 {
         self.errors[reading.channel.error().place()]
     }
 
-    /// Residuals, measured less predicted, over their errors.
+    /// Returns the residuals, measured less predicted, over their errors.
     pub(super) fn residuals(&self, values: &[f64]) -> Vec<f64> {
         let predictions = self.predictions(values);
-        let of = |(row, (reading, (predicted, _))): (usize, (&Reading, &(f64, Vec<f64>)))| {
+        let residual = |(row, (reading, (predicted, _))): (usize, (&Reading, &(f64, Vec<f64>)))| {
             self.root_weight(row) * (reading.value - predicted) / self.error_of(reading)
         };
-        self.readings.iter().zip(&predictions).enumerate().map(of).collect()
+        self.readings.iter().zip(&predictions).enumerate().map(residual).collect()
     }
 
-    /// The sum of their squares.
+    /// Returns the sum of their squares.
     pub(super) fn chi2(&self, values: &[f64]) -> f64 {
         self.residuals(values).iter().map(|residual| residual * residual).sum()
     }
 
-    /// Predictions' slopes over the errors, a row for each reading.
+    /// Returns the derivatives of the predictions over the errors, a row for each reading.
     pub(super) fn design(&self, values: &[f64]) -> DMatrix<f64> {
         let predictions = self.predictions(values);
         DMatrix::from_fn(self.readings.len(), values.len(), |row, column| {
@@ -78,8 +78,9 @@ impl Likelihood<'_> {
         })
     }
 
-    /// The best values where some are held, from others; none is below zero, for neither friction nor the
-    /// block's weight nor the bit's torque is. The second list marks those that lie there.
+    /// Returns the best values, from initial ones, with some of them fixed; none is below zero,
+    /// because neither friction nor the block's weight nor the bit's torque is. The second list
+    /// marks those at zero.
     pub(super) fn fit(
         &self,
         from: &[f64],
@@ -96,21 +97,22 @@ impl Likelihood<'_> {
                 .collect();
             values = self.free_fit(&values, &now)?;
             let below = (0..values.len())
-                .filter(|&of| now[of].is_none() && values[of] < 0.0)
+                .filter(|&index| now[index].is_none() && values[index] < 0.0)
                 .min_by(|&a, &b| values[a].total_cmp(&values[b]));
-            if let Some(of) = below {
-                at_bound[of] = true;
+            if let Some(index) = below {
+                at_bound[index] = true;
                 continue;
             }
-            // One that would rise again now that the others have moved is let go, once.
+            // A parameter that would rise again now that the others have moved is released, once.
             let residuals = self.residuals(&values);
             let design = self.design(&values);
-            let rises = (0..values.len()).find(|&of| {
-                let slope: f64 = design.column(of).iter().zip(&residuals).map(|(j, r)| j * r).sum();
-                at_bound[of] && !released[of] && slope > 1e-9
+            let rises = (0..values.len()).find(|&index| {
+                let slope: f64 =
+                    design.column(index).iter().zip(&residuals).map(|(j, r)| j * r).sum();
+                at_bound[index] && !released[index] && slope > 1e-9
             });
             match rises {
-                Some(of) => (at_bound[of], released[of]) = (false, true),
+                Some(index) => (at_bound[index], released[index]) = (false, true),
                 None => return Ok((values, at_bound)),
             }
         }
@@ -119,39 +121,40 @@ impl Likelihood<'_> {
     fn free_fit(&self, from: &[f64], held: &[Option<f64>]) -> Result<Vec<f64>, CalibrationError> {
         let mut values: Vec<f64> =
             from.iter().zip(held).map(|(from, held)| held.unwrap_or(*from)).collect();
-        let free: Vec<usize> = (0..values.len()).filter(|&of| held[of].is_none()).collect();
+        let free: Vec<usize> = (0..values.len()).filter(|&index| held[index].is_none()).collect();
         if free.is_empty() {
             return Ok(values);
         }
-        let at = DVector::from_iterator(free.len(), free.iter().map(|&of| values[of]));
+        let at = DVector::from_iterator(free.len(), free.iter().map(|&index| values[index]));
         let problem = Problem { likelihood: self, whole: values.clone(), free: free.clone(), at };
         let (problem, report) = LevenbergMarquardt::new().minimize(problem);
         match report.termination {
             TerminationReason::NoImprovementPossible(_) => {}
-            of if of.was_successful() => {}
+            reason if reason.was_successful() => {}
             reason => return Err(CalibrationError::NotFitted(explained(&reason).to_owned())),
         }
-        for (place, &of) in free.iter().enumerate() {
-            values[of] = problem.at[place];
+        for (place, &index) in free.iter().enumerate() {
+            values[index] = problem.at[place];
         }
         Ok(values)
     }
 }
 
-/// Why the optimiser stopped, in a sentence.
+/// Returns the reason why the optimiser stopped, in a sentence.
 fn explained(reason: &TerminationReason) -> &'static str {
     match reason {
         TerminationReason::Numerical(_) => {
-            "a prediction or a reading is no finite number, or the readings of a kind are all zero"
+            "a prediction or a reading is not a finite number, or the readings of a kind are all \
+             zero"
         }
         TerminationReason::LostPatience => {
-            "its steps did not become small: the readings hardly depend on what is looked for"
+            "its steps did not become small: the readings hardly depend on the fitted numbers"
         }
-        _ => "the readings do not fit together with what is looked for",
+        _ => "the readings are inconsistent with the fitted numbers",
     }
 }
 
-/// As the optimiser takes it.
+/// The problem in the form of the optimiser.
 struct Problem<'a> {
     likelihood: &'a Likelihood<'a>,
     whole: Vec<f64>,
@@ -162,8 +165,8 @@ struct Problem<'a> {
 impl Problem<'_> {
     fn values(&self) -> Vec<f64> {
         let mut values = self.whole.clone();
-        for (place, &of) in self.free.iter().enumerate() {
-            values[of] = self.at[place];
+        for (place, &index) in self.free.iter().enumerate() {
+            values[index] = self.at[place];
         }
         values
     }

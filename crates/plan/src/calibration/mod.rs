@@ -1,12 +1,12 @@
-//! Friction factors, block weight and bit torque from what was read at the surface.
+//! Friction factors, block weight and bit torque from surface measurements.
 //!
-//! With `y` the readings, `f(p)` what a model predicts with the parameters `p`, `σ` the standard
-//! errors of the readings, the most likely parameters have the least
+//! With `y` the readings, `f(p)` the predictions of a model with the parameters `p`, `σ` the
+//! standard errors of the readings, the most likely parameters minimise
 //!
 #![doc = include_str!("../../equations/likelihood.html")]
 //!
-//! Their covariance is `(JᵀJ)⁻¹` with `J = ∂f/∂p / σ`; intervals are those of the profile likelihood.
-//! Theory: `docs/src/theory/calibration.md`.
+//! Their covariance is `(JᵀJ)⁻¹` with `J = ∂f/∂p / σ`; intervals are those of the profile
+//! likelihood. Theory: `docs/src/theory/calibration.md`.
 
 mod best;
 mod error;

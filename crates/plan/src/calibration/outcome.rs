@@ -1,134 +1,134 @@
-//! What is found.
+//! Results of a calibration.
 
 use super::{Channel, ErrorKind, Parameter, Reading, State};
 
-/// A number that was looked for.
+/// A fitted parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
-    /// Which.
+    /// The parameter.
     pub parameter: Parameter,
     /// Its best value, SI.
     pub value: f64,
-    /// Its standard error; none where it lies at its bound.
+    /// Its standard error; `None` where the value is at its bound.
     pub standard_error: Option<f64>,
-    /// The interval within which the likelihood allows it; an end that is not found is none.
+    /// The interval within which the likelihood allows it; `None` for an end that is not found.
     pub interval: [Option<f64>; 2],
-    /// It would be negative, and is zero.
+    /// Whether it would be negative without the bound, and is zero.
     pub at_bound: bool,
     /// The likelihood along it, all others at their best.
     pub profile: Vec<ProfilePoint>,
 }
 
-/// The likelihood where one parameter is held.
+/// The likelihood with one parameter fixed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProfilePoint {
-    /// What it is held at.
+    /// The fixed value.
     pub value: f64,
-    /// How much greater the sum of squared residuals is.
+    /// Increase of the sum of squared residuals.
     pub excess: f64,
-    /// What it would be of a parabola by the standard error.
+    /// The same increase for a parabola with the standard error.
     pub parabola: f64,
 }
 
-/// How far readings of a kind err.
+/// Standard error of readings of a kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReadingError {
-    /// Which readings.
+    /// The kind of readings.
     pub kind: ErrorKind,
     /// Their standard error, N or N·m.
     pub value: f64,
-    /// It was given, not estimated.
+    /// Whether it was given, not estimated.
     pub given: bool,
-    /// How many there are.
+    /// Number of readings.
     pub readings: usize,
     /// The sum of their squared residuals over the error.
     pub chi2: f64,
 }
 
-/// A reading held against its prediction.
+/// A reading and its prediction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// What was read.
+    /// The reading.
     pub reading: Reading,
-    /// What it would be.
+    /// Its prediction.
     pub predicted: f64,
     /// Standard error of that prediction by those of the parameters.
     pub predicted_error: f64,
     /// Half the width of the band within which a reading lies.
     pub reading_half_width: f64,
-    /// Residual, measured less predicted, over the standard error that it has after the fit.
+    /// Residual, measured less predicted, over its standard error after the fit.
     pub standardised: f64,
-    /// It lies beyond what errors of this size allow.
+    /// Whether the residual exceeds the range of errors of this size.
     pub outlier: bool,
-    /// It lies within the band of the readings.
+    /// Whether the reading is within its band.
     pub within_band: bool,
 }
 
 /// A prediction at a depth with its band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BandPoint {
-    /// Which setup is in the hole.
+    /// Index of the setup in the hole.
     pub setup: usize,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// What is predicted.
+    /// The channel.
     pub channel: Channel,
     /// Its value.
     pub predicted: f64,
-    /// Half the width of the band within which the mean lies.
+    /// Half the width of the confidence band of the mean.
     pub mean_half_width: f64,
-    /// Half the width of the band within which a reading lies.
+    /// Half the width of the prediction band of a reading.
     pub reading_half_width: f64,
 }
 
-/// Two numbers that the readings do not tell apart.
+/// Two parameters that the readings cannot separate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Confused {
-    /// One.
+    /// The first parameter.
     pub first: Parameter,
-    /// The other.
+    /// The second parameter.
     pub second: Parameter,
     /// Their correlation.
     pub correlation: f64,
 }
 
-/// What readings tell of a well.
+/// Results of a calibration of a well.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
-    /// Every number that was looked for.
+    /// Every fitted parameter.
     pub estimates: Vec<Estimate>,
-    /// All numbers, those that were held too.
+    /// All parameters, including the fixed ones.
     pub state: State,
     /// Correlations of the estimates, a row for each.
     pub correlation: Vec<Vec<f64>>,
-    /// Covariance of the estimates; zero of those that lie at their bounds.
+    /// Covariance of the estimates; zero for those at their bounds.
     pub covariance: Vec<Vec<f64>>,
-    /// Condition number of the correlations: a large one tells that some are not told apart.
+    /// Condition number of the correlations: with a large one some parameters cannot be separated.
     pub condition: f64,
-    /// Pairs that are not told apart.
+    /// Pairs that cannot be separated.
     pub confused: Vec<Confused>,
     /// Errors of the readings.
     pub errors: Vec<ReadingError>,
     /// Sum of the squared residuals over their errors.
     pub chi2: f64,
-    /// Readings less parameters.
+    /// Number of readings less number of parameters.
     pub degrees_of_freedom: usize,
     /// Logarithm of the likelihood, constants included.
     pub log_likelihood: f64,
-    /// So many standard errors are either half of the intervals.
+    /// Half width of the intervals, in standard errors.
     pub interval_factor: f64,
-    /// So many standard errors are either half of the bands.
+    /// Half width of the bands, in standard errors.
     pub band_factor: f64,
     /// Every reading.
     pub points: Vec<Point>,
-    /// Readings that took no part, held against what the others tell: what is standardised is measured less
-    /// predicted over the standard error of a prediction.
+    /// Readings that were held out, with their predictions from the others; here the standardised
+    /// residual is measured less predicted over the standard error of a prediction.
     pub held_out: Vec<Point>,
     /// Predictions with their bands, by setup, channel and depth.
     pub bands: Vec<BandPoint>,
-    /// Farthest that the predictions between nodes are off at the best values, in errors of the
+    /// Largest error of the predictions between nodes at the best values, in errors of the
     /// readings.
     pub interpolation_error: f64,
-    /// How many strings were solved.
+    /// Number of strings that were solved.
     pub strings: usize,
 }

@@ -1,11 +1,11 @@
-//! The numbers that are looked for.
+//! The parameters of a calibration.
 
 use wholestring::well::{Friction, HoleError, HoleKind};
 
 use super::Motion;
 use crate::Setup;
 
-/// Most sections of a hole that have factors of their own.
+/// Maximum number of sections of a hole with factors of their own.
 pub const MOST_SECTIONS: usize = 5;
 
 /// Friction factors of steel and of rock, along the hole and around it, or of sections of the hole.
@@ -23,17 +23,18 @@ pub struct Factors {
     pub sections: [Option<[f64; 2]>; MOST_SECTIONS],
 }
 
-/// Smallest factor along the hole that one around it is taken in its ratio to.
+/// Smallest factor along the hole for which the one around the hole is taken as a ratio to it.
 const LEAST: f64 = 1e-6;
 
 impl Factors {
-    /// The same factor along the hole and around it, of steel and of rock.
+    /// Returns the same factor along the hole and around it, of steel and of rock.
     pub fn of_walls(cased: f64, open: f64) -> Self {
         let sections = [None; MOST_SECTIONS];
         Self { cased, open, cased_around: cased, open_around: open, sections }
     }
 
-    /// Along and around the hole in a section, counted from the surface, of a kind.
+    /// Returns the factors along and around the hole in a section of a kind, counted from the
+    /// surface.
     pub fn of_section(&self, section: usize, kind: HoleKind) -> [f64; 2] {
         let own = self.sections.get(section).copied().flatten();
         own.unwrap_or(match kind {
@@ -42,14 +43,14 @@ impl Factors {
         })
     }
 
-    /// A setup with these factors.
+    /// Returns a setup with these factors.
     ///
     /// # Errors
     /// A factor that is out of its range.
     pub fn applied_to(&self, setup: &Setup) -> Result<Setup, HoleError> {
         let sections = setup.well.hole.sections();
         setup.with_friction_of(|section| {
-            let place = sections.iter().position(|of| of.from_md_m == section.from_md_m);
+            let place = sections.iter().position(|other| other.from_md_m == section.from_md_m);
             let [along, around] = self.of_section(place.unwrap_or(usize::MAX), section.kind);
             let along = if around > 0.0 { along.max(LEAST) } else { along };
             let ratio = if along > 0.0 { around / along } else { 1.0 };
@@ -97,35 +98,35 @@ const SECTIONS: [[[&str; 2]; 2]; MOST_SECTIONS] = [
     ],
 ];
 
-/// All that the readings depend on.
+/// All parameters of the readings.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Friction.
     pub factors: Factors,
-    /// Weight of block and top drive, N, which the weight indicator shows too.
+    /// Weight of block and top drive, N, which the weight indicator includes.
     pub block_weight_N: f64,
     /// Torque of the bit on bottom, N·m.
     pub bit_torque_N_m: f64,
 }
 
-/// A number that can be looked for.
+/// A parameter that can be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Parameter {
     /// Friction factor of all walls, along the hole.
     Friction,
-    /// Of casing, along the hole.
+    /// Friction factor of casing, along the hole.
     Cased,
-    /// Of open hole, along it.
+    /// Friction factor of open hole, along it.
     Open,
-    /// Of all walls, around the hole.
+    /// Friction factor of all walls, around the hole.
     FrictionAround,
-    /// Of casing, around it.
+    /// Friction factor of casing, around the hole.
     CasedAround,
-    /// Of open hole, around it.
+    /// Friction factor of open hole, around it.
     OpenAround,
-    /// Of a section of the hole, counted from the surface, along the hole.
+    /// Friction factor of a section of the hole, counted from the surface, along the hole.
     Section(usize),
-    /// Of a section, around it.
+    /// Friction factor of a section, around the hole.
     SectionAround(usize),
     /// Weight of block and top drive, N.
     BlockWeight,
@@ -156,7 +157,7 @@ impl Parameter {
         Self::BitTorque,
     ];
 
-    /// Name in results, with its unit.
+    /// Returns the name in results, with its unit.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Friction => "friction",
@@ -165,19 +166,19 @@ impl Parameter {
             Self::FrictionAround => "friction_around",
             Self::CasedAround => "friction_cased_around",
             Self::OpenAround => "friction_open_around",
-            Self::Section(of) => SECTIONS[of][0][0],
-            Self::SectionAround(of) => SECTIONS[of][1][0],
+            Self::Section(index) => SECTIONS[index][0][0],
+            Self::SectionAround(index) => SECTIONS[index][1][0],
             Self::BlockWeight => "block_weight_N",
             Self::BitTorque => "bit_torque_N_m",
         }
     }
 
-    /// The parameter of that name.
+    /// Returns the parameter of that name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|parameter| parameter.name() == name)
     }
 
-    /// In a sentence.
+    /// Returns the words for it in a sentence.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Friction => "friction factor",
@@ -186,8 +187,8 @@ impl Parameter {
             Self::FrictionAround => "rotational friction factor",
             Self::CasedAround => "rotational friction factor of casing",
             Self::OpenAround => "rotational friction factor of open hole",
-            Self::Section(of) => SECTIONS[of][0][1],
-            Self::SectionAround(of) => SECTIONS[of][1][1],
+            Self::Section(index) => SECTIONS[index][0][1],
+            Self::SectionAround(index) => SECTIONS[index][1][1],
             Self::BlockWeight => "block weight",
             Self::BitTorque => "bit torque",
         }
@@ -206,17 +207,18 @@ impl Parameter {
         )
     }
 
-    /// The part of the hole that it is of; none of all of it, and of what is no factor.
+    /// Returns the part of the hole that it belongs to; `None` for a factor of all of it, and for a
+    /// parameter that is not a factor.
     pub const fn part(self) -> Option<HolePart> {
         match self {
             Self::Cased | Self::CasedAround => Some(HolePart::Kind(HoleKind::Casing)),
             Self::Open | Self::OpenAround => Some(HolePart::Kind(HoleKind::Open)),
-            Self::Section(of) | Self::SectionAround(of) => Some(HolePart::Section(of)),
+            Self::Section(index) | Self::SectionAround(index) => Some(HolePart::Section(index)),
             _ => None,
         }
     }
 
-    /// Whether two factors, both along the hole or both around it, may be of one place.
+    /// Whether two factors, both along the hole or both around it, may apply to one place.
     pub(super) fn meets(self, other: Self) -> bool {
         use HolePart::{Kind, Section};
         match (self.part(), other.part()) {
@@ -226,8 +228,8 @@ impl Parameter {
         }
     }
 
-    /// Whether a string that moves so rubs by it; of one along the hole while it turns, only where
-    /// the factor around follows it.
+    /// Whether a string in this motion depends on it; on a factor along the hole during rotation,
+    /// only where the factor around follows it.
     pub(super) const fn rubs(self, motion: Motion, around_follows: bool) -> bool {
         self.is_factor()
             && match (self.is_around(), motion.turns()) {
@@ -236,18 +238,18 @@ impl Parameter {
             }
     }
 
-    /// Sets it; a factor along the hole takes that around it along by its ratio, where it has one.
+    /// Sets it; a factor along the hole also sets the one around it by its ratio, where it has one.
     pub(super) fn set(self, state: &mut State, value: f64, ratio: Option<&AroundRatio>) {
         let factors = &mut state.factors;
-        let sections = ratio.map(|of| &of.sections);
-        let ratio = ratio.map(|of| of.walls);
+        let sections = ratio.map(|ratio| &ratio.sections);
+        let ratio = ratio.map(|ratio| ratio.walls);
         if matches!(self, Self::Friction | Self::Cased) {
             factors.cased = value;
-            factors.cased_around = ratio.map_or(factors.cased_around, |[of, _]| of * value);
+            factors.cased_around = ratio.map_or(factors.cased_around, |[ratio, _]| ratio * value);
         }
         if matches!(self, Self::Friction | Self::Open) {
             factors.open = value;
-            factors.open_around = ratio.map_or(factors.open_around, |[_, of]| of * value);
+            factors.open_around = ratio.map_or(factors.open_around, |[_, ratio]| ratio * value);
         }
         match self {
             Self::FrictionAround => {
@@ -255,14 +257,14 @@ impl Parameter {
             }
             Self::CasedAround => factors.cased_around = value,
             Self::OpenAround => factors.open_around = value,
-            Self::Section(of) => {
-                let around = factors.sections[of].map_or(value, |[_, around]| around);
-                let around = sections.map_or(around, |ratio| ratio[of] * value);
-                factors.sections[of] = Some([value, around]);
+            Self::Section(index) => {
+                let around = factors.sections[index].map_or(value, |[_, around]| around);
+                let around = sections.map_or(around, |ratio| ratio[index] * value);
+                factors.sections[index] = Some([value, around]);
             }
-            Self::SectionAround(of) => {
-                let along = factors.sections[of].map_or(value, |[along, _]| along);
-                factors.sections[of] = Some([along, value]);
+            Self::SectionAround(index) => {
+                let along = factors.sections[index].map_or(value, |[along, _]| along);
+                factors.sections[index] = Some([along, value]);
             }
             Self::BlockWeight => state.block_weight_N = value,
             Self::BitTorque => state.bit_torque_N_m = value,
@@ -271,7 +273,7 @@ impl Parameter {
     }
 }
 
-/// Friction around the hole over that along it, where the one follows the other.
+/// Friction around the hole over that along it, where the former follows the latter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AroundRatio {
     /// In casing and in open hole.

@@ -2,39 +2,39 @@
 
 use super::{CalibrationError, ProfilePoint, fit::Likelihood};
 
-/// Points of a profile, and how far it goes, standard errors.
+/// Number of points of a profile, and its extent, standard errors.
 const POINTS: usize = 25;
 const REACH: f64 = 3.2;
 
-/// Ends of intervals are found within this part of the sought excess.
+/// Tolerance of the ends of intervals, as a part of the sought excess.
 const EXACT: f64 = 1e-6;
 
-/// A parameter whose likelihood is followed.
+/// A parameter along which the likelihood is computed.
 pub(super) struct Along<'a> {
     pub(super) likelihood: &'a Likelihood<'a>,
     /// The best fit.
     pub(super) values: &'a [f64],
-    /// Which parameter.
-    pub(super) of: usize,
+    /// Index of the parameter.
+    pub(super) index: usize,
     pub(super) standard_error: f64,
-    /// From where to where predictions hold.
+    /// Range in which predictions are valid.
     pub(super) span: [f64; 2],
 }
 
 impl Along<'_> {
-    /// How much greater the sum of squares is where the parameter is held.
+    /// Returns the increase of the sum of squares with the parameter fixed.
     fn excess(&self, value: f64, least: f64) -> Result<f64, CalibrationError> {
         let mut held = vec![None; self.values.len()];
-        held[self.of] = Some(value);
+        held[self.index] = Some(value);
         let mut from = self.values.to_vec();
-        from[self.of] = value;
+        from[self.index] = value;
         let (values, _) = self.likelihood.fit(&from, &held)?;
         Ok((self.likelihood.chi2(&values) - least).max(0.0))
     }
 
     pub(super) fn points(&self) -> Result<Vec<ProfilePoint>, CalibrationError> {
         let least = self.likelihood.chi2(self.values);
-        let best = self.values[self.of];
+        let best = self.values[self.index];
         let [lower, upper] = self.span;
         let from = (best - REACH * self.standard_error).max(lower);
         let to = (best + REACH * self.standard_error).min(upper);
@@ -46,11 +46,11 @@ impl Along<'_> {
         (0..POINTS).map(point).collect()
     }
 
-    /// Where the sum of squares has grown by so much, to either side. The lower end is zero where it has not
-    /// grown so much there.
+    /// Returns where the sum of squares has grown by this much, to either side. The lower end is
+    /// zero where the growth at zero is less.
     pub(super) fn ends(&self, grown: f64) -> Result<[Option<f64>; 2], CalibrationError> {
         let least = self.likelihood.chi2(self.values);
-        let best = self.values[self.of];
+        let best = self.values[self.index];
         let end = |sign: f64| -> Result<Option<f64>, CalibrationError> {
             let limit = if sign < 0.0 { self.span[0] } else { self.span[1] };
             let mut step = grown.sqrt() * self.standard_error;

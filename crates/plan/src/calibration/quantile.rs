@@ -15,20 +15,21 @@ pub fn normal_below(z: f64) -> f64 {
     0.5 + sum * libm::exp(-0.5 * z * z) / (2.0 * PI).sqrt()
 }
 
-/// The number that a normal one is within, to either side of zero, with a probability.
+/// Returns the number within which, to either side of zero, a normal variable is with a
+/// probability.
 pub fn normal_within(probability: f64) -> f64 {
     let below = 0.5 * (1.0 + probability.clamp(0.0, 0.999_999));
     let mut z = 1.0_f64;
     for _ in 0..50 {
         let density = libm::exp(-0.5 * z * z) / (2.0 * PI).sqrt();
-        // A step as long as the density lets it be sound.
+        // The step is limited to a length for which the density is accurate.
         z -= ((normal_below(z) - below) / density).clamp(-0.5, 0.5);
     }
     z
 }
 
-/// The same of Student's distribution with so many degrees of freedom (the expansion of Abramowitz
-/// and Stegun 26.7.5, to 1 % from four degrees on).
+/// Returns the same for Student's distribution with this number of degrees of freedom (the
+/// expansion of Abramowitz and Stegun 26.7.5, to 1 % from four degrees on).
 pub fn student_within(probability: f64, degrees: f64) -> f64 {
     let x = normal_within(probability);
     let terms = [

@@ -1,6 +1,6 @@
-//! What is measured at the surface, and what the string does meanwhile.
+//! Surface measurements, and the motion of the string during them.
 
-/// What the string does while something is read.
+/// Motion of the string during a reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Motion {
     /// Pulled out of the hole without rotation.
@@ -23,7 +23,7 @@ impl Motion {
     }
 }
 
-/// What is read.
+/// Kind of reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Channel {
     /// Hook load while the string is pulled out.
@@ -59,7 +59,7 @@ impl Channel {
         Self::ALL.into_iter().find(|channel| channel.name() == name)
     }
 
-    /// What the string does.
+    /// Returns the motion of the string.
     pub const fn motion(self) -> Motion {
         match self {
             Self::PickUp => Motion::PickUp,
@@ -74,7 +74,7 @@ impl Channel {
         matches!(self, Self::OffBottomTorque | Self::OnBottomTorque)
     }
 
-    /// Which error it is read with.
+    /// Returns the error of its readings.
     pub const fn error(self) -> ErrorKind {
         match self {
             Self::PickUp | Self::SlackOff => ErrorKind::Tripping,
@@ -108,21 +108,21 @@ impl ErrorKind {
         }
     }
 
-    /// Its place in [`Self::ALL`].
+    /// Returns its index in [`Self::ALL`].
     pub const fn place(self) -> usize {
         self as usize
     }
 }
 
-/// One number that was read.
+/// A reading.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reading {
-    /// Which of the setups was in the hole.
+    /// Index of the setup in the hole.
     pub setup: usize,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// What was read.
+    /// The kind of reading.
     pub channel: Channel,
-    /// Its value, N or N·m; weights with the block's.
+    /// Its value, N or N·m; weights include the block's.
     pub value: f64,
 }

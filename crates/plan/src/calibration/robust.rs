@@ -1,10 +1,11 @@
-//! Outliers among readings, by a fit that they do not pull.
+//! Outliers among readings, by a robust fit.
 //!
-//! Least squares give a wrong reading the more weight the farther it is off, and errors that are estimated from
-//! the residuals grow with it until it is no outlier any more. Huber's loss is a square up to 1.345 scales and
-//! a straight line beyond; the scale of each kind of readings is the median of the absolute residuals, which
-//! half of them cannot move (P. J. Huber, *Robust Statistics*, 1981; P. J. Rousseeuw and A. M. Leroy, *Robust
-//! Regression and Outlier Detection*, 1987, for the factor of small samples).
+//! Least squares give a wrong reading the more weight the farther it is off, and errors that are
+//! estimated from the residuals grow with it until it is no longer an outlier. Huber's loss is
+//! quadratic up to 1.345 scales and linear beyond; the scale of each kind of readings is the median
+//! of the absolute residuals, which fewer than half of them cannot move (P. J. Huber, *Robust
+//! Statistics*, 1981; P. J. Rousseeuw and A. M. Leroy, *Robust Regression and Outlier Detection*,
+//! 1987, for the factor of small samples).
 
 use super::{
     CalibrationError, ErrorKind, Predict, Reading, Settings,
@@ -16,33 +17,34 @@ use super::{
 /// Name of the loss, for people.
 pub const LOSS: &str = "Huber";
 
-/// Beyond so many scales the loss is a straight line: 95 % as efficient as least squares where errors are
-/// normal.
+/// Number of scales beyond which the loss is linear: 95 % as efficient as least squares where
+/// errors are normal.
 const CORNER: f64 = 1.345;
 
 /// Scales of normal errors over the median of their absolute values.
 const NORMAL: f64 = 1.4826;
 
-/// Scales to begin with, and the least that they become, by [`ErrorKind`]: parts of the readings' median.
+/// Initial scales, and their lower limits, by [`ErrorKind`]: parts of the readings' median.
 const FIRST_SCALE: [f64; 3] = [0.02, 0.02, 0.05];
 const LEAST_SCALE: [f64; 3] = [0.005, 0.005, 0.01];
 
-/// Rounds of weights and scales, and when they stand.
+/// Maximum number of rounds of weights and scales, and the relative change at which they have
+/// converged.
 const ROUNDS: usize = 60;
 const CHANGE: f64 = 1e-4;
 
-/// A scale by so few readings is unsure by about this factor.
+/// Approximate uncertainty factor of a scale from this few readings.
 const UNSURE: f64 = 1.2;
 
-/// Where more of the readings are outliers than this part, they are none: the model is wrong.
+/// Largest part of the readings that may be outliers; a larger part means that the model is wrong.
 const MOST: f64 = 0.25;
 
-/// Readings that a robust fit does not follow.
+/// Readings that a robust fit excludes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outliers {
-    /// Of every reading, whether it is one; none is where too many were.
+    /// Whether each reading is an outlier; all `false` where there are too many.
     pub outlier: Vec<bool>,
-    /// How many would be, where that is more than a quarter of all.
+    /// Number of candidates, where that is more than a quarter of all.
     pub too_many: Option<usize>,
     /// Scales of the residuals by [`ErrorKind::place`], N or N·m.
     pub scales: [f64; 3],
@@ -50,11 +52,11 @@ pub struct Outliers {
     pub values: Vec<f64>,
 }
 
-/// Finds the readings whose residuals are beyond 1.2 times [`Settings::outlier_beyond`] scales in a fit by Huber's
-/// loss: a scale by so few readings is unsure by about a fifth.
+/// Finds the readings whose residuals exceed 1.2 times [`Settings::outlier_beyond`] scales in a fit
+/// with Huber's loss: a scale from this few readings is uncertain by about a fifth.
 ///
 /// # Errors
-/// Readings that do not tell what is looked for, or a string that the model has no answer for.
+/// Readings that do not determine the parameters, or a string for which the model has no solution.
 pub fn outliers(
     model: &impl Predict,
     readings: &[Reading],
@@ -65,8 +67,8 @@ pub fn outliers(
     let span = vec![settings.first_box; settings.parameters.len()];
     let surfaces = Surfaces::new(model, settings, &stations, span)?;
     let size = |kind: ErrorKind| {
-        let of = readings.iter().filter(|reading| reading.channel.error() == kind);
-        median(of.map(|reading| reading.value.abs()).collect())
+        let readings = readings.iter().filter(|reading| reading.channel.error() == kind);
+        median(readings.map(|reading| reading.value.abs()).collect())
     };
     let part = |parts: [f64; 3]| {
         ErrorKind::ALL.map(|kind| {
@@ -85,7 +87,7 @@ pub fn outliers(
     };
     let parameters = settings.parameters.len();
     let free = vec![None; parameters];
-    let start = |of: &super::Parameter| if of.is_factor() { 0.25 } else { 0.0 };
+    let start = |parameter: &super::Parameter| if parameter.is_factor() { 0.25 } else { 0.0 };
     let mut values: Vec<f64> = settings.parameters.iter().map(start).collect();
     let mut residuals = Vec::new();
     for _ in 0..ROUNDS {
@@ -102,14 +104,14 @@ pub fn outliers(
             if settings.errors[place].is_some() {
                 continue;
             }
-            let of = readings.iter().zip(&residuals);
-            let of = of.filter(|(reading, _)| reading.channel.error() == kind);
-            let of: Vec<f64> = of.map(|(_, residual)| residual.abs()).collect();
-            if of.is_empty() {
+            let sizes = readings.iter().zip(&residuals);
+            let sizes = sizes.filter(|(reading, _)| reading.channel.error() == kind);
+            let sizes: Vec<f64> = sizes.map(|(_, residual)| residual.abs()).collect();
+            if sizes.is_empty() {
                 continue;
             }
-            let freedom = of.len().saturating_sub(parameters).max(1) as f64;
-            let scale = NORMAL * (1.0 + 5.0 / freedom) * median(of) * likelihood.errors[place];
+            let freedom = sizes.len().saturating_sub(parameters).max(1) as f64;
+            let scale = NORMAL * (1.0 + 5.0 / freedom) * median(sizes) * likelihood.errors[place];
             let scale = scale.max(least[place]);
             change = change.max((scale / likelihood.errors[place] - 1.0).abs());
             for (reading, residual) in readings.iter().zip(&mut residuals) {

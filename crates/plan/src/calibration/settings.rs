@@ -1,43 +1,43 @@
-//! What is looked for, and how.
+//! Settings of a calibration.
 
 use super::{AroundRatio, ErrorKind, Parameter, State};
 
-/// What is looked for, and how.
+/// Settings of a calibration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
-    /// The numbers that are looked for.
+    /// The fitted parameters.
     pub parameters: Vec<Parameter>,
-    /// All numbers where they are not looked for.
+    /// Values of the parameters that are not fitted.
     pub held: State,
-    /// Friction around the hole in its ratio to that along it, where it is not looked for itself.
+    /// Friction around the hole in its ratio to that along it, where it is not fitted itself.
     pub around_ratio: AroundRatio,
-    /// Whether rotational friction is looked for itself.
+    /// Whether rotational friction is fitted separately.
     pub around_apart: bool,
     /// Standard error of each kind of reading, N or N·m, by [`ErrorKind::place`]; estimated where
     /// none is given.
     pub errors: [Option<f64>; ErrorKind::ALL.len()],
-    /// Whether the likelihood is followed along each parameter; without that the intervals are those of
-    /// the standard errors.
+    /// Whether the likelihood is computed along each parameter; otherwise the intervals are those
+    /// of the standard errors.
     pub profiles: bool,
     /// Confidence of the intervals.
     pub confidence: f64,
     /// Confidence of the bands.
     pub band_confidence: f64,
-    /// An outlier's residual is larger than so many of its own standard errors.
+    /// Number of its own standard errors beyond which a residual is an outlier.
     pub outlier_beyond: f64,
-    /// Two numbers are not told apart where their correlation is beyond this.
+    /// Correlation beyond which two parameters count as inseparable.
     pub correlated_beyond: f64,
-    /// Factors between which the predictions are made at first.
+    /// Initial range of factors for the predictions.
     pub first_box: [f64; 2],
     /// Nodes of a factor at which predictions are made.
     pub nodes: usize,
 }
 
-/// Largest friction factor that a case takes.
+/// Largest friction factor of a case.
 pub(super) const LARGEST_FACTOR: f64 = 2.0;
 
 impl Settings {
-    /// To look for some numbers, the others being held.
+    /// Returns settings to fit some parameters with the others fixed.
     pub fn new(parameters: Vec<Parameter>, held: State) -> Self {
         let around_apart = parameters.iter().any(|parameter| parameter.is_around());
         Self {
@@ -56,19 +56,19 @@ impl Settings {
         }
     }
 
-    /// Holds a number that was looked for.
+    /// Fixes a parameter that was to be fitted.
     pub fn hold(&mut self, parameter: Parameter, value: f64) {
         let ratio = self.around_follows().then_some(self.around_ratio);
         parameter.set(&mut self.held, value, ratio.as_ref());
-        self.parameters.retain(|of| *of != parameter);
+        self.parameters.retain(|other| *other != parameter);
     }
 
-    /// Whether rotational friction goes with that along it.
+    /// Whether rotational friction follows axial friction.
     pub fn around_follows(&self) -> bool {
         !self.around_apart
     }
 
-    /// All numbers, some of which are as given.
+    /// Returns all parameters, with some of them as given.
     pub fn state(&self, values: &[f64]) -> State {
         let mut state = self.held;
         let ratio = self.around_follows().then_some(&self.around_ratio);

@@ -11,17 +11,17 @@ use super::{
     surface::{Station, stations},
 };
 
-/// Slopes of the bands are taken over this part of a standard error to either side, and over so
-/// much at least.
+/// Step of the finite differences for the bands, as a part of a standard error, and its least
+/// value.
 const SLOPE_PART: f64 = 0.3;
 const LEAST_SLOPE: f64 = 1e-3;
 
-/// Finds the numbers that make readings most likely, and how well they are known; and predicts what
-/// would be read with the bit of each setup at other depths, m. Readings that are held out take no part in
-/// that; they are held against what the others tell.
+/// Finds the parameters that make readings most likely, and their uncertainty; and predicts the
+/// readings with the bit of each setup at other depths, m. Readings that are held out are not used
+/// in the fit; they are compared with the predictions from the others.
 ///
 /// # Errors
-/// Readings that do not tell what is looked for, or a string that the model has no answer for.
+/// Readings that do not determine the parameters, or a string for which the model has no solution.
 pub fn calibrate(
     model: &impl Predict,
     readings: &[Reading],
@@ -51,7 +51,7 @@ pub fn calibrate(
     };
     let design = likelihood.design(&best.values);
     let spread = Spread::of(&design, &best.at_bound, settings)?;
-    // How far a factor at its bound would be known, for the reach of its profile.
+    // The uncertainty of a factor at its bound, for the extent of its profile.
     let all = Spread::of(&design, &vec![false; best.values.len()], settings)?;
     let band_factor = within(settings.band_confidence);
     let points = points(&likelihood, &best, &spread, band_factor);
@@ -98,8 +98,9 @@ pub(super) fn check(readings: &[Reading], settings: &Settings) -> Result<(), Cal
     }
     check_finite(readings)?;
     for kind in ErrorKind::ALL {
-        let mut of = readings.iter().filter(|reading| reading.channel.error() == kind).peekable();
-        if of.peek().is_some() && of.all(|reading| reading.value == 0.0) {
+        let mut readings =
+            readings.iter().filter(|reading| reading.channel.error() == kind).peekable();
+        if readings.peek().is_some() && readings.all(|reading| reading.value == 0.0) {
             return Err(CalibrationError::AllZero(kind));
         }
     }
@@ -119,8 +120,8 @@ fn check_finite(readings: &[Reading]) -> Result<(), CalibrationError> {
     Ok(())
 }
 
-fn square(count: usize, of: impl Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
-    (0..count).map(|a| (0..count).map(|b| of(a, b)).collect()).collect()
+fn square(count: usize, value_at: impl Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
+    (0..count).map(|a| (0..count).map(|b| value_at(a, b)).collect()).collect()
 }
 
 fn estimates(
@@ -131,15 +132,15 @@ fn estimates(
     interval_factor: f64,
 ) -> Result<Vec<Estimate>, CalibrationError> {
     let parameters = &likelihood.settings.parameters;
-    let estimate = |(of, &parameter): (usize, &Parameter)| {
-        let at_bound = best.at_bound[of];
-        let scale = if at_bound { all.standard_error(of) } else { spread.standard_error(of) };
+    let estimate = |(index, &parameter): (usize, &Parameter)| {
+        let at_bound = best.at_bound[index];
+        let scale = if at_bound { all.standard_error(index) } else { spread.standard_error(index) };
         let span = match parameter.is_factor() {
-            true => best.surfaces.span[of],
+            true => best.surfaces.span[index],
             false => [0.0, f64::INFINITY],
         };
-        let along = Along { likelihood, values: &best.values, of, standard_error: scale, span };
-        let value = best.values[of];
+        let along = Along { likelihood, values: &best.values, index, standard_error: scale, span };
+        let value = best.values[index];
         let (interval, profile) = if likelihood.settings.profiles {
             let grown = interval_factor * interval_factor;
             (along.ends(grown)?, along.points()?)
@@ -170,7 +171,7 @@ fn confused(settings: &Settings, spread: &Spread) -> Vec<Confused> {
 
 fn errors(likelihood: &Likelihood<'_>, best: &Best) -> Vec<ReadingError> {
     let residuals = likelihood.residuals(&best.values);
-    let of = |kind: ErrorKind| {
+    let reading_error = |kind: ErrorKind| {
         let rows = residuals.iter().zip(likelihood.readings);
         let squares = rows.filter(|(_, reading)| reading.channel.error() == kind);
         let squares: Vec<f64> = squares.map(|(residual, _)| residual * residual).collect();
@@ -183,14 +184,14 @@ fn errors(likelihood: &Likelihood<'_>, best: &Best) -> Vec<ReadingError> {
             chi2: squares.iter().sum(),
         })
     };
-    ErrorKind::ALL.into_iter().filter_map(of).collect()
+    ErrorKind::ALL.into_iter().filter_map(reading_error).collect()
 }
 
 fn log_likelihood(likelihood: &Likelihood<'_>, chi2: f64) -> f64 {
-    let of = |reading: &Reading| {
+    let log_norm = |reading: &Reading| {
         libm::log(likelihood.error_of(reading)) + 0.5 * libm::log(std::f64::consts::TAU)
     };
-    -0.5 * chi2 - likelihood.readings.iter().map(of).sum::<f64>()
+    -0.5 * chi2 - likelihood.readings.iter().map(log_norm).sum::<f64>()
 }
 
 fn points(
@@ -200,7 +201,7 @@ fn points(
     band_factor: f64,
 ) -> Vec<Point> {
     let predictions = likelihood.predictions(&best.values);
-    let of = |(row, reading): (usize, &Reading)| {
+    let point = |(row, reading): (usize, &Reading)| {
         let error = likelihood.error_of(reading);
         let leverage = spread.leverage[row];
         let predicted = predictions[row].0;
@@ -217,10 +218,11 @@ fn points(
             within_band: residual.abs() <= reading_half_width,
         }
     };
-    likelihood.readings.iter().enumerate().map(of).collect()
+    likelihood.readings.iter().enumerate().map(point).collect()
 }
 
-/// Readings that took no part, against what the others tell; and how many strings that took.
+/// Returns the held-out readings with their predictions from the others, and the number of strings
+/// that were solved.
 fn held_out_points(
     model: &impl Predict,
     settings: &Settings,
@@ -240,7 +242,7 @@ fn held_out_points(
         return Ok((Vec::new(), 0));
     }
     let (bands, strings) = bands(model, settings, readings, &depths, best, spread, band_factor)?;
-    let of = |reading: &Reading| {
+    let point = |reading: &Reading| {
         let is = |band: &&BandPoint| {
             (band.setup, band.bit_depth_m, band.channel)
                 == (reading.setup, reading.bit_depth_m, reading.channel)
@@ -258,10 +260,11 @@ fn held_out_points(
             within_band: residual.abs() <= band.reading_half_width,
         })
     };
-    Ok((readings.iter().filter_map(of).collect(), strings))
+    Ok((readings.iter().filter_map(point).collect(), strings))
 }
 
-/// Predictions at depths, with their bands by the slopes there; and how many strings that took.
+/// Returns predictions at depths, with their bands from the derivatives there, and the number of
+/// strings that were solved.
 fn bands(
     model: &impl Predict,
     settings: &Settings,
@@ -280,31 +283,31 @@ fn bands(
         .into_iter()
         .filter(|motion| channels.iter().any(|channel| channel.motion() == *motion))
         .collect();
-    let of = |&(setup, depth): &(usize, f64)| {
+    let at_depth = |&(setup, depth): &(usize, f64)| {
         motions.iter().map(move |&motion| (setup, depth, motion)).collect::<Vec<_>>()
     };
     let stations: Vec<Station> = depths
         .iter()
-        .flat_map(of)
+        .flat_map(at_depth)
         .map(|(setup, depth, motion)| Station::new(model, settings, setup, depth, motion))
         .collect();
     let reach = |place: usize| {
         let reach = (SLOPE_PART * spread.standard_error(place)).max(LEAST_SLOPE);
         [(best.values[place] - reach).max(0.0), best.values[place] + reach]
     };
-    let mut asked = Vec::new();
+    let mut requests = Vec::new();
     for station in &stations {
-        asked.push(station.asked(settings, &best.values));
+        requests.push(station.asked(settings, &best.values));
         for &place in &station.rubs_by {
             for value in reach(place) {
                 let mut values = best.values.clone();
                 values[place] = value;
-                asked.push(station.asked(settings, &values));
+                requests.push(station.asked(settings, &values));
             }
         }
     }
-    let loads = model.loads(&asked)?;
-    let mut loads = loads.iter().map(|of| [of.hook_load_N, of.torque_N_m]);
+    let loads = model.loads(&requests)?;
+    let mut loads = loads.iter().map(|load| [load.hook_load_N, load.torque_N_m]);
     let mut next = || loads.next().unwrap_or([f64::NAN; 2]);
     let mut bands = Vec::new();
     let beside = settings.state(&best.values);
@@ -341,5 +344,5 @@ fn bands(
             });
         }
     }
-    Ok((bands, asked.len()))
+    Ok((bands, requests.len()))
 }

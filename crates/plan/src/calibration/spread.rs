@@ -1,33 +1,33 @@
-//! How well the parameters are known: covariance, correlation, leverage.
+//! The uncertainty of the parameters: covariance, correlation, leverage.
 
 use nalgebra_0_34::{DMatrix, DVector};
 
 use super::{CalibrationError, Settings};
 
-/// Singular values smaller than this part of the largest are taken as so large.
+/// Lower limit of singular values, as a part of the largest.
 const SINGULAR: f64 = 1e-8;
 
-/// What a design tells of its parameters.
+/// Statistics of the parameters from a design matrix.
 #[derive(Debug, Clone)]
 pub(super) struct Spread {
-    /// Zero of parameters that lie at their bounds.
+    /// Covariance; zero for parameters at their bounds.
     pub(super) covariance: DMatrix<f64>,
     /// Condition number of the normal equations, columns scaled alike.
     pub(super) condition: f64,
-    /// How far each reading pulls its own prediction, from 0 to 1.
+    /// Influence of each reading on its own prediction, from 0 to 1.
     pub(super) leverage: Vec<f64>,
 }
 
 impl Spread {
-    /// Of a design whose columns at bounds are left out.
+    /// Returns the statistics of a design matrix, without the columns of parameters at bounds.
     pub(super) fn of(
         design: &DMatrix<f64>,
         left_out: &[bool],
         settings: &Settings,
     ) -> Result<Self, CalibrationError> {
         let count = design.ncols();
-        let free: Vec<usize> = (0..count).filter(|&of| !left_out[of]).collect();
-        let norms: Vec<f64> = free.iter().map(|&of| design.column(of).norm()).collect();
+        let free: Vec<usize> = (0..count).filter(|&index| !left_out[index]).collect();
+        let norms: Vec<f64> = free.iter().map(|&index| design.column(index).norm()).collect();
         if let Some(place) = norms.iter().position(|norm| *norm == 0.0) {
             return Err(CalibrationError::Untold(settings.parameters[free[place]]));
         }
@@ -49,9 +49,9 @@ impl Spread {
             condition = (largest / floored.min()).powi(2);
             let inverse = floored.map(|value| 1.0 / (value * value));
             let normal = v_t.transpose() * DMatrix::from_diagonal(&inverse) * &v_t;
-            for (row, of) in leverage.iter_mut().enumerate() {
+            for (row, value) in leverage.iter_mut().enumerate() {
                 let row: DVector<f64> = scaled.row(row).transpose();
-                *of = (row.transpose() * &normal * &row)[0].clamp(0.0, 1.0);
+                *value = (row.transpose() * &normal * &row)[0].clamp(0.0, 1.0);
             }
             for (a, &first) in free.iter().enumerate() {
                 for (b, &second) in free.iter().enumerate() {
@@ -62,8 +62,8 @@ impl Spread {
         Ok(Self { covariance, condition, leverage })
     }
 
-    pub(super) fn standard_error(&self, of: usize) -> f64 {
-        self.covariance[(of, of)].sqrt()
+    pub(super) fn standard_error(&self, index: usize) -> f64 {
+        self.covariance[(index, index)].sqrt()
     }
 
     pub(super) fn correlation(&self, a: usize, b: usize) -> f64 {
@@ -75,7 +75,7 @@ impl Spread {
         }
     }
 
-    /// Variance of a prediction by its slopes.
+    /// Returns the variance of a prediction from its derivatives.
     pub(super) fn variance(&self, slopes: &[f64]) -> f64 {
         let slopes = DVector::from_column_slice(slopes);
         (slopes.transpose() * &self.covariance * &slopes)[0].max(0.0)

@@ -1,27 +1,28 @@
 //! Predictions between the factors at which they were made.
 //!
 //! A hook load grows about exponentially with the friction factor, torque linearly: a polynomial
-//! through few nodes gives both to a hundredth of what a weight is read to, and fits, profiles and
-//! samples cost nothing more. How far it is off is checked against the model at the best fit.
+//! through few nodes reproduces both to a hundredth of the resolution of a weight, so that fits,
+//! profiles and samples cost no further solutions. Its error is checked against the model at the
+//! best fit.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Asked, CalibrationError, Loads, Motion, Parameter, Predict, Reading, Settings};
 
-/// Nodes of a string that turns, whose loads are nearly linear.
+/// Number of nodes of a rotating string, whose loads are nearly linear.
 const TURNING_NODES: usize = 3;
 
-/// Most strings of a station: of many factors each has fewer nodes, and the box is narrowed more
-/// often until that is enough.
+/// Maximum number of strings of a station: with many factors each has fewer nodes, and the box is
+/// narrowed more often until that is enough.
 const MOST_STRINGS: usize = 243;
 
-/// A string at a depth in a motion, and which parameters it rubs by.
+/// A string at a depth in a motion, and the parameters that its friction depends on.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Station {
     pub(super) setup: usize,
     pub(super) bit_depth_m: f64,
     pub(super) motion: Motion,
-    /// Places among the parameters.
+    /// Indices of the parameters.
     pub(super) rubs_by: Vec<usize>,
 }
 
@@ -43,7 +44,7 @@ impl Station {
         Self { setup, bit_depth_m, motion, rubs_by: rubs_by.collect() }
     }
 
-    /// Nodes of each factor that it rubs by.
+    /// Returns the number of nodes of each of its factors.
     fn nodes(&self, nodes: usize) -> usize {
         let most = if self.motion.turns() { nodes.min(TURNING_NODES) } else { nodes };
         let strings = |each: usize| each.pow(self.rubs_by.len() as u32);
@@ -60,14 +61,14 @@ impl Station {
     }
 }
 
-/// The stations of readings, each once, and which is whose.
+/// Returns the distinct stations of readings, and the index of each reading's station.
 pub(super) fn stations(
     model: &impl Predict,
     settings: &Settings,
     readings: &[Reading],
 ) -> (Vec<Station>, Vec<usize>) {
     let mut stations: Vec<Station> = Vec::new();
-    let of = readings.iter().map(|reading| {
+    let station_of = readings.iter().map(|reading| {
         let motion = reading.channel.motion();
         let same = |station: &Station| {
             station.setup == reading.setup
@@ -80,24 +81,24 @@ pub(super) fn stations(
             stations.len() - 1
         })
     });
-    let of = of.collect();
-    (stations, of)
+    let station_of = station_of.collect();
+    (stations, station_of)
 }
 
-/// Loads and what they change by with each parameter that they depend on.
+/// Loads and their derivatives with respect to the parameters that they depend on.
 #[derive(Debug, Clone)]
 pub(super) struct Sloped {
     pub(super) loads: [f64; 2],
-    /// By place among the parameters.
+    /// Derivatives by index of the parameter.
     pub(super) slopes: Vec<(usize, [f64; 2])>,
 }
 
 /// Predictions of stations over a box of the factors.
 #[derive(Debug, Clone)]
 pub(super) struct Surfaces {
-    /// From where to where, of each parameter.
+    /// Range of each parameter.
     pub(super) span: Vec<[f64; 2]>,
-    /// How many nodes stations have.
+    /// The different numbers of nodes of the stations.
     nodes: BTreeSet<usize>,
     /// Parameters and loads at the nodes, the first parameter's outermost.
     stations: Vec<(Vec<usize>, usize, Vec<[f64; 2]>)>,
@@ -113,7 +114,7 @@ fn extrema(nodes: usize) -> Vec<f64> {
 fn lagrange(nodes: usize, at: f64) -> Vec<[f64; 2]> {
     let x = extrema(nodes);
     let others = |i: usize| (0..nodes).filter(move |&j| j != i);
-    let of = |i: usize| {
+    let polynomial = |i: usize| {
         let value = others(i).map(|j| (at - x[j]) / (x[i] - x[j])).product();
         let slope = others(i).map(|m| {
             let rest = others(i).filter(|&j| j != m).map(|j| (at - x[j]) / (x[i] - x[j]));
@@ -121,7 +122,7 @@ fn lagrange(nodes: usize, at: f64) -> Vec<[f64; 2]> {
         });
         [value, slope.sum()]
     };
-    (0..nodes).map(of).collect()
+    (0..nodes).map(polynomial).collect()
 }
 
 impl Surfaces {
@@ -132,7 +133,7 @@ impl Surfaces {
         span: Vec<[f64; 2]>,
     ) -> Result<Self, CalibrationError> {
         let middle: Vec<f64> = span.iter().map(|[from, to]| 0.5 * (from + to)).collect();
-        let mut asked = Vec::new();
+        let mut requests = Vec::new();
         let mut counts = Vec::new();
         for station in stations {
             let each = station.nodes(settings.nodes);
@@ -146,22 +147,22 @@ impl Surfaces {
                     values[place] = from + 0.5 * (to - from) * (1.0 + x[rest % each]);
                     rest /= each;
                 }
-                asked.push(station.asked(settings, &values));
+                requests.push(station.asked(settings, &values));
             }
             counts.push((each, count));
         }
         let nodes = counts.iter().map(|(each, _)| *each).collect();
-        let mut loads = model.loads(&asked)?.into_iter();
+        let mut loads = model.loads(&requests)?.into_iter();
         let stations = stations.iter().zip(counts).map(|(station, (each, count))| {
-            let of = loads.by_ref().take(count);
-            let of = of.map(|Loads { hook_load_N, torque_N_m }| [hook_load_N, torque_N_m]);
-            (station.rubs_by.clone(), each, of.collect())
+            let loads = loads.by_ref().take(count);
+            let at_nodes = loads.map(|Loads { hook_load_N, torque_N_m }| [hook_load_N, torque_N_m]);
+            (station.rubs_by.clone(), each, at_nodes.collect())
         });
         let stations = stations.collect();
         Ok(Self { span, nodes, stations })
     }
 
-    /// The loads of every station, and their slopes.
+    /// Returns the loads of every station, and their derivatives.
     pub(super) fn at(&self, values: &[f64]) -> Vec<Sloped> {
         let bases = |nodes: usize| -> Vec<Vec<[f64; 2]>> {
             let at = |(&value, [from, to]): (&f64, &[f64; 2])| {
@@ -171,13 +172,14 @@ impl Surfaces {
             };
             values.iter().zip(&self.span).map(at).collect()
         };
-        let bases: BTreeMap<usize, _> = self.nodes.iter().map(|of| (*of, bases(*of))).collect();
+        let bases: BTreeMap<usize, _> =
+            self.nodes.iter().map(|nodes| (*nodes, bases(*nodes))).collect();
         let station = |(places, each, loads): &(Vec<usize>, usize, Vec<[f64; 2]>)| {
             let bases: Vec<&Vec<[f64; 2]>> =
                 places.iter().map(|&place| &bases[each][place]).collect();
             let mut sloped =
                 Sloped { loads: [0.0; 2], slopes: places.iter().map(|&p| (p, [0.0; 2])).collect() };
-            for (index, of) in loads.iter().enumerate() {
+            for (index, node_loads) in loads.iter().enumerate() {
                 let mut rest = index;
                 let mut digits = [0; Parameter::ALL.len()];
                 for digit in digits[..places.len()].iter_mut().rev() {
@@ -192,12 +194,12 @@ impl Surfaces {
                     .product()
                 };
                 let value = factor(None);
-                for (sum, load) in sloped.loads.iter_mut().zip(of) {
+                for (sum, load) in sloped.loads.iter_mut().zip(node_loads) {
                     *sum += value * load;
                 }
                 for (place, (_, slope)) in sloped.slopes.iter_mut().enumerate() {
                     let value = factor(Some(place));
-                    for (sum, load) in slope.iter_mut().zip(of) {
+                    for (sum, load) in slope.iter_mut().zip(node_loads) {
                         *sum += value * load;
                     }
                 }
@@ -224,7 +226,7 @@ mod tests {
         // x³ by four nodes: exactly, and 3 x².
         let cube: Vec<f64> = extrema(4).into_iter().map(|x| x.powi(3)).collect();
         let at = |part: usize| -> f64 {
-            lagrange(4, 0.3).iter().zip(&cube).map(|(of, x)| of[part] * x).sum()
+            lagrange(4, 0.3).iter().zip(&cube).map(|(polynomial, x)| polynomial[part] * x).sum()
         };
         assert!((at(0) - 0.027).abs() < 1e-14 && (at(1) - 0.27).abs() < 1e-13);
     }

@@ -1,7 +1,8 @@
-//! What the operations of a plan do to string and casing, all together.
+//! Effects of all operations of a plan together on string and casing.
 //!
-//! The section is drilled from a depth to the deepest of the bit; the string is pulled and run, and turns off
-//! bottom at the end. Each solved operation has its [`Share`], and the shares of all add up.
+//! The section is drilled from a depth to the deepest of the bit; the string is pulled and run, and
+//! turns off bottom at the end. Each solved operation has its [`Share`], and the shares of all add
+//! up.
 
 mod part;
 mod schedule;

@@ -1,4 +1,4 @@
-//! Which operations a campaign carries out, at which depths and for how long.
+//! Operations of a campaign, with their depths and durations.
 
 use wholestring::{
     operation::{Operation, OperationKind},
@@ -13,25 +13,25 @@ use crate::{
     wear::{CasingError, CasingWear},
 };
 
-/// The way down to the deepest bit in so many parts: a campaign has depths of its own where those
-/// of its plan leave more than one of them.
+/// Number of parts of the depth range: a campaign adds depths where those of its plan are more than
+/// one part apart.
 const PARTS: f64 = 20.0;
 
-/// Depths nearer to each other than this are one, m.
+/// Depths closer than this are one, m.
 const SAME_M: f64 = 1.0;
 
 /// A campaign of the operations of a plan.
 #[derive(Debug, Clone)]
 pub struct Campaign {
     pub(super) fatigue: FatigueSettings,
-    /// The casings before anything wore them.
+    /// The casings before wear.
     pub(super) new: CasingWear,
     /// The operations of the plan, and those that it does not list.
     operations: Vec<Operation>,
     /// The drilling operation: the first on bottom that turns the string, or else the first on
     /// bottom.
     drills: Option<OperationKind>,
-    /// Depths of the bit, m, growing: those of the plan, and others above and between them.
+    /// Depths of the bit, m, increasing: those of the plan, and others above and between them.
     depths_m: Vec<f64>,
     drilled_from_m: f64,
     drilled_m: Vec<f64>,
@@ -41,11 +41,11 @@ pub struct Campaign {
 }
 
 impl Campaign {
-    /// A campaign of the operations of a plan at growing depths of the bit, m. An operation that
-    /// the campaign needs and the plan does not list is taken from its settings, the plan's own
-    /// first. Above the shallowest depth of the plan, from where the assembly is in the hole, and
-    /// between depths that are far apart it has depths of its own; the shallowest of all
-    /// represents the hole above it.
+    /// Returns a campaign of the operations of a plan at increasing depths of the bit, m. An
+    /// operation that the campaign needs and the plan does not list is taken from its settings,
+    /// with precedence for the plan's own. The campaign adds depths above the shallowest depth of
+    /// the plan, from where the assembly is in the hole, and between depths that are far apart; the
+    /// shallowest of all represents the hole above it.
     ///
     /// # Errors
     /// Those of [`CasingWear::new`].
@@ -78,12 +78,12 @@ impl Campaign {
         })
     }
 
-    /// What fatigue is computed with.
+    /// Returns the settings of the fatigue model.
     pub fn fatigue_settings(&self) -> &FatigueSettings {
         &self.fatigue
     }
 
-    /// Every operation that is a part of the campaign, with the depth of its bit.
+    /// Returns every operation that is a part of the campaign, with the depth of its bit.
     pub fn operations(&self) -> impl Iterator<Item = Operation> + '_ {
         let depths = |operation: &Operation| {
             let operation = *operation;
@@ -94,7 +94,7 @@ impl Campaign {
         all.filter(|operation| self.duration_s(operation).is_some())
     }
 
-    /// The parts of the campaign, counted or not.
+    /// Returns the parts of the campaign, counted or not.
     pub fn parts(&self) -> Vec<CampaignPart> {
         use OperationKind::{RotateOffBottom, TripIn, TripOut};
         let deepest_m = self.depths_m.last().copied().unwrap_or(0.0);
@@ -128,8 +128,8 @@ impl Campaign {
         Some(operation.kind) == self.drills && self.depths_m.last() == Some(&operation.bit_depth_m)
     }
 
-    /// How long an operation goes on at its depth of the bit, s; none where it is no part of the
-    /// campaign.
+    /// Returns the duration of an operation at its depth of the bit, s; `None` where it is no part
+    /// of the campaign.
     pub fn duration_s(&self, operation: &Operation) -> Option<f64> {
         let place = self.depths_m.iter().position(|depth| *depth == operation.bit_depth_m)?;
         let at = |length_m: f64| {
@@ -149,9 +149,9 @@ impl Campaign {
         duration_s.filter(|duration_s| *duration_s > 0.0)
     }
 
-    /// How long an operation goes on at all depths of the campaign that are nearest to its own,
-    /// among these, m: of one that is looked at there alone. None where it is no part of the
-    /// campaign.
+    /// Returns the duration of an operation at all depths of the campaign that are nearest to its
+    /// own, among these, m, for an operation that is evaluated there only. `None` where it is no
+    /// part of the campaign.
     pub(crate) fn duration_near_s(&self, operation: &Operation, among_m: &[f64]) -> Option<f64> {
         let nearest = |depth_m: f64| {
             let far = |other_m: &&f64| (**other_m - depth_m).abs();
@@ -167,15 +167,16 @@ impl Campaign {
     }
 }
 
-/// The operation that drills among some: the first on bottom that turns the string, or else the
-/// first on bottom.
+/// Returns the drilling operation among some: the first on bottom that turns the string, or else
+/// the first on bottom.
 fn drilling(operations: &[Operation]) -> Option<OperationKind> {
     let on_bottom = || operations.iter().map(|own| own.kind).filter(|kind| kind.on_bottom());
     on_bottom().find(|kind| kind.rotates()).or_else(|| on_bottom().next())
 }
 
-/// Depths of the bit of a campaign, m: those of a plan, and others above and between them that
-/// leave no two farther apart than one of the [`PARTS`], from where the assembly is in the hole.
+/// Returns the depths of the bit of a campaign, m: those of a plan, and others above and between
+/// them such that no two are farther apart than one of the [`PARTS`], from where the assembly is in
+/// the hole.
 fn depths_m(setup: &Setup, bit_depths_m: &[f64]) -> Vec<f64> {
     let Some(last_m) = bit_depths_m.last() else { return Vec::new() };
     let apart_m = last_m / PARTS;
@@ -183,7 +184,7 @@ fn depths_m(setup: &Setup, bit_depths_m: &[f64]) -> Vec<f64> {
     let mut depths_m = Vec::new();
     for depth_m in bit_depths_m {
         let way_m = depth_m - above_m;
-        // The shallowest of all is the campaign's own where the plan's is deeper.
+        // The campaign adds a shallowest depth where the plan's is deeper.
         if depths_m.is_empty() && way_m >= SAME_M {
             depths_m.push(above_m);
         }

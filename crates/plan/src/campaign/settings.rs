@@ -1,19 +1,19 @@
-//! What a campaign consists of.
+//! Settings of a campaign.
 
 use wholestring::operation::Operation;
 
 use crate::{fatigue::FatigueSettings, wear::WearFactors};
 
-/// How often and how long the operations of a plan are carried out, and what they are held against.
+/// Number and duration of the operations of a plan, and the properties for wear and fatigue.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct CampaignSettings {
     /// Measured depth from which the section is drilled, m. Default: the deepest casing shoe.
     pub drilled_from_m: Option<f64>,
-    /// How often the string is run and pulled. Default 1.
+    /// Number of times that the string is run and pulled. Default 1.
     pub round_trips: f64,
-    /// How long it turns off bottom at the deepest depth, s. Default none.
+    /// Duration of rotation off bottom at the deepest depth, s. Default none.
     pub off_bottom_s: f64,
-    /// Operations with their set points of which the campaign takes those that it needs and the
+    /// Operations with their set points, of which the campaign uses those that it needs and the
     /// plan does not list. Default none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub operations: Vec<Operation>,

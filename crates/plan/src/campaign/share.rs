@@ -1,4 +1,4 @@
-//! What a solved operation does of a campaign.
+//! Share of a solved operation in a campaign.
 
 use serde::{Deserialize, Serialize};
 use wholestring::{model::Model, operation::Operation, outcome::Solution};
@@ -10,20 +10,20 @@ use crate::{
     wear::{WearRow, Worn},
 };
 
-/// What operations take of string and casing.
+/// Damage of the string and wear of the casings from operations.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Share {
-    /// Of the string.
+    /// Damage of the string.
     pub damage: Damage,
-    /// Of the casings.
+    /// Wear of the casings.
     pub worn: Worn,
-    /// Of what drills at the deepest depth: for each component the place where an hour costs most, from the
-    /// bit up.
+    /// Fatigue rates of the drilling operation at the deepest depth: for each component the place
+    /// with the highest rate, from the bit up.
     pub rates: Vec<FatigueRow>,
 }
 
 impl Share {
-    /// Adds another one of the same campaign.
+    /// Adds another share of the same campaign.
     pub fn merge(&mut self, other: &Self) {
         self.damage.merge(&other.damage);
         self.worn.merge(&other.worn);
@@ -32,7 +32,7 @@ impl Share {
 }
 
 impl Campaign {
-    /// What a solved operation does of the campaign; none where it is no part of it.
+    /// Returns the share of a solved operation; `None` where it is no part of the campaign.
     pub fn share(
         &self,
         model: &Model,
@@ -52,8 +52,9 @@ impl Campaign {
         Some(share)
     }
 
-    /// What a solved operation takes of the casings by its work of friction. It stands for all depths of the
-    /// campaign that are nearest to its own, among these, m; none where it is no part of the campaign.
+    /// Returns the casing wear of a solved operation from its friction work. It represents all
+    /// depths of the campaign that are nearest to its own, among these, m; `None` where it is no
+    /// part of the campaign.
     pub fn share_by_work(
         &self,
         model: &Model,
@@ -67,23 +68,24 @@ impl Campaign {
         Some(Share { worn: wear.worn(), ..Share::default() })
     }
 
-    /// What is left of the casings, from the surface down.
+    /// Returns the remaining casings, from the surface down.
     pub fn casings(&self, share: &Share) -> Vec<WearRow> {
         self.new.clone().with(&share.worn).rows()
     }
 }
 
-/// Of each component the row where an hour costs most, or where nothing is damaged the one that bends most.
+/// Returns for each component the row with the highest rate, or without any damage the one with the
+/// largest bending.
 fn worst(rows: &[FatigueRow]) -> Vec<FatigueRow> {
     let mut found: Vec<FatigueRow> = Vec::new();
-    let key = |of: &FatigueRow| (of.damage_per_hour, of.equivalent_Pa);
+    let key = |row: &FatigueRow| (row.damage_per_hour, row.equivalent_Pa);
     for row in rows {
-        match found.iter_mut().find(|of| of.component == row.component) {
-            Some(of) if key(row) > key(of) => *of = *row,
+        match found.iter_mut().find(|worst_row| worst_row.component == row.component) {
+            Some(worst_row) if key(row) > key(worst_row) => *worst_row = *row,
             Some(_) => {}
             None => found.push(*row),
         }
     }
-    found.sort_by_key(|of| of.component);
+    found.sort_by_key(|worst_row| worst_row.component);
     found
 }

@@ -1,16 +1,16 @@
-//! The events whose peaks are looked for.
+//! The events of a string that starts to move.
 
 use serde::{Deserialize, Serialize};
 use wholestring::operation::OperationKind;
 
 use wholestring_judge::CheckKind;
 
-/// How a string that hangs at rest sets itself in motion.
+/// Start of motion of a string that hangs at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Event {
-    /// The block lifts the string out of the slips and comes to the trip speed.
+    /// The block lifts the string out of the slips and accelerates to the trip speed.
     PickUpFromSlips,
-    /// The block lowers it from rest to the trip speed.
+    /// The block lowers the string from rest to the trip speed.
     SlackOffFromSlips,
     /// The pumps start, the string hanging still.
     BreakCirculation,
@@ -27,7 +27,7 @@ impl Event {
         Self::BreakRotation,
     ];
 
-    /// Name in case files and results.
+    /// Returns the name in case files and results.
     pub const fn name(self) -> &'static str {
         match self {
             Self::PickUpFromSlips => "pick_up_from_slips",
@@ -37,7 +37,7 @@ impl Event {
         }
     }
 
-    /// What people call it.
+    /// Returns the name for display.
     pub const fn label(self) -> &'static str {
         match self {
             Self::PickUpFromSlips => "pick-up from slips",
@@ -47,12 +47,12 @@ impl Event {
         }
     }
 
-    /// The event of that name, if there is one.
+    /// Returns the event of that name, if there is one.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|event| event.name() == name)
     }
 
-    /// The operation that it leads to.
+    /// Returns the operation that it leads to.
     pub const fn operation(self) -> OperationKind {
         match self {
             Self::PickUpFromSlips => OperationKind::TripOut,
@@ -61,7 +61,7 @@ impl Event {
         }
     }
 
-    /// Whether the string comes to turn.
+    /// Whether the string starts to rotate.
     pub const fn turns(self) -> bool {
         matches!(self, Self::BreakRotation)
     }
@@ -71,8 +71,8 @@ impl Event {
         matches!(self, Self::BreakCirculation)
     }
 
-    /// Whether its peak is held against a limit: what a peak says nothing of is left to the plan's states of
-    /// equilibrium.
+    /// Whether its peak is compared with a limit: limits that do not depend on a peak are left to
+    /// the plan's states of equilibrium.
     pub(super) const fn bears_on(self, kind: CheckKind) -> bool {
         use CheckKind::{
             Hoist, MakeUp, Overpull, PumpPressure, Tension, TensionAndTorsion, TopDrivePeak,

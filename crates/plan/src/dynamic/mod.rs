@@ -1,9 +1,9 @@
-//! What a plan takes from the dynamics where it is asked to: how the string sets itself in motion, and what
-//! it wears.
+//! Inputs of a plan from dynamic runs, where requested: starts of motion, and casing wear.
 //!
-//! An [`Event`] begins with the string hanging at rest and moves one set point to that of the operation, in a
-//! stated time: the engine's [`Schedule`](wholestring::dynamics::Schedule). What its peaks are against what
-//! they come to is an [`EventAnswer`]. Theory: `docs/src/theory/peaks.md`.
+//! An [`Event`] begins with the string hanging at rest and moves one set point to that of the
+//! operation, in a given time: the engine's [`Schedule`](wholestring::dynamics::Schedule). An
+//! [`EventAnswer`] contains its peaks and the steady values after them. Theory:
+//! `docs/src/theory/peaks.md`.
 
 mod event;
 mod extremes;

@@ -5,53 +5,55 @@ use wholestring::outcome::TimeSeries;
 
 use super::settings::REST_S;
 
-/// Time before the event over which what there is at rest is a mean, s.
+/// Time before the event over which the value at rest is averaged, s.
 const BEFORE_S: f64 = 0.5;
 
-/// Part of the watch at its end over which the steady value is a mean.
+/// Part of the watch at its end over which the steady value is averaged.
 const END: f64 = 0.25;
 
-/// To which side of what there is at rest a peak is looked for.
+/// Direction of a peak relative to the value at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Toward {
-    /// To what is more.
+    /// Towards larger values.
     More,
-    /// To what is less.
+    /// Towards smaller values.
     Less,
-    /// To the side of what it comes to.
+    /// Towards the steady value.
     Steady,
 }
 
-/// What an event makes of a quantity.
+/// Peak of a quantity in an event.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
-    /// Before it.
+    /// Value before the event.
     pub at_rest: f64,
-    /// What is farthest from that at any sample, to the side that it goes to.
+    /// Value farthest from that at rest at any sample, in the direction of the change.
     pub peak: f64,
-    /// When, s from the beginning of the event.
+    /// Time of the peak, s from the beginning of the event.
     pub time_s: f64,
-    /// What it comes to: the mean over the last quarter of the watch.
+    /// Steady value: the mean over the last quarter of the watch.
     pub steady: f64,
-    /// That less the mean over the quarter before.
+    /// Steady value less the mean over the quarter before.
     pub drift: f64,
 }
 
 impl Peak {
-    /// The peak over what it comes to; none where that is nothing.
+    /// Returns the peak over the steady value; `None` where that is zero.
     pub fn ratio(&self) -> Option<f64> {
         let ratio = self.peak / self.steady;
         ratio.is_finite().then_some(ratio)
     }
 
-    /// How far the peak goes beyond what it comes to, as a part of the change; none where nothing changes.
+    /// Returns the excess of the peak over the steady value, as a part of the change; `None`
+    /// without a change.
     pub fn overshoot(&self) -> Option<f64> {
         let change = self.steady - self.at_rest;
         let least = 1e-6 * self.steady.abs().max(self.at_rest.abs());
         (change.abs() > least).then(|| (self.peak - self.steady) / change)
     }
 
-    /// Of samples at times from the beginning of the event, s, of which the last `watch_s` are the watch.
+    /// Returns the peak of samples at times from the beginning of the event, s, of which the last
+    /// `watch_s` are the watch.
     pub(super) fn of(
         times_s: &[f64],
         values: &[f64],
@@ -82,7 +84,7 @@ impl Peak {
     }
 }
 
-/// What an event looks like at surface, sample by sample.
+/// An event at surface, sample by sample.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct History {
     /// Time from the beginning of the event, s.
@@ -91,18 +93,18 @@ pub struct History {
     pub hook_load_N: Vec<f64>,
     /// Torque at the top of the string, N·m.
     pub surface_torque_N_m: Vec<f64>,
-    /// Pressure of the pump, Pa; none without a rheology.
+    /// Pressure of the pump, Pa; `None` without a rheology.
     pub pump_pressure_Pa: Vec<Option<f64>>,
     /// Speed of the block, m/s, positive downwards.
     pub block_velocity_m_per_s: Vec<f64>,
     /// Rotary speed at surface, rad/s.
     pub rotary_speed_rad_per_s: Vec<f64>,
-    /// What the pumps deliver, m³/s.
+    /// Flow rate of the pumps, m³/s.
     pub flow_rate_m3_per_s: Vec<f64>,
 }
 
 impl History {
-    /// From half a second before the event on.
+    /// Returns the history from half a second before the event on.
     pub(super) fn of(series: &TimeSeries) -> Self {
         let first = series.time_s.partition_point(|time_s| *time_s <= REST_S - BEFORE_S);
         Self {
@@ -135,7 +137,7 @@ mod tests {
         assert!((peak.time_s - 1.0).abs() < 1e-9);
         assert_eq!((peak.at_rest, peak.peak, peak.steady, peak.drift), (100.0, 260.0, 200.0, 0.0));
         assert_eq!((peak.ratio(), peak.overshoot()), (Some(1.3), Some(0.6)));
-        // Nothing changes: no overshoot; nothing is there: no ratio.
+        // Without a change there is no overshoot; without a value there is no ratio.
         let still = Peak::of(&times_s, &vec![0.0; times_s.len()], 8.0, Toward::More);
         let still = still.expect("samples");
         assert_eq!((still.ratio(), still.overshoot()), (None, None));

@@ -1,4 +1,4 @@
-//! What a plan asks of the dynamics.
+//! Dynamic runs of a plan.
 
 use wholestring::{
     dynamics::{DynamicsSettings, HoistSetPoint, Precision, Schedule, ScheduleStep, Start},
@@ -8,36 +8,37 @@ use wholestring::{
 use super::Event;
 use crate::FrictionLevel;
 
-/// How long the string hangs at rest before an event, s: what the start stirs up is damped meanwhile.
+/// Time at rest before an event, s, in which the disturbance of the start is damped.
 pub(super) const REST_S: f64 = 3.0;
 
-/// What a plan asks of the dynamics.
+/// Dynamic runs of a plan.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct DynamicPlan {
-    /// Events whose peaks are looked for.
+    /// Events whose peaks are computed.
     pub events: Vec<Event>,
-    /// Set points that they lead to: trip speed, rotary speed, flow rate. Kind and depth do not count.
+    /// Set points that they lead to: trip speed, rotary speed, flow rate. Kind and depth are not
+    /// used.
     pub set_points: Option<Operation>,
-    /// Depths of the bit, m, growing.
+    /// Depths of the bit, m, increasing.
     pub bit_depths_m: Vec<f64>,
-    /// Frictions that they are looked for with.
+    /// Friction levels of the events.
     pub frictions: Vec<FrictionLevel>,
-    /// Time in which the block comes to its speed, s.
+    /// Time in which the block reaches its speed, s.
     pub hoist_ramp_s: f64,
-    /// Time in which the pumps come to their flow rate, s.
+    /// Time in which the pumps reach their flow rate, s.
     pub pump_ramp_s: f64,
-    /// Time in which the rotary comes to its speed, s.
+    /// Time in which the rotary reaches its speed, s.
     pub rotary_ramp_s: f64,
-    /// How long the string is watched after that, s.
+    /// Observation time after the ramp, s.
     pub watch_s: f64,
-    /// Gel strength of the mud, Pa; none by default.
+    /// Gel strength of the mud, Pa; `None` by default.
     pub gel_strength_Pa: Option<f64>,
-    /// Operations of the campaign whose wear is the dynamics' work of friction.
+    /// Operations of the campaign whose wear is computed from the friction work of the dynamics.
     pub wear: Vec<Operation>,
 }
 
 impl Default for DynamicPlan {
-    /// Nothing is asked; what is asked is looked at with the friction that is expected.
+    /// No events; the friction is the expected one.
     fn default() -> Self {
         Self {
             events: Vec::new(),
@@ -55,7 +56,7 @@ impl Default for DynamicPlan {
 }
 
 impl DynamicPlan {
-    /// Time in which an event brings its set point to its value, s.
+    /// Returns the time in which an event changes its set point, s.
     pub fn ramp_s(&self, event: Event) -> f64 {
         match event {
             Event::PickUpFromSlips | Event::SlackOffFromSlips => self.hoist_ramp_s,
@@ -64,14 +65,15 @@ impl DynamicPlan {
         }
     }
 
-    /// The operation that an event leads to, with the bit at a depth, m; none where no set points are given.
+    /// Returns the operation that an event leads to, with the bit at a depth, m; `None` without set
+    /// points.
     pub(super) fn operation(&self, event: Event, bit_depth_m: f64) -> Option<Operation> {
         let set = self.set_points?;
         Some(Operation { kind: event.operation(), bit_depth_m, ..set })
     }
 
-    /// The settings of a run that begins at rest, has the event's set point come to its value, and watches. Its
-    /// window is what comes after the rest.
+    /// Returns the settings of a run that begins at rest, ramps the event's set point to its value,
+    /// and then watches. Its window is the time after the rest.
     pub(super) fn run(
         &self,
         event: Event,
@@ -106,7 +108,7 @@ impl DynamicPlan {
             settle_s: REST_S,
             steady: None,
             duration_s: ramp_s + self.watch_s,
-            // A string that comes to rest needs all digits.
+            // A string that settles to rest needs double precision.
             precision: Precision::Double,
             probes: Vec::new(),
             ..dynamics.clone()

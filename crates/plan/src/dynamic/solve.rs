@@ -23,32 +23,32 @@ use crate::{
 /// An event with the bit at a depth and a friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EventTask {
-    /// What happens.
+    /// The event.
     pub event: Event,
-    /// How much friction there is.
+    /// Friction level.
     pub friction: FrictionLevel,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
 }
 
-/// What came of it.
+/// Result of an event.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EventAnswer {
     /// Hook load without block, N.
     pub hook_load_N: Peak,
-    /// Surface torque, N·m, of a string that comes to turn.
+    /// Surface torque, N·m, of a string that starts to rotate.
     pub surface_torque_N_m: Option<Peak>,
     /// Pressure of the pump, Pa, where it starts.
     pub pump_pressure_Pa: Option<Peak>,
-    /// What breaks the gel, where the pump starts and the mud's gel strength is known.
+    /// Gel breaking pressures, where the pump starts and the mud's gel strength is known.
     pub gel: Option<GelBreak>,
     /// The event at surface.
     pub history: History,
-    /// How near its peak is to what pipe and rig bear.
+    /// The limits of pipe and rig for its peak.
     pub limits: Vec<Check>,
 }
 
-/// Why there is no answer.
+/// The reason why there is no result.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NoDynamics {
     /// The string cannot be as long as the bit is deep.
@@ -61,12 +61,12 @@ pub enum NoDynamics {
     #[error(transparent)]
     Diverged(#[from] Diverged),
     /// The plan has no set points, or a series no samples.
-    #[error("there is nothing to look at")]
+    #[error("the plan has no set points, or a series no samples")]
     Nothing,
 }
 
 impl DynamicPlan {
-    /// What is to be looked at, event after event, friction after friction, down the hole.
+    /// Returns the events to solve, event after event, friction after friction, down the hole.
     pub fn tasks(&self) -> Vec<EventTask> {
         let mut tasks = Vec::new();
         for &event in &self.events {
@@ -80,10 +80,10 @@ impl DynamicPlan {
 }
 
 impl Broomstick {
-    /// An event; none where `goes_on` said no on the way.
+    /// Solves an event; `None` where `goes_on` returned `false` on the way.
     ///
     /// # Errors
-    /// Why it has no answer.
+    /// The reason why there is no result.
     pub fn solve_event(
         &self,
         task: &EventTask,
@@ -117,15 +117,17 @@ impl Broomstick {
         let surface_torque_N_m =
             peak(&history.surface_torque_N_m, Toward::More).filter(|_| event.turns());
         let pressures: Option<Vec<f64>> = history.pump_pressure_Pa.iter().copied().collect();
-        let pump_pressure_Pa =
-            pressures.and_then(|of| peak(&of, Toward::More)).filter(|_| event.circulates());
+        let pump_pressure_Pa = pressures
+            .and_then(|pressure| peak(&pressure, Toward::More))
+            .filter(|_| event.circulates());
         let gel = plan.gel_strength_Pa.filter(|_| event.circulates());
         let gel = gel.map(|strength_Pa| gel_break(&model, bit_depth_m, strength_Pa));
-        let pump_Pa = pump_pressure_Pa.map_or(0.0, |of| of.peak);
-        let pump_Pa = gel.map_or(pump_Pa, |of| of.pressure_Pa().max(pump_Pa));
+        let pump_Pa = pump_pressure_Pa.map_or(0.0, |pressure| pressure.peak);
+        let pump_Pa = gel.map_or(pump_Pa, |gel| gel.pressure_Pa().max(pump_Pa));
         let profile = extremes.in_profile(&outcome.nodes);
-        let hydraulics =
-            outcome.hydraulics.map(|of| Hydraulics { pump_pressure_Pa: pump_Pa, ..of });
+        let hydraulics = outcome
+            .hydraulics
+            .map(|hydraulic| Hydraulics { pump_pressure_Pa: pump_Pa, ..hydraulic });
         let solution = Solution { profile: &profile, hydraulics, ..(&outcome).into() };
         let found = self.judge().limits(&model, &steady(event, &operation), &solution);
         let is_its = |check: &Check| event.bears_on(check.kind);
@@ -140,7 +142,7 @@ impl Broomstick {
     }
 }
 
-/// The operation as limits see it: a string that breaks circulation does not turn.
+/// Returns the operation for the limits: a string that breaks circulation does not turn.
 fn steady(event: Event, operation: &Operation) -> Operation {
     let speed = if event.turns() { operation.rotary_speed_rad_per_s } else { 0.0 };
     Operation { rotary_speed_rad_per_s: speed, ..*operation }

@@ -1,4 +1,4 @@
-//! Wear by the dynamics' work of friction.
+//! Wear from the friction work of the dynamics.
 
 use std::ops::ControlFlow;
 
@@ -10,7 +10,7 @@ use wholestring::{
 use super::{DynamicPlan, NoDynamics};
 use crate::{Broomstick, FrictionLevel, Share};
 
-/// An operation of the campaign whose wear is the dynamics', with the depth of its bit.
+/// An operation of the campaign whose wear is computed by the dynamics, with the depth of its bit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WearTask {
     /// The operation.
@@ -18,27 +18,30 @@ pub struct WearTask {
 }
 
 impl DynamicPlan {
-    /// What wears, operation after operation, down the hole. What the campaign has at the deepest depth alone is
-    /// looked at there.
+    /// Returns the wear tasks, operation after operation, down the hole. An operation that the
+    /// campaign has only at the deepest depth is evaluated there.
     pub fn wear_tasks(&self, campaign: &crate::Campaign) -> Vec<WearTask> {
-        let depths = |of: &Operation| {
-            let of = *of;
+        let depths = |operation: &Operation| {
+            let template = *operation;
             self.bit_depths_m
                 .iter()
-                .map(move |bit_depth_m| Operation { bit_depth_m: *bit_depth_m, ..of })
+                .map(move |bit_depth_m| Operation { bit_depth_m: *bit_depth_m, ..template })
         };
         let operations = self.wear.iter().flat_map(depths);
-        let wears = |of: &Operation| campaign.duration_near_s(of, &self.bit_depths_m).is_some();
+        let wears = |operation: &Operation| {
+            campaign.duration_near_s(operation, &self.bit_depths_m).is_some()
+        };
         operations.filter(wears).map(|operation| WearTask { operation }).collect()
     }
 }
 
 impl Broomstick {
-    /// What an operation takes of the casings by the dynamics' work of friction, with the friction that is
-    /// expected; none where `goes_on` said no on the way, or where there is no campaign.
+    /// Returns the casing wear of an operation from the friction work of the dynamics, with the
+    /// expected friction; `None` where `goes_on` returned `false` on the way, or without a
+    /// campaign.
     ///
     /// # Errors
-    /// Why it has no answer.
+    /// The reason why there is no result.
     pub fn solve_wear(
         &self,
         task: &WearTask,
@@ -49,7 +52,7 @@ impl Broomstick {
         let Some(campaign) = self.campaign() else { return Ok(None) };
         let operation = &task.operation;
         let model = self.setup(FrictionLevel::Expected).at(operation.bit_depth_m)?;
-        // The case's schedule is that of its own run.
+        // The case's schedule applies to its own run only.
         let settings = DynamicsSettings {
             schedule: Schedule::default(),
             probes: Vec::new(),

@@ -5,13 +5,14 @@ use serde::{Deserialize, Serialize};
 use super::FatigueSettings;
 use crate::Stage;
 
-/// Length of string that one number stands for, m: about a joint of pipe.
+/// Length of string that one number represents, m: about a joint of pipe.
 pub const CELL_M: f64 = 10.0;
 
-/// What a campaign takes of the life of each part of a string.
+/// Part of the life of each part of a string that a campaign uses.
 ///
-/// A place of the string is known by its component and its distance from that one's lower end: pipe is added at
-/// the surface, so that the same metal passes one dogleg after the other.
+/// A place of the string is identified by its component and its distance from the lower end of that
+/// component: pipe is added at the surface, so that the same metal passes one dogleg after the
+/// other.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Damage {
     /// By component, from the bit, and cell, from its lower end.
@@ -25,13 +26,13 @@ pub struct DamageRow {
     pub component: usize,
     /// Distance of the part's lower end from that of the component, m.
     pub from_lower_end_m: f64,
-    /// Part of its life that is gone; at one it fails.
+    /// Part of its life that is used; at one it fails.
     pub damage: f64,
 }
 
 impl Damage {
-    /// Adds an operation that goes on for a time: its revolutions over those to failure, of the worst place in
-    /// each cell.
+    /// Adds an operation with its duration: its revolutions over those to failure, of the worst
+    /// place in each cell.
     pub fn add(&mut self, stage: &Stage<'_>, settings: &FatigueSettings) {
         let revolutions = stage.revolutions();
         let string = &stage.model.string;
@@ -76,7 +77,7 @@ impl Damage {
         }
     }
 
-    /// Adds what other operations took of the same string.
+    /// Adds the damage of other operations to the same string.
     pub fn merge(&mut self, other: &Self) {
         if self.cells.len() < other.cells.len() {
             self.cells.resize(other.cells.len(), Vec::new());
@@ -91,7 +92,7 @@ impl Damage {
         }
     }
 
-    /// All cells, from the bit up.
+    /// Returns all cells, from the bit up.
     pub fn rows(&self) -> impl Iterator<Item = DamageRow> + '_ {
         self.cells.iter().enumerate().flat_map(|(component, cells)| {
             cells.iter().enumerate().map(move |(cell, damage)| DamageRow {
@@ -102,9 +103,9 @@ impl Damage {
         })
     }
 
-    /// The cell of a component that has the most damage; none where nothing is known of it.
+    /// Returns the cell of a component with the most damage; `None` where nothing is known of it.
     pub fn worst(&self, component: usize) -> Option<DamageRow> {
-        let of = self.rows().filter(|row| row.component == component);
-        of.max_by(|a, b| a.damage.total_cmp(&b.damage))
+        let rows = self.rows().filter(|row| row.component == component);
+        rows.max_by(|a, b| a.damage.total_cmp(&b.damage))
     }
 }

@@ -4,7 +4,8 @@ use wholestring::string::Component;
 
 use wholestring_judge::strength::PSI_PA;
 
-/// The bending stress that a pipe endures under a tension, of API RP 7G (as commonly printed).
+/// Endurance limit of the bending stress of a pipe under tension, of API RP 7G (as commonly
+/// printed).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EnduranceCurve {
     /// `σ_b = 19500 − 10/67 σ_t − 0.6/670² (σ_t − 33500)²` psi, up to 67,000 psi: of grade E-75.
@@ -14,13 +15,14 @@ pub enum EnduranceCurve {
 }
 
 impl EnduranceCurve {
-    /// Of a pipe of a minimum yield strength, Pa: that of S-135 from 105,000 psi on. The standard prints no
-    /// others.
+    /// Returns the curve for a minimum yield strength, Pa: that of S-135 from 105,000 psi on. The
+    /// standard prints no others.
     pub fn of(yield_strength_Pa: f64) -> Self {
         if yield_strength_Pa > 100e3 * PSI_PA { Self::S135 } else { Self::E75 }
     }
 
-    /// Bending stress, Pa, that is endured under a tensile stress, Pa; a compression counts as none.
+    /// Returns the endurance limit of the bending stress, Pa, under a tensile stress, Pa; a
+    /// compression counts as none.
     pub fn bending_Pa(self, tensile_Pa: f64) -> f64 {
         let tensile = tensile_Pa.max(0.0) / PSI_PA;
         let (bending, most) = match self {
@@ -35,13 +37,13 @@ impl EnduranceCurve {
     }
 }
 
-/// The dogleg severity in which a pipe may turn for ever under an effective tension, N, rad/m (Lubinski 1961,
-/// API RP 7G), with `σ_b` the bending stress that `curve` bears at that tension, `D` the diameter and `L` half
-/// of the distance between tool joints:
+/// Returns the dogleg severity, rad/m, in which a pipe may turn indefinitely under an effective
+/// tension, N (Lubinski 1961, API RP 7G), with `σ_b` the bending stress that `curve` allows at that
+/// tension, `D` the diameter and `L` half of the distance between tool joints:
 ///
 #[doc = include_str!("../../equations/permissible-dogleg.html")]
 ///
-/// Without tool joints, and in compression, the pipe bends as the hole does.
+/// Without tool joints, and in compression, the pipe has the curvature of the hole.
 pub fn permissible_dogleg_rad_per_m(
     component: &Component,
     tension_N: f64,

@@ -1,8 +1,9 @@
 //! Fatigue of pipe that turns in doglegs.
 //!
-//! Each revolution bends every fibre once to and fro: by the curvature that the pipe has there, at its tool
-//! joints more than the hole. [`rows`] tells what an hour costs and which dogleg is permissible, [`Damage`] sums
-//! a campaign by Miner's rule. Theory and sources: `docs/src/theory/fatigue.md`.
+//! Each revolution bends every fibre once to and fro, by the local curvature of the pipe, which at
+//! its tool joints exceeds that of the hole. [`rows`] returns the damage per hour and the
+//! permissible dogleg, [`Damage`] sums a campaign by Miner's rule. Theory and sources:
+//! `docs/src/theory/fatigue.md`.
 
 mod damage;
 mod dogleg;

@@ -1,4 +1,4 @@
-//! What turning costs, place by place.
+//! Fatigue damage of rotation, place by place.
 
 use std::f64::consts::TAU;
 
@@ -14,25 +14,26 @@ use super::{
     permissible_dogleg_rad_per_m,
 };
 
-/// What fatigue is computed with.
+/// Settings of the fatigue model.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct FatigueSettings {
-    /// How many cycles are borne.
+    /// Cycles to failure.
     pub sn_curve: SnCurve,
-    /// Tensile strength, Pa, of all pipe; where none is given that of its grade
+    /// Tensile strength, Pa, of all pipe; `None` for that of its grade
     /// ([`minimum_tensile_strength_Pa`]).
     pub tensile_strength_Pa: Option<f64>,
 }
 
 impl FatigueSettings {
-    /// Tensile strength of a component, Pa; none where its yield strength is not known either.
+    /// Returns the tensile strength of a component, Pa; `None` where its yield strength is not
+    /// known either.
     pub fn tensile_strength_of_Pa(&self, component: &Component) -> Option<f64> {
         let of_grade = || component.yield_strength_Pa.map(minimum_tensile_strength_Pa);
         self.tensile_strength_Pa.or_else(of_grade)
     }
 
-    /// The stress that alternates and what it costs at a row of a profile, of a component with this tensile
-    /// strength, Pa.
+    /// Returns the alternating stress and its damage at a row of a profile, of a component with
+    /// this tensile strength, Pa.
     pub(super) fn cost(
         &self,
         component: &Component,
@@ -47,7 +48,7 @@ impl FatigueSettings {
     }
 }
 
-/// What a revolution costs.
+/// Damage of a revolution.
 pub(super) struct Cost {
     bending_Pa: f64,
     mean_Pa: f64,
@@ -66,21 +67,21 @@ pub struct FatigueRow {
     pub bending_Pa: f64,
     /// Mean stress of the effective tension, Pa.
     pub mean_Pa: f64,
-    /// Amplitude that costs as much without a mean stress, Pa (Goodman).
+    /// Amplitude with the same damage without a mean stress, Pa (Goodman).
     pub equivalent_Pa: f64,
-    /// Revolutions to failure; infinite where nothing is damaged.
+    /// Revolutions to failure; infinite without damage.
     pub revolutions_to_failure: f64,
-    /// Part of its life that an hour of this operation takes; none of a string that does not turn.
+    /// Part of its life that an hour of this operation uses; zero for a string that does not turn.
     pub damage_per_hour: f64,
     /// Dogleg severity of the hole, rad/m.
     pub dogleg_rad_per_m: f64,
-    /// Dogleg severity that is permissible under that tension, rad/m; none where the yield strength is not
-    /// known.
+    /// Permissible dogleg severity under that tension, rad/m; `None` where the yield strength is
+    /// not known.
     pub permissible_dogleg_rad_per_m: Option<f64>,
 }
 
-/// Fatigue along the string, a row for each of the profile whose component's tensile strength is known, but of
-/// the bit.
+/// Returns the fatigue along the string, a row for each of the profile whose component's tensile
+/// strength is known, without those of the bit.
 pub fn rows(
     model: &Model,
     operation: &Operation,

@@ -1,7 +1,7 @@
-//! How many cycles of a stress a pipe bears.
+//! Cycles to failure of a pipe under an alternating stress.
 
-/// An S-N curve of two slopes that meet at a knee, and if there is one an endurance limit: cycles `N`
-/// that an amplitude `S` takes to failure,
+/// An S-N curve of two slopes that meet at a knee, with an optional endurance limit: cycles `N` to
+/// failure at an amplitude `S`,
 ///
 #[doc = include_str!("../../equations/sn-curve.html")]
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -14,14 +14,15 @@ pub struct SnCurve {
     pub exponent: f64,
     /// Exponent below the knee `m₂`.
     pub exponent_below: f64,
-    /// Amplitude, Pa, below which nothing is damaged.
+    /// Amplitude, Pa, below which there is no damage.
     pub endurance_limit_Pa: Option<f64>,
 }
 
 impl SnCurve {
-    /// DNV-RP-C203, curve B1 in air (as commonly printed): `log N = 15.117 − 4 log Δσ` up to 10⁷ cycles,
-    /// `17.146 − 5 log Δσ` beyond, `Δσ` the range in MPa. A design curve, two standard deviations below the
-    /// mean, of smooth rolled metal: neither of threads, nor of slip cuts, nor of corroded pipe.
+    /// DNV-RP-C203, curve B1 in air (as commonly printed): `log N = 15.117 − 4 log Δσ` up to 10⁷
+    /// cycles, `17.146 − 5 log Δσ` beyond, `Δσ` the range in MPa. A design curve, two standard
+    /// deviations below the mean, of smooth rolled metal: neither of threads, nor of slip cuts, nor
+    /// of corroded pipe.
     pub const B1_IN_AIR: Self = Self {
         knee_cycles: 1e7,
         knee_amplitude_Pa: 53.483_45e6,
@@ -30,7 +31,7 @@ impl SnCurve {
         endurance_limit_Pa: None,
     };
 
-    /// A curve of one slope through so many cycles at an amplitude, Pa.
+    /// Returns a curve of one slope through this number of cycles at an amplitude, Pa.
     pub const fn of_one_slope(cycles: f64, amplitude_Pa: f64, exponent: f64) -> Self {
         Self {
             knee_cycles: cycles,
@@ -41,7 +42,7 @@ impl SnCurve {
         }
     }
 
-    /// Cycles to failure at an amplitude, Pa; infinite where nothing is damaged.
+    /// Returns the cycles to failure at an amplitude, Pa; infinite without damage.
     pub fn cycles(&self, amplitude_Pa: f64) -> f64 {
         let endured = self.endurance_limit_Pa.is_some_and(|limit_Pa| amplitude_Pa < limit_Pa);
         if amplitude_Pa <= 0.0 || endured {

@@ -1,9 +1,9 @@
-//! What circulation and tripping do to the pressure in the hole, against the depth of the bit.
+//! Effect of circulation and tripping on the pressure in the hole, against the depth of the bit.
 //!
-//! Pressures are those of the engine's mud ([`wholestring::mud`]): laminar and turbulent, pipe and hole
-//! on one axis, the pipe's own motion and rotation in the flow. A density that weighs as much as mud
-//! and friction together is their equivalent density, `ρ + Δp/(g z)` at the vertical depth `z`. Theory:
-//! `docs/src/theory/mud.md`.
+//! Pressures are those of the engine's mud ([`wholestring::mud`]): laminar and turbulent, pipe and
+//! hole concentric, the pipe's own motion and rotation in the flow. The equivalent density is that
+//! of a column with the pressure of mud and friction together, `ρ + Δp/(g z)` at the vertical depth
+//! `z`. Theory: `docs/src/theory/mud.md`.
 
 mod gel;
 mod passage;
@@ -29,7 +29,7 @@ use passage::Passages;
 /// Equivalent densities, kg/m³.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EquivalentDensity {
-    /// At the deepest casing shoe, wherever the bit is; `None` of a hole without casing.
+    /// At the deepest casing shoe, wherever the bit is; `None` for a hole without casing.
     pub shoe_kg_per_m3: Option<f64>,
     /// At the bit.
     pub bit_kg_per_m3: f64,
@@ -48,7 +48,7 @@ pub struct HydraulicsRow {
     pub bit_loss_Pa: f64,
     /// Friction in the annulus, Pa.
     pub annulus_loss_Pa: f64,
-    /// While the operation's pumps and rotation go on.
+    /// With the pumps and rotation of the operation.
     pub circulating: EquivalentDensity,
     /// Running in at the trip speed, the string closed and open.
     pub surge: [EquivalentDensity; 2],
@@ -59,19 +59,19 @@ pub struct HydraulicsRow {
 /// The ends of [`HydraulicsRow::surge`] and [`HydraulicsRow::swab`], in their order.
 pub const STRING_ENDS: [StringEnd; 2] = [StringEnd::Closed, StringEnd::Open];
 
-/// Why there is no answer.
+/// The reason why there is no result.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum HydraulicsError {
-    /// The mud does not say how it flows.
+    /// The mud has no rheology.
     #[error("the mud has no rheology: pressures need one")]
     NoRheology,
-    /// The bit does not stand at that depth.
+    /// The string cannot have its bit at that depth.
     #[error(transparent)]
     Assembly(#[from] AssemblyError),
 }
 
-/// The mud with the bit at each depth, m: circulating as `operation` does, and tripping at its trip
-/// speed. The operation's own depth does not count.
+/// Returns the mud with the bit at each depth, m: circulating as in `operation`, and tripping at
+/// its trip speed. The operation's own depth is not used.
 ///
 /// # Errors
 /// A mud without a rheology; a depth that no string can be made for.
@@ -87,7 +87,7 @@ pub fn hydraulics(
     bit_depths_m.iter().map(at).collect()
 }
 
-/// Measured depth of the deepest casing shoe, m.
+/// Returns the measured depth of the deepest casing shoe, m.
 pub fn casing_shoe_m(hole: &Hole) -> Option<f64> {
     let casings = hole.sections().iter().filter(|section| section.kind == HoleKind::Casing);
     casings.map(|section| section.to_md_m).reduce(f64::max)

@@ -1,14 +1,14 @@
-//! The way of the mud: down the bore, up the annulus.
+//! The path of the mud: down the bore, up the annulus.
 
 use wholestring::{
     model::Model,
     mud::{Annulus, Motion, Mud, bore},
 };
 
-/// Boundaries that lie closer together than this are one, m.
+/// Boundaries that are closer than this are one, m.
 const SHORTEST_M: f64 = 1e-6;
 
-/// A stretch in which bore, pipe and hole do not change.
+/// A stretch with constant bore, pipe and hole.
 struct Passage {
     from_md_m: f64,
     to_md_m: f64,
@@ -17,7 +17,7 @@ struct Passage {
 }
 
 impl Passage {
-    /// How much of it lies above a measured depth, m.
+    /// Returns its length above a measured depth, m.
     fn above_m(&self, md_m: f64) -> f64 {
         (md_m.min(self.to_md_m) - self.from_md_m).max(0.0)
     }
@@ -52,13 +52,15 @@ impl Passages {
         Self { mud: model.mud, stretches: stretches.collect() }
     }
 
-    /// Length of each stretch, m, its annulus and its bore, m².
+    /// Returns the length of each stretch, m, its annulus and its bore, m².
     pub(super) fn lengths(&self) -> impl Iterator<Item = (f64, &Annulus, f64)> {
-        self.stretches.iter().map(|of| (of.to_md_m - of.from_md_m, &of.annulus, of.bore_m2))
+        self.stretches
+            .iter()
+            .map(|stretch| (stretch.to_md_m - stretch.from_md_m, &stretch.annulus, stretch.bore_m2))
     }
 
-    /// What friction adds to the pressure in the annulus at measured depths, Pa. Below the bit nothing
-    /// is added.
+    /// Returns the pressure that friction adds in the annulus at measured depths, Pa. Below the bit
+    /// nothing is added.
     pub(super) fn annulus_loss_Pa<const N: usize>(
         &self,
         motion: &Motion,
@@ -74,7 +76,7 @@ impl Passages {
         losses_Pa
     }
 
-    /// What friction takes in the bore of a flow down it, relative to the pipe, Pa.
+    /// Returns the friction loss in the bore of a flow down it, relative to the pipe, Pa.
     pub(super) fn bore_loss_Pa(&self, flow_m3_per_s: f64) -> f64 {
         let loss = |stretch: &Passage| {
             (stretch.to_md_m - stretch.from_md_m)

@@ -41,7 +41,7 @@ fn plain(rheology: Option<Rheology>) -> Setup {
     }
 }
 
-/// So thick that nothing is turbulent.
+/// A viscosity at which no flow is turbulent.
 const THICK: f64 = 2.0;
 
 fn newtonian() -> Option<Rheology> {
@@ -56,7 +56,7 @@ fn trip(speed_m_per_s: f64) -> Operation {
     Operation { trip_speed_m_per_s: speed_m_per_s, ..Operation::trip_in(LENGTH_M) }
 }
 
-/// What an equivalent density says of the friction above a vertical depth, Pa.
+/// Returns the friction above a vertical depth, Pa, from an equivalent density.
 fn friction_Pa(density: f64, depth_m: f64) -> f64 {
     (density - DENSITY) * GRAVITY_M_PER_S2 * depth_m
 }
@@ -74,9 +74,9 @@ fn shape() -> (f64, f64, f64) {
     (sum * log - gap, gap, log)
 }
 
-/// A closed pipe that moves along in a Newtonian mud: `G = 4μv/((R² + a²) ln(R/a) − (R² − a²))`,
-/// from Navier and Stokes with the pipe's wall at `v` and what it displaces going up. To rounding;
-/// at the shoe by its share of the length, and of swab the same with the other sign.
+/// A closed pipe that moves axially in a Newtonian mud: `G = 4μv/((R² + a²) ln(R/a) − (R² − a²))`,
+/// from Navier and Stokes with the pipe's wall at `v` and the displaced mud flowing up. To
+/// rounding; at the shoe by its share of the length, and of swab the same with the other sign.
 #[test]
 fn a_closed_pipe_in_a_newtonian_mud() {
     let speed = 0.4;
@@ -90,7 +90,8 @@ fn a_closed_pipe_in_a_newtonian_mud() {
     close("swab", friction_Pa(swabbed.bit_kg_per_m3, LENGTH_M), -gradient * LENGTH_M, 1e-10);
 }
 
-/// With the bit above the shoe the pressure at the bit is handed down: the same pressure, deeper.
+/// With the bit above the shoe the pressure at the bit is transmitted down: the same pressure,
+/// deeper.
 #[test]
 fn a_shoe_below_the_bit_feels_the_bit() {
     let row = at(&plain(newtonian()), &trip(0.4), 500.0);
@@ -99,9 +100,9 @@ fn a_shoe_below_the_bit_feels_the_bit() {
     close("shoe", at_shoe, friction_Pa(closed.bit_kg_per_m3, 500.0), 1e-10);
 }
 
-/// Burkhardt's clinging constant (1961) for laminar flow, `κ = (α² − 2α² ln α − 1)/(2(1 − α²) ln α)`
-/// with `α = a/R`: the pressure of the moving pipe is that of a pipe at rest past which mud flows at
-/// `v (α²/(1 − α²) + κ)`. To rounding.
+/// Burkhardt's clinging constant (1961) for laminar flow, `κ = (α² − 2α² ln α − 1)/(2(1 − α²) ln
+/// α)` with `α = a/R`: the pressure of the moving pipe is that of a pipe at rest past which mud
+/// flows at `v (α²/(1 − α²) + κ)`. To rounding.
 #[test]
 fn the_clinging_constant_is_burkhardts() {
     let (speed, alpha) = (0.4, OD_M / HOLE_M);
@@ -134,21 +135,21 @@ fn an_open_pipe_in_a_newtonian_mud() {
     assert!(row.surge[1].bit_kg_per_m3 < row.surge[0].bit_kg_per_m3);
 }
 
-/// Nozzles that let hardly any mud through make an open string a closed one.
+/// Nozzles that pass hardly any mud make an open string a closed one.
 #[test]
 fn small_nozzles_close_the_string() {
     let setup = plain(newtonian());
     let operation = Operation { flow_rate_m3_per_s: 1e-3, bit_pressure_drop_Pa: 1e15, ..trip(0.4) };
     let [closed, open] = at(&setup, &operation, LENGTH_M).surge;
-    let [closed, open] = [closed, open].map(|of| friction_Pa(of.bit_kg_per_m3, LENGTH_M));
+    let [closed, open] = [closed, open].map(|density| friction_Pa(density.bit_kg_per_m3, LENGTH_M));
     close("nozzles", open, closed, 1e-4);
 }
 
 /// Mid-points in each of the two ways across the gap of the integration below.
 const POINTS: usize = 4000;
 
-/// Velocity of the wall of a pipe towards the bit, m/s, and flow up the annulus over `2π`, m³/s, that
-/// a power law has under `τ = G r/2 + B/r`: integrated by the mid-point rule.
+/// Velocity of the wall of a pipe towards the bit, m/s, and flow up the annulus over `2π`, m³/s,
+/// that a power law has under `τ = G r/2 + B/r`: integrated by the mid-point rule.
 fn flow_under(gradient: f64, b: f64, consistency: f64, index: f64) -> (f64, f64) {
     let (a, r) = (0.5 * OD_M, 0.5 * HOLE_M);
     let step = (r - a) / POINTS as f64;
@@ -166,9 +167,9 @@ fn flow_under(gradient: f64, b: f64, consistency: f64, index: f64) -> (f64, f64)
     (-speed, flow)
 }
 
-/// A closed pipe in a power law: the gradient for which an integration across the gap, shot from the
-/// hole's wall, meets the pipe's speed and what it displaces. 2e-7: the mid-point rule's error falls by
-/// four from 2000 points (2.8e-7) to 4000 (7e-8).
+/// A closed pipe in a power law: the gradient for which an integration across the gap, shot from
+/// the hole's wall, gives the pipe's speed and the displaced volume. 2e-7: the mid-point rule's
+/// error falls by four from 2000 points (2.8e-7) to 4000 (7e-8).
 #[test]
 fn a_closed_pipe_in_a_power_law() {
     let (consistency, index, speed) = (0.9, 0.55, 0.4);
@@ -198,8 +199,8 @@ fn a_closed_pipe_in_a_power_law() {
     close("gradient", found, 0.5 * (low + high), 2e-7);
 }
 
-/// The pressures of circulation are those that the soft string has, which goes another way to them;
-/// rotation thins a power law, as it does there.
+/// The pressures of circulation equal those of the soft string, which computes them in another way;
+/// rotation thins a power law in both.
 #[test]
 fn circulation_is_the_soft_strings() {
     let rheology = Rheology::PowerLaw { consistency_Pa_s_n: 0.9, flow_index: 0.55 };
@@ -227,10 +228,11 @@ fn circulation_is_the_soft_strings() {
         let at_bit = friction_Pa(row.circulating.bit_kg_per_m3, depth_m);
         close("at the bit", at_bit, expected.annulus_loss_Pa, 1e-8);
     }
-    // Rotation thins the mud where the flow is slow enough not to do it alone.
+    // Rotation thins the mud where the flow is slow enough not to thin it by itself.
     let slow = Operation { flow_rate_m3_per_s: 5e-3, ..drill };
     let still = Operation { rotary_speed_rad_per_s: 1e-9, ..slow };
-    let [turning, still] = [slow, still].map(|of| at(&setup, &of, LENGTH_M).annulus_loss_Pa);
+    let [turning, still] =
+        [slow, still].map(|operation| at(&setup, &operation, LENGTH_M).annulus_loss_Pa);
     assert!(turning < 0.9 * still, "{turning} {still}");
 }
 
@@ -241,9 +243,9 @@ fn what_has_no_answer_says_so() {
     let setup = plain(newtonian());
     assert!(matches!(hydraulics(&setup, &trip(0.4), &[-1.0]), Err(HydraulicsError::Assembly(_))));
     assert_eq!(casing_shoe_m(&setup.well.hole), Some(SHOE_M));
-    // A string at rest adds nothing.
+    // A string at rest adds no pressure.
     let row = at(&setup, &trip(0.0), LENGTH_M);
-    for of in [row.surge, row.swab].concat() {
-        assert!((of.bit_kg_per_m3 - DENSITY).abs() < 1e-9);
+    for density in [row.surge, row.swab].concat() {
+        assert!((density.bit_kg_per_m3 - DENSITY).abs() < 1e-9);
     }
 }

@@ -7,22 +7,22 @@ use wholestring::{mud::Motion, operation::Operation};
 use super::passage::Passages;
 use crate::root;
 
-/// A flow that no string lets through, m³/s: the search for one that is large enough ends there.
+/// Upper limit of the search for a flow through a string that is large enough, m³/s.
 const MOST_M3_PER_S: f64 = 1e3;
-/// How exactly that flow is found, as a part of it.
+/// Relative tolerance of that flow.
 const EXACT: f64 = 1e-12;
 
 /// Whether mud enters the string as it moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StringEnd {
-    /// It does not: a float valve, a plugged bit.
+    /// It does not enter: a float valve, a plugged bit.
     Closed,
-    /// It does, through the nozzles where the operation gives their pressure drop: the pressure at
-    /// the bit is the same on both ways up.
+    /// It enters through the nozzles, where the operation gives their pressure drop: the pressure
+    /// at the bit is the same on both ways up.
     Open,
 }
 
-/// How mud and string move at a velocity of the string, m/s, positive towards the bit.
+/// Returns the motion of mud and string at a velocity of the string, m/s, positive towards the bit.
 pub(super) fn motion(
     passages: &Passages,
     operation: &Operation,
@@ -39,14 +39,14 @@ pub(super) fn motion(
         StringEnd::Open => {
             let speed_m_per_s = velocity_m_per_s.abs();
             let up_m3_per_s = through_bore_m3_per_s(passages, operation, speed_m_per_s);
-            // Running in it streams up the bore, pulling out down.
+            // Running in it flows up the bore, pulling out down.
             at(-up_m3_per_s * velocity_m_per_s.signum())
         }
     }
 }
 
-/// What streams through the bore of a string at a speed, relative to it, m³/s: so much that annulus
-/// and bore add the same pressure at the bit; the difference falls with the flow.
+/// Returns the flow through the bore of a string at a speed, relative to it, m³/s, for which
+/// annulus and bore add the same pressure at the bit; the difference falls with the flow.
 fn through_bore_m3_per_s(passages: &Passages, operation: &Operation, speed_m_per_s: f64) -> f64 {
     let difference_Pa = |flow_m3_per_s: f64| {
         let motion = Motion {
@@ -71,7 +71,7 @@ fn through_bore_m3_per_s(passages: &Passages, operation: &Operation, speed_m_per
     if at_high > 0.0 {
         return high;
     }
-    let of = |flow_m3_per_s: f64| Ok::<_, Infallible>(difference_Pa(flow_m3_per_s));
-    let Ok(flow_m3_per_s) = root(of, [(low, at_low), (high, at_high)], EXACT * high);
+    let difference = |flow_m3_per_s: f64| Ok::<_, Infallible>(difference_Pa(flow_m3_per_s));
+    let Ok(flow_m3_per_s) = root(difference, [(low, at_low), (high, at_high)], EXACT * high);
     flow_m3_per_s
 }

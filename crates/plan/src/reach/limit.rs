@@ -1,15 +1,14 @@
-//! What may stop a string from going deeper.
+//! Limits of the depth of a string.
 
 use wholestring::{operation::Operation, rig::Rig, string::DrillString};
 
-/// Declares the limits, each once: what it is, its name in results, its words and what its load and
-/// bound are.
+/// Declares the limits, each once, with name in results, words, load and bound.
 macro_rules! limits {
     ($(
         $(#[$meaning:meta])*
         $limit:ident = $name:ident ($title:literal, $unit:literal)
     ;)+) => {
-        /// What may stop a string from going deeper, or what it meets on its way.
+        /// A limit that stops a string from going deeper, or that it passes on its way.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         pub enum Limit {
             $($(#[$meaning])* $limit,)+
@@ -19,17 +18,17 @@ macro_rules! limits {
             /// Every limit, in the order in which reports list them.
             pub const ALL: [Self; [$(stringify!($name)),+].len()] = [$(Self::$limit),+];
 
-            /// Name in results.
+            /// Returns the name in results.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$limit => stringify!($name),)+ }
             }
 
-            /// What people read.
+            /// Returns the name for display.
             pub const fn title(self) -> &'static str {
                 match self { $(Self::$limit => $title,)+ }
             }
 
-            /// SI unit of its load and its bound; empty of a plain number.
+            /// Returns the SI unit of its load and its bound; empty for a plain number.
             pub const fn unit(self) -> &'static str {
                 match self { $(Self::$limit => $unit,)+ }
             }
@@ -38,29 +37,32 @@ macro_rules! limits {
 }
 
 limits! {
-    /// The surface torque is the rated torque of the top drive.
+    /// The surface torque equals the rated torque of the top drive.
     TopDrive = top_drive ("top drive", "N·m");
-    /// The hook load and the block are what the hoist carries.
+    /// Hook load and block equal the capacity of the hoist.
     Hoist = hoist ("hoist", "N");
-    /// Nothing hangs on the hook any more: the block begins to push.
+    /// The hook load is zero: the block begins to push.
     HookLoadZero = hook_load_zero ("hook load zero", "N");
-    /// Block and rig push with all they have.
+    /// Block and rig push with their full force.
     PushSpent = push_spent ("push of block and rig spent", "N");
-    /// A string whose helix rubs takes any push, however great: nothing of it arrives at the bit.
+    /// A string whose helix has friction absorbs any push, however great: none of it reaches the
+    /// bit.
     LockUp = lock_up ("lock-up", "");
-    /// The largest von Mises stress is the yield strength.
+    /// The largest von Mises stress equals the yield strength.
     Yield = yield_strength ("yield", "");
-    /// Somewhere the compression is that of the helix, where the wall holds a straight pipe.
+    /// Somewhere the compression equals the load of the helix, where the wall holds a straight
+    /// pipe.
     Helix = helix ("helical buckling begins", "N");
-    /// Somewhere the compression is that of the sinusoid, where the wall holds a straight pipe.
+    /// Somewhere the compression equals the load of the sinusoid, where the wall holds a straight
+    /// pipe.
     Sinusoid = sinusoid ("sinusoidal buckling begins", "N");
-    /// Somewhere the compression is that of the helix, where only its weight holds a pipe straight:
-    /// in a vertical or nearly vertical hole.
+    /// Somewhere the compression equals the load of the helix, where only its weight holds a pipe
+    /// straight: in a vertical or nearly vertical hole.
     VerticalHelix = vertical_helix ("helical buckling begins in vertical hole", "N");
 }
 
 impl Limit {
-    /// Whether the string stops there if nothing else is asked for. It goes on buckled.
+    /// Whether the string stops there by default. A buckled string continues.
     pub const fn stops(self) -> bool {
         !matches!(self, Self::Helix | Self::Sinusoid | Self::VerticalHelix)
     }

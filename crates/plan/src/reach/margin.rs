@@ -1,4 +1,4 @@
-//! What is left to each limit with the bit at one depth.
+//! Margins to each limit with the bit at one depth.
 
 use wholestring::{
     model::Model,
@@ -17,41 +17,41 @@ use super::{
 };
 use crate::Setup;
 
-/// What is left to one limit.
+/// Margin to one limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margin {
-    /// Of which limit.
+    /// The limit.
     pub limit: Limit,
-    /// What is held against the bound, in [`Limit::unit`]; not a number of a string that is locked
-    /// up.
+    /// The load that is compared with the bound, in [`Limit::unit`]; NaN for a string that is
+    /// locked up.
     pub load: f64,
-    /// What the load may be; not a number where nothing is compressed.
+    /// Upper bound of the load; NaN without compression.
     pub bound: f64,
-    /// What is left: one or less, zero at the limit, negative beyond; minus infinity of a string
+    /// The margin: one or less, zero at the limit, negative beyond; minus infinity for a string
     /// that is locked up.
     pub margin: f64,
-    /// Measured depth where it is worst, m; none of what the surface sees.
+    /// Measured depth of the smallest margin, m; `None` for limits at the surface.
     pub at_md_m: Option<f64>,
 }
 
-/// What is left to the limits of an operation with the bit at one depth.
+/// Margins to the limits of an operation with the bit at one depth.
 pub type Margins = Vec<Margin>;
 
-/// Part of the buoyed weight by which the load at the bit is changed, to see how much less the top
-/// must push.
+/// Part of the buoyed weight by which the load at the bit is reduced, to compute the reduction of
+/// the push at the top.
 const LESS: f64 = 1e-3;
 
-/// More than what rounding makes of a depth, m.
+/// A distance larger than the rounding of a depth, m.
 const JUST_M: f64 = 1e-6;
 
-/// What two ways to the same load differ by.
+/// Relative difference by rounding of two ways to the same load.
 const ROUNDING: f64 = 1e-9;
 
-/// What is left to the limits of an operation with the bit at its depth. What a string that is
-/// locked up would need is infinite: its margins are.
+/// Returns the margins to the limits of an operation with the bit at its depth. A string that is
+/// locked up would need infinite loads, so that its margins are infinite.
 ///
 /// # Errors
-/// A string that does not fit, or a soft string without an answer for another reason than lock-up.
+/// A string that does not fit, or a soft string without a solution for another reason than lock-up.
 pub fn margins(
     setup: &Setup,
     operation: &Operation,
@@ -101,7 +101,7 @@ impl At<'_> {
     fn margin(&self, limit: Limit) -> Result<Margin, ReachError> {
         let rig = &self.model.rig;
         let scalars = &self.profile.scalars;
-        let of = |load: f64, bound: f64, margin: f64| Margin {
+        let margin_of = |load: f64, bound: f64, margin: f64| Margin {
             limit,
             load,
             bound,
@@ -110,7 +110,7 @@ impl At<'_> {
         };
         let below = |load: f64, bound: Option<f64>| {
             let bound = bound.unwrap_or(f64::INFINITY);
-            of(load, bound, 1.0 - load / bound)
+            margin_of(load, bound, 1.0 - load / bound)
         };
         Ok(match limit {
             Limit::TopDrive => {
@@ -125,15 +125,15 @@ impl At<'_> {
                 )
             }
             Limit::HookLoadZero => {
-                of(scalars.hook_load_N, 0.0, share(scalars.hook_load_N, self.hangs_N()))
+                margin_of(scalars.hook_load_N, 0.0, share(scalars.hook_load_N, self.hangs_N()))
             }
             Limit::PushSpent => {
                 let load_N = scalars.hook_load_N + rig.push_with_block_N();
-                of(load_N, 0.0, share(load_N, self.hangs_N() + rig.push_with_block_N()))
+                margin_of(load_N, 0.0, share(load_N, self.hangs_N() + rig.push_with_block_N()))
             }
             Limit::LockUp => {
                 let arrives = self.arrives()?;
-                of(arrives, 0.0, arrives.min(1.0))
+                margin_of(arrives, 0.0, arrives.min(1.0))
             }
             Limit::Yield => {
                 let uses = self.profile.yield_use.iter().map(|use_of| use_of.unwrap_or(0.0));
@@ -147,15 +147,15 @@ impl At<'_> {
         })
     }
 
-    /// What would hang on the hook without friction and off bottom, N: what the string weighs along
-    /// the hole, and what the mud pulls.
+    /// Returns the hook load without friction and off bottom, N: the weight of the string along the
+    /// hole, and the pull of the mud.
     fn hangs_N(&self) -> f64 {
         let scalars = &self.profile.scalars;
         scalars.hook_load_N - scalars.axial_friction_N - self.operation.tension_at_bit_N()
     }
 
-    /// Compression over the critical load where this is most, of the places that the wall holds
-    /// straight or of those that only their weight does.
+    /// Returns the margin where compression over the critical load is largest, among the places
+    /// where the wall holds the pipe straight or among those where only its weight does.
     fn buckling(&self, limit: Limit, vertical: bool) -> Margin {
         let shape = usize::from(limit != Limit::Sinusoid);
         let rows = 0..self.profile.md_m.len();
@@ -176,8 +176,8 @@ impl At<'_> {
         worst
     }
 
-    /// Rows where curvature, hole or component may jump, with the critical loads just below: the
-    /// profile has those of the stretch above.
+    /// Returns the rows where curvature, hole or component may jump, with the critical loads just
+    /// below, because the profile has those of the stretch above.
     fn below_jumps(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
         let bit_depth_m = self.operation.bit_depth_m;
         let well = &self.model.well;
@@ -197,10 +197,10 @@ impl At<'_> {
         })
     }
 
-    /// Whether a critical load is that of a vertical hole, which the weight alone gives: nothing
-    /// exceeds it there, and the hole is so steep that the weight across it holds the pipe no better.
-    /// In a level hole whose curvature lifts the pipe off the wall the same load is the least that
-    /// counts, but the hole is not vertical.
+    /// Whether a critical load is that of a vertical hole, which results from the weight alone: it
+    /// is the largest there, and the hole is so steep that the weight across it does not hold the
+    /// pipe better. In a level hole whose curvature lifts the pipe off the wall the same load is
+    /// the governing minimum, but the hole is not vertical.
     fn is_vertical(&self, row: usize, shape: usize, critical_N: f64) -> bool {
         let md_m = self.profile.md_m[row];
         let place = Place::above(self.model, self.operation.bit_depth_m, md_m);
@@ -208,14 +208,16 @@ impl At<'_> {
         critical_N <= place.vertical_load_N(shape) * (1.0 + ROUNDING) && is_steep(&place, shape)
     }
 
-    /// Part of an added push at the top that arrives at the bit; more than all of it where it takes
-    /// tension, and so friction, from a bend. Found from a load at the bit that is a
-    /// little less, with which it does not lock up either.
+    /// Returns the part of an added push at the top that reaches the bit; more than one where it
+    /// reduces tension, and thus friction, in a bend. It is found from a slightly smaller load at
+    /// the bit, with which the string does not lock up either.
     fn arrives(&self) -> Result<f64, ReachError> {
         let components = self.model.string.components().iter();
         let density = self.model.mud.density_kg_per_m3;
         let weight_N: f64 = components
-            .map(|of| of.buoyed_weight_per_length_N_per_m(density).abs() * of.length_m)
+            .map(|component| {
+                component.buoyed_weight_per_length_N_per_m(density).abs() * component.length_m
+            })
             .sum();
         let less_N = LESS * weight_N;
         let pushed = match self.operation.kind.on_bottom() {
@@ -227,13 +229,13 @@ impl At<'_> {
     }
 }
 
-/// Whether the weight across the hole holds a pipe no better than a vertical hole does.
+/// Whether the weight across the hole does not hold a pipe better than a vertical hole does.
 fn is_steep(place: &Place, shape: Shape) -> bool {
     let held_N = place.vertical_load_N(shape) * (1.0 + ROUNDING);
     place.threshold_N(shape, place.weight_across_N_per_m) <= held_N
 }
 
-/// Whether a well has a vertical stretch above the bit: without one no string is a helix in it.
+/// Whether a well has a vertical stretch above the bit: without one no string can be a helix in it.
 fn has_vertical_hole(model: &Model, bit_depth_m: f64) -> bool {
     let shape = model.buckling.helix();
     let stations = model.well.path.stations().iter().map(|station| station.md_m);
@@ -241,15 +243,15 @@ fn has_vertical_hole(model: &Model, bit_depth_m: f64) -> bool {
     depths.any(|md_m| is_steep(&Place::above(model, bit_depth_m, md_m), shape))
 }
 
-/// A load as a part of what hangs; where nothing does, its sign.
+/// Returns a load as a part of the hanging weight; where that is not positive, its sign.
 fn share(load_N: f64, hangs_N: f64) -> f64 {
     if hangs_N > 0.0 { load_N / hangs_N } else { load_N.signum() }
 }
 
-/// The largest of some numbers and its place; the first and zero where there are none.
-fn worst(of: impl Iterator<Item = f64>) -> (usize, f64) {
+/// Returns the index of the largest of some numbers and its value; zeros where none is positive.
+fn worst(values: impl Iterator<Item = f64>) -> (usize, f64) {
     let mut most = (0, 0.0);
-    for (row, value) in of.enumerate() {
+    for (row, value) in values.enumerate() {
         if value > most.1 {
             most = (row, value);
         }

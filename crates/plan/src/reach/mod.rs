@@ -1,12 +1,12 @@
-//! How far the well can go in its last direction, and what stops it there.
+//! Reach of the well in its last direction, and the limit that stops it.
 //!
-//! The bit goes deeper and deeper along the straight line that the path ends with; the string's
-//! topmost component grows with it. At each depth the soft string of an operation is held against
-//! the [`Limit`]s: each has a margin that is one or less and zero where the limit is met. The first
-//! zero of each is looked for on a grid of depths and then found by Brent's method.
+//! The bit goes deeper along the straight line that the path ends with; the string's topmost
+//! component grows with it. At each depth the soft string of an operation is compared with the
+//! [`Limit`]s: each has a margin that is one or less and zero where the limit is reached. The first
+//! zero of each is searched on a grid of depths and then found by Brent's method.
 //!
-//! A limit need not exist: down to the critical inclination `atan(1/μ)` a string that slides gains
-//! more by its weight than it loses by its friction, and goes on for ever. Theory:
+//! A limit need not exist: down to the critical inclination `atan(1/μ)` a sliding string gains more
+//! by its weight than it loses by its friction, without a limit. Theory:
 //! `docs/src/theory/reach.md`.
 
 mod limit;

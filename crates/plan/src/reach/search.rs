@@ -1,4 +1,4 @@
-//! Margins against depth, and where the first of each is zero.
+//! Margins against depth, and the first zero of each.
 
 use wholestring::operation::{Operation, OperationKind};
 
@@ -9,19 +9,19 @@ use super::{
 };
 use crate::{Setup, root};
 
-/// How a limit ends the way down.
+/// Result of a limit on the way down.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum End {
-    /// It is met with the bit at this depth, m.
+    /// It is reached with the bit at this depth, m.
     At(f64),
-    /// It is met already at the first depth that was looked at, m.
+    /// It is reached or exceeded at the first depth of the grid, m.
     Already(f64),
-    /// It is not met down to this depth, m.
+    /// It is not reached down to this depth, m.
     NoneTo(f64),
 }
 
 impl End {
-    /// Depth where the limit is met, m.
+    /// Returns the depth where the limit is reached, m.
     pub const fn depth_m(self) -> Option<f64> {
         match self {
             Self::At(depth_m) | Self::Already(depth_m) => Some(depth_m),
@@ -33,22 +33,22 @@ impl End {
 /// One limit against the depth of the bit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// Which limit.
+    /// The limit.
     pub limit: Limit,
     /// Whether the string stops there.
     pub stops: bool,
-    /// What is left to it, at each depth of the grid.
+    /// Its margins, at each depth of the grid.
     pub margins: Vec<Margin>,
-    /// Where it is met first.
+    /// Where it is reached first.
     pub end: End,
-    /// What is left there: nearly nothing. Of a limit that is not met: at the last depth.
+    /// The margin there, nearly zero. For a limit that is not reached: at the last depth.
     pub there: Margin,
 }
 
 /// The limits of one operation against the depth of the bit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OperationReach {
-    /// Which operation.
+    /// The operation.
     pub kind: OperationKind,
     /// Depths of the bit, m.
     pub depth_m: Vec<f64>,
@@ -56,11 +56,12 @@ pub struct OperationReach {
     pub curves: Vec<Curve>,
 }
 
-/// How far an operation goes: its limits against depth. The operation's own depth does not count.
+/// Returns the reach of an operation: its limits against depth. The operation's own depth is not
+/// used.
 ///
 /// # Errors
-/// Depths that do not grow, a string that is longer than the first of them, or a soft string
-/// without an answer for another reason than lock-up.
+/// Depths that do not increase, a string that is longer than the first of them, or a soft string
+/// without a solution for another reason than lock-up.
 pub fn reach(
     setup: &Setup,
     operation: &Operation,
@@ -69,7 +70,7 @@ pub fn reach(
     reach_unless(setup, operation, settings, &|| false)
 }
 
-/// The same, unless it is stopped: that is asked at every depth.
+/// Like [`reach`], with a function that is called at every depth and can stop it.
 ///
 /// # Errors
 /// Those of [`reach`], and [`ReachError::Stopped`].
@@ -94,7 +95,7 @@ pub fn reach_unless(
         let one = |depth_m: f64| at(depth_m).map(|row| row[index]);
         let (end, there) = end(&depth_m, &margins, one, settings.tolerance_m)?;
         let limit = margins[0].limit;
-        // A block or a rig that pushes goes on where nothing hangs on the hook.
+        // With a block or a rig that pushes, the string continues at a hook load of zero.
         let pushes = limit == Limit::HookLoadZero && setup.rig.push_with_block_N() > 0.0;
         let stops = limit.stops() && !pushes || settings.stop_at_helix && limit == Limit::Helix;
         Ok(Curve { limit, stops, margins, end, there })
@@ -109,7 +110,7 @@ fn end(
     one: impl Fn(f64) -> Result<Margin, ReachError>,
     tolerance_m: f64,
 ) -> Result<(End, Margin), ReachError> {
-    let met = margins.iter().position(|of| of.margin <= 0.0);
+    let met = margins.iter().position(|margin| margin.margin <= 0.0);
     let Some(met) = met else {
         let last = margins.len() - 1;
         return Ok((End::NoneTo(depth_m[last]), margins[last]));
@@ -118,12 +119,13 @@ fn end(
         return Ok((End::Already(depth_m[0]), margins[0]));
     };
     let end = |index: usize| (depth_m[index], bounded(margins[index].margin));
-    let of = |depth_m: f64| one(depth_m).map(|of| bounded(of.margin));
-    let found_m = root(of, [end(above), end(met)], tolerance_m)?;
+    let margin_at = |depth_m: f64| one(depth_m).map(|margin| bounded(margin.margin));
+    let found_m = root(margin_at, [end(above), end(met)], tolerance_m)?;
     Ok((End::At(found_m), one(found_m)?))
 }
 
-/// A margin brought to -1 to 1, its zero kept: that of a string that locks up is infinite.
+/// Limits a margin to -1 to 1 without changing its zero, because that of a string that locks up is
+/// infinite.
 fn bounded(margin: f64) -> f64 {
     match margin.is_finite() {
         true => margin / (1.0 + margin.abs()),
@@ -131,15 +133,15 @@ fn bounded(margin: f64) -> f64 {
     }
 }
 
-/// The first limit that stops a string, of whichever operation: the operation and its curve. Of
-/// those that are met already at the first depth, the one that is exceeded most.
-pub fn first_stop(of: &[OperationReach]) -> Option<(&OperationReach, &Curve)> {
-    let all = of.iter().flat_map(|reach| reach.curves.iter().map(move |curve| (reach, curve)));
+/// Returns the first limit that stops a string, of any operation: the operation and its curve. Of
+/// those that are reached already at the first depth, the one that is exceeded most.
+pub fn first_stop(reaches: &[OperationReach]) -> Option<(&OperationReach, &Curve)> {
+    let all = reaches.iter().flat_map(|reach| reach.curves.iter().map(move |curve| (reach, curve)));
     let met = all.filter(|(_, curve)| curve.stops);
-    let met = met.filter_map(|of| Some((of.1.end.depth_m()?, of)));
+    let met = met.filter_map(|pair| Some((pair.1.end.depth_m()?, pair)));
     let first = met.min_by(|(a_m, (_, a)), (b_m, (_, b))| {
         let exceeded = a.there.margin.total_cmp(&b.there.margin);
         a_m.total_cmp(b_m).then(exceeded)
     });
-    first.map(|(_, of)| of)
+    first.map(|(_, pair)| pair)
 }

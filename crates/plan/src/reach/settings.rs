@@ -1,4 +1,4 @@
-//! Between which depths a reach is looked for, and how.
+//! Settings of a reach.
 
 use wholestring::{
     statics::soft::{SoftError, SoftSettings},
@@ -6,33 +6,33 @@ use wholestring::{
 };
 use wholestring_judge::DesignFactors;
 
-/// Between which depths a reach is looked for, and how.
+/// Settings of a reach.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReachSettings {
-    /// Depth of the bit to begin with, m.
+    /// First depth of the bit, m.
     pub from_m: f64,
     /// Deepest bit, m, up to 100 km.
     pub to_m: f64,
-    /// Number of depths of the grid, at least two. A limit that is passed and comes back between
-    /// two of them is not seen.
+    /// Number of depths of the grid, at least two. A limit that is exceeded only between two of
+    /// them is not detected.
     pub depths: usize,
-    /// How the soft string is integrated, and whether what a helix presses to the wall rubs; a
-    /// string whose helix does not rub never locks up.
+    /// Settings of the soft string, including whether the wall force of a helix causes friction;
+    /// without that a string never locks up.
     pub soft: SoftSettings,
-    /// Whether the string stops where its helix begins, though it would go on buckled.
+    /// Whether the string stops where its helix begins, though it would continue buckled.
     pub stop_at_helix: bool,
-    /// How exactly a depth is found, m.
+    /// Tolerance of a depth, m.
     pub tolerance_m: f64,
     /// The required factors of top drive, hoist and von Mises stress.
     pub factors: DesignFactors,
 }
 
 impl ReachSettings {
-    /// The deepest bit where nothing else is said, m: a little more than the longest wells.
+    /// Default deepest bit, m: a little more than the longest wells.
     pub const TO_M: f64 = 15_000.0;
 
-    /// From a depth to the usual one, m, or to twice that depth where this is deeper. The helix
-    /// rubs.
+    /// Returns settings from a depth to the default one, m, or to twice that depth where this is
+    /// deeper, with friction of the helix.
     pub fn from_depth(from_m: f64) -> Self {
         Self {
             from_m,
@@ -45,7 +45,7 @@ impl ReachSettings {
         }
     }
 
-    /// The depths of the grid, m.
+    /// Returns the depths of the grid, m.
     pub fn grid_m(&self) -> Vec<f64> {
         let last = self.depths.max(2) - 1;
         let depth_m = |index: usize| match index == last {
@@ -56,11 +56,11 @@ impl ReachSettings {
     }
 }
 
-/// Why a reach is not found.
+/// The reason why a reach is not found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReachError {
-    /// It begins at or below its end.
-    #[error("the reach is looked for from {from_m:.0} m to {to_m:.0} m, which is not deeper")]
+    /// Its first depth is not above its last.
+    #[error("the reach is requested from {from_m:.0} m to {to_m:.0} m, which is not deeper")]
     Depths {
         /// First depth, m.
         from_m: f64,
@@ -70,7 +70,7 @@ pub enum ReachError {
     /// The string does not fit.
     #[error(transparent)]
     Assembly(#[from] AssemblyError),
-    /// The soft string has no answer, though it does not lock up.
+    /// The soft string has no solution, though it does not lock up.
     #[error(transparent)]
     Soft(#[from] SoftError),
     /// It was stopped before it was found.

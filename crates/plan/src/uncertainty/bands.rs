@@ -1,15 +1,15 @@
-//! Between which values answers lie.
+//! Distribution bands of results.
 
-/// Between which values answers lie.
+/// Distribution bands of results.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bands {
-    /// Values below which 5, 10, 50, 90 and 95 % of the answers lie.
+    /// The 5, 10, 50, 90 and 95 % quantiles of the results.
     pub quantiles: [f64; 5],
     /// Mean.
     pub mean: f64,
     /// Standard deviation.
     pub std: f64,
-    /// How many answers there are.
+    /// Number of results.
     pub count: usize,
 }
 
@@ -17,22 +17,23 @@ impl Bands {
     /// Parts of its quantiles.
     pub const PARTS: [f64; 5] = [0.05, 0.1, 0.5, 0.9, 0.95];
 
-    /// Of answers that are finite; none of fewer than two.
+    /// Returns the bands of the finite results; `None` for fewer than two.
     pub fn of(answers: &[f64]) -> Option<Self> {
-        let mut sorted: Vec<f64> = answers.iter().copied().filter(|of| of.is_finite()).collect();
+        let mut sorted: Vec<f64> =
+            answers.iter().copied().filter(|answer| answer.is_finite()).collect();
         let count = sorted.len();
         if count < 2 {
             return None;
         }
         sorted.sort_by(f64::total_cmp);
-        // Linear between the answers, the first and the last being 0 and 100 %.
+        // Linear between the results, the first and the last being 0 and 100 %.
         let quantile = |part: f64| {
             let place = part * (count - 1) as f64;
             let below = (place as usize).min(count - 2);
             sorted[below] + (place - below as f64) * (sorted[below + 1] - sorted[below])
         };
         let mean = sorted.iter().sum::<f64>() / count as f64;
-        let squares: f64 = sorted.iter().map(|of| (of - mean).powi(2)).sum();
+        let squares: f64 = sorted.iter().map(|answer| (answer - mean).powi(2)).sum();
         let std = (squares / (count - 1) as f64).sqrt();
         Some(Self { quantiles: Self::PARTS.map(quantile), mean, std, count })
     }

@@ -1,4 +1,4 @@
-//! Sobol's indices by polynomials that are fitted to the answers: polynomial chaos (Sudret 2008).
+//! Sobol's indices from polynomials that are fitted to the results: polynomial chaos (Sudret 2008).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -13,37 +13,39 @@ const HIGHEST: usize = 10;
 /// Points for each polynomial, at least.
 const POINTS: usize = 2;
 
-/// Answers that differ from their mean by this part of it, and no more, are the same: rounding.
+/// Relative difference from their mean up to which results are the same: rounding.
 const SAME: f64 = 1e-9;
 
-/// Part of the variance that another degree must predict more to be taken.
+/// Gain of the predicted part of the variance that a higher degree requires.
 const BETTER: f64 = 1e-3;
 
-/// Which inputs an answer owes its variance to.
+/// Contributions of the inputs to the variance of a result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attribution {
-    /// Mean of the answer.
+    /// Mean of the result.
     pub mean: f64,
     /// Its variance.
     pub variance: f64,
-    /// First-order index of each input: what part of the variance would go if it were known. Not a number
-    /// of a choice among more than four things.
+    /// First-order index of each input: the part of the variance that would vanish if it were
+    /// known. NaN for a choice among more than four values.
     pub first: Vec<f64>,
-    /// Total index of each input: what part would stay if all others were known. Of a choice among more
-    /// than four things, all that the polynomials of the others do not predict.
+    /// Total index of each input: the part that would remain if all others were known. For a choice
+    /// among more than four values, the whole part that the polynomials of the others do not
+    /// predict.
     pub total: Vec<f64>,
-    /// What part of the variance the polynomials predict at points that they were not fitted to: one
-    /// less the mean square of the leave-one-out errors over the variance. Indices of a fit that
-    /// predicts less than 0.9 mean little, but where a choice among many things has the rest.
+    /// The part of the variance that the polynomials predict at points that they were not fitted
+    /// to: one less the mean square of the leave-one-out errors over the variance. Indices of a fit
+    /// that predicts less than 0.9 are unreliable, unless a choice among many values accounts for
+    /// the rest.
     pub predicts: f64,
     /// Degree of the polynomials.
     pub degree: usize,
 }
 
-/// Which inputs answers owe their variance to: `points` have a value of each input, `answers` one
-/// answer to each; what is not finite is left out. The degree is the lowest that predicts about as
-/// much as any that the points suffice for, two a polynomial. None where there are not enough points
-/// for a degree of one, or the answers do not vary.
+/// Returns the contributions of inputs to the variance of results: `points` have a value of each
+/// input, `answers` one result each; values that are not finite are ignored. The degree is the
+/// lowest that predicts about as much as any that the points suffice for, two for each polynomial.
+/// `None` where there are not enough points for a degree of one, or the results do not vary.
 pub fn attribute(
     inputs: &[Distribution],
     points: &[Vec<f64>],
@@ -72,7 +74,7 @@ pub fn attribute(
     best
 }
 
-/// Least squares of one degree.
+/// Returns the least-squares fit of one degree.
 fn fitted(
     inputs: &[Distribution],
     points: &[&Vec<f64>],
@@ -108,15 +110,16 @@ fn fitted(
             ((answers[row] - fit[row]) / (1.0 - leverage).max(f64::EPSILON)).powi(2)
         })
         .sum();
-    let variance: f64 = coefficients.iter().skip(1).map(|of| of * of).sum();
+    let variance: f64 =
+        coefficients.iter().skip(1).map(|coefficient| coefficient * coefficient).sum();
     let predicts = 1.0 - left_out / square;
-    // What no polynomial tells is owed to the choices that have none.
+    // The part that no polynomial predicts is attributed to the choices without polynomials.
     let has_rest = highest.contains(&0);
     let rest = if has_rest { (1.0 - predicts).clamp(0.0, 1.0) } else { 0.0 };
     let part = |holds: &dyn Fn(&[usize]) -> bool| {
         let held = products.iter().zip(coefficients.iter()).skip(1);
         let held = held.filter(|(product, _)| holds(product));
-        let held: f64 = held.map(|(_, of)| of * of).sum();
+        let held: f64 = held.map(|(_, coefficient)| coefficient * coefficient).sum();
         if variance > 0.0 { (1.0 - rest) * held / variance } else { 0.0 }
     };
     let alone = |input: usize| {

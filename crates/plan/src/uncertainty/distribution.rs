@@ -1,25 +1,25 @@
-//! How an input is distributed.
+//! Distributions of an input.
 
 use super::normal;
 
-/// How an input is distributed.
+/// Distribution of an input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Distribution {
-    /// Evenly between two values; a range of which nothing else is known.
+    /// Uniform between two values; for a range without further information.
     Uniform {
         /// Least value.
         from: f64,
         /// Largest value.
         to: f64,
     },
-    /// Normally.
+    /// Normal.
     Normal {
         /// Mean.
         mean: f64,
         /// Standard deviation.
         std: f64,
     },
-    /// With a density that rises evenly to a value and falls evenly from it.
+    /// Triangular: a density that rises linearly to a value and falls linearly from it.
     Triangular {
         /// Least value.
         from: f64,
@@ -28,7 +28,7 @@ pub enum Distribution {
         /// Largest value.
         to: f64,
     },
-    /// Normally, but for what lies outside of two values, of which one may be infinite.
+    /// Normal, truncated at two values, of which one may be infinite.
     TruncatedNormal {
         /// Mean of the whole normal distribution.
         mean: f64,
@@ -39,23 +39,22 @@ pub enum Distribution {
         /// Largest value.
         to: f64,
     },
-    /// Its logarithm normally.
+    /// Log-normal.
     LogNormal {
-        /// Half of it lies below.
+        /// Median: half of the values are below it.
         median: f64,
-        /// Geometric standard deviation: about two thirds of it lie between the median divided by this
-        /// and the median times this.
+        /// Geometric standard deviation: about two thirds of the values are between the median
+        /// divided by this and the median times this.
         factor: f64,
     },
-    /// One of so many things that are equally likely, by its number from zero. Their numbers need not be
-    /// an order.
+    /// A choice among equally likely values, by index from zero. The indices need not be an order.
     Choice {
-        /// How many there are.
+        /// Number of values.
         count: usize,
     },
 }
 
-/// Why there is no such distribution.
+/// The reason why there is no such distribution.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum DistributionError {
     /// A number that is not finite.
@@ -69,8 +68,8 @@ pub enum DistributionError {
         /// Largest value.
         to: f64,
     },
-    /// The likeliest value lies outside.
-    #[error("its likeliest value {mode} lies outside {from} to {to}")]
+    /// The likeliest value is outside the range.
+    #[error("its likeliest value {mode} is outside {from} to {to}")]
     Mode {
         /// Least value.
         from: f64,
@@ -82,40 +81,42 @@ pub enum DistributionError {
     /// The standard deviation is not above zero.
     #[error("its standard deviation {0} is not above zero")]
     Deviation(f64),
-    /// Next to nothing of a normal distribution lies where it is cut to.
-    #[error("next to nothing of it lies where it is kept")]
+    /// Hardly any of a normal distribution is within its limits.
+    #[error("hardly any of it is within its limits")]
     CutAway {
         /// Least value.
         from: f64,
         /// Largest value.
         to: f64,
     },
-    /// The median of a logarithmic one is not above zero.
+    /// The median of a log-normal distribution is not above zero.
     #[error("its median {0} is not above zero")]
     Median(f64),
     /// A geometric standard deviation that is not above one.
     #[error("its factor {0} is not above one")]
     Factor(f64),
-    /// Fewer than two things to choose from.
+    /// A choice among fewer than two values.
     #[error("it has fewer than two values")]
     NoChoice,
 }
 
-/// Less than this part of a normal distribution is nothing: quantiles of what is left would be rounding.
+/// Least part of a normal distribution within its limits: quantiles of a smaller part would be
+/// rounding errors.
 const NOTHING: f64 = 1e-9;
 
 impl Distribution {
-    /// The same, if there is such a thing.
+    /// Returns the distribution if it is valid.
     ///
     /// # Errors
-    /// A number that is not finite, an empty range, a likeliest value outside, no deviation, a normal
-    /// distribution of which nothing is left, a logarithmic one that is not above zero, no choice.
+    /// A number that is not finite, an empty range, a likeliest value outside, no deviation, a
+    /// normal distribution with hardly any part within its limits, a log-normal one that is not
+    /// above zero, no choice.
     pub fn checked(self) -> Result<Self, DistributionError> {
         let numbers = match self {
             Self::Uniform { from, to } => [from, to, to],
             Self::Normal { mean, std } => [mean, std, std],
             Self::Triangular { from, mode, to } => [from, mode, to],
-            // One of its ends may be infinite, but none is not a number.
+            // One of its ends may be infinite, but neither is NaN.
             Self::TruncatedNormal { mean, std, from, to } => {
                 [mean, std, if from.is_nan() || to.is_nan() { f64::NAN } else { 0.0 }]
             }
@@ -153,7 +154,7 @@ impl Distribution {
         }
     }
 
-    /// Ends of a truncated normal distribution in standard deviations from its mean.
+    /// Returns the ends of a truncated normal distribution in standard deviations from its mean.
     fn cut(&self) -> [f64; 2] {
         match *self {
             Self::TruncatedNormal { mean, std, from, to } => {
@@ -163,13 +164,13 @@ impl Distribution {
         }
     }
 
-    /// What part of the normal distribution a truncated one is.
+    /// Returns the part of the normal distribution within its limits.
     fn kept(&self) -> f64 {
         let [a, b] = self.cut();
         normal::between(a, b)
     }
 
-    /// The part of it that lies below a value.
+    /// Returns the part of the distribution below a value.
     pub(super) fn below(&self, value: f64) -> f64 {
         match *self {
             Self::Uniform { from, to } => (value - from) / (to - from),
@@ -193,7 +194,8 @@ impl Distribution {
         }
     }
 
-    /// The value below which a part of it lies; `part` is between 0 and 1, both excluded.
+    /// Returns the value below which a part of the distribution lies; `part` is between 0 and 1,
+    /// both excluded.
     pub fn quantile(&self, part: f64) -> f64 {
         match *self {
             Self::Uniform { from, to } => from + part * (to - from),
@@ -217,7 +219,7 @@ impl Distribution {
         }
     }
 
-    /// Its mean.
+    /// Returns the mean.
     pub fn mean(&self) -> f64 {
         match *self {
             Self::Uniform { from, to } => 0.5 * (from + to),
@@ -234,7 +236,7 @@ impl Distribution {
         }
     }
 
-    /// Its variance.
+    /// Returns the variance.
     pub fn variance(&self) -> f64 {
         match *self {
             Self::Uniform { from, to } => (to - from).powi(2) / 12.0,
@@ -246,11 +248,11 @@ impl Distribution {
             Self::TruncatedNormal { std, .. } => {
                 let ends = self.cut();
                 let [a, b] = ends.map(normal::density);
-                // Of an end that is infinite, nothing.
+                // An infinite end contributes nothing.
                 let [za, zb] =
                     ends.map(|z| if z.is_finite() { z * normal::density(z) } else { 0.0 });
-                let kept = self.kept();
-                std * std * (1.0 + (za - zb) / kept - ((a - b) / kept).powi(2))
+                let inside = self.kept();
+                std * std * (1.0 + (za - zb) / inside - ((a - b) / inside).powi(2))
             }
             Self::LogNormal { median, factor } => {
                 let square = libm::log(factor).powi(2);
@@ -268,7 +270,7 @@ mod tests {
     /// Mean and variance of many quantiles in the middles of equal parts.
     #[test]
     fn quantiles_have_mean_and_variance() {
-        for of in [
+        for distribution in [
             Distribution::Uniform { from: -1.0, to: 4.0 },
             Distribution::Normal { mean: 3.0, std: 0.5 },
             Distribution::Triangular { from: 0.1, mode: 0.2, to: 0.6 },
@@ -280,19 +282,28 @@ mod tests {
         ] {
             let count = 100_000;
             let quantiles =
-                (0..count).map(|index| of.quantile((index as f64 + 0.5) / count as f64));
+                (0..count).map(|index| distribution.quantile((index as f64 + 0.5) / count as f64));
             let (sum, squares) = quantiles.fold((0.0, 0.0), |(sum, squares), value| {
-                (sum + value, squares + (value - of.mean()).powi(2))
+                (sum + value, squares + (value - distribution.mean()).powi(2))
             });
-            assert!((sum / count as f64 - of.mean()).abs() < 1e-5, "{of:?}");
+            assert!((sum / count as f64 - distribution.mean()).abs() < 1e-5, "{distribution:?}");
             let variance = squares / count as f64;
-            assert!((variance / of.variance() - 1.0).abs() < 3e-4, "{of:?} {variance}");
-            assert_eq!(of.checked(), Ok(of));
+            assert!(
+                (variance / distribution.variance() - 1.0).abs() < 3e-4,
+                "{distribution:?} {variance}"
+            );
+            assert_eq!(distribution.checked(), Ok(distribution));
             for part in [0.001, 0.3, 0.5, 0.9, 0.999] {
-                let below = of.below(of.quantile(part));
-                let width =
-                    if let Distribution::Choice { count } = of { count as f64 } else { 1e12 };
-                assert!((below - part).abs() <= 0.5 / width + 1e-12, "{of:?} {part} {below}");
+                let below = distribution.below(distribution.quantile(part));
+                let width = if let Distribution::Choice { count } = distribution {
+                    count as f64
+                } else {
+                    1e12
+                };
+                assert!(
+                    (below - part).abs() <= 0.5 / width + 1e-12,
+                    "{distribution:?} {part} {below}"
+                );
             }
         }
     }
@@ -302,7 +313,7 @@ mod tests {
         use DistributionError::{
             CutAway, Deviation, Empty, Factor, Median, Mode, NoChoice, NotFinite,
         };
-        for (of, error) in [
+        for (distribution, error) in [
             (
                 Distribution::TruncatedNormal { mean: 0.0, std: 1.0, from: 9.0, to: 10.0 },
                 CutAway { from: 9.0, to: 10.0 },
@@ -322,7 +333,7 @@ mod tests {
                 Mode { from: 0.0, mode: 2.0, to: 1.0 },
             ),
         ] {
-            assert_eq!(of.checked(), Err(error));
+            assert_eq!(distribution.checked(), Err(error));
         }
     }
 }

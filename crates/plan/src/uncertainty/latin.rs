@@ -4,9 +4,9 @@ use wholestring::random::Random;
 
 use super::Distribution;
 
-/// A Latin hypercube (McKay, Beckman and Conover 1979): `count` points, each with a value of every
-/// input, such that each of `count` equally likely parts of every input holds one of them. The same
-/// seed gives the same points on every machine.
+/// Returns a Latin hypercube (McKay, Beckman and Conover 1979): `count` points, each with a value
+/// of every input, such that each of `count` equally likely parts of every input contains one of
+/// them. The same seed gives the same points on every machine.
 pub fn latin_hypercube(inputs: &[Distribution], count: usize, seed: u64) -> Vec<Vec<f64>> {
     let mut random = Random::new(seed);
     let mut points = vec![Vec::with_capacity(inputs.len()); count];
@@ -18,7 +18,7 @@ pub fn latin_hypercube(inputs: &[Distribution], count: usize, seed: u64) -> Vec<
             parts.swap(last, other.min(last));
         }
         for (point, part) in points.iter_mut().zip(parts) {
-            // Neither 0 nor 1, where a normal distribution has no value.
+            // Neither 0 nor 1, at which a normal distribution has no value.
             let within = (random.unit() + 0.5 * f64::EPSILON).min(1.0 - f64::EPSILON);
             point.push(input.quantile((part as f64 + within) / count as f64));
         }
@@ -60,7 +60,7 @@ mod tests {
     fn means_are_nearly_exact() {
         let points = latin_hypercube(&INPUTS, 200, 1);
         let mean = points.iter().map(|point| point[0] + point[1]).sum::<f64>() / 200.0;
-        // Of random points 0.08.
+        // With random points 0.08.
         assert!((mean - 3.0).abs() < 2e-3, "{mean}");
     }
 }

@@ -1,11 +1,11 @@
-//! What answers owe to inputs that are not known exactly: samples of these, bands of the answers, and
-//! the inputs that the bands are owed to.
+//! Effect of uncertain inputs on results: samples of the inputs, bands of the results, and the
+//! contributions of the inputs to the bands.
 //!
-//! Inputs are independent, each with a [`Distribution`]. [`latin_hypercube`] draws points; whoever has
-//! solved them gives the answers to [`Bands`] and to [`attribute`], which fits polynomials to them and
-//! reads Sobol's indices from these: a few hundred points suffice where the answer is smooth.
-//! [`sampled_indices`] estimates the indices by samples alone, for answers that cost nothing. Theory:
-//! `docs/src/theory/uncertainty.md`.
+//! Inputs are independent, each with a [`Distribution`]. [`latin_hypercube`] draws points; the
+//! caller solves them and passes the results to [`Bands`] and to [`attribute`], which fits
+//! polynomials to them and computes Sobol's indices from these: a few hundred points suffice where
+//! the result is smooth. [`sampled_indices`] estimates the indices from samples alone, for results
+//! that are cheap to compute. Theory: `docs/src/theory/uncertainty.md`.
 
 mod bands;
 mod chaos;

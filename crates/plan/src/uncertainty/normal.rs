@@ -7,8 +7,8 @@ pub(super) fn below(z: f64) -> f64 {
     0.5 * libm::erfc(-z / SQRT_2)
 }
 
-/// Standard deviations below which a part of a normal distribution lies, to double precision; `part`
-/// is between 0 and 1, both excluded.
+/// Returns the number of standard deviations below which a part of a normal distribution lies, to
+/// double precision; `part` is between 0 and 1, both excluded.
 pub(super) fn quantile(part: f64) -> f64 {
     if part > 0.5 {
         return -quantile(1.0 - part);
@@ -26,18 +26,19 @@ pub(super) fn quantile(part: f64) -> f64 {
     z
 }
 
-/// Density at `z` standard deviations.
+/// Returns the density at `z` standard deviations.
 pub(super) fn density(z: f64) -> f64 {
     libm::exp(-0.5 * z * z) / (2.0 * PI).sqrt()
 }
 
 /// Part of a normal distribution between two numbers of standard deviations, exact in either tail.
 pub(super) fn between(a: f64, b: f64) -> f64 {
-    // Two parts near one would leave rounding.
+    // The difference of two parts near one would lose precision.
     if a > 0.0 { below(-a) - below(-b) } else { below(b) - below(a) }
 }
 
-/// Standard deviations below which a part of what lies between two of them lies.
+/// Returns the number of standard deviations below which a part of the range between two of them
+/// lies.
 pub(super) fn quantile_between(a: f64, b: f64, part: f64) -> f64 {
     if a > 0.0 {
         return -quantile_between(-b, -a, 1.0 - part);

@@ -1,25 +1,25 @@
-//! Orthonormal polynomials of one input, and which products of them are taken.
+//! Orthonormal polynomials of one input, and the products of them.
 
 use super::Distribution;
 
-/// The most things to choose from of which polynomials tell any function: of more, too many points
-/// would be needed.
+/// Maximum number of values of a choice for which polynomials can represent any function: with
+/// more, too many points would be needed.
 const FEW: usize = 4;
 
-/// The highest degree that an input has. Of a choice among many things, whose order need not mean
-/// anything, none: what is owed to it the polynomials do not tell.
-pub(super) fn highest(of: &Distribution) -> usize {
-    match *of {
+/// Returns the highest degree of an input. A choice among many values, whose order may be
+/// meaningless, has none: the polynomials do not represent its contribution.
+pub(super) fn highest(distribution: &Distribution) -> usize {
+    match *distribution {
         Distribution::Choice { count } if count <= FEW => count - 1,
         Distribution::Choice { .. } => 0,
         _ => usize::MAX,
     }
 }
 
-/// Polynomials up to a degree that are orthonormal under the distribution: Hermite's of a normal one and of
-/// one whose logarithm is normal, Gram's of a choice, Legendre's of the part below of the others.
-pub(super) fn polynomials(of: &Distribution, value: f64, degree: usize) -> Vec<f64> {
-    match *of {
+/// Returns polynomials up to a degree that are orthonormal under the distribution: Hermite's for a
+/// normal and a log-normal one, Gram's for a choice, Legendre's of the part below for the others.
+pub(super) fn polynomials(distribution: &Distribution, value: f64, degree: usize) -> Vec<f64> {
+    match *distribution {
         Distribution::Normal { mean, std } => hermite((value - mean) / std, degree),
         Distribution::LogNormal { median, factor } => {
             hermite(libm::log(value / median) / libm::log(factor), degree)
@@ -27,12 +27,14 @@ pub(super) fn polynomials(of: &Distribution, value: f64, degree: usize) -> Vec<f
         Distribution::Choice { count } => gram(value, count as f64, degree),
         Distribution::Uniform { .. }
         | Distribution::Triangular { .. }
-        | Distribution::TruncatedNormal { .. } => legendre(2.0 * of.below(value) - 1.0, degree),
+        | Distribution::TruncatedNormal { .. } => {
+            legendre(2.0 * distribution.below(value) - 1.0, degree)
+        }
     }
 }
 
-/// From a recurrence: of an order `n`, the value before last and the last give the next; and how large the
-/// mean square of an order is.
+/// Returns polynomials from a recurrence: for an order `n`, the value before last and the last give
+/// the next; the other function is the mean square of an order.
 fn by_recurrence(
     first: f64,
     degree: usize,
@@ -62,7 +64,7 @@ fn legendre(x: f64, degree: usize) -> Vec<f64> {
     by_recurrence(x, degree, next, |n, _| 1.0 / (2.0 * n + 1.0))
 }
 
-/// Of the numbers 0 to `count - 1`, equally likely.
+/// Returns the polynomials of the numbers 0 to `count - 1`, equally likely.
 fn gram(value: f64, count: f64, degree: usize) -> Vec<f64> {
     let x = value - 0.5 * (count - 1.0);
     let weight = |n: f64| {
@@ -73,7 +75,7 @@ fn gram(value: f64, count: f64, degree: usize) -> Vec<f64> {
     by_recurrence(x, degree, next, |n, last| if n > 0.0 { last * weight(n) } else { last })
 }
 
-/// Degrees in each input of all products up to a total degree, the constant first.
+/// Returns the degrees in each input of all products up to a total degree, the constant first.
 pub(super) fn products(inputs: usize, degree: usize) -> Vec<Vec<usize>> {
     let mut all = vec![Vec::new()];
     for _ in 0..inputs {
@@ -89,7 +91,7 @@ pub(super) fn products(inputs: usize, degree: usize) -> Vec<Vec<usize>> {
     all
 }
 
-/// How many products there are up to a total degree.
+/// Returns the number of products up to a total degree.
 pub(super) fn count(inputs: usize, degree: usize) -> usize {
     (1..=degree).fold(1, |count: usize, order| count.saturating_mul(inputs + order) / order)
 }
@@ -101,19 +103,23 @@ mod tests {
     /// Means of products over many quantiles: one of a polynomial with itself, else zero.
     #[test]
     fn they_are_orthonormal() {
-        for (of, tolerance) in [
+        for (distribution, tolerance) in [
             (Distribution::Uniform { from: 2.0, to: 5.0 }, 1e-6),
             (Distribution::Triangular { from: 2.0, mode: 2.5, to: 5.0 }, 1e-6),
             (Distribution::TruncatedNormal { mean: 0.0, std: 1.0, from: -0.5, to: 2.0 }, 1e-6),
             (Distribution::Choice { count: 5 }, 1e-6),
-            // Beyond the last quantile lies much of an eighth moment.
+            // A large part of an eighth moment is beyond the last quantile.
             (Distribution::Normal { mean: 2.0, std: 0.3 }, 0.02),
             (Distribution::LogNormal { median: 2.0, factor: 1.3 }, 0.02),
         ] {
             let count = 200_000;
             let mut sums = [[0.0; 5]; 5];
             for index in 0..count {
-                let values = polynomials(&of, of.quantile((index as f64 + 0.5) / count as f64), 4);
+                let values = polynomials(
+                    &distribution,
+                    distribution.quantile((index as f64 + 0.5) / count as f64),
+                    4,
+                );
                 for (row, a) in sums.iter_mut().zip(&values) {
                     for (sum, b) in row.iter_mut().zip(&values) {
                         *sum += a * b / count as f64;
@@ -123,7 +129,7 @@ mod tests {
             for (i, row) in sums.iter().enumerate() {
                 for (j, sum) in row.iter().enumerate() {
                     let expected = f64::from(u8::from(i == j));
-                    assert!((sum - expected).abs() < tolerance, "{of:?} {i} {j} {sum}");
+                    assert!((sum - expected).abs() < tolerance, "{distribution:?} {i} {j} {sum}");
                 }
             }
         }
@@ -134,8 +140,12 @@ mod tests {
         for (inputs, degree, expected) in [(1, 3, 4), (3, 2, 10), (5, 3, 56), (2, 0, 1)] {
             let all = products(inputs, degree);
             assert_eq!((all.len(), count(inputs, degree)), (expected, expected));
-            assert!(all[0].iter().all(|of| *of == 0));
-            assert!(all.iter().all(|of| of.len() == inputs && of.iter().sum::<usize>() <= degree));
+            assert!(all[0].iter().all(|degrees| *degrees == 0));
+            assert!(
+                all.iter()
+                    .all(|degrees| degrees.len() == inputs
+                        && degrees.iter().sum::<usize>() <= degree)
+            );
         }
     }
 }

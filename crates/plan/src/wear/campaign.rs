@@ -15,8 +15,7 @@ use super::{
 };
 use crate::Stage;
 
-/// What the operations of a campaign take of the casings of a hole, in stretches of
-/// [`HOLE_STEP_M`].
+/// Casing wear of a hole from the operations of a campaign, in stretches of [`HOLE_STEP_M`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct CasingWear {
     casings: Vec<Casing>,
@@ -31,12 +30,12 @@ struct Casing {
     stretches: Vec<Stretch>,
 }
 
-/// What is gone from the casings of a hole: numbers alone, to be kept and added up.
+/// Worn volumes of the casings of a hole, as numbers that can be stored and added.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Worn(Vec<Vec<Stretch>>);
 
 impl Worn {
-    /// Adds what other operations took of the same casings.
+    /// Adds the wear of other operations on the same casings.
     pub fn merge(&mut self, other: &Self) {
         for (own, other) in self.0.iter_mut().zip(&other.0) {
             for (own, other) in own.iter_mut().zip(other) {
@@ -50,18 +49,18 @@ impl Worn {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 struct Stretch {
     worn_m3_per_m: f64,
-    /// Volume times the radius of what took it, m³/m · m.
+    /// Volume times the radius of the contacting part, m³/m · m.
     by_radius: f64,
 }
 
 impl Casing {
-    /// Ends of a stretch, m.
+    /// Returns the ends of a stretch, m.
     fn ends_m(&self, index: usize) -> [f64; 2] {
         let from_m = self.section.from_md_m + index as f64 * HOLE_STEP_M;
         [from_m, (from_m + HOLE_STEP_M).min(self.section.to_md_m)]
     }
 
-    /// Spreads a volume per metre over a stretch of depth, taken by a radius, m.
+    /// Spreads a volume per metre over a stretch of depth, worn by a radius, m.
     fn wear(&mut self, [from_m, to_m]: [f64; 2], worn_m3_per_m: f64, radius_m: f64) {
         let place = |md_m: f64| ((md_m - self.section.from_md_m) / HOLE_STEP_M).max(0.0) as usize;
         if to_m <= self.section.from_md_m || from_m >= self.section.to_md_m {
@@ -79,14 +78,14 @@ impl Casing {
 }
 
 impl CasingWear {
-    /// The cased sections of a hole, not worn yet.
+    /// Returns the cased sections of a hole, without wear.
     ///
     /// # Errors
     /// A wear factor of a section without casing, or one that is not more than zero; a casing without wall.
     pub fn new(hole: &Hole, factors: &WearFactors) -> Result<Self, CasingError> {
         let sections = hole.sections();
         for &(section, _) in &factors.of_section_per_Pa {
-            if sections.get(section).is_none_or(|of| of.kind != HoleKind::Casing) {
+            if sections.get(section).is_none_or(|found| found.kind != HoleKind::Casing) {
                 return Err(CasingError::NotCased { section });
             }
         }
@@ -106,8 +105,8 @@ impl CasingWear {
         Ok(Self { casings })
     }
 
-    /// Adds an operation that goes on for a time: the side force of each place on the casing there, sliding by
-    /// `√((π D n)² + l²)` of its revolutions `n` and its travel `l`.
+    /// Adds an operation with its duration: the side force of each place on the casing there,
+    /// sliding by `√((π D n)² + l²)` of its revolutions `n` and its travel `l`.
     pub fn add(&mut self, stage: &Stage<'_>) {
         let profile = stage.solution.profile;
         let (revolutions, travel_m) = (stage.revolutions(), stage.travel_m());
@@ -125,9 +124,9 @@ impl CasingWear {
         }
     }
 
-    /// The same by the power of friction on the hole that the solution tells, of dynamics the mean over its
-    /// window: `V = F W/μ` with the kinetic friction of the casing, times what it is multiplied by around the
-    /// hole where the string turns.
+    /// Adds the same from the friction power on the hole in the solution, for dynamics the mean
+    /// over its window: `V = F W/μ` with the kinetic friction of the casing, times its factor
+    /// around the hole where the string turns.
     pub fn add_by_work(&mut self, stage: &Stage<'_>) {
         let wear = stage.solution.wear;
         let turns = stage.operation.rotation_rad_per_s() > 0.0;
@@ -147,12 +146,12 @@ impl CasingWear {
         }
     }
 
-    /// What is gone.
+    /// Returns the worn volumes.
     pub fn worn(&self) -> Worn {
-        Worn(self.casings.iter().map(|of| of.stretches.clone()).collect())
+        Worn(self.casings.iter().map(|casing| casing.stretches.clone()).collect())
     }
 
-    /// The same casings with so much gone.
+    /// Returns the same casings with these worn volumes.
     #[must_use]
     pub fn with(mut self, worn: &Worn) -> Self {
         for (casing, worn) in self.casings.iter_mut().zip(&worn.0) {
@@ -163,8 +162,8 @@ impl CasingWear {
         self
     }
 
-    /// What is left of the casings, from the surface down. Where several diameters have rubbed, the groove has
-    /// the mean of their radii by the volume that each took.
+    /// Returns the remaining casings, from the surface down. Where several diameters have caused
+    /// wear, the groove has the mean of their radii weighted by the volume of each.
     pub fn rows(&self) -> Vec<WearRow> {
         let row = |casing: &Casing, index: usize| {
             let [begin_m, end_m] = casing.ends_m(index);
@@ -173,14 +172,14 @@ impl CasingWear {
             let middle_m = 0.5 * (begin_m + end_m);
             WearRow::of(casing.index, &casing.section, middle_m, worn_m3_per_m, joint_m)
         };
-        let of = |casing: &Casing| -> Vec<WearRow> {
+        let rows = |casing: &Casing| -> Vec<WearRow> {
             (0..casing.stretches.len()).map(|index| row(casing, index)).collect()
         };
-        self.casings.iter().flat_map(of).collect()
+        self.casings.iter().flat_map(rows).collect()
     }
 }
 
-/// Radius of what rubs on a stretch of depth, m.
+/// Returns the radius of the contacting part on a stretch of depth, m.
 fn rubs_m(stage: &Stage<'_>, [from_m, to_m]: [f64; 2]) -> f64 {
     let from_bit_m = stage.operation.bit_depth_m - 0.5 * (from_m + to_m);
     stage.model.string.component_at(from_bit_m).1.contact_radius_m()

@@ -1,13 +1,13 @@
-//! The casing that is worn, and what is left of it.
+//! The worn casing and its remaining strength.
 
 use wholestring::well::{HoleKind, HoleSection};
 
 use super::Groove;
 use wholestring_judge::strength::{Collapse, MILL_TOLERANCE, PSI_PA, Tube};
 
-/// Wear factor where nothing else is said, 1/Pa: 5e-10 1/psi, among the 2 to 10 that are commonly printed for
-/// steel tool joints or casing-friendly hard metal in water-based mud. It varies fifty-fold with mud and hard
-/// metal: take one that was measured.
+/// Default wear factor, 1/Pa: 5e-10 1/psi, among the 2 to 10 that are commonly printed for steel
+/// tool joints or casing-friendly hard metal in water-based mud. It varies fifty-fold with mud and
+/// hard metal, so that a measured one should be used.
 pub const DEFAULT_WEAR_FACTOR_PER_PA: f64 = 5e-10 / PSI_PA;
 
 /// Wear factors of the casings of a hole.
@@ -15,7 +15,7 @@ pub const DEFAULT_WEAR_FACTOR_PER_PA: f64 = 5e-10 / PSI_PA;
 pub struct WearFactors {
     /// Where no other is given, 1/Pa.
     pub usual_per_Pa: f64,
-    /// Of sections of the hole, counted from the surface, 1/Pa.
+    /// Wear factors of sections of the hole, counted from the surface, 1/Pa.
     pub of_section_per_Pa: Vec<(usize, f64)>,
 }
 
@@ -26,29 +26,30 @@ impl Default for WearFactors {
 }
 
 impl WearFactors {
-    /// That of a section, 1/Pa.
+    /// Returns the wear factor of a section, 1/Pa.
     pub fn of_per_Pa(&self, section: usize) -> f64 {
-        let own = self.of_section_per_Pa.iter().find(|(of, _)| *of == section);
+        let own = self.of_section_per_Pa.iter().find(|(index, _)| *index == section);
         own.map_or(self.usual_per_Pa, |(_, factor)| *factor)
     }
 }
 
-/// Why casing cannot be worn.
+/// The reason why casing cannot be worn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CasingError {
-    /// A wear factor of no such section, or of one without casing.
+    /// A wear factor of a section that does not exist or has no casing.
     #[error("hole section {section} is not cased")]
     NotCased {
-        /// Which.
+        /// The section.
         section: usize,
     },
     /// The outside diameter is no more than that of the bore.
     #[error(
-        "casing of hole section {section}: od is {od_m} m, expected more than its bore of {bore_m} m"
+        "casing of hole section {section}: od is {od_m} m, expected more than its bore of \
+         {bore_m} m"
     )]
     NoWall {
-        /// Which section.
+        /// The section.
         section: usize,
         /// Outside diameter, m.
         od_m: f64,
@@ -57,10 +58,11 @@ pub enum CasingError {
     },
     /// A wear factor that is not more than zero.
     #[error(
-        "casing of hole section {section}: wear factor is {factor_per_Pa} 1/Pa, expected more than zero"
+        "casing of hole section {section}: wear factor is {factor_per_Pa} 1/Pa, expected more \
+         than zero"
     )]
     Factor {
-        /// Which section.
+        /// The section.
         section: usize,
         /// The wear factor, 1/Pa.
         factor_per_Pa: f64,
@@ -89,43 +91,43 @@ pub(super) fn is_cased(
     }
 }
 
-/// What is left of a stretch of casing.
+/// Remaining casing of a stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WearRow {
     /// Measured depth of the middle of the stretch, m.
     pub md_m: f64,
     /// Section of the hole.
     pub section: usize,
-    /// Volume that is gone, m³ per metre.
+    /// Worn volume, m³ per metre.
     pub worn_m3_per_m: f64,
-    /// Depth of the groove, m; more than the wall where it is worn through, none where no groove holds the
-    /// volume.
+    /// Depth of the groove, m; more than the wall where it is worn through, `None` where no groove
+    /// has that volume.
     pub groove_m: Option<f64>,
-    /// What is left of the pipe; none where the casing's pipe is not known.
+    /// Remaining pipe; `None` where the casing's pipe is not known.
     pub pipe: Option<WornPipe>,
 }
 
-/// What is left of a casing's pipe.
+/// Remaining strength of a casing's pipe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WornPipe {
     /// Nominal wall, m.
     pub wall_m: f64,
-    /// Wall that is left at the bottom of the groove, m; zero where it is worn through.
+    /// Remaining wall at the bottom of the groove, m; zero where it is worn through.
     pub wall_left_m: f64,
-    /// Burst of the new and of the worn casing, Pa; none where the yield strength is not known.
+    /// Burst of the new and of the worn casing, Pa; `None` where the yield strength is not known.
     pub burst_Pa: Option<[f64; 2]>,
-    /// Collapse of the new and of the worn casing, Pa, without tension; none where the yield strength is not
-    /// known.
+    /// Collapse of the new and of the worn casing, Pa, without tension; `None` where the yield
+    /// strength is not known.
     pub collapse_Pa: Option<[f64; 2]>,
 }
 
 impl WornPipe {
-    /// Part of the wall that is gone, one at most.
+    /// Returns the worn part of the wall, one at most.
     pub fn worn_part(&self) -> f64 {
         1.0 - self.wall_left_m / self.wall_m
     }
 
-    /// With a groove of a depth, m.
+    /// Returns the pipe with a groove of a depth, m.
     fn of(section: &HoleSection, groove_m: Option<f64>) -> Option<Self> {
         let pipe = section.casing?;
         let wall_m = 0.5 * (pipe.od_m - section.diameter_m);
@@ -136,20 +138,21 @@ impl WornPipe {
             id_m: section.diameter_m,
             yield_strength_Pa,
         });
-        let burst_Pa = tube.map(|tube| walls_m.map(|of| tube.barlow_Pa(MILL_TOLERANCE * of)));
+        let burst_Pa =
+            tube.map(|tube| walls_m.map(|wall_m| tube.barlow_Pa(MILL_TOLERANCE * wall_m)));
         let collapse = |tube: Tube, wall_m: f64| {
             if wall_m <= 0.0 {
                 return 0.0;
             }
             Collapse::of(tube.od_m / wall_m, tube.yield_strength_Pa, 0.0).pressure_Pa
         };
-        let collapse_Pa = tube.map(|tube| walls_m.map(|of| collapse(tube, of)));
+        let collapse_Pa = tube.map(|tube| walls_m.map(|wall_m| collapse(tube, wall_m)));
         Some(Self { wall_m, wall_left_m, burst_Pa, collapse_Pa })
     }
 }
 
 impl WearRow {
-    /// Of a volume that is gone from a section, with what rubbed on this radius, m.
+    /// Returns the row of a section from its worn volume and the radius of the contacting part, m.
     pub(super) fn of(
         index: usize,
         section: &HoleSection,

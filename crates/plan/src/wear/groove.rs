@@ -4,17 +4,17 @@ use std::{convert::Infallible, f64::consts::PI};
 
 use crate::root;
 
-/// A groove: what a circle of the joint's radius takes of the casing outside its bore.
+/// A groove: the part of a circle of the joint's radius that is in the casing outside its bore.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Groove {
     /// Radius of the bore, m.
     pub bore_m: f64,
-    /// Radius of what rubs, m; less than that of the bore.
+    /// Radius of the contacting part, m; less than that of the bore.
     pub joint_m: f64,
 }
 
-/// `θ − sin θ cos θ`, without loss where the angle is small: the segment of a circle that half an angle `θ` of
-/// arc cuts off, over the square of the radius.
+/// Returns `θ − sin θ cos θ`, without loss of precision where the angle is small: the segment of a
+/// circle that half an angle `θ` of arc cuts off, over the square of the radius.
 fn segment(angle: f64) -> f64 {
     if angle < 0.05 {
         // The next term is 2e-15 of the first.
@@ -26,19 +26,20 @@ fn segment(angle: f64) -> f64 {
 }
 
 impl Groove {
-    /// Distance from the bore's axis to the joint's where the groove is so deep, m.
+    /// Returns the distance from the bore's axis to the joint's for a depth of the groove, m.
     fn apart_m(&self, depth_m: f64) -> f64 {
         self.bore_m - self.joint_m + depth_m
     }
 
-    /// Half of its width at the bore, m, by its depth: `√(d (2R − d))`, the bore's chord, with
-    /// `d = h (2r − h)/2e` its height.
+    /// Returns half of its width at the bore, m, by its depth: `√(d (2R − d))`, the bore's chord,
+    /// with `d = h (2r − h)/2e` its height.
     pub fn half_width_m(&self, depth_m: f64) -> f64 {
         let height_m = depth_m * (2.0 * self.joint_m - depth_m) / (2.0 * self.apart_m(depth_m));
         (height_m * (2.0 * self.bore_m - height_m)).max(0.0).sqrt()
     }
 
-    /// Its area, m², by its depth: the segment of the joint's circle beyond the chord, less that of the bore.
+    /// Returns its area, m², by its depth: the segment of the joint's circle beyond the chord, less
+    /// that of the bore.
     pub fn area_m2(&self, depth_m: f64) -> f64 {
         if depth_m <= 0.0 {
             return 0.0;
@@ -52,8 +53,8 @@ impl Groove {
         self.joint_m.powi(2) * segment(of_joint) - self.bore_m.powi(2) * segment(of_bore)
     }
 
-    /// How deep a groove of an area is, m²; none of one that is larger than the circle of what rubs, or of what
-    /// fills the bore.
+    /// Returns the depth of a groove from its area, m²; `None` for one that is larger than the
+    /// circle of the contacting part, or of a part that fills the bore.
     pub fn depth_m(&self, area_m2: f64) -> Option<f64> {
         if !(self.joint_m > 0.0 && self.joint_m < self.bore_m) || area_m2.is_nan() {
             return None;

@@ -1,4 +1,4 @@
-//! What the tests share: verification files and their units.
+//! Verification files and their units, shared by the tests.
 // Every test file uses its own part of this module.
 #![allow(dead_code)]
 
@@ -18,10 +18,10 @@ pub fn verification(name: &str) -> Value {
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// A number of such a file.
+/// Returns a number of such a file.
 #[track_caller]
-pub fn number(of: &Value, key: &str) -> f64 {
-    of[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {of}"))
+pub fn number(object: &Value, key: &str) -> f64 {
+    object[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {object}"))
 }
 
 /// Steel of 7850 kg/m³, 210 GPa and 80 GPa.

@@ -1,8 +1,8 @@
-//! A soft string of its own for the well of S4: vertical, one build, a tangent; and a minimiser.
+//! An independent soft string for the well of S4: vertical, one build, a tangent; and a minimiser.
 
 use serde_json::Value;
 
-/// What the file holds.
+/// The content of the file.
 pub struct Oracle {
     /// Length, m, buoyed weight, N/m, contact radius, m, from the bit up.
     pub string: Vec<(f64, f64, f64)>,
@@ -43,7 +43,7 @@ impl Oracle {
                 .collect(),
             casing_to_m: number(&inputs["casing_to_m"]),
             mud_kg_per_m3: number(&inputs["mud_kg_m3"]),
-            errors: ["PU_N", "SO_N", "ROB_N", "torque_Nm"].map(|of| number(&noise[of])),
+            errors: ["PU_N", "SO_N", "ROB_N", "torque_Nm"].map(|key| number(&noise[key])),
         }
     }
 
@@ -52,7 +52,7 @@ impl Oracle {
         let text = text("S4_field_data.csv");
         let row = |line: &str| {
             let numbers: Vec<f64> =
-                line.split(',').map(|of| of.parse().expect("a number")).collect();
+                line.split(',').map(|cell| cell.parse().expect("a number")).collect();
             let [depth, weights @ ..] = &numbers[..] else { panic!("a row") };
             let mut row = [*depth, 0.0, 0.0, 0.0, 0.0];
             for (row, weight) in row[1..].iter_mut().zip(weights) {
@@ -68,9 +68,9 @@ impl Oracle {
     }
 
     /// Readings without noise.
-    pub fn rows(&self, depths_m: &[f64], of: [f64; 3]) -> Vec<[f64; 5]> {
+    pub fn rows(&self, depths_m: &[f64], parameters: [f64; 3]) -> Vec<[f64; 5]> {
         let row = |&depth: &f64| {
-            let [a, b, c, d] = self.predict(depth, of);
+            let [a, b, c, d] = self.predict(depth, parameters);
             [depth, a, b, c, d]
         };
         depths_m.iter().map(row).collect()
@@ -84,28 +84,30 @@ impl Oracle {
     }
 
     pub fn chi2(&self, rows: &[[f64; 5]], p: &[f64]) -> f64 {
-        let of = |row: &[f64; 5]| -> f64 {
+        let squares = |row: &[f64; 5]| -> f64 {
             let predicted = self.predict(row[0], [p[0], p[1], p[2]]);
             let parts = predicted.iter().zip(&row[1..]).zip(&self.errors);
             parts.map(|((predicted, read), error)| ((read - predicted) / error).powi(2)).sum()
         };
-        rows.iter().map(of).sum()
+        rows.iter().map(squares).sum()
     }
 
-    /// Of the parameters, from differences of the predictions.
+    /// Returns the standard errors of the parameters, from differences of the predictions.
     pub fn standard_errors(&self, rows: &[[f64; 5]], p: &[f64]) -> [f64; 3] {
         let mut normal = [[0.0; 3]; 3];
         let steps = [1e-4, 1e-4, 100.0];
         for row in rows {
             let slopes: Vec<[f64; 4]> = (0..3)
-                .map(|of| {
+                .map(|index| {
                     let at = |sign: f64| {
                         let mut p = [p[0], p[1], p[2]];
-                        p[of] += sign * steps[of];
+                        p[index] += sign * steps[index];
                         self.predict(row[0], p)
                     };
                     let (high, low) = (at(1.0), at(-1.0));
-                    std::array::from_fn(|k| (high[k] - low[k]) / (2.0 * steps[of] * self.errors[k]))
+                    std::array::from_fn(|k| {
+                        (high[k] - low[k]) / (2.0 * steps[index] * self.errors[k])
+                    })
                 })
                 .collect();
             for a in 0..3 {
@@ -182,7 +184,7 @@ impl Oracle {
 }
 
 /// The least of a function, by Nelder and Mead's simplex (1965).
-pub fn nelder_mead(of: impl Fn(&[f64]) -> f64, from: &[f64], scale: &[f64]) -> Vec<f64> {
+pub fn nelder_mead(function: impl Fn(&[f64]) -> f64, from: &[f64], scale: &[f64]) -> Vec<f64> {
     let count = from.len();
     let mut corners: Vec<(f64, Vec<f64>)> = (0..=count)
         .map(|corner| {
@@ -190,7 +192,7 @@ pub fn nelder_mead(of: impl Fn(&[f64]) -> f64, from: &[f64], scale: &[f64]) -> V
             if corner > 0 {
                 at[corner - 1] += scale[corner - 1];
             }
-            (of(&at), at)
+            (function(&at), at)
         })
         .collect();
     for _ in 0..400 {
@@ -208,7 +210,7 @@ pub fn nelder_mead(of: impl Fn(&[f64]) -> f64, from: &[f64], scale: &[f64]) -> V
                 .zip(&worst.1)
                 .map(|(centre, worst)| centre + part * (centre - worst))
                 .collect();
-            (of(&at), at)
+            (function(&at), at)
         };
         let reflected = towards(1.0);
         if reflected.0 < corners[0].0 {
@@ -225,7 +227,7 @@ pub fn nelder_mead(of: impl Fn(&[f64]) -> f64, from: &[f64], scale: &[f64]) -> V
                 for corner in &mut corners[1..] {
                     let at: Vec<f64> =
                         corner.1.iter().zip(&best).map(|(at, best)| 0.5 * (at + best)).collect();
-                    *corner = (of(&at), at);
+                    *corner = (function(&at), at);
                 }
             }
         }

@@ -60,8 +60,8 @@ pub fn settings() -> Settings {
 pub fn readings(rows: &[[f64; 5]]) -> Vec<Reading> {
     let row = |row: &[f64; 5]| {
         let [bit_depth_m, values @ ..] = *row;
-        let of = |(channel, value)| Reading { setup: 0, bit_depth_m, channel, value };
-        CHANNELS.into_iter().zip(values).map(of).collect::<Vec<_>>()
+        let reading = |(channel, value)| Reading { setup: 0, bit_depth_m, channel, value };
+        CHANNELS.into_iter().zip(values).map(reading).collect::<Vec<_>>()
     };
     rows.iter().flat_map(row).collect()
 }

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::case::Case;
 
-/// What is asked of a static BHA analysis.
+/// Options of a static BHA analysis.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct BhaOptions {

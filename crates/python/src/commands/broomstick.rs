@@ -13,7 +13,7 @@ use crate::{
     table::Table,
 };
 
-/// What is asked of a broomstick.
+/// Options of a broomstick.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct BroomstickOptions {
@@ -24,7 +24,7 @@ pub(crate) struct BroomstickOptions {
     jobs: Option<NonZeroUsize>,
 }
 
-/// The table, how many of its points are missing, and what was raised meanwhile.
+/// The table, the number of its missing points, and the exception raised meanwhile.
 #[pyfunction]
 pub(crate) fn broomstick_of(
     py: Python<'_>,
@@ -34,7 +34,7 @@ pub(crate) fn broomstick_of(
 ) -> PyResult<(Table, usize, Option<Py<PyAny>>)> {
     let Attended { result, raised } = attended(py, listener, |_, cancellation| {
         let model = |name: &String| {
-            let found = Statics::ALL.into_iter().find(|of| of.name() == name);
+            let found = Statics::ALL.into_iter().find(|model| model.name() == name);
             found.ok_or_else(|| no_statics(name))
         };
         let operations = options.operations.iter().map(|name| operation(name));

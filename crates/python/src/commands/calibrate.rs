@@ -16,8 +16,8 @@ use super::{
 };
 use crate::{case::Case, error};
 
-/// What is asked of a calibration. Numbers come as texts with their units, as they are written to
-/// the command line.
+/// Options of a calibration. Numbers are texts with their units, in the notation of the command
+/// line.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct CalibrateOptions {
@@ -45,15 +45,15 @@ impl CalibrateOptions {
         fn read<T>(option: &str, text: &str, read: Read<T>) -> Result<T, Error> {
             read(text).map_err(|reason| bad(option, format!("`{text}`: {reason}")))
         }
-        let error = |option: &str, text: &Option<String>, of: Read<f64>| {
-            text.as_ref().map(|text| read(option, text, of)).transpose()
+        let error = |option: &str, text: &Option<String>, parse: Read<f64>| {
+            text.as_ref().map(|text| read(option, text, parse)).transpose()
         };
         let hold = self.hold.iter().map(|(name, value)| {
             let held = option::held(&format!("{name}={value}"));
             held.map_err(|reason| bad("hold", format!("`{name}`: {reason}")))
         });
         let models = [ModelKind::Soft, ModelKind::Stiff];
-        let model = models.into_iter().find(|of| of.name() == self.model);
+        let model = models.into_iter().find(|model| model.name() == self.model);
         Ok(Fit {
             one_factor: self.one_factor,
             by_section: self.by_section,
@@ -84,7 +84,9 @@ pub(crate) fn calibrate_by(
 ) -> PyResult<Ended> {
     let parts: Vec<_> = cases
         .iter()
-        .map(|(file, of)| (file.clone(), of.template.clone(), &of.changes[..], of.case.clone()))
+        .map(|(file, case)| {
+            (file.clone(), case.template.clone(), &case.changes[..], case.case.clone())
+        })
         .collect();
     carry_out(py, listener, |observer, cancellation| {
         let named = parts.iter().map(|(file, template, overrides, case)| NamedCase {
@@ -110,7 +112,8 @@ pub(crate) fn calibrate_by(
     })
 }
 
-/// Name of what a number measures that a calibration holds by this name; nothing of a factor.
+/// Name of the dimension of a parameter that a calibration keeps fixed under this name; none for a
+/// factor.
 #[pyfunction]
 pub(crate) fn held_dimension(py: Python<'_>, name: &str) -> PyResult<Option<&'static str>> {
     let dimension = option::dimension(name).map_err(|reason| bad("hold", reason));
@@ -118,7 +121,7 @@ pub(crate) fn held_dimension(py: Python<'_>, name: &str) -> PyResult<Option<&'st
     Ok(dimension.map(wholestring_units::Dimension::name))
 }
 
-/// The keys of a case that a calibration in a folder gives, with their TOML values.
+/// The keys of a case from a calibration in a folder, with their TOML values.
 #[pyfunction]
 pub(crate) fn calibrated(py: Python<'_>, folder: PathBuf) -> PyResult<Vec<(String, String)>> {
     calibrate::changes(&folder).map_err(|error| error::of_work(py, &error))

@@ -1,4 +1,4 @@
-//! Work of commands beside Python.
+//! Work of commands while Python stays free.
 
 use std::path::PathBuf;
 
@@ -10,13 +10,13 @@ use crate::{
     error,
 };
 
-/// Where the results are, if there are any, and what was raised before the end.
+/// The results folder, if there is one, and the exception raised before the end.
 pub(super) type Ended = (Option<PathBuf>, Option<Py<PyAny>>);
 
-/// Where the results are, and what ended the work early.
+/// The results folder, and the error that ended the work early.
 pub(super) type Found = (PathBuf, Option<Error>);
 
-/// Does the work beside Python.
+/// Does the work while Python stays free.
 pub(super) fn carry_out(
     py: Python<'_>,
     listener: &Bound<'_, PyAny>,
@@ -34,7 +34,7 @@ pub(super) fn carry_out(
     }
 }
 
-/// The folder of a batch, and why it is not whole.
+/// The folder of a batch, and the reason why it is incomplete.
 pub(super) fn ended(batch: BatchOutcome) -> Found {
     let folder = batch.folder.clone();
     (folder, batch.finished().err())

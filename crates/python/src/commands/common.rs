@@ -1,4 +1,4 @@
-//! What commands have in common.
+//! Options common to commands.
 
 use std::{num::NonZeroUsize, path::PathBuf, time::Duration};
 
@@ -9,7 +9,7 @@ use wholestring_units::UnitSet;
 use super::option::{bad, checkpoint_every};
 use crate::existing::existing_of;
 
-/// What commands have in common.
+/// Options common to commands.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Common {

@@ -1,4 +1,4 @@
-//! The commands that leave a folder, each as the runner carries it out, and the broomstick.
+//! The commands that write a folder, each as the runner executes it, and the broomstick.
 
 pub(crate) mod bha;
 pub(crate) mod bit_test;

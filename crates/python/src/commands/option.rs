@@ -1,4 +1,4 @@
-//! Options of commands, and why their values cannot be.
+//! Options of commands, and the errors of their values.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use wholestring_runner::{Error, Keep};
 
 use crate::error;
 
-/// Why an option's value cannot be.
+/// The error of an option's value.
 pub(super) fn bad(option: &str, reason: impl std::fmt::Display) -> Error {
     Error::BadInput(format!("`{option}`: {reason}"))
 }
@@ -26,7 +26,7 @@ pub(crate) fn checkpoint_every(
     }
 }
 
-/// What is kept of each case of a batch.
+/// Results to keep of each case of a batch.
 pub(crate) fn keep(word: Option<&str>) -> Result<Option<Keep>, Error> {
     Ok(Some(match word {
         None => return Ok(None),
@@ -47,7 +47,7 @@ pub(crate) fn operation(name: &str) -> Result<OperationKind, Error> {
     })
 }
 
-/// The static model of a name.
+/// The static model with a name.
 pub(crate) fn statics(name: &str) -> Result<ModelKind, Error> {
     let found = ModelKind::ALL.iter().copied().find(|model| model.name() == name);
     found.filter(|model| !ModelKind::any_in_time(&[*model])).ok_or_else(|| no_statics(name))

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::case::Case;
 
-/// What is asked of a reach.
+/// Options of a reach.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct ReachOptions {

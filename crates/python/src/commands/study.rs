@@ -15,8 +15,8 @@ use crate::{
     error,
 };
 
-/// The folder of a study, what was raised before its end, and a sentence for each case in whose
-/// answers errors were found.
+/// The folder of a study, the exception raised before its end, and a sentence for each case with
+/// errors in its results.
 #[pyfunction]
 pub(crate) fn study_of(
     py: Python<'_>,
@@ -49,7 +49,7 @@ pub(crate) fn study_of(
         let batch = study::run(&request, observer, cancellation)?;
         let wrong = batch.with_errors.iter();
         with_errors =
-            wrong.map(|of| format!("{}: {}", of.name, of.operations.join(", "))).collect();
+            wrong.map(|row| format!("{}: {}", row.name, row.operations.join(", "))).collect();
         Ok(super::carry_out::ended(batch))
     })?;
     Ok((ended, with_errors))

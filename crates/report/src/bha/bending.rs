@@ -6,13 +6,13 @@ use super::{
 };
 use crate::{
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Stroke},
-    plots::Shown,
+    plots::DisplayUnits,
 };
 
 /// A curve along the assembly: its place among the colours, its stroke, its name and its values.
 type Curve<'a> = (usize, Stroke, &'static str, &'a [f64]);
 
-pub(super) fn figure(bha: &Bha, shown: Shown<'_>) -> Figure {
+pub(super) fn figure(bha: &Bha, display: DisplayUnits<'_>) -> Figure {
     let to_m = shown_to_m(bha);
     let size: Vec<f64> =
         bha.moment_N_m[0].iter().zip(&bha.moment_N_m[1]).map(|(a, b)| a.hypot(*b)).collect();
@@ -20,16 +20,16 @@ pub(super) fn figure(bha: &Bha, shown: Shown<'_>) -> Figure {
         let marks = curves.iter().map(|(place, stroke, _, values)| {
             let nodes = bha.from_bit_m.iter().zip(*values).filter(|(at, _)| **at <= to_m);
             let points = nodes
-                .map(|(at, value)| (shown.value(*at, "length"), shown.value(*value, dimension)))
+                .map(|(at, value)| (display.value(*at, "length"), display.value(*value, dimension)))
                 .collect();
             Mark::Curve { ink: Ink::Line(*place), stroke: *stroke, points }
         });
         let mut marks: Vec<Mark> = marks.collect();
         for at_m in &bha.sensors_m {
-            let at = shown.value(*at_m, "length");
+            let at = display.value(*at_m, "length");
             marks.push(Mark::SharedRule { at, label: String::new() });
         }
-        let mut panel = Panel::new(Axis::new(shown.label(title, dimension), Range::Zero), marks);
+        let mut panel = Panel::new(Axis::new(display.label(title, dimension), Range::Zero), marks);
         panel.keys = curves
             .iter()
             .map(|(place, stroke, name, _)| Key {
@@ -48,13 +48,13 @@ pub(super) fn figure(bha: &Bha, shown: Shown<'_>) -> Figure {
         (0, Stroke::Solid, "von Mises", &bha.von_mises_stress_Pa),
         (1, Stroke::Dashed, "bending", &bha.bending_stress_Pa),
     ];
-    let to = shown.value(to_m, "length");
+    let to = display.value(to_m, "length");
     Figure {
         title: bha.head.title.clone(),
-        subtitle: conditions(bha, shown),
+        subtitle: conditions(bha, display),
         keys: Vec::new(),
         layout: Layout::across(1, 180.0, 46.0),
-        shared: Axis::new(shown.label("Distance from the bit", "length"), Range::Fixed(0.0, to)),
+        shared: Axis::new(display.label("Distance from the bit", "length"), Range::Fixed(0.0, to)),
         panels: vec![
             panel("Bending moment", "torque", &moments),
             panel("Stress", "pressure", &stresses),

@@ -1,22 +1,22 @@
 //! All pictures of a static BHA analysis.
 
 use super::{Bha, BhaSweep, bending, sweeps, views};
-use crate::{Plot, plots::Shown};
+use crate::{Plot, plots::DisplayUnits};
 
-/// Every picture of an assembly, in a set of units (`si`, `metric` or `field`): `views` (from the
-/// side and from above), `bending` (moment and stress), and a picture of each thing that was varied
-/// (`toolface`, `weight`, `inclination`); none where nothing was solved.
+/// Returns every picture of an assembly, in a set of units (`si`, `metric` or `field`): `views`
+/// (from the side and from above), `bending` (moment and stress), and a picture of each varied
+/// quantity (`toolface`, `weight`, `inclination`); none where nothing was solved.
 pub fn bha_plots(bha: &Bha, units: &str) -> Vec<Plot> {
-    let shown = Shown::new(&bha.head.dimensions, units);
+    let display = DisplayUnits::new(&bha.head.dimensions, units);
     if bha.from_bit_m.len() < 2 {
         return Vec::new();
     }
     let plot = |name: &str, figure| Plot { name: name.into(), figure };
     let mut plots = vec![
-        plot("views", views::figure(bha, shown)),
-        plot("bending", bending::figure(bha, shown)),
+        plot("views", views::figure(bha, display)),
+        plot("bending", bending::figure(bha, display)),
     ];
-    let varied = |of: &BhaSweep| plot(&of.name, sweeps::figure(bha, of, shown));
+    let varied = |sweep: &BhaSweep| plot(&sweep.name, sweeps::figure(bha, sweep, display));
     plots.extend(bha.sweeps.iter().map(varied));
     plots
 }

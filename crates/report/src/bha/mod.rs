@@ -1,4 +1,4 @@
-//! What a page reports of a static BHA analysis, and its pictures.
+//! Contents of the page of a static BHA analysis, and its pictures.
 
 mod bending;
 mod figures;
@@ -10,11 +10,12 @@ pub use figures::bha_plots;
 
 use crate::{PageHead, PageTable};
 
-/// A static BHA analysis as its page shows it. Numbers are SI; nodes stand from the bit up; each
-/// pair is the part towards the high side and that to the right of it as one looks down the hole.
+/// A static BHA analysis as its page shows it. Numbers are SI; nodes are ordered from the bit up;
+/// each pair is the part towards the high side and that to the right of it as one looks down the
+/// hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bha {
-    /// Under the name of the case.
+    /// Head of the page, under the name of the case.
     pub head: PageHead,
     /// Warnings.
     pub message: Option<String>,
@@ -34,11 +35,11 @@ pub struct Bha {
     pub bending_stress_Pa: Vec<f64>,
     /// Von Mises stress, Pa.
     pub von_mises_stress_Pa: Vec<f64>,
-    /// Where it touches.
+    /// Contacts with the wall.
     pub contacts: Vec<BhaContact>,
     /// Distances of the survey sensors from the bit, m.
     pub sensors_m: Vec<f64>,
-    /// What was varied.
+    /// Varied quantities.
     pub sweeps: Vec<BhaSweep>,
     /// Tables of results and inputs.
     pub page_tables: Vec<PageTable>,
@@ -47,7 +48,7 @@ pub struct Bha {
 /// A component.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BhaPart {
-    /// What it is called.
+    /// Its name.
     pub name: String,
     /// Its lower end, from the bit, m.
     pub from_bit_m: f64,
@@ -72,12 +73,12 @@ pub struct BhaContact {
     pub force_N: [f64; 2],
 }
 
-/// The bit against something that was varied.
+/// The bit against a varied quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BhaSweep {
     /// Name of its picture.
     pub name: String,
-    /// What is varied, as people say it.
+    /// The varied quantity, as shown to users.
     pub title: String,
     /// Its dimension.
     pub dimension: String,
@@ -85,11 +86,11 @@ pub struct BhaSweep {
     pub points: Vec<BhaSweepPoint>,
     /// The value that the case has.
     pub now: Option<f64>,
-    /// Where the side force towards the high side is zero.
+    /// Values at which the side force towards the high side is zero.
     pub zeros: Vec<f64>,
 }
 
-/// The bit at a value of something that was varied.
+/// The bit at a value of a varied quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BhaSweepPoint {
     /// The value.

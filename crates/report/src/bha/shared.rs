@@ -1,10 +1,10 @@
-//! What the pictures of an assembly share.
+//! Common parts of the pictures of an assembly.
 
 use super::Bha;
-use crate::plots::Shown;
+use crate::plots::DisplayUnits;
 
-/// How far from the bit a picture along the assembly goes, m: a little above its collars, below the
-/// jointed pipe, where it has any; its end otherwise.
+/// Distance from the bit up to which a picture along the assembly extends, m: a little above its
+/// collars, below the jointed pipe, where it has any; its end otherwise.
 pub(super) fn shown_to_m(bha: &Bha) -> f64 {
     const ABOVE: f64 = 1.1;
     let solved_m = bha.from_bit_m.last().copied().unwrap_or(0.0);
@@ -14,15 +14,15 @@ pub(super) fn shown_to_m(bha: &Bha) -> f64 {
 }
 
 /// A quantity in three digits, with its unit.
-pub(super) fn three(shown: Shown<'_>, si: f64, dimension: &str) -> String {
-    let value = shown.value(si, dimension);
+pub(super) fn three(display: DisplayUnits<'_>, si: f64, dimension: &str) -> String {
+    let value = display.value(si, dimension);
     let value: f64 = format!("{value:.2e}").parse().unwrap_or(value);
     let number = value.to_string().replace('-', "\u{2212}");
-    format!("{number} {}", shown.symbol(dimension)).trim_end().to_owned()
+    format!("{number} {}", display.symbol(dimension)).trim_end().to_owned()
 }
 
-/// What the facts of the head say, on one line.
-pub(super) fn conditions(bha: &Bha, shown: Shown<'_>) -> String {
+/// The facts of the head, on one line.
+pub(super) fn conditions(bha: &Bha, display: DisplayUnits<'_>) -> String {
     let facts = bha.head.facts.iter().take(5);
-    facts.filter_map(|fact| shown.fact(fact)).collect::<Vec<_>>().join("; ")
+    facts.filter_map(|fact| display.fact(fact)).collect::<Vec<_>>().join("; ")
 }

@@ -87,8 +87,8 @@ fn plot(name: &str, units: &str) -> Plot {
     plots.find(|plot| plot.name == name).expect("a picture")
 }
 
-/// The hole is drawn as wide as it is in its unit; blades stand out over their body; forces stand
-/// on the side that they press.
+/// The hole is drawn to scale in its unit; blades extend over their body; forces appear on the side
+/// that they press.
 #[test]
 fn views_are_to_scale() {
     let figure = plot("views", "field").figure;

@@ -1,4 +1,4 @@
-//! The assembly in its hole, from the side and from above, drawn wider than it is.
+//! The assembly in its hole, from the side and from above, drawn with lateral exaggeration.
 
 use super::{
     Bha, BhaPart,
@@ -6,23 +6,23 @@ use super::{
 };
 use crate::{
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
-    plots::Shown,
+    plots::DisplayUnits,
 };
 
 /// Size of the figure and of a panel, mm.
 const WIDTH_MM: f64 = 180.0;
 const PANEL_MM: f64 = 46.0;
 
-/// Width of the frames, mm: the figure's but for margins, label and ticks.
+/// Width of the frames, mm: that of the figure without margins, label and ticks.
 const FRAME_MM: f64 = 160.0;
 
-/// Half of what a panel shows over the radius of the hole.
+/// Half the height of a panel over the radius of the hole.
 const AROUND: f64 = 1.35;
 
 /// Part of a contact force from which it is marked in a plane.
 const SEEN: f64 = 0.1;
 
-/// Most forces that are written into a view.
+/// Largest number of forces written into a view.
 const NAMED: usize = 8;
 
 const WALL: Ink = Ink::Rock;
@@ -42,7 +42,7 @@ fn largest_radius_m(bha: &Bha) -> f64 {
     nodes.filter(|(at, _)| **at <= to_m).map(|(_, radius)| *radius).fold(1e-3, f64::max)
 }
 
-pub(super) fn figure(bha: &Bha, shown: Shown<'_>) -> Figure {
+pub(super) fn figure(bha: &Bha, display: DisplayUnits<'_>) -> Figure {
     let times = exaggeration(bha);
     let times: f64 = format!("{times:.1e}").parse().unwrap_or(times);
     let to_m = shown_to_m(bha);
@@ -62,21 +62,21 @@ pub(super) fn figure(bha: &Bha, shown: Shown<'_>) -> Figure {
         let sample = Sample::Point(Ink::Text, Shape::Diamond);
         keys.push(Key { name: "bend".into(), sample });
     }
-    // On a page it stands where the title does not.
+    // On a page the key replaces the title.
     let name = format!("drawn {times} times as wide as long");
     keys.push(Key { name, sample: Sample::Words });
     let panels = vec![
-        panel(bha, 0, "From the side, high side up", shown),
-        panel(bha, 1, "From above, right side up", shown),
+        panel(bha, 0, "From the side, high side up", display),
+        panel(bha, 1, "From above, right side up", display),
     ];
     let mut shared = Axis::new(
-        shown.label("Distance from the bit", "length"),
-        Range::Fixed(-0.01 * shown.value(to_m, "length"), shown.value(to_m, "length")),
+        display.label("Distance from the bit", "length"),
+        Range::Fixed(-0.01 * display.value(to_m, "length"), display.value(to_m, "length")),
     );
     shared.min_span = 0.0;
     Figure {
         title: bha.head.title.clone(),
-        subtitle: conditions(bha, shown),
+        subtitle: conditions(bha, display),
         keys,
         layout: Layout::across(1, WIDTH_MM, PANEL_MM),
         shared,
@@ -90,13 +90,13 @@ struct View<'a> {
     bha: &'a Bha,
     /// 0 towards the high side, 1 to the right.
     side: usize,
-    shown: Shown<'a>,
+    display: DisplayUnits<'a>,
 }
 
-fn panel(bha: &Bha, side: usize, title: &str, shown: Shown<'_>) -> Panel {
-    let view = View { bha, side, shown };
+fn panel(bha: &Bha, side: usize, title: &str, display: DisplayUnits<'_>) -> Panel {
+    let view = View { bha, side, display };
     let half = view.wide(AROUND * largest_radius_m(bha));
-    let mut axis = Axis::new(shown.label(title, "diameter"), Range::Fixed(-half, half));
+    let mut axis = Axis::new(display.label(title, "diameter"), Range::Fixed(-half, half));
     axis.min_span = 2.0 * half;
     let mut marks = view.walls(half);
     marks.extend(view.string());
@@ -110,23 +110,23 @@ fn panel(bha: &Bha, side: usize, title: &str, shown: Shown<'_>) -> Panel {
 
 impl View<'_> {
     fn long(&self, metres: f64) -> f64 {
-        self.shown.value(metres, "length")
+        self.display.value(metres, "length")
     }
 
     fn wide(&self, metres: f64) -> f64 {
-        self.shown.value(metres, "diameter")
+        self.display.value(metres, "diameter")
     }
 
     /// A quantity of the nodes at a distance from the bit.
-    fn at(&self, of: &[f64], from_bit_m: f64) -> f64 {
+    fn at(&self, values: &[f64], from_bit_m: f64) -> f64 {
         let at = &self.bha.from_bit_m;
         let above = at.partition_point(|node| *node < from_bit_m).min(at.len().saturating_sub(1));
         let below = above.saturating_sub(1);
         let above = below + 1;
         let (Some(low), Some(high), Some(from), Some(to)) =
-            (at.get(below), at.get(above), of.get(below), of.get(above))
+            (at.get(below), at.get(above), values.get(below), values.get(above))
         else {
-            return of.first().copied().unwrap_or(f64::NAN);
+            return values.first().copied().unwrap_or(f64::NAN);
         };
         let part = ((from_bit_m - low) / (high - low)).clamp(0.0, 1.0);
         from + part * (to - from)
@@ -149,7 +149,7 @@ impl View<'_> {
         let mut marks = Vec::new();
         for sign in [1.0, -1.0] {
             let points = nodes.iter().map(|(at, radius)| (*at, sign * radius, sign * half));
-            // Twice, so that it hides more of what lies below.
+            // Drawn twice, so that it hides more of the marks below it.
             let rock = Mark::Band { ink: WALL, points: points.collect() };
             marks.extend([rock.clone(), rock]);
         }
@@ -231,28 +231,30 @@ impl View<'_> {
     /// forces.
     fn touches(&self) -> Vec<Mark> {
         let to_m = shown_to_m(self.bha);
-        let seen = self.bha.contacts.iter().filter(|of| {
-            let size_N = of.force_N[0].hypot(of.force_N[1]);
-            of.at_m <= to_m && size_N > 0.0 && of.force_N[self.side].abs() >= SEEN * size_N
+        let seen = self.bha.contacts.iter().filter(|contact| {
+            let size_N = contact.force_N[0].hypot(contact.force_N[1]);
+            contact.at_m <= to_m
+                && size_N > 0.0
+                && contact.force_N[self.side].abs() >= SEEN * size_N
         });
         let mut seen: Vec<_> = seen.collect();
         seen.sort_by(|a, b| b.force_N[self.side].abs().total_cmp(&a.force_N[self.side].abs()));
-        let place = |of: &&super::BhaContact| {
-            let radius_m = self.at(&self.bha.hole_radius_m, of.at_m);
-            (self.long(of.at_m), self.wide(radius_m) * of.force_N[self.side].signum())
+        let place = |contact: &&super::BhaContact| {
+            let radius_m = self.at(&self.bha.hole_radius_m, contact.at_m);
+            (self.long(contact.at_m), self.wide(radius_m) * contact.force_N[self.side].signum())
         };
         let mut marks = Vec::new();
         for (shape, up) in [(Shape::Triangle, true), (Shape::Tip, false)] {
-            let of = seen.iter().filter(|of| (of.force_N[self.side] > 0.0) == up);
-            let points: Vec<(f64, f64)> = of.map(place).collect();
+            let pressing = seen.iter().filter(|contact| (contact.force_N[self.side] > 0.0) == up);
+            let points: Vec<(f64, f64)> = pressing.map(place).collect();
             if !points.is_empty() {
                 marks.push(Mark::Points { ink: TOUCH, shape, points });
             }
         }
-        for of in seen.iter().take(NAMED) {
-            let force_N = of.force_N[self.side].abs();
-            let text = three(self.shown, force_N, "force");
-            marks.push(Mark::Name { at: place(of), text });
+        for contact in seen.iter().take(NAMED) {
+            let force_N = contact.force_N[self.side].abs();
+            let text = three(self.display, force_N, "force");
+            marks.push(Mark::Name { at: place(contact), text });
         }
         marks
     }

@@ -1,13 +1,13 @@
-//! How a bit gets on against what it is given.
+//! Progress of a bit against weight and speed.
 
 use super::{BitTest, BitTestPoint};
 use crate::{
     BottomPicture, Plot,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
-    plots::{Shown, bottoms_figure},
+    plots::{DisplayUnits, bottoms_figure},
 };
 
-/// A quantity of a point: what it is called, its dimension, the number and how far it spreads.
+/// A quantity of a point: its name, its dimension, its value and its spread.
 struct Quantity {
     title: &'static str,
     dimension: &'static str,
@@ -26,26 +26,29 @@ impl Quantity {
 }
 
 const WEIGHT: Quantity = Quantity {
-    std: Some(|of| of.weight_std_N),
-    ..Quantity::new("Weight on bit", "force", |of| of.weight_N)
+    std: Some(|point| point.weight_std_N),
+    ..Quantity::new("Weight on bit", "force", |point| point.weight_N)
 };
 const TORQUE: Quantity = Quantity {
-    std: Some(|of| of.torque_std_N_m),
-    ..Quantity::new("Torque", "torque", |of| of.torque_N_m)
+    std: Some(|point| point.torque_std_N_m),
+    ..Quantity::new("Torque", "torque", |point| point.torque_N_m)
 };
 const RATE: Quantity =
-    Quantity::new("Rate of penetration", "rate of penetration", |of| of.rate_m_per_s);
+    Quantity::new("Rate of penetration", "rate of penetration", |point| point.rate_m_per_s);
 const DEPTH_OF_CUT: Quantity =
-    Quantity::new("Depth of cut per revolution", "diameter", |of| of.depth_of_cut_m);
+    Quantity::new("Depth of cut per revolution", "diameter", |point| point.depth_of_cut_m);
 const ENERGY: Quantity =
-    Quantity::new("Specific energy", "specific energy", |of| of.specific_energy_Pa);
+    Quantity::new("Specific energy", "specific energy", |point| point.specific_energy_Pa);
 
-/// Every picture of a bit test, in a set of units (`si`, `metric` or `field`): `drill-off` (rate of
-/// penetration and torque against weight), `specific-energy` (against depth of cut) and
-/// `bottom-hole`; none where no point is there.
+/// Returns every picture of a bit test, in a set of units (`si`, `metric` or `field`): `drill-off`
+/// (rate of penetration and torque against weight), `specific-energy` (against depth of cut) and
+/// `bottom-hole`; none without points.
 pub fn bit_test_plots(test: &BitTest, units: &str) -> Vec<Plot> {
-    let drawing =
-        Drawing { test, shown: Shown::new(&test.head.dimensions, units), points: test.sorted() };
+    let drawing = Drawing {
+        test,
+        display: DisplayUnits::new(&test.head.dimensions, units),
+        points: test.sorted(),
+    };
     if drawing.points.is_empty() {
         return Vec::new();
     }
@@ -58,10 +61,10 @@ pub fn bit_test_plots(test: &BitTest, units: &str) -> Vec<Plot> {
     plots
 }
 
-/// A bit test on its way to paper.
+/// Drawing of a bit test's pictures.
 struct Drawing<'a> {
     test: &'a BitTest,
-    shown: Shown<'a>,
+    display: DisplayUnits<'a>,
     /// By speed, then by weight.
     points: Vec<&'a BitTestPoint>,
 }
@@ -73,20 +76,20 @@ impl Drawing<'_> {
         self.points.chunk_by(same).enumerate()
     }
 
-    fn value(&self, of: &Quantity, point: &BitTestPoint) -> f64 {
-        self.shown.value((of.value)(point), of.dimension)
+    fn value(&self, quantity: &Quantity, point: &BitTestPoint) -> f64 {
+        self.display.value((quantity.value)(point), quantity.dimension)
     }
 
-    fn axis(&self, of: &Quantity) -> Axis {
-        Axis::new(self.shown.label(of.title, of.dimension), Range::Zero)
+    fn axis(&self, quantity: &Quantity) -> Axis {
+        Axis::new(self.display.label(quantity.title, quantity.dimension), Range::Zero)
     }
 
-    /// How far the points spread, and a curve for each speed.
+    /// Spread of the points, and a curve for each speed.
     fn marks(&self, shared: &Quantity, own: &Quantity) -> Vec<Mark> {
         let at = |point: &&BitTestPoint| (self.value(shared, point), self.value(own, point));
-        let spread = |of: &Quantity, point: &BitTestPoint| {
-            let std = of.std.map_or(0.0, |std| std(point));
-            self.shown.value(std, of.dimension)
+        let spread = |quantity: &Quantity, point: &BitTestPoint| {
+            let std = quantity.std.map_or(0.0, |std| std(point));
+            self.display.value(std, quantity.dimension)
         };
         let mut marks = Vec::new();
         for (index, points) in self.speeds() {
@@ -113,7 +116,7 @@ impl Drawing<'_> {
         let key = |(index, points): (usize, &[&BitTestPoint])| {
             let speed = points[0].rotary_rad_per_s;
             Key {
-                name: self.shown.quantity(speed, "rotary speed"),
+                name: self.display.quantity(speed, "rotary speed"),
                 sample: Sample::Point(Ink::Line(index), Shape::of(index)),
             }
         };
@@ -140,10 +143,10 @@ impl Drawing<'_> {
         }
     }
 
-    /// Bit and rock.
+    /// The conditions: bit and rock.
     fn conditions(&self) -> String {
         let facts = self.test.head.facts.iter();
-        let conditions = facts.filter_map(|fact| self.shown.fact(fact));
+        let conditions = facts.filter_map(|fact| self.display.fact(fact));
         conditions.collect::<Vec<_>>().join("; ")
     }
 
@@ -151,12 +154,12 @@ impl Drawing<'_> {
         let mut torque = self.panel(&WEIGHT, &TORQUE);
         let mut keys = self.keys();
         if let Some([slope_m, offset_N_m]) = self.test.torque_by_weight {
-            let weights = || self.points.iter().map(|of| of.weight_N);
+            let weights = || self.points.iter().map(|point| point.weight_N);
             let ends = [0.0, weights().fold(0.0, f64::max)];
             let line = |weight_N: f64| {
                 (
-                    self.shown.value(weight_N, "force"),
-                    self.shown.value(offset_N_m + slope_m * weight_N, "torque"),
+                    self.display.value(weight_N, "force"),
+                    self.display.value(offset_N_m + slope_m * weight_N, "torque"),
                 )
             };
             torque.marks.insert(
@@ -184,7 +187,7 @@ impl Drawing<'_> {
         let mut keys = self.keys();
         if self.test.strength_Pa.is_finite() {
             panel.marks.push(Mark::OwnRule {
-                at: self.shown.value(self.test.strength_Pa, ENERGY.dimension),
+                at: self.display.value(self.test.strength_Pa, ENERGY.dimension),
                 label: String::new(),
             });
             keys.push(Key {
@@ -195,20 +198,23 @@ impl Drawing<'_> {
         self.figure(&DEPTH_OF_CUT, vec![panel], keys)
     }
 
-    /// The bottoms that the points left.
+    /// The bottoms of the points.
     fn bottoms(&self) -> Option<Figure> {
-        let name = |of: &BitTestPoint| {
-            let weight = self.shown.quantity(round(of.weight_N), "force");
-            let speed = self.shown.quantity(of.rotary_rad_per_s, "rotary speed");
+        let name = |point: &BitTestPoint| {
+            let weight = self.display.quantity(round(point.weight_N), "force");
+            let speed = self.display.quantity(point.rotary_rad_per_s, "rotary speed");
             format!("{weight} at {speed}")
         };
-        let bottoms: Vec<(String, &BottomPicture)> =
-            self.points.iter().filter_map(|of| Some((name(of), of.bottom.as_ref()?))).collect();
-        // A bit alone knows no high side.
+        let bottoms: Vec<(String, &BottomPicture)> = self
+            .points
+            .iter()
+            .filter_map(|point| Some((name(point), point.bottom.as_ref()?)))
+            .collect();
+        // A bit tested alone has no high side.
         let sides = ["Across", "Across"];
         let (title, conditions) = (self.test.head.title.clone(), self.conditions());
         (!bottoms.is_empty())
-            .then(|| bottoms_figure(title, conditions, &bottoms, sides, self.shown))
+            .then(|| bottoms_figure(title, conditions, &bottoms, sides, self.display))
     }
 }
 

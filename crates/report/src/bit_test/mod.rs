@@ -1,4 +1,4 @@
-//! What a page reports a bit that was tested alone on the rock, and its pictures.
+//! Contents of the page of a bit that was tested alone on the rock, and its pictures.
 
 mod figures;
 
@@ -9,18 +9,18 @@ use crate::{BottomPicture, Cell, PageHead, PageTable, Place};
 /// A bit test as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BitTest {
-    /// Under the name of the case.
+    /// Head of the page, under the name of the case.
     pub head: PageHead,
     /// Uniaxial compressive strength of the rock, Pa.
     pub strength_Pa: f64,
     /// Radius of the bit, m.
     pub radius_m: f64,
     /// Slope (m) and offset (N·m) of the straight line of torque over weight through all points;
-    /// none of fewer than two weights.
+    /// `None` for fewer than two weights.
     pub torque_by_weight: Option<[f64; 2]>,
-    /// What was measured, in any order.
+    /// The points, in any order.
     pub points: Vec<BitTestPoint>,
-    /// Why points are missing; nothing where none is.
+    /// Reason why points are missing; `None` where none is missing.
     pub message: Option<String>,
     /// Tables of inputs.
     pub page_tables: Vec<PageTable>,
@@ -33,7 +33,7 @@ pub struct BitTestPoint {
     pub weight_N: f64,
     /// Its standard deviation, N.
     pub weight_std_N: f64,
-    /// Rotary speed as it was set, rad/s.
+    /// Rotary speed as set, rad/s.
     pub rotary_rad_per_s: f64,
     /// Mean rate of penetration, m/s.
     pub rate_m_per_s: f64,
@@ -77,15 +77,15 @@ impl BitTest {
             }
             other => other,
         };
-        let row = |of: &&BitTestPoint| {
+        let row = |point: &&BitTestPoint| {
             vec![
-                Cell::quantity(of.rotary_rad_per_s, "rotary speed"),
-                mean(of.weight_N, of.weight_std_N, "force"),
-                Cell::quantity(of.rate_m_per_s, "rate of penetration"),
-                Cell::quantity(of.depth_of_cut_m, "diameter"),
-                mean(of.torque_N_m, of.torque_std_N_m, "torque"),
-                Cell::quantity(of.torque_N_m / (of.weight_N * self.radius_m), "ratio"),
-                Cell::quantity(of.specific_energy_Pa, "specific energy"),
+                Cell::quantity(point.rotary_rad_per_s, "rotary speed"),
+                mean(point.weight_N, point.weight_std_N, "force"),
+                Cell::quantity(point.rate_m_per_s, "rate of penetration"),
+                Cell::quantity(point.depth_of_cut_m, "diameter"),
+                mean(point.torque_N_m, point.torque_std_N_m, "torque"),
+                Cell::quantity(point.torque_N_m / (point.weight_N * self.radius_m), "ratio"),
+                Cell::quantity(point.specific_energy_Pa, "specific energy"),
             ]
         };
         PageTable {

@@ -14,14 +14,15 @@ const RADIUS_M: f64 = 0.1;
 /// A bottom with a spiral of grooves.
 fn bottom() -> Option<BottomPicture> {
     let radii: Vec<f64> = (0..20).map(|ring| 0.005 * (f64::from(ring) + 0.5)).collect();
-    let angles: Vec<f64> = (0..72).map(|of| TAU * (f64::from(of) + 0.5) / 72.0).collect();
+    let angles: Vec<f64> = (0..72).map(|index| TAU * (f64::from(index) + 0.5) / 72.0).collect();
     let depth = |radius: f64, angle: f64| 0.03 - 0.2 * radius + 0.002 * (5.0 * angle).sin();
     let depths: Vec<f64> =
         radii.iter().flat_map(|radius| angles.iter().map(|angle| depth(*radius, *angle))).collect();
     BottomPicture::new(&radii, &angles, &depths)
 }
 
-/// Torque of a slope of 0.6 of the radius with 50 N·m besides, at two speeds and three weights.
+/// Torque with a slope of 0.6 of the radius and an offset of 50 N·m, at two speeds and three
+/// weights.
 fn test() -> BitTest {
     let unit = |symbol: &str, factor| DisplayUnit { symbol: symbol.into(), factor };
     let alike = |symbol: &str, factor: f64| [(); 3].map(|()| unit(symbol, factor));
@@ -34,7 +35,7 @@ fn test() -> BitTest {
         ("specific energy", alike("MPa", 1e6)),
     ];
     let mut points = Vec::new();
-    // Not in order: what is drawn is.
+    // Unsorted: the pictures sort the points.
     for rotary_rad_per_s in [4.0 * PI, 2.0 * PI] {
         for weight_N in [30e3, 10e3, 20e3] {
             let depth_of_cut_m = 1e-3 * (weight_N / 10e3);
@@ -123,14 +124,13 @@ fn spreads_are_as_wide_as_they_are() {
     let Mark::Bars { bars, .. } = &figure.panels[1].marks[1] else {
         panic!("the fit lies below, then bars");
     };
-    // Of each point one along weight and one along torque.
+    // Each point has one along weight and one along torque.
     let [across, up] = [bars[0], bars[1]];
     assert!((across[1].0 - across[0].0 - 2.0).abs() < 1e-9 && across[0].1 == across[1].1);
     assert!((up[1].1 - up[0].1 - 0.2).abs() < 1e-9 && up[0].0 == up[1].0);
 }
 
-/// Nothing but colours lies in the corners of the square around a bottom, and every picture is
-/// whole.
+/// The corners of the square around a bottom contain colours alone, and every picture is complete.
 #[test]
 fn pictures_are_drawn() {
     let test = test();
@@ -150,8 +150,8 @@ fn pictures_are_drawn() {
     assert!(map.values[0].is_nan(), "a corner");
     let side = map.middles.len();
     let middle = map.values[side * side / 2 + side / 2];
-    // 29.5 mm within the grooves' 2 mm, below a rim that lies within the two outermost rings, 8.5
-    // to 13.5 mm.
+    // 29.5 mm within the grooves' 2 mm, below a rim that is within the two outermost rings, 8.5 to
+    // 13.5 mm.
     assert!((14.0..23.0).contains(&middle), "{middle} mm at the nose");
     let energy = plot(&test, "specific-energy", "si").figure;
     let strength = energy.panels[0].marks.last();

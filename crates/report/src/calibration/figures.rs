@@ -9,11 +9,11 @@ use crate::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
     },
     operation_words::colour,
-    plots::{Shown, named},
+    plots::{DisplayUnits, named},
 };
 
-/// Readings from the left to the right, how they are said, and the operation whose colour they have: it
-/// is the same on a plan's broomstick.
+/// Readings from left to right, their wording, and the operation whose colour they have, as on a
+/// plan's broomstick.
 pub(crate) const READINGS: [(&str, &str, OperationKind); 5] = [
     ("slack_off", "slack-off", OperationKind::TripIn),
     ("rotating", "rotating", OperationKind::RotateOffBottom),
@@ -32,32 +32,33 @@ fn ink(place: usize) -> Ink {
 }
 
 /// Pictures of a calibration, in these units.
-pub fn calibration_plots(of: &Calibration, units: &str) -> Vec<Plot> {
-    let drawing = Drawing { of, shown: Shown::new(&of.head.dimensions, units) };
+pub fn calibration_plots(calibration: &Calibration, units: &str) -> Vec<Plot> {
+    let drawing =
+        Drawing { calibration, display: DisplayUnits::new(&calibration.head.dimensions, units) };
     let figures = [drawing.broomstick(), drawing.residuals(), drawing.profiles()];
     named(CALIBRATION_PICTURES, figures.map(Some))
 }
 
-/// A calibration on its way to paper.
+/// Drawing of a calibration's pictures.
 struct Drawing<'a> {
-    of: &'a Calibration,
-    shown: Shown<'a>,
+    calibration: &'a Calibration,
+    display: DisplayUnits<'a>,
 }
 
 fn dimension(is_torque: bool) -> &'static str {
     if is_torque { "torque" } else { "force" }
 }
 
-/// How readings are said.
-pub(super) fn said(reading: &str) -> &str {
-    READINGS.iter().find(|(name, ..)| *name == reading).map_or(reading, |(_, said, _)| said)
+/// Wording of a reading.
+pub(super) fn reading_words(reading: &str) -> &str {
+    READINGS.iter().find(|(name, ..)| *name == reading).map_or(reading, |(_, words, _)| words)
 }
 
 impl Drawing<'_> {
     fn figure(&self, shared: Axis, layout: Layout, panels: Vec<Panel>, keys: Vec<Key>) -> Figure {
-        let facts = self.of.head.facts.iter().filter_map(|fact| self.shown.fact(fact));
+        let facts = self.calibration.head.facts.iter().filter_map(|fact| self.display.fact(fact));
         Figure {
-            title: self.of.head.title.clone(),
+            title: self.calibration.head.title.clone(),
             subtitle: facts.collect::<Vec<_>>().join("; "),
             keys,
             layout,
@@ -68,15 +69,15 @@ impl Drawing<'_> {
     }
 
     fn depth(&self) -> Axis {
-        let label = self.shown.label("Measured depth of the bit", "length");
+        let label = self.display.label("Measured depth of the bit", "length");
         Axis { down: true, ..Axis::new(label, Range::Near) }
     }
 
-    fn place(&self, of: &CalibrationPoint, value: f64) -> (f64, f64) {
-        (self.shown.value(of.bit_depth_m, "length"), value)
+    fn place(&self, point: &CalibrationPoint, value: f64) -> (f64, f64) {
+        (self.display.value(point.bit_depth_m, "length"), value)
     }
 
-    /// Those of a name that the numbers were found from, or those that are held against them.
+    /// The points of a reading that were used in the fit, or those that are compared with it.
     fn marks_of(
         &self,
         name: &str,
@@ -84,19 +85,20 @@ impl Drawing<'_> {
         value: impl Fn(&CalibrationPoint) -> f64,
     ) -> [Mark; 2] {
         [(true, ink(place)), (false, Ink::Note)].map(|(used, ink)| {
-            let points = self.points_of(name).filter(|of| of.used == used);
-            let points = points.map(|of| self.place(of, value(of))).collect();
+            let points = self.points_of(name).filter(|points_of| points_of.used == used);
+            let points = points.map(|point| self.place(point, value(point))).collect();
             Mark::Points { ink, shape: Shape::of(place), points }
         })
     }
 
     fn points_of<'b>(&'b self, name: &'b str) -> impl Iterator<Item = &'b CalibrationPoint> {
-        self.of.points.iter().filter(move |of| of.reading == name)
+        self.calibration.points.iter().filter(move |point| point.reading == name)
     }
 
     /// Whether there are readings or predictions of a name.
     fn has(&self, name: &str) -> bool {
-        self.points_of(name).next().is_some() || self.of.bands.iter().any(|of| of.reading == name)
+        self.points_of(name).next().is_some()
+            || self.calibration.bands.iter().any(|band| band.reading == name)
     }
 
     fn read(&self, torques: bool) -> Vec<(usize, &'static str, &'static str)> {
@@ -104,7 +106,7 @@ impl Drawing<'_> {
         let named = names.filter(|(_, (name, ..))| name.starts_with("torque") == torques);
         named
             .filter(|(_, (name, ..))| self.has(name))
-            .map(|(place, (name, said, _))| (place, name, said))
+            .map(|(place, (name, words, _))| (place, name, words))
             .collect()
     }
 
@@ -114,47 +116,53 @@ impl Drawing<'_> {
         for (place, name, _) in self.read(torques) {
             let ink = ink(place);
             let mut cases: Vec<&str> = Vec::new();
-            for band in &self.of.bands {
+            for band in &self.calibration.bands {
                 if !cases.contains(&band.case.as_str()) {
                     cases.push(&band.case);
                 }
             }
             for case in cases {
-                let bands = self.of.bands.iter();
-                let bands = bands.filter(|of| of.reading == name && of.case == case);
-                let at = |of: &super::CalibrationBand| self.shown.value(of.bit_depth_m, "length");
-                let band = |ends: [f64; 2]| ends.map(|end| self.shown.value(end, kind));
-                let points = bands.clone().map(|of| {
-                    let [from, to] = band(of.reading_band);
-                    (at(of), from, to)
+                let bands = self.calibration.bands.iter();
+                let bands = bands.filter(|band| band.reading == name && band.case == case);
+                let at =
+                    |band: &super::CalibrationBand| self.display.value(band.bit_depth_m, "length");
+                let band = |ends: [f64; 2]| ends.map(|end| self.display.value(end, kind));
+                let points = bands.clone().map(|prediction| {
+                    let [from, to] = band(prediction.reading_band);
+                    (at(prediction), from, to)
                 });
                 marks.push(Mark::Band { ink, points: points.collect() });
-                let points = bands.clone().map(|of| {
-                    let [from, to] = band(of.mean);
-                    (at(of), from, to)
+                let points = bands.clone().map(|prediction| {
+                    let [from, to] = band(prediction.mean);
+                    (at(prediction), from, to)
                 });
                 marks.push(Mark::Band { ink, points: points.collect() });
-                let points = bands.map(|of| (at(of), self.shown.value(of.predicted, kind)));
+                let points = bands.map(|band| (at(band), self.display.value(band.predicted, kind)));
                 marks.push(Mark::Curve { ink, stroke: Stroke::Solid, points: points.collect() });
             }
         }
         // Above all bands.
         for (place, name, _) in self.read(torques) {
-            marks.extend(self.marks_of(name, place, |of| self.shown.value(of.measured, kind)));
+            marks.extend(
+                self.marks_of(name, place, |point| self.display.value(point.measured, kind)),
+            );
         }
-        Panel::new(Axis::new(self.shown.label(label, kind), Range::Near), marks)
+        Panel::new(Axis::new(self.display.label(label, kind), Range::Near), marks)
     }
 
-    fn keys(&self, of: impl Fn(Ink, Shape) -> Sample) -> Vec<Key> {
+    fn keys(&self, sample: impl Fn(Ink, Shape) -> Sample) -> Vec<Key> {
         let mut all = self.read(false);
         all.extend(self.read(true));
-        let key = |(place, _, said): (usize, &str, &str)| Key {
-            name: said.to_owned(),
-            sample: of(ink(place), Shape::of(place)),
+        let key = |(place, _, words): (usize, &str, &str)| Key {
+            name: words.to_owned(),
+            sample: sample(ink(place), Shape::of(place)),
         };
         let mut keys: Vec<Key> = all.into_iter().map(key).collect();
-        if self.of.points.iter().any(|of| !of.used) {
-            keys.push(Key { name: "held out".to_owned(), sample: of(Ink::Note, Shape::Circle) });
+        if self.calibration.points.iter().any(|point| !point.used) {
+            keys.push(Key {
+                name: "held out".to_owned(),
+                sample: sample(Ink::Note, Shape::Circle),
+            });
         }
         keys
     }
@@ -171,15 +179,20 @@ impl Drawing<'_> {
     }
 
     fn residuals(&self) -> Figure {
-        let beyond = self.of.outlier_beyond;
-        let largest = self.of.points.iter().map(|of| of.standardised.abs()).fold(beyond, f64::max);
+        let beyond = self.calibration.outlier_beyond;
+        let largest = self
+            .calibration
+            .points
+            .iter()
+            .map(|point| point.standardised.abs())
+            .fold(beyond, f64::max);
         let panel = |torques: bool, label: &str| {
             let mut marks = Vec::new();
             for at in [0.0, -beyond, beyond] {
                 marks.push(Mark::OwnRule { at, label: String::new() });
             }
             for (place, name, _) in self.read(torques) {
-                marks.extend(self.marks_of(name, place, |of| of.standardised));
+                marks.extend(self.marks_of(name, place, |point| point.standardised));
             }
             let range = Range::Fixed(-1.1 * largest, 1.1 * largest);
             Panel::new(Axis::new(format!("{label}, standard errors"), range), marks)
@@ -195,13 +208,13 @@ impl Drawing<'_> {
     fn profiles(&self) -> Figure {
         let panel = |row: &super::CalibratedRow| {
             let scale = row.standard_error.or_else(|| {
-                // At its bound: as far as the parabola's.
-                let last = row.profile.last().filter(|of| of[2] > 0.0)?;
+                // At its bound, as far as the parabola extends.
+                let last = row.profile.last().filter(|profile| profile[2] > 0.0)?;
                 Some((last[0] - row.value).abs() / last[2].sqrt())
             });
             let scale = scale.unwrap_or(1.0);
-            let curve = |of: usize| {
-                let points = row.profile.iter().map(|at| ((at[0] - row.value) / scale, at[of]));
+            let curve = |column: usize| {
+                let points = row.profile.iter().map(|at| ((at[0] - row.value) / scale, at[column]));
                 points.collect()
             };
             let solid = Mark::Curve { ink: Ink::Line(0), stroke: Stroke::Solid, points: curve(1) };
@@ -216,7 +229,7 @@ impl Drawing<'_> {
             marks.extend(ends);
             Panel::new(Axis::new(format!("χ² above its least: {}", row.words), Range::Zero), marks)
         };
-        let panels: Vec<Panel> = self.of.estimates.iter().map(panel).collect();
+        let panels: Vec<Panel> = self.calibration.estimates.iter().map(panel).collect();
         let key = |name: &str, place: usize, stroke: Stroke| Key {
             name: name.to_owned(),
             sample: Sample::Line(Ink::Line(place), stroke),

@@ -1,4 +1,4 @@
-//! What a page reports of a calibration, and its pictures.
+//! Contents of the page of a calibration, and its pictures.
 
 mod figures;
 mod page;
@@ -12,16 +12,18 @@ use crate::PageHead;
 /// A calibration as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
-    /// Under the name of the case.
+    /// Head of the page, under the name of the case.
     pub head: PageHead,
-    /// What was looked for.
+    /// The fitted parameters.
     pub estimates: Vec<CalibratedRow>,
     /// Correlations of the estimates, a row for each.
     pub correlation: Vec<Vec<f64>>,
-    /// Errors of the readings: which, how large, whether it is a torque, given, how many.
+    /// Errors of the readings: kind, size, whether it is a torque, whether it was given, and number
+    /// of readings.
     pub errors: Vec<(String, f64, bool, bool, usize)>,
-    /// What is found with the outliers, where they were left out, or without them: the loss that found them, their
-    /// names, whether they were left out, and a value with its standard error for each estimate.
+    /// The result with the outliers, where they were left out, or without them: the loss that
+    /// detected them, their names, whether they were left out, and a value with its standard error
+    /// for each estimate.
     pub comparison: Option<CalibrationComparison>,
     /// Every reading.
     pub points: Vec<CalibrationPoint>,
@@ -31,28 +33,28 @@ pub struct Calibration {
     pub confidence: [f64; 2],
     /// Residuals beyond this are outliers.
     pub outlier_beyond: f64,
-    /// Some of the readings beside the string in motion; empty where that was not asked for.
+    /// Some of the readings compared with the dynamic run; empty where that was not requested.
     pub dynamics: Vec<CalibrationCheck>,
-    /// What is to be known of the answer, in sentences.
+    /// Notes on the result, in sentences.
     pub notes: Vec<String>,
     /// Warnings, in sentences.
     pub warnings: Vec<String>,
 }
 
-/// The other answer, with the outliers or without them.
+/// The other result, with the outliers or without them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CalibrationComparison {
     /// Name of the loss that found the outliers.
     pub loss: String,
     /// Their names.
     pub outliers: Vec<String>,
-    /// Whether the main answer leaves them out.
+    /// Whether the main result leaves them out.
     pub left_out: bool,
-    /// By the words of each estimate, its value and standard error.
+    /// Words, value and standard error of each estimate.
     pub values: Vec<(String, f64, Option<f64>)>,
 }
 
-/// A number that was looked for.
+/// A fitted parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CalibratedRow {
     /// In a sentence.
@@ -65,16 +67,16 @@ pub struct CalibratedRow {
     pub standard_error: Option<f64>,
     /// The interval by the profile likelihood.
     pub interval: [Option<f64>; 2],
-    /// Value, how much greater the sum of squares is there, and what a parabola has.
+    /// Value, excess of the sum of squares at it, and the same of a parabola.
     pub profile: Vec<[f64; 3]>,
 }
 
-/// A number that was read.
+/// A reading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CalibrationPoint {
-    /// The case that was in the hole.
+    /// The case whose string was in the hole.
     pub case: String,
-    /// Where it stands in its file.
+    /// Place of the reading in its file.
     pub place: String,
     /// `pick_up`, ...
     pub reading: String,
@@ -82,15 +84,15 @@ pub struct CalibrationPoint {
     pub is_torque: bool,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// Whether the numbers were found from it; it is only held against them otherwise.
+    /// Whether it was used in the fit; otherwise it is only compared with it.
     pub used: bool,
-    /// As it was read.
+    /// Measured value.
     pub measured: f64,
     /// By the model.
     pub predicted: f64,
     /// Measured less predicted.
     pub residual: f64,
-    /// The band in which a reading lies.
+    /// The band of readings.
     pub reading_band: [f64; 2],
     /// Residual over its standard error.
     pub standardised: f64,
@@ -103,7 +105,7 @@ pub struct CalibrationPoint {
 /// A prediction with its band.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CalibrationBand {
-    /// The case that is in the hole.
+    /// The case whose string is in the hole.
     pub case: String,
     /// `pick_up`, ...
     pub reading: String,
@@ -111,7 +113,7 @@ pub struct CalibrationBand {
     pub is_torque: bool,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// What is predicted.
+    /// Predicted value.
     pub predicted: f64,
     /// The band of the mean.
     pub mean: [f64; 2],
@@ -119,10 +121,10 @@ pub struct CalibrationBand {
     pub reading_band: [f64; 2],
 }
 
-/// A reading beside the string in motion.
+/// A reading compared with the dynamic run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CalibrationCheck {
-    /// Where it stands in its file.
+    /// Place of the reading in its file.
     pub place: String,
     /// `pick_up`, ...
     pub reading: String,
@@ -130,12 +132,12 @@ pub struct CalibrationCheck {
     pub is_torque: bool,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// As it was read.
+    /// Measured value.
     pub measured: f64,
-    /// By the model that the numbers were found with.
+    /// Predicted by the model of the fit.
     pub predicted: f64,
     /// Mean and standard deviation by the dynamics; none without an answer.
     pub dynamic: Option<[f64; 2]>,
-    /// Why there is none, or what is to be known of it.
+    /// Reason why there is none, or a note on it.
     pub said: String,
 }

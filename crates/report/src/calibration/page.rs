@@ -1,61 +1,64 @@
-//! The page of a calibration as one file that needs nothing else.
+//! The page of a calibration as one self-contained file.
 
 use super::{
     Calibration,
-    figures::{calibration_plots, said},
+    figures::{calibration_plots, reading_words},
 };
 use crate::{
     Grid, StudyPage, StudyPart, Verdict,
     grid_cells::{head, heads, row},
     operation_words::four,
-    plots::Shown,
+    plots::DisplayUnits,
     study::study_html_in_units,
 };
 
-/// What the numbers stand for.
-const ABOUT: &str = "What friction was, by what was read at the surface: the numbers that make the \
-    readings most likely, how well the readings tell them, and what would be read at other depths.";
+/// Meaning of the page's numbers.
+const ABOUT: &str = "Friction derived from readings at the surface: the parameters that make the \
+    readings most likely, their uncertainty, and predicted readings at other depths.";
 
-/// The page as the text of an HTML file. No name in it can end the element that it stands in.
-pub fn calibration_html(of: &Calibration) -> String {
-    study_html_in_units(&of.head.units, |units| page(of, units))
+/// Returns the page as the text of an HTML file. No name in it can end the element that contains
+/// it.
+pub fn calibration_html(calibration: &Calibration) -> String {
+    study_html_in_units(&calibration.head.units, |units| page(calibration, units))
 }
 
-fn page(of: &Calibration, units: &str) -> StudyPage {
-    let shown = Shown::new(&of.head.dimensions, units);
-    let facts = of.head.facts.iter().filter_map(|fact| shown.fact(fact));
+fn page(calibration: &Calibration, units: &str) -> StudyPage {
+    let display = DisplayUnits::new(&calibration.head.dimensions, units);
+    let facts = calibration.head.facts.iter().filter_map(|fact| display.fact(fact));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
-    description.extend(of.warnings.iter().map(|text| format!("\n\nWarning: {text}.")));
-    let [interval, band] = of.confidence.map(|of| format!("{:.0} %", 100.0 * of));
+    description.extend(calibration.warnings.iter().map(|text| format!("\n\nWarning: {text}.")));
+    let [interval, band] =
+        calibration.confidence.map(|confidence| format!("{:.0} %", 100.0 * confidence));
     let captions = [
         (
             "Measured and predicted",
             format!(
-                "Lines: the model with the numbers found. Dark: the band of {band} within which the \
-                 model's value lies, by what the readings leave open. Light: within which {band} of \
-                 readings lie. Points: what was read."
+                "Lines: the model with the fitted parameters. Dark: the {band} band of the model's \
+                 value, from the uncertainty of the parameters. Light: the band that contains \
+                 {band} of readings. Points: the readings."
             ),
         ),
         (
             "Residuals against depth",
             format!(
-                "Measured less predicted, over the standard error that it has after the fit. A trend \
-                 with depth is something that the model does not know. Beyond {} an outlier.",
-                of.outlier_beyond
+                "Measured less predicted, over its standard error after the fit. A trend with \
+                 depth is an effect that the model leaves out. Beyond {} a reading is an outlier.",
+                calibration.outlier_beyond
             ),
         ),
         (
             "Profiles of the likelihood",
             format!(
-                "Each number held, all others at their best: how much the sum of squared residuals \
-                 grows. Rules: the ends of the interval of {interval}. Where the curves part, the \
-                 standard error alone misleads."
+                "Increase of the sum of squared residuals with each parameter fixed and all others \
+                 fitted. Rules: the ends of the interval of {interval}. Where the two curves \
+                 differ, the standard error alone is misleading."
             ),
         ),
     ];
-    let mut parts = vec![estimates(of, shown, &interval)];
-    parts.extend(comparison(of, shown));
-    for (plot, (title, caption)) in calibration_plots(of, units).into_iter().zip(captions) {
+    let mut parts = vec![estimates(calibration, display, &interval)];
+    parts.extend(comparison(calibration, display));
+    for (plot, (title, caption)) in calibration_plots(calibration, units).into_iter().zip(captions)
+    {
         parts.push(StudyPart::Figure {
             title: title.to_owned(),
             caption,
@@ -64,22 +67,27 @@ fn page(of: &Calibration, units: &str) -> StudyPage {
             painted: false,
         });
     }
-    parts.extend(dynamics(of, shown));
-    parts.push(correlations(of));
-    parts.push(readings(of, shown));
-    parts.extend(notes(of));
-    StudyPage { program: of.head.program.clone(), title: of.head.title.clone(), description, parts }
+    parts.extend(dynamics(calibration, display));
+    parts.push(correlations(calibration));
+    parts.push(readings(calibration, display));
+    parts.extend(notes(calibration));
+    StudyPage {
+        program: calibration.head.program.clone(),
+        title: calibration.head.title.clone(),
+        description,
+        parts,
+    }
 }
 
-fn estimates(of: &Calibration, shown: Shown<'_>, interval: &str) -> StudyPart {
+fn estimates(calibration: &Calibration, display: DisplayUnits<'_>, interval: &str) -> StudyPart {
     let interval = format!("interval of {interval}");
     let heads =
         heads(&[("number", true), ("value", false), ("standard error", false), (&interval, false)]);
-    let rows = of.estimates.iter().map(|row_of| {
-        // A factor in four digits; a weight as people say it.
+    let rows = calibration.estimates.iter().map(|row_of| {
+        // A factor in four digits; a weight in the usual ones.
         let say = |value: f64| match row_of.dimension.as_str() {
             "" => format!("{value:.4}"),
-            dimension => shown.quantity(value, dimension),
+            dimension => display.quantity(value, dimension),
         };
         let end = |end: Option<f64>| end.map_or("not found".to_owned(), say);
         row(vec![
@@ -89,13 +97,13 @@ fn estimates(of: &Calibration, shown: Shown<'_>, interval: &str) -> StudyPart {
             format!("{} to {}", end(row_of.interval[0]), end(row_of.interval[1])),
         ])
     });
-    let errors = of.errors.iter().map(|(which, error, is_torque, given, count)| {
+    let errors = calibration.errors.iter().map(|(which, error, is_torque, is_given, count)| {
         let dimension = if *is_torque { "torque" } else { "force" };
-        let how = if *given { "as given" } else { "estimated" };
-        format!("{count} {which}: {} ({how})", shown.quantity(*error, dimension))
+        let how = if *is_given { "as given" } else { "estimated" };
+        format!("{count} {which}: {} ({how})", display.quantity(*error, dimension))
     });
     StudyPart::Table {
-        title: "What was found".into(),
+        title: "Fitted parameters".into(),
         caption: format!(
             "Standard errors of the readings: {}.",
             errors.collect::<Vec<_>>().join("; ")
@@ -106,14 +114,14 @@ fn estimates(of: &Calibration, shown: Shown<'_>, interval: &str) -> StudyPart {
     }
 }
 
-/// All readings beside those without the outliers.
-fn comparison(of: &Calibration, shown: Shown<'_>) -> Option<StudyPart> {
-    let other = of.comparison.as_ref()?;
+/// Comparison of the estimates from all readings with those without the outliers.
+fn comparison(calibration: &Calibration, display: DisplayUnits<'_>) -> Option<StudyPart> {
+    let other = calibration.comparison.as_ref()?;
     let heads = heads(&[("number", true), ("all readings", false), ("without outliers", false)]);
-    let rows = of.estimates.iter().map(|own| {
+    let rows = calibration.estimates.iter().map(|own| {
         let say = |value: f64| match own.dimension.as_str() {
             "" => format!("{value:.4}"),
-            dimension => shown.quantity(value, dimension),
+            dimension => display.quantity(value, dimension),
         };
         let text = |value: f64, error: Option<f64>| match error {
             Some(error) => format!("{} ± {}", say(value), say(error)),
@@ -128,7 +136,7 @@ fn comparison(of: &Calibration, shown: Shown<'_>) -> Option<StudyPart> {
     Some(StudyPart::Table {
         title: "With and without outliers".into(),
         caption: format!(
-            "Outliers, found by {}'s loss: {}. The answer above is that {}.",
+            "Outliers by {}'s loss: {}. The result above is that {}.",
             other.loss,
             other.outliers.join(", "),
             if other.left_out { "without them" } else { "of all readings" }
@@ -139,28 +147,28 @@ fn comparison(of: &Calibration, shown: Shown<'_>) -> Option<StudyPart> {
     })
 }
 
-fn dynamics(of: &Calibration, shown: Shown<'_>) -> Option<StudyPart> {
+fn dynamics(calibration: &Calibration, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let heads = heads(&[
         ("reading", true),
         ("place", true),
         ("bit depth", false),
         ("measured", false),
         ("fitted", false),
-        ("in motion", false),
+        ("dynamic run", false),
         ("±", false),
         ("", true),
     ]);
-    let rows = of.dynamics.iter().map(|check| {
+    let rows = calibration.dynamics.iter().map(|check| {
         let dimension = if check.is_torque { "torque" } else { "force" };
-        let quantity = |value: f64| shown.quantity(value, dimension);
+        let quantity = |value: f64| display.quantity(value, dimension);
         let [mean, std] = match check.dynamic {
-            Some(of) => of.map(quantity),
+            Some(values) => values.map(quantity),
             None => ["no answer".to_owned(), "–".to_owned()],
         };
         row(vec![
-            said(&check.reading).to_owned(),
+            reading_words(&check.reading).to_owned(),
             check.place.clone(),
-            shown.quantity(check.bit_depth_m, "length"),
+            display.quantity(check.bit_depth_m, "length"),
             quantity(check.measured),
             quantity(check.predicted),
             mean,
@@ -169,10 +177,10 @@ fn dynamics(of: &Calibration, shown: Shown<'_>) -> Option<StudyPart> {
         ])
     });
     let grid = Grid { heads, rows: rows.collect() };
-    (!of.dynamics.is_empty()).then(|| StudyPart::Table {
+    (!calibration.dynamics.is_empty()).then(|| StudyPart::Table {
         title: "Checked by the dynamics".into(),
-        caption: "The whole string in motion with the numbers that were found: mean and standard deviation against \
-                  time. Weights with the block's."
+        caption: "Dynamic run of the whole string with the fitted parameters: mean and standard \
+                  deviation over time. Weights include the block."
             .into(),
         grid,
         files: "calibration_dynamic".into(),
@@ -180,26 +188,32 @@ fn dynamics(of: &Calibration, shown: Shown<'_>) -> Option<StudyPart> {
     })
 }
 
-fn correlations(of: &Calibration) -> StudyPart {
+fn correlations(calibration: &Calibration) -> StudyPart {
     let mut names = vec![("", true)];
-    names.extend(of.estimates.iter().map(|of| (of.words.as_str(), false)));
-    let rows = of.estimates.iter().zip(&of.correlation).map(|(estimate, correlation)| {
-        let mut cells = vec![estimate.words.clone()];
-        cells.extend(correlation.iter().map(|of| format!("{of:.3}").replace('-', "\u{2212}")));
-        row(cells)
-    });
+    names.extend(calibration.estimates.iter().map(|estimate| (estimate.words.as_str(), false)));
+    let rows = calibration.estimates.iter().zip(&calibration.correlation).map(
+        |(estimate, correlation)| {
+            let mut cells = vec![estimate.words.clone()];
+            cells.extend(
+                correlation
+                    .iter()
+                    .map(|correlation| format!("{correlation:.3}").replace('-', "\u{2212}")),
+            );
+            row(cells)
+        },
+    );
     StudyPart::Table {
         title: "Correlations".into(),
-        caption: "Near 1 or −1 the readings tell two numbers together and neither alone.".into(),
+        caption: "Near 1 or −1 the readings determine two parameters only in combination.".into(),
         grid: Grid { heads: heads(&names), rows: rows.collect() },
         files: "summary".into(),
         endings: &["json"],
     }
 }
 
-fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
-    // One case is that of the whole page.
-    let several = of.points.iter().any(|point| point.case != of.points[0].case);
+fn readings(calibration: &Calibration, display: DisplayUnits<'_>) -> StudyPart {
+    // A single case is named for the whole page.
+    let several = calibration.points.iter().any(|point| point.case != calibration.points[0].case);
     let mut heads = vec![head("reading", true)];
     heads.extend(several.then(|| head("case", true)));
     heads.extend([
@@ -207,21 +221,21 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
         head("bit depth", false),
         head("measured", false),
         head("predicted", false),
-        head(format!("band of {:.0} %", 100.0 * of.confidence[1]), false),
+        head(format!("band of {:.0} %", 100.0 * calibration.confidence[1]), false),
         head("residual", false),
         head("in standard errors", false),
         head("in the fit", true),
         head("in its band", true),
     ]);
-    let rows = of.points.iter().map(|point| {
+    let rows = calibration.points.iter().map(|point| {
         let dimension = if point.is_torque { "torque" } else { "force" };
-        let number = |si: f64| four(shown.value(si, dimension));
-        let load = |si: f64| format!("{} {}", number(si), shown.symbol(dimension));
-        let mut cells = vec![said(&point.reading).to_owned()];
+        let number = |si: f64| four(display.value(si, dimension));
+        let load = |si: f64| format!("{} {}", number(si), display.symbol(dimension));
+        let mut cells = vec![reading_words(&point.reading).to_owned()];
         cells.extend(several.then(|| point.case.clone()));
         cells.extend([
             point.place.clone(),
-            shown.quantity(point.bit_depth_m, "length"),
+            display.quantity(point.bit_depth_m, "length"),
             load(point.measured),
             load(point.predicted),
             format!("{} to {}", load(point.reading_band[0]), load(point.reading_band[1])),
@@ -239,9 +253,9 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
     });
     StudyPart::Table {
         title: "Readings".into(),
-        caption: "Weights with the block's. Place: where the reading stands in its file. Band: \
-                  within which such a reading lies. Residual: measured less predicted, and the same \
-                  over its standard error."
+        caption: "Weights include the block. Place: the reading's place in its file. Band: the \
+                  band of such readings. Residual: measured less predicted, and the same over its \
+                  standard error."
             .into(),
         grid: Grid { heads, rows: rows.collect() },
         files: "calibration".into(),
@@ -249,13 +263,13 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
     }
 }
 
-/// How the readings were taken, and what was held.
-fn notes(of: &Calibration) -> Option<StudyPart> {
-    let rows = of.notes.iter().map(|text| row(vec![text.replace('`', "")]));
+/// The settings of the readings, and the fixed parameters.
+fn notes(calibration: &Calibration) -> Option<StudyPart> {
+    let rows = calibration.notes.iter().map(|text| row(vec![text.replace('`', "")]));
     let grid = Grid { heads: heads(&[("note", true)]), rows: rows.collect() };
     (!grid.rows.is_empty()).then(|| StudyPart::Table {
         title: "Notes".into(),
-        caption: "What was taken from the file of readings, and what was assumed; in the units of the case."
+        caption: "Settings from the file of readings, and assumptions; in the units of the case."
             .into(),
         grid,
         files: "summary".into(),

@@ -1,17 +1,17 @@
-//! What is on a page, before it is written or painted.
+//! Contents of a page, before it is written as SVG or painted as PNG.
 
 use super::Ink;
 
 /// A finished picture: it can be written as SVG, or painted as PNG.
 #[derive(Debug, Clone)]
 pub struct Drawing {
-    /// What it is, for those who cannot see it.
+    /// Description for readers who cannot see it.
     pub(super) title: String,
     /// Its size, points.
     pub(super) width: f64,
     pub(super) height: f64,
     pub(super) items: Vec<Item>,
-    /// What is drawn now is cut off at its edges.
+    /// Rectangle at whose edges drawing is cut off.
     clip: Option<Box>,
 }
 
@@ -39,13 +39,13 @@ impl Box {
     }
 }
 
-/// What a line is drawn with.
+/// Properties of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pen {
     pub(crate) ink: Ink,
     /// Points.
     pub(crate) width: f64,
-    /// Lengths of dash and gap; none of a full line.
+    /// Lengths of dash and gap; `None` for a full line.
     pub(crate) dash: Option<[f64; 2]>,
 }
 
@@ -56,7 +56,7 @@ impl Pen {
     }
 }
 
-/// On which side of its place a text stands.
+/// Side of its place on which a text is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Anchor {
     Start,
@@ -64,7 +64,7 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// A picture of pixels, row after row from the top; nothing where what lies below shows.
+/// An image of pixels, row after row from the top; `None` where it is transparent.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Image {
     pub(crate) columns: usize,
@@ -76,7 +76,7 @@ pub(super) enum Item {
     Path {
         lines: Vec<Vec<(f64, f64)>>,
         closed: bool,
-        /// Colour, and how much of what lies below it hides.
+        /// Colour and opacity.
         fill: Option<(Ink, f64)>,
         pen: Option<Pen>,
         clip: Option<Box>,
@@ -95,8 +95,8 @@ pub(super) enum Item {
         image: Image,
         place: Box,
     },
-    /// What follows, up to the end, belongs to these keys of the legend, or is a key of the legend
-    /// itself. For pages.
+    /// The following items, up to the end, belong to these keys of the legend, or are a key of the
+    /// legend themselves. For pages.
     Begin {
         keys: Vec<usize>,
         of_legend: bool,
@@ -117,7 +117,7 @@ impl Drawing {
         (self.width, self.height)
     }
 
-    /// Draws what is cut off at the edges of a rectangle.
+    /// Draws with everything cut off at the edges of a rectangle.
     pub(crate) fn within(&mut self, edges: Box, draw: impl FnOnce(&mut Self)) {
         self.clip = Some(edges);
         draw(self);
@@ -132,7 +132,7 @@ impl Drawing {
         self.path(vec![edges.corners().to_vec()], true, None, Some(pen));
     }
 
-    /// An area; `opacity` is how much of what lies below it hides.
+    /// Fills an area with this opacity.
     pub(crate) fn fill(&mut self, corners: Vec<(f64, f64)>, ink: Ink, opacity: f64) {
         self.path(vec![corners], true, Some((ink, opacity)), None);
     }
@@ -171,7 +171,7 @@ impl Drawing {
         });
     }
 
-    /// What is drawn up to [`Self::end`] belongs to these keys of the legend, or is one.
+    /// Begins items, up to [`Self::end`], that belong to these keys of the legend, or are one.
     pub(crate) fn begin(&mut self, keys: &[usize], of_legend: bool) {
         self.items.push(Item::Begin { keys: keys.to_vec(), of_legend });
     }

@@ -2,8 +2,8 @@
 
 use std::{collections::HashMap, sync::LazyLock};
 
-/// Arimo, as wide as Helvetica and Arial: what is measured and painted with it fits where a file is
-/// read with one of those.
+/// Arimo, with the widths of Helvetica and Arial, so that text measured and painted with it fits
+/// where a file is read with one of those.
 static FACE: LazyLock<Face> = LazyLock::new(|| {
     let text = include_str!("../../assets/fonts/letters.txt");
     Face::read(text).expect("the letters that are built in")
@@ -12,14 +12,14 @@ static FACE: LazyLock<Face> = LazyLock::new(|| {
 /// Letters, in parts of their size.
 struct Face {
     letters: HashMap<char, Letter>,
-    /// What stands for those that it does not have.
+    /// Replacement for the letters that it does not have.
     none: Letter,
 }
 
-/// A letter as it is drawn.
+/// A letter in drawable form.
 #[derive(Clone, Default)]
 struct Letter {
-    /// How far it moves the pen.
+    /// Horizontal advance of the pen.
     advance: f64,
     outline: Vec<Stroke>,
 }
@@ -44,7 +44,7 @@ impl Face {
         Some(face)
     }
 
-    /// What a letter looks like; a box where the font does not have it.
+    /// The letter of a character; a box where the font does not have it.
     fn letter(&self, character: char) -> &Letter {
         self.letters.get(&character).unwrap_or(&self.none)
     }
@@ -76,7 +76,7 @@ impl Letter {
 pub(super) const FAMILIES: &str =
     "Helvetica, Arial, Arimo, &quot;Liberation Sans&quot;, sans-serif";
 
-/// Half the height of a capital over the size: what a text stands lower than its middle.
+/// Half the height of a capital over the size, by which a text is lowered to be centred.
 pub(super) const HALF_CAPITAL: f64 = 0.358;
 
 /// The width of a text of this size.
@@ -92,16 +92,16 @@ pub(crate) fn fitting(text: &str, size: f64, width: f64) -> String {
     }
     let room = width - text_width("\u{2026}", size);
     let mut used = 0.0;
-    let kept = text.chars().take_while(|character| {
+    let shortened = text.chars().take_while(|character| {
         used += FACE.letter(*character).advance * size;
         used <= room
     });
-    let kept: String = kept.collect();
-    format!("{}\u{2026}", kept.trim_end())
+    let shortened: String = shortened.collect();
+    format!("{}\u{2026}", shortened.trim_end())
 }
 
-/// Gives the outline of a text that begins at the origin, x to the right and y up, in parts of its
-/// size.
+/// Passes the outline of a text that begins at the origin to `to`, x to the right and y up, in
+/// parts of its size.
 pub(super) fn outline(text: &str, to: &mut impl FnMut(Stroke)) {
     let mut left = 0.0;
     for character in text.chars() {

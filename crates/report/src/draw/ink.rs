@@ -1,11 +1,12 @@
-//! What is drawn with, and scales of colours.
+//! Inks and scales of colours.
 
 use super::palette::{LINES, on_paper};
 
-/// What something is drawn with. A file has the colours of paper; a page may give each its own.
+/// Ink of a mark. A file has the colours of paper; a page may assign its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ink {
-    /// A curve by its place; seven can be distinguished, and after the last comes the first.
+    /// A curve by its place; seven can be distinguished, and after the last the first follows
+    /// again.
     Line(usize),
     /// Text.
     Text,
@@ -65,14 +66,14 @@ impl Ink {
     }
 }
 
-/// What a scale of colours shows.
+/// Quantity shown by a scale of colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Hue {
-    /// From little to much.
+    /// An amount, from small to large.
     Amount,
-    /// From the shallow to the deep, which is dark.
+    /// A depth, from shallow to deep, which is dark.
     Depth,
-    /// From the low side over nothing to the high side.
+    /// A side, from the low side over zero to the high side.
     Side,
 }
 

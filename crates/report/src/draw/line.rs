@@ -1,7 +1,7 @@
-//! Lines as the points that a reader can see.
+//! Reduction of lines to the points that a reader can see.
 
-/// The curve without the points that lie on the line between those kept, within a twentieth of a
-/// point (Ramer, Douglas and Peucker): a fine mesh makes no finer picture.
+/// Returns the curve without the points that are on the line between those retained, within a
+/// twentieth of a point (Ramer, Douglas and Peucker), because a fine mesh gives no finer picture.
 pub(crate) fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     const WITHIN: f64 = 0.05;
     let mut keep = vec![false; points.len()];
@@ -29,16 +29,16 @@ pub(crate) fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
             spans.extend([(first, farthest), (farthest, last)]);
         }
     }
-    let kept = points.iter().zip(keep);
-    kept.filter_map(|(point, keep)| keep.then_some(*point)).collect()
+    let retained = points.iter().zip(keep);
+    retained.filter_map(|(point, keep)| keep.then_some(*point)).collect()
 }
 
-/// The curve without the points between the extremes of each stretch of `within` along it: of
-/// thousands of samples in the width of a line, what shows. A curve goes across the page, or down
-/// it.
+/// Returns the curve without the points between the extremes of each stretch of `within` along it:
+/// the visible part of thousands of samples in the width of a line. A curve runs across the page,
+/// or down it.
 pub(crate) fn envelope(points: &[(f64, f64)], within: f64, down: bool) -> Vec<(f64, f64)> {
     let turned = |(x, y): (f64, f64)| if down { (y, x) } else { (x, y) };
-    let mut kept = Vec::new();
+    let mut retained = Vec::new();
     let stretch = |point: &(f64, f64)| (turned(*point).0 / within).floor();
     for chunk in points.chunk_by(|a, b| stretch(a) == stretch(b)) {
         let (first, last) = (0, chunk.len() - 1);
@@ -48,9 +48,9 @@ pub(crate) fn envelope(points: &[(f64, f64)], within: f64, down: bool) -> Vec<(f
         let high = (first..=last).max_by(by).unwrap_or(first);
         let mut places = [first, low.min(high), low.max(high), last].to_vec();
         places.dedup();
-        kept.extend(places.into_iter().map(|place| chunk[place]));
+        retained.extend(places.into_iter().map(|place| chunk[place]));
     }
-    kept
+    retained
 }
 
 #[cfg(test)]
@@ -80,19 +80,19 @@ mod tests {
         assert_eq!(thinned(&[(1.0, 2.0)]), [(1.0, 2.0)]);
     }
 
-    /// A peak of one sample among thousands stays.
+    /// A peak of one sample among thousands remains.
     #[test]
     fn an_envelope_keeps_every_peak() {
         let point =
             |i: i32| (f64::from(i) * 1e-3, f64::from(i % 7) + if i == 4321 { 50.0 } else { 0.0 });
         let curve: Vec<_> = (0..10_000).map(point).collect();
-        let kept = envelope(&curve, 0.1, false);
-        assert!(kept.len() <= 4 * 101, "{}", kept.len());
-        assert!(kept.contains(&point(4321)));
-        assert!(kept.windows(2).all(|pair| pair[0].0 < pair[1].0));
-        assert_eq!((kept[0], kept[kept.len() - 1]), (point(0), point(9999)));
+        let reduced = envelope(&curve, 0.1, false);
+        assert!(reduced.len() <= 4 * 101, "{}", reduced.len());
+        assert!(reduced.contains(&point(4321)));
+        assert!(reduced.windows(2).all(|pair| pair[0].0 < pair[1].0));
+        assert_eq!((reduced[0], reduced[reduced.len() - 1]), (point(0), point(9999)));
         let turned =
             |points: &[(f64, f64)]| -> Vec<_> { points.iter().map(|(x, y)| (*y, *x)).collect() };
-        assert_eq!(envelope(&turned(&curve), 0.1, true), turned(&kept));
+        assert_eq!(envelope(&turned(&curve), 0.1, true), turned(&reduced));
     }
 }

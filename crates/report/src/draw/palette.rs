@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-/// A colour by the name that it has on a page, as it is on paper and on a dark screen.
+/// A colour by its name on a page, on paper and on a dark screen.
 #[derive(Debug)]
 pub(crate) struct Colour {
     pub(crate) name: &'static str,
@@ -15,16 +15,16 @@ const fn colour(name: &'static str, light: u32, dark: u32) -> Colour {
     Colour { name, light, dark }
 }
 
-/// How many curves have a colour of their own.
+/// Number of curves with a colour of their own.
 pub(crate) const LINES: usize = 7;
 
 /// Every colour.
 ///
-/// Curves and the sides of the hole were found by a search for the largest least difference, as
-/// eyes without red, green or blue cones see it, each in a range of hues that keeps its name in
-/// light and dark: the tests below hold it.
+/// Curves and the sides of the hole were found by a search for the largest minimum difference, as
+/// seen by eyes without red, green or blue cones, each in a range of hues that fits its name in
+/// light and dark; the tests below check it.
 pub(crate) const PALETTE: &[Colour] = &[
-    // The ground, text, and what is neither.
+    // The ground, text, and grey tones.
     colour("paper", 0xffffff, 0x1b2025),
     colour("page", 0xf6f7f8, 0x13171b),
     colour("text", 0x1d2226, 0xe6eaed),
@@ -45,13 +45,13 @@ pub(crate) const PALETTE: &[Colour] = &[
     colour("line-4", 0x633e1b, 0xffef70),
     colour("line-5", 0x105d5b, 0xdffcf9),
     colour("line-6", 0x13100b, 0x767275),
-    // Sides of the hole, as areas; maps go on to the strong ones.
+    // Sides of the hole, as areas; maps extend them to strong colours.
     colour("high-side", 0xf1d585, 0x4c3a13),
     colour("high-side-strong", 0x7d5200, 0xffd479),
     colour("low-side", 0xaccdfc, 0x014069),
     colour("low-side-strong", 0x0c4a9e, 0x8cc6ff),
     colour("middle", 0xf7f7f7, 0x22282e),
-    // Judgements, which stand beside a word and a shape.
+    // Severities, which are always shown with a word and a shape.
     colour("good", 0x047973, 0x52dfd9),
     colour("near", 0x876817, 0xffc934),
     colour("over", 0x6b0018, 0xf3597c),
@@ -82,14 +82,14 @@ const fn rgb(colour: u32) -> [u8; 3] {
 }
 
 /// Custom properties of a set of colours.
-fn properties(of: fn(&Colour) -> u32) -> String {
+fn properties(value: fn(&Colour) -> u32) -> String {
     PALETTE.iter().fold(String::new(), |mut css, colour| {
-        let _ = write!(css, "--{}:#{:06x};", colour.name, of(colour));
+        let _ = write!(css, "--{}:#{:06x};", colour.name, value(colour));
         css
     })
 }
 
-/// The colours of a page as CSS: light, and dark where the page says so; figures in the page wear
+/// The colours of a page as CSS: light, and dark where the page is set so; figures in the page use
 /// them.
 pub(crate) fn css() -> String {
     let mut css = format!(
@@ -107,7 +107,7 @@ pub(crate) fn css() -> String {
     css
 }
 
-/// The same for a page without a program, which is dark where the reader's other windows are.
+/// The same for a page without a program, which is dark where the reader's system is.
 pub(crate) fn css_by_window() -> String {
     format!(
         "{}@media screen and (prefers-color-scheme:dark){{:root{{{}color-scheme:dark}}}}\n",
@@ -134,7 +134,7 @@ mod tests {
 
     type Palette = fn(&Colour) -> u32;
 
-    /// Light and dark, each as a way to a colour.
+    /// Light and dark, each as a function to a colour.
     const STYLES: [(&str, Palette); 2] =
         [("light", |colour| colour.light), ("dark", |colour| colour.dark)];
 
@@ -142,33 +142,34 @@ mod tests {
         (0..LINES).map(|place| find(&format!("line-{place}"))).collect()
     }
 
-    /// All colours that may stand in one chart together, the curves and the areas of the sides of
+    /// All colours that may appear together in one chart, the curves and the areas of the sides of
     /// the hole, differ by at least 20 of CIEDE2000 to every eye, in light and in dark. About 1 is
-    /// just noticed side by side; 20 is the bound that this program sets itself for thin lines and
+    /// just noticed between adjacent areas; 20 is the bound of this program for thin lines and
     /// small areas apart from one another.
     #[test]
     fn every_eye_tells_the_colours_of_a_chart_apart() {
-        for (style, of) in STYLES {
+        for (style, palette) in STYLES {
             let mut all = lines();
             all.extend(SIDES.map(find));
             for (i, a) in all.iter().enumerate() {
                 for b in &all[..i] {
-                    let apart = min_difference(rgb(of(a)), rgb(of(b)));
+                    let apart = min_difference(rgb(palette(a)), rgb(palette(b)));
                     assert!(apart >= 20.0, "{style}: {} and {}: {apart:.1}", a.name, b.name);
                 }
             }
         }
     }
 
-    /// A figure of more than seven curves goes on with the colours of rock and casing. They are told from
-    /// any other side by side, though not as well: from 7 on (the least is rock from orange, 7.2).
+    /// A figure of more than seven curves continues with the colours of rock and casing. Adjacent
+    /// to any other they are distinguished, though less well: from 7 on (the least is rock from
+    /// orange, 7.2).
     #[test]
     fn two_more_colours_follow_those_of_lines() {
-        for (style, of) in STYLES {
+        for (style, palette) in STYLES {
             let mut all = lines();
             for more in ["rock", "casing"].map(find) {
                 for other in &all {
-                    let apart = min_difference(rgb(of(more)), rgb(of(other)));
+                    let apart = min_difference(rgb(palette(more)), rgb(palette(other)));
                     assert!(apart >= 7.0, "{style}: {} and {}: {apart:.1}", more.name, other.name);
                 }
                 all.push(more);
@@ -176,22 +177,22 @@ mod tests {
         }
     }
 
-    /// Lights stand beside words and marks, and every eye tells them apart without: by 20, as curves. What
-    /// stands on the ground of a limit that is not kept, its light thinned to 16 %, is read.
+    /// Lights appear with words and marks, and every eye distinguishes them without: by 20, as
+    /// curves. Text on the ground of an exceeded limit, its light thinned to 16 %, is readable.
     #[test]
     fn every_eye_tells_the_lights_apart() {
-        for (style, of) in STYLES {
+        for (style, palette) in STYLES {
             let lights = ["good", "near", "over"].map(find);
             for (a, b) in [(0, 1), (1, 2), (0, 2)] {
-                let apart = min_difference(rgb(of(lights[a])), rgb(of(lights[b])));
+                let apart = min_difference(rgb(palette(lights[a])), rgb(palette(lights[b])));
                 let [a, b] = [lights[a].name, lights[b].name];
                 assert!(apart >= 20.0, "{style}: {a} and {b}: {apart:.1}");
             }
-            let [over, paper] = ["over", "paper"].map(|name| rgb(of(find(name))));
+            let [over, paper] = ["over", "paper"].map(|name| rgb(palette(find(name))));
             let mixed = |k: usize| 0.16 * f64::from(over[k]) + 0.84 * f64::from(paper[k]);
             let ground = [0, 1, 2].map(|k| mixed(k).round() as u8);
-            let text = contrast(rgb(of(find("text"))), ground);
-            assert!(text >= 4.5, "{style}: text on a limit that is not kept: {text:.2}");
+            let text = contrast(rgb(palette(find("text"))), ground);
+            assert!(text >= 4.5, "{style}: text on an exceeded limit: {text:.2}");
             let mark = contrast(over, ground);
             assert!(mark >= 3.0, "{style}: its mark: {mark:.2}");
         }
@@ -200,28 +201,28 @@ mod tests {
     /// The ends of a map's colours and its middle are distinguished too.
     #[test]
     fn every_eye_tells_the_sides_of_a_map_apart() {
-        for (style, of) in STYLES {
+        for (style, palette) in STYLES {
             let names = ["low-side-strong", "middle", "high-side-strong"].map(find);
             for (a, b) in [(0, 1), (1, 2), (0, 2)] {
-                let apart = min_difference(rgb(of(names[a])), rgb(of(names[b])));
+                let apart = min_difference(rgb(palette(names[a])), rgb(palette(names[b])));
                 assert!(apart >= 20.0, "{style}: {}: {apart:.1}", names[a].name);
             }
         }
     }
 
-    /// WCAG 2.2, success criteria 1.4.3 and 1.4.11: text has a contrast of 4.5, what must be seen
+    /// WCAG 2.2, success criteria 1.4.3 and 1.4.11: text has a contrast of 4.5, the essential parts
     /// of a picture 3.
     #[test]
     fn text_and_lines_stand_out_from_their_ground() {
-        for (style, of) in STYLES {
-            let ratio = |a: &str, b: &str| contrast(rgb(of(find(a))), rgb(of(find(b))));
+        for (style, palette) in STYLES {
+            let ratio = |a: &str, b: &str| contrast(rgb(palette(find(a))), rgb(palette(find(b))));
             for text in ["text", "muted", "accent", "good", "near", "over"] {
                 for ground in ["paper", "page", "settling"] {
                     let ratio = ratio(text, ground);
                     assert!(ratio >= 4.5, "{style}: {text} on {ground}: {ratio:.2}");
                 }
             }
-            // What is chosen has the colours turned round.
+            // A chosen button has inverted colours.
             assert!(ratio("paper", "accent") >= 4.5, "{style}: a pressed button");
             let lines = lines();
             let lines = lines.iter().map(|colour| colour.name);

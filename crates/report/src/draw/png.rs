@@ -12,7 +12,7 @@ use super::{
 };
 
 impl Drawing {
-    /// The drawing as the bytes of a PNG file, with so many dots per inch.
+    /// Returns the drawing as the bytes of a PNG file, with this many dots per inch.
     ///
     /// # Panics
     /// If `dots_per_inch` is not above zero, or makes a picture of more pixels than memory has.
@@ -150,7 +150,7 @@ fn letters(text: &str) -> Option<tiny_skia::Path> {
     path.finish()
 }
 
-/// The mask of the rectangle at whose edges was cut off last.
+/// The mask of the rectangle of the last clipping.
 #[derive(Default)]
 struct Clipping {
     made: Option<(Box, Mask)>,

@@ -32,7 +32,7 @@ impl Drawing {
     }
 
     /// The drawing as an element of a page, whose colours follow the page's. `name` differs from
-    /// that of every other.
+    /// that of every other element.
     pub(crate) fn element(&self, name: &str) -> String {
         format!(
             "<svg class=\"figure\" role=\"img\" viewBox=\"0 0 {} {}\" \
@@ -45,8 +45,8 @@ impl Drawing {
         )
     }
 
-    /// Of a page, what belongs together is marked, so that its program can hide it and say what a
-    /// point is.
+    /// For a page, items that belong together are marked, so that its program can hide them and
+    /// describe a point.
     fn content(&self, name: &str, of_page: bool) -> String {
         let mut clips: Vec<Box> = Vec::new();
         let mut body = String::new();
@@ -105,8 +105,8 @@ impl Drawing {
                 }
                 Item::End => writeln!(body, "</g>"),
                 Item::Spots(spots) => {
-                    // The page's program makes circles of them: a sweep has thousands, in three
-                    // sets of units.
+                    // The page's program makes circles of them, because a sweep has thousands, in
+                    // three sets of units.
                     let spots = spots.iter();
                     let spots =
                         spots.map(|((x, y), row)| format!("{} {} {row}", number(*x), number(*y)));
@@ -151,7 +151,7 @@ fn hex(ink: Ink) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Attributes for fill and line, and classes by which a page gives them its own colours.
+/// Attributes for fill and line, and classes through which a page assigns its own colours.
 fn style(fill: Option<(Ink, f64)>, pen: Option<Pen>) -> String {
     let mut classes = Vec::new();
     let mut attributes = String::new();
@@ -179,8 +179,9 @@ fn style(fill: Option<(Ink, f64)>, pen: Option<Pen>) -> String {
     format!(" class=\"{}\"{attributes}", classes.join(" "))
 }
 
-/// The lines of a path. Each begins where it is; what follows is the way from point to point, in
-/// whole hundredths so that no rounding adds up: half the length of absolute coordinates.
+/// The lines of a path. Each begins with its absolute place; then the steps from point to point
+/// follow, in whole hundredths so that no rounding accumulates: half the length of absolute
+/// coordinates.
 fn data(lines: &[Vec<(f64, f64)>], closed: bool) -> String {
     let hundredths = |value: f64| (value * 100.0).round() as i64;
     let mut data = String::new();
@@ -205,7 +206,7 @@ fn data(lines: &[Vec<(f64, f64)>], closed: bool) -> String {
     data
 }
 
-/// Adds two coordinates, in hundredths, parted from what stands before only where one must.
+/// Adds two coordinates, in hundredths, with a separator only where one is required.
 fn push(data: &mut String, coordinates: [i64; 2]) {
     for hundredths in coordinates {
         let text = number(hundredths as f64 / 100.0);
@@ -213,7 +214,7 @@ fn push(data: &mut String, coordinates: [i64; 2]) {
             Some((sign @ ("" | "-"), rest)) => format!("{sign}.{rest}"),
             _ => text,
         };
-        // Two points do not stand in one number, as two signs do not.
+        // A number has at most one point and one sign.
         let last = data.trim_end_matches(|letter: char| letter.is_ascii_digit());
         let parted = match text.as_bytes()[0] {
             b'-' => true,
@@ -235,7 +236,7 @@ fn number(value: f64) -> String {
 }
 
 fn escaped(text: &str) -> String {
-    // XML has no place for most control characters, escaped or not.
+    // XML does not allow most control characters, escaped or not.
     let text: String =
         text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")

@@ -1,4 +1,4 @@
-//! What lies beyond the ends of an axis that leaves outliers out.
+//! Values beyond the ends of an axis that leaves outliers out.
 
 use super::{Mark, place::Place};
 use crate::draw::{Anchor, Drawing, Ink, text_width};
@@ -12,8 +12,8 @@ const SIZE: f64 = 6.5;
 /// A point beyond an end: shared and own value.
 type Point = (f64, f64);
 
-/// An arrow at the edge for the outermost point of every run of points beyond it, and at the
-/// outermost of all its value in numbers.
+/// Draws an arrow at the edge for the outermost point of every run of points beyond it, and the
+/// value in numbers at the outermost of all.
 pub(super) fn draw(on: &mut Drawing, marks: &[Mark], place: &Place<'_>) {
     let (from, to) = place.own.ends();
     for high in [false, true] {
@@ -77,7 +77,7 @@ fn arrow(on: &mut Drawing, place: &Place<'_>, shared: f64, high: bool, ink: Ink)
     on.fill(corners, ink, 1.0);
 }
 
-/// The value, on a ground of paper beside its arrow.
+/// The value, on a ground of paper next to its arrow.
 fn label(on: &mut Drawing, place: &Place<'_>, shared: f64, high: bool, text: &str) {
     let ((x, y), (dx, dy)) = tip(place, shared, high);
     let frame = place.frame;

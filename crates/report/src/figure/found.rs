@@ -1,7 +1,7 @@
-//! Where something was found, and at which points: light over a stretch, a bar at its edge, a ring
-//! about a point.
+//! Places of findings, and the points that they concern: light over a stretch, a bar at its edge, a
+//! ring about a point.
 //!
-//! Lesser findings have broken bars and rings, so that they are distinguished without colour.
+//! Less severe findings have broken bars and rings, so that they are distinguished without colour.
 
 use super::place::Place;
 use crate::{
@@ -9,7 +9,7 @@ use crate::{
     draw::{Drawing, Ink, Pen},
 };
 
-/// How much of what lies below it a stretch hides.
+/// Opacity of a stretch.
 const GROUND: f64 = 0.1;
 /// Width of a bar, points, and its least length.
 const BAR: f64 = 2.6;
@@ -46,12 +46,12 @@ pub(super) fn stretch(
     if !is_point {
         on.fill(vec![a, b, c, d], ink(level), GROUND);
     }
-    // Depth points down and the bar stands at the right; what points across has it at the foot.
+    // Depth points down and the bar is at the right; an axis across has it at the foot.
     let far = if place.down { [b, c] } else { [(b.0, b.1.max(a.1)), (c.0, c.1.max(d.1))] };
     bar(on, level, far, place.down);
 }
 
-/// A bar from one end to the other, broken where the finding is no error.
+/// A bar from one end to the other, broken where the finding is not an error.
 fn bar(on: &mut Drawing, level: Severity, [from, to]: [(f64, f64); 2], down: bool) {
     let (first, last) = if down { (from.1, to.1) } else { (from.0, to.0) };
     let (first, last) = (first.min(last), first.max(last).max(first.min(last) + MIN));

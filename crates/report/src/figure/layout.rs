@@ -1,4 +1,4 @@
-//! Where everything stands on the page of a figure.
+//! Layout of a figure on its page.
 
 use super::{
     Direction, Figure, Mark,
@@ -22,11 +22,11 @@ const SUBTITLE: f64 = 7.5;
 const HEAD: f64 = 32.0;
 /// Space below it, for the names of the sides.
 const FOOT: f64 = 13.0;
-/// Between two frames side by side.
+/// Between two adjacent frames in a line.
 const GAP: f64 = 14.0;
-/// Space beside the frames for the hole.
+/// Space next to the frames for the hole.
 const HOLE: f64 = 22.0;
-/// Space beside a map for its colours.
+/// Space next to a map for its colours.
 const COLOURS: f64 = 56.0;
 /// Space below a frame for the ticks of a shared axis across the page, and for its label.
 const ACROSS: f64 = 25.0;
@@ -75,7 +75,7 @@ fn draw(figure: &Figure) -> Drawing {
     on
 }
 
-/// A text in lines, broken where a semicolon parts it.
+/// A text in lines, broken at semicolons.
 fn wrapped(text: &str, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for part in text.split("; ").filter(|part| !part.is_empty()) {
@@ -126,8 +126,7 @@ impl Grid {
     fn across(figure: &Figure, width: f64, top: f64, values: &[f64]) -> Self {
         let height = figure.layout.panel_mm * MILLIMETRE;
         let columns = figure.layout.columns.clamp(1, figure.panels.len().max(1));
-        // How many ticks there is room for follows from how wide the frame is, and that from the
-        // ticks.
+        // The number of ticks depends on the width of the frame, and that on the ticks.
         let about = Ruler::new(&figure.shared, values.iter().copied(), 8.0);
         let probe = Box { left: 0.0, top: 0.0, width: 100.0, height };
         let panels = || figure.panels.iter();
@@ -222,7 +221,7 @@ impl Grid {
     }
 }
 
-/// A strip beside a frame with casing and rock, and a triangle at each casing shoe.
+/// A strip next to a frame with casing and rock, and a triangle at each casing shoe.
 fn hole(on: &mut Drawing, figure: &Figure, place: &Place<'_>) {
     const SIZE: f64 = 6.5;
     let left = place.frame.right() + 6.0;

@@ -1,4 +1,4 @@
-//! What colours, strokes and shapes mean.
+//! Legends of colours, strokes and shapes.
 
 use super::{
     Key, Sample, found,
@@ -11,7 +11,7 @@ pub(super) struct Legend<'a> {
     keys: &'a [Key],
     width: f64,
     columns: usize,
-    /// Whether it is that of the whole figure, whose keys a page can hide.
+    /// Whether it belongs to the whole figure, whose keys a page can hide.
     of_figure: bool,
 }
 
@@ -22,8 +22,8 @@ const SAMPLE: f64 = 17.0;
 const NAME: f64 = 21.0;
 /// Between two entries.
 const APART: f64 = 12.0;
-/// Names are measured as Helvetica has them; a reader without that, or one of its width, has up to so many
-/// times as wide ones (DejaVu Sans).
+/// Factor on the widths of names, which are measured as in Helvetica: a reader without that, or one
+/// of its width, has names up to this many times as wide (DejaVu Sans).
 const LOOSE: f64 = 1.12;
 
 impl<'a> Legend<'a> {
@@ -39,7 +39,7 @@ impl<'a> Legend<'a> {
         }
     }
 
-    /// The same, of the whole figure.
+    /// The same, for the whole figure.
     pub(super) fn of_figure(keys: &'a [Key], room: f64) -> Self {
         Self { of_figure: true, ..Self::of(keys, room) }
     }
@@ -48,7 +48,7 @@ impl<'a> Legend<'a> {
         ROW * self.keys.len().div_ceil(self.columns) as f64
     }
 
-    /// Draws it with its upper left corner there.
+    /// Draws it with its upper left corner at this place.
     pub(super) fn draw(&self, on: &mut Drawing, left: f64, top: f64) {
         for (index, key) in self.keys.iter().enumerate() {
             on.begin(&[index], self.of_figure);
@@ -62,10 +62,10 @@ impl<'a> Legend<'a> {
                 Sample::Line(ink, stroke) => on.line(&across, pen(ink, stroke)),
                 Sample::Band(ink) => on.fill(block(3.0), ink, BAND),
                 Sample::Area(ink) => on.fill(block(3.0), ink, 1.0),
-                Sample::Point(ink, of) => shape(on, of, (x + SAMPLE / 2.0, y), ink),
-                Sample::Marked(ink, stroke, of) => {
+                Sample::Point(ink, form) => shape(on, form, (x + SAMPLE / 2.0, y), ink),
+                Sample::Marked(ink, stroke, form) => {
                     on.line(&across, pen(ink, stroke));
-                    shape(on, of, (x + SAMPLE / 2.0, y), ink);
+                    shape(on, form, (x + SAMPLE / 2.0, y), ink);
                 }
                 Sample::Spread(ink) => bar(on, across[0], across[1], ink),
                 Sample::Found(level) => found::sample(on, level, (x, y - 3.0), (SAMPLE, 6.0)),

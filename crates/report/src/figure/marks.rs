@@ -1,4 +1,4 @@
-//! What is drawn in a panel.
+//! Drawing of the marks of a panel.
 
 use super::{Map, Mark, Shape, Stroke, found, names::crowd, place::Place};
 use crate::draw::{
@@ -8,7 +8,7 @@ use crate::draw::{
 /// Width of a curve, points.
 pub(crate) const CURVE: f64 = 0.9;
 
-/// How much of what lies below it a band hides.
+/// Opacity of a band.
 pub(crate) const BAND: f64 = 0.22;
 
 /// Points closer than this along a curve cannot be distinguished.
@@ -47,7 +47,7 @@ fn outline(shape: Shape, (x, y): (f64, f64)) -> Vec<(f64, f64)> {
     }
 }
 
-/// Draws a mark where it is to be seen, among all those of its panel.
+/// Draws a mark at its place, among all those of its panel.
 pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
     match mark {
         Mark::Curve { ink, stroke, points } => {
@@ -72,10 +72,10 @@ pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
                 }
             }
         }
-        Mark::Points { ink, shape: of, points } => {
+        Mark::Points { ink, shape: form, points } => {
             let places = points.iter().map(|point| place.of(*point));
             let places = places.filter(|(x, y)| (x + y).is_finite());
-            let outlines: Vec<_> = places.map(|at| outline(*of, at)).collect();
+            let outlines: Vec<_> = places.map(|at| outline(*form, at)).collect();
             if !outlines.is_empty() {
                 shapes(on, outlines, *ink);
             }
@@ -104,7 +104,7 @@ pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
             let spots = spots.map(|(point, row)| (place.of(*point), *row));
             on.spots(spots.filter(|((x, y), _)| (x + y).is_finite()).collect());
         }
-        // Its panel writes names where there is room, and knows what belongs together.
+        // The panel places names where there is room, and handles groups of keys.
         Mark::Name { .. } | Mark::Foot { .. } | Mark::Of { .. } => {}
     }
 }
@@ -145,7 +145,8 @@ pub(super) fn bar(on: &mut Drawing, from: (f64, f64), to: (f64, f64), ink: Ink) 
     on.path(lines, false, None, Some(Pen::new(ink, 0.5)));
 }
 
-/// A dashed line with its name, where few curves run, on a ground of paper: it may lie on a map.
+/// A dashed line with its name, where few curves run, on a ground of paper, because it may be over
+/// a map.
 fn rule(on: &mut Drawing, line: [(f64, f64); 2], label: &str, all: &[Mark], place: &Place) {
     const SIZE: f64 = 6.5;
     on.line(&line, Pen::new(Ink::Paper, 1.4));
@@ -179,13 +180,13 @@ fn rule(on: &mut Drawing, line: [(f64, f64); 2], label: &str, all: &[Mark], plac
     on.text(label, at, SIZE, Ink::Text, Anchor::Start);
 }
 
-/// Where a name begins beside a line down the page: to its right, where there is room.
+/// Left edge of a name next to a line down the page: to its right, where there is room.
 fn beside(x: f64, width: f64, place: &Place) -> f64 {
     let right = x + 3.5;
     if right + width <= place.frame.right() { right } else { x - 3.5 - width }
 }
 
-/// The row of a name beside a line down the page: the first where it covers no name of an earlier
+/// The row of a name next to a line down the page: the first where it covers no name of an earlier
 /// line.
 fn row(label: &str, x: f64, all: &[Mark], place: &Place) -> usize {
     let lines = all.iter().filter_map(|mark| {
@@ -203,7 +204,7 @@ fn row(label: &str, x: f64, all: &[Mark], place: &Place) -> usize {
         let left = beside(at, width, place);
         let right = left + width + 3.0;
         let covers = |row: usize| {
-            taken.iter().any(|(of, from, to)| *of == row && left < *to && *from < right)
+            taken.iter().any(|(other, from, to)| *other == row && left < *to && *from < right)
         };
         let row = (0..).find(|row| !covers(*row)).unwrap_or(0);
         if at == x && name == label {
@@ -214,9 +215,10 @@ fn row(label: &str, x: f64, all: &[Mark], place: &Place) -> usize {
     0
 }
 
-/// Colours as pixels: as many as there are values where those are few, and no more than print.
+/// Colours as pixels: as many as there are values where those are few, and no more than can be
+/// printed.
 fn image(map: &Map, place: &Place) -> Image {
-    /// Pixels of a point on the page.
+    /// Pixels per point on the page.
     const FINE: f64 = 3.0;
     let Box { width, height, .. } = place.frame;
     let [columns, rows] = [width, height].map(|points| (points * FINE).ceil().max(1.0) as usize);
@@ -241,7 +243,7 @@ fn image(map: &Map, place: &Place) -> Image {
     Image { columns, pixels: pixels.collect() }
 }
 
-/// The place of the nearest of some growing values.
+/// The place of the nearest of some increasing values.
 fn nearest(values: &[f64], to: f64) -> usize {
     let above = values.partition_point(|value| *value < to);
     let below = above.saturating_sub(1);

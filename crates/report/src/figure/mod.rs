@@ -17,38 +17,38 @@ pub use crate::draw::{Hue, Ink};
 pub(crate) use marks::{BAND, CURVE};
 pub(crate) use outliers::{OUTLIERS, Outliers};
 
-/// A figure: panels side by side, or one below the other, that share one axis.
+/// A figure: panels in a line, or one below the other, that share one axis.
 ///
-/// Everything is in the reader's units already; labels name them.
+/// Everything is in the reader's units already; labels contain them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
     /// Title, such as the case's name; may be empty.
     pub title: String,
-    /// What stands under it, such as friction and mud; may be empty.
+    /// Subtitle, such as friction and mud; may be empty.
     pub subtitle: String,
-    /// What colours, strokes and shapes mean.
+    /// Entries of the legend.
     pub keys: Vec<Key>,
-    /// Where the panels stand.
+    /// Layout of the panels.
     pub layout: Layout,
     /// The axis that all panels share.
     pub shared: Axis,
     /// The panels, line by line.
     pub panels: Vec<Panel>,
-    /// The hole beside the panels, from the surface down; for a shared axis of depth that points
+    /// The hole next to the panels, from the surface down; for a shared axis of depth that points
     /// down.
     pub hole: Vec<Interval>,
 }
 
-/// Where the panels of a figure stand, and how large they are.
+/// Arrangement and size of the panels of a figure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
-    /// Which way the shared axis points.
+    /// Direction of the shared axis.
     pub direction: Direction,
     /// Panels in a line; where there are more, another line follows.
     pub columns: usize,
     /// Width of the figure, mm.
     pub width_mm: f64,
-    /// Height of a panel's frame, mm; of a plan the most that it may be.
+    /// Height of a panel's frame, mm; for a plan the largest.
     pub panel_mm: f64,
 }
 
@@ -59,7 +59,7 @@ impl Layout {
     }
 }
 
-/// Which way the axis that panels share points.
+/// Direction of the axis that panels share.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
     /// Down the page: depth.
@@ -67,29 +67,29 @@ pub enum Direction {
     /// Across the page: time, or anything else.
     Across,
     /// Across the page, with both axes to the same scale: a plan view, or a vertical section.
-    /// Frames are as wide or as high as there is room.
+    /// Frames are as wide or as high as the page allows.
     Plan,
 }
 
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// What it shows, unit included.
+    /// Its quantity, unit included.
     pub label: String,
-    /// How values are placed.
+    /// Placement of the values.
     pub scale: Scale,
-    /// How far it reaches.
+    /// Its ends.
     pub range: Range,
-    /// What lies on either side of zero, before and after it, where the sign means a side.
+    /// Names of the sides before and after zero, where the sign means a side.
     pub sides: Option<[String; 2]>,
     /// Whether it grows down the page; an axis across the page never does.
     pub down: bool,
     /// Whether it leaves out single values far from all others, so that they do not flatten these.
-    /// What lies beyond its ends is marked there, with the largest value in numbers. Of a panel's
-    /// own axis alone.
+    /// Values beyond its ends are marked there, with the largest value in numbers. For a panel's
+    /// own axis only.
     pub clips: bool,
-    /// The least that it spans, so that what hardly moves is not blown up; zero where there is no
-    /// such bound.
+    /// Smallest span, so that an almost constant quantity is not magnified; zero without such a
+    /// bound.
     pub min_span: f64,
 }
 
@@ -108,27 +108,27 @@ impl Axis {
     }
 }
 
-/// How an axis places values.
+/// Placement of values on an axis.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Scale {
     /// Evenly.
     Linear,
-    /// By their logarithm; what is not above zero has no place.
+    /// By their logarithm; a value that is not above zero has no place.
     Logarithmic,
     /// By words: 0 is the first, 1 the second.
     Words(Vec<String>),
 }
 
-/// How far an axis reaches.
+/// Ends of an axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Range {
     /// From the smallest value to the largest.
     Tight,
-    /// A little further, and to zero where the values come near it.
+    /// A little further, and to zero where the values are near it.
     Near,
     /// A little further, and to zero.
     Zero,
-    /// From here to there.
+    /// Between these ends.
     Fixed(f64, f64),
 }
 
@@ -137,9 +137,9 @@ pub enum Range {
 pub struct Panel {
     /// Its own axis.
     pub axis: Axis,
-    /// What is drawn in it, in this order.
+    /// Its marks, in the order of drawing.
     pub marks: Vec<Mark>,
-    /// What its colours and strokes mean, where that is not the same in all panels.
+    /// Entries of its own legend, where colours and strokes are not the same in all panels.
     pub keys: Vec<Key>,
 }
 
@@ -150,14 +150,14 @@ impl Panel {
     }
 }
 
-/// What is drawn in a panel. Points are a value of the shared axis and one of the panel's own.
+/// A mark of a panel. Points are a value of the shared axis and one of the panel's own.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Mark {
     /// A curve; it breaks where a point is not finite.
     Curve {
         /// Its colour.
         ink: Ink,
-        /// How it is drawn.
+        /// Its stroke.
         stroke: Stroke,
         /// Its points.
         points: Vec<(f64, f64)>,
@@ -180,10 +180,10 @@ pub enum Mark {
         ink: Ink,
         /// Their shape.
         shape: Shape,
-        /// Where they are.
+        /// Their places.
         points: Vec<(f64, f64)>,
     },
-    /// How far points spread: from one end to the other.
+    /// Spread of points: from one end to the other.
     Bars {
         /// Their colour.
         ink: Ink,
@@ -192,67 +192,68 @@ pub enum Mark {
     },
     /// A line across the panel at a value of the shared axis.
     SharedRule {
-        /// Where.
+        /// The value.
         at: f64,
-        /// What it is; may be empty.
+        /// Its label; may be empty.
         label: String,
     },
     /// A line along the panel at one of its own values.
     OwnRule {
-        /// Where.
+        /// The value.
         at: f64,
-        /// What it is; may be empty.
+        /// Its label; may be empty.
         label: String,
     },
-    /// A stretch of the shared axis that is set apart.
+    /// A stretch of the shared axis that is shaded.
     Shade {
-        /// Where it begins.
+        /// Its first end.
         from: f64,
-        /// Where it ends.
+        /// Its other end.
         to: f64,
     },
-    /// A stretch of the shared axis where something was found, or a place of it where both ends are
+    /// A stretch of the shared axis with a finding, or a single place of it where both ends are
     /// one.
     Found {
-        /// How grave it is.
+        /// Severity of the finding.
         level: Severity,
-        /// Where it begins.
+        /// Its first end.
         from: f64,
-        /// Where it ends.
+        /// Its other end.
         to: f64,
     },
-    /// Rings about points of which something was found.
+    /// Rings about points with a finding.
     Rings {
-        /// How grave it is.
+        /// Severity of the finding.
         level: Severity,
         /// The points.
         points: Vec<(f64, f64)>,
     },
     /// A map in colours.
     Map(Map),
-    /// What follows, up to the next of these, is what these keys of the figure's legend say: a page
-    /// hides it with them.
+    /// The following marks, up to the next of these, belong to these keys of the figure's legend: a
+    /// page hides them together.
     Of {
         /// Places of the keys in [`Figure::keys`].
         keys: Vec<usize>,
     },
-    /// The name of a point, beside it.
+    /// The name of a point, next to it.
     Name {
         /// The point.
         at: (f64, f64),
         /// The name.
         text: String,
     },
-    /// The name of a curve, at its end: names of curves that end together are in the order of the ends.
+    /// The name of a curve, at its end: names of curves that end together are in the order of the
+    /// ends.
     Foot {
         /// The end.
         at: (f64, f64),
         /// The name.
         text: String,
     },
-    /// Points at which a page says which rows of its table they show.
+    /// Points for which a page shows the rows of its table.
     Spots {
-        /// Where they are.
+        /// Their places.
         points: Vec<(f64, f64)>,
         /// The rows.
         rows: Vec<usize>,
@@ -262,18 +263,18 @@ pub enum Mark {
 /// Values over the shared axis and a panel's own, as colours.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Map {
-    /// Where the first stretch of the shared axis begins.
+    /// Beginning of the first stretch of the shared axis.
     pub from: f64,
-    /// Where each ends.
+    /// End of each stretch.
     pub ends: Vec<f64>,
     /// The middles of the stretches of the panel's own axis.
     pub middles: Vec<f64>,
     /// A value for each of `middles`, then again for the next of `ends`; one that is not finite has
     /// no colour.
     pub values: Vec<f64>,
-    /// What the colours mean.
+    /// Meaning of the colours.
     pub hue: Hue,
-    /// The value of the last colour; of sides, the negative of it is the first's.
+    /// The value of the last colour; for sides, the first colour has its negative.
     pub largest: f64,
     /// Label of the colours, unit included.
     pub label: String,
@@ -284,13 +285,13 @@ pub struct Map {
 /// An entry of a legend.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Key {
-    /// What it says.
+    /// Its name.
     pub name: String,
-    /// What it is about.
+    /// Its sample.
     pub sample: Sample,
 }
 
-/// What an entry of a legend is about.
+/// Sample of a legend's entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sample {
     /// Curves.
@@ -303,17 +304,17 @@ pub enum Sample {
     Point(Ink, Shape),
     /// Curves with points.
     Marked(Ink, Stroke, Shape),
-    /// How far points spread.
+    /// Spread of points.
     Spread(Ink),
-    /// Stretches where something was found.
+    /// Stretches with a finding.
     Found(Severity),
-    /// Rings about points of which something was found.
+    /// Rings about points with a finding.
     Ring(Severity),
     /// Words alone.
     Words,
 }
 
-/// How a curve is drawn.
+/// Stroke of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stroke {
     /// A full line.
@@ -333,7 +334,7 @@ pub enum Stroke {
 }
 
 impl Stroke {
-    /// The stroke of a curve by its place, where its colour goes by that too: seven can be
+    /// The stroke of a curve by its place, where its colour depends on that too: seven can be
     /// distinguished.
     pub fn of(place: usize) -> Self {
         const ALL: [Stroke; 7] = [
@@ -348,7 +349,7 @@ impl Stroke {
         ALL[place % ALL.len()]
     }
 
-    /// Lengths of dash and gap, points; none of a full line.
+    /// Lengths of dash and gap, points; `None` for a full line.
     pub(crate) const fn dash(self) -> Option<[f64; 2]> {
         match self {
             Self::Solid => None,
@@ -378,7 +379,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The shape of the series of this place; they come round again.
+    /// The shape of the series of this place; they repeat.
     pub fn of(place: usize) -> Self {
         const ALL: [Shape; 5] =
             [Shape::Circle, Shape::Square, Shape::Triangle, Shape::Diamond, Shape::Tip];
@@ -389,15 +390,15 @@ impl Shape {
 /// A stretch of hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Interval {
-    /// Depth where it begins.
+    /// Depth of its upper end.
     pub from: f64,
-    /// Depth where it ends.
+    /// Depth of its lower end.
     pub to: f64,
     /// Whether its wall is casing rather than rock.
     pub cased: bool,
-    /// Whether the shoe of the casing stands at its lower end.
+    /// Whether the shoe of the casing is at its lower end.
     pub shoe: bool,
-    /// What it is: `casing, 222.96 mm`.
+    /// Its name: `casing, 222.96 mm`.
     pub label: String,
 }
 

@@ -3,17 +3,17 @@
 use super::{Mark, place::Place};
 use crate::draw::{Anchor, Box, Drawing, Ink, Pen, text_width};
 
-/// Size of names, points, and the height that one takes.
+/// Size of names, points, and the height of one.
 const SIZE: f64 = 6.5;
 const HEIGHT: f64 = 8.0;
 
 /// Between a name and the end of its curve, points.
 const GAP: f64 = 3.0;
 
-/// A name that is farther from its point than this has a line that leads there, points.
+/// A name that is farther from its point than this has a line to it, points.
 const FAR: f64 = 4.5;
 
-/// Curves that end within so many points of each other have their names in one row or column.
+/// Curves that end within this many points of each other have their names in one row or column.
 const TOGETHER: f64 = 8.0;
 
 /// A name, the point that it belongs to, and the keys of the legend that hide both.
@@ -31,8 +31,8 @@ impl Named<'_> {
     }
 }
 
-/// Draws all names of a panel: of curves at their ends, in the order of the ends, and of points
-/// beside them. What belongs to keys of the legend goes with them.
+/// Draws all names of a panel: those of curves at their ends, in the order of the ends, and those
+/// of points next to them. Names of keys of the legend are grouped with them.
 pub(super) fn names(on: &mut Drawing, all: &[Mark], place: &Place) {
     let mut taken: Vec<Box> = Vec::new();
     let (ends, mut points): (Vec<Named>, Vec<Named>) =
@@ -45,7 +45,7 @@ pub(super) fn names(on: &mut Drawing, all: &[Mark], place: &Place) {
                     draw(on, name, room, all, place);
                 }
             }
-            // More names than there is room for in a row.
+            // More names than fit in a row.
             None => points.extend(group),
         }
     }
@@ -63,8 +63,8 @@ fn named<'a>(all: &'a [Mark], place: &Place) -> Vec<Named<'a>> {
     let mut found = Vec::new();
     for mark in all {
         let (at, text, ends) = match mark {
-            Mark::Of { keys: of } => {
-                keys = of;
+            Mark::Of { keys: next } => {
+                keys = next;
                 continue;
             }
             Mark::Name { at, text } => (place.of(*at), text, false),
@@ -78,8 +78,8 @@ fn named<'a>(all: &'a [Mark], place: &Place) -> Vec<Named<'a>> {
     found
 }
 
-/// Names of curves by where these end: of curves down the page at one height, of curves across it at
-/// one place, each group in the order of its ends.
+/// Names of curves by their ends: of curves down the page at one height, of curves across it at one
+/// place, each group in the order of its ends.
 fn together(mut ends: Vec<Named<'_>>, down: bool) -> Vec<Vec<Named<'_>>> {
     let turned = |(x, y): (f64, f64)| if down { (y, x) } else { (x, y) };
     ends.sort_by(|a, b| turned(a.at).0.total_cmp(&turned(b.at).0));
@@ -98,15 +98,15 @@ fn together(mut ends: Vec<Named<'_>>, down: bool) -> Vec<Vec<Named<'_>>> {
     groups
 }
 
-/// Rooms of the names of curves that end together: a row below the ends of curves down the page, a
-/// column beside those of curves across it. None where they do not fit, or cover others.
+/// Boxes of the names of curves that end together: a row below the ends of curves down the page, a
+/// column next to those of curves across it. `None` where they do not fit, or cover others.
 fn at_ends(group: &[Named], all: &[Mark], place: &Place, taken: &[Box]) -> Option<Vec<Box>> {
     let frame = place.frame;
     let rooms = if place.down {
         let lowest = group.iter().map(|name| name.at.1).fold(f64::NEG_INFINITY, f64::max);
         let top = (lowest + GAP).min(frame.bottom() - HEIGHT - 1.0);
-        let wanted = group.iter().map(|name| (name.at.0, name.width() + GAP));
-        let lefts = spread(wanted, frame.left + 1.0, frame.right() - 1.0)?;
+        let preferred = group.iter().map(|name| (name.at.0, name.width() + GAP));
+        let lefts = spread(preferred, frame.left + 1.0, frame.right() - 1.0)?;
         let room = |(name, left): (&Named, f64)| Box {
             left: left + 0.5 * GAP,
             top,
@@ -115,8 +115,8 @@ fn at_ends(group: &[Named], all: &[Mark], place: &Place, taken: &[Box]) -> Optio
         };
         vec![group.iter().zip(lefts).map(room).collect::<Vec<Box>>()]
     } else {
-        let wanted = group.iter().map(|name| (name.at.1, HEIGHT));
-        let tops = spread(wanted, frame.top + 1.0, frame.bottom() - 1.0)?;
+        let preferred = group.iter().map(|name| (name.at.1, HEIGHT));
+        let tops = spread(preferred, frame.top + 1.0, frame.bottom() - 1.0)?;
         let column = |right: bool| {
             let room = |(name, top): (&Named, &f64)| {
                 let width = name.width();
@@ -134,16 +134,16 @@ fn at_ends(group: &[Named], all: &[Mark], place: &Place, taken: &[Box]) -> Optio
     };
     let crowd_of =
         |rooms: &Vec<Box>| rooms.iter().map(|room| crowd(room, all, place)).sum::<usize>();
-    // Of rooms alike the first.
+    // The first of equal boxes.
     rooms.into_iter().filter(fits).min_by_key(crowd_of)
 }
 
-/// Where stretches with these middles and lengths begin so that none covers another, each as near to
-/// its middle as the others let it and all in their order; none where they are longer together than
-/// the line.
-fn spread(wanted: impl Iterator<Item = (f64, f64)>, from: f64, to: f64) -> Option<Vec<f64>> {
-    /// Stretches that touch: where the first begins, their lengths, and the sum of where each wants
-    /// the first to begin.
+/// Beginnings of stretches with these middles and lengths so that none covers another, each as near
+/// to its middle as the others allow and all in their order; `None` where they are longer together
+/// than the line.
+fn spread(preferred: impl Iterator<Item = (f64, f64)>, from: f64, to: f64) -> Option<Vec<f64>> {
+    /// Stretches that touch: the beginning of the first, their lengths, and the sum of the
+    /// beginnings of the first that each prefers.
     struct Block {
         begins: f64,
         lengths: Vec<f64>,
@@ -151,19 +151,19 @@ fn spread(wanted: impl Iterator<Item = (f64, f64)>, from: f64, to: f64) -> Optio
         sum: f64,
     }
     let mut blocks: Vec<Block> = Vec::new();
-    for (middle, length) in wanted {
+    for (middle, length) in preferred {
         let mut block =
             Block { begins: 0.0, lengths: vec![length], length, sum: middle - 0.5 * length };
         loop {
             if block.length > to - from {
                 return None;
             }
-            let wanted = block.sum / block.lengths.len() as f64;
-            block.begins = wanted.clamp(from, to - block.length);
+            let begins = block.sum / block.lengths.len() as f64;
+            block.begins = begins.clamp(from, to - block.length);
             let Some(last) = blocks.pop_if(|last| last.begins + last.length > block.begins) else {
                 break;
             };
-            // What the later ones want is less by the length of those before them.
+            // The preferences of later ones are reduced by the length of those before them.
             let later = block.lengths.len() as f64;
             block.sum += last.sum - later * last.length;
             block.lengths.splice(0..0, last.lengths);
@@ -182,7 +182,7 @@ fn spread(wanted: impl Iterator<Item = (f64, f64)>, from: f64, to: f64) -> Optio
     Some(begins)
 }
 
-/// A room beside a point, nearer to it than to any other that has a name, where few curves run.
+/// A box next to a point, nearer to it than to any other that has a name, where few curves run.
 fn beside(
     name: &Named,
     others: &[Named],
@@ -190,9 +190,9 @@ fn beside(
     place: &Place,
     taken: &[Box],
 ) -> Option<Box> {
-    /// A curve more that a name covers is as bad as so many points farther off.
+    /// One more curve under a name costs as much as this many points of distance.
     const CURVE: f64 = 12.0;
-    /// A name that is nearer to another's point may be taken for the other's.
+    /// Cost of a name that is nearer to another point, because it may be taken for that one's.
     const FOREIGN: f64 = 1000.0;
     let width = name.width();
     let offsets =
@@ -210,16 +210,16 @@ fn beside(
         let curves = crowd(room, all, place) as f64;
         own + CURVE * curves + if is_foreign { FOREIGN } else { 0.0 }
     };
-    // Of rooms alike the first.
+    // The first of equal boxes.
     free.map(|room| (cost(&room), room)).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, room)| room)
 }
 
-/// Draws a name in its room, and a line to its point where that is far or another's is near.
+/// Draws a name in its box, and a line to its point where that is far or another's is near.
 fn draw(on: &mut Drawing, name: &Named, room: Box, all: &[Mark], place: &Place) {
     on.begin(name.keys, false);
     let nearest =
         (name.at.0.clamp(room.left, room.right()), name.at.1.clamp(room.top, room.bottom()));
-    // From its middle, so that names side by side have lines that do not meet.
+    // From its middle, so that lines of neighbouring names do not meet.
     let middle = (room.left + 0.5 * room.width, room.top + 0.5 * HEIGHT);
     let start = match (name.ends, place.down) {
         (true, true) => (middle.0, nearest.1),
@@ -249,7 +249,7 @@ fn ink_at(at: (f64, f64), all: &[Mark], place: &Place) -> Ink {
     ink.unwrap_or(Ink::Note)
 }
 
-/// How far a point is from a box, points.
+/// Distance of a point from a box, points.
 fn distance(room: &Box, at: (f64, f64)) -> f64 {
     let x = at.0 - at.0.clamp(room.left, room.right());
     let y = at.1 - at.1.clamp(room.top, room.bottom());
@@ -267,7 +267,7 @@ fn overlap(a: &Box, b: &Box) -> bool {
     a.left < b.right() && b.left < a.right() && a.top < b.bottom() && b.top < a.bottom()
 }
 
-/// How many curves run through a box.
+/// Number of curves that run through a box.
 pub(super) fn crowd(room: &Box, all: &[Mark], place: &Place) -> usize {
     let runs_through = |pair: &[(f64, f64)]| passes(room, place.of(pair[0]), place.of(pair[1]));
     let runs = |mark: &&Mark| match mark {
@@ -278,7 +278,7 @@ pub(super) fn crowd(room: &Box, all: &[Mark], place: &Place) -> usize {
 }
 
 /// Whether a straight line has a point in a box: the part of it that is within the box's width and
-/// height at once (Liang and Barsky). A line to a point that is none passes nothing.
+/// height at once (Liang and Barsky). A line to a point that is not finite passes nothing.
 fn passes(room: &Box, a: (f64, f64), b: (f64, f64)) -> bool {
     if !(a.0 + a.1 + b.0 + b.1).is_finite() {
         return false;
@@ -304,7 +304,7 @@ mod tests {
 
     #[test]
     fn stretches_keep_their_order_and_do_not_cover_each_other() {
-        // Two that are far apart stay where they are wanted.
+        // Two that are far apart stay at their preferred places.
         assert_eq!(
             spread([(10.0, 4.0), (50.0, 4.0)].into_iter(), 0.0, 100.0).unwrap(),
             [8.0, 48.0]

@@ -1,27 +1,28 @@
-//! Values so far from all others that an axis that reached them would flatten what it is about.
+//! Values so far from all others that an axis up to them would flatten the rest.
 
 use serde::Serialize;
 
-/// Which values are outliers: of figures, and of the tracks of a page, which applies the same rule.
+/// Rule for outliers: of figures, and of the tracks of a page, which applies the same rule.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(crate) struct Outliers {
     /// Part of the values at either end that may be outliers.
     pub(crate) tail: f64,
     /// Values are outliers where the axis would have to be this many times as long to reach them.
     pub(crate) times_as_long: f64,
-    /// Fewer values than this have no outliers: each of them is a hundredth and more.
+    /// Fewer values than this have no outliers, because each of them is a hundredth or more.
     pub(crate) fewest: usize,
 }
 
-/// The rule that all axes follow.
+/// The rule of all axes.
 pub(crate) const OUTLIERS: Outliers = Outliers { tail: 0.01, times_as_long: 3.0, fewest: 100 };
 
-/// The interval that an axis has to reach, without outliers: the whole one where there are none.
+/// Returns the interval that an axis has to reach, without outliers: the whole one where there are
+/// none.
 ///
-/// The inner interval holds all but the lowest and the highest hundredth of the values, and zero
-/// where `zero` says that the axis goes there. A value is an outlier where the distance to it from
-/// the inner interval is more than `times_as_long` less one lengths of the inner interval; the axis
-/// reaches the outermost of all others.
+/// The inner interval contains all but the lowest and the highest hundredth of the values, and zero
+/// where `zero` requires it. A value is an outlier where its distance from the inner interval is
+/// more than `times_as_long` less one lengths of the inner interval; the axis reaches the outermost
+/// of all others.
 pub(super) fn without(values: &[f64], zero: bool) -> Option<(f64, f64)> {
     let Outliers { tail, times_as_long, fewest } = OUTLIERS;
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
@@ -40,7 +41,7 @@ pub(super) fn without(values: &[f64], zero: bool) -> Option<(f64, f64)> {
     if far == 0.0 {
         return Some(whole);
     }
-    // Whatever is not far off is reached.
+    // Values that are not far off are reached.
     let first = sorted.partition_point(|value| low - value > far);
     let end = sorted.partition_point(|value| value - high <= far);
     Some((sorted[first], sorted[end - 1]))
@@ -65,9 +66,9 @@ mod tests {
         values[400] = -230.0;
         let (low, high) = without(&values, true).unwrap();
         assert!((-0.01..=0.0).contains(&low) && high <= 1.0, "{low} {high}");
-        // Values at the edge of the others are none.
+        // Values at the edge of the others are not outliers.
         assert_eq!(without(&values, false), Some((0.0, 1.0)));
-        // What a tenth of the values do is no outlier.
+        // A tenth of the values cannot be outliers.
         values[..100].fill(50.0);
         assert_eq!(without(&values, false).unwrap().1, 50.0);
     }

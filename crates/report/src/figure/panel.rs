@@ -1,4 +1,4 @@
-//! A panel: its frame, its ticks and what is in it.
+//! A panel: its frame, its ticks and its marks.
 
 use super::{
     Axis, Figure, Map, Mark, Panel, Scale, beyond, marks, names,
@@ -7,7 +7,7 @@ use super::{
 };
 use crate::draw::{Anchor, Box, ColourScale, Drawing, Hue, Ink, Pen, fitting, text_width};
 
-/// What stands below a frame to say which side is which.
+/// Size of the names of the sides below a frame.
 const SIDE: f64 = 6.5;
 
 const FRAME: f64 = 0.6;
@@ -105,7 +105,7 @@ fn own_axis(on: &mut Drawing, panel: &Panel, place: &Place<'_>) {
         if text_width(label, LABEL) <= frame.height {
             on.upright(label, (x, y), LABEL, Ink::Text);
         } else {
-            // Name and unit one beside the other, each as long as fits.
+            // Name and unit in one line, each as long as fits.
             let (name, unit) = parts(label);
             let name = fitting(name, LABEL, frame.height + 8.0);
             on.upright(&name, (x - 9.5, y), LABEL, Ink::Text);
@@ -114,7 +114,7 @@ fn own_axis(on: &mut Drawing, panel: &Panel, place: &Place<'_>) {
     }
 }
 
-/// What the colours of a map mean, to the right of its frame.
+/// The scale of a map's colours, to the right of its frame.
 fn colour_bar(on: &mut Drawing, map: &Map, frame: &Box) {
     let bar = Box { left: frame.right() + 8.0, width: 7.0, ..*frame };
     const STEPS: usize = 256;

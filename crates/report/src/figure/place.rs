@@ -1,4 +1,4 @@
-//! Where values lie in a panel's frame.
+//! Places of values in a panel's frame.
 
 use super::{Axis, Direction, Figure, Mark, Panel, Range, outliers, ruler::Ruler};
 use crate::draw::{Box, text_width};
@@ -6,11 +6,11 @@ use crate::draw::{Box, text_width};
 pub(super) const TICK: f64 = 7.0;
 pub(super) const LABEL: f64 = 8.0;
 
-/// Nothing is drawn farther from the page than this, points: the dashes of a line to a value that is
-/// beyond all reason would have no end.
+/// Nothing is drawn farther from the page than this, points, because a dashed line to an extreme
+/// value would have no end.
 const FAR: f64 = 1e6;
 
-/// Where values lie in a frame.
+/// Places of values in a frame.
 pub(super) struct Place<'a> {
     pub(super) frame: Box,
     /// Whether the shared axis points down the page.
@@ -79,12 +79,12 @@ impl<'a> Place<'a> {
         [(x, self.frame.top), (x, self.frame.bottom())]
     }
 
-    /// The shared value at a part of the frame's width; of an axis that points across.
+    /// The shared value at a part of the frame's width; for an axis that points across.
     pub(super) fn shared_at(&self, part: f64) -> f64 {
         self.shared.value(part)
     }
 
-    /// The panel's own value at a part of the frame's height from the top; of an axis that points
+    /// The panel's own value at a part of the frame's height from the top; for an axis that points
     /// up or down.
     pub(super) fn own_at(&self, part: f64) -> f64 {
         self.own.value(if self.own_down { part } else { 1.0 - part })
@@ -95,7 +95,7 @@ impl<'a> Place<'a> {
         widest(&self.own)
     }
 
-    /// The room that ticks and label of its own axis take to the left of the frame.
+    /// Width of ticks and label of its own axis to the left of the frame.
     pub(super) fn beside(&self, label: &str) -> f64 {
         let lines = if text_width(label, LABEL) <= self.frame.height { 1.0 } else { 2.0 };
         4.0 + self.widest() + 4.0 + 9.5 * lines
@@ -107,7 +107,7 @@ pub(super) fn widest(ruler: &Ruler) -> f64 {
     widths.fold(0.0, f64::max)
 }
 
-/// The ruler with as many ticks as stand side by side over the frame.
+/// The ruler with as many ticks as fit in a line over the frame.
 fn unhurried<I: Iterator<Item = f64>>(axis: &Axis, values: &dyn Fn() -> I, frame: &Box) -> Ruler {
     let most = (frame.width / 24.0).floor().max(2.0) as usize;
     let rulers = (1..=most).rev().map(|count| Ruler::new(axis, values(), count as f64));
@@ -138,8 +138,8 @@ pub(super) fn inside(middle: f64, half: f64, frame: &Box) -> f64 {
     middle.clamp(low.min(high), high.max(low))
 }
 
-/// The values on a panel's own axis that it has to reach: those of all marks but for outliers,
-/// where it leaves them out.
+/// The values on a panel's own axis that it has to reach: those of all marks except outliers, where
+/// it leaves them out.
 pub(super) fn reached(panel: &Panel) -> Vec<f64> {
     let values: Vec<f64> = panel.marks.iter().flat_map(own_values).collect();
     if !panel.axis.clips {

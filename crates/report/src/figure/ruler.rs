@@ -5,7 +5,7 @@ use super::{Axis, Range, Scale};
 /// An axis with its range and its ticks.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ruler {
-    /// Ends of the range: of a logarithmic axis, their powers of ten.
+    /// Ends of the range; for a logarithmic axis, their powers of ten.
     from: f64,
     to: f64,
     logarithmic: bool,
@@ -67,7 +67,7 @@ impl Ruler {
         let to = if to > from { to.min(300.0) } else { from + 1.0 };
         let every = ((to - from) / count.max(1.0)).ceil().max(1.0) as i32;
         let (first, last) = (from.floor() as i32, to.ceil() as i32);
-        // Of few decades, two steps in each beside them.
+        // For few decades, also two steps in each.
         let steps: &[f64] = if to - from < 2.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
         let ticks = (first..=last)
             .filter(|power| power.rem_euclid(every) == 0)
@@ -78,8 +78,8 @@ impl Ruler {
         Self { from, to, logarithmic: true, ticks }
     }
 
-    /// Where the value lies in the range: 0 at its start, 1 at its end; not a number where it has
-    /// no place.
+    /// Place of the value in the range: 0 at its start, 1 at its end; not a number where it has no
+    /// place.
     pub(super) fn place(&self, value: f64) -> f64 {
         let value = match self.logarithmic {
             false => value,
@@ -97,7 +97,7 @@ impl Ruler {
         }
     }
 
-    /// A value as the ticks of this ruler are written, to a tenth of their step or in three digits.
+    /// A value in the format of this ruler's ticks, to a tenth of their step or in three digits.
     pub(super) fn text(&self, value: f64) -> String {
         let step = match &self.ticks[..] {
             [(first, _), (second, _), ..] => second - first,
@@ -108,7 +108,7 @@ impl Ruler {
         tick_text((value / step).round() * step, step)
     }
 
-    /// The value that lies at a part of a linear range.
+    /// The value at a part of a linear range.
     pub(super) fn value(&self, place: f64) -> f64 {
         self.from + place * (self.to - self.from)
     }
@@ -117,8 +117,8 @@ impl Ruler {
 /// More ticks than any axis has.
 const MAX_TICKS: usize = 200;
 
-/// The ends of a range that ticks can divide: of values that are not finite, beyond all reason, or
-/// so close to each other that no number lies between them, others.
+/// The ends of a range that ticks can divide; others for values that are not finite, extreme, or so
+/// close to each other that no number is between them.
 fn drawable(from: f64, to: f64) -> (f64, f64) {
     const LARGEST: f64 = 1e100;
     if !(from.is_finite() && to.is_finite()) {
@@ -149,7 +149,7 @@ fn range(axis: &Axis, values: Option<(f64, f64)>) -> (f64, f64) {
     } else {
         (low, high)
     };
-    // A force or torque below this, in any unit that people read, is rounding.
+    // A force or torque below this, in any usual unit, is rounding.
     const NOTHING: f64 = 1e-6;
     if low.abs() <= NOTHING && high.abs() <= NOTHING {
         return if axis.sides.is_some() { (-1.0, 1.0) } else { (0.0, 1.0) };
@@ -158,7 +158,7 @@ fn range(axis: &Axis, values: Option<(f64, f64)>) -> (f64, f64) {
     let air = 0.05 * span;
     let short = axis.min_span - span;
     if short > 0.0 {
-        // What is at zero, or would pass it, stays at it; to the other side of it lies rounding.
+        // A range at zero, or that would pass it, stays at it; the other side of it is rounding.
         let rounding = 1e-3 * axis.min_span;
         return match (low, high) {
             (low, high) if low >= -rounding && low < 0.5 * short => (0.0, high.max(axis.min_span)),
@@ -186,8 +186,8 @@ fn round_step(step: f64) -> f64 {
     factor.unwrap_or(10.0) * power
 }
 
-/// A tick's number with the digits that its step needs, thousands apart from five digits on, a true
-/// minus.
+/// A tick's number with the digits that its step needs, thousands separated from five digits on,
+/// with a true minus.
 fn tick_text(tick: f64, step: f64) -> String {
     let whole = |digits: i32| {
         let shifted = step * 10_f64.powi(digits);

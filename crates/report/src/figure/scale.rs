@@ -2,8 +2,8 @@
 
 use super::{Axis, Figure, Range, place::reached, ruler::Ruler};
 
-/// The longer axis is at most this many times as long as the other: a vertical well seen from the
-/// side is a line.
+/// The longer axis is at most this many times as long as the other, because a vertical well seen
+/// from the side is a line.
 const LONGEST: f64 = 4.0;
 
 /// The figure with fixed ends of both axes, the same for all of its panels, neither much shorter
@@ -24,13 +24,13 @@ pub(super) fn to_scale(figure: &Figure, shared: &[f64]) -> Figure {
     scaled
 }
 
-/// Gives an axis its ends, or as much as it needs beside the other.
+/// Sets the ends of an axis, or as much as it needs relative to the other.
 fn fix(axis: &mut Axis, (from, to): (f64, f64), other: (f64, f64)) {
     let missing = ((other.1 - other.0) / LONGEST - (to - from)).max(0.0);
     axis.range = Range::Fixed(from - 0.5 * missing, to + 0.5 * missing);
 }
 
-/// Width and height of a frame in this room that has both axes of a scaled figure to the same
+/// Width and height of a frame within this space that has both axes of a scaled figure to the same
 /// scale.
 pub(super) fn frame(figure: &Figure, (wide, high): (f64, f64)) -> (f64, f64) {
     let span = |axis: &Axis| match axis.range {

@@ -1,4 +1,4 @@
-//! Figures as they are written.
+//! Figures in their written form.
 
 use super::{ruler::Ruler, *};
 
@@ -57,18 +57,19 @@ fn figure(direction: Direction, columns: usize) -> Figure {
     }
 }
 
-/// Names of lines down the page that are near to each other stand below each other, and none leaves
-/// the frame.
+/// Names of adjacent lines down the page are one below the other, and none leaves the frame.
 #[test]
 fn names_of_near_lines_do_not_cover_each_other() {
     let names = ["top drive", "make-up", "pipe, torsion", "hoist"];
-    let mut of = figure(Direction::Down, 1);
-    of.panels.truncate(1);
+    let mut figure = figure(Direction::Down, 1);
+    figure.panels.truncate(1);
     let rules = names.iter().zip([60.0, 61.0, 62.0, 79.0]);
-    of.panels[0].marks.extend(rules.map(|(name, at)| Mark::OwnRule { at, label: (*name).into() }));
-    let drawing = of.drawing();
+    figure.panels[0]
+        .marks
+        .extend(rules.map(|(name, at)| Mark::OwnRule { at, label: (*name).into() }));
+    let drawing = figure.drawing();
     let boxes = boxes(&drawing.svg());
-    let own: Vec<_> = boxes.iter().filter(|of| names.contains(&of.1.as_str())).collect();
+    let own: Vec<_> = boxes.iter().filter(|text| names.contains(&text.1.as_str())).collect();
     assert_eq!(own.len(), names.len(), "{boxes:?}");
     for (place, (one, name)) in own.iter().enumerate() {
         assert!(one[2] <= drawing.size().0, "{name}: {one:?}");
@@ -147,7 +148,7 @@ fn names_are_escaped() {
     assert!(svg.contains("A &lt;well&gt; &amp; its"), "{svg:.600}");
 }
 
-/// The ends of a line across a panel lie at its frame, whichever way depth points.
+/// The ends of a line across a panel are at its frame, whichever way depth points.
 #[test]
 fn depth_points_down() {
     let svg = |down: bool| {
@@ -186,7 +187,7 @@ fn empty_and_broken_curves_are_drawn() {
     pieces(&broken);
 }
 
-/// What is painted is as large as it is to be printed, and is not blank.
+/// A painted picture is as large as its print, and is not blank.
 #[test]
 fn a_picture_of_pixels_has_the_size_that_was_asked_for() {
     let drawing = figure(Direction::Down, 5).drawing();
@@ -199,7 +200,8 @@ fn a_picture_of_pixels_has_the_size_that_was_asked_for() {
     assert!((0.01..0.5).contains(&share), "{share} of it is inked");
 }
 
-/// Of both axes a unit is as long; a line that is hardly wide gets a quarter of its length as room.
+/// Both axes have the same unit length; a line that is hardly wide gets a quarter of its length as
+/// width.
 #[test]
 fn a_plan_has_one_scale() {
     let mut figure = figure(Direction::Plan, 1);
@@ -246,12 +248,13 @@ fn an_outlier_is_marked_at_the_edge() {
         figure.panels[0].axis.clips = true;
         let texts = texts(&figure);
         assert!(!texts.contains(&"200".to_owned()), "{texts:?}");
-        let told = |number: &str| texts.iter().any(|text| text.starts_with(number));
-        assert!(told("230") && told("\u{2212}120"), "{texts:?}");
+        let is_written = |number: &str| texts.iter().any(|text| text.starts_with(number));
+        assert!(is_written("230") && is_written("\u{2212}120"), "{texts:?}");
     }
 }
 
-/// A load that hardly moves fills a small part of its axis, which spans what the quantity says.
+/// A nearly constant load fills a small part of its axis, which has the minimum span of the
+/// quantity.
 #[test]
 fn a_steady_signal_is_not_blown_up() {
     let span = |low: f64, high: f64| {
@@ -259,7 +262,7 @@ fn a_steady_signal_is_not_blown_up() {
         let ruler = Ruler::new(&axis, [low, high], 5.0);
         (ruler.value(0.0), ruler.value(1.0))
     };
-    // About its middle; from zero where zero is near; as it is where it moves by more.
+    // About its middle; from zero where zero is near; unchanged where it varies by more.
     for ((low, high), (from, to)) in [
         ((660.1, 660.3), (650.2, 670.2)),
         ((0.0, 0.2), (0.0, 20.0)),

@@ -1,4 +1,4 @@
-//! Pictures of small motions.
+//! Pictures of linear vibration.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use crate::{
     figure::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape, Stroke,
     },
-    plots::{Shown, named},
+    plots::{DisplayUnits, named},
     stability::stability_figure,
 };
 
@@ -19,13 +19,13 @@ const FAMILIES: [&str; 3] = ["lateral", "axial", "torsional"];
 const DRAWN: usize = 6;
 const DRAWN_OTHERS: usize = 3;
 
-/// Names of the pictures of small motions; the last one is of a string that drills.
+/// Names of the pictures of linear vibration; the last one is for a string that drills.
 pub const MODES_PICTURES: [&str; 5] =
     ["campbell", "mode_shapes", "string_shapes", "response", "stability"];
 
-/// Every picture of small motions, in a set of units (`si`, `metric` or `field`).
+/// Returns every picture of linear vibration, in a set of units (`si`, `metric` or `field`).
 pub fn modes_plots(modes: &Modes, units: &str) -> Vec<Plot> {
-    let drawing = Drawing { modes, shown: Shown::new(&modes.head.dimensions, units) };
+    let drawing = Drawing { modes, display: DisplayUnits::new(&modes.head.dimensions, units) };
     let map = modes.stability_map.as_ref();
     let figures = [
         Some(drawing.campbell()),
@@ -37,32 +37,32 @@ pub fn modes_plots(modes: &Modes, units: &str) -> Vec<Plot> {
     named(MODES_PICTURES, figures)
 }
 
-/// Small motions on their way to paper.
+/// Drawing of the pictures of linear vibration.
 struct Drawing<'a> {
     modes: &'a Modes,
-    shown: Shown<'a>,
+    display: DisplayUnits<'a>,
 }
 
 fn family(name: &str) -> usize {
-    FAMILIES.iter().position(|of| *of == name).unwrap_or(0)
+    FAMILIES.iter().position(|family| *family == name).unwrap_or(0)
 }
 
-/// A number of turns as people say it: `1x`.
+/// A number of excitations per turn as shown to users: `1x`.
 pub(super) fn order_name(order: f64) -> String {
     format!("{}x", (order * 1000.0).round() / 1000.0)
 }
 
 impl Drawing<'_> {
     fn speed(&self, rad_per_s: f64) -> f64 {
-        self.shown.value(rad_per_s, "rotary speed")
+        self.display.value(rad_per_s, "rotary speed")
     }
 
     fn speed_axis(&self, range: Range) -> Axis {
-        Axis::new(self.shown.label("Rotary speed", "rotary speed"), range)
+        Axis::new(self.display.label("Rotary speed", "rotary speed"), range)
     }
 
     fn figure(&self, shared: Axis, layout: Layout, panels: Vec<Panel>, keys: Vec<Key>) -> Figure {
-        let facts = self.modes.head.facts.iter().filter_map(|fact| self.shown.fact(fact));
+        let facts = self.modes.head.facts.iter().filter_map(|fact| self.display.fact(fact));
         Figure {
             title: self.modes.head.title.clone(),
             subtitle: facts.collect::<Vec<_>>().join("; "),
@@ -76,20 +76,20 @@ impl Drawing<'_> {
 
     fn campbell(&self) -> Figure {
         let modes = self.modes;
-        let speeds = modes.branches.first().map_or(&[][..], |of| &of.rotary_rad_per_s);
+        let speeds = modes.branches.first().map_or(&[][..], |branch| &branch.rotary_rad_per_s);
         let fastest = speeds.last().copied().unwrap_or(1.0);
-        // The lateral modes fill the picture; torsional and axial ones that lie higher are cut off.
-        let highest = |of: &str| {
-            let all = modes.branches.iter().filter(move |branch| branch.family == of);
+        // The lateral modes fill the picture; torsional and axial ones above them are cut off.
+        let highest = |family: &str| {
+            let all = modes.branches.iter().filter(move |branch| branch.family == family);
             all.flat_map(|branch| branch.frequency_Hz.iter().copied()).fold(0.0, f64::max)
         };
         let top = 1.15 * highest("lateral").max(fastest / TAU);
         let mut marks = Vec::new();
-        let mut orders: Vec<f64> = modes.critical.iter().map(|of| of.order).collect();
+        let mut orders: Vec<f64> = modes.critical.iter().map(|critical| critical.order).collect();
         orders.sort_by(f64::total_cmp);
         orders.dedup();
         for order in orders {
-            // A line from the origin, as far as the frame goes.
+            // A line from the origin, as far as the frame extends.
             let end = fastest.min(top * TAU / order);
             let points: Vec<(f64, f64)> =
                 [0.0, end].map(|speed| (self.speed(speed), order * speed / TAU)).to_vec();
@@ -105,10 +105,10 @@ impl Drawing<'_> {
             marks.push(Mark::Curve { ink, stroke, points: points.collect() });
         }
         for (place, name) in FAMILIES.iter().enumerate() {
-            let of = modes.critical.iter().filter(|of| of.family == *name);
-            let points = of
-                .filter(|of| of.frequency_Hz <= top)
-                .map(|of| (self.speed(of.rotary_rad_per_s), of.frequency_Hz));
+            let critical = modes.critical.iter().filter(|critical| critical.family == *name);
+            let points = critical
+                .filter(|branch| branch.frequency_Hz <= top)
+                .map(|branch| (self.speed(branch.rotary_rad_per_s), branch.frequency_Hz));
             let points: Vec<(f64, f64)> = points.collect();
             marks.push(Mark::Points { ink: Ink::Line(place), shape: Shape::of(0), points });
         }
@@ -138,16 +138,16 @@ impl Drawing<'_> {
         self.figure(shared, layout, vec![Panel::new(axis, marks)], keys)
     }
 
-    /// How far the shape goes from the hole's middle line in two directions.
-    fn lateral_panel(&self, of: &ModeShape) -> Panel {
-        let hertz = self.frequency_Hz(of);
+    /// Displacement of the shape from the hole's middle line in two directions.
+    fn lateral_panel(&self, shape: &ModeShape) -> Panel {
+        let hertz = self.frequency_Hz(shape);
         let curve = |values: &[f64], place: usize, stroke: Stroke| Mark::Curve {
             ink: Ink::Line(place),
             stroke,
-            points: self.along(&of.md_m, values),
+            points: self.along(&shape.md_m, values),
         };
-        let [high, right, high_later, right_later] = &of.across_m;
-        let title = format!("{}: {hertz:.3} Hz", of.number);
+        let [high, right, high_later, right_later] = &shape.across_m;
+        let title = format!("{}: {hertz:.3} Hz", shape.number);
         Panel::new(
             Axis::new(title, Range::Fixed(-1.1, 1.1)),
             vec![
@@ -160,22 +160,26 @@ impl Drawing<'_> {
     }
 
     fn along(&self, md_m: &[f64], values: &[f64]) -> Vec<(f64, f64)> {
-        let places = self.shown.values(md_m, "length");
+        let places = self.display.values(md_m, "length");
         places.into_iter().zip(values.iter().copied()).collect()
     }
 
-    fn frequency_Hz(&self, of: &ModeShape) -> f64 {
-        let same = |row: &&super::ModeRow| row.family == of.family && row.number == of.number;
+    fn frequency_Hz(&self, shape: &ModeShape) -> f64 {
+        let same = |row: &&super::ModeRow| row.family == shape.family && row.number == shape.number;
         self.modes.modes.iter().find(same).map_or(f64::NAN, |row| row.frequency_Hz)
     }
 
     fn depth(&self) -> Axis {
-        Axis { down: true, ..Axis::new(self.shown.label("Measured depth", "length"), Range::Tight) }
+        Axis {
+            down: true,
+            ..Axis::new(self.display.label("Measured depth", "length"), Range::Tight)
+        }
     }
 
     fn lateral_shapes(&self) -> Figure {
-        let lateral = self.modes.shapes.iter().filter(|of| of.family == "lateral").take(DRAWN);
-        let panels: Vec<Panel> = lateral.map(|of| self.lateral_panel(of)).collect();
+        let lateral =
+            self.modes.shapes.iter().filter(|shape| shape.family == "lateral").take(DRAWN);
+        let panels: Vec<Panel> = lateral.map(|lateral| self.lateral_panel(lateral)).collect();
         let key = |name: &str, place: usize, stroke: Stroke| Key {
             name: name.to_owned(),
             sample: Sample::Line(Ink::Line(place), stroke),
@@ -198,15 +202,15 @@ impl Drawing<'_> {
         let mut panels = Vec::new();
         for name in ["axial", "torsional"] {
             let place = family(name);
-            let shapes = self.modes.shapes.iter().filter(|of| of.family == name);
+            let shapes = self.modes.shapes.iter().filter(|shape| shape.family == name);
             let shapes: Vec<&ModeShape> = shapes.take(DRAWN_OTHERS).collect();
             let mut marks = Vec::new();
-            for (number, of) in shapes.iter().enumerate() {
-                let values = if place == 1 { &of.along_m } else { &of.turn_rad };
+            for (number, shape) in shapes.iter().enumerate() {
+                let values = if place == 1 { &shape.along_m } else { &shape.turn_rad };
                 let (ink, stroke) = (Ink::Line(number), Stroke::of(number));
-                marks.push(Mark::Curve { ink, stroke, points: self.along(&of.md_m, values) });
+                marks.push(Mark::Curve { ink, stroke, points: self.along(&shape.md_m, values) });
             }
-            let hertz = shapes.iter().map(|of| format!("{:.3}", self.frequency_Hz(of)));
+            let hertz = shapes.iter().map(|shape| format!("{:.3}", self.frequency_Hz(shape)));
             let title = format!("{name}: {} Hz", hertz.collect::<Vec<_>>().join(" / "));
             panels.push(Panel::new(Axis::new(title, Range::Fixed(-1.1, 1.1)), marks));
         }
@@ -226,12 +230,12 @@ impl Drawing<'_> {
     fn response(&self) -> Figure {
         let answer = &self.modes.answer;
         let panel = |name: &str, dimension: &str, values: &[f64]| {
-            let speeds = self.shown.values(&answer.rotary_rad_per_s, "rotary speed");
-            let values = self.shown.values(values, dimension);
+            let speeds = self.display.values(&answer.rotary_rad_per_s, "rotary speed");
+            let values = self.display.values(values, dimension);
             let points = speeds.into_iter().zip(values).collect();
             let axis = Axis {
                 scale: Scale::Logarithmic,
-                ..Axis::new(self.shown.label(name, dimension), Range::Tight)
+                ..Axis::new(self.display.label(name, dimension), Range::Tight)
             };
             let curve = Mark::Curve { ink: Ink::Line(0), stroke: Stroke::Solid, points };
             let at = Mark::SharedRule {

@@ -1,4 +1,4 @@
-//! The page of small motions as one file that needs nothing else.
+//! The page of linear vibration as one self-contained file.
 
 use super::{
     Modes,
@@ -7,28 +7,29 @@ use super::{
 use crate::{
     Grid, StudyPage, StudyPart,
     grid_cells::{heads, row},
-    plots::Shown,
+    plots::DisplayUnits,
     study::study_html_in_units,
 };
 
-/// What the numbers stand for.
-const ABOUT: &str = "Small motions about the string at rest: natural frequencies and shapes, and \
-    the rotary speeds at which something that pushes once or several times a turn meets them. \
-    Nodes that touch the wall at rest are held by it, nodes that do not are free, and friction \
+/// Meaning of the page's numbers.
+const ABOUT: &str = "Linear vibration about static equilibrium: natural frequencies and shapes, \
+    and the rotary speeds at which an excitation once or several times a turn coincides with them. \
+    Nodes that touch the wall in equilibrium are held by it, the others are free, and friction \
     does not hold: the string slides as it turns.";
 
-/// The page as the text of an HTML file. No name in it can end the element that it stands in.
+/// Returns the page as the text of an HTML file. No name in it can end the element that contains
+/// it.
 pub fn modes_html(modes: &Modes) -> String {
     study_html_in_units(&modes.head.units, |units| page(modes, units))
 }
 
 fn page(modes: &Modes, units: &str) -> StudyPage {
-    let shown = Shown::new(&modes.head.dimensions, units);
-    let facts = modes.head.facts.iter().filter_map(|fact| shown.fact(fact));
+    let display = DisplayUnits::new(&modes.head.dimensions, units);
+    let facts = modes.head.facts.iter().filter_map(|fact| display.fact(fact));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
     if !modes.stable {
-        description += "\n\nThe string at rest is not stable: what it would leave that state by \
-                        has no frequency and is left out.";
+        description += "\n\nThe static equilibrium is not stable: the motion away from it has no \
+                        frequency and is left out.";
     }
     if let Some(message) = &modes.message {
         description += &format!("\n\n{message}.");
@@ -37,42 +38,41 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
         let reasons = modes.stability.iter();
         description.extend(reasons.map(|why| format!("\n\nNo map of torsional stability: {why}.")));
     }
-    let mut parts = vec![modes_part(modes, shown), critical_part(modes, shown)];
+    let mut parts = vec![modes_part(modes, display), critical_part(modes, display)];
     let captions = [
         (
             "campbell",
             "Campbell diagram",
-            "Natural frequencies against rotary speed, dotted where the mode goes round against \
-             the rotation; dashed what pushes once, or so many times, a turn. Where they meet is a \
-             critical speed.",
+            "Natural frequencies against rotary speed, dotted for backward whirl; dashed: \
+             excitations once, or several times, a turn. Their intersections are critical speeds.",
             "campbell",
         ),
         (
             "mode_shapes",
             "Shapes of the assembly's lateral modes",
             "Displacement over the largest one, towards the high side and to the right of it, and \
-             the same a quarter of a period later: a mode that goes to and fro has none of that.",
+             the same a quarter of a period later, which is zero for a planar mode.",
             "mode_shapes",
         ),
         (
             "string_shapes",
             "Shapes of the string's axial and torsional modes",
-            "Displacement along the hole and turn about the axis, over the largest one.",
+            "Axial displacement and rotation about the axis, over the largest one.",
             "string_shapes",
         ),
         (
             "response",
             "Response to a force that rotates with the string",
-            "How far the assembly goes from where it rests, and the bending stress that this adds, \
-             with the damping of steel, wall and mud. Where it goes farther than the clearance it \
-             would hit the wall.",
+            "Displacement of the assembly from its static equilibrium, and the bending stress that \
+             this adds, with the damping of steel, wall and mud. Where it exceeds the clearance, \
+             the assembly would hit the wall.",
             "response",
         ),
         (
             "stability",
             "Torsional stability",
-            "Rotary speeds and weights on bit at which a small swing of the string that drills grows \
-             until it sticks and slips, and how fast.",
+            "Rotary speeds and weights on bit at which a small torsional vibration of the drilling \
+             string grows into stick-slip, and its growth rate.",
             "stability",
         ),
     ];
@@ -103,11 +103,11 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
     }
 }
 
-fn place(shown: Shown<'_>, of: &(f64, String)) -> [String; 2] {
-    [shown.depth(of.0), of.1.clone()]
+fn place(display: DisplayUnits<'_>, spot: &(f64, String)) -> [String; 2] {
+    [display.depth(spot.0), spot.1.clone()]
 }
 
-fn modes_part(modes: &Modes, shown: Shown<'_>) -> StudyPart {
+fn modes_part(modes: &Modes, display: DisplayUnits<'_>) -> StudyPart {
     let heads = heads(&[
         ("family", true),
         ("mode", false),
@@ -119,17 +119,21 @@ fn modes_part(modes: &Modes, shown: Shown<'_>) -> StudyPart {
         ("strained most at MD", false),
         ("component", true),
     ]);
-    let rows = modes.modes.iter().map(|of| {
-        let [md, component] = place(shown, &of.most_strained);
-        let energy = of.energy.map(|part| format!("{:.0}", 100.0 * part)).join(", ");
-        let speed = std::f64::consts::TAU * of.frequency_Hz;
+    let rows = modes.modes.iter().map(|mode| {
+        let [md, component] = place(display, &mode.most_strained);
+        let energy = mode.energy.map(|part| format!("{:.0}", 100.0 * part)).join(", ");
+        let speed = std::f64::consts::TAU * mode.frequency_Hz;
         row(vec![
-            of.family.clone(),
-            of.number.to_string(),
-            format!("{:.4}", of.frequency_Hz),
-            format!("{:.3}", 1.0 / of.frequency_Hz),
-            format!("{:.1} {}", shown.value(speed, "rotary speed"), shown.symbol("rotary speed")),
-            of.whirl.clone().unwrap_or_default(),
+            mode.family.clone(),
+            mode.number.to_string(),
+            format!("{:.4}", mode.frequency_Hz),
+            format!("{:.3}", 1.0 / mode.frequency_Hz),
+            format!(
+                "{:.1} {}",
+                display.value(speed, "rotary speed"),
+                display.symbol("rotary speed")
+            ),
+            mode.whirl.clone().unwrap_or_default(),
             energy,
             md,
             component,
@@ -145,7 +149,7 @@ fn modes_part(modes: &Modes, shown: Shown<'_>) -> StudyPart {
     }
 }
 
-fn critical_part(modes: &Modes, shown: Shown<'_>) -> StudyPart {
+fn critical_part(modes: &Modes, display: DisplayUnits<'_>) -> StudyPart {
     let heads = heads(&[
         ("rotary speed", false),
         ("order", false),
@@ -155,22 +159,24 @@ fn critical_part(modes: &Modes, shown: Shown<'_>) -> StudyPart {
         ("strained most at MD", false),
         ("component", true),
     ]);
-    let rows = modes.critical.iter().map(|of| {
-        let [md, component] = place(shown, &of.most_strained);
-        let speed = shown.value(of.rotary_rad_per_s, "rotary speed");
+    let rows = modes.critical.iter().map(|critical| {
+        let [md, component] = place(display, &critical.most_strained);
+        let speed = display.value(critical.rotary_rad_per_s, "rotary speed");
         row(vec![
-            format!("{speed:.1} {}", shown.symbol("rotary speed")),
-            order_name(of.order),
-            of.family.clone(),
-            of.number.to_string(),
-            format!("{:.4}", of.frequency_Hz),
+            format!("{speed:.1} {}", display.symbol("rotary speed")),
+            order_name(critical.order),
+            critical.family.clone(),
+            critical.number.to_string(),
+            format!("{:.4}", critical.frequency_Hz),
             md,
             component,
         ])
     });
     StudyPart::Table {
         title: "Critical speeds".into(),
-        caption: "Where an order of the rotation meets a natural frequency.".into(),
+        caption: "Rotary speeds at which an order of the rotation coincides with a natural \
+            frequency."
+            .into(),
         grid: Grid { heads, rows: rows.collect() },
         files: "critical_speeds".into(),
         endings: &["csv", "parquet"],

@@ -5,59 +5,60 @@ use crate::{
     figure::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
     },
-    plots::Shown,
+    plots::DisplayUnits,
 };
 
-/// The whole log with what was picked, in these units.
-pub fn picked_log_figure(of: &PickedLog, units: &str) -> Figure {
+/// The whole log with the picked windows, in these units.
+pub fn picked_log_figure(log: &PickedLog, units: &str) -> Figure {
     const HOUR_S: f64 = 3600.0;
-    let drawing = Drawing { of, shown: Shown::new(&of.head.dimensions, units), tick_s: HOUR_S };
+    let drawing =
+        Drawing { log, display: DisplayUnits::new(&log.head.dimensions, units), tick_s: HOUR_S };
     let points = |which: Which| {
         move |kind: PickedKind| {
-            let own = of.windows.iter().filter(|window| window.kind == kind);
+            let own = log.windows.iter().filter(|window| window.kind == kind);
             let places = own.filter_map(|window| {
-                let value = which.of(window)?.value - which.added_N(of);
+                let value = which.of(window)?.value - which.added_N(log);
                 let middle_s = 0.5 * (window.time_s[0] + window.time_s[1]);
-                Some((middle_s / HOUR_S, drawing.shown.value(value, which.dimension())))
+                Some((middle_s / HOUR_S, drawing.display.value(value, which.dimension())))
             });
             places.collect::<Vec<_>>()
         }
     };
     let depth = {
-        let curve = drawing.curve(&of.trace.bit_depth, "length");
-        let label = drawing.shown.label("Bit depth", "length");
+        let curve = drawing.curve(&log.trace.bit_depth, "length");
+        let label = drawing.display.label("Bit depth", "length");
         Panel::new(Axis { down: true, ..Axis::new(label, Range::Near) }, vec![curve])
     };
-    let weight = drawing.panel("Hook load", &of.trace.hook_load, "force", |marks| {
+    let weight = drawing.panel("Hook load", &log.trace.hook_load, "force", |marks| {
         marks.extend(drawing.in_slips());
         marks.extend(PickedKind::ALL.map(|kind| dots(kind, points(Which::Weight)(kind))));
     });
-    let torque = drawing.panel("Torque", &of.trace.torque, "torque", |marks| {
+    let torque = drawing.panel("Torque", &log.trace.torque, "torque", |marks| {
         marks.extend(PickedKind::ALL.map(|kind| dots(kind, points(Which::Torque)(kind))));
     });
     let mut panels = vec![depth];
     panels.extend(weight);
     panels.extend(torque);
-    let keys = drawing.keys(|kind| Sample::Point(kind.ink(), shape(kind)), &of.windows);
+    let keys = drawing.keys(|kind| Sample::Point(kind.ink(), shape(kind)), &log.windows);
     let shared = Axis::new("Time, h", Range::Tight);
-    figure(&of.head.title, shared, Layout::across(1, 180.0, 42.0), panels, keys)
+    figure(&log.head.title, shared, Layout::across(1, 180.0, 42.0), panels, keys)
 }
 
-/// What was picked against depth, in these units.
-pub fn picked_depth_figure(of: &PickedLog, units: &str) -> Figure {
-    let shown = Shown::new(&of.head.dimensions, units);
-    let drawing = Drawing { of, shown, tick_s: 1.0 };
+/// The picked values against depth, in these units.
+pub fn picked_depth_figure(log: &PickedLog, units: &str) -> Figure {
+    let display = DisplayUnits::new(&log.head.dimensions, units);
+    let drawing = Drawing { log, display, tick_s: 1.0 };
     let panel = |label: &str, which: Which| {
         let mut marks = Vec::new();
         for kind in PickedKind::ALL {
-            let own = of.windows.iter().filter(|window| window.kind == kind);
+            let own = log.windows.iter().filter(|window| window.kind == kind);
             let (mut places, mut bars) = (Vec::new(), Vec::new());
             for window in own {
                 let Some(PickedValue { value, standard_error }) = which.of(window) else {
                     continue;
                 };
-                let depth = shown.value(window.bit_depth_m, "length");
-                let at = |value: f64| (depth, shown.value(value, which.dimension()));
+                let depth = display.value(window.bit_depth_m, "length");
+                let at = |value: f64| (depth, display.value(value, which.dimension()));
                 places.push(at(value));
                 bars.push([at(value - standard_error), at(value + standard_error)]);
             }
@@ -66,7 +67,7 @@ pub fn picked_depth_figure(of: &PickedLog, units: &str) -> Figure {
                 marks.push(dots(kind, places));
             }
         }
-        let label = shown.label(label, which.dimension());
+        let label = display.label(label, which.dimension());
         (!marks.is_empty()).then(|| Panel::new(Axis::new(label, Range::Near), marks))
     };
     let panels: Vec<Panel> =
@@ -74,18 +75,19 @@ pub fn picked_depth_figure(of: &PickedLog, units: &str) -> Figure {
             .into_iter()
             .flatten()
             .collect();
-    let label = shown.label("Measured depth of the bit", "length");
+    let label = display.label("Measured depth of the bit", "length");
     let shared = Axis { down: true, ..Axis::new(label, Range::Near) };
     let columns = panels.len().max(1);
     let layout = Layout { direction: Direction::Down, columns, width_mm: 180.0, panel_mm: 95.0 };
-    let keys = drawing.keys(|kind| Sample::Point(kind.ink(), shape(kind)), &of.windows);
-    figure(&of.head.title, shared, layout, panels, keys)
+    let keys = drawing.keys(|kind| Sample::Point(kind.ink(), shape(kind)), &log.windows);
+    figure(&log.head.title, shared, layout, panels, keys)
 }
 
 /// A stand with its windows, in these units.
-pub fn picked_stand_figure(of: &PickedLog, stand: &PickedStand, units: &str) -> Figure {
+pub fn picked_stand_figure(log: &PickedLog, stand: &PickedStand, units: &str) -> Figure {
     const MINUTE_S: f64 = 60.0;
-    let drawing = Drawing { of, shown: Shown::new(&of.head.dimensions, units), tick_s: MINUTE_S };
+    let drawing =
+        Drawing { log, display: DisplayUnits::new(&log.head.dimensions, units), tick_s: MINUTE_S };
     let start_s = [&stand.trace.hook_load, &stand.trace.block]
         .into_iter()
         .flatten()
@@ -97,11 +99,12 @@ pub fn picked_stand_figure(of: &PickedLog, stand: &PickedStand, units: &str) -> 
     let minutes = |time_s: f64| (time_s - start_s) / MINUTE_S;
     let panel = |label: &str, trace: &[(f64, f64)], dimension: &str, which: Option<Which>| {
         drawing.panel(label, &from_start(trace), dimension, |marks| {
-            let values = trace.iter().map(|point| drawing.shown.value(point.1, dimension));
+            let values = trace.iter().map(|point| drawing.display.value(point.1, dimension));
             let values = values.filter(|value| value.is_finite());
-            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), of| {
-                (low.min(of), high.max(of))
-            });
+            let (low, high) = values
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+                    (low.min(value), high.max(value))
+                });
             let trace = std::mem::take(marks);
             for (_, [from_s, to_s], _) in &stand.refused {
                 marks.push(Mark::Shade { from: minutes(*from_s), to: minutes(*to_s) });
@@ -113,18 +116,19 @@ pub fn picked_stand_figure(of: &PickedLog, stand: &PickedStand, units: &str) -> 
             }
             marks.extend(trace);
             for window in &stand.windows {
-                let Some((which, of_window)) = which.and_then(|of| Some((of, of.of(window)?)))
+                let Some((which, of_window)) =
+                    which.and_then(|which| Some((which, which.of(window)?)))
                 else {
                     continue;
                 };
                 let [from, to] = window.time_s.map(minutes);
-                let logged = of_window.value - which.added_N(of);
-                let value = drawing.shown.value(logged, dimension);
+                let logged = of_window.value - which.added_N(log);
+                let value = drawing.display.value(logged, dimension);
                 let points = vec![(from, value), (to, value)];
                 let ink = window.kind.ink();
                 marks.push(Mark::Points { ink, shape: shape(window.kind), points: points.clone() });
                 marks.push(Mark::Curve { ink, stroke: Stroke::Solid, points });
-                let text = drawing.shown.quantity(of_window.value, dimension);
+                let text = drawing.display.quantity(of_window.value, dimension);
                 marks.push(Mark::Name { at: (0.5 * (from + to), value), text });
             }
         })
@@ -140,7 +144,7 @@ pub fn picked_stand_figure(of: &PickedLog, stand: &PickedStand, units: &str) -> 
     if !stand.refused.is_empty() {
         keys.push(Key { name: "refused".to_owned(), sample: Sample::Area(Ink::Settling) });
     }
-    let title = format!("{}: stand {}, {}", of.head.title, stand.stand, stand.work);
+    let title = format!("{}: stand {}, {}", log.head.title, stand.stand, stand.work);
     let shared = Axis::new("Time since the string was lifted out of slips, min", Range::Tight);
     let panels = panels.into_iter().flatten().collect();
     figure(&title, shared, Layout::across(1, 180.0, 26.0), panels, keys)
@@ -168,30 +172,30 @@ impl Which {
         }
     }
 
-    /// What a picked value has over the logged ones.
+    /// Addition of a picked value to the logged ones.
     fn added_N(self, log: &PickedLog) -> f64 {
         if self == Self::Weight { log.added_N } else { 0.0 }
     }
 }
 
-/// A log on its way to paper.
+/// Drawing of a log's pictures.
 #[derive(Clone, Copy)]
 struct Drawing<'a> {
-    of: &'a PickedLog,
-    shown: Shown<'a>,
-    /// What the axis of time counts, s.
+    log: &'a PickedLog,
+    display: DisplayUnits<'a>,
+    /// Unit of the axis of time, s.
     tick_s: f64,
 }
 
 impl Drawing<'_> {
     fn curve(&self, trace: &[(f64, f64)], dimension: &str) -> Mark {
         let place =
-            |(time_s, si): &(f64, f64)| (time_s / self.tick_s, self.shown.value(*si, dimension));
+            |(time_s, si): &(f64, f64)| (time_s / self.tick_s, self.display.value(*si, dimension));
         let points = trace.iter().map(place).collect();
         Mark::Curve { ink: Ink::Note, stroke: Stroke::Solid, points }
     }
 
-    /// A panel of a trace; none where it says nothing, or nothing but zero.
+    /// A panel of a trace; `None` where it is empty or zero throughout.
     fn panel(
         &self,
         label: &str,
@@ -205,12 +209,12 @@ impl Drawing<'_> {
         let mut marks = vec![self.curve(trace, dimension)];
         more(&mut marks);
         let axis =
-            Axis { clips: true, ..Axis::new(self.shown.label(label, dimension), Range::Near) };
+            Axis { clips: true, ..Axis::new(self.display.label(label, dimension), Range::Near) };
         Some(Panel::new(axis, marks))
     }
 
     fn in_slips(&self) -> Option<Mark> {
-        let at = self.shown.value(self.of.slips_N?, "force");
+        let at = self.display.value(self.log.slips_N?, "force");
         Some(Mark::OwnRule { at, label: "in slips".to_owned() })
     }
 

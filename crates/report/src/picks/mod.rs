@@ -1,4 +1,4 @@
-//! What a page reports of weights picked from a log, and its pictures.
+//! Contents of the page of weights picked from a log, and its pictures.
 
 mod figures;
 mod page;
@@ -13,20 +13,20 @@ use crate::{PageHead, figure::Ink, operation_words::colour};
 /// Weights picked from a log as their page shows them. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PickedLog {
-    /// Under the name of the log.
+    /// Head of the page, under the name of the log.
     pub head: PageHead,
-    /// All of the log.
+    /// The whole log.
     pub trace: PickedTrace,
-    /// What was picked, in the order of the log.
+    /// The picked windows, in the order of the log.
     pub windows: Vec<PickedWindow>,
     /// Some stands.
     pub stands: Vec<PickedStand>,
     /// Hook load in slips, N.
     pub slips_N: Option<f64>,
-    /// What was added to logged hook loads, N: the block's weight, where the sensor was set to zero
+    /// Force added to logged hook loads, N: the block's weight, where the sensor was set to zero
     /// with it.
     pub added_N: f64,
-    /// How the log was understood, in sentences.
+    /// Interpretation of the log, in sentences.
     pub notes: Vec<String>,
 }
 
@@ -37,7 +37,7 @@ pub struct PickedTrace {
     pub block: Vec<(f64, f64)>,
     /// Measured depth of the bit.
     pub bit_depth: Vec<(f64, f64)>,
-    /// Hook load as it was logged.
+    /// Logged hook load.
     pub hook_load: Vec<(f64, f64)>,
     /// Torque.
     pub torque: Vec<(f64, f64)>,
@@ -45,14 +45,14 @@ pub struct PickedTrace {
     pub rotary: Vec<(f64, f64)>,
 }
 
-/// What a window was picked for.
+/// Purpose of a window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PickedKind {
     /// The hook load while the string is pulled out.
     PickUp,
     /// The hook load while it is run in.
     SlackOff,
-    /// Hook load and torque while it turns off bottom.
+    /// Hook load and torque while it rotates off bottom.
     Rotating,
     /// The torque while it drills.
     Drilling,
@@ -85,20 +85,20 @@ impl PickedKind {
 /// A value and its standard error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PickedValue {
-    /// The value; a weight is with the block.
+    /// The value; a weight includes the block.
     pub value: f64,
     /// Its standard error.
     pub standard_error: f64,
 }
 
-/// A window and what was picked of it.
+/// A window and its picked values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PickedWindow {
-    /// What it was picked for.
+    /// Purpose of the window.
     pub kind: PickedKind,
     /// The stand.
     pub stand: usize,
-    /// Where it begins and ends, s.
+    /// Beginning and end, s.
     pub time_s: [f64; 2],
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
@@ -117,12 +117,12 @@ pub struct PickedWindow {
 pub struct PickedStand {
     /// Its number.
     pub stand: usize,
-    /// What was done with it: `drilled`.
+    /// Work done with it: `drilled`.
     pub work: String,
     /// Its log.
     pub trace: PickedTrace,
-    /// What was picked of it.
+    /// The windows picked from it.
     pub windows: Vec<PickedWindow>,
-    /// What was refused: for what, from when to when, s, and why.
+    /// Rejected windows: purpose, beginning and end, s, and reason.
     pub refused: Vec<(PickedKind, [f64; 2], String)>,
 }

@@ -8,58 +8,59 @@ use super::{
 use crate::operation_words::{colour, on_bottom, operation_name, rotates};
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
-    plots::Shown,
+    plots::DisplayUnits,
     uncertain::Uncertain,
 };
 
-/// Curves that differ by less than this part of the largest are one to the eye.
+/// Curves that differ by less than this part of the largest are not distinguishable by eye.
 const SAME: f64 = 2e-3;
 
 /// Strokes of low, expected and high friction.
 pub const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
 
-/// What a picture shows of each point.
+/// A quantity of each point that a picture shows.
 struct Quantity<'a> {
     title: &'a str,
     about: &'a str,
-    /// What the bands of uncertain numbers call it.
+    /// Its name in the bands of uncertain numbers.
     name: &'a str,
     dimension: &'a str,
-    of: fn(&PlanSpot) -> f64,
+    value: fn(&PlanSpot) -> f64,
 }
 
-/// Trip in to the left, rotate off bottom, trip out to the right; beside it what drills.
-pub(super) fn hook_load(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
+/// Trip in to the left, rotate off bottom, trip out to the right; operations that drill in a panel
+/// of their own.
+pub(super) fn hook_load(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
     let quantity = Quantity {
         title: "Hook load",
         about: "without the weight of the block",
         name: "hook_load",
         dimension: "force",
-        of: |spot| spot.hook_load_N,
+        value: |spot| spot.hook_load_N,
     };
-    figure(plan, shown, &quantity, |_| true)
+    figure(plan, display, &quantity, |_| true)
 }
 
-/// Torque at the top of what turns.
-pub(super) fn torque(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
+/// Torque at the top in operations that rotate.
+pub(super) fn torque(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
     let quantity = Quantity {
         title: "Surface torque",
         about: "",
         name: "surface_torque",
         dimension: "torque",
-        of: |spot| spot.torque_N_m,
+        value: |spot| spot.torque_N_m,
     };
-    figure(plan, shown, &quantity, rotates)
+    figure(plan, display, &quantity, rotates)
 }
 
 fn figure(
     plan: &Plan,
-    shown: Shown<'_>,
+    display: DisplayUnits<'_>,
     quantity: &Quantity<'_>,
     is_shown: fn(&str) -> bool,
 ) -> Option<Figure> {
-    let all = plan.operations().into_iter().filter(|of| is_shown(of));
-    let (drilling, off): (Vec<&str>, Vec<&str>) = all.partition(|of| on_bottom(of));
+    let all = plan.operations().into_iter().filter(|operation| is_shown(operation));
+    let (drilling, off): (Vec<&str>, Vec<&str>) = all.partition(|operation| on_bottom(operation));
     let groups = [(off, "off bottom"), (drilling, "on bottom")];
     let groups = groups.into_iter().filter(|(operations, _)| !operations.is_empty());
     let limits: Vec<&PlanSurfaceLimit> = plan.surface(quantity.dimension).collect();
@@ -67,7 +68,7 @@ fn figure(
     let mut panels = Vec::new();
     let mut operations = Vec::new();
     for (group, name) in groups {
-        let (panel, most) = panel(plan, shown, quantity, &group, name);
+        let (panel, most) = panel(plan, display, quantity, &group, name);
         panels.push(panel);
         largest = largest.max(most);
         operations.extend(group);
@@ -75,37 +76,39 @@ fn figure(
     let mut keys = keys(plan, &operations);
     keys.extend(measured::keys(plan, &operations, quantity.dimension));
     keys.extend(overlay::keys(plan, &operations, quantity.dimension));
-    let told = limits.iter().filter(|of| !of.is_near(largest));
-    let told =
-        told.map(|of| format!("{} {}", of.title, shown.quantity(of.allowed, quantity.dimension)));
-    let subtitle = subtitle(plan, quantity.about, &told.collect::<Vec<_>>());
-    (!panels.is_empty()).then(|| over_depth(plan, shown, &subtitle, keys, panels))
+    let outside = limits.iter().filter(|limit| !limit.is_near(largest));
+    let outside = outside.map(|limit| {
+        format!("{} {}", limit.title, display.quantity(limit.allowed, quantity.dimension))
+    });
+    let subtitle = subtitle(plan, quantity.about, &outside.collect::<Vec<_>>());
+    (!panels.is_empty()).then(|| over_depth(plan, display, &subtitle, keys, panels))
 }
 
-/// Some operations, and the most that their curves come to, SI: limits that are near to it are
-/// drawn.
+/// Some operations, and the largest value of their curves, SI: limits near it are drawn.
 fn panel(
     plan: &Plan,
-    shown: Shown<'_>,
+    display: DisplayUnits<'_>,
     quantity: &Quantity<'_>,
     operations: &[&str],
     name: &str,
 ) -> (Panel, f64) {
-    let value = |spot: &PlanSpot| shown.value((quantity.of)(spot), quantity.dimension);
-    let depth = |spot: &PlanSpot| shown.value(spot.bit_depth_m, "length");
-    let points = |of: &PlanCurve| -> Vec<(f64, f64)> {
-        of.points.iter().map(|spot| (depth(spot), value(spot))).collect()
+    let value = |spot: &PlanSpot| display.value((quantity.value)(spot), quantity.dimension);
+    let depth = |spot: &PlanSpot| display.value(spot.bit_depth_m, "length");
+    let points = |curve: &PlanCurve| -> Vec<(f64, f64)> {
+        curve.points.iter().map(|spot| (depth(spot), value(spot))).collect()
     };
     let mut marks = Vec::new();
     let mut largest = 0.0_f64;
     // Below all lines.
-    for (uncertain, operation) in
-        plan.uncertain.iter().flat_map(|uncertain| operations.iter().map(move |of| (uncertain, of)))
+    for (uncertain, operation) in plan
+        .uncertain
+        .iter()
+        .flat_map(|uncertain| operations.iter().map(move |operation| (uncertain, operation)))
     {
         let band = uncertain.band(quantity.name, operation).map(|(depth_m, ends)| {
-            let [from, to] = ends.map(|end| shown.value(end, quantity.dimension));
+            let [from, to] = ends.map(|end| display.value(end, quantity.dimension));
             largest = largest.max(from.abs()).max(to.abs());
-            (shown.value(depth_m, "length"), from, to)
+            (display.value(depth_m, "length"), from, to)
         });
         let ink = Ink::Line(colour(operation));
         marks.push(Mark::Band { ink, points: band.collect() });
@@ -114,15 +117,15 @@ fn panel(
         let ink = Ink::Line(colour(operation));
         for (place, model) in plan.models.iter().enumerate() {
             let mut ends: Vec<((f64, f64), &str)> = Vec::new();
-            for of in plan.of(model, operation) {
-                let points = points(of);
+            for curve in plan.of(model, operation) {
+                let points = points(curve);
                 let mut finite = points.iter().filter(|(_, value)| value.is_finite());
                 largest = finite.clone().fold(largest, |most, (_, value)| most.max(value.abs()));
-                let label = plan.levels.get(of.level).map_or("", |level| &level.label);
+                let label = plan.levels.get(curve.level).map_or("", |level| &level.label);
                 ends.extend(finite.next_back().map(|end| (*end, label)));
-                let shape = Shape::of(of.level);
+                let shape = Shape::of(curve.level);
                 marks.extend(match place {
-                    0 => line(ink, STROKES[of.level % 3], shape, points),
+                    0 => line(ink, STROKES[curve.level % 3], shape, points),
                     _ => vec![Mark::Points { ink, shape, points }],
                 });
             }
@@ -132,19 +135,21 @@ fn panel(
         }
     }
     // Above all curves.
-    marks.extend(overlay::marks(plan, shown, operations, quantity.dimension));
-    marks.extend(measured::marks(plan, shown, operations, quantity.dimension));
-    let largest = largest / shown.value(1.0, quantity.dimension);
-    marks.extend(plan.surface(quantity.dimension).filter(|of| of.is_near(largest)).map(|of| {
-        let at = shown.value(of.allowed, quantity.dimension);
-        Mark::OwnRule { at, label: of.title.clone() }
-    }));
+    marks.extend(overlay::marks(plan, display, operations, quantity.dimension));
+    marks.extend(measured::marks(plan, display, operations, quantity.dimension));
+    let largest = largest / display.value(1.0, quantity.dimension);
+    marks.extend(plan.surface(quantity.dimension).filter(|surface| surface.is_near(largest)).map(
+        |surface| {
+            let at = display.value(surface.allowed, quantity.dimension);
+            Mark::OwnRule { at, label: surface.title.clone() }
+        },
+    ));
     let title = format!("{}, {name}", quantity.title);
-    let axis = Axis::new(shown.label(&title, quantity.dimension), Range::Zero);
+    let axis = Axis::new(display.label(&title, quantity.dimension), Range::Zero);
     (Panel::new(axis, marks), largest)
 }
 
-/// The friction at the end of each line; nothing where the lines of all frictions are one.
+/// The friction at the end of each line; none where the lines of all frictions coincide.
 fn names(ends: &[((f64, f64), &str)], largest: f64) -> Vec<Mark> {
     let values = || ends.iter().map(|(end, _)| end.1);
     let spread =
@@ -160,9 +165,9 @@ fn keys(plan: &Plan, operations: &[&str]) -> Vec<Key> {
     let key = |name: String, sample| Key { name, sample };
     let mut keys: Vec<Key> = operations
         .iter()
-        .map(|of| {
-            let ink = Ink::Line(colour(of));
-            key(operation_name(of), Sample::Line(ink, Stroke::Solid))
+        .map(|operation| {
+            let ink = Ink::Line(colour(operation));
+            key(operation_name(operation), Sample::Line(ink, Stroke::Solid))
         })
         .collect();
     for (place, level) in plan.levels.iter().enumerate() {
@@ -184,19 +189,19 @@ fn keys(plan: &Plan, operations: &[&str]) -> Vec<Key> {
     keys
 }
 
-/// What the picture is of, and limits that lie beyond it.
-fn subtitle(plan: &Plan, about: &str, told: &[String]) -> String {
+/// The subject of the picture, and limits that are beyond it.
+fn subtitle(plan: &Plan, about: &str, outside: &[String]) -> String {
     let first = plan.models.first();
     let lines = first.map(|model| match plan.models.len() {
         1 => format!("{model} string"),
         _ => format!("lines: {model} string"),
     });
     let about = (!about.is_empty()).then(|| about.to_owned());
-    let limits = match told {
+    let limits = match outside {
         [] => None,
         [one] => Some(format!("limit beyond the picture: {one}")),
         several => Some(format!("limits beyond the picture: {}", several.join(", "))),
     };
-    let bands = plan.uncertain.iter().map(Uncertain::said);
+    let bands = plan.uncertain.iter().map(Uncertain::description);
     lines.into_iter().chain(about).chain(limits).chain(bands).collect::<Vec<_>>().join("; ")
 }

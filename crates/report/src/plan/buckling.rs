@@ -1,4 +1,4 @@
-//! The weight on bit under which the string begins to buckle.
+//! The weight on bit at which the string begins to buckle.
 
 use super::{
     Plan,
@@ -8,22 +8,22 @@ use super::{
 use crate::operation_words::operation_name;
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
-    plots::Shown,
+    plots::DisplayUnits,
 };
 
-/// What the string becomes, in the order of the weights.
+/// Shapes of the buckled string, in the order of the weights.
 const SHAPES: [&str; 2] = ["sinusoid", "helix"];
 
 /// Turning to the left, sliding to the right: a line for each friction.
-pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
+pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
     let mut operations: Vec<&str> = Vec::new();
-    for of in &plan.buckling {
-        if !operations.contains(&of.operation.as_str()) {
-            operations.push(&of.operation);
+    for curve in &plan.buckling {
+        if !operations.contains(&curve.operation.as_str()) {
+            operations.push(&curve.operation);
         }
     }
     let panels: Vec<Panel> =
-        operations.into_iter().map(|operation| panel(plan, shown, operation)).collect();
+        operations.into_iter().map(|operation| panel(plan, display, operation)).collect();
     let shapes = SHAPES.iter().enumerate().map(|(place, name)| Key {
         name: (*name).to_owned(),
         sample: Sample::Line(Ink::Line(place), Stroke::Solid),
@@ -33,27 +33,27 @@ pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
         sample: Sample::Line(Ink::Note, stroke),
     });
     let keys = shapes.chain(levels).collect();
-    let subtitle = "least weight on bit under which the string buckles somewhere; soft string";
+    let subtitle = "least weight on bit at which part of the string buckles; soft string";
     let has_rows = panels.iter().any(|panel| !panel.marks.is_empty());
-    has_rows.then(|| over_depth(plan, shown, subtitle, keys, panels))
+    has_rows.then(|| over_depth(plan, display, subtitle, keys, panels))
 }
 
-fn panel(plan: &Plan, shown: Shown<'_>, operation: &str) -> Panel {
-    let curves = plan.buckling.iter().filter(|of| of.operation == operation);
+fn panel(plan: &Plan, display: DisplayUnits<'_>, operation: &str) -> Panel {
+    let curves = plan.buckling.iter().filter(|buckling| buckling.operation == operation);
     let mut marks = Vec::new();
-    for of in curves {
+    for curve in curves {
         for shape in 0..SHAPES.len() {
-            let points = of.points.iter().map(|(depth_m, weights_N)| {
-                (shown.value(*depth_m, "length"), shown.value(weights_N[shape], "force"))
+            let points = curve.points.iter().map(|(depth_m, weights_N)| {
+                (display.value(*depth_m, "length"), display.value(weights_N[shape], "force"))
             });
-            let (ink, stroke) = (Ink::Line(shape), STROKES[of.level % STROKES.len()]);
+            let (ink, stroke) = (Ink::Line(shape), STROKES[curve.level % STROKES.len()]);
             marks.extend(line(ink, stroke, Shape::of(shape), points.collect()));
         }
     }
     if let Some(weight_N) = plan.weight_on_bit_N.filter(|weight| *weight > 0.0) {
-        let at = shown.value(weight_N, "force");
+        let at = display.value(weight_N, "force");
         marks.push(Mark::OwnRule { at, label: "the case".to_owned() });
     }
     let title = format!("Weight to buckle, {}", operation_name(operation));
-    Panel::new(Axis::new(shown.label(&title, "force"), Range::Zero), marks)
+    Panel::new(Axis::new(display.label(&title, "force"), Range::Zero), marks)
 }

@@ -3,9 +3,9 @@
 use super::{Plan, PlanFatigueRow, PlanWearRow};
 use crate::grid_cells::head;
 use crate::operation_words::four;
-use crate::{Grid, StudyPart, Verdict, plots::Shown};
+use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
 
-/// A damage, or a part of a wall, beyond which its light is no longer that of what is well.
+/// A damage, or a worn part of a wall, above which its colour is no longer that of a good state.
 const MUCH: f64 = 0.5;
 
 type Cell = (String, Verdict);
@@ -23,7 +23,7 @@ fn percent(part: f64) -> String {
     format!("{} %", four(100.0 * part))
 }
 
-/// A part of a life or of a wall; one is all of it.
+/// A used-up part of a life or of a wall; one is all of it.
 fn part_of(all: f64) -> Cell {
     let light = match all {
         all if all.is_nan() => return plain("not known".to_owned()),
@@ -35,16 +35,16 @@ fn part_of(all: f64) -> Cell {
     (percent(all) + word, light)
 }
 
-fn quantity(shown: Shown<'_>, si: f64, dimension: &str) -> Cell {
-    plain(if si.is_nan() { "not known".into() } else { four(shown.value(si, dimension)) })
+fn quantity(display: DisplayUnits<'_>, si: f64, dimension: &str) -> Cell {
+    plain(if si.is_nan() { "not known".into() } else { four(display.value(si, dimension)) })
 }
 
-/// A depth in whole metres or feet, whose unit stands in the heading.
-fn place(shown: Shown<'_>, md_m: f64) -> Cell {
-    plain(format!("{:.0}", shown.value(md_m, "length")))
+/// A depth in whole metres or feet, whose unit is in the heading.
+fn place(display: DisplayUnits<'_>, md_m: f64) -> Cell {
+    plain(format!("{:.0}", display.value(md_m, "length")))
 }
 
-/// The parts of the campaign, counted and not.
+/// The parts of the campaign, counted and not counted.
 pub(super) fn parts(plan: &Plan) -> Option<StudyPart> {
     let row = |word: &str, verdict: Verdict, text: &String| {
         vec![(word.to_owned(), verdict), plain(text.clone())]
@@ -52,17 +52,17 @@ pub(super) fn parts(plan: &Plan) -> Option<StudyPart> {
     let counted = plan.counted.iter().map(|text| row("counted", Verdict::Agrees, text));
     let not_counted = plan.not_counted.iter().map(|text| row("not counted", Verdict::Near, text));
     let rows: Vec<_> = not_counted.chain(counted).collect();
-    let caption = "The parts of the campaign of which fatigue and casing wear are summed, with the friction \
-        that is expected, and what they leave out. Above the shallowest depth of the plan and \
-        between depths that are far apart the campaign has depths of its own.";
+    let caption = "The parts of the campaign whose fatigue and casing wear are summed, with the \
+        expected friction, and the parts left out. Above the shallowest depth of the plan and \
+        between depths that are far apart, the campaign has depths of its own.";
     let heads = vec![head("", true), head("part of the campaign", true)];
     (!rows.is_empty()).then(|| part("Campaign", caption, Grid { heads, rows }, "plan_wear"))
 }
 
 /// Fatigue of each component.
-pub(super) fn fatigue(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+pub(super) fn fatigue(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let [length, pressure, dogleg] =
-        ["length", "pressure", "dogleg severity"].map(|of| shown.symbol(of));
+        ["length", "pressure", "dogleg severity"].map(|dimension| display.symbol(dimension));
     let heads = vec![
         head("component", true),
         head("model", true),
@@ -73,32 +73,33 @@ pub(super) fn fatigue(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         head(format!("dogleg, {dogleg}"), false),
         head(format!("permissible, {dogleg}"), false),
     ];
-    let row = |of: &PlanFatigueRow| {
+    let row = |row: &PlanFatigueRow| {
         let mut cells =
-            vec![plain(of.component.clone()), plain(of.model.clone()), part_of(of.damage)];
-        match &of.hour {
+            vec![plain(row.component.clone()), plain(row.model.clone()), part_of(row.damage)];
+        match &row.hour {
             Some(hour) => cells.extend([
                 plain(percent(hour.damage_per_hour)),
-                place(shown, hour.md_m),
-                quantity(shown, hour.bending_Pa, "pressure"),
-                quantity(shown, hour.doglegs_rad_per_m[0], "dogleg severity"),
-                quantity(shown, hour.doglegs_rad_per_m[1], "dogleg severity"),
+                place(display, hour.md_m),
+                quantity(display, hour.bending_Pa, "pressure"),
+                quantity(display, hour.doglegs_rad_per_m[0], "dogleg severity"),
+                quantity(display, hour.doglegs_rad_per_m[1], "dogleg severity"),
             ]),
             None => cells.extend((0..5).map(|_| plain(String::new()))),
         }
         cells
     };
     let rows: Vec<_> = plan.fatigue.iter().map(row).collect();
-    let caption = "What the campaign takes of the life of each component's worst part, by Miner's rule, with \
-        the friction that is expected; and what an hour of drilling costs at the deepest depth, where it \
-        costs most. The S-N curve is that of the plan: of smooth pipe where the case gives none.";
+    let caption = "Part of the life that the campaign uses up in each component's worst part, by \
+        Miner's rule, with the expected friction; and the same in an hour of drilling at the \
+        deepest depth, at the place of the largest damage. The S-N curve is that of the plan: that \
+        of smooth pipe where the case gives none.";
     (!rows.is_empty()).then(|| part("Fatigue", caption, Grid { heads, rows }, "plan_fatigue"))
 }
 
 /// Wear of each casing.
-pub(super) fn wear(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+pub(super) fn wear(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let [length, diameter, pressure] =
-        ["length", "diameter", "pressure"].map(|of| shown.symbol(of));
+        ["length", "diameter", "pressure"].map(|dimension| display.symbol(dimension));
     let heads = vec![
         head("casing", true),
         head("model", true),
@@ -111,24 +112,24 @@ pub(super) fn wear(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         head(format!("collapse new, {pressure}"), false),
         head(format!("worn, {pressure}"), false),
     ];
-    let row = |of: &PlanWearRow| {
+    let row = |row: &PlanWearRow| {
         let mut cells = vec![
-            plain(format!("section {}", of.section)),
-            plain(of.model.clone()),
-            part_of(of.worn),
-            place(shown, of.md_m),
-            quantity(shown, of.groove_m, "diameter"),
-            quantity(shown, of.wall_left_m, "diameter"),
+            plain(format!("section {}", row.section)),
+            plain(row.model.clone()),
+            part_of(row.worn),
+            place(display, row.md_m),
+            quantity(display, row.groove_m, "diameter"),
+            quantity(display, row.wall_left_m, "diameter"),
         ];
-        let pressures = of.burst_Pa.iter().chain(&of.collapse_Pa);
-        cells.extend(pressures.map(|si| quantity(shown, *si, "pressure")));
+        let pressures = row.burst_Pa.iter().chain(&row.collapse_Pa);
+        cells.extend(pressures.map(|si| quantity(display, *si, "pressure")));
         cells
     };
     let rows: Vec<_> = plan.wear.iter().map(row).collect();
-    let caption = "Of each casing the stretch that the campaign wears most, with the friction that is expected \
-        and the wear factors of the plan. Collapse is that of a casing with no more than the wall that is \
-        left all round. What is not known: give the casing by its size, weight and grade. Of the model \
-        \"dynamic\" what the plan asks the dynamics for is worn by its work of friction, the rest as by the \
+    let caption = "For each casing the most worn stretch, with the expected friction and the wear \
+        factors of the plan. Collapse is that of a casing with the remaining wall all round. Where \
+        it is not known: give the casing by its size, weight and grade. For the model \"dynamic\", \
+        parts that the plan requests of the dynamics wear by its friction work, the rest as by the \
         first model.";
     (!rows.is_empty()).then(|| part("Casing wear", caption, Grid { heads, rows }, "plan_wear"))
 }

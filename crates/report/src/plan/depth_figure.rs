@@ -3,11 +3,11 @@
 use super::Plan;
 use crate::{
     figure::{Axis, Figure, Ink, Interval, Key, Layout, Mark, Panel, Range, Shape, Stroke},
-    plots::Shown,
+    plots::DisplayUnits,
 };
 
-/// A line through points, and a mark at each that has no neighbour: a line of one point is not
-/// seen.
+/// A line through points, and a mark at each that has no neighbour, because a line of one point is
+/// invisible.
 pub(super) fn line(ink: Ink, stroke: Stroke, shape: Shape, points: Vec<(f64, f64)>) -> Vec<Mark> {
     let is_there = |place: usize| points.get(place).is_some_and(|point| point.1.is_finite());
     let is_lone = |place: &usize| {
@@ -23,10 +23,10 @@ pub(super) fn line(ink: Ink, stroke: Stroke, shape: Shape, points: Vec<(f64, f64
     marks
 }
 
-/// Panels side by side over depth, with the hole beside them.
+/// Panels in a line over depth, with the hole next to them.
 pub(super) fn over_depth(
     plan: &Plan,
-    shown: Shown<'_>,
+    display: DisplayUnits<'_>,
     subtitle: &str,
     keys: Vec<Key>,
     panels: Vec<Panel>,
@@ -35,9 +35,9 @@ pub(super) fn over_depth(
     let depth = Axis {
         down: true,
         ..Axis::new(
-            shown.label("Measured depth of the bit", "length"),
+            display.label("Measured depth of the bit", "length"),
             // Room below the ends of the lines for their names.
-            Range::Fixed(0.0, 1.07 * shown.value(deepest_m, "length")),
+            Range::Fixed(0.0, 1.07 * display.value(deepest_m, "length")),
         )
     };
     let hole = plan.hole.iter().filter(|section| section.from_m < deepest_m);
@@ -45,11 +45,11 @@ pub(super) fn over_depth(
         let cased = section.kind == "casing";
         let name = if cased { "casing" } else { "open hole" };
         Interval {
-            from: shown.value(section.from_m, "length"),
-            to: shown.value(section.to_m.min(deepest_m), "length"),
+            from: display.value(section.from_m, "length"),
+            to: display.value(section.to_m.min(deepest_m), "length"),
             cased,
             shoe: cased && section.to_m <= deepest_m,
-            label: format!("{name}, {}", shown.quantity(section.diameter_m, "diameter")),
+            label: format!("{name}, {}", display.quantity(section.diameter_m, "diameter")),
         }
     };
     Figure {
@@ -69,8 +69,8 @@ pub(super) fn over_depth(
 }
 
 fn deepest_m(plan: &Plan) -> f64 {
-    let depths = plan.curves.iter().flat_map(|of| &of.points).map(|of| of.bit_depth_m);
-    let theirs = plan.overlay.iter().flat_map(|of| &of.rows).map(|of| of.bit_depth_m);
-    let read = plan.measured.iter().map(|of| of.bit_depth_m);
+    let depths = plan.curves.iter().flat_map(|curve| &curve.points).map(|point| point.bit_depth_m);
+    let theirs = plan.overlay.iter().flat_map(|overlay| &overlay.rows).map(|row| row.bit_depth_m);
+    let read = plan.measured.iter().map(|measured| measured.bit_depth_m);
     depths.chain(read).chain(theirs).fold(0.0, f64::max)
 }

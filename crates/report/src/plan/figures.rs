@@ -3,7 +3,7 @@
 use super::{Plan, broomstick, buckling, mud, peaks};
 use crate::{
     Plot,
-    plots::{Shown, named},
+    plots::{DisplayUnits, named},
     uncertain,
 };
 
@@ -11,18 +11,17 @@ use crate::{
 pub const PLAN_PICTURES: [&str; 6] =
     ["hook_load", "torque", "buckling_weight", "hydraulics", "uncertain", "peaks"];
 
-/// Every picture of a plan, in a set of units (`si`, `metric` or `field`), where there is something
-/// to draw.
+/// Returns every picture of a plan with content, in a set of units (`si`, `metric` or `field`).
 pub fn plan_plots(plan: &Plan, units: &str) -> Vec<Plot> {
-    let shown = Shown::new(&plan.head.dimensions, units);
+    let display = DisplayUnits::new(&plan.head.dimensions, units);
     let owed = plan.uncertain.as_ref();
     let figures = [
-        broomstick::hook_load(plan, shown),
-        broomstick::torque(plan, shown),
-        buckling::figure(plan, shown),
-        mud::figure(plan, shown),
-        owed.and_then(|of| uncertain::figure(of, &plan.head.title)),
-        peaks::figure(plan, shown),
+        broomstick::hook_load(plan, display),
+        broomstick::torque(plan, display),
+        buckling::figure(plan, display),
+        mud::figure(plan, display),
+        owed.and_then(|samples| uncertain::figure(samples, &plan.head.title)),
+        peaks::figure(plan, display),
     ];
     named(PLAN_PICTURES, figures)
 }

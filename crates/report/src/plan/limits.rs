@@ -1,20 +1,20 @@
-//! The limits on a plan's page: the nearest of each kind, severities beside words.
+//! The limits on a plan's page: the nearest of each kind, severities with words.
 
 use super::{Plan, PlanLimitRow, PlanVerdict};
 use crate::grid_cells::head;
 use crate::operation_words::{four, operation_name};
-use crate::{Grid, StudyPart, Verdict, plots::Shown};
+use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
 
-/// A sentence of the judge as a page prints its units.
+/// A sentence of the judge with the units printed as on a page.
 fn printed(sentence: &str) -> String {
     sentence.replace("N.m", "N·m").replace("ft-lbf", "ft·lbf")
 }
 
-/// The checks that need attention, the most severe first. Their sentences are in the units of the
-/// case, and so is all of a row.
+/// The checks that need attention, the most severe first. All numbers of a row are in the units of
+/// the case, as in its sentence.
 pub(super) fn verdicts(plan: &Plan) -> Option<StudyPart> {
-    let shown = Shown::new(&plan.head.dimensions, &plan.head.units);
-    let heads = ["verdict", "check", "operation", "friction", "bit at", "what was found"];
+    let display = DisplayUnits::new(&plan.head.dimensions, &plan.head.units);
+    let heads = ["verdict", "check", "operation", "friction", "bit at", "finding"];
     let heads = heads.map(|name| head(name, true)).into();
     let row = |found: &PlanVerdict| {
         let plain = |text: String| (text, Verdict::None);
@@ -23,12 +23,12 @@ pub(super) fn verdicts(plan: &Plan) -> Option<StudyPart> {
             plain(found.label.clone()),
             plain(format!("{}, {}", operation_name(&found.operation), found.model)),
             plain(found.friction.clone()),
-            plain(shown.depth(found.bit_depth_m)),
+            plain(display.depth(found.bit_depth_m)),
             plain(printed(&found.sentence)),
         ]
     };
     let rows: Vec<_> = plan.checks.iter().map(row).collect();
-    let caption = "Of each kind of check and each operation the most severe of all models, depths and \
+    let caption = "The most severe check of each kind and operation, over all models, depths and \
         frictions.";
     (!rows.is_empty()).then(|| part("Verdict", caption.to_owned(), Grid { heads, rows }))
 }
@@ -42,17 +42,17 @@ pub(super) fn governing(sentences: &[String]) -> Option<StudyPart> {
         vec![plain(operation), plain(limit)]
     };
     let rows: Vec<_> = sentences.iter().map(row).collect();
-    let caption = "Of each operation the limit with the least reserve of those that break \
-        something or stop it, of all depths and frictions.";
+    let caption = "The governing limit of each operation: the one with the least reserve among \
+        those that break something or stop it, over all depths and frictions.";
     (!rows.is_empty()).then(|| part("Governing limits", caption.to_owned(), Grid { heads, rows }))
 }
 
 /// Kinds in their order.
 fn kinds(plan: &Plan) -> Vec<&str> {
     let mut kinds: Vec<&str> = Vec::new();
-    for of in &plan.limits {
-        if !kinds.contains(&of.kind.as_str()) {
-            kinds.push(&of.kind);
+    for limit in &plan.limits {
+        if !kinds.contains(&limit.kind.as_str()) {
+            kinds.push(&limit.kind);
         }
     }
     kinds
@@ -61,21 +61,21 @@ fn kinds(plan: &Plan) -> Vec<&str> {
 /// A row for each kind, a column for each operation: the least factor of all depths and frictions.
 pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
     let mut operations = plan.operations();
-    for of in &plan.limits {
-        if !operations.contains(&of.operation.as_str()) {
-            operations.push(&of.operation);
+    for limit in &plan.limits {
+        if !operations.contains(&limit.operation.as_str()) {
+            operations.push(&limit.operation);
         }
     }
     let mut heads = vec![head("limit", true), head("required", false)];
-    heads.extend(operations.iter().map(|of| head(operation_name(of), false)));
+    heads.extend(operations.iter().map(|operation| head(operation_name(operation), false)));
     let row = |kind: &str| {
-        let of_kind = || plan.limits.iter().filter(|of| of.kind == kind);
-        let required = of_kind().next().map_or(f64::NAN, |of| of.required);
+        let of_kind = || plan.limits.iter().filter(|limit| limit.kind == kind);
+        let required = of_kind().next().map_or(f64::NAN, |of_kind| of_kind.required);
         let mut cells = vec![(kind.to_owned(), Verdict::None), (two(required), Verdict::None)];
         cells.extend(operations.iter().map(|operation| {
-            match of_kind().find(|of| of.operation == *operation) {
-                Some(of) => {
-                    (format!("{} {}", two(of.factor), of.verdict), Verdict::Judged(of.severity))
+            match of_kind().find(|of_kind| of_kind.operation == *operation) {
+                Some(row) => {
+                    (format!("{} {}", two(row.factor), row.verdict), Verdict::Judged(row.severity))
                 }
                 None => (String::new(), Verdict::None),
             }
@@ -83,9 +83,9 @@ pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
         cells
     };
     let rows: Vec<_> = kinds(plan).into_iter().map(row).collect();
-    let mut caption = "Least factor, capacity over load, of all depths and frictions. Marginal: the \
-        required factor is kept by less than a tenth; exceeded: the load is larger than the capacity. An \
-        empty cell: nothing loads it."
+    let mut caption = "Least factor, capacity over load, of all depths and frictions. Marginal: \
+        the required factor is met by less than a tenth; exceeded: the load is larger than the \
+        capacity. An empty cell: no load."
         .to_owned();
     if !plan.unchecked.is_empty() {
         caption += &format!(" Not checked for want of data: {}.", plan.unchecked.join("; "));
@@ -93,8 +93,8 @@ pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
     (!rows.is_empty()).then(|| part("Limits", caption, Grid { heads, rows }))
 }
 
-/// Where each kind is nearest to its limit.
-pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+/// The place nearest to the limit, for each kind.
+pub(super) fn nearest(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let heads = vec![
         head("limit", true),
         head("verdict", true),
@@ -108,49 +108,53 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         head("required", false),
     ];
     let least = |kind: &str| {
-        let of_kind = plan.limits.iter().filter(|of| of.kind == kind);
+        let of_kind = plan.limits.iter().filter(|limit| limit.kind == kind);
         of_kind.min_by(|a, b| reserve(a).total_cmp(&reserve(b)))
     };
     let mut nearest: Vec<&PlanLimitRow> = kinds(plan).into_iter().filter_map(least).collect();
-    let order = |of: &PlanLimitRow| (!of.breaks, reserve(of));
+    let order = |row: &PlanLimitRow| (!row.breaks, reserve(row));
     nearest.sort_by(|a, b| {
         let ((a, of_a), (b, of_b)) = (order(a), order(b));
         a.cmp(&b).then(of_a.total_cmp(&of_b))
     });
-    let row = |of: &PlanLimitRow| {
-        let place = match of.md_m {
-            Some(md_m) => format!("{}, {}", of.component, shown.depth(md_m)),
+    let row = |row: &PlanLimitRow| {
+        let place = match row.md_m {
+            Some(md_m) => format!("{}, {}", row.component, display.depth(md_m)),
             None => "whole string, rig".to_owned(),
         };
         let quantity = |si: f64| {
-            format!("{} {}", four(shown.value(si, &of.dimension)), shown.symbol(&of.dimension))
+            format!(
+                "{} {}",
+                four(display.value(si, &row.dimension)),
+                display.symbol(&row.dimension)
+            )
         };
         let plain = |text: String| (text, Verdict::None);
         vec![
-            plain(of.kind.clone()),
-            (of.verdict.clone(), Verdict::Judged(of.severity)),
-            plain(operation_name(&of.operation)),
-            plain(of.friction.clone()),
+            plain(row.kind.clone()),
+            (row.verdict.clone(), Verdict::Judged(row.severity)),
+            plain(operation_name(&row.operation)),
+            plain(row.friction.clone()),
             plain(place),
-            plain(shown.depth(of.bit_depth_m)),
-            plain(quantity(of.load)),
-            plain(quantity(of.capacity)),
-            plain(two(of.factor)),
-            plain(two(of.required)),
+            plain(display.depth(row.bit_depth_m)),
+            plain(quantity(row.load)),
+            plain(quantity(row.capacity)),
+            plain(two(row.factor)),
+            plain(two(row.required)),
         ]
     };
     let rows: Vec<_> = nearest.into_iter().map(row).collect();
-    let caption = "Of each kind the operation, friction and place with the least reserve. Limits \
-        that break something or stop the operation come first, the least reserve at the top; buckling and \
-        the requested overpull follow.";
+    let caption = "For each kind, the operation, friction and place with the least reserve. Limits \
+        that break something or stop the operation are listed first, the least reserve at the top; \
+        buckling and the requested overpull follow.";
     (!rows.is_empty()).then(|| part("Nearest limits", caption.to_owned(), Grid { heads, rows }))
 }
 
-fn reserve(of: &PlanLimitRow) -> f64 {
-    of.factor / of.required
+fn reserve(row: &PlanLimitRow) -> f64 {
+    row.factor / row.required
 }
 
-/// A factor in two decimals; large ones are large.
+/// A factor in two decimals; large ones as "over 100".
 fn two(factor: f64) -> String {
     match factor {
         factor if factor.is_nan() => "–".to_owned(),

@@ -1,4 +1,4 @@
-//! What was measured, on the broomsticks and in a table.
+//! Measured readings, on the broomsticks and in a table.
 
 use super::{Plan, PlanMeasured};
 use crate::operation_words::{colour, four, operation_name};
@@ -6,25 +6,26 @@ use crate::{
     Grid, StudyPart, Verdict,
     figure::{Ink, Key, Mark, Sample, Shape},
     grid_cells::{head, row},
-    plots::Shown,
+    plots::DisplayUnits,
 };
 
-/// The shape of what was measured: no other model's points have it.
+/// The shape of measured points: no other model's points have it.
 const SHAPE: Shape = Shape::Diamond;
 
-/// What was read of some operations: filled in their colours, or grey where it is held out.
+/// Readings of some operations: filled in their colours, or grey where they are held out.
 pub(super) fn marks(
     plan: &Plan,
-    shown: Shown<'_>,
+    display: DisplayUnits<'_>,
     operations: &[&str],
     dimension: &str,
 ) -> Vec<Mark> {
     let of_operation = |name: &str, held_out: bool| {
-        let rows = first_model(plan).filter(|of| of.operation == name && of.held_out == held_out);
-        let rows = rows.filter(|of| of.dimension() == dimension);
-        let place = |of: &PlanMeasured| {
-            let value = shown.value(of.measured - of.block_N, dimension);
-            (shown.value(of.bit_depth_m, "length"), value)
+        let rows =
+            first_model(plan).filter(|row| row.operation == name && row.held_out == held_out);
+        let rows = rows.filter(|row| row.dimension() == dimension);
+        let place = |measured: &PlanMeasured| {
+            let value = display.value(measured.measured - measured.block_N, dimension);
+            (display.value(measured.bit_depth_m, "length"), value)
         };
         rows.map(place).collect::<Vec<_>>()
     };
@@ -40,19 +41,19 @@ pub(super) fn marks(
     marks
 }
 
-/// What the points are called.
+/// Names of the points.
 pub(super) fn keys(plan: &Plan, operations: &[&str], dimension: &str) -> Vec<Key> {
     let key = |held_out: bool, name: &str, ink: Ink| {
-        let is = |of: &PlanMeasured| {
-            of.held_out == held_out
-                && of.dimension() == dimension
-                && operations.contains(&of.operation.as_str())
+        let is = |measured: &PlanMeasured| {
+            measured.held_out == held_out
+                && measured.dimension() == dimension
+                && operations.contains(&measured.operation.as_str())
         };
         first_model(plan)
             .any(is)
             .then(|| Key { name: name.to_owned(), sample: Sample::Point(ink, SHAPE) })
     };
-    let used = operations.first().map_or(Ink::Note, |of| Ink::Line(colour(of)));
+    let used = operations.first().map_or(Ink::Note, |operation| Ink::Line(colour(operation)));
     [key(false, "measured", used), key(true, "measured, held out", Ink::Note)]
         .into_iter()
         .flatten()
@@ -61,44 +62,44 @@ pub(super) fn keys(plan: &Plan, operations: &[&str], dimension: &str) -> Vec<Key
 
 /// Every reading once.
 fn first_model(plan: &Plan) -> impl Iterator<Item = &PlanMeasured> {
-    plan.measured.iter().filter(|of| plan.models.first() == Some(&of.model))
+    plan.measured.iter().filter(|measured| plan.models.first() == Some(&measured.model))
 }
 
-/// Every reading beside its predictions.
-pub(super) fn table(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+/// Every reading with its predictions.
+pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     if plan.measured.is_empty() {
         return None;
     }
     let mut heads = vec![
         head("operation", true),
-        head(format!("bit depth, {}", shown.symbol("length")), false),
+        head(format!("bit depth, {}", display.symbol("length")), false),
         head("place", true),
         head("model", true),
         head("of", true),
         head("measured", false),
     ];
-    heads.extend(["low friction", "expected", "high", "residual"].map(|of| head(of, false)));
+    heads.extend(["low friction", "expected", "high", "residual"].map(|name| head(name, false)));
     heads.push(head("between", true));
-    let rows = plan.measured.iter().map(|of| {
-        let dimension = of.dimension();
-        let number = |value: f64| four(shown.value(value, dimension));
-        let weight = if of.block_N > 0.0 { "weight with block" } else { "weight" };
-        let kind = if of.is_torque { "torque" } else { weight };
+    let rows = plan.measured.iter().map(|measured| {
+        let dimension = measured.dimension();
+        let number = |value: f64| four(display.value(value, dimension));
+        let weight = if measured.block_N > 0.0 { "weight with block" } else { "weight" };
+        let kind = if measured.is_torque { "torque" } else { weight };
         let mut cells = vec![
-            operation_name(&of.operation),
-            format!("{:.0}", shown.value(of.bit_depth_m, "length")),
-            match of.held_out {
-                true => format!("{}, held out", of.place),
-                false => of.place.clone(),
+            operation_name(&measured.operation),
+            format!("{:.0}", display.value(measured.bit_depth_m, "length")),
+            match measured.held_out {
+                true => format!("{}, held out", measured.place),
+                false => measured.place.clone(),
             },
-            of.model.clone(),
-            format!("{kind}, {}", shown.symbol(dimension)),
-            number(of.measured),
+            measured.model.clone(),
+            format!("{kind}, {}", display.symbol(dimension)),
+            number(measured.measured),
         ];
-        cells.extend(of.predicted.map(number));
-        cells.push(number(of.measured - of.predicted[1]));
+        cells.extend(measured.predicted.map(number));
+        cells.push(number(measured.measured - measured.predicted[1]));
         let mut cells = row(cells);
-        cells.push(match (of.between, &of.message) {
+        cells.push(match (measured.between, &measured.message) {
             (Some(true), _) => ("yes".to_owned(), Verdict::Agrees),
             (Some(false), _) => ("no".to_owned(), Verdict::Differs),
             (None, Some(_)) => ("no answer".to_owned(), Verdict::None),
@@ -108,8 +109,9 @@ pub(super) fn table(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     });
     Some(StudyPart::Table {
         title: "Measured".into(),
-        caption: "What was read, beside what low, expected and high friction make of the string and the mud that \
-                  were in the hole. A dash stands where friction does not move it."
+        caption: "Readings, and their predictions with low, expected and high friction for the \
+                  string and the mud that were in the hole. A dash: friction does not change the \
+                  value."
             .into(),
         grid: Grid { heads, rows: rows.collect() },
         files: "plan_measured".into(),

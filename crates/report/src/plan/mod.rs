@@ -1,4 +1,4 @@
-//! What a page reports of a plan, and its pictures.
+//! Contents of the page of a plan, and its pictures.
 
 mod broomstick;
 mod buckling;
@@ -21,10 +21,10 @@ pub use page::plan_html;
 
 use crate::{PageHead, Section, Severity, Uncertain};
 
-/// A plan as its page shows it. Numbers are SI; what has no answer is not a number.
+/// A plan as its page shows it. Numbers are SI; a value without an answer is not a number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// Under the name of the case.
+    /// Head of the page, under the name of the case.
     pub head: PageHead,
     /// Warnings.
     pub message: Option<String>,
@@ -42,15 +42,15 @@ pub struct Plan {
     pub hole: Vec<Section>,
     /// Weight of the block, N.
     pub block_N: Option<f64>,
-    /// What hook load and torque may come to at the surface.
+    /// Allowable hook load and torque at the surface.
     pub surface_limits: Vec<PlanSurfaceLimit>,
-    /// Of each kind of limit and each operation the nearest one, kind after kind.
+    /// For each kind of limit and each operation the nearest one, kind after kind.
     pub limits: Vec<PlanLimitRow>,
     /// The checks that need attention, the most severe first.
     pub checks: Vec<PlanVerdict>,
-    /// Of each operation what would break first, in sentences, in SI, metric and field units.
+    /// For each operation the governing limit, in sentences, in SI, metric and field units.
     pub first: [Vec<String>; 3],
-    /// What could not be checked, and what is missing for it.
+    /// Limits that could not be checked, and the missing numbers.
     pub unchecked: Vec<String>,
     /// The parts of the campaign that fatigue and casing wear count.
     pub counted: Vec<String>,
@@ -58,39 +58,39 @@ pub struct Plan {
     pub not_counted: Vec<String>,
     /// Fatigue of each component.
     pub fatigue: Vec<PlanFatigueRow>,
-    /// Of each casing the stretch that is worn most.
+    /// For each casing the most worn stretch.
     pub wear: Vec<PlanWearRow>,
-    /// What the dynamics says of a string that sets itself in motion.
+    /// Dynamic results of a string that is set in motion from rest.
     pub events: Vec<PlanEvent>,
-    /// Weight on bit of what drills, N.
+    /// Weight on bit of operations that drill, N.
     pub weight_on_bit_N: Option<f64>,
-    /// What comes of numbers that are not known exactly; none where all are.
+    /// Effect of uncertain numbers; `None` where all are exact.
     pub uncertain: Option<Uncertain>,
-    /// What was measured, model after model.
+    /// Measured readings, model after model.
     pub measured: Vec<PlanMeasured>,
     /// Another program's curves.
     pub overlay: Option<PlanOverlay>,
 }
 
-/// Another program's curves of a file, and how far ours lie from them.
+/// Another program's curves from a file, and the differences of ours from them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOverlay {
     /// Name of the file.
     pub file: String,
     /// Model after model, operation after operation, down the hole.
     pub rows: Vec<PlanOverlayRow>,
-    /// Of each model, operation and quantity.
+    /// For each model, operation and quantity.
     pub differences: Vec<PlanOverlayDifference>,
 }
 
 /// A weight or torque of another program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOverlayRow {
-    /// Name of our model beside it.
+    /// Name of our model that it is compared with.
     pub model: String,
     /// Name of the operation.
     pub operation: String,
-    /// Whether it is a torque and no hook load.
+    /// Whether it is a torque rather than a hook load.
     pub is_torque: bool,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
@@ -104,53 +104,54 @@ impl PlanOverlayRow {
     }
 }
 
-/// How far ours lies from theirs.
+/// Difference between our curve and theirs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOverlayDifference {
     /// Name of our model.
     pub model: String,
     /// Name of the operation.
     pub operation: String,
-    /// Whether of torques and not of hook loads.
+    /// Whether it is of torques rather than of hook loads.
     pub is_torque: bool,
-    /// At how many depths both are known.
+    /// Number of depths at which both are known.
     pub count: usize,
     /// Mean of ours less theirs, N or N·m.
     pub mean: f64,
-    /// The one that is farthest from zero.
+    /// The difference farthest from zero.
     pub largest: f64,
-    /// Measured depth of the bit there, m.
+    /// Measured depth of the bit at that difference, m.
     pub largest_at_m: f64,
-    /// Theirs there.
+    /// Their value at that difference.
     pub theirs_there: f64,
-    /// The largest as a part of theirs; none where theirs is zero.
+    /// The largest difference as a part of their value; `None` where that is zero.
     pub largest_part: Option<f64>,
 }
 
-/// A weight or torque that was read, beside what a model makes of it.
+/// A measured weight or torque, with a model's prediction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanMeasured {
     /// Name of the model.
     pub model: String,
-    /// Where it stands in its file.
+    /// Place of the reading in its file.
     pub place: String,
     /// Name of the operation.
     pub operation: String,
-    /// Whether it is a torque and no weight.
+    /// Whether it is a torque rather than a weight.
     pub is_torque: bool,
-    /// Held out of a calibration.
+    /// Whether it is held out of a calibration.
     pub held_out: bool,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// As it was read, N or N·m; weights with the block's.
+    /// Measured value, N or N·m; weights include the block.
     pub measured: f64,
-    /// Weight of the block that it holds, N.
+    /// Weight of the block that it includes, N.
     pub block_N: f64,
-    /// The same with low, expected and high friction; not a number without an answer.
+    /// Predicted with low, expected and high friction; not a number without an answer.
     pub predicted: [f64; 3],
-    /// Whether it lies between the first and the last; none where friction does not move it.
+    /// Whether it is between the first and the last prediction; `None` where friction does not
+    /// change them.
     pub between: Option<bool>,
-    /// Why there is no answer.
+    /// Reason why there is no answer.
     pub message: Option<String>,
 }
 
@@ -165,9 +166,9 @@ impl PlanMeasured {
 pub struct PlanLevel {
     /// `low`, `expected` or `high`.
     pub name: String,
-    /// What stands at the ends of its lines: `0.25`, or `0.2 / 0.3` of casing and rock.
+    /// Label at the ends of its lines: `0.25`, or `0.2 / 0.3` for casing and rock.
     pub label: String,
-    /// Each kind of hole with its coefficients along the hole and around it, as people read them.
+    /// Each kind of hole with its coefficients of axial and rotational friction, as shown to users.
     pub sections: Vec<String>,
 }
 
@@ -197,11 +198,11 @@ pub struct PlanSpot {
     pub buckling: String,
     /// The most severe finding and its severity.
     pub worst: Option<(String, Severity)>,
-    /// Why there is no answer.
+    /// Reason why there is no answer.
     pub message: Option<String>,
 }
 
-/// Weights on bit under which the string begins to buckle, down the hole.
+/// Weights on bit at which the string begins to buckle, down the hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BucklingCurve {
     /// `drill` or `slide`.
@@ -212,12 +213,12 @@ pub struct BucklingCurve {
     pub points: Vec<(f64, [f64; 2])>,
 }
 
-/// A load against what bears it.
+/// A load against its capacity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanLimitRow {
-    /// Whether something breaks or stops where it is passed.
+    /// Whether exceeding it breaks something or stops the operation.
     pub breaks: bool,
-    /// What it is of.
+    /// Kind of the limit.
     pub kind: String,
     /// Name of the operation.
     pub operation: String,
@@ -225,9 +226,9 @@ pub struct PlanLimitRow {
     pub friction: String,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// The component; empty of the rig.
+    /// The component; empty for the rig.
     pub component: String,
-    /// Where, measured depth in m; none of the rig.
+    /// Measured depth, m; `None` for the rig.
     pub md_m: Option<f64>,
     /// The load, SI.
     pub load: f64,
@@ -241,18 +242,18 @@ pub struct PlanLimitRow {
     pub required: f64,
     /// The verdict in words.
     pub verdict: String,
-    /// How serious it is.
+    /// Its severity.
     pub severity: Severity,
 }
 
 /// A check that needs attention.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanVerdict {
-    /// How serious it is.
+    /// Its severity.
     pub severity: Severity,
     /// The verdict in words.
     pub verdict: String,
-    /// What is compared or reported, for people.
+    /// Quantity that is compared, or state that is reported, as shown to users.
     pub label: String,
     /// Name of the model.
     pub model: String,
@@ -273,18 +274,18 @@ pub struct PlanFatigueRow {
     pub model: String,
     /// The component.
     pub component: String,
-    /// Part of its life that the campaign takes.
+    /// Part of its life that the campaign uses up.
     pub damage: f64,
-    /// What an hour of drilling costs at the deepest depth; none where nothing drills.
+    /// Fatigue of an hour of drilling at the deepest depth; `None` where nothing drills.
     pub hour: Option<PlanFatigueHourRow>,
 }
 
-/// What an hour of drilling costs where it costs most.
+/// Fatigue of an hour of drilling at the place of the largest damage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanFatigueHourRow {
     /// Measured depth, m.
     pub md_m: f64,
-    /// Part of the life that goes.
+    /// Part of the life used up.
     pub damage_per_hour: f64,
     /// Amplitude of the bending stress, Pa.
     pub bending_Pa: f64,
@@ -292,7 +293,7 @@ pub struct PlanFatigueHourRow {
     pub doglegs_rad_per_m: [f64; 2],
 }
 
-/// Wear of a casing where it is worn most; what is not known is not a number.
+/// Wear of a casing at its most worn place; an unknown number is not a number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanWearRow {
     /// Name of the model.
@@ -303,9 +304,9 @@ pub struct PlanWearRow {
     pub md_m: f64,
     /// Depth of the groove, m.
     pub groove_m: f64,
-    /// Wall that is left, m.
+    /// Remaining wall, m.
     pub wall_left_m: f64,
-    /// Part of the wall that is gone.
+    /// Worn part of the wall.
     pub worn: f64,
     /// Burst of the new and of the worn casing, Pa.
     pub burst_Pa: [f64; 2],
@@ -313,20 +314,20 @@ pub struct PlanWearRow {
     pub collapse_Pa: [f64; 2],
 }
 
-/// A string that sets itself in motion, with the bit at one depth and one friction.
+/// A string that is set in motion from rest, with the bit at one depth and one friction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanEvent {
-    /// What it is: `pick-up from slips`.
+    /// Its name: `pick-up from slips`.
     pub name: String,
     /// Place of its friction among [`Plan::levels`].
     pub level: usize,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// Its peaks; none where there is no answer.
+    /// Its peaks; empty where there is no answer.
     pub peaks: Vec<PlanPeakRow>,
-    /// What breaks the gel, Pa, where it is known.
+    /// Pressure that breaks the gel, Pa, where it is known.
     pub gel_Pa: Option<f64>,
-    /// What that takes off the hook load, N.
+    /// Reduction of the hook load by it, N.
     pub gel_lift_N: f64,
     /// Time from its beginning, s.
     pub time_s: Vec<f64>,
@@ -336,11 +337,11 @@ pub struct PlanEvent {
     pub torque_N_m: Vec<f64>,
     /// Pressure of the pump, Pa.
     pub pump_Pa: Vec<f64>,
-    /// Why there is no answer, or a warning.
+    /// Reason why there is no answer, or a warning.
     pub message: Option<String>,
 }
 
-/// A peak; what is not known is not a number.
+/// A peak; an unknown number is not a number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanPeakRow {
     /// `hook load`, `surface torque` or `pump pressure`.
@@ -349,19 +350,19 @@ pub struct PlanPeakRow {
     pub dimension: String,
     /// Before, SI.
     pub at_rest: f64,
-    /// Farthest from that, SI.
+    /// Sample farthest from that, SI.
     pub peak: f64,
-    /// When, s from the beginning.
+    /// Time of the peak, s from the beginning.
     pub time_s: f64,
-    /// What it comes to, SI.
+    /// Final value, SI.
     pub steady: f64,
-    /// Peak over that.
+    /// Peak over final value.
     pub ratio: f64,
-    /// What the peak has beyond that, as a part of the change.
+    /// Excess of the peak over the final value, as a part of the change.
     pub overshoot: f64,
 }
 
-/// What the mud does in a plan.
+/// Pressures and densities of the mud in a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanMud {
     /// Name of the operation whose pumps run.
@@ -381,30 +382,30 @@ pub struct PlanMudRow {
     pub bit_depth_m: f64,
     /// Pressure at the standpipe, Pa.
     pub standpipe_Pa: f64,
-    /// Equivalent density at the casing shoe, kg/m³: circulating, running in closed and open, pulling
-    /// out closed and open; not a number without casing.
+    /// Equivalent density at the casing shoe, kg/m³: circulating, running in closed and open,
+    /// pulling out closed and open; not a number without casing.
     pub at_shoe_kg_per_m3: [f64; 5],
     /// The same at the bit.
     pub at_bit_kg_per_m3: [f64; 5],
 }
 
-/// What hook load or torque may come to at the surface.
+/// Allowable hook load or torque at the surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanSurfaceLimit {
-    /// What the line is called: `hoist`, `pipe, torsion`, ...
+    /// Label of the line: `hoist`, `pipe, torsion`, ...
     pub title: String,
-    /// Whether it is of torque and not of hook load.
+    /// Whether it limits torque rather than hook load.
     pub is_torque: bool,
-    /// N without the block, or N·m, with the factor that is required.
+    /// Allowable value by the required factor, N without the block, or N·m.
     pub allowed: f64,
 }
 
-/// A limit farther beyond the curves than this part of them is told, not drawn: it would flatten
-/// them.
+/// A limit beyond the curves by more than this factor is written, not drawn, because it would
+/// flatten them.
 const FAR: f64 = 1.35;
 
 impl PlanSurfaceLimit {
-    /// Whether it is drawn beside curves that come to so much.
+    /// Whether it is drawn with curves up to this value.
     pub fn is_near(&self, largest: f64) -> bool {
         self.allowed <= FAR * largest
     }
@@ -413,21 +414,21 @@ impl PlanSurfaceLimit {
 impl Plan {
     /// The curves of a model and an operation, from the least friction to the most.
     fn of<'a>(&'a self, model: &'a str, operation: &'a str) -> impl Iterator<Item = &'a PlanCurve> {
-        self.curves.iter().filter(move |of| of.model == model && of.operation == operation)
+        self.curves.iter().filter(move |curve| curve.model == model && curve.operation == operation)
     }
 
-    /// What a force or a torque may come to at the surface; nothing of other dimensions.
+    /// The surface limits of a force or a torque; none for other dimensions.
     fn surface<'a>(&'a self, dimension: &'a str) -> impl Iterator<Item = &'a PlanSurfaceLimit> {
-        let of_it = |of: &&PlanSurfaceLimit| if of.is_torque { "torque" } else { "force" };
-        self.surface_limits.iter().filter(move |of| of_it(of) == dimension)
+        let of_it = |limit: &&PlanSurfaceLimit| if limit.is_torque { "torque" } else { "force" };
+        self.surface_limits.iter().filter(move |surface_limit| of_it(surface_limit) == dimension)
     }
 
     /// Operations in their order.
     fn operations(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
-        for of in &self.curves {
-            if !names.contains(&of.operation.as_str()) {
-                names.push(&of.operation);
+        for curve in &self.curves {
+            if !names.contains(&curve.operation.as_str()) {
+                names.push(&curve.operation);
             }
         }
         names

@@ -1,4 +1,4 @@
-//! Peaks of a string that sets itself in motion: their picture and their table.
+//! Peaks of a string that is set in motion: their picture and their table.
 
 use super::{FAR, Plan, PlanEvent, PlanPeakRow, broomstick::STROKES};
 use crate::grid_cells::{head, row};
@@ -6,14 +6,14 @@ use crate::operation_words::four;
 use crate::{
     Grid, StudyPart,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape},
-    plots::Shown,
+    plots::DisplayUnits,
     thin::thinned,
 };
 
-/// Points of a curve.
+/// Largest number of points of a curve.
 const POINTS: usize = 600;
 
-/// What a panel shows.
+/// Quantity of a panel.
 #[derive(Clone, Copy)]
 struct Shows {
     title: &'static str,
@@ -25,25 +25,25 @@ struct Shows {
 const HOOK: Shows = Shows {
     title: "hook load",
     dimension: "force",
-    series: |of| &of.hook_load_N,
-    peak: |of| of.peaks.iter().find(|of| of.quantity == "hook load"),
+    series: |event| &event.hook_load_N,
+    peak: |event| event.peaks.iter().find(|peak| peak.quantity == "hook load"),
 };
 const TORQUE: Shows = Shows {
     title: "surface torque",
     dimension: "torque",
-    series: |of| &of.torque_N_m,
-    peak: |of| of.peaks.iter().find(|of| of.quantity == "surface torque"),
+    series: |event| &event.torque_N_m,
+    peak: |event| event.peaks.iter().find(|peak| peak.quantity == "surface torque"),
 };
 const PUMP: Shows = Shows {
     title: "pump pressure",
     dimension: "pressure",
-    series: |of| &of.pump_Pa,
-    peak: |of| of.peaks.iter().find(|of| of.quantity == "pump pressure"),
+    series: |event| &event.pump_Pa,
+    peak: |event| event.peaks.iter().find(|peak| peak.quantity == "pump pressure"),
 };
 
-/// Depths of the events, growing.
+/// Depths of the events, increasing.
 fn depths_m(plan: &Plan) -> Vec<f64> {
-    let mut depths: Vec<f64> = plan.events.iter().map(|of| of.bit_depth_m).collect();
+    let mut depths: Vec<f64> = plan.events.iter().map(|event| event.bit_depth_m).collect();
     depths.sort_by(f64::total_cmp);
     depths.dedup();
     depths
@@ -52,27 +52,28 @@ fn depths_m(plan: &Plan) -> Vec<f64> {
 /// Names of the events, in their order.
 fn names(plan: &Plan) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
-    for of in &plan.events {
-        if !names.contains(&of.name.as_str()) {
-            names.push(&of.name);
+    for event in &plan.events {
+        if !names.contains(&event.name.as_str()) {
+            names.push(&event.name);
         }
     }
     names
 }
 
-/// Each event against time: hook load, and torque or pressure where the string turns or the pump starts.
-pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
+/// Each event against time: hook load, and torque or pressure where the string turns or the pump
+/// starts.
+pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
     let mut panels = Vec::new();
     for name in names(plan) {
         for shows in [HOOK, TORQUE, PUMP] {
-            // What turns and does not move along pulls no more than before.
-            let is_shown = |of: &&PlanEvent| {
-                let turns = (TORQUE.peak)(of).is_some() && shows.dimension == "force";
-                of.name == name && (shows.peak)(of).is_some() && !turns
+            // A string that rotates without axial motion has no change of hook load.
+            let is_shown = |event: &&PlanEvent| {
+                let turns = (TORQUE.peak)(event).is_some() && shows.dimension == "force";
+                event.name == name && (shows.peak)(event).is_some() && !turns
             };
             let events: Vec<&PlanEvent> = plan.events.iter().filter(is_shown).collect();
             if !events.is_empty() {
-                panels.push(panel(plan, shown, name, shows, &events));
+                panels.push(panel(plan, display, name, shows, &events));
             }
         }
     }
@@ -80,16 +81,16 @@ pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
         return None;
     }
     let depths = depths_m(plan).into_iter().enumerate().map(|(place, depth_m)| Key {
-        name: format!("bit at {}", shown.quantity(depth_m.round(), "length")),
+        name: format!("bit at {}", display.quantity(depth_m.round(), "length")),
         sample: Sample::Line(Ink::Line(place), STROKES[1]),
     });
-    let mut levels: Vec<usize> = plan.events.iter().map(|of| of.level).collect();
+    let mut levels: Vec<usize> = plan.events.iter().map(|event| event.level).collect();
     levels.sort_unstable();
     levels.dedup();
     let several = levels.len() > 1;
     let levels = levels.into_iter().filter(|_| several).filter_map(|level| {
-        let of = plan.levels.get(level)?;
-        let name = format!("{} friction, {}", of.name, of.label);
+        let levels = plan.levels.get(level)?;
+        let name = format!("{} friction, {}", levels.name, levels.label);
         Some(Key { name, sample: Sample::Line(Ink::Note, STROKES[level % STROKES.len()]) })
     });
     let peak = Key { name: "peak".to_owned(), sample: Sample::Point(Ink::Note, Shape::Circle) };
@@ -105,28 +106,34 @@ pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
     })
 }
 
-fn panel(plan: &Plan, shown: Shown<'_>, name: &str, shows: Shows, events: &[&PlanEvent]) -> Panel {
+fn panel(
+    plan: &Plan,
+    display: DisplayUnits<'_>,
+    name: &str,
+    shows: Shows,
+    events: &[&PlanEvent],
+) -> Panel {
     let depths = depths_m(plan);
     let mut marks = Vec::new();
-    let value = |si: f64| shown.value(si, shows.dimension);
+    let value = |si: f64| display.value(si, shows.dimension);
     let mut largest: f64 = 0.0;
-    for of in events {
-        let place = depths.iter().position(|depth| *depth == of.bit_depth_m).unwrap_or(0);
-        let (ink, stroke) = (Ink::Line(place), STROKES[of.level % STROKES.len()]);
-        let (times_s, thin) = thinned(&of.time_s, &[(shows.series)(of)], POINTS);
+    for event in events {
+        let place = depths.iter().position(|depth| *depth == event.bit_depth_m).unwrap_or(0);
+        let (ink, stroke) = (Ink::Line(place), STROKES[event.level % STROKES.len()]);
+        let (times_s, thin) = thinned(&event.time_s, &[(shows.series)(event)], POINTS);
         let points = times_s.into_iter().zip(thin.into_iter().flatten());
         let points = points.map(|(time_s, si)| (time_s, value(si))).collect();
         marks.push(Mark::Curve { ink, stroke, points });
-        if let Some(peak) = (shows.peak)(of) {
+        if let Some(peak) = (shows.peak)(event) {
             largest = largest.max(peak.peak.abs());
             let points = vec![(peak.time_s, value(peak.peak))];
             marks.push(Mark::Points { ink, shape: Shape::Circle, points });
         }
-        if let (Some(gel_Pa), "pressure") = (of.gel_Pa, shows.dimension) {
+        if let (Some(gel_Pa), "pressure") = (event.gel_Pa, shows.dimension) {
             largest = largest.max(gel_Pa);
             let label = match depths.len() {
                 1 => "gel".to_owned(),
-                _ => format!("gel, {}", shown.quantity(of.bit_depth_m.round(), "length")),
+                _ => format!("gel, {}", display.quantity(event.bit_depth_m.round(), "length")),
             };
             marks.push(Mark::OwnRule { at: value(gel_Pa), label });
         }
@@ -134,11 +141,13 @@ fn panel(plan: &Plan, shown: Shown<'_>, name: &str, shows: Shows, events: &[&Pla
     let pump_Pa = plan.mud.as_ref().and_then(|mud| mud.pump_limit_Pa);
     let pump_Pa = pump_Pa.filter(|limit| shows.dimension == "pressure" && *limit <= FAR * largest);
     marks.extend(pump_Pa.map(|at| Mark::OwnRule { at: value(at), label: "limit".to_owned() }));
-    let near = plan.surface(shows.dimension).filter(|of| of.is_near(largest));
-    marks.extend(near.map(|of| Mark::OwnRule { at: value(of.allowed), label: of.title.clone() }));
+    let near = plan.surface(shows.dimension).filter(|surface| surface.is_near(largest));
+    marks.extend(
+        near.map(|near| Mark::OwnRule { at: value(near.allowed), label: near.title.clone() }),
+    );
     let range = if shows.dimension == "force" { Range::Near } else { Range::Zero };
     let title = format!("{}: {}", capital(name), shows.title);
-    Panel::new(Axis::new(shown.label(&title, shows.dimension), range), marks)
+    Panel::new(Axis::new(display.label(&title, shows.dimension), range), marks)
 }
 
 fn capital(text: &str) -> String {
@@ -147,7 +156,7 @@ fn capital(text: &str) -> String {
 }
 
 /// Every peak.
-pub(super) fn table(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let heads = vec![
         head("event", true),
         head("quantity", true),
@@ -156,37 +165,37 @@ pub(super) fn table(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         head("at rest", false),
         head("peak", false),
         head("after, s", false),
-        head("comes to", false),
-        head("peak over that", false),
-        head("beyond the change", false),
+        head("final value", false),
+        head("peak over final value", false),
+        head("overshoot", false),
         head("note", true),
     ];
     let quantity = |si: f64, dimension: &str| {
-        format!("{} {}", four(shown.value(si, dimension)), shown.symbol(dimension))
+        format!("{} {}", four(display.value(si, dimension)), display.symbol(dimension))
     };
-    let part = |of: f64| match of.is_nan() {
+    let part = |part: f64| match part.is_nan() {
         true => String::new(),
-        false => format!("{:.1} %", 100.0 * of),
+        false => format!("{:.1} %", 100.0 * part),
     };
     let mut rows = Vec::new();
     for event in &plan.events {
-        let level = plan.levels.get(event.level).map_or("", |of| of.name.as_str());
-        let bit = shown.quantity(event.bit_depth_m.round(), "length");
+        let level = plan.levels.get(event.level).map_or("", |level| level.name.as_str());
+        let bit = display.quantity(event.bit_depth_m.round(), "length");
         let whose =
             |what: &str| [event.name.clone(), what.to_owned(), level.to_owned(), bit.clone()];
-        for (place, of) in event.peaks.iter().enumerate() {
+        for (place, peak) in event.peaks.iter().enumerate() {
             let note =
                 if place == 0 { event.message.clone().unwrap_or_default() } else { String::new() };
             let cells = [
-                quantity(of.at_rest, &of.dimension),
-                quantity(of.peak, &of.dimension),
-                format!("{:.2}", of.time_s),
-                quantity(of.steady, &of.dimension),
-                if of.ratio.is_nan() { String::new() } else { format!("{:.3}", of.ratio) },
-                part(of.overshoot),
+                quantity(peak.at_rest, &peak.dimension),
+                quantity(peak.peak, &peak.dimension),
+                format!("{:.2}", peak.time_s),
+                quantity(peak.steady, &peak.dimension),
+                if peak.ratio.is_nan() { String::new() } else { format!("{:.3}", peak.ratio) },
+                part(peak.overshoot),
                 note,
             ];
-            rows.push(row(whose(of.quantity).into_iter().chain(cells).collect()));
+            rows.push(row(whose(peak.quantity).into_iter().chain(cells).collect()));
         }
         if let Some(gel_Pa) = event.gel_Pa {
             let note = format!(
@@ -212,10 +221,10 @@ pub(super) fn table(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     }
     (!rows.is_empty()).then(|| StudyPart::Table {
         title: "Peaks".to_owned(),
-        caption: "What a string that hangs at rest comes to as it sets itself in motion, by the dynamics: what \
-            it is farthest from rest at, and the mean over the last quarter of the watch. Beyond the change: what \
-            the peak has over that, as a part of what changes. Their limits stand among the others, as of \
-            \"dynamics\"."
+        caption: "Response of a string that is set in motion from rest, by the dynamics: the \
+            sample farthest from the value at rest, and the final value, the mean over the last \
+            quarter of the observed time. Overshoot: excess of the peak over the final value, as a \
+            part of the change. Their limits are among the others, with the model \"dynamics\"."
             .to_owned(),
         grid: Grid { heads, rows },
         files: "plan_peaks".to_owned(),

@@ -3,9 +3,9 @@
 use super::{Plan, PlanSpot, mud::STATES};
 use crate::grid_cells::{head, row};
 use crate::operation_words::{four, on_bottom, operation_name, rotates};
-use crate::{Grid, StudyPart, Verdict, plots::Shown};
+use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
 
-/// Reasons that are listed; more are counted.
+/// Number of reasons that are listed; further ones are counted.
 const REASONS: usize = 8;
 
 type Row = Vec<(String, Verdict)>;
@@ -20,10 +20,11 @@ fn part(title: String, caption: &str, grid: Grid, files: &str) -> StudyPart {
     }
 }
 
-/// What each level of friction is.
+/// The levels of friction.
 pub(super) fn frictions(plan: &Plan) -> StudyPart {
     let heads = vec![head("friction", true), head("coefficients along the hole", true)];
-    let rows = plan.levels.iter().map(|of| row(vec![of.name.clone(), of.sections.join("; ")]));
+    let rows =
+        plan.levels.iter().map(|level| row(vec![level.name.clone(), level.sections.join("; ")]));
     part(
         "Friction".into(),
         "Low, expected and high friction of this plan.",
@@ -33,11 +34,12 @@ pub(super) fn frictions(plan: &Plan) -> StudyPart {
 }
 
 /// Every operation at the deepest depth.
-pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+pub(super) fn at_depth(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let deepest = |points: &[PlanSpot]| points.last().cloned();
-    let depth_m = plan.curves.iter().filter_map(|of| deepest(&of.points)).next_back()?.bit_depth_m;
+    let depth_m =
+        plan.curves.iter().filter_map(|curve| deepest(&curve.points)).next_back()?.bit_depth_m;
     let block_N = plan.block_N;
-    let (force, torque) = (shown.symbol("force"), shown.symbol("torque"));
+    let (force, torque) = (display.symbol("force"), display.symbol("torque"));
     let mut heads = vec![
         head("operation", true),
         head("friction", true),
@@ -50,14 +52,14 @@ pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         head("buckling", true),
         head("most severe check", true),
     ]);
-    let rows = plan.curves.iter().filter_map(|of| {
-        let spot = deepest(&of.points)?;
-        let level = plan.levels.get(of.level)?;
-        let quantity = |si: f64, dimension: &str| four(shown.value(si, dimension));
+    let rows = plan.curves.iter().filter_map(|curve| {
+        let spot = deepest(&curve.points)?;
+        let level = plan.levels.get(curve.level)?;
+        let quantity = |si: f64, dimension: &str| four(display.value(si, dimension));
         let mut cells = vec![
-            operation_name(&of.operation),
+            operation_name(&curve.operation),
             format!("{}, {}", level.name, level.label),
-            of.model.clone(),
+            curve.model.clone(),
             quantity(spot.hook_load_N, "force"),
         ];
         cells.extend(block_N.map(|block| quantity(spot.hook_load_N + block, "force")));
@@ -69,7 +71,7 @@ pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         Some(row(cells))
     });
     let grid = Grid { heads, rows: rows.collect() };
-    let title = format!("With the bit at {}", shown.depth(depth_m));
+    let title = format!("With the bit at {}", display.depth(depth_m));
     let caption =
         "Every operation at the deepest depth of the plan; the workbook has them all.".to_owned();
     let (files, endings) = ("plan".to_owned(), &["xlsx"][..]);
@@ -77,20 +79,20 @@ pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
 }
 
 /// A number of every operation with every friction against depth, for each model.
-pub(super) fn against_depth(plan: &Plan, shown: Shown<'_>) -> Vec<StudyPart> {
+pub(super) fn against_depth(plan: &Plan, display: DisplayUnits<'_>) -> Vec<StudyPart> {
     let mut parts = Vec::new();
     for model in &plan.models {
-        let hook = grid(plan, shown, model, "force", |of| of.hook_load_N, |_| true);
+        let hook = grid(plan, display, model, "force", |spot| spot.hook_load_N, |_| true);
         parts.push(part(
-            format!("Hook load without block, {}, {model} string", shown.symbol("force")),
+            format!("Hook load without block, {}, {model} string", display.symbol("force")),
             "Against the depth of the bit.",
             hook,
             "plan_broomstick",
         ));
-        let torque = grid(plan, shown, model, "torque", |of| of.torque_N_m, rotates);
+        let torque = grid(plan, display, model, "torque", |spot| spot.torque_N_m, rotates);
         if torque.heads.len() > 1 {
             parts.push(part(
-                format!("Surface torque, {}, {model} string", shown.symbol("torque")),
+                format!("Surface torque, {}, {model} string", display.symbol("torque")),
                 "Against the depth of the bit.",
                 torque,
                 "plan_broomstick",
@@ -102,18 +104,18 @@ pub(super) fn against_depth(plan: &Plan, shown: Shown<'_>) -> Vec<StudyPart> {
 
 fn grid(
     plan: &Plan,
-    shown: Shown<'_>,
+    display: DisplayUnits<'_>,
     model: &str,
     dimension: &str,
-    of: fn(&PlanSpot) -> f64,
+    spot: fn(&PlanSpot) -> f64,
     is_shown: fn(&str) -> bool,
 ) -> Grid {
-    let mut heads = vec![head(format!("bit depth, {}", shown.symbol("length")), false)];
+    let mut heads = vec![head(format!("bit depth, {}", display.symbol("length")), false)];
     let mut columns = Vec::new();
-    // Trip in to the left, trip out to the right, then what drills.
+    // Trip in to the left, trip out to the right, then operations that drill.
     let mut operations = plan.operations();
-    operations.sort_by_key(|of| (on_bottom(of), order(of)));
-    for operation in operations.into_iter().filter(|of| is_shown(of)) {
+    operations.sort_by_key(|operation| (on_bottom(operation), order(operation)));
+    for operation in operations.into_iter().filter(|operation| is_shown(operation)) {
         for curve in plan.of(model, operation) {
             let level = plan.levels.get(curve.level).map_or("", |level| &level.label);
             heads.push(head(format!("{} {level}", operation_name(operation)), false));
@@ -123,10 +125,10 @@ fn grid(
     let rows = columns.first().map_or(0, |first| first.points.len());
     let rows = (0..rows).map(|place| {
         let depth_m = columns[0].points[place].bit_depth_m;
-        let mut cells = vec![format!("{:.0}", shown.value(depth_m, "length"))];
+        let mut cells = vec![format!("{:.0}", display.value(depth_m, "length"))];
         cells.extend(columns.iter().map(|curve| {
-            let value = curve.points.get(place).map_or(f64::NAN, of);
-            four(shown.value(value, dimension))
+            let value = curve.points.get(place).map_or(f64::NAN, spot);
+            four(display.value(value, dimension))
         }));
         row(cells)
     });
@@ -141,68 +143,69 @@ fn order(operation: &str) -> u8 {
     }
 }
 
-/// Weights to buckle against depth, with the friction that is expected.
-pub(super) fn buckling(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
-    let force = shown.symbol("force");
+/// Weights to buckle against depth, with the expected friction.
+pub(super) fn buckling(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
+    let force = display.symbol("force");
     let expected = plan.levels.len() / 2;
-    let curves: Vec<_> = plan.buckling.iter().filter(|of| of.level == expected).collect();
+    let curves: Vec<_> =
+        plan.buckling.iter().filter(|buckling| buckling.level == expected).collect();
     let first = curves.first()?;
-    let mut heads = vec![head(format!("bit depth, {}", shown.symbol("length")), false)];
-    for of in &curves {
+    let mut heads = vec![head(format!("bit depth, {}", display.symbol("length")), false)];
+    for curve in &curves {
         for shape in ["sinusoid", "helix"] {
-            heads.push(head(format!("{}: {shape}", operation_name(&of.operation)), false));
+            heads.push(head(format!("{}: {shape}", operation_name(&curve.operation)), false));
         }
     }
     let rows = (0..first.points.len()).map(|place| {
-        let mut cells = vec![format!("{:.0}", shown.value(first.points[place].0, "length"))];
-        for of in &curves {
-            let weights_N = of.points.get(place).map_or([f64::NAN; 2], |of| of.1);
-            cells.extend(weights_N.map(|weight| four(shown.value(weight, "force"))));
+        let mut cells = vec![format!("{:.0}", display.value(first.points[place].0, "length"))];
+        for curve in &curves {
+            let weights_N = curve.points.get(place).map_or([f64::NAN; 2], |point| point.1);
+            cells.extend(weights_N.map(|weight| four(display.value(weight, "force"))));
         }
         row(cells)
     });
     let grid = Grid { heads, rows: rows.collect() };
     let title = format!("Least weight on bit to buckle, {force}");
-    Some(part(title, "With the friction that is expected.", grid, "plan_buckling"))
+    Some(part(title, "With the expected friction.", grid, "plan_buckling"))
 }
 
 /// The mud against depth.
-pub(super) fn mud(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+pub(super) fn mud(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let mud = plan.mud.as_ref().filter(|mud| !mud.rows.is_empty())?;
     let has_shoe = mud.rows.iter().any(|row| row.at_shoe_kg_per_m3[0].is_finite());
     let mut heads = vec![
-        head(format!("bit depth, {}", shown.symbol("length")), false),
-        head(format!("standpipe, {}", shown.symbol("pressure")), false),
+        head(format!("bit depth, {}", display.symbol("length")), false),
+        head(format!("standpipe, {}", display.symbol("pressure")), false),
     ];
     for place in ["bit", "shoe"].into_iter().take(if has_shoe { 2 } else { 1 }) {
         heads.extend(STATES.iter().map(|state| head(format!("{place}: {state}"), false)));
     }
-    let density = |value: f64| four(shown.value(value, "density"));
-    let rows = mud.rows.iter().map(|of| {
+    let density = |value: f64| four(display.value(value, "density"));
+    let rows = mud.rows.iter().map(|mud_row| {
         let mut cells = vec![
-            format!("{:.0}", shown.value(of.bit_depth_m, "length")),
-            four(shown.value(of.standpipe_Pa, "pressure")),
+            format!("{:.0}", display.value(mud_row.bit_depth_m, "length")),
+            four(display.value(mud_row.standpipe_Pa, "pressure")),
         ];
-        cells.extend(of.at_bit_kg_per_m3.map(density));
+        cells.extend(mud_row.at_bit_kg_per_m3.map(density));
         if has_shoe {
-            cells.extend(of.at_shoe_kg_per_m3.map(density));
+            cells.extend(mud_row.at_shoe_kg_per_m3.map(density));
         }
         row(cells)
     });
     let grid = Grid { heads, rows: rows.collect() };
-    let title = format!("Mud: equivalent density, {}", shown.symbol("density"));
+    let title = format!("Mud: equivalent density, {}", display.symbol("density"));
     let caption = "Pumps as while drilling, or as the first operation that circulates.";
     Some(part(title, caption, grid, "plan_hydraulics"))
 }
 
-/// What has no answer, and why.
+/// Points without an answer, and the reasons.
 pub(super) fn without_answer(plan: &Plan) -> Option<StudyPart> {
     let mut reasons: Vec<(String, usize)> = Vec::new();
-    for of in &plan.curves {
-        for message in of.points.iter().filter_map(|spot| spot.message.as_ref()) {
-            let level = plan.levels.get(of.level).map_or("", |level| &level.name);
-            let operation = operation_name(&of.operation);
-            let text = format!("{operation}, {level} friction, {} string: {message}", of.model);
+    for curve in &plan.curves {
+        for message in curve.points.iter().filter_map(|spot| spot.message.as_ref()) {
+            let level = plan.levels.get(curve.level).map_or("", |level| &level.name);
+            let operation = operation_name(&curve.operation);
+            let text = format!("{operation}, {level} friction, {} string: {message}", curve.model);
             match reasons.iter_mut().find(|(reason, _)| *reason == text) {
                 Some((_, count)) => *count += 1,
                 None => reasons.push((text, 1)),
@@ -223,10 +226,5 @@ pub(super) fn without_answer(plan: &Plan) -> Option<StudyPart> {
         rows.push(row(vec!["other reasons, in the table".into(), more.to_string()]));
     }
     let grid = Grid { heads, rows };
-    Some(part(
-        "Without an answer".into(),
-        "Points that were tried in vain.",
-        grid,
-        "plan_broomstick",
-    ))
+    Some(part("Without an answer".into(), "Points without a solution.", grid, "plan_broomstick"))
 }

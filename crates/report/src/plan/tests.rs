@@ -68,12 +68,15 @@ fn plan() -> Plan {
                 sections: vec![format!("casing {label}")],
             })
             .collect(),
-        curves: operations.iter().flat_map(|of| [0, 1, 2].map(|level| curve(of, level))).collect(),
+        curves: operations
+            .iter()
+            .flat_map(|operation| [0, 1, 2].map(|level| curve(operation, level)))
+            .collect(),
         buckling: ["drill", "slide"]
             .iter()
-            .flat_map(|of| {
+            .flat_map(|operation| {
                 [0, 1, 2].map(|level| BucklingCurve {
-                    operation: (*of).into(),
+                    operation: (*operation).into(),
                     level,
                     points: depths.map(|depth| (depth, [4e4, 6e4])).into(),
                 })
@@ -134,7 +137,7 @@ fn plan() -> Plan {
             bit_depth_m: 2000.0,
             sentence: "the string <locks> up".into(),
         }],
-        first: ["si", "metric", "field"].map(|of| vec![format!("trip out: <tension> in {of}.")]),
+        first: ["si", "metric", "field"].map(|set| vec![format!("trip out: <tension> in {set}.")]),
         unchecked: vec!["no make-up torque of pipe".into()],
         counted: vec!["drill from 900 m to 2000 m in 55.0 h".into()],
         not_counted: vec!["trip in: no <speed>".into()],
@@ -177,13 +180,14 @@ fn measured(operation: &str, bit_depth_m: f64, held_out: bool) -> PlanMeasured {
     }
 }
 
-/// Points without the block beside the curves, the row with it; what is deeper than the plan has room.
+/// Points without the block appear with the curves, the table row with it; a point deeper than the
+/// plan has room.
 #[test]
 fn what_was_measured_stands_on_the_broomstick() {
     let rows = [("trip_out", 1000.0, false), ("trip_out", 2400.0, true)];
     let rows = rows.map(|(operation, depth_m, out)| measured(operation, depth_m, out));
-    let of = Plan { measured: rows.into(), ..plan() };
-    let plots = plan_plots(&of, "si");
+    let measured_plan = Plan { measured: rows.into(), ..plan() };
+    let plots = plan_plots(&measured_plan, "si");
     let hook_load = &plots[0].figure;
     let points: Vec<_> = hook_load.panels[0]
         .marks
@@ -199,14 +203,15 @@ fn what_was_measured_stands_on_the_broomstick() {
     // No torque was read.
     assert!(plots[1].figure.keys.iter().all(|key| !key.name.contains("measured")));
     assert!(matches!(hook_load.shared.range, Range::Fixed(_, to) if to > 2400.0));
-    let page = plan_html(&of);
+    let page = plan_html(&measured_plan);
     for text in ["plan_measured.csv", "weight with block, kN", "500", "line &lt;2&gt;, held out"] {
         assert!(page.contains(text), "{text}");
     }
     assert!(!plan_html(&plan()).contains("plan_measured"));
 }
 
-/// A line over the curves, its name in the legend, and how far ours lies from it in a table.
+/// A line over the curves, its name in the legend, and the differences of our curve from it in a
+/// table.
 #[test]
 fn another_program_lies_over_the_broomstick() {
     let row = |bit_depth_m: f64, theirs: f64| PlanOverlayRow {
@@ -231,8 +236,8 @@ fn another_program_lies_over_the_broomstick() {
             largest_part: Some(-0.02),
         }],
     };
-    let of = Plan { overlay: Some(overlay), ..plan() };
-    let plots = plan_plots(&of, "si");
+    let overlaid = Plan { overlay: Some(overlay), ..plan() };
+    let plots = plan_plots(&overlaid, "si");
     let hook_load = &plots[0].figure;
     let lines: Vec<_> = hook_load.panels[0]
         .marks
@@ -247,7 +252,7 @@ fn another_program_lies_over_the_broomstick() {
     assert!(keys.ends_with(&["another program: other <program>.csv"]), "{keys:?}");
     assert!(plots[1].figure.keys.iter().all(|key| !key.name.contains("another program")));
     assert!(matches!(hook_load.shared.range, Range::Fixed(_, to) if to > 2500.0));
-    let page = plan_html(&of);
+    let page = plan_html(&overlaid);
     for text in
         ["plan_overlay.csv", "hook load, kN", "\u{2212}12.00", "\u{2212}2.0", "Ours less theirs"]
     {
@@ -309,13 +314,13 @@ fn names(panel: &Panel) -> Vec<((f64, f64), &str)> {
     all.map(|(at, text)| (at, Box::leak(text.into_boxed_str()) as &str)).collect()
 }
 
-/// Each operation has a line for each friction, with the friction at its end, which is where the
-/// last answer is; lines that are one have none. Limits are drawn where they are near, and told
+/// Each operation has a line for each friction, with the friction at its end, which is at the last
+/// answer; lines that coincide have none. Limits are drawn where they are near, and written
 /// otherwise.
 #[test]
 fn lines_end_with_their_friction() {
     let plots = plan_plots(&plan(), "si");
-    let known: Vec<&str> = plots.iter().map(|of| of.name.as_str()).collect();
+    let known: Vec<&str> = plots.iter().map(|plot| plot.name.as_str()).collect();
     assert_eq!(known, ["hook_load", "torque", "buckling_weight", "hydraulics"]);
     let [off, on] = &plots[0].figure.panels[..] else { panic!("two panels") };
     assert_eq!(off.axis.label, "Hook load, off bottom, kN");
@@ -327,14 +332,14 @@ fn lines_end_with_their_friction() {
     assert_eq!(rules(off), borne);
     // Farther than 1.35 times 400 kN.
     assert!(rules(on).is_empty() && names(on).is_empty());
-    let shoes = plots[0].figure.hole.iter().filter(|of| of.shoe);
-    assert_eq!(shoes.map(|of| of.to).collect::<Vec<_>>(), [900.0]);
-    // Every limit of the torque that is near; the one that is far is told, and no other.
+    let shoes = plots[0].figure.hole.iter().filter(|hole| hole.shoe);
+    assert_eq!(shoes.map(|shoe| shoe.to).collect::<Vec<_>>(), [900.0]);
+    // Every torque limit that is near is drawn; only the far one is written.
     let torque = &plots[1].figure;
     let drilling = torque.panels.last().expect("drilling");
     assert_eq!(rules(drilling), [(12.0, "top drive".to_owned()), (12.5, "make-up".to_owned())]);
-    let told = "limit beyond the picture: top drive, peak 1000 kN·m";
-    assert!(torque.subtitle.contains(told), "{}", torque.subtitle);
+    let limit = "limit beyond the picture: top drive, peak 1000 kN·m";
+    assert!(torque.subtitle.contains(limit), "{}", torque.subtitle);
     assert!(!plots[0].figure.subtitle.contains("beyond"), "{}", plots[0].figure.subtitle);
     // In the reader's units.
     let field = plan_plots(&plan(), "field");
@@ -349,26 +354,26 @@ fn a_plan_of_one_depth_is_seen() {
     for curve in &mut plan.curves {
         curve.points = curve.points.split_off(2);
     }
-    let finite = plan.curves.iter().filter(|of| of.points[0].hook_load_N.is_finite()).count();
+    let finite = plan.curves.iter().filter(|curve| curve.points[0].hook_load_N.is_finite()).count();
     let plots = plan_plots(&plan, "si");
     let is_seen = |mark: &&Mark| matches!(mark, Mark::Points { points, .. } if points.len() == 1);
     let panels = plots[0].figure.panels.iter();
     let seen = panels.flat_map(|panel| panel.marks.iter().filter(is_seen)).count();
     assert_eq!(seen, finite);
     assert!(finite > 3);
-    // Beside its neighbours no point needs a mark.
+    // A point with neighbours needs no mark.
     let plots = plan_plots(&whole, "si");
     assert!(!plots[0].figure.panels[1].marks.iter().any(|mark| is_seen(&mark)));
 }
 
-/// Pressure beside the densities at bit and shoe, five states each and the mud at rest; a limit that is
-/// far beyond is told. Without a rheology there is nothing.
+/// Pressure and the densities at bit and shoe, five states each and the mud at rest; a limit that
+/// is far beyond is written. Without a rheology there is no picture.
 #[test]
 fn the_mud_beside_it() {
     let mut plan = plan();
     let plots = plan_plots(&plan, "field");
     let figure = &plots[3].figure;
-    let labels: Vec<&str> = figure.panels.iter().map(|of| of.axis.label.as_str()).collect();
+    let labels: Vec<&str> = figure.panels.iter().map(|panel| panel.axis.label.as_str()).collect();
     assert_eq!(
         labels,
         [
@@ -385,8 +390,8 @@ fn the_mud_beside_it() {
     assert!(!plan_html(&plan).contains("plan_hydraulics"));
 }
 
-/// The page has the pictures, the tables, what is found and why something has no answer, and nothing in
-/// it becomes markup.
+/// The page has the pictures, the tables, the findings and the reasons for missing answers, and
+/// nothing in it becomes markup.
 #[test]
 fn the_page_says_everything() {
     let page = plan_html(&plan());
@@ -414,7 +419,8 @@ fn the_page_says_everything() {
     assert!(!page.contains("<Well>") && !page.contains("<locks>"));
 }
 
-/// What breaks stands over what does not, whatever is left of it, and is said for each operation.
+/// Limits that break something precede the others, whatever their reserve, and are written for each
+/// operation.
 #[test]
 fn what_would_break_first() {
     let page = plan_html(&plan());
@@ -422,14 +428,15 @@ fn what_would_break_first() {
     let place = |kind: &str| nearest.find(kind).unwrap_or_else(|| panic!("{kind}"));
     assert!(place("Tension") < place("Hoist") && place("Hoist") < place("Helical buckling"));
     for units in ["si", "metric", "field"] {
-        let said = format!(
+        let sentence = format!(
             "<td class=\"words\">trip out</td><td class=\"words\">&lt;tension&gt; in {units}</td>"
         );
-        assert!(page.contains(&said), "{said}");
+        assert!(page.contains(&sentence), "{sentence}");
     }
 }
 
-/// What is used up says so in a word, what is not known too; numbers are in the reader's units.
+/// A used-up life is written as a word, and so is an unknown one; numbers are in the reader's
+/// units.
 #[test]
 fn fatigue_and_wear_stand_on_the_page() {
     let page = plan_html(&plan());
@@ -463,8 +470,8 @@ fn event(name: &str, bit_depth_m: f64, quantities: &[(&'static str, &str, f64)])
     };
     let times_s: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();
     let series = |dimension: &str| {
-        let of = quantities.iter().find(|of| of.1 == dimension);
-        let peak = of.map_or(f64::NAN, |of| of.2);
+        let quantities = quantities.iter().find(|quantity| quantity.1 == dimension);
+        let peak = quantities.map_or(f64::NAN, |quantity| quantity.2);
         let at = |time_s: &f64| if (time_s - 2.0).abs() < 0.005 { peak } else { 0.8 * peak };
         times_s.iter().map(at).collect::<Vec<f64>>()
     };
@@ -483,9 +490,10 @@ fn event(name: &str, bit_depth_m: f64, quantities: &[(&'static str, &str, f64)])
     }
 }
 
-/// An event has a panel for each quantity that it moves, with a curve and a ring for each depth, in the colour of its
-/// depth; a sample that stands alone keeps its height though the curve has fewer points. What breaks the gel and a
-/// limit that is near are lines; what has no answer says so in the table.
+/// An event has a panel for each quantity that changes, with a curve and a ring for each depth, in
+/// the colour of its depth; a single high sample keeps its height although the curve has fewer
+/// points. The pressure that breaks the gel and a limit that is near are lines; the table gives the
+/// reason for a missing answer.
 #[test]
 fn events_stand_against_time() {
     let lost = PlanEvent {
@@ -507,7 +515,7 @@ fn events_stand_against_time() {
     };
     let plots = plan_plots(&plan, "si");
     let figure = &plots.last().expect("pictures").figure;
-    let labels: Vec<&str> = figure.panels.iter().map(|of| of.axis.label.as_str()).collect();
+    let labels: Vec<&str> = figure.panels.iter().map(|panel| panel.axis.label.as_str()).collect();
     assert_eq!(
         labels,
         [
@@ -521,9 +529,9 @@ fn events_stand_against_time() {
         Mark::Curve { points, .. } => Some(points),
         _ => None,
     });
-    let peaks = curves.map(|points| points.iter().map(|of| of.1).fold(0.0, f64::max));
+    let peaks = curves.map(|points| points.iter().map(|point| point.1).fold(0.0, f64::max));
     assert_eq!(peaks.collect::<Vec<_>>(), [500.0, 900.0]);
-    // Hoist and pipe bear less.
+    // Hoist and pipe carry less.
     let borne = [(600.0, "hoist".to_owned()), (580.0, "pipe, tension".to_owned())];
     assert_eq!(rules(lifted), borne);
     assert_eq!(rules(pumped), [(6.0, "gel, 2000 m".to_owned())]);

@@ -3,34 +3,34 @@
 use std::f64::consts::TAU;
 
 use super::{
-    run::{Drawn, Plot, title},
-    shown::Shown,
+    display::DisplayUnits,
+    run::{Context, Plot, title},
 };
 use crate::{
     BottomPicture,
     figure::{Axis, Direction, Figure, Hue, Key, Layout, Map, Mark, Panel, Range, Sample},
 };
 
-/// Places along an edge of a picture at which colours are looked up.
+/// Number of places along an edge of a picture at which colours are computed.
 const FINE: usize = 480;
 
-/// What lies up and across the picture: the right side is where a reader who looks down the hole
-/// has it.
+/// Sides up and across the picture: the right side is to the right of a reader who looks down the
+/// hole.
 const SIDES: [&str; 2] = ["To the high side", "To the right"];
 
 /// The bottoms from above, each with its name, all in the same colours and at the same scale.
-/// `sides` say what lies up and across.
+/// `sides` names the sides up and across.
 pub(crate) fn bottoms_figure(
     title: String,
     subtitle: String,
     bottoms: &[(String, &BottomPicture)],
     sides: [&str; 2],
-    shown: Shown<'_>,
+    display: DisplayUnits<'_>,
 ) -> Figure {
-    let length = |si: f64| shown.value(si, "diameter");
-    let reach_m = bottoms.iter().map(|(_, of)| of.edges_m()[1]);
+    let length = |si: f64| display.value(si, "diameter");
+    let reach_m = bottoms.iter().map(|(_, bottom)| bottom.edges_m()[1]);
     let reach_m = 1.04 * reach_m.fold(0.0, f64::max);
-    let deepest_m = bottoms.iter().map(|(_, of)| deepest_m(of));
+    let deepest_m = bottoms.iter().map(|(_, bottom)| deepest_m(bottom));
     let deepest_m = deepest_m.fold(0.0, f64::max);
     let range = Range::Fixed(-length(reach_m), length(reach_m));
     let place_m =
@@ -44,7 +44,7 @@ pub(crate) fn bottoms_figure(
         };
         let names = (!name.is_empty()).then(|| Key { name: name.clone(), sample: Sample::Words });
         Panel {
-            axis: Axis::new(shown.label(sides[0], "diameter"), range),
+            axis: Axis::new(display.label(sides[0], "diameter"), range),
             marks: vec![Mark::Map(Map {
                 from: -length(reach_m),
                 ends: (0..FINE).map(|right| length(place_m(right, 1.0))).collect(),
@@ -52,7 +52,7 @@ pub(crate) fn bottoms_figure(
                 values: (0..FINE).flat_map(column).collect(),
                 hue: Hue::Depth,
                 largest: if deepest_m > 0.0 { length(deepest_m) } else { 1.0 },
-                label: shown.label("Depth below the rim", "diameter"),
+                label: display.label("Depth below the rim", "diameter"),
                 sides: None,
             })],
             keys: names.into_iter().collect(),
@@ -69,16 +69,16 @@ pub(crate) fn bottoms_figure(
             width_mm: if columns > 1 { 180.0 } else { 130.0 },
             panel_mm: if columns > 1 { 58.0 } else { 95.0 },
         },
-        shared: Axis::new(shown.label(sides[1], "diameter"), range),
+        shared: Axis::new(display.label(sides[1], "diameter"), range),
         panels: bottoms.iter().map(panel).collect(),
         hole: Vec::new(),
     }
 }
 
-/// The bottoms that an operation of some runs left.
-pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
-    let (runs, shown) = (drawn.runs, drawn.shown);
-    let bottoms: Vec<(String, &BottomPicture)> = drawn
+/// The bottoms at the end of an operation of some runs.
+pub(super) fn plots(context: Context<'_>) -> Vec<Plot> {
+    let (runs, display) = (context.runs, context.display);
+    let bottoms: Vec<(String, &BottomPicture)> = context
         .timed()
         .filter_map(|(place, timed)| {
             let name = if runs.len() > 1 { runs[place].name } else { "" };
@@ -88,9 +88,9 @@ pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
     if bottoms.is_empty() {
         return Vec::new();
     }
-    let subtitle = drawn.subtitle.to_owned();
-    let figure = bottoms_figure(title(runs), subtitle, &bottoms, SIDES, shown);
-    vec![drawn.plot("bottom-hole", figure)]
+    let subtitle = context.subtitle.to_owned();
+    let figure = bottoms_figure(title(runs), subtitle, &bottoms, SIDES, display);
+    vec![context.plot("bottom-hole", figure)]
 }
 
 fn deepest_m(bottom: &BottomPicture) -> f64 {
@@ -98,7 +98,7 @@ fn deepest_m(bottom: &BottomPicture) -> f64 {
     depths.filter(|depth| depth.is_finite()).fold(0.0, f64::max)
 }
 
-/// A bottom whose depth is known anywhere.
+/// A bottom with at least one known depth.
 struct Cells {
     edges_m: [f64; 2],
     rings: usize,
@@ -134,8 +134,8 @@ impl Cells {
 mod tests {
     use super::*;
 
-    /// Four sectors, of which one is deep and one unknown: each is where it belongs, the high side
-    /// up and the right to the right.
+    /// Four sectors, of which one is deep and one unknown: each is at its place, the high side up
+    /// and the right to the right.
     #[test]
     fn sectors_lie_where_they_belong() {
         let quarter = TAU / 4.0;
@@ -144,7 +144,7 @@ mod tests {
         let bottom = bottom.expect("depths are known");
         let cells = Cells::of(&bottom);
         let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
-        // The first sector lies between the high side and the right.
+        // The first sector is between the high side and the right.
         assert!(near(cells.depth_m(0.02, 0.03), 0.0));
         assert!(near(cells.depth_m(-0.02, 0.03), 0.004));
         assert!(cells.depth_m(-0.02, -0.03).is_nan());

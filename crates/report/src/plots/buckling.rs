@@ -1,8 +1,8 @@
-//! The compressions at which a string buckles, beside its tension.
+//! The compressions at which a string buckles, with its tension.
 
 use std::collections::BTreeMap;
 
-use super::{catalogue::Track, shown::Shown, styles::CurveStyles};
+use super::{catalogue::Track, display::DisplayUnits, styles::CurveStyles};
 use crate::{
     Packed,
     figure::{Ink, Key, Mark, Sample, Stroke},
@@ -12,17 +12,21 @@ use crate::{
 const LOADS: [(Stroke, &str); 2] =
     [(Stroke::WideDotted, "buckles to a sinusoid"), (Stroke::ShortDashed, "buckles to a helix")];
 
-/// A load beyond this many times the largest compression is not shown: it would but flatten what
-/// is.
+/// A load beyond this many times the largest compression is not drawn, because it would flatten the
+/// rest.
 const FAR: f64 = 1.25;
 
-/// Loads where the string is in compression, as tensions, of the solution that is compressed most;
-/// nothing where none is buckled.
-pub(super) fn marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Vec<Mark> {
+/// Loads where the string is in compression, as tensions, of the solution with the largest
+/// compression; none where nothing is buckled.
+pub(super) fn marks(
+    track: &Track,
+    styles: &CurveStyles<'_>,
+    display: DisplayUnits<'_>,
+) -> Vec<Mark> {
     let Some(columns) = track.buckles else {
         return Vec::new();
     };
-    let solved = styles.solved().filter_map(|(_, of)| loads(track, columns, &of.profile));
+    let solved = styles.solved().filter_map(|(_, solved)| loads(track, columns, &solved.profile));
     let Some(most) = solved.max_by(|a, b| a.largest().total_cmp(&b.largest())) else {
         return Vec::new();
     };
@@ -34,8 +38,8 @@ pub(super) fn marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -
             false => f64::NAN,
         };
         let values: Vec<f64> = rows.map(near).collect();
-        let depths = shown.values(&most.depths, "length");
-        let values = shown.values(&values, track.shows.dimension);
+        let depths = display.values(&most.depths, "length");
+        let values = display.values(&values, track.shows.dimension);
         let any = values.iter().any(|value| value.is_finite());
         let points = depths.into_iter().zip(values).collect();
         any.then_some(Mark::Curve { ink: Ink::Note, stroke, points })
@@ -43,11 +47,11 @@ pub(super) fn marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -
     most.loads.iter().zip(LOADS).filter_map(curve).collect()
 }
 
-/// What the lines among these marks mean.
+/// Keys of the lines among these marks.
 pub(super) fn keys<'a>(marks: impl Iterator<Item = &'a Mark> + Clone) -> Vec<Key> {
-    let is_of = |mark: &Mark, of: Stroke| matches!(mark, Mark::Curve { ink: Ink::Note, stroke, .. } if *stroke == of);
-    let drawn = LOADS.iter().filter(|(stroke, _)| marks.clone().any(|mark| is_of(mark, *stroke)));
-    drawn
+    let is_of = |mark: &Mark, line: Stroke| matches!(mark, Mark::Curve { ink: Ink::Note, stroke, .. } if *stroke == line);
+    let present = LOADS.iter().filter(|(stroke, _)| marks.clone().any(|mark| is_of(mark, *stroke)));
+    present
         .map(|(stroke, name)| Key {
             name: (*name).to_owned(),
             sample: Sample::Line(Ink::Note, *stroke),
@@ -68,7 +72,7 @@ impl Loads {
     }
 }
 
-/// Those of a solution; nothing where it is not buckled.
+/// The loads of a solution; `None` where it is not buckled.
 fn loads(
     track: &Track,
     [sinusoidal, helical]: [&str; 2],
@@ -76,11 +80,11 @@ fn loads(
 ) -> Option<Loads> {
     let column = |name: &str| profile.get(name).map(Packed::values);
     let tension = column(track.shows.column)?;
-    let of = Loads {
+    let found = Loads {
         depths: column("md_m")?,
         compression: tension.into_iter().map(|tension| -tension).collect(),
         loads: [column(sinusoidal)?, column(helical)?],
     };
-    let mut rows = of.compression.iter().zip(&of.loads[0]);
-    rows.any(|(compression, load)| *compression > 0.0 && compression > load).then_some(of)
+    let mut rows = found.compression.iter().zip(&found.loads[0]);
+    rows.any(|(compression, load)| *compression > 0.0 && compression > load).then_some(found)
 }

@@ -2,7 +2,7 @@
 
 use super::{
     catalogue::{ContactPlot, Shows, contact_plots},
-    run::{self, Drawn, Plot, Run},
+    run::{self, Context, Plot, Run},
 };
 use crate::{
     ContactPicture, Packed,
@@ -12,26 +12,26 @@ use crate::{
 /// Contact over depth and time of one run, in the reader's units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactMap {
-    /// What its depths are called, unit included.
+    /// Label of its depths, unit included.
     pub label: String,
-    /// When the first row begins, s.
+    /// Beginning of the first row, s.
     pub from: f64,
-    /// When each row ends, s.
+    /// End of each row, s.
     pub ends: Vec<f64>,
     /// Depths of the middles of the stretches.
     pub middles: Vec<f64>,
     /// A value for each stretch, row after row.
     pub values: Vec<f64>,
-    /// When the window of the statistics begins, s.
+    /// Beginning of the statistics window, s.
     pub window_from: f64,
     /// Depths of the casing's shoes.
     pub shoes: Vec<f64>,
-    /// What else is drawn over it.
+    /// Further marks drawn over it.
     pub marks: Vec<Mark>,
 }
 
-/// Maps one below the other, over the same depths and in the same colours; `label` says what these
-/// show, unit included.
+/// Maps one below the other, over the same depths and in the same colours; `label` is that of their
+/// values, unit included.
 pub fn contact_figure(
     title: String,
     subtitle: String,
@@ -74,50 +74,52 @@ pub fn contact_figure(
     }
 }
 
-/// Side force by side, and contact force, each as a map: of two runs one below the other.
-pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
-    let (runs, shown) = (drawn.runs, drawn.shown);
-    let pictures: Vec<(&Run<'_>, f64, &ContactPicture)> = drawn
+/// Side force by side, and contact force, each as a map; for two runs one below the other.
+pub(super) fn plots(context: Context<'_>) -> Vec<Plot> {
+    let (runs, display) = (context.runs, context.display);
+    let pictures: Vec<(&Run<'_>, f64, &ContactPicture)> = context
         .timed()
         .filter_map(|(place, timed)| Some((&runs[place], timed.window_s, timed.contact.as_ref()?)))
         .collect();
     if pictures.is_empty() {
         return Vec::new();
     }
-    let figure = |of: &ContactPlot| {
-        let Shows { column, title, dimension } = &of.shows;
+    let figure = |plot: &ContactPlot| {
+        let Shows { column, title, dimension } = &plot.shows;
         let map = |(run, window_s, picture): &(&Run<'_>, f64, &ContactPicture)| {
             let name = match runs.len() {
                 1 => "Measured depth",
                 _ => run.name,
             };
-            let cased = run.report.hole.iter().filter(|of| of.kind == "casing");
+            let cased = run.report.hole.iter().filter(|hole| hole.kind == "casing");
             ContactMap {
-                label: shown.label(name, "length"),
+                label: display.label(name, "length"),
                 from: picture.from_s,
                 ends: picture.time_s.values(),
-                middles: shown.values(&picture.md_m.values(), "length"),
+                middles: display.values(&picture.md_m.values(), "length"),
                 values: {
                     let values = picture.values.get(*column).map(Packed::values);
-                    shown.values(&values.unwrap_or_default(), dimension)
+                    display.values(&values.unwrap_or_default(), dimension)
                 },
                 window_from: *window_s,
-                shoes: cased.map(|section| shown.value(section.to_m, "length")).collect(),
+                shoes: cased.map(|section| display.value(section.to_m, "length")).collect(),
                 marks: Vec::new(),
             }
         };
         contact_figure(
             run::title(runs),
-            drawn.subtitle.to_owned(),
-            (&shown.label(title, dimension), if of.sides { Hue::Side } else { Hue::Amount }),
+            context.subtitle.to_owned(),
+            (&display.label(title, dimension), if plot.sides { Hue::Side } else { Hue::Amount }),
             pictures.iter().map(map).collect(),
         )
     };
-    contact_plots().iter().map(|of| drawn.plot(of.name, figure(of))).collect()
+    contact_plots()
+        .iter()
+        .map(|contact_plot| context.plot(contact_plot.name, figure(contact_plot)))
+        .collect()
 }
 
-/// The value that nearly all sizes stay below: the few largest must not take the colour from the
-/// rest.
+/// A value above nearly all sizes, so that the few largest do not take the colour from the rest.
 fn largest(mut sizes: Vec<f64>) -> f64 {
     const PART: f64 = 0.985;
     sizes.retain(|size| size.is_finite());

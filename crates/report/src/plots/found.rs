@@ -1,20 +1,20 @@
 //! Errors and warnings that have a place along the string.
 
-use super::{shown::Shown, styles::CurveStyles};
+use super::{display::DisplayUnits, styles::CurveStyles};
 use crate::{
     Severity,
     figure::{Key, Mark, Sample},
 };
 
-/// What was found of each level, the most severe last, so that it is above the others.
+/// The findings of each level, the most severe last, so that it is above the others.
 pub(super) struct Found(Vec<(Severity, Places)>);
 
-/// Where something was found.
+/// Places of findings.
 struct Places {
     /// Stretches of measured depth, m, apart from one another and downwards; one place has one
     /// depth twice.
     stretches: Vec<(f64, f64)>,
-    /// Of which operations or runs, where there are several.
+    /// Operations or runs of the findings, where there are several.
     whose: Vec<String>,
 }
 
@@ -24,9 +24,9 @@ impl Found {
             let (mut stretches, mut whose) = (Vec::new(), Vec::new());
             for (run, solved) in styles.solved() {
                 let of_level = solved.checks.iter().filter(|check| check.severity == level);
-                let placed = of_level.filter_map(|of| {
-                    let from = of.md_m?;
-                    Some((from, of.to_md_m.unwrap_or(from)))
+                let placed = of_level.filter_map(|of_level| {
+                    let from = of_level.md_m?;
+                    Some((from, of_level.to_md_m.unwrap_or(from)))
                 });
                 let before = stretches.len();
                 stretches.extend(placed);
@@ -42,20 +42,21 @@ impl Found {
         Self(levels.filter_map(|level| Some((level, places(level)?))).collect())
     }
 
-    /// Where they are, for every track.
-    pub(super) fn marks(&self, shown: Shown<'_>) -> Vec<Mark> {
+    /// Marks at the places, for every track.
+    pub(super) fn marks(&self, display: DisplayUnits<'_>) -> Vec<Mark> {
         let all = self.0.iter();
-        let all =
-            all.flat_map(|(level, places)| places.stretches.iter().map(move |of| (level, of)));
+        let all = all.flat_map(|(level, places)| {
+            places.stretches.iter().map(move |stretch| (level, stretch))
+        });
         all.map(|(level, (from, to))| Mark::Found {
             level: *level,
-            from: shown.value(*from, "length"),
-            to: shown.value(*to, "length"),
+            from: display.value(*from, "length"),
+            to: display.value(*to, "length"),
         })
         .collect()
     }
 
-    /// What they say in a legend, the most severe first.
+    /// Their entries in a legend, the most severe first.
     pub(super) fn keys(&self) -> Vec<Key> {
         let key = |(level, places): &(Severity, Places)| {
             let name = match level {
@@ -73,7 +74,7 @@ impl Found {
     }
 }
 
-/// Stretches, those that touch as one; a place within a stretch goes with it.
+/// Stretches, with touching ones joined; a place within a stretch belongs to it.
 fn joined(mut stretches: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut apart: Vec<(f64, f64)> = Vec::new();
@@ -111,7 +112,7 @@ mod tests {
     /// A report of operations with these findings, each with a curve of tension.
     fn solved(operations: &[(&str, Vec<CheckRow>)]) -> Report {
         let mut report = report();
-        let of = report.solved.remove(0);
+        let remove = report.solved.remove(0);
         let column = |values: &[f64]| Packed::single(values.iter().copied());
         report.solved = operations
             .iter()
@@ -123,7 +124,7 @@ mod tests {
                     ("tension_N".into(), column(&[1e5, -2e4, 0.0])),
                 ]
                 .into(),
-                ..of.clone()
+                ..remove.clone()
             })
             .collect();
         report.runs.clear();
@@ -137,8 +138,8 @@ mod tests {
         tension.unwrap().figure
     }
 
-    /// Buckled stretches lie below the curve of every track; those of two models that overlap are
-    /// one.
+    /// Buckled stretches are drawn below the curve of every track; overlapping ones of two models
+    /// are joined.
     #[test]
     fn what_was_found_is_shaded_where_it_is() {
         let report = solved(&[
@@ -155,11 +156,11 @@ mod tests {
             ("drill", vec![finding(Severity::Warning, Some(100.0), Some(200.0))]),
         ]);
         let figure = tension(&report);
-        let of = |mark: &Mark| match mark {
+        let finding = |mark: &Mark| match mark {
             Mark::Found { level, from, to } => Some((*level, *from, *to)),
             _ => None,
         };
-        let found: Vec<_> = figure.panels[0].marks.iter().filter_map(of).collect();
+        let found: Vec<_> = figure.panels[0].marks.iter().filter_map(finding).collect();
         assert_eq!(
             found,
             [
@@ -170,12 +171,12 @@ mod tests {
         );
         let names: Vec<&str> = figure.keys.iter().map(|key| key.name.as_str()).collect();
         assert!(names.ends_with(&["error here: slide", "warning here: drill"]), "{names:?}");
-        // One ground for each stretch, none of a single place; bars for all three.
+        // One ground for each stretch, none for a single place; bars for all three.
         let svg = figure.drawing().svg();
         assert_eq!(svg.matches("fill-opacity=\"0.1\"").count(), 2, "{svg}");
     }
 
-    /// Of one operation alone no name is needed, and without findings nothing is said.
+    /// A single operation needs no name, and without findings there is no key.
     #[test]
     fn nothing_is_said_where_nothing_was_found() {
         let alone = |checks| tension(&solved(&[("slide", checks)]));

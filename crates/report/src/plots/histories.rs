@@ -4,7 +4,7 @@ use wholestring::outcome::ModelKind;
 
 use super::{
     catalogue::{TimePlot, bit_plots, time_plots},
-    run::{Drawn, Plot},
+    run::{Context, Plot},
 };
 use crate::{
     TimeRun,
@@ -12,8 +12,8 @@ use crate::{
 };
 
 /// Each history in a figure of its own, and all in one; those of the bit apart.
-pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
-    let timed: Vec<(usize, &TimeRun)> = drawn.timed().collect();
+pub(super) fn plots(context: Context<'_>) -> Vec<Plot> {
+    let timed: Vec<(usize, &TimeRun)> = context.timed().collect();
     let ends = timed.iter().filter_map(|(_, run)| end_s(run));
     let end_s = ends.fold(0.0, f64::max);
     let drills = timed.iter().any(|(_, run)| run.drill_off.is_some());
@@ -21,35 +21,38 @@ pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
     [("time", time_plots()), ("bit", bit)]
         .into_iter()
         .flat_map(|(name, plots)| {
-            let panels: Vec<(&TimePlot, Panel)> =
-                plots.iter().filter_map(|plot| Some((plot, panel(plot, &timed, drawn)?))).collect();
-            group(name, &panels, end_s, drawn)
+            let panels: Vec<(&TimePlot, Panel)> = plots
+                .iter()
+                .filter_map(|plot| Some((plot, panel(plot, &timed, context)?)))
+                .collect();
+            group(name, &panels, end_s, context)
         })
         .collect()
 }
 
-/// When the last sample of a run was taken, s.
+/// Time of a run's last sample, s.
 fn end_s(run: &TimeRun) -> Option<f64> {
     run.history.get("time_s")?.values().last().copied()
 }
 
 /// All panels in one figure of this name, and each in one of its own.
-fn group(name: &str, panels: &[(&TimePlot, Panel)], end_s: f64, drawn: Drawn<'_>) -> Vec<Plot> {
+fn group(name: &str, panels: &[(&TimePlot, Panel)], end_s: f64, context: Context<'_>) -> Vec<Plot> {
     if panels.is_empty() {
         return Vec::new();
     }
     let figure = |panels: &[(&TimePlot, Panel)], panel_mm| {
         let time = Axis::new("Time, s", Range::Fixed(0.0, end_s));
         let panels = panels.iter().map(|(_, panel)| panel.clone()).collect();
-        drawn.figure(Layout::across(1, 180.0, panel_mm), time, panels)
+        context.figure(Layout::across(1, 180.0, panel_mm), time, panels)
     };
-    let all = drawn.plot(name, figure(panels, 26.0));
-    let single =
-        panels.iter().map(|of| drawn.plot(of.0.name, figure(std::slice::from_ref(of), 55.0)));
+    let all = context.plot(name, figure(panels, 26.0));
+    let single = panels
+        .iter()
+        .map(|panel| context.plot(panel.0.name, figure(std::slice::from_ref(panel), 55.0)));
     std::iter::once(all).chain(single).collect()
 }
 
-/// How a column looks: of one run columns differ by colour, of two by stroke; what was set is
+/// Style of a column: for one run columns differ by colour, for two by stroke; set values are
 /// dotted.
 fn style(runs: usize, run: usize, place: usize, name: &str) -> (Ink, Stroke) {
     let is_set = name == "set";
@@ -68,7 +71,7 @@ fn style(runs: usize, run: usize, place: usize, name: &str) -> (Ink, Stroke) {
 fn panel(
     plot: &TimePlot,
     timed: &[(usize, &TimeRun)],
-    Drawn { runs, operation, shown, .. }: Drawn<'_>,
+    Context { runs, operation, display, .. }: Context<'_>,
 ) -> Option<Panel> {
     let mut curves = Vec::new();
     let mut keys: Vec<Key> = Vec::new();
@@ -79,7 +82,7 @@ fn panel(
             let Some(values) = timed.history.get(*column) else {
                 continue;
             };
-            let values = shown.values(&values.values(), plot.dimension);
+            let values = display.values(&values.values(), plot.dimension);
             let points: Vec<(f64, f64)> = times.iter().copied().zip(values).collect();
             let (ink, stroke) = style(runs.len(), *run, place, name);
             let shape = shapes[place.min(1)];
@@ -113,14 +116,14 @@ fn panel(
     }
     if let (Some(column), [run]) = (plot.at_surface, runs) {
         let solved = run.report.solved.iter();
-        let solved = solved.filter(|of| of.operation == operation);
-        let at_rest = solved.filter_map(|of| {
-            let model = ModelKind::named(&of.model).filter(|of| !of.in_time())?;
-            let at_top = of.profile.get(column)?.values().first().copied()?;
+        let solved = solved.filter(|solved| solved.operation == operation);
+        let at_rest = solved.filter_map(|solved| {
+            let model = ModelKind::named(&solved.model).filter(|model| !model.in_time())?;
+            let at_top = solved.profile.get(column)?.values().first().copied()?;
             at_top.is_finite().then_some((model.method(), at_top))
         });
         for (place, (model, value)) in (1..).zip(at_rest) {
-            let value = shown.value(value, plot.dimension);
+            let value = display.value(value, plot.dimension);
             let end = end_s(timed[0].1)?;
             curves.push(Mark::Curve {
                 ink: Ink::Line(place),
@@ -143,18 +146,18 @@ fn panel(
     Some(Panel {
         axis: Axis {
             down: plot.points,
-            min_span: shown.value(plot.min_span, plot.dimension),
-            ..Axis::new(shown.label(title, plot.dimension), Range::Near)
+            min_span: display.value(plot.min_span, plot.dimension),
+            ..Axis::new(display.label(title, plot.dimension), Range::Near)
         },
         marks,
         keys,
     })
 }
 
-/// The points that last, as a curve with gaps, and those that come and go, few enough not to hide
-/// each other.
+/// The lasting points, as a curve with gaps, and the intermittent ones, few enough not to hide each
+/// other.
 fn lasting(points: &[(f64, f64)]) -> [Vec<(f64, f64)>; 2] {
-    /// Samples in a row that make a line.
+    /// Number of consecutive samples that make a line.
     const LASTS: usize = 4;
     const MAX: usize = 200;
     let (mut curve, mut single) = (Vec::new(), Vec::new());

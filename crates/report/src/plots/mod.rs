@@ -1,23 +1,23 @@
-//! The pictures of a run, or of two on the same axes: what the page shows, as figures for paper.
+//! The pictures of a run, or of two on the same axes: those of the page, as figures for paper.
 
 mod bottom;
 mod buckling;
 pub(crate) mod catalogue;
 mod contact;
+mod display;
 mod drill_off;
 mod found;
 mod histories;
 mod near;
 mod run;
-mod shown;
 mod spectra;
 mod styles;
 mod tracks;
 
 pub(crate) use self::{
     bottom::bottoms_figure,
+    display::{DisplayUnits, SETS},
     run::named,
-    shown::{SETS, Shown},
     styles::{models, readable},
 };
 pub use self::{
@@ -26,19 +26,19 @@ pub use self::{
     run::{Plot, Run, Spectrum, common_operations},
     spectra::spectrum_dimension,
 };
-use self::{run::Drawn, styles::CurveStyles};
+use self::{run::Context, styles::CurveStyles};
 use crate::{Fact, Report, figure::Figure};
 
 /// Every picture of one run, or of two on the same axes, in a set of units (`si`, `metric` or
 /// `field`).
 ///
-/// Operations of one run stand on the same tracks; those of two runs each have their own pictures,
-/// of what both solved. Whatever has nothing to show is left out.
+/// Operations of one run are on the same tracks; those of two runs have pictures of their own, for
+/// the operations that both solved. Empty pictures are left out.
 ///
 /// # Panics
 /// If there is no run.
 pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
-    let shown = Shown::new(&runs[0].report.dimensions, units);
+    let display = DisplayUnits::new(&runs[0].report.dimensions, units);
     let operations = common_operations(runs);
     let several = operations.len() > 1;
     let suffix = |operation: &str| match several {
@@ -50,41 +50,41 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
         for operation in &operations {
             let one = [*operation];
             let styles = CurveStyles::new(runs, &one);
-            let subtitle = common_facts(runs, shown, Some(operation));
+            let subtitle = common_facts(runs, display, Some(operation));
             let suffix = suffix(operation);
-            plots.extend(tracks::plots(runs, &styles, shown, &subtitle, &suffix));
+            plots.extend(tracks::plots(runs, &styles, display, &subtitle, &suffix));
         }
     } else {
         let styles = CurveStyles::new(runs, &operations);
-        let subtitle = common_facts(runs, shown, None);
-        plots.extend(tracks::plots(runs, &styles, shown, &subtitle, ""));
+        let subtitle = common_facts(runs, display, None);
+        plots.extend(tracks::plots(runs, &styles, display, &subtitle, ""));
     }
     for operation in &operations {
-        let (suffix, subtitle) = (suffix(operation), common_facts(runs, shown, Some(operation)));
-        let drawn = Drawn { runs, operation, shown, subtitle: &subtitle, suffix: &suffix };
+        let (suffix, subtitle) = (suffix(operation), common_facts(runs, display, Some(operation)));
+        let context = Context { runs, operation, display, subtitle: &subtitle, suffix: &suffix };
         for draw in
             [histories::plots, drill_off::plots, bottom::plots, contact::plots, spectra::plots]
         {
-            plots.extend(draw(drawn));
+            plots.extend(draw(context));
         }
     }
     plots
 }
 
 /// The profile of one run alone: its tracks against measured depth, all models and operations on
-/// the same; nothing where nothing was solved.
+/// the same; `None` where nothing was solved.
 pub fn profile(report: &Report, units: &str) -> Option<Figure> {
     let runs = [Run { name: "", report, spectra: &[] }];
-    let shown = Shown::new(&report.dimensions, units);
+    let display = DisplayUnits::new(&report.dimensions, units);
     let operations = common_operations(&runs);
     let styles = CurveStyles::new(&runs, &operations);
-    let subtitle = common_facts(&runs, shown, None);
-    let plots = tracks::plots(&runs, &styles, shown, &subtitle, "");
+    let subtitle = common_facts(&runs, display, None);
+    let plots = tracks::plots(&runs, &styles, display, &subtitle, "");
     plots.into_iter().next().map(|plot| plot.figure)
 }
 
-/// What was done, one operation or all, and the facts that hold of every run.
-fn common_facts(runs: &[Run<'_>], shown: Shown<'_>, operation: Option<&str>) -> String {
+/// The operation, or all, and the facts common to every run.
+fn common_facts(runs: &[Run<'_>], display: DisplayUnits<'_>, operation: Option<&str>) -> String {
     let done = match operation {
         Some(operation) => readable(operation),
         None => {
@@ -97,11 +97,11 @@ fn common_facts(runs: &[Run<'_>], shown: Shown<'_>, operation: Option<&str>) -> 
     let alike = facts.filter(|fact| runs.iter().all(|run| run.report.facts.contains(fact)));
     let alike: Vec<Fact> =
         alike.filter(|fact| !fact.label.starts_with("Operation")).cloned().collect();
-    [done, subtitle(&alike, shown)].join("; ")
+    [done, subtitle(&alike, display)].join("; ")
 }
 
-/// The facts that a picture needs beside it.
-pub(crate) fn subtitle(facts: &[Fact], shown: Shown<'_>) -> String {
+/// The facts needed with a picture.
+pub(crate) fn subtitle(facts: &[Fact], display: DisplayUnits<'_>) -> String {
     const SHOWN_FACTS: [&str; 8] = [
         "Operation",
         "Operations",
@@ -114,26 +114,26 @@ pub(crate) fn subtitle(facts: &[Fact], shown: Shown<'_>) -> String {
     ];
     let parts =
         facts.iter().filter(|fact| SHOWN_FACTS.contains(&fact.label.as_str())).filter_map(|fact| {
-            let text = shown.fact(fact)?;
-            // What is done needs no name.
+            let text = display.fact(fact)?;
+            // The operation needs no label.
             let done = fact.label.starts_with("Operation");
-            let said = text.split_once(' ').filter(|_| done);
-            Some(said.map_or(text.clone(), |(_, done)| done.to_owned()))
+            let words = text.split_once(' ').filter(|_| done);
+            Some(words.map_or(text.clone(), |(_, done)| done.to_owned()))
         });
     parts.collect::<Vec<_>>().join("; ")
 }
 
 /// The columns of `time.parquet` that are drawn against the first of them, the weight on bit.
 pub fn drill_off_columns() -> [&'static str; 3] {
-    catalogue::drill_off_plots().map(|of| of.shows.column)
+    catalogue::drill_off_plots().map(|drill_off_plot| drill_off_plot.shows.column)
 }
 
 /// The columns of `contact.parquet` that are drawn as maps.
 pub fn contact_columns() -> [&'static str; 2] {
-    catalogue::contact_plots().map(|of| of.shows.column)
+    catalogue::contact_plots().map(|contact_plot| contact_plot.shows.column)
 }
 
 /// The columns of `frames.parquet` that a page holds.
 pub fn frame_columns() -> Vec<&'static str> {
-    catalogue::node_channels().iter().map(|of| of.shows.column).collect()
+    catalogue::node_channels().iter().map(|node_channel| node_channel.shows.column).collect()
 }

@@ -1,18 +1,18 @@
-//! Columns as they are seen from afar: what joints do counts for the pipe between them.
+//! Columns in a coarse view, in which joints represent the pipe between them.
 
 use std::ops::Range;
 
 /// Half of the distance between joints, and a little, m.
 pub(crate) const JOINT_REACH_M: f64 = 6.0;
 
-/// Something of the values within `reach` of each depth.
-fn near(depths: &[f64], values: &[f64], reach: f64, of: fn(&[f64]) -> f64) -> Vec<f64> {
-    let within = |range: Range<usize>| of(values.get(range).unwrap_or_default());
+/// A function of the values within `reach` of each depth.
+fn near(depths: &[f64], values: &[f64], reach: f64, reduce: fn(&[f64]) -> f64) -> Vec<f64> {
+    let within = |range: Range<usize>| reduce(values.get(range).unwrap_or_default());
     intervals(depths, reach).map(within).collect()
 }
 
-/// The rows within `reach` of each depth. Depths that do not grow, as those of a damaged file, give
-/// any rows.
+/// The rows within `reach` of each depth. Depths that do not increase, as in a damaged file, give
+/// arbitrary rows.
 fn intervals(depths: &[f64], reach: f64) -> impl Iterator<Item = Range<usize>> {
     let mut from = 0;
     let mut to = 0;
@@ -27,8 +27,7 @@ fn intervals(depths: &[f64], reach: f64) -> impl Iterator<Item = Range<usize>> {
     })
 }
 
-/// Of the rows within `reach` of each depth the one with the largest value: a joint, of what joints
-/// do.
+/// Row of the largest value within `reach` of each depth: a joint, where joints cause the value.
 pub(crate) fn row_of_largest(depths: &[f64], values: &[f64], reach: f64) -> Vec<usize> {
     let value = |row: usize| values.get(row).copied().unwrap_or(f64::NAN);
     let row = |rows: Range<usize>| rows.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap_or(0);

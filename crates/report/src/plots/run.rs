@@ -1,6 +1,6 @@
-//! What pictures are drawn of: runs, and what they have in common.
+//! Runs whose pictures are drawn, and their common facts.
 
-use super::shown::Shown;
+use super::display::DisplayUnits;
 use crate::{
     Report, TimeRun,
     figure::{Axis, Figure, Ink, Key, Layout, Panel, Sample, Stroke},
@@ -9,9 +9,9 @@ use crate::{
 /// A run whose pictures are drawn.
 #[derive(Debug, Clone, Copy)]
 pub struct Run<'a> {
-    /// What a legend calls it, where there is another beside it.
+    /// Its name in a legend, where there are two.
     pub name: &'a str,
-    /// What is known of it.
+    /// Its report.
     pub report: &'a Report,
     /// Power spectral densities, as far as it has any.
     pub spectra: &'a [Spectrum],
@@ -22,9 +22,9 @@ pub struct Run<'a> {
 pub struct Spectrum {
     /// `trip_out`, `drill`, ...
     pub operation: String,
-    /// `surface_torque`, or of a node `tension`, ...
+    /// `surface_torque`, or for a node `tension`, ...
     pub signal: String,
-    /// Measured depth of the node; nothing of a signal of the whole string.
+    /// Measured depth of the node; `None` for a signal of the whole string.
     pub md_m: Option<f64>,
     /// Unit of the signal: `N`, `N·m`, ...
     pub unit: String,
@@ -43,25 +43,25 @@ pub struct Plot {
     pub figure: Figure,
 }
 
-/// The figures that there are, each with its name.
+/// The figures that exist, each with its name.
 pub(crate) fn named<const N: usize>(names: [&str; N], figures: [Option<Figure>; N]) -> Vec<Plot> {
     let both = names.into_iter().zip(figures);
     both.filter_map(|(name, figure)| Some(Plot { name: name.into(), figure: figure? })).collect()
 }
 
-/// What the figures of an operation have in common.
+/// Common data of the figures of an operation.
 #[derive(Clone, Copy)]
-pub(super) struct Drawn<'a> {
+pub(super) struct Context<'a> {
     pub(super) runs: &'a [Run<'a>],
     pub(super) operation: &'a str,
-    pub(super) shown: Shown<'a>,
+    pub(super) display: DisplayUnits<'a>,
     pub(super) subtitle: &'a str,
-    /// What the names of its files end with.
+    /// Suffix of the names of its files.
     pub(super) suffix: &'a str,
 }
 
-impl<'a> Drawn<'a> {
-    /// What the runs did in time, each with the place of the run among them.
+impl<'a> Context<'a> {
+    /// Time results of the runs, each with the place of the run among them.
     pub(super) fn timed(&self) -> impl Iterator<Item = (usize, &'a TimeRun)> {
         let operation = self.operation;
         self.runs.iter().enumerate().filter_map(move |(place, run)| {
@@ -83,7 +83,7 @@ impl<'a> Drawn<'a> {
         }
     }
 
-    /// Which colour is whose; nothing of one run.
+    /// Keys of the colours of runs; none for one run.
     pub(super) fn run_keys(&self) -> Vec<Key> {
         if self.runs.len() == 1 {
             return Vec::new();
@@ -101,12 +101,12 @@ impl<'a> Drawn<'a> {
     }
 }
 
-/// The operations that every one of some runs solved, in the order of the first.
+/// The operations that all runs solved, in the order of the first.
 pub fn common_operations<'a>(runs: &[Run<'a>]) -> Vec<&'a str> {
     let mut common: Vec<&str> = Vec::new();
     for solved in runs.iter().take(1).flat_map(|run| &run.report.solved) {
         let name = solved.operation.as_str();
-        let has = |run: &Run<'_>| run.report.solved.iter().any(|of| of.operation == name);
+        let has = |run: &Run<'_>| run.report.solved.iter().any(|solved| solved.operation == name);
         if !common.contains(&name) && runs.iter().all(has) {
             common.push(name);
         }

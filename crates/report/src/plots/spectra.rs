@@ -7,7 +7,7 @@ use wholestring::{
 
 use super::{
     catalogue::shown_dimension,
-    run::{Drawn, Plot},
+    run::{Context, Plot},
     styles::readable,
 };
 use crate::{
@@ -15,18 +15,18 @@ use crate::{
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Stroke},
 };
 
-/// A figure for each signal; nodes of different depth stand in the same.
-pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
-    let all: Vec<(usize, &Spectrum)> = drawn
+/// A figure for each signal; nodes of different depths are in the same figure.
+pub(super) fn plots(context: Context<'_>) -> Vec<Plot> {
+    let all: Vec<(usize, &Spectrum)> = context
         .runs
         .iter()
         .enumerate()
-        .flat_map(|(place, run)| run.spectra.iter().map(move |of| (place, of)))
-        .filter(|(_, of)| of.operation == drawn.operation)
+        .flat_map(|(place, run)| run.spectra.iter().map(move |spectra| (place, spectra)))
+        .filter(|(_, spectrum)| spectrum.operation == context.operation)
         .collect();
     let mut signals: Vec<(&str, bool)> = Vec::new();
-    for (_, of) in &all {
-        let signal = (of.signal.as_str(), of.md_m.is_some());
+    for (_, spectrum) in &all {
+        let signal = (spectrum.signal.as_str(), spectrum.md_m.is_some());
         if !signals.contains(&signal) {
             signals.push(signal);
         }
@@ -34,30 +34,31 @@ pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
     let signals = signals.into_iter();
     signals
         .map(|(signal, of_nodes)| {
-            let mine =
-                all.iter().filter(|(_, of)| of.signal == signal && of.md_m.is_some() == of_nodes);
+            let mine = all.iter().filter(|(_, spectrum)| {
+                spectrum.signal == signal && spectrum.md_m.is_some() == of_nodes
+            });
             let mine: Vec<&(usize, &Spectrum)> = mine.collect();
             let node = if of_nodes { "-nodes" } else { "" };
             let name = format!("spectrum-{}{node}", signal.replace('_', "-"));
-            drawn.plot(&name, figure(signal, &mine, drawn))
+            context.plot(&name, figure(signal, &mine, context))
         })
         .collect()
 }
 
-fn figure(signal: &str, spectra: &[&(usize, &Spectrum)], drawn: Drawn<'_>) -> Figure {
-    let (runs, shown) = (drawn.runs, drawn.shown);
-    let unit = spectra.first().map_or("", |(_, of)| of.unit.as_str());
-    let of_nodes = spectra.first().is_some_and(|(_, of)| of.md_m.is_some());
+fn figure(signal: &str, spectra: &[&(usize, &Spectrum)], context: Context<'_>) -> Figure {
+    let (runs, display) = (context.runs, context.display);
+    let unit = spectra.first().map_or("", |(_, spectra)| spectra.unit.as_str());
+    let of_nodes = spectra.first().is_some_and(|(_, spectra)| spectra.md_m.is_some());
     let dimension = spectrum_dimension(signal, of_nodes);
-    // A density goes with the square of the signal.
-    let factor = dimension.map_or(1.0, |name| shown.value(1.0, name).powi(2));
-    let symbol = dimension.map_or(unit, |name| shown.symbol(name));
+    // A density is proportional to the square of the signal.
+    let factor = dimension.map_or(1.0, |name| display.value(1.0, name).powi(2));
+    let symbol = dimension.map_or(unit, |name| display.symbol(name));
     let squared = match symbol {
         "" => "1/Hz".to_owned(),
         simple if simple.chars().all(char::is_alphabetic) => format!("{simple}²/Hz"),
         other => format!("({other})²/Hz"),
     };
-    let mut depths: Vec<f64> = spectra.iter().filter_map(|(_, of)| of.md_m).collect();
+    let mut depths: Vec<f64> = spectra.iter().filter_map(|(_, spectra)| spectra.md_m).collect();
     depths.sort_by(f64::total_cmp);
     depths.dedup();
     let overlaid = runs.len() > 1;
@@ -71,23 +72,23 @@ fn figure(signal: &str, spectra: &[&(usize, &Spectrum)], drawn: Drawn<'_>) -> Fi
             (Ink::Line(place), Stroke::Solid)
         }
     };
-    let marks = spectra.iter().map(|(run, of)| {
-        let (ink, stroke) = style(*run, of.md_m);
-        let density = of.density.iter().map(|density| density * factor);
-        // The density at rest is the mean's, which a logarithm has no place for.
-        let points = of.frequency_Hz.iter().copied().zip(density);
+    let marks = spectra.iter().map(|(run, spectra)| {
+        let (ink, stroke) = style(*run, spectra.md_m);
+        let density = spectra.density.iter().map(|density| density * factor);
+        // The density at zero frequency is the mean's, which has no place on a logarithmic axis.
+        let points = spectra.frequency_Hz.iter().copied().zip(density);
         Mark::Curve {
             ink,
             stroke,
             points: points.filter(|(frequency, _)| *frequency > 0.0).collect(),
         }
     });
-    let mut keys = drawn.run_keys();
+    let mut keys = context.run_keys();
     if depths.len() > 1 || (overlaid && !depths.is_empty()) {
         keys.extend(depths.iter().map(|md| {
             let (ink, stroke) = style(0, Some(*md));
             Key {
-                name: format!("at {}", shown.quantity(*md, "length")),
+                name: format!("at {}", display.quantity(*md, "length")),
                 sample: Sample::Line(if overlaid { Ink::Note } else { ink }, stroke),
             }
         }));
@@ -96,28 +97,28 @@ fn figure(signal: &str, spectra: &[&(usize, &Spectrum)], drawn: Drawn<'_>) -> Fi
     let logarithmic =
         |label: String, range| Axis { scale: Scale::Logarithmic, ..Axis::new(label, range) };
     let at = match depths[..] {
-        [md] => format!(" at {}", shown.quantity(md, "length")),
+        [md] => format!(" at {}", display.quantity(md, "length")),
         _ => String::new(),
     };
     let frequency = logarithmic("Frequency, Hz".into(), Range::Tight);
     let density = logarithmic(format!("Density of {name}{at}, {squared}"), Range::Near);
     let panels = vec![Panel::new(density, marks.collect())];
-    Figure { keys, ..drawn.figure(Layout::across(1, 120.0, 70.0), frequency, panels) }
+    Figure { keys, ..context.figure(Layout::across(1, 120.0, 70.0), frequency, panels) }
 }
 
-/// The dimension of a signal, of nodes or of the whole string, by its declaration; none of a signal
-/// that this version does not know.
+/// The dimension of a signal, of nodes or of the whole string, by its declaration; `None` for a
+/// signal that this version does not know.
 pub fn spectrum_dimension(signal: &str, of_nodes: bool) -> Option<&'static str> {
     let quantity = if of_nodes {
-        let found = NodeSignal::ALL.into_iter().find(|of| of.name() == signal);
+        let found = NodeSignal::ALL.into_iter().find(|candidate| candidate.name() == signal);
         found?.quantity()
     } else {
-        Signal::ALL.into_iter().find(|of| of.name() == signal)?.quantity()
+        Signal::ALL.into_iter().find(|candidate| candidate.name() == signal)?.quantity()
     };
     Some(match quantity.kind {
-        // What vibrates is no trip.
+        // Vibration has another dimension than a trip speed.
         QuantityKind::Speed => "lateral speed",
-        // Of the whole string a length is its stretch; nodes move across the hole.
+        // A length of the whole string is its stretch; nodes move laterally.
         QuantityKind::Length if !of_nodes => "length",
         other => shown_dimension(other),
     })

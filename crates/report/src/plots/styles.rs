@@ -1,4 +1,4 @@
-//! Which colour and stroke a curve has, and what it is called.
+//! Colour, stroke and name of each curve.
 
 use wholestring::outcome::{Method, ModelKind};
 
@@ -8,10 +8,11 @@ use crate::{
     figure::{Ink, Key, Sample, Stroke},
 };
 
-/// How curves of some operations of one run or two look.
+/// Styles of the curves of some operations of one or two runs.
 ///
-/// Of one run, operations differ by colour, of two runs the runs do; by stroke too where one model
-/// solved them. Where two did, models differ by stroke, and by colour too where nothing else does.
+/// For one run, operations differ by colour, for two runs the runs do; by stroke too where one
+/// model solved them. Where two did, models differ by stroke, and by colour too where nothing else
+/// does.
 pub(super) struct CurveStyles<'a> {
     runs: &'a [Run<'a>],
     operations: &'a [&'a str],
@@ -22,9 +23,9 @@ pub(super) struct CurveStyles<'a> {
 impl<'a> CurveStyles<'a> {
     pub(super) fn new(runs: &'a [Run<'a>], operations: &'a [&'a str]) -> Self {
         let has = |model: &str| {
-            runs.iter()
-                .flat_map(|run| &run.report.solved)
-                .any(|of| of.model == model && operations.contains(&of.operation.as_str()))
+            runs.iter().flat_map(|run| &run.report.solved).any(|solved| {
+                solved.model == model && operations.contains(&solved.operation.as_str())
+            })
         };
         Self { runs, operations, models: models(has) }
     }
@@ -32,14 +33,14 @@ impl<'a> CurveStyles<'a> {
     /// The place of a model among those that solved.
     fn place(&self, solved: &Solved) -> usize {
         let mut models = self.models.iter();
-        models.position(|of| of.name == solved.model).unwrap_or(0)
+        models.position(|model| model.name == solved.model).unwrap_or(0)
     }
 
-    /// What was solved of these operations, with the place of its run.
+    /// The solutions of these operations, with the place of its run.
     pub(super) fn solved(&self) -> impl Iterator<Item = (usize, &'a Solved)> {
         let runs = self.runs.iter().enumerate();
-        runs.flat_map(|(place, run)| run.report.solved.iter().map(move |of| (place, of)))
-            .filter(|(_, of)| self.operations.contains(&of.operation.as_str()))
+        runs.flat_map(|(place, run)| run.report.solved.iter().map(move |solved| (place, solved)))
+            .filter(|(_, solved)| self.operations.contains(&solved.operation.as_str()))
     }
 
     /// Whether nothing but the model distinguishes curves.
@@ -67,7 +68,7 @@ impl<'a> CurveStyles<'a> {
         self.alone() && self.place(solved) == 0
     }
 
-    /// What a curve is of: a run of two, an operation of several; nothing where there is one alone.
+    /// Name of a curve: a run of two, an operation of several; `None` where there is one alone.
     pub(super) fn whose(&self, run: usize, solved: &Solved) -> Option<String> {
         if self.runs.len() > 1 {
             Some(self.runs[run].name.to_owned())
@@ -76,7 +77,7 @@ impl<'a> CurveStyles<'a> {
         }
     }
 
-    /// What colours and strokes mean; nothing where there is one curve alone.
+    /// Keys of colours and strokes; none where there is one curve alone.
     pub(super) fn keys(&self) -> Vec<Key> {
         let line =
             |name: &str, ink, stroke| Key { name: name.into(), sample: Sample::Line(ink, stroke) };
@@ -85,7 +86,7 @@ impl<'a> CurveStyles<'a> {
         let models = models.filter(|_| several);
         if self.alone() {
             return models
-                .map(|(place, of)| line(of.curve_name, Ink::Line(place), Stroke::of(place)))
+                .map(|(place, model)| line(model.curve_name, Ink::Line(place), Stroke::of(place)))
                 .collect();
         }
         let names: Vec<String> = if self.runs.len() > 1 {
@@ -101,17 +102,19 @@ impl<'a> CurveStyles<'a> {
                 line(name, Ink::Line(index), stroke)
             })
             .collect();
-        keys.extend(models.map(|(place, of)| line(of.curve_name, Ink::Note, Stroke::of(place))));
+        keys.extend(
+            models.map(|(place, model)| line(model.curve_name, Ink::Note, Stroke::of(place))),
+        );
         keys
     }
 
-    /// What a dotted curve is: the least value from one tool joint to the next.
+    /// Key of a dotted curve: the least value from one tool joint to the next.
     pub(super) fn between_key(&self) -> Key {
         let ink = if self.alone() { Ink::Line(0) } else { Ink::Note };
         Key { name: "between the joints".into(), sample: Sample::Line(ink, Stroke::Dotted) }
     }
 
-    /// What a band is.
+    /// Key of a band.
     pub(super) fn band_key(&self) -> Key {
         Key {
             name: "5–95 % of the time".into(),
@@ -120,13 +123,13 @@ impl<'a> CurveStyles<'a> {
     }
 }
 
-/// The methods whose names are there, the most detailed first.
+/// The methods that exist by name, the most detailed first.
 pub(crate) fn models(has: impl Fn(&str) -> bool) -> Vec<&'static Method> {
-    let all = ModelKind::ALL.iter().rev().map(|of| of.method());
-    all.filter(|of| has(of.name)).collect()
+    let all = ModelKind::ALL.iter().rev().map(|kind| kind.method());
+    all.filter(|method| has(method.name)).collect()
 }
 
-/// `trip_out` as people write it.
+/// `trip_out` in readable form.
 pub(crate) fn readable(operation: &str) -> String {
     operation.replace('_', " ")
 }

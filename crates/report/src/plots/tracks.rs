@@ -3,10 +3,10 @@
 use super::{
     buckling,
     catalogue::{RULES, Source, Track, tracks},
+    display::DisplayUnits,
     found::Found,
     near,
     run::{Plot, Run, title},
-    shown::Shown,
     styles::CurveStyles,
 };
 use crate::{
@@ -16,23 +16,25 @@ use crate::{
     },
 };
 
-/// Most tracks side by side on a page.
+/// Largest number of tracks in a line of a page.
 const IN_A_LINE: usize = 4;
 
-/// All tracks in one figure, then each in one of its own; those with nothing to show are left out.
+/// All tracks in one figure, then each in one of its own; empty ones are left out.
 pub(super) fn plots(
     runs: &[Run<'_>],
     styles: &CurveStyles<'_>,
-    shown: Shown<'_>,
+    display: DisplayUnits<'_>,
     subtitle: &str,
     suffix: &str,
 ) -> Vec<Plot> {
     let all = tracks();
-    let mut tracks: Vec<(&Track, Panel)> =
-        all.iter().filter_map(|track| Some((track, panel(track, runs, styles, shown)?))).collect();
+    let mut tracks: Vec<(&Track, Panel)> = all
+        .iter()
+        .filter_map(|track| Some((track, panel(track, runs, styles, display)?)))
+        .collect();
     let found = Found::of(styles);
     for (_, panel) in &mut tracks {
-        panel.marks.splice(0..0, found.marks(shown));
+        panel.marks.splice(0..0, found.marks(display));
     }
     let figure = |tracks: &[(&Track, Panel)], columns, width_mm, panel_mm| Figure {
         title: title(runs),
@@ -41,10 +43,10 @@ pub(super) fn plots(
         layout: Layout { direction: Direction::Down, columns, width_mm, panel_mm },
         shared: Axis {
             down: true,
-            ..Axis::new(shown.label("Measured depth", "length"), Range::Tight)
+            ..Axis::new(display.label("Measured depth", "length"), Range::Tight)
         },
         panels: tracks.iter().map(|(_, panel)| panel.clone()).collect(),
-        hole: hole(runs, shown),
+        hole: hole(runs, display),
     };
     if tracks.is_empty() {
         return Vec::new();
@@ -61,7 +63,7 @@ pub(super) fn plots(
     std::iter::once(all).chain(single).collect()
 }
 
-/// What the curves, bands and areas of these tracks mean.
+/// Keys of the curves, bands and areas of these tracks.
 fn keys(tracks: &[(&Track, Panel)], styles: &CurveStyles<'_>) -> Vec<Key> {
     let marks = || tracks.iter().flat_map(|(_, panel)| &panel.marks);
     let mut keys = if tracks.iter().all(|(track, _)| track.from == Source::Well) {
@@ -75,11 +77,11 @@ fn keys(tracks: &[(&Track, Panel)], styles: &CurveStyles<'_>) -> Vec<Key> {
             }
             _ => false,
         };
-        let drawn = |key: &Key| match key.sample {
+        let is_drawn = |key: &Key| match key.sample {
             Sample::Line(ink, stroke) => marks().any(|mark| is_of(mark, ink, stroke)),
             _ => true,
         };
-        styles.keys().into_iter().filter(drawn).collect()
+        styles.keys().into_iter().filter(is_drawn).collect()
     };
     keys.extend(buckling::keys(marks()));
     let dotted = |mark: &Mark| matches!(mark, Mark::Curve { stroke: Stroke::Dotted, .. });
@@ -102,18 +104,18 @@ fn panel(
     track: &Track,
     runs: &[Run<'_>],
     styles: &CurveStyles<'_>,
-    shown: Shown<'_>,
+    display: DisplayUnits<'_>,
 ) -> Option<Panel> {
     let marks = match track.from {
-        Source::Well => well_marks(track, runs, shown),
-        _ => solved_marks(track, styles, shown),
+        Source::Well => well_marks(track, runs, display),
+        _ => solved_marks(track, styles, display),
     };
     if marks.is_empty() {
         return None;
     }
     let range = match track.range {
         Some([from, to]) => {
-            let end = |si| shown.value(si, track.shows.dimension);
+            let end = |si| display.value(si, track.shows.dimension);
             Range::Fixed(end(from), end(to))
         }
         None if track.zero => Range::Zero,
@@ -122,9 +124,9 @@ fn panel(
     Some(Panel {
         axis: Axis {
             clips: track.from == Source::Profile && track.range.is_none(),
-            min_span: shown.value(track.min_span, track.shows.dimension),
+            min_span: display.value(track.min_span, track.shows.dimension),
             sides: track.sides.then(|| ["low side".to_owned(), "high side".to_owned()]),
-            ..Axis::new(shown.label(&track.shows.title, track.shows.dimension), range)
+            ..Axis::new(display.label(&track.shows.title, track.shows.dimension), range)
         },
         marks,
         keys: Vec::new(),
@@ -132,12 +134,17 @@ fn panel(
 }
 
 /// Points of a column in the reader's units.
-fn points(depths: &[f64], values: &[f64], shown: Shown<'_>, dimension: &str) -> Vec<(f64, f64)> {
-    let depths = shown.values(depths, "length");
-    depths.into_iter().zip(shown.values(values, dimension)).collect()
+fn points(
+    depths: &[f64],
+    values: &[f64],
+    display: DisplayUnits<'_>,
+    dimension: &str,
+) -> Vec<(f64, f64)> {
+    let depths = display.values(depths, "length");
+    depths.into_iter().zip(display.values(values, dimension)).collect()
 }
 
-fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Vec<Mark> {
+fn solved_marks(track: &Track, styles: &CurveStyles<'_>, display: DisplayUnits<'_>) -> Vec<Mark> {
     let (mut areas, mut bands, mut curves) = (Vec::new(), Vec::new(), Vec::new());
     for (run, solved) in styles.solved() {
         let table = match track.from {
@@ -156,18 +163,19 @@ fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Ve
         if track.touches {
             values = near::largest(&depths, &values, RULES.joint_reach_m);
         }
-        // From afar two curves, at the joints and between them; the band is the joint's own.
+        // In a coarse view two curves, at the joints and between them; the band is the joints' own.
         let mut between = None;
         if track.swings && reach(RULES.far_m) {
             let smallest = near::smallest(&depths, &values, RULES.joint_reach_m);
             let joints = near::row_of_largest(&depths, &values, RULES.joint_reach_m);
-            let at_joints = |of: &[f64]| joints.iter().map(|row| of[*row]).collect::<Vec<f64>>();
+            let at_joints =
+                |values: &[f64]| joints.iter().map(|row| values[*row]).collect::<Vec<f64>>();
             values = at_joints(&values);
             band = band.map(|(low, high)| (at_joints(&low), at_joints(&high)));
             between = differs(&smallest, &values).then_some(smallest);
         }
         let (ink, stroke) = styles.of(run, solved);
-        let points = |values: &[f64]| points(&depths, values, shown, track.shows.dimension);
+        let points = |values: &[f64]| points(&depths, values, display, track.shows.dimension);
         if let Some((low, high)) = band {
             let ends = points(&low).into_iter().zip(points(&high));
             bands.push(Mark::Band {
@@ -183,34 +191,36 @@ fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Ve
         curves.extend(between.map(|values| Mark::Curve {
             ink,
             stroke: Stroke::Dotted,
-            points: self::points(&depths, &values, shown, track.shows.dimension),
+            points: self::points(&depths, &values, display, track.shows.dimension),
         }));
     }
-    // Dashed lines over full ones, or those would hide them.
+    // Dashed lines are drawn over full ones, which would hide them.
     curves
         .sort_by_key(|mark| matches!(mark, Mark::Curve { stroke, .. } if *stroke != Stroke::Solid));
-    // What they are compared with, below them; nothing where there are no curves.
-    let loads = if curves.is_empty() { Vec::new() } else { buckling::marks(track, styles, shown) };
-    [areas, bands, loads, curves].concat()
+    // The loads they are compared with, below them; none where there are no curves.
+    let loads =
+        if curves.is_empty() { Vec::new() } else { buckling::marks(track, styles, display) };
+    let cutoffs = cutoff(track, styles, display).into_iter().collect();
+    [areas, bands, loads, curves, cutoffs].concat()
 }
 
-/// Whether a curve would be seen beside another.
+/// Whether a curve would be distinguishable from another.
 fn differs(one: &[f64], other: &[f64]) -> bool {
     let largest = other.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let off = one.iter().zip(other).map(|(a, b)| (a - b).abs());
     off.fold(0.0, f64::max) > RULES.min_difference * largest
 }
 
-/// A curve of the path: one alone where all runs are on the same.
-fn well_marks(track: &Track, runs: &[Run<'_>], shown: Shown<'_>) -> Vec<Mark> {
+/// A curve of the path: a single one where all runs are on the same.
+fn well_marks(track: &Track, runs: &[Run<'_>], display: DisplayUnits<'_>) -> Vec<Mark> {
     let column = |well: &Well| {
         let values = |name: &str| well.columns.get(name).map(crate::Packed::values);
         let (depths, values) = (values("md_m")?, values(track.shows.column)?);
-        Some(points(&depths, &values, shown, track.shows.dimension))
+        Some(points(&depths, &values, display, track.shows.dimension))
     };
     let mut curves: Vec<Vec<(f64, f64)>> =
         runs.iter().filter_map(|run| column(&run.report.well)).collect();
-    // A longer run on the same well shows all that a shorter one does.
+    // A longer run on the same well includes the path of a shorter one.
     curves.retain(|points| !points.is_empty());
     let same = runs.iter().all(|run| run.report.well == runs[0].report.well);
     if same {
@@ -226,8 +236,15 @@ fn well_marks(track: &Track, runs: &[Run<'_>], shown: Shown<'_>) -> Vec<Mark> {
         .collect()
 }
 
-/// The hole; nothing where the runs differ in it.
-fn hole(runs: &[Run<'_>], shown: Shown<'_>) -> Vec<Interval> {
+/// Rule at the cut-off depth of the first curve of a track whose sign is a side of the hole.
+fn cutoff(track: &Track, styles: &CurveStyles<'_>, display: DisplayUnits<'_>) -> Option<Mark> {
+    let (_, first) = styles.solved().find(|(_, solved)| styles.is_first(solved))?;
+    let at = display.value(first.cutoff_depth_m.filter(|_| track.sides)?, "length");
+    Some(Mark::SharedRule { at, label: "cut-off".into() })
+}
+
+/// The hole; empty where the runs differ in it.
+fn hole(runs: &[Run<'_>], display: DisplayUnits<'_>) -> Vec<Interval> {
     let sections = &runs[0].report.hole;
     let alike = |other: &[crate::Section]| {
         other.len() == sections.len()
@@ -245,10 +262,10 @@ fn hole(runs: &[Run<'_>], shown: Shown<'_>) -> Vec<Interval> {
         .map(|section| {
             let cased = section.kind == "casing";
             let name = if cased { "casing" } else { "open hole" };
-            let diameter = shown.quantity(section.diameter_m, "diameter");
+            let diameter = display.quantity(section.diameter_m, "diameter");
             Interval {
-                from: shown.value(section.from_m, "length"),
-                to: shown.value(section.to_m.min(bit_m), "length"),
+                from: display.value(section.from_m, "length"),
+                to: display.value(section.to_m.min(bit_m), "length"),
                 cased,
                 shoe: cased && section.to_m <= bit_m,
                 label: format!("{name}, {diameter}"),

@@ -4,14 +4,14 @@ use super::{Reach, ReachCurve};
 use crate::{
     Plot, Uncertain, UncertainNumber,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
-    plots::{Shown, named},
+    plots::{DisplayUnits, named},
     uncertain,
 };
 
-/// How far below zero a margin is drawn, per cent.
+/// Least margin that is drawn, per cent.
 const BELOW: f64 = -25.0;
 
-/// Colours of the limits: those of lines first, for there are seldom more limits than these.
+/// Colours of the limits: those of lines first, because there are seldom more limits than these.
 pub(super) const INKS: [Ink; 9] = [
     Ink::Line(0),
     Ink::Line(1),
@@ -27,41 +27,42 @@ pub(super) const INKS: [Ink; 9] = [
 /// Names of the pictures of a reach.
 pub const REACH_PICTURES: [&str; 2] = ["reach", "uncertain"];
 
-/// Every picture of a reach, in a set of units (`si`, `metric` or `field`): `uncertain` where
-/// several numbers are.
+/// Returns every picture of a reach, in a set of units (`si`, `metric` or `field`): `uncertain`
+/// where several numbers are uncertain.
 pub fn reach_plots(reach: &Reach, units: &str) -> Vec<Plot> {
     let is_drawn = !reach.curves.is_empty();
     let margins = is_drawn.then(|| margins(reach, units));
     let owed = reach.uncertain.as_ref().filter(|_| is_drawn);
-    let owed = owed.and_then(|of| uncertain::figure(of, &reach.head.title));
+    let owed = owed.and_then(|samples| uncertain::figure(samples, &reach.head.title));
     named(REACH_PICTURES, [margins, owed])
 }
 
 /// A panel for each operation, a colour for each limit, a stroke for each friction.
 fn margins(reach: &Reach, units: &str) -> Figure {
-    let shown = Shown::new(&reach.head.dimensions, units);
-    let operations = distinct(reach.curves.iter().map(|of| of.operation.as_str()));
+    let display = DisplayUnits::new(&reach.head.dimensions, units);
+    let operations = distinct(reach.curves.iter().map(|curve| curve.operation.as_str()));
     let drawn_titles: Vec<&String> = reach
         .titles
         .iter()
-        .filter(|of| reach.curves.iter().any(|curve| curve.limit == **of))
+        .filter(|title| reach.curves.iter().any(|curve| curve.limit == **title))
         .collect();
     let ink = |limit: &str| {
-        let place = drawn_titles.iter().position(|of| *of == limit);
+        let place = drawn_titles.iter().position(|drawn_title| *drawn_title == limit);
         INKS[place.unwrap_or(0) % INKS.len()]
     };
     let panels = operations.iter().map(|operation| {
         let mut marks = vec![Mark::OwnRule { at: 0.0, label: String::new() }];
-        let scattered = reach.uncertain.iter().flat_map(|of| &of.bands);
-        let scattered = scattered.filter(|of| of.operation == *operation && !of.limit.is_empty());
-        marks.extend(scatter(scattered.collect(), shown, &ink));
-        for curve in reach.curves.iter().filter(|of| of.operation == *operation) {
+        let scattered = reach.uncertain.iter().flat_map(|uncertain| &uncertain.bands);
+        let scattered = scattered
+            .filter(|scattered| scattered.operation == *operation && !scattered.limit.is_empty());
+        marks.extend(scatter(scattered.collect(), display, &ink));
+        for curve in reach.curves.iter().filter(|curve| curve.operation == *operation) {
             let (ink, stroke) = (ink(&curve.limit), Stroke::of(curve.friction));
-            marks.push(Mark::Curve { ink, stroke, points: drawn(curve, shown) });
+            marks.push(Mark::Curve { ink, stroke, points: visible(curve, display) });
         }
-        for row in reach.limits.iter().filter(|of| of.operation == *operation) {
+        for row in reach.limits.iter().filter(|limit| limit.operation == *operation) {
             let Some(depth_m) = row.depth_m else { continue };
-            let points = vec![(shown.value(depth_m, "length"), 0.0)];
+            let points = vec![(display.value(depth_m, "length"), 0.0)];
             let ink = ink(&row.limit);
             let shape = if row.first { Shape::Diamond } else { Shape::Circle };
             marks.push(Mark::Points { ink, shape, points: points.clone() });
@@ -86,25 +87,25 @@ fn margins(reach: &Reach, units: &str) -> Figure {
             keys.push(Key { name: friction.clone(), sample });
         }
     }
-    if reach.limits.iter().any(|of| of.first) {
+    if reach.limits.iter().any(|limit| limit.first) {
         let sample = Sample::Point(Ink::Text, Shape::Diamond);
         keys.push(Key { name: "stops the well first".into(), sample });
     }
     if reach.uncertain.is_some() {
         keys.push(Key { name: "5 to 95 % of the samples".into(), sample: Sample::Band(Ink::Note) });
     }
-    let facts = reach.head.facts.iter().filter_map(|fact| shown.fact(fact));
-    let [from, to] = reach.depths_m.map(|depth_m| shown.value(depth_m, "length"));
+    let facts = reach.head.facts.iter().filter_map(|fact| display.fact(fact));
+    let [from, to] = reach.depths_m.map(|depth_m| display.value(depth_m, "length"));
     Figure {
         title: reach.head.title.clone(),
         subtitle: facts
-            .chain(reach.uncertain.iter().map(Uncertain::said))
+            .chain(reach.uncertain.iter().map(Uncertain::description))
             .collect::<Vec<_>>()
             .join("; "),
         keys,
         layout: Layout::across(1, 180.0, 48.0),
         shared: Axis::new(
-            shown.label("Measured depth of the bit", "length"),
+            display.label("Measured depth of the bit", "length"),
             Range::Fixed(from, to),
         ),
         panels: panels.collect(),
@@ -112,13 +113,17 @@ fn margins(reach: &Reach, units: &str) -> Figure {
     }
 }
 
-/// Bands of the margins, then how far the depths spread where these are zero.
-fn scatter(of: Vec<&UncertainNumber>, shown: Shown<'_>, ink: &impl Fn(&str) -> Ink) -> Vec<Mark> {
+/// Bands of the margins, then the spread of the depths where these are zero.
+fn scatter(
+    numbers: Vec<&UncertainNumber>,
+    display: DisplayUnits<'_>,
+    ink: &impl Fn(&str) -> Ink,
+) -> Vec<Mark> {
     let mut marks: Vec<Mark> = Vec::new();
     let mut last = None;
-    for margin in of.iter().filter(|of| of.quantity == "margin") {
+    for margin in numbers.iter().filter(|number| number.quantity == "margin") {
         let [low, .., high] = margin.quantiles.map(|part| (100.0 * part).max(BELOW));
-        let depth = shown.value(margin.bit_depth_m.unwrap_or(f64::NAN), "length");
+        let depth = display.value(margin.bit_depth_m.unwrap_or(f64::NAN), "length");
         let key = (&margin.limit, margin.friction.map(f64::to_bits));
         if last != Some(key) {
             marks.push(Mark::Band { ink: ink(&margin.limit), points: Vec::new() });
@@ -128,18 +133,21 @@ fn scatter(of: Vec<&UncertainNumber>, shown: Shown<'_>, ink: &impl Fn(&str) -> I
             points.push((depth, low, high));
         }
     }
-    for depth in of.iter().filter(|of| of.quantity == "depth" && of.not_met < of.answers) {
-        let [from, .., to] = depth.quantiles.map(|depth_m| (shown.value(depth_m, "length"), 0.0));
+    for depth in numbers
+        .iter()
+        .filter(|number| number.quantity == "depth" && number.not_met < number.answers)
+    {
+        let [from, .., to] = depth.quantiles.map(|depth_m| (display.value(depth_m, "length"), 0.0));
         marks.push(Mark::Bars { ink: ink(&depth.limit), bars: vec![[from, to]] });
     }
     marks
 }
 
-/// A curve down to where it leaves the frame, per cent.
-fn drawn(curve: &ReachCurve, shown: Shown<'_>) -> Vec<(f64, f64)> {
+/// A curve up to the edge of the frame, per cent.
+fn visible(curve: &ReachCurve, display: DisplayUnits<'_>) -> Vec<(f64, f64)> {
     let mut points: Vec<(f64, f64)> = Vec::new();
     for (depth_m, margin) in &curve.points {
-        let (depth, percent) = (shown.value(*depth_m, "length"), 100.0 * margin);
+        let (depth, percent) = (display.value(*depth_m, "length"), 100.0 * margin);
         match points.last() {
             Some((before, above)) if percent < BELOW && *above >= BELOW => {
                 let part = (above - BELOW) / (above - percent);
@@ -153,7 +161,7 @@ fn drawn(curve: &ReachCurve, shown: Shown<'_>) -> Vec<(f64, f64)> {
     points
 }
 
-/// Each once, in the order of the first.
+/// Each name once, in the order of the first occurrence.
 fn distinct<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     let mut found = Vec::new();
     for one in all {

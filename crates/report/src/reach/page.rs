@@ -1,35 +1,38 @@
-//! The page of a reach as one file that needs nothing else.
+//! The page of a reach as one self-contained file.
 
 use super::{Reach, ReachRow, figures::reach_plots};
 use crate::{
     Grid, StudyPage, StudyPart, Verdict,
     grid_cells::head,
-    plots::{SETS, Shown},
+    plots::{DisplayUnits, SETS},
     study::study_html_in_units,
     uncertain,
 };
 
-/// What the numbers stand for.
-const ABOUT: &str = "The well is drilled on in its last direction, and the string grows at its top. At \
-    each depth the soft string is held against the limits of rig and string. A margin is what is left \
-    of a limit, 0 % where it is met: of the top drive and the hoist against what they carry, of the \
-    hook load and the push against what hangs without friction, of yield and buckling against the \
-    load that yields or buckles, of lock-up the part of an added push that arrives at the bit.";
+/// Meaning of the page's numbers.
+const ABOUT: &str = "The well is continued in its last direction, and the string is lengthened at \
+    its top. At each depth the soft string is compared with the limits of rig and string. A margin \
+    is the remaining part of a limit, 0 % where it is reached: for the top drive and the hoist \
+    relative to their capacities, for the hook load and the push relative to the hanging weight \
+    without friction, for yield and buckling relative to the yield or critical load; for lock-up \
+    it is the part of an added push that reaches the bit.";
 
-/// What stands under the picture of the margins.
-const MARGINS: &str = "A colour for each limit, a stroke for each friction factor. Where a curve meets zero \
-    the limit is met; the diamond stops the well first. Of uncertain numbers, a band and a bar hold 90 % of \
-    the samples: of the margins of what stops the well, and of the depth where it is met.";
+/// Caption of the picture of the margins.
+const MARGINS: &str = "A colour for each limit, a stroke for each friction factor. A limit is \
+    reached where its curve is zero; the diamond marks the limit that stops the well first. For \
+    uncertain numbers, a band and a bar contain 90 % of the samples: the band those of the margins \
+    of limits that stop the well, the bar those of the depth where the limit is reached.";
 
-/// The page as the text of an HTML file. No name in it can end the element that it stands in.
+/// Returns the page as the text of an HTML file. No name in it can end the element that contains
+/// it.
 pub fn reach_html(reach: &Reach) -> String {
     study_html_in_units(&reach.head.units, |units| page(reach, units))
 }
 
 fn page(reach: &Reach, units: &str) -> StudyPage {
-    let shown = Shown::new(&reach.head.dimensions, units);
-    let set = SETS.iter().position(|of| *of == units).unwrap_or(0);
-    let facts = reach.head.facts.iter().filter_map(|fact| shown.fact(fact));
+    let display = DisplayUnits::new(&reach.head.dimensions, units);
+    let set = SETS.iter().position(|set| *set == units).unwrap_or(0);
+    let facts = reach.head.facts.iter().filter_map(|fact| display.fact(fact));
     let facts = format!("{}.", facts.collect::<Vec<_>>().join("; "));
     let answers = reach.answers[set].iter().map(String::as_str);
     let notes = reach.notes[set].iter().map(String::as_str);
@@ -48,13 +51,13 @@ fn page(reach: &Reach, units: &str) -> StudyPage {
             painted: false,
         });
     }
-    if let Some(of) = &reach.uncertain {
-        parts.extend(uncertain::inputs(of));
-        parts.extend(uncertain::stops(of));
-        parts.extend(uncertain::bands(of, shown));
-        parts.extend(uncertain::owed(of));
+    if let Some(samples) = &reach.uncertain {
+        parts.extend(uncertain::inputs(samples));
+        parts.extend(uncertain::stops(samples));
+        parts.extend(uncertain::bands(samples, display));
+        parts.extend(uncertain::owed(samples));
     }
-    parts.push(limits(reach, shown));
+    parts.push(limits(reach, display));
     StudyPage {
         program: reach.head.program.clone(),
         title: reach.head.title.clone(),
@@ -63,37 +66,37 @@ fn page(reach: &Reach, units: &str) -> StudyPage {
     }
 }
 
-fn limits(reach: &Reach, shown: Shown<'_>) -> StudyPart {
-    let [from, to] = reach.depths_m.map(|depth_m| shown.depth(depth_m));
-    // One friction is that of the whole page, which says it above.
+fn limits(reach: &Reach, display: DisplayUnits<'_>) -> StudyPart {
+    let [from, to] = reach.depths_m.map(|depth_m| display.depth(depth_m));
+    // A single friction is given above, for the whole page.
     let several = reach.frictions.len() > 1;
     let mut heads = vec![head("operation", true), head("limit", true)];
     heads.extend(several.then(|| head("friction", true)));
     heads.extend([
-        head("met with the bit at", false),
+        head("reached with the bit at", false),
         head(format!("margin at {from}, %"), false),
         head(format!("margin at {to}, %"), false),
         head("worst at MD", false),
         head("then", true),
     ]);
-    let row = |of: &ReachRow| -> Vec<(String, Verdict)> {
-        let depth = match of.depth_m {
-            Some(_) if of.already => format!("{from} already"),
-            Some(depth_m) => shown.depth(depth_m),
+    let row = |row: &ReachRow| -> Vec<(String, Verdict)> {
+        let depth = match row.depth_m {
+            Some(_) if row.already => format!("{from} already"),
+            Some(depth_m) => display.depth(depth_m),
             None => format!("none to {to}"),
         };
-        let [at_from, at_to] = of.margins.map(|of| match of {
+        let [at_from, at_to] = row.margins.map(|margin| match margin {
             Some(margin) => format!("{:.1}", 100.0 * margin).replace('-', "\u{2212}"),
             None => "locked up".to_owned(),
         });
-        let md = of.md_m.map(|md_m| shown.depth(md_m));
-        let (word, verdict) = match (of.first, of.stops) {
+        let md = row.md_m.map(|md_m| display.depth(md_m));
+        let (word, verdict) = match (row.first, row.stops) {
             (true, _) => ("stops the well first", Verdict::Differs),
-            (false, false) if of.depth_m.is_some() => ("goes on buckled", Verdict::None),
+            (false, false) if row.depth_m.is_some() => ("continues buckled", Verdict::None),
             _ => ("", Verdict::None),
         };
-        let friction = reach.frictions.get(of.friction).cloned().unwrap_or_default();
-        let mut cells = vec![of.operation.clone(), of.limit.clone()];
+        let friction = reach.frictions.get(row.friction).cloned().unwrap_or_default();
+        let mut cells = vec![row.operation.clone(), row.limit.clone()];
         cells.extend(several.then_some(friction));
         cells.extend([depth, at_from, at_to, md.unwrap_or_default()]);
         let cells = cells.into_iter().map(|cell| (cell, Verdict::None));
@@ -101,9 +104,9 @@ fn limits(reach: &Reach, shown: Shown<'_>) -> StudyPart {
     };
     StudyPart::Table {
         title: "Limits".into(),
-        caption: "The first depth of the bit at which nothing is left of a limit; how much is left at both ends; \
-                  and where in the string it is worst there. A negative margin: what is asked is more than \
-                  the limit bears."
+        caption: "The first depth of the bit at which a limit is reached; the margins at both \
+                  ends; and the place of the smallest margin in the string. A negative margin: the \
+                  load exceeds the limit."
             .into(),
         grid: Grid { heads, rows: reach.limits.iter().map(row).collect() },
         files: "reach_limits".into(),

@@ -46,7 +46,7 @@ fn reach() -> Reach {
     }
 }
 
-/// Curves end where they leave the frame; what stops the well first is named at its depth.
+/// Curves end where they leave the frame; the first stop is named at its depth.
 #[test]
 fn curves_and_the_first_stop() {
     let plots = reach_plots(&reach(), "si");

@@ -1,21 +1,21 @@
-//! Where steady rotation grows into stick-slip, over rotary speed and weight on bit.
+//! Growth of steady rotation into stick-slip, over rotary speed and weight on bit.
 
 use super::StabilityPicture;
 use crate::{
     PageHead,
     figure::{Axis, Figure, Hue, Ink, Key, Layout, Map, Mark, Panel, Range, Sample, Shape, Stroke},
-    plots::Shown,
+    plots::DisplayUnits,
 };
 
-/// Columns and rows that the map is drawn with between those that were computed.
+/// Columns and rows with which the map is refined between those that were computed.
 const FINE: usize = 8;
 
 /// The map in a set of units (`si`, `metric` or `field`): growth in colours where it is unstable,
 /// the threshold, and the case's own speed and weight.
 pub(crate) fn stability_figure(picture: &StabilityPicture, head: &PageHead, units: &str) -> Figure {
-    let shown = Shown::new(&head.dimensions, units);
-    let speed = |si: f64| shown.value(si, "rotary speed");
-    let weight = |si: f64| shown.value(si, "force");
+    let display = DisplayUnits::new(&head.dimensions, units);
+    let speed = |si: f64| display.value(si, "rotary speed");
+    let weight = |si: f64| display.value(si, "force");
     let speeds = finer(&picture.speeds_rad_per_s);
     let weights = finer(&picture.weights_N);
     let values: Vec<f64> = speeds
@@ -23,7 +23,7 @@ pub(crate) fn stability_figure(picture: &StabilityPicture, head: &PageHead, unit
         .flat_map(|s| weights.iter().map(move |w| picture.growth_at(*s, *w)))
         .map(|growth| if growth > 0.0 { growth } else { f64::NAN })
         .collect();
-    let largest = values.iter().copied().filter(|of| of.is_finite()).fold(0.0, f64::max);
+    let largest = values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
     let ends: Vec<f64> = speeds.windows(2).map(|pair| speed(0.5 * (pair[0] + pair[1]))).collect();
     let [first, last] = ends_of(&picture.speeds_rad_per_s).map(speed);
     let mut marks = Vec::new();
@@ -36,7 +36,7 @@ pub(crate) fn stability_figure(picture: &StabilityPicture, head: &PageHead, unit
             values,
             hue: Hue::Amount,
             largest,
-            label: "Growth of the swing that grows most, 1/s".into(),
+            label: "Growth rate of the fastest growing motion, 1/s".into(),
             sides: None,
         }));
     }
@@ -57,7 +57,7 @@ pub(crate) fn stability_figure(picture: &StabilityPicture, head: &PageHead, unit
     marks.push(Mark::Points { ink: Ink::Error, shape: Shape::Diamond, points: vec![own] });
     keys.push(Key { name: "the case".into(), sample: Sample::Point(Ink::Error, Shape::Diamond) });
     let axis = |name: &str, dimension: &str, [from, to]: [f64; 2]| {
-        Axis::new(shown.label(name, dimension), Range::Fixed(from, to))
+        Axis::new(display.label(name, dimension), Range::Fixed(from, to))
     };
     let rows = ends_of(&picture.weights_N).map(weight);
     let including = |[from, to]: [f64; 2], own: f64| [from.min(own), to.max(own)];
@@ -93,13 +93,14 @@ impl StabilityPicture {
     }
 }
 
-/// Where a value lies among growing ones: after which, and what part of the way to the next.
-fn place(values: &[f64], of: f64) -> (usize, f64) {
-    let after = values.partition_point(|value| *value <= of).saturating_sub(1);
+/// Position of a value among increasing ones: the index before it, and the part of the way to the
+/// next.
+fn place(values: &[f64], at: f64) -> (usize, f64) {
+    let after = values.partition_point(|value| *value <= at).saturating_sub(1);
     let Some(next) = values.get(after + 1) else {
         return (after, 0.0);
     };
-    (after, ((of - values[after]) / (next - values[after])).clamp(0.0, 1.0))
+    (after, ((at - values[after]) / (next - values[after])).clamp(0.0, 1.0))
 }
 
 /// The same values with others between.
@@ -112,5 +113,5 @@ fn finer(values: &[f64]) -> Vec<f64> {
 
 /// The first and the last.
 fn ends_of(values: &[f64]) -> [f64; 2] {
-    [values.first(), values.last()].map(|of| of.copied().unwrap_or(f64::NAN))
+    [values.first(), values.last()].map(|value| value.copied().unwrap_or(f64::NAN))
 }

@@ -1,4 +1,4 @@
-//! The map by its marks.
+//! The map of torsional stability, by its marks.
 
 use std::collections::BTreeMap;
 
@@ -8,8 +8,8 @@ use crate::{
     figure::{Mark, Range},
 };
 
-/// Unstable at the slow and heavy corner; stable everywhere at the least weight, nowhere at the
-/// largest.
+/// Unstable at the corner of low speed and high weight; stable everywhere at the smallest weight,
+/// nowhere at the largest.
 fn picture() -> StabilityPicture {
     StabilityPicture {
         speeds_rad_per_s: vec![5.0, 10.0, 15.0],
@@ -20,7 +20,7 @@ fn picture() -> StabilityPicture {
     }
 }
 
-fn marks(of: &StabilityPicture) -> (Vec<Mark>, Range) {
+fn marks(picture: &StabilityPicture) -> (Vec<Mark>, Range) {
     let head = PageHead {
         program: "test".into(),
         title: "a well".into(),
@@ -28,12 +28,12 @@ fn marks(of: &StabilityPicture) -> (Vec<Mark>, Range) {
         dimensions: BTreeMap::new(),
         facts: Vec::new(),
     };
-    let figure = stability_figure(of, &head, "si");
+    let figure = stability_figure(picture, &head, "si");
     (figure.panels[0].marks.clone(), figure.shared.range)
 }
 
-/// Growth lies on its points and straight between them; what is stable has no colour; the threshold
-/// has its one point; the frame holds the case, that lies beyond the map.
+/// Growth is exact on its points and linear between them; stable places have no colour; the
+/// threshold has its one point; the frame includes the case, which is beyond the map.
 #[test]
 fn the_map_shows_growth_threshold_and_case() {
     let (marks, range) = marks(&picture());

@@ -1,4 +1,4 @@
-//! A sweep as its figures show it: what is along the axis, and what distinguishes curves.
+//! Data of a sweep's figures: the axis, and the distinction of curves.
 
 use wholestring::outcome::Method;
 
@@ -9,13 +9,13 @@ use super::{
 use crate::{
     Severity,
     figure::{Axis, Ink, Range, Scale, Shape, Stroke},
-    plots::{Shown, models, readable},
+    plots::{DisplayUnits, models, readable},
 };
 
-/// A sweep on its way to paper.
+/// Drawing of a sweep's figures.
 pub(super) struct Drawing<'a> {
     pub(super) sweep: &'a Sweep,
-    pub(super) shown: Shown<'a>,
+    pub(super) display: DisplayUnits<'a>,
     pub(super) varied: Varied,
     /// The other keys that have several values.
     pub(super) others: Vec<usize>,
@@ -27,7 +27,7 @@ pub(super) struct Drawing<'a> {
 }
 
 impl<'a> Drawing<'a> {
-    pub(super) fn new(sweep: &'a Sweep, shown: Shown<'a>) -> Self {
+    pub(super) fn new(sweep: &'a Sweep, display: DisplayUnits<'a>) -> Self {
         let varied = Varied::of(sweep);
         let along = varied.key(sweep);
         let others: Vec<usize> = (0..sweep.keys.len())
@@ -45,15 +45,15 @@ impl<'a> Drawing<'a> {
             }
         }
         let has = |model: &str| sweep.rows.iter().any(|row| row.model == model);
-        Self { sweep, shown, varied, others, families, operations, models: models(has) }
+        Self { sweep, display, varied, others, families, operations, models: models(has) }
     }
 
-    /// The place of a case on the axis of what was varied; not a number where it has none.
+    /// The place of a case on the axis of the varied key; not a number where it has none.
     pub(super) fn along(&self, row: &SweepRow) -> f64 {
         match &self.varied {
             Varied::Depth => {
                 let depth = row.numbers.get("bit_depth_m").copied();
-                self.shown.value(depth.unwrap_or(f64::NAN), "length")
+                self.display.value(depth.unwrap_or(f64::NAN), "length")
             }
             Varied::Number { key, .. } => {
                 split(&row.values[*key]).map_or(f64::NAN, |(value, _)| value)
@@ -70,7 +70,7 @@ impl<'a> Drawing<'a> {
         match &self.varied {
             Varied::Depth => Axis {
                 down: true,
-                ..Axis::new(self.shown.label("Bit depth", "length"), Range::Zero)
+                ..Axis::new(self.display.label("Bit depth", "length"), Range::Zero)
             },
             Varied::Number { key, unit } => {
                 let name = name(&self.sweep.keys[*key]);
@@ -90,8 +90,8 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Colour by what was varied, and by the operation where that is all that differs; shape by the
-    /// operation. Strokes distinguish the models where there are two, else the operations.
+    /// Colour by the other varied keys, and by the operation where nothing else differs; shape by
+    /// the operation. Strokes distinguish the models where there are two, else the operations.
     pub(super) fn style(&self, family: usize, operation: usize) -> (Ink, Shape) {
         let ink = if self.families.len() > 1 { family } else { operation };
         (Ink::Line(ink), Shape::of(operation))
@@ -105,17 +105,17 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// As many keys as there are things to distinguish; none of one alone.
+    /// Number of things to distinguish; none for one alone.
     pub(super) fn count(&self, things: usize) -> usize {
         if things > 1 { things } else { 0 }
     }
 
     pub(super) fn has_bands(&self) -> bool {
-        self.models.iter().any(|of| of.in_time)
+        self.models.iter().any(|model| model.in_time)
     }
 
-    /// What a curve is called at its end: what it is of, as far as that differs, without the model,
-    /// which its stroke shows.
+    /// Name of a curve at its end, as far as it differs from the others, without the model, which
+    /// its stroke shows.
     pub(super) fn name(&self, family: usize, operation: usize) -> String {
         let mut parts = Vec::new();
         if self.families.len() > 1 {
@@ -128,7 +128,7 @@ impl<'a> Drawing<'a> {
     }
 }
 
-/// Where there are more families than colours, those that share one have other strokes.
+/// Stroke of a family: where there are more than colours, those that share one differ in it.
 pub(super) fn of_family(place: usize) -> Stroke {
     Stroke::of(place / Ink::LINES)
 }

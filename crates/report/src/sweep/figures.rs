@@ -1,19 +1,19 @@
-//! What came out of a sweep against what was varied.
+//! Results of a sweep against the varied key.
 
 use super::{DRAWN, Drawn, Sweep, drawing::Drawing, varied::Varied};
 use crate::{
     Plot,
     figure::{Direction, Figure, Layout, Panel},
-    plots::{Shown, subtitle},
+    plots::{DisplayUnits, subtitle},
 };
 
-/// Every picture of a sweep, in a set of units (`si`, `metric` or `field`): all quantities in one,
-/// then each in one of its own; those with nothing to show are left out.
+/// Returns every picture of a sweep, in a set of units (`si`, `metric` or `field`): all quantities
+/// in one, then each in one of its own; empty ones are left out.
 pub fn sweep_plots(sweep: &Sweep, units: &str) -> Vec<Plot> {
-    let shown = Shown::new(&sweep.head.dimensions, units);
-    let drawing = Drawing::new(sweep, shown);
+    let display = DisplayUnits::new(&sweep.head.dimensions, units);
+    let drawing = Drawing::new(sweep, display);
     let panels: Vec<(&Drawn, Panel)> =
-        DRAWN.iter().filter_map(|of| Some((of, drawing.panel(of)?))).collect();
+        DRAWN.iter().filter_map(|plot| Some((plot, drawing.panel(plot)?))).collect();
     if panels.is_empty() {
         return Vec::new();
     }
@@ -28,7 +28,7 @@ pub fn sweep_plots(sweep: &Sweep, units: &str) -> Vec<Plot> {
 impl Drawing<'_> {
     fn figure(&self, panels: &[(&Drawn, Panel)], columns: usize, width_mm: f64) -> Figure {
         let down = matches!(self.varied, Varied::Depth);
-        let subtitle_text = subtitle(&self.sweep.head.facts, self.shown);
+        let subtitle_text = subtitle(&self.sweep.head.facts, self.display);
         Figure {
             title: self.sweep.head.title.clone(),
             subtitle: subtitle_text,

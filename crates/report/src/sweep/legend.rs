@@ -11,7 +11,7 @@ use crate::{
 };
 
 impl Drawing<'_> {
-    /// Places in the legend of what a curve is of: its family, model and operation.
+    /// Places of a curve's keys in the legend: its family, model and operation.
     pub(super) fn keys_of(&self, family: usize, model: usize, operation: usize) -> Vec<usize> {
         let families = self.count(self.families.len());
         let models = self.count(self.models.len());
@@ -24,8 +24,7 @@ impl Drawing<'_> {
         keys
     }
 
-    /// The levels that cases have, the most severe first: a ring of the most severe is about each
-    /// point.
+    /// The levels of cases, the most severe first: each point has a ring of its most severe level.
     pub(super) fn judged(&self) -> Vec<Severity> {
         let levels = [Severity::Error, Severity::Warning].into_iter();
         levels
@@ -63,9 +62,9 @@ impl Drawing<'_> {
             }));
         }
         if self.models.len() > 1 {
-            for (place, of) in self.models.iter().enumerate() {
+            for (place, model) in self.models.iter().enumerate() {
                 keys.push(Key {
-                    name: of.curve_name.into(),
+                    name: model.curve_name.into(),
                     sample: Sample::Line(Ink::Note, Stroke::of(place)),
                 });
             }

@@ -1,4 +1,4 @@
-//! What a page reports a sweep, and its pictures.
+//! Contents of the page of a sweep, and its pictures.
 
 mod drawing;
 mod figures;
@@ -17,11 +17,11 @@ use crate::{Cell, PageHead, PageTable, Place, plots::readable, shown_dimension};
 /// A sweep as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
-    /// Under the name of the case.
+    /// Head of the page, under the name of the case.
     pub head: PageHead,
-    /// The keys that were varied, as they were named.
+    /// The keys that were varied, as written by the user.
     pub keys: Vec<String>,
-    /// What was solved: a row for each model and operation of each case.
+    /// The solutions: a row for each model and operation of each case.
     pub rows: Vec<SweepRow>,
 }
 
@@ -42,19 +42,19 @@ pub struct SweepRow {
     pub errors: usize,
     /// Number of checks that are warnings.
     pub warnings: usize,
-    /// What the most severe finding says; empty where there is none.
+    /// Sentence of the most severe finding; empty where there is none.
     pub check: String,
-    /// The page of the case, relative to that of the sweep; none where the case has none.
+    /// The page of the case, relative to that of the sweep; `None` where the case has none.
     pub page: Option<String>,
 }
 
-/// A scalar that is drawn and reported of each case.
+/// A scalar that is drawn and listed for each case.
 #[derive(Clone, Copy)]
 struct Drawn {
     /// Name of its file.
     name: &'static str,
     scalar: &'static Scalar,
-    /// What its axis spans at least, SI.
+    /// Minimum span of its axis, SI.
     min_span: f64,
 }
 
@@ -94,23 +94,23 @@ impl Sweep {
         let paged = self.rows.iter().any(|row| row.page.is_some());
         let quantities: Vec<&Drawn> = DRAWN
             .iter()
-            .filter(|of| {
-                self.rows.iter().any(|row| row.numbers.contains_key(of.scalar.quantity.name))
+            .filter(|plot| {
+                self.rows.iter().any(|row| row.numbers.contains_key(plot.scalar.quantity.name))
             })
             .collect();
         let row = |row: &SweepRow| {
             let model = ModelKind::named(&row.model);
-            let model = model.map_or(row.model.as_str(), |of| of.method().long_name);
+            let model = model.map_or(row.model.as_str(), |model| model.method().long_name);
             let mut cells: Vec<Cell> = row.values.iter().cloned().map(Cell::Text).collect();
             cells.push(Cell::Text(model.into()));
             cells.push(Cell::Text(readable(&row.operation)));
-            for of in &quantities {
+            for quantity in &quantities {
                 let number = |end: &str| {
-                    row.numbers.get(&format!("{}{end}", of.scalar.quantity.name)).copied()
+                    row.numbers.get(&format!("{}{end}", quantity.scalar.quantity.name)).copied()
                 };
                 cells.push(number("").map_or(Cell::Nothing, |value| Cell::Quantity {
                     value,
-                    dimension: of.dimension().into(),
+                    dimension: quantity.dimension().into(),
                     std: number("_std"),
                 }));
             }
@@ -128,7 +128,7 @@ impl Sweep {
             }
             cells
         };
-        let titles = quantities.iter().map(|of| of.scalar.label.to_owned());
+        let titles = quantities.iter().map(|quantity| quantity.scalar.label.to_owned());
         PageTable {
             place: Place::Cases,
             title: "All cases".into(),
@@ -147,7 +147,7 @@ impl Sweep {
     }
 }
 
-/// How many errors and warnings a row has, with marks that need no colour.
+/// Numbers of errors and warnings of a row, with marks that need no colour.
 fn judgement(row: &SweepRow) -> String {
     let count = |mark: &str, many: usize, name: &str| {
         let end = if many == 1 { "" } else { "s" };

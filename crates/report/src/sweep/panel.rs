@@ -1,4 +1,4 @@
-//! A quantity of a sweep against what was varied.
+//! A quantity of a sweep against the varied key.
 
 use super::{
     Drawn, SweepRow,
@@ -7,20 +7,20 @@ use super::{
 use crate::figure::{Axis, Mark, Panel, Range};
 
 impl Drawing<'_> {
-    /// The panel of a scalar; none where no case has it.
-    pub(super) fn panel(&self, of: &Drawn) -> Option<Panel> {
-        let dimension = of.dimension();
+    /// The panel of a scalar; `None` where no case has it.
+    pub(super) fn panel(&self, plot: &Drawn) -> Option<Panel> {
+        let dimension = plot.dimension();
         let value = |row: &SweepRow, end: &str| {
-            let value = row.numbers.get(&format!("{}{end}", of.scalar.quantity.name)).copied();
-            self.shown.value(value.unwrap_or(f64::NAN), dimension)
+            let value = row.numbers.get(&format!("{}{end}", plot.scalar.quantity.name)).copied();
+            self.display.value(value.unwrap_or(f64::NAN), dimension)
         };
         let (mut bands, mut curves, mut points) = (Vec::new(), Vec::new(), Vec::new());
         let mut names = Vec::new();
         for (place, family) in self.families.iter().enumerate() {
             let solved = self.operations.iter().enumerate();
-            let solved = solved.flat_map(|of| {
+            let solved = solved.flat_map(|solved| {
                 let models = self.models.iter().enumerate();
-                models.map(move |model| (of, model))
+                models.map(move |model| (solved, model))
             });
             for ((done, operation), (model, method)) in solved {
                 let (ink, shape) = self.style(place, done);
@@ -52,7 +52,7 @@ impl Drawing<'_> {
                 }
                 let name = self.name(place, done);
                 let last = mean.iter().rev().find(|(at, value)| (at + value).is_finite());
-                // Where two models are one beside the other, one name is enough.
+                // Where the curves of two models coincide, one name is enough.
                 if let (Some(end), false) = (last, name.is_empty() || names.contains(&name)) {
                     curves.push(Mark::Foot { at: *end, text: name.clone() });
                     names.push(name);
@@ -92,8 +92,8 @@ impl Drawing<'_> {
             axis: Axis {
                 // Depth points down wherever an axis can.
                 down: dimension == "length",
-                min_span: self.shown.value(of.min_span, dimension),
-                ..Axis::new(self.shown.label(of.scalar.label, dimension), Range::Near)
+                min_span: self.display.value(plot.min_span, dimension),
+                ..Axis::new(self.display.label(plot.scalar.label, dimension), Range::Near)
             },
             marks: [bands, curves, points].concat(),
             keys: Vec::new(),

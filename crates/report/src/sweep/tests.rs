@@ -58,7 +58,7 @@ fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
 fn figure(sweep: &Sweep, units: &str) -> Figure {
     let plots = sweep_plots(sweep, units);
     let names: Vec<&str> = plots.iter().map(|plot| plot.name.as_str()).collect();
-    // Nothing is drawn of quantities that are not there.
+    // Quantities without values are not drawn.
     assert_eq!(names, ["sweep", "hook-load"]);
     plots[0].figure.clone()
 }
@@ -151,7 +151,7 @@ fn values_are_read_with_their_unit() {
     }
 }
 
-/// The table has every case, and says which failed.
+/// The table has every case, and marks those that failed.
 #[test]
 fn the_table_has_every_case() {
     let mut sweep = sweep(["friction", "bit_depth"], [&["0.1", "0.2"], &["300m"]]);
@@ -218,7 +218,7 @@ fn more_curves_than_colours_differ_by_stroke() {
 }
 
 /// Operations are distinguished by strokes and named at the ends of their curves; a page can hide
-/// what a key says, and knows which row a point shows.
+/// the marks of a key, and knows the row of a point.
 #[test]
 fn operations_differ_by_stroke_and_have_their_names() {
     let mut sweep = sweep(["friction", "bit_depth"], [&["0.1"], &["300m", "600m"]]);
@@ -259,7 +259,7 @@ fn operations_differ_by_stroke_and_have_their_names() {
     for pair in [["0", "1"], ["2", "3"]] {
         assert_eq!(spots.iter().map(rows).filter(|rows| *rows == pair).count(), 6);
     }
-    // Files for a paper hold none of that.
+    // Files for paper have none of that.
     let file = figure.drawing().svg();
     assert!(!file.contains("data-") && !file.contains("class=\"series\""));
     assert!(file.contains(">slide</text>"));

@@ -2,9 +2,9 @@
 
 use super::Sweep;
 
-/// The axis of what was varied.
+/// The axis of the varied key.
 pub(super) enum Varied {
-    /// The depth of the bit, down the page, as engineers draw it.
+    /// The depth of the bit, down the page, as is usual.
     Depth,
     /// Another key whose values are numbers of one unit.
     Number { key: usize, unit: String },
@@ -46,7 +46,7 @@ impl Varied {
     }
 }
 
-/// A value as a number and its unit; nothing where it is none.
+/// A value as a number and its unit; `None` where it is not a number.
 pub(super) fn split(value: &str) -> Option<(f64, &str)> {
     let value = value.trim();
     let is_number = |letter: char| letter.is_ascii_digit() || "+-.".contains(letter);
@@ -59,7 +59,7 @@ pub(super) fn split(value: &str) -> Option<(f64, &str)> {
     Some((number, value[end..].trim()))
 }
 
-/// The last part of a key, as people say it: `operation.bit_depth` is the bit depth.
+/// The last part of a key in readable form: `operation.bit_depth` is the bit depth.
 pub(super) fn short(key: &str) -> String {
     let last = key.rsplit('.').next().unwrap_or(key);
     match last {
@@ -69,7 +69,7 @@ pub(super) fn short(key: &str) -> String {
     }
 }
 
-/// It with a capital.
+/// The same with a capital.
 pub(super) fn name(key: &str) -> String {
     let short = short(key);
     let mut letters = short.chars();

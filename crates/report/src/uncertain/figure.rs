@@ -1,4 +1,4 @@
-//! Which inputs the samples owe their scatter to, as bars.
+//! Sensitivity of the samples to the inputs (Sobol indices), as bars.
 
 use super::{Uncertain, UncertainNumber};
 use crate::{
@@ -6,23 +6,23 @@ use crate::{
     operation_words::{colour, operation_name},
 };
 
-/// What bars are drawn of, and the heading of their panel.
+/// Quantities with bars, and the heading of their panel.
 const DRAWN: [(&str, &str); 3] = [
     ("hook_load", "Hook load"),
     ("surface_torque", "Surface torque"),
     ("depth", "Depth of the first stop"),
 ];
 
-/// Part of the room of an input that its bars take.
+/// Part of an input's height that its bars take.
 const FULL: f64 = 0.8;
 
-/// Less than this part of the variance is no bar that anybody sees.
+/// A bar below this part of the variance is invisible.
 const SEEN: f64 = 0.005;
 
-/// A row for each input, a bar for each operation: its length is the total index, the point on it the
-/// first-order one. None of a single input, which has all.
-pub(crate) fn figure(of: &Uncertain, title: &str) -> Option<Figure> {
-    if of.inputs.len() < 2 {
+/// A row for each input, a bar for each operation: its length is the total index, the point on it
+/// the first-order one. `None` for a single input, which has all.
+pub(crate) fn figure(uncertain: &Uncertain, title: &str) -> Option<Figure> {
+    if uncertain.inputs.len() < 2 {
         return None;
     }
     let mut operations: Vec<&str> = Vec::new();
@@ -31,40 +31,40 @@ pub(crate) fn figure(of: &Uncertain, title: &str) -> Option<Figure> {
         let is_drawn = |one: &&UncertainNumber| {
             one.quantity == quantity && one.owed.is_some() && one.limit.is_empty()
         };
-        let drawn: Vec<&UncertainNumber> = of.told().filter(is_drawn).collect();
-        if drawn.is_empty() {
+        let numbers: Vec<&UncertainNumber> = uncertain.listed().filter(is_drawn).collect();
+        if numbers.is_empty() {
             continue;
         }
-        for one in &drawn {
+        for one in &numbers {
             if !operations.contains(&one.operation.as_str()) {
                 operations.push(&one.operation);
             }
         }
         let axis = Axis::new(format!("{heading}, %"), Range::Fixed(0.0, 100.0));
-        panels.push(Panel::new(axis, bars(&drawn)));
+        panels.push(Panel::new(axis, bars(&numbers)));
     }
     if panels.is_empty() {
         return None;
     }
-    let named = operations
-        .iter()
-        .filter(|of| !of.is_empty())
-        .map(|of| Key { name: operation_name(of), sample: Sample::Band(Ink::Line(colour(of))) });
+    let named = operations.iter().filter(|operation| !operation.is_empty()).map(|operation| Key {
+        name: operation_name(operation),
+        sample: Sample::Band(Ink::Line(colour(operation))),
+    });
     let what = [
         Key { name: "bar: total index".into(), sample: Sample::Words },
         Key { name: "first-order index".into(), sample: Sample::Point(Ink::Text, Shape::Circle) },
     ];
     let keys: Vec<Key> = named.chain(what).collect();
-    let words = of.inputs.iter().map(|[key, _]| key.clone()).collect();
+    let words = uncertain.inputs.iter().map(|[key, _]| key.clone()).collect();
     Some(Figure {
         title: title.to_owned(),
-        subtitle: of.said(),
+        subtitle: uncertain.description(),
         keys,
         layout: Layout {
             direction: Direction::Down,
             columns: panels.len(),
             width_mm: 180.0,
-            panel_mm: 14.0 * (of.inputs.len() as f64).max(2.0),
+            panel_mm: 14.0 * (uncertain.inputs.len() as f64).max(2.0),
         },
         shared: Axis {
             scale: Scale::Words(words),
@@ -76,12 +76,12 @@ pub(crate) fn figure(of: &Uncertain, title: &str) -> Option<Figure> {
     })
 }
 
-fn bars(drawn: &[&UncertainNumber]) -> Vec<Mark> {
+fn bars(numbers: &[&UncertainNumber]) -> Vec<Mark> {
     let mut marks = Vec::new();
-    let height = FULL / drawn.len() as f64;
-    for (place, of) in drawn.iter().enumerate() {
-        let Some(owed) = &of.owed else { continue };
-        let ink = Ink::Line(colour(&of.operation));
+    let height = FULL / numbers.len() as f64;
+    for (place, number) in numbers.iter().enumerate() {
+        let Some(owed) = &number.owed else { continue };
+        let ink = Ink::Line(colour(&number.operation));
         let middle = (place as f64 + 0.5) * height - 0.5 * FULL;
         for (input, (first, total)) in owed.first.iter().zip(&owed.total).enumerate() {
             if *total < SEEN {

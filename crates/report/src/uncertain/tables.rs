@@ -1,14 +1,14 @@
-//! Tables of what is not known exactly.
+//! Tables of uncertain numbers.
 
 use super::{Uncertain, UncertainNumber};
 use crate::{
     Grid, StudyPart, Verdict,
     grid_cells::{head, row},
     operation_words::{four, operation_name},
-    plots::Shown,
+    plots::DisplayUnits,
 };
 
-/// A fit that predicts less of the variance than this says little.
+/// A fit that predicts less of the variance than this is of little use.
 const PREDICTS: f64 = 0.9;
 
 fn part(title: &str, caption: String, grid: Grid, files: &str) -> Option<StudyPart> {
@@ -21,22 +21,22 @@ fn part(title: &str, caption: String, grid: Grid, files: &str) -> Option<StudyPa
     })
 }
 
-/// What is uncertain.
-pub(crate) fn inputs(of: &Uncertain) -> Option<StudyPart> {
+/// The uncertain inputs.
+pub(crate) fn inputs(uncertain: &Uncertain) -> Option<StudyPart> {
     let heads = vec![head("key of the case", true), head("distribution", true)];
-    let rows = of.inputs.iter().map(|cells| row(cells.to_vec())).collect();
-    part("What is uncertain", of.notes.join(" "), Grid { heads, rows }, &of.files[2])
+    let rows = uncertain.inputs.iter().map(|cells| row(cells.to_vec())).collect();
+    part("Uncertain inputs", uncertain.notes.join(" "), Grid { heads, rows }, &uncertain.files[2])
 }
 
-/// Where a number is and what it is of.
-fn named(of: &UncertainNumber, all: &Uncertain) -> Vec<String> {
-    let operation = match of.operation.as_str() {
+/// Cells that identify a number.
+fn named(number: &UncertainNumber, all: &Uncertain) -> Vec<String> {
+    let operation = match number.operation.as_str() {
         "" => "any".to_owned(),
         name => operation_name(name),
     };
-    let mut cells = vec![of.title.clone(), operation];
+    let mut cells = vec![number.title.clone(), operation];
     if all.has_frictions() {
-        cells.push(of.friction.map_or_else(|| "the case's".to_owned(), four));
+        cells.push(number.friction.map_or_else(|| "the case's".to_owned(), four));
     }
     cells
 }
@@ -49,22 +49,23 @@ fn names(all: &Uncertain) -> Vec<crate::Head> {
     heads
 }
 
-/// How numbers scatter, at the deepest depth where they are of one.
-pub(crate) fn bands(of: &Uncertain, shown: Shown<'_>) -> Option<StudyPart> {
-    let mut heads = names(of);
+/// Distributions of the numbers, at the deepest depth where they are of one.
+pub(crate) fn bands(uncertain: &Uncertain, display: DisplayUnits<'_>) -> Option<StudyPart> {
+    let mut heads = names(uncertain);
     for text in ["unit", "the case", "5 %", "50 %", "95 %", "without an answer"] {
         heads.push(head(text, text == "unit"));
     }
-    // Nothing turns: no torque.
-    let is_something = |of: &&UncertainNumber| of.quantiles.iter().any(|value| *value != 0.0);
-    let rows = of.told().filter(is_something).map(|one| {
-        let value = |si: f64| four(shown.value(si, &one.dimension));
-        let mut cells = named(one, of);
-        cells.push(shown.symbol(&one.dimension).to_owned());
+    // Nothing rotates: no torque.
+    let is_something =
+        |number: &&UncertainNumber| number.quantiles.iter().any(|value| *value != 0.0);
+    let rows = uncertain.listed().filter(is_something).map(|one| {
+        let value = |si: f64| four(display.value(si, &one.dimension));
+        let mut cells = named(one, uncertain);
+        cells.push(display.symbol(&one.dimension).to_owned());
         cells.push(value(one.expected));
         let [low, _, middle, _, high] = one.quantiles;
         let all = one.answers + one.without_answer;
-        // Of limits that are not met, a depth is at least the last one.
+        // For limits that are not reached, a depth is at least the last one.
         let depth = |part: f64, si: f64| {
             let met = (all - one.not_met) as f64;
             let is_met = one.not_met == 0 || part * all as f64 <= met;
@@ -75,23 +76,24 @@ pub(crate) fn bands(of: &Uncertain, shown: Shown<'_>) -> Option<StudyPart> {
         row(cells)
     });
     let rows = rows.collect();
-    let caption = "Below these values lie 5, 50 and 95 % of the samples. Hook load, torque and weight to \
-        buckle with the bit at its deepest; a reserve is the least factor over the required one of all \
-        depths and components, short where it is below one, here of the operation that has least. Samples \
-        without an answer are in no band."
-        .to_owned();
-    part("Bands", caption, Grid { heads, rows }, &of.files[0])
+    let caption =
+        "The 5th, 50th and 95th percentiles of the samples. Hook load, torque and weight \
+        to buckle with the bit at its deepest; a reserve is the least factor over the required one \
+        of all depths and components, below the required factor where it is less than one, here \
+        for the operation with the least reserve. Samples without an answer are in no band."
+            .to_owned();
+    part("Bands", caption, Grid { heads, rows }, &uncertain.files[0])
 }
 
-/// Which inputs that is owed to.
-pub(crate) fn owed(of: &Uncertain) -> Option<StudyPart> {
-    let mut heads = names(of);
-    heads.extend(of.inputs.iter().map(|[key, _]| head(format!("{key}, %"), false)));
+/// Sensitivity to the inputs.
+pub(crate) fn owed(uncertain: &Uncertain) -> Option<StudyPart> {
+    let mut heads = names(uncertain);
+    heads.extend(uncertain.inputs.iter().map(|[key, _]| head(format!("{key}, %"), false)));
     heads.push(head("predicted, %", false));
-    let has_rest = |first: &[f64]| first.iter().any(|of| of.is_nan());
-    let rows = of.told().filter_map(|one| {
+    let has_rest = |first: &[f64]| first.iter().any(|first| first.is_nan());
+    let rows = uncertain.listed().filter_map(|one| {
         let owed = one.owed.as_ref()?;
-        let mut cells = row(named(one, of));
+        let mut cells = row(named(one, uncertain));
         cells.extend(owed.first.iter().zip(&owed.total).map(|(first, total)| {
             let first = if first.is_finite() { percent(*first) } else { "–".to_owned() };
             (format!("{first} / {}", percent(*total)), Verdict::None)
@@ -102,20 +104,22 @@ pub(crate) fn owed(of: &Uncertain) -> Option<StudyPart> {
         Some(cells)
     });
     let rows = rows.collect();
-    let caption = "First-order / total Sobol index: what part of the variance would go if the input \
-        were known, and what part would stay if all others were. The last column is what the fit predicts \
-        of samples that it has not seen: below 90 % the indices mean little. A choice among more than four \
-        values has what the others do not tell, and no first-order index."
+    let caption = "First-order / total Sobol index: the part of the variance that would vanish if \
+        the input were known, and the part that would remain if all others were. The last column \
+        is the part of the variance that the fit predicts at samples outside the fit: below 90 % \
+        the indices mean little. A choice among more than four values has the part that the others \
+        do not explain, and no first-order index."
         .to_owned();
-    part("Sobol indices", caption, Grid { heads, rows }, &of.files[1])
+    part("Sobol indices", caption, Grid { heads, rows }, &uncertain.files[1])
 }
 
-/// What stops the well first, and how often.
-pub(crate) fn stops(of: &Uncertain) -> Option<StudyPart> {
+/// Limits that stop the well first, and their frequency.
+pub(crate) fn stops(uncertain: &Uncertain) -> Option<StudyPart> {
     let heads = vec![head("stops the well first", true), head("samples", false)];
-    let rows = of.stops.iter().map(|(what, count)| row(vec![what.clone(), count.to_string()]));
+    let rows =
+        uncertain.stops.iter().map(|(what, count)| row(vec![what.clone(), count.to_string()]));
     let grid = Grid { heads, rows: rows.collect() };
-    part("What stops the samples", String::new(), grid, &of.files[3])
+    part("Limits that stop the samples", String::new(), grid, &uncertain.files[3])
 }
 
 fn percent(part: f64) -> String {

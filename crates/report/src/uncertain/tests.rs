@@ -1,7 +1,7 @@
-//! What pages say of uncertain numbers.
+//! Pages of uncertain numbers.
 
 use super::{Uncertain, UncertainNumber, UncertainShares, bands, figure, owed};
-use crate::{StudyPart, plots::Shown};
+use crate::{StudyPart, plots::DisplayUnits};
 
 fn number(quantity: &str, not_met: usize) -> UncertainNumber {
     UncertainNumber {
@@ -40,13 +40,13 @@ fn cells(part: Option<StudyPart>) -> Vec<Vec<String>> {
     grid.rows.into_iter().map(|row| row.into_iter().map(|(cell, _)| cell).collect()).collect()
 }
 
-/// Samples without an answer are counted, what is not met is said to be beyond, a choice among many has
-/// what is left.
+/// Samples without an answer are counted, an unreached limit is reported as beyond, a choice among
+/// many values has the remainder.
 #[test]
 fn tables_say_what_is_missing() {
     let none = std::collections::BTreeMap::new();
-    let rows = cells(bands(&all(), Shown::new(&none, "si")));
-    // Margins are the figure's alone.
+    let rows = cells(bands(&all(), DisplayUnits::new(&none, "si")));
+    // Margins are only in the figure.
     assert_eq!(rows.len(), 2);
     assert!(rows.iter().all(|row| row.last().unwrap() == "3"), "{rows:?}");
     let over = |row: &[String]| row.iter().filter(|cell| cell.starts_with("over ")).count();
@@ -57,8 +57,8 @@ fn tables_say_what_is_missing() {
 
 #[test]
 fn bars_are_drawn_of_several_inputs() {
-    let drawn = figure(&all(), "a well").expect("a figure");
-    assert_eq!(drawn.panels.len(), 2);
+    let figure_of_all = figure(&all(), "a well").expect("a figure");
+    assert_eq!(figure_of_all.panels.len(), 2);
     let mut one = all();
     one.inputs.truncate(1);
     assert_eq!(figure(&one, "a well"), None);

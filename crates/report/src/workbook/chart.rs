@@ -1,4 +1,4 @@
-//! Charts that are Excel's own, of the numbers in the sheets.
+//! Native Excel charts of the numbers in the sheets.
 
 use rust_xlsxwriter::{
     Chart, ChartFormat, ChartLegendPosition, ChartLine, ChartLineDashType, ChartMarker,
@@ -11,11 +11,11 @@ use crate::{draw::Ink as Colour, figure::Stroke};
 /// Curves down a depth axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WorkbookChart {
-    /// What stands over it.
+    /// Its title.
     pub title: String,
-    /// What stands at the axis across, unit included.
+    /// Title of the axis across, unit included.
     pub across: String,
-    /// What stands at the axis down, unit included.
+    /// Title of the axis down, unit included.
     pub down: String,
     /// Its curves.
     pub series: Vec<WorkbookSeries>,
@@ -24,23 +24,23 @@ pub struct WorkbookChart {
 /// A curve: some rows of two columns of a sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WorkbookSeries {
-    /// What the legend calls it.
+    /// Its name in the legend.
     pub name: String,
     /// Name of the sheet.
     pub sheet: String,
-    /// Place of the column that goes across.
+    /// Index of the column that goes across.
     pub across: usize,
-    /// Place of the column that goes down.
+    /// Index of the column that goes down.
     pub down: usize,
     /// The rows, counted from zero.
     pub rows: std::ops::Range<usize>,
     /// Place of its colour among those of curves.
     pub colour: usize,
-    /// How it is drawn: points alone where there is none.
+    /// Its stroke; points alone where there is none.
     pub stroke: Option<Stroke>,
 }
 
-/// Rows over the charts, and the room of one.
+/// Rows over the charts, and the rows and columns of one.
 const TOP: u32 = 2;
 const ROWS: u32 = 31;
 const COLUMNS: u16 = 11;
@@ -53,33 +53,33 @@ pub(super) fn write(
     charts: &[WorkbookChart],
 ) -> Result<(), XlsxError> {
     on.set_name("Charts")?;
-    // As every program then has it: charts are as high as so many rows.
+    // A fixed row height for every program, because charts are measured in rows.
     on.set_default_row_height(15.0);
     on.write_with_format(0, 0, title, &Format::new().set_bold().set_font_size(14))?;
     for (row, line) in (1..).zip(about) {
         on.write_string(row, 0, line)?;
     }
     let top = TOP + about.len() as u32;
-    for (place, of) in (0u32..).zip(charts) {
+    for (place, data) in (0u32..).zip(charts) {
         let (row, column) = (top + place / 2 * ROWS, (place % 2) as u16 * COLUMNS);
-        on.insert_chart(row, column, &chart(of))?;
+        on.insert_chart(row, column, &chart(data))?;
     }
     on.set_landscape().set_print_fit_to_pages(1, 0);
     Ok(())
 }
 
-fn chart(of: &WorkbookChart) -> Chart {
+fn chart(data: &WorkbookChart) -> Chart {
     let mut chart = Chart::new(ChartType::ScatterStraight);
-    chart.title().set_name(&of.title);
+    chart.title().set_name(&data.title);
     let mut grid = ChartLine::new();
     grid.set_color(packed(Colour::Grid)).set_width(0.75);
-    chart.x_axis().set_name(&of.across).set_major_gridlines_line(&grid);
-    // Depth grows down the page, and what goes across stands on top.
-    let depth = chart.y_axis().set_name(&of.down);
+    chart.x_axis().set_name(&data.across).set_major_gridlines_line(&grid);
+    // Depth grows down the page, and the axis across is at the top.
+    let depth = chart.y_axis().set_name(&data.down);
     depth.set_reverse().set_min(0).set_major_gridlines_line(&grid);
     chart.legend().set_position(ChartLegendPosition::Bottom);
     chart.set_width(SIZE[0]).set_height(SIZE[1]);
-    for series in &of.series {
+    for series in &data.series {
         let rows = [series.rows.start, series.rows.end.saturating_sub(1)];
         let [first, last] = rows.map(|row| FIRST_ROW + row as u32);
         let range = |column: usize| {
@@ -112,7 +112,7 @@ fn chart(of: &WorkbookChart) -> Chart {
     chart
 }
 
-/// A colour as Excel is told it.
+/// A colour in Excel's form.
 fn packed(colour: Colour) -> u32 {
     let [red, green, blue] = colour.rgb();
     u32::from_be_bytes([0, red, green, blue])

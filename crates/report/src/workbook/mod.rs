@@ -8,12 +8,12 @@ pub use sheet::{Cells, Sheet, SheetColumn};
 
 use rust_xlsxwriter::{Workbook as File, XlsxError};
 
-/// A workbook: sheets that a person reads first, one with all charts, and a sheet for each table.
+/// A workbook: sheets to be read first, one with all charts, and a sheet for each table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Workbook {
-    /// What it is called.
+    /// Its title.
     pub title: String,
-    /// What stands over the charts, line by line.
+    /// Text over the charts, line by line.
     pub about: Vec<String>,
     /// Sheets before the charts, printed as a whole.
     pub first: Vec<Sheet>,
@@ -21,11 +21,11 @@ pub struct Workbook {
     pub charts: Vec<WorkbookChart>,
     /// Tables.
     pub sheets: Vec<Sheet>,
-    /// Rows of each of the tables that are printed; all of them where none is given.
+    /// Number of printed rows of each table; all where it is `None`.
     pub printed_rows: Option<u32>,
 }
 
-/// Why a workbook cannot be made.
+/// Error of writing a workbook.
 #[derive(Debug)]
 pub struct WorkbookError(XlsxError);
 
@@ -47,7 +47,7 @@ impl Workbook {
     /// The file's bytes.
     ///
     /// # Errors
-    /// More rows than a sheet has, or a text longer than a cell takes.
+    /// More rows than a sheet has, or a text longer than a cell allows.
     pub fn bytes(&self) -> Result<Vec<u8>, WorkbookError> {
         let mut file = File::new();
         for sheet in &self.first {

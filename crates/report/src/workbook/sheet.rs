@@ -7,7 +7,7 @@ use rust_xlsxwriter::{Format, FormatAlign, FormatBorder, Worksheet, XlsxError};
 pub struct Sheet {
     /// Its name on the tab, 31 letters at most.
     pub name: String,
-    /// What a row is, in a sentence.
+    /// Meaning of a row, in a sentence.
     pub about: String,
     /// Its columns, all of one length.
     pub columns: Vec<SheetColumn>,
@@ -16,17 +16,17 @@ pub struct Sheet {
 /// A column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SheetColumn {
-    /// What it is.
+    /// Its heading.
     pub heading: String,
-    /// Its unit, which stands in the heading; empty where it has none.
+    /// Its unit, which is in the heading; empty where it has none.
     pub unit: String,
-    /// What it means, in a sentence.
+    /// Its meaning, in a sentence.
     pub meaning: String,
-    /// What stands in it.
+    /// Its cells.
     pub cells: Cells,
 }
 
-/// What stands in a column.
+/// Cells of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cells {
     /// Numbers, in the column's unit; empty where there is none.
@@ -36,7 +36,7 @@ pub enum Cells {
 }
 
 impl Cells {
-    /// How many rows they are.
+    /// Number of rows.
     pub fn len(&self) -> usize {
         match self {
             Self::Numbers(values) => values.len(),
@@ -44,7 +44,7 @@ impl Cells {
         }
     }
 
-    /// Whether there are none.
+    /// Whether there are no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -71,7 +71,7 @@ fn heading() -> Format {
 /// Width of a column of words, in letters, beyond which they are wrapped.
 const WIDEST: usize = 60;
 
-/// Writes a sheet, of which so many rows are printed; all where none is given.
+/// Writes a sheet with this many printed rows; all where none is given.
 pub(super) fn write(
     on: &mut Worksheet,
     sheet: &Sheet,
@@ -123,7 +123,7 @@ pub(super) fn write(
     Ok(())
 }
 
-/// How a number is shown: four digits or so, which is what people read; the cell holds all.
+/// Number format: about four digits, which are enough to read; the cell holds all.
 fn digits(value: f64) -> &'static str {
     match value.abs() {
         0.0 => "0",
@@ -135,7 +135,7 @@ fn digits(value: f64) -> &'static str {
     }
 }
 
-/// What a row of each sheet is, and what each of its columns means.
+/// Meaning of a row of each sheet, and of each of its columns.
 pub(super) fn write_meanings<'a>(
     on: &mut Worksheet,
     sheets: impl Iterator<Item = &'a Sheet>,
@@ -148,7 +148,7 @@ pub(super) fn write_meanings<'a>(
     let of_sheet = |sheet: &Sheet| {
         let rows = sheet.columns.iter();
         let rows =
-            rows.map(|of| [&sheet.name, &of.heading, &of.unit, &of.meaning].map(String::clone));
+            rows.map(|row| [&sheet.name, &row.heading, &row.unit, &row.meaning].map(String::clone));
         let first = [sheet.name.clone(), String::new(), String::new(), sheet.about.clone()];
         [first].into_iter().chain(rows).collect::<Vec<_>>()
     };

@@ -9,7 +9,7 @@ fn workbook() -> Workbook {
     let column = |heading: &str, unit: &str, cells| SheetColumn {
         heading: heading.into(),
         unit: unit.into(),
-        meaning: format!("What {heading} means"),
+        meaning: format!("Meaning of {heading}"),
         cells,
     };
     Workbook {
@@ -47,7 +47,7 @@ fn workbook() -> Workbook {
     }
 }
 
-/// What is written is read back: every digit, units in the headings, nothing where there is nothing.
+/// Written cells are read back: every digit, units in the headings, and empty cells.
 #[test]
 fn a_workbook_is_read_back() {
     let bytes = workbook().bytes().expect("a workbook");
@@ -63,10 +63,10 @@ fn a_workbook_is_read_back() {
     assert_eq!([cell(2, 2), cell(3, 2)], [Data::Empty, Data::Empty]);
     let columns = read.worksheet_range("Columns").expect("a sheet");
     assert_eq!(columns.get_value((1, 3)), Some(&text("A row for each depth")));
-    assert_eq!(columns.get_value((4, 3)), Some(&text("What hook load means")));
+    assert_eq!(columns.get_value((4, 3)), Some(&text("Meaning of hook load")));
 }
 
-/// The chart is Excel's own, of the cells: its file names their rows and turns the depth round.
+/// The chart is Excel's own, of the cells: its file names their rows and reverses the depth axis.
 #[test]
 fn charts_are_of_the_cells() {
     let bytes = workbook().bytes().expect("a workbook");

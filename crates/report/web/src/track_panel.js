@@ -5,7 +5,7 @@ import { svg } from "../../../../web/components/dom.ts";
 import { beyond, withoutOutliers } from "../../../../web/components/outliers.ts";
 import { domain } from "../../../../web/components/ticks.ts";
 import { closeTrack, drawCurve, openTrack, shoeDepths } from "../../../../web/components/track.ts";
-import { si } from "../../../../web/components/units.ts";
+import { digits, shown, si } from "../../../../web/components/units.ts";
 import { placedOf } from "./checks.js";
 import { chosen, chosenInTime, look, operations } from "./solutions.js";
 import { state } from "./state.js";
@@ -50,6 +50,7 @@ export function drawTrack(report, picture, track, box, [from, to], y) {
     drawCurve(inside, curve, { colour, dash, faint }, view, y);
     if (shape) clip.append(...markers(report, curve, { colour, shape, place, hollow, faint }, view, x, y));
   }
+  if (track.sides) cutoff(report, clip, box, view, y);
   if (track.touches) classStrip(report, clip, track, box, view, y);
   closeTrack(picture, inside, track.title, track.dimension, box);
   if (track.sides)
@@ -144,6 +145,18 @@ function fillSides(report, clip, track, view, x, y) {
       ),
       class: "low-side",
     }),
+  );
+}
+
+/** The depth at which the side force of the curve in colour changes sides. */
+function cutoff(report, clip, box, [from, to], y) {
+  const depth = chosen(report)[0]?.cutoff_depth_m ?? null;
+  if (depth === null || depth < from || depth > to) return;
+  const [left, right] = [box.left, box.left + box.width];
+  const label = `cut-off ${digits(shown(depth, "length"), 5)}`;
+  clip.append(
+    svg("line", { x1: left, x2: right, y1: y(depth), y2: y(depth), class: "cut-off" }),
+    svg("text", { x: right - 4, y: y(depth) - 4, class: "side end" }, label),
   );
 }
 

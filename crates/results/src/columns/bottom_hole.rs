@@ -4,7 +4,7 @@ use super::specs;
 use crate::ColumnSpec;
 
 /// Columns of `bottom_hole.parquet`: the pattern on the bottom of the hole at the end, one row per
-/// cell, ring after ring from the axis outwards, for each operation whose bit stood on solid rock.
+/// cell, ring after ring from the axis outwards, for each operation whose bit was on solid rock.
 pub const BOTTOM_HOLE: &[ColumnSpec] = specs! {
     "operation": Words, "`drill`, `slide`, ...";
     "radius_m": Length, "Radius of the middle of the ring";
@@ -12,7 +12,7 @@ pub const BOTTOM_HOLE: &[ColumnSpec] = specs! {
         "Angle of the middle of the sector from the high side towards the right, looking down the \
          hole";
     "depth_m": Length,
-        "Depth of the rock that is uppermost there, below the nose of the bit; `null` where none \
-         stands",
-        null_where "no rock stands";
+        "Depth of the uppermost rock, below the nose of the bit; `null` where no \
+         rock is left",
+        null_where "no rock is left";
 };

@@ -1,5 +1,5 @@
-//! Every column of every table. What the engine answers it declares itself; here are the tables
-//! made of it, and what only results hold.
+//! Every column of every table. The engine declares the quantities of its answers itself; this
+//! module declares the tables made of them and the columns that only results have.
 
 mod bha;
 mod bit_test;
@@ -53,7 +53,8 @@ use wholestring::outcome;
 /// Name, unit and meaning of a column.
 pub type ColumnSpec = outcome::Quantity;
 
-/// Declares columns: name, kind of quantity or words, meaning, and where there is no value.
+/// Declares columns: name, kind of quantity or words, meaning, and the condition under which there
+/// is no value.
 macro_rules! specs {
     (@one $name:literal, Words, $meaning:literal) => {
         $crate::ColumnSpec::text($name, $meaning)
@@ -68,17 +69,17 @@ macro_rules! specs {
 
 use specs;
 
-/// Whose rows they are.
+/// Model of the rows.
 const MODEL: ColumnSpec = ColumnSpec::text("model", outcome::ModelKind::LISTED);
 
-/// Whose rows they are.
+/// Operation of the rows.
 const OPERATION: ColumnSpec = ColumnSpec::text("operation", "`trip_out`, `drill`, ...");
 
-/// The columns of a table: what the engine declares, between what says whose the rows are and what
-/// is added to them.
+/// The columns of a table: the quantities that the engine declares, between the columns that
+/// identify the rows and those added to them.
 ///
 /// # Panics
-/// If `N` is not the number of all.
+/// If `N` is not the total number of columns.
 const fn table<T, const N: usize>(
     whose: &[ColumnSpec],
     declared: &[outcome::Column<T>],
@@ -112,7 +113,7 @@ mod tests {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),
-                    "{} stands twice",
+                    "{} is declared twice",
                     column.name
                 );
             }
@@ -122,15 +123,15 @@ mod tests {
     #[test]
     fn every_column_of_a_frame_is_of_one_channel() {
         let mut names: Vec<&str> =
-            Channel::ALL.iter().flat_map(|of| of.columns()).copied().collect();
+            Channel::ALL.iter().flat_map(|channel| channel.columns()).copied().collect();
         names.push("md_m");
         names.sort_unstable();
-        let mut declared: Vec<&str> = FRAME.iter().map(|of| of.quantity.name).collect();
+        let mut declared: Vec<&str> = FRAME.iter().map(|column| column.quantity.name).collect();
         declared.sort_unstable();
         assert_eq!(names, declared);
     }
 
-    /// Whoever reads what a column means learns that it may be `null`.
+    /// The meaning of a column that may be `null` mentions it.
     #[test]
     fn a_column_that_may_be_null_says_so() {
         for column in TABLES.iter().flat_map(|(_, columns)| *columns) {

@@ -3,7 +3,7 @@
 use super::{MODEL, OPERATION};
 use crate::ColumnSpec;
 
-/// Adds what says whose rows they are.
+/// Adds the columns that identify the rows: model, operation and friction.
 macro_rules! plan_specs {
     ($($name:literal: $kind:ident, $meaning:literal $(, null_where $none:literal)?;)+) => {
         &[
@@ -20,11 +20,11 @@ macro_rules! plan_specs {
 pub const PLAN_BROOMSTICK: &[ColumnSpec] = plan_specs! {
     "bit_depth_m": Depth, "Measured depth of the bit";
     "hook_load_N": Force,
-        "Tension at the top of the string; block and top drive excluded; this and the other numbers \
-         are `null` where there is no answer",
+        "Tension at the top of the string; block and top drive excluded; this and the other \
+         numbers are `null` where there is no answer",
         null_where "there is no answer";
     "hook_load_with_block_N": Force,
-        "The same with the block, which is what the hoist carries; `null` where the block's weight is not \
+        "The same with the block, the load of the hoist; `null` where the block's weight is not \
          given or there is no answer",
         null_where "the block's weight is not given or there is no answer";
     "surface_torque_N_m": Torque, "Torque at the top of the string, or `null`",
@@ -32,7 +32,7 @@ pub const PLAN_BROOMSTICK: &[ColumnSpec] = plan_specs! {
     "weight_on_bit_N": Force, "Weight on bit, or `null`", null_where "there is no answer";
     "bit_torque_N_m": Torque, "Bit torque, or `null`", null_where "there is no answer";
     "friction_torque_N_m": Torque,
-        "Part of the surface torque that comes from wall contact alone, or `null`",
+        "Part of the surface torque from wall contact alone, or `null`",
         null_where "there is no answer";
     "axial_friction_N": Force, "Axial friction of the wall; positive adds to hook load; or `null`",
         null_where "there is no answer";
@@ -40,22 +40,24 @@ pub const PLAN_BROOMSTICK: &[ColumnSpec] = plan_specs! {
         null_where "there is no answer";
     "stretch_m": Length, "Elongation against the unloaded string, or `null`",
         null_where "there is no answer";
-    "twist_rad": Angle, "Turn of the top against the bit, or `null`", null_where "there is no answer";
+    "twist_rad": Angle, "Turn of the top against the bit, or `null`",
+        null_where "there is no answer";
     "neutral_point_m": Depth,
         "Measured depth of the shallowest zero of effective tension; `null` where there is none",
         null_where "there is none";
     "buckling": Words,
-        "Where compression makes most of it `none`, `sinusoidal` or `helical`; empty without an answer",
+        "Most severe buckling along the string: `none`, `sinusoidal` or `helical`; empty without \
+         an answer",
         null_where "there is no answer";
     "worst_check": Words,
-        "The most severe check, as of a run, of a point without an answer the verdict on it; empty where all \
-         is kept",
-        null_where "all is kept";
+        "The most severe check, as for a run; for a point without an answer the verdict on it; \
+         empty where all limits are met",
+        null_where "all limits are met";
     "worst_severity": Words, "Its severity: `note`, `warning` or `error`, or empty",
-        null_where "all is kept";
+        null_where "all limits are met";
     "worst_md_m": Depth, "Measured depth of its upper end; `null` where it has no place",
         null_where "it has no place";
-    "message": Words, "Why there is no answer; else empty", null_where "there is an answer";
+    "message": Words, "Reason why there is no answer; else empty", null_where "there is an answer";
 };
 
 /// Columns of `plan_buckling.parquet`: the weight on bit under which the string begins to buckle, a
@@ -63,12 +65,12 @@ pub const PLAN_BROOMSTICK: &[ColumnSpec] = plan_specs! {
 pub const PLAN_BUCKLING: &[ColumnSpec] = plan_specs! {
     "bit_depth_m": Depth, "Measured depth of the bit";
     "sinusoidal_weight_N": Force,
-        "Least weight on bit under which the string is a sinusoid somewhere, 0 where it is without \
-         any; `null` where none does it or there is no answer",
-        null_where "no weight does it or there is no answer";
-    "helical_weight_N": Force, "The same of a helix, or `null`",
-        null_where "no weight does it or there is no answer";
-    "message": Words, "Why there is no answer; else empty", null_where "there is an answer";
+        "Least weight on bit at which part of the string buckles to a sinusoid, 0 where it does \
+         without any; `null` where no weight does or there is no answer",
+        null_where "no weight does, or there is no answer";
+    "helical_weight_N": Force, "The same for a helix, or `null`",
+        null_where "no weight does, or there is no answer";
+    "message": Words, "Reason why there is no answer; else empty", null_where "there is an answer";
 };
 
 /// Columns of `plan_limits.parquet`: a load against its capacity, for each depth of the bit, model,
@@ -76,16 +78,17 @@ pub const PLAN_BUCKLING: &[ColumnSpec] = plan_specs! {
 pub const PLAN_LIMITS: &[ColumnSpec] = plan_specs! {
     "bit_depth_m": Depth, "Measured depth of the bit";
     "kind": Words, "`tension`, `torsion`, `von_mises`, `hoist`, ...";
-    "component": Words, "The component; empty of the rig", null_where "it is of the rig";
-    "md_m": Depth, "Measured depth of the place, or `null` of the rig", null_where "it is of the rig";
+    "component": Words, "The component; empty for the rig", null_where "it is of the rig";
+    "md_m": Depth, "Measured depth of the place, or `null` for the rig",
+        null_where "it is of the rig";
     "load": Ratio, "The load, in `unit`";
     "capacity": Ratio, "The capacity, in `unit`";
     "unit": Words, "`N`, `N·m` or `Pa`";
     "factor": Ratio, "Capacity over load";
     "required": Ratio, "The required factor";
     "verdict": Words,
-        "`OK`, `marginal` (kept by less than a tenth), `below required factor` or `exceeded` (the load is \
-         larger than the capacity)";
+        "`OK`, `marginal` (met by less than a tenth), `below required factor` or `exceeded` (the \
+         load is larger than the capacity)";
     "severity": Words, "`ok`, `note`, `warning` or `error`";
 };
 
@@ -93,32 +96,32 @@ pub const PLAN_LIMITS: &[ColumnSpec] = plan_specs! {
 /// broomstick.
 pub const PLAN_SURFACE_LIMITS: &[ColumnSpec] = super::specs! {
     "kind": Words, "`hoist`, `tension`, `top_drive`, `top_drive_peak`, `make_up` or `torsion`";
-    "component": Words, "The topmost component; empty of the rig", null_where "it is of the rig";
+    "component": Words, "The topmost component; empty for the rig", null_where "it is of the rig";
     "bit_depth_m": Depth, "Measured depth of the bit: zero, and the deepest";
-    "required": Ratio, "The least factor that is to be kept";
-    "capacity_N": Force, "What is borne, of the hoist with the block; `null` of torques",
-        null_where "it is of torque";
+    "required": Ratio, "The required factor";
+    "capacity_N": Force, "The capacity, for the hoist with the block; `null` for torques",
+        null_where "it is a torque";
     "allowed_N": Force,
-        "What the hook load without the block may come to: that over the factor, of the hoist less the \
-         block; `null` of torques",
-        null_where "it is of torque";
-    "capacity_N_m": Torque, "What is borne; `null` of weights", null_where "it is of weight";
-    "allowed_N_m": Torque, "What the torque may come to: that over the factor; `null` of weights",
-        null_where "it is of weight";
+        "Allowable hook load without the block: capacity over factor, for the hoist less the \
+         block; `null` for torques",
+        null_where "it is a torque";
+    "capacity_N_m": Torque, "The capacity; `null` for weights", null_where "it is a weight";
+    "allowed_N_m": Torque, "Allowable torque: capacity over factor; `null` for weights",
+        null_where "it is a weight";
 };
 
 /// Columns of `plan_friction.parquet`: a row for each hole section at each level of friction.
 pub const PLAN_FRICTION: &[ColumnSpec] = super::specs! {
     "friction": Words, "`low`, `expected` or `high`";
     "kind": Words, "`casing` or `open`";
-    "from_md_m": Depth, "Measured depth where the section begins";
-    "to_md_m": Depth, "Measured depth where it ends";
-    "along": Ratio, "Coefficient of friction while sliding along the hole";
+    "from_md_m": Depth, "Measured depth of the section's upper end";
+    "to_md_m": Depth, "Measured depth of its lower end";
+    "along": Ratio, "Coefficient of axial friction";
     "around": Ratio, "Coefficient of rotational friction";
 };
 
-/// Columns of `plan_hydraulics.parquet`: a row for each depth of the bit. Equivalent densities
-/// weigh as much as the mud and what its friction adds or takes.
+/// Columns of `plan_hydraulics.parquet`: a row for each depth of the bit. Equivalent densities give
+/// the pressure of the mud plus or minus its friction.
 pub const PLAN_HYDRAULICS: &[ColumnSpec] = super::specs! {
     "operation": Words, "Operation whose pumps run: `drill` where there is one";
     "bit_depth_m": Depth, "Measured depth of the bit";
@@ -127,7 +130,7 @@ pub const PLAN_HYDRAULICS: &[ColumnSpec] = super::specs! {
     "bit_loss_Pa": Pressure, "Pressure drop of bit and motor";
     "annulus_loss_Pa": Pressure, "Friction in the annulus";
     "circulating_shoe_kg_per_m3": Density,
-        "Equivalent density at the deepest casing shoe while the operation goes on; this and the others \
+        "Equivalent density at the deepest casing shoe during the operation; this and the others \
          at the shoe are `null` without casing",
         null_where "there is no casing";
     "circulating_bit_kg_per_m3": Density, "The same at the bit";
@@ -136,7 +139,7 @@ pub const PLAN_HYDRAULICS: &[ColumnSpec] = super::specs! {
         null_where "there is no casing";
     "surge_closed_bit_kg_per_m3": Density, "The same at the bit";
     "surge_open_shoe_kg_per_m3": Density,
-        "At the shoe, running in, with mud that streams up the string, or `null`",
+        "At the shoe, running in, with mud that flows up the string, or `null`",
         null_where "there is no casing";
     "surge_open_bit_kg_per_m3": Density, "The same at the bit";
     "swab_closed_shoe_kg_per_m3": Density,
@@ -144,7 +147,7 @@ pub const PLAN_HYDRAULICS: &[ColumnSpec] = super::specs! {
         null_where "there is no casing";
     "swab_closed_bit_kg_per_m3": Density, "The same at the bit";
     "swab_open_shoe_kg_per_m3": Density,
-        "At the shoe, pulling out, with mud that streams down the string, or `null`",
+        "At the shoe, pulling out, with mud that flows down the string, or `null`",
         null_where "there is no casing";
     "swab_open_bit_kg_per_m3": Density, "The same at the bit";
 };

@@ -7,27 +7,28 @@ use crate::ColumnSpec;
 pub const REACH: &[ColumnSpec] = specs! {
     "operation": Words, "`trip_out`, `drill`, ...";
     "limit": Words,
-        "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `lock_up`, `yield_strength`, `helix`, \
-         `sinusoid` or `vertical_helix`";
+        "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `lock_up`, `yield_strength`, \
+         `helix`, `sinusoid` or `vertical_helix`";
     "friction": Ratio, "Friction factor of all sections, `null` where they have the case's own",
         null_where "the sections have the case's own";
     "bit_depth_m": Depth, "Measured depth of the bit";
     "margin": Ratio,
-        "Part of the limit that is left, zero where it is met and negative beyond; of `lock_up` the \
-         part of an added push that arrives at the bit; `null` of a string that is locked up",
+        "Remaining part of the limit, zero where it is reached and negative beyond; for `lock_up` \
+         the part of an added push that reaches the bit; `null` for a string that is locked up",
         null_where "the string is locked up";
     "force_N": Force,
-        "What is held against a force: hook load, with the block for `hoist`, with what pushes for \
+        "Force compared with a limit: hook load, with the block for `hoist`, with the push for \
          `push_spent`; compression; else `null`",
         null_where "the limit is no force, or the string is locked up";
-    "force_limit_N": Force, "That force: capacity, zero, critical load; else `null`",
+    "force_limit_N": Force, "Its limit: capacity, zero, critical load; else `null`",
         null_where "the limit is no force, nothing is compressed, or the string is locked up";
     "torque_N_m": Torque, "Torque at surface for `top_drive`, else `null`",
         null_where "the limit is no torque";
     "torque_limit_N_m": Torque, "Rated torque of the top drive, else `null`",
         null_where "the limit is no torque";
-    "md_m": Depth, "Where in the string it is worst, `null` of what the surface sees",
-        null_where "the surface sees it, or nothing is compressed";
+    "md_m": Depth,
+        "Measured depth of the smallest margin in the string, `null` for a limit at the surface",
+        null_where "it is a limit at the surface, or nothing is compressed";
 };
 
 /// Columns of `reach_limits.parquet`: a row for each limit of each operation and friction.
@@ -36,16 +37,16 @@ pub const REACH_LIMITS: &[ColumnSpec] = specs! {
     "limit": Words, "As in `reach.parquet`";
     "friction": Ratio, "As in `reach.parquet`, `null` where the sections have the case's own",
         null_where "the sections have the case's own";
-    "stops": Ratio, "1 where the string stops there, 0 where it goes on buckled";
-    "depth_m": Depth, "Depth of the bit where it is met first, `null` where it is not met",
-        null_where "it is not met";
-    "already": Ratio, "1 where it is met at the first depth already, else 0";
-    "margin_at_from": Ratio, "`margin` at the first depth, `null` of a string that is locked up",
+    "stops": Ratio, "1 where the string stops there, 0 where it continues buckled";
+    "depth_m": Depth, "Depth of the bit where it is first reached, `null` where it is not reached",
+        null_where "it is not reached";
+    "already": Ratio, "1 where it is reached at the first depth already, else 0";
+    "margin_at_from": Ratio, "`margin` at the first depth, `null` for a string that is locked up",
         null_where "the string is locked up";
-    "margin_at_to": Ratio, "`margin` at the last depth, `null` of a string that is locked up",
+    "margin_at_to": Ratio, "`margin` at the last depth, `null` for a string that is locked up",
         null_where "the string is locked up";
     "md_m": Depth,
-        "Where in the string it is worst then, at the last depth where it is not met; `null` of what \
-         the surface sees",
-        null_where "the surface sees it, or nothing is compressed";
+        "Measured depth of the smallest margin in the string at that depth of the bit, or at the \
+         last depth where it is not reached; `null` for a limit at the surface",
+        null_where "it is a limit at the surface, or nothing is compressed";
 };

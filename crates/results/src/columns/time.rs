@@ -5,7 +5,7 @@ use wholestring::outcome::TIME_SERIES;
 use super::{OPERATION, table};
 use crate::ColumnSpec;
 
-/// What the schedule says of a row.
+/// Note of the schedule's line for a row.
 const NOTE: ColumnSpec =
     ColumnSpec::text("note", "Note of the line of the schedule that began last; empty without one")
         .null_where("no line of the schedule with a note has begun");

@@ -1,5 +1,5 @@
-//! `frames.parquet`: the whole string against time, written as it comes, in memory that does not
-//! grow with the run.
+//! `frames.parquet`: the whole string against time, written as it is computed, in memory that does
+//! not grow with the run.
 
 mod rows;
 
@@ -18,10 +18,10 @@ use crate::{
     ResultsError, file::write_whole, names::CHECKPOINT, parquet_file::io_error, parts::Parts,
 };
 
-/// What a Parquet file of frames is written by.
+/// Writer of a Parquet file of frames.
 type Writer<'a> = SerializedFileWriter<&'a mut BufWriter<File>>;
 
-/// Rows that are held until they are written: 0.5 MB a column.
+/// Rows held in memory until they are written: 0.5 MB a column.
 const GROUP_ROWS: usize = 1 << 17;
 
 const NAME: &str = "frames.parquet";
@@ -29,8 +29,8 @@ const NAME: &str = "frames.parquet";
 /// The table, without the ending of its file.
 pub(crate) const TABLE: &str = "frames";
 
-/// Frames up to some moment of a run, as a checkpoint keeps them: the rows that wait, and how many
-/// parts are on the disk.
+/// Frames up to some moment of a run, as stored in a checkpoint: the waiting rows and the number of
+/// parts on the disk.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FramesSoFar {
     parts: usize,
@@ -39,7 +39,7 @@ pub struct FramesSoFar {
 
 /// Writes frames.
 ///
-/// Rows gather until there are 131 072 of them and go to a file of their own,
+/// Rows are collected until there are 131 072 of them and are then written to a file of their own,
 /// `frames.parts/000001.parquet` and so on; [`FrameWriter::write`] joins these parts to
 /// `frames.parquet`. A run can continue from any checkpoint ([`FrameWriter::so_far`]) that was
 /// written since.
@@ -48,12 +48,12 @@ pub struct FrameWriter {
     channels: Vec<Channel>,
     layout: Layout,
     so_far: FramesSoFar,
-    /// Whether `frames.parquet` holds them all.
+    /// Whether `frames.parquet` has them all.
     written: bool,
 }
 
 impl FrameWriter {
-    /// Begins frames in a folder with these channels; what an earlier run left goes.
+    /// Starts frames in a folder with these channels; those of an earlier run are removed.
     pub(crate) fn create(folder: &Path, channels: &[Channel]) -> Result<Self, ResultsError> {
         let path = folder.join(NAME);
         if let Err(source) = fs::remove_file(&path)
@@ -110,13 +110,13 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// What a checkpoint must keep, to continue from here.
+    /// Returns the data that a checkpoint must store to continue from here.
     pub fn so_far(&self) -> &FramesSoFar {
         &self.so_far
     }
 
     /// Writes `frames.parquet` with all frames so far. Its bytes depend on the frames alone, not on
-    /// where a run was taken up.
+    /// where a run was resumed.
     pub fn write(&mut self) -> Result<(), ResultsError> {
         if self.written {
             return Ok(());

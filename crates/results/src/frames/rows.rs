@@ -1,4 +1,4 @@
-//! Rows of `frames.parquet`: their columns, and their way to a row group.
+//! Rows of `frames.parquet`: their columns, and their conversion to a row group.
 
 use std::{io::Write, sync::Arc};
 
@@ -28,7 +28,7 @@ pub(super) struct FrameRows {
 /// Values of one column.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Values {
-    /// A word and how many rows it fills.
+    /// A word and the number of rows that it fills.
     Words(Vec<(String, usize)>),
     Time(Vec<f64>),
     Node(Vec<i32>),
@@ -54,13 +54,13 @@ impl FrameRows {
         self.rows
     }
 
-    /// Whether the columns are those of these channels.
+    /// Whether the columns belong to these channels.
     pub(super) fn are_of(&self, channels: &[Channel]) -> bool {
         let names = self.columns.iter().map(|(name, _)| name.as_str());
         names.eq(specs(channels).map(|spec| spec.name))
     }
 
-    /// Whether every column has as many rows as there are, and the kind of values that its name
+    /// Whether every column has as many rows as there are, and values of the kind that its name
     /// requires.
     pub(super) fn is_sound(&self) -> bool {
         self.columns.iter().all(|(name, values)| {
@@ -80,7 +80,7 @@ impl FrameRows {
 
     pub(super) fn push(&mut self, operation: &str, frame: &Frame, channels: &[Channel]) {
         let rows = frame.md_m.len();
-        let given: Vec<(&str, &[f64])> = channels
+        let channel_values: Vec<(&str, &[f64])> = channels
             .iter()
             .flat_map(|channel| frame.channel(*channel))
             .chain([("md_m", frame.md_m.as_slice())])
@@ -91,7 +91,7 @@ impl FrameRows {
                 Values::Time(times) => times.extend(std::iter::repeat_n(frame.time_s, rows)),
                 Values::Node(nodes) => nodes.extend((0..rows).map(|node| node as i32)),
                 Values::Number(numbers) => {
-                    let values = given.iter().find(|(other, _)| other == name);
+                    let values = channel_values.iter().find(|(other, _)| other == name);
                     let (_, values) = values.expect("the columns are those of the channels");
                     numbers.extend(values.iter().map(|value| *value as f32));
                 }
@@ -151,13 +151,14 @@ impl FrameRows {
 
 /// The columns of these channels, in the order of the file.
 fn specs(channels: &[Channel]) -> impl Iterator<Item = &'static ColumnSpec> {
-    let requested = move |name: &str| channels.iter().any(|of| of.columns().contains(&name));
+    let requested =
+        move |name: &str| channels.iter().any(|channel| channel.columns().contains(&name));
     let always = ["operation", "time_s", "node", "md_m"];
     let all = FRAMES.iter();
     all.filter(move |spec| always.contains(&spec.name) || requested(spec.name))
 }
 
-/// How files of such rows are written.
+/// Layout of files of such rows.
 pub(super) struct Layout {
     schema: Arc<Type>,
     properties: Arc<WriterProperties>,
@@ -174,16 +175,16 @@ impl Layout {
         };
         let notes = specs(channels).map(|spec| (spec.name, spec.unit, spec.meaning));
         let mut properties = parquet_file::properties(notes)
-            // What repeats from row to row gets a dictionary below; the rest never repeats.
+            // Values that repeat from row to row get a dictionary below; the rest never repeats.
             .set_dictionary_enabled(false)
             .set_statistics_enabled(EnabledStatistics::Chunk)
-            // Row groups are copied from file to file, which leaves it behind.
+            // Row groups are copied from file to file, which drops the offset index.
             .set_offset_index_disabled(true);
         for spec in specs(channels) {
             let column = ColumnPath::from(spec.name);
             properties = match kind(spec) {
-                // Bytes of like weight side by side: neighbours share sign, exponent and first
-                // digits.
+                // Groups bytes of equal significance, because neighbours share sign, exponent and
+                // first digits.
                 PhysicalType::FLOAT => {
                     properties.set_column_encoding(column, Encoding::BYTE_STREAM_SPLIT)
                 }
@@ -196,7 +197,7 @@ impl Layout {
         })
     }
 
-    /// Begins a file.
+    /// Starts a file.
     pub(super) fn begin<W: Write + Send>(
         &self,
         writer: W,

@@ -18,11 +18,11 @@ fn folder() -> (tempfile::TempDir, ResultsFolder) {
     (place, folder)
 }
 
-/// As one table that is held as a whole.
+/// Rows in parts equal one table that is held as a whole.
 #[test]
 fn rows_that_came_in_parts_are_those_of_one_table() {
     let (_place, folder) = folder();
-    // What an earlier run left is none of it.
+    // A file of an earlier run is not part of it.
     let mut table = GrowingTable::begin("contact", CONTACT);
     append(&mut table, "earlier", 100.0);
     table.write(&folder, true).unwrap();
@@ -45,7 +45,7 @@ fn rows_that_came_in_parts_are_those_of_one_table() {
     assert!(!folder.path().join("contact.csv").exists());
 }
 
-/// A run that was killed after it had written more than its checkpoint knows of writes the same
+/// A run that was killed after it had written more than its checkpoint contains writes the same
 /// again.
 #[test]
 fn a_resumed_table_has_the_same_bytes() {
@@ -54,12 +54,12 @@ fn a_resumed_table_has_the_same_bytes() {
     append(&mut table, "trip_in", 1.0);
     table.write(&folder, true).unwrap();
     append(&mut table, "drill", 5.0);
-    let kept = postcard::to_stdvec(&table.so_far()).unwrap();
+    let checkpoint = postcard::to_stdvec(&table.so_far()).unwrap();
     table.write(&folder, true).unwrap();
     append(&mut table, "slide", 9.0);
     table.write(&folder, true).unwrap();
     let whole = all(&folder);
-    let so_far: TableSoFar = postcard::from_bytes(&kept).unwrap();
+    let so_far: TableSoFar = postcard::from_bytes(&checkpoint).unwrap();
     let mut resumed = GrowingTable::begin("contact", CONTACT);
     resumed.resume(&folder, so_far).unwrap();
     resumed.write(&folder, true).unwrap();
@@ -67,29 +67,29 @@ fn a_resumed_table_has_the_same_bytes() {
     append(&mut resumed, "slide", 9.0);
     resumed.write(&folder, true).unwrap();
     assert!(all(&folder) == whole);
-    // A file without the rows that it had is reported.
+    // A file that lost rows is reported.
     let path = folder.path().join("contact.parquet");
-    let refused = |kept: &[u8], what: &str| {
-        let so_far = postcard::from_bytes(kept).unwrap();
+    let refused = |checkpoint: &[u8], reason: &str| {
+        let so_far = postcard::from_bytes(checkpoint).unwrap();
         let mut table = GrowingTable::begin("contact", CONTACT);
         let error = table.resume(&folder, so_far).unwrap_err().to_string();
-        assert!(error.contains(what), "{error}");
+        assert!(error.contains(reason), "{error}");
     };
     GrowingTable::begin("contact", CONTACT).write(&folder, false).unwrap();
-    refused(&kept, "contact.parquet is not a file of results");
+    refused(&checkpoint, "contact.parquet is not a file of results");
     Table::with_columns(TIME).write_parquet(&path).unwrap();
-    refused(&kept, "contact.parquet is not a file of results");
+    refused(&checkpoint, "contact.parquet is not a file of results");
     std::fs::write(&path, "PAR1").unwrap();
-    refused(&kept, "contact.parquet is not a file of results");
+    refused(&checkpoint, "contact.parquet is not a file of results");
     std::fs::remove_file(&path).unwrap();
-    refused(&kept, "contact.parquet");
+    refused(&checkpoint, "contact.parquet");
     let other = GrowingTable::begin("contact", TIME);
     let other = postcard::to_stdvec(&other.so_far()).unwrap();
     refused(&other, "its table `contact`");
 }
 
-/// Rows that went to the disk in parts are those of one table, also where a run was killed after
-/// it had written more parts than its checkpoint knows of, or had joined them.
+/// Rows that were written to the disk in parts are those of one table, also where a run was killed
+/// after it had written more parts than its checkpoint contains, or had joined them.
 #[test]
 fn parts_are_rows_of_the_table_wherever_it_is_resumed() {
     let (_place, folder) = folder();
@@ -103,7 +103,7 @@ fn parts_are_rows_of_the_table_wherever_it_is_resumed() {
     append(&mut table, "trip_in", 1.0);
     table.write(&folder, true).unwrap();
     table.append_part(&folder, rows(5.0)).unwrap();
-    let kept = postcard::to_stdvec(&table.so_far()).unwrap();
+    let checkpoint = postcard::to_stdvec(&table.so_far()).unwrap();
     table.append_part(&folder, rows(9.0)).unwrap();
     append(&mut table, "drill", 13.0);
     assert_eq!((table.last_part(), table.rows().rows()), ((2, 2), 3));
@@ -116,7 +116,7 @@ fn parts_are_rows_of_the_table_wherever_it_is_resumed() {
     assert_eq!(whole.2.rows(), 15);
 
     let mut resumed = GrowingTable::begin("contact", CONTACT);
-    resumed.resume(&folder, postcard::from_bytes(&kept).unwrap()).unwrap();
+    resumed.resume(&folder, postcard::from_bytes(&checkpoint).unwrap()).unwrap();
     assert!(!resumed.part_path(&folder, 2).exists());
     resumed.append_part(&folder, rows(9.0)).unwrap();
     append(&mut resumed, "drill", 13.0);
@@ -133,12 +133,12 @@ fn parts_are_rows_of_the_table_wherever_it_is_resumed() {
     // A part that is missing is reported.
     std::fs::remove_file(resumed.part_path(&folder, 1)).unwrap();
     let mut table = GrowingTable::begin("contact", CONTACT);
-    let error = table.resume(&folder, postcard::from_bytes(&kept).unwrap()).unwrap_err();
+    let error = table.resume(&folder, postcard::from_bytes(&checkpoint).unwrap()).unwrap_err();
     assert!(error.to_string().contains("000001.parquet"), "{error}");
 }
 
-/// A run that is to leave no table keeps its rows in memory, but not without those that a
-/// checkpoint of a run that was to leave one counts on.
+/// A run without table output keeps its rows in memory, except those in the file that the
+/// checkpoint of a run with output requires.
 #[test]
 fn a_table_that_is_left_out_can_still_be_resumed() {
     let (_place, folder) = folder();
@@ -146,9 +146,9 @@ fn a_table_that_is_left_out_can_still_be_resumed() {
     let mut table = GrowingTable::begin("contact", CONTACT);
     append(&mut table, "trip_in", 1.0);
     table.write(&folder, true).unwrap();
-    let kept = postcard::to_stdvec(&table.so_far()).unwrap();
+    let checkpoint = postcard::to_stdvec(&table.so_far()).unwrap();
     let mut resumed = GrowingTable::begin("contact", CONTACT);
-    resumed.resume(&folder, postcard::from_bytes(&kept).unwrap()).unwrap();
+    resumed.resume(&folder, postcard::from_bytes(&checkpoint).unwrap()).unwrap();
     append(&mut resumed, "drill", 5.0);
     resumed.leave_out(&folder).unwrap();
     assert!(there() && !folder.path().join("contact.csv").exists());
@@ -157,7 +157,7 @@ fn a_table_that_is_left_out_can_still_be_resumed() {
     let whole = all(&folder);
     resumed.write(&folder, true).unwrap();
     assert!(all(&folder) == whole);
-    // One that begins anew needs nothing of what is there.
+    // A run that starts again needs none of the existing files.
     let mut table = GrowingTable::begin("contact", CONTACT);
     append(&mut table, "drill", 5.0);
     table.leave_out(&folder).unwrap();

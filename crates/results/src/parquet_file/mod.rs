@@ -1,4 +1,4 @@
-//! Tables as Parquet files: the only place that knows the format.
+//! Tables as Parquet files: the only module that knows the format.
 
 mod read;
 mod write;

@@ -1,4 +1,4 @@
-//! Tables on their way back from Parquet files.
+//! Reads tables from Parquet files.
 
 use std::{fs::File, ops::Range, path::Path};
 
@@ -21,8 +21,8 @@ impl Table {
         read(path)
     }
 
-    /// Reads back the columns of these names, as far as the file has them, piece by piece: a table
-    /// may be larger than memory. The pieces follow each other as the rows do.
+    /// Reads back the columns of these names, as far as the file has them, in pieces, because a
+    /// table may be larger than memory. The pieces follow each other as the rows do.
     pub fn read_parquet_pieces(
         path: &Path,
         names: &[&str],
@@ -31,8 +31,8 @@ impl Table {
         read_groups(path, names, take)
     }
 
-    /// Reads back the pieces of a file that hold a row with this word in that column, whole: they
-    /// may hold rows with other words. `None` where there is no such piece. The tables of a run
+    /// Reads back whole the pieces of a file with a row that has this word in that column; they may
+    /// also have rows with other words. `None` where there is no such piece. The tables of a run
     /// against time have pieces of their own for each operation.
     ///
     /// # Errors
@@ -50,8 +50,8 @@ impl Table {
         Ok(found)
     }
 
-    /// Calls `take` with the same pieces, one after the other: all of them may be too many for
-    /// memory.
+    /// Calls `take` with the same pieces, one after the other, because together they may be too
+    /// large for memory.
     ///
     /// # Errors
     /// Those of [`Table::read_parquet_with`].
@@ -115,18 +115,18 @@ fn read_groups_with(
     Ok(())
 }
 
-/// Calls the reader of Parquet, which is not ours and panics at some of what a damaged file holds.
+/// Calls the Parquet library, which panics at some contents of damaged files.
 pub(crate) fn guarded<T>(
     path: &Path,
-    of: impl FnOnce() -> Result<T, ParquetError>,
+    once: impl FnOnce() -> Result<T, ParquetError>,
 ) -> Result<T, ResultsError> {
-    match contain(of) {
+    match contain(once) {
         Ok(done) => done.map_err(|error| ResultsError::format(path, error)),
         Err(_) => Err(ResultsError::format(path, "it is damaged")),
     }
 }
 
-/// Opens a file and sees that its footer is valid.
+/// Opens a file and checks that its footer is valid.
 pub(crate) fn open(path: &Path) -> Result<File, ResultsError> {
     let file =
         File::open(path).map_err(|source| ResultsError::Read { path: path.to_owned(), source })?;
@@ -148,20 +148,21 @@ impl<'a> Opened<'a> {
         Ok(Self { path, file, reader })
     }
 
-    /// A table of columns that were read apart, in the order of the file.
+    /// A table of columns that were read separately, in the order of the file.
     fn in_order(&self, columns: impl Iterator<Item = Column>) -> Table {
         let schema = self.reader.metadata().file_metadata().schema_descr();
-        let place =
-            |column: &Column| schema.columns().iter().position(|of| of.name() == column.name);
+        let place = |column: &Column| {
+            schema.columns().iter().position(|stored| stored.name() == column.name)
+        };
         let mut columns: Vec<Column> = columns.collect();
         columns.sort_by_key(place);
         Table::new(columns)
     }
 
-    /// Columns whose names are wanted, of some row groups.
+    /// Columns whose names are requested, of some row groups.
     fn read_some(
         &self,
-        wanted: impl Fn(&str) -> bool,
+        requested: impl Fn(&str) -> bool,
         groups: Range<usize>,
     ) -> Result<Table, ResultsError> {
         let schema = self.reader.metadata().file_metadata().schema_descr();
@@ -169,18 +170,18 @@ impl<'a> Opened<'a> {
             .columns()
             .iter()
             .enumerate()
-            .filter(|(_, field)| wanted(field.name()))
+            .filter(|(_, field)| requested(field.name()))
             .map(|(index, field)| (index, field.physical_type() == PhysicalType::BYTE_ARRAY))
             .collect();
         parquet_guard::columns(&self.file, &self.reader, groups.clone(), &columns)
             .map_err(|reason| ResultsError::format(self.path, reason))?;
-        guarded(self.path, || read_columns(&self.reader, wanted, groups))
+        guarded(self.path, || read_columns(&self.reader, requested, groups))
     }
 }
 
 fn read_columns(
     reader: &SerializedFileReader<File>,
-    wanted: impl Fn(&str) -> bool,
+    requested: impl Fn(&str) -> bool,
     groups: Range<usize>,
 ) -> Result<Table, ParquetError> {
     let metadata = reader.metadata().file_metadata();
@@ -195,7 +196,7 @@ fn read_columns(
     let mut columns: Vec<Column> = Vec::new();
     let mut text_left = parquet_guard::MAX_TEXT;
     let fields = metadata.schema_descr().columns().iter().enumerate();
-    for (index, field) in fields.filter(|(_, field)| wanted(field.name())) {
+    for (index, field) in fields.filter(|(_, field)| requested(field.name())) {
         let data = match field.physical_type() {
             PhysicalType::DOUBLE | PhysicalType::FLOAT | PhysicalType::INT32
                 if field.max_def_level() == 1 =>
@@ -260,7 +261,7 @@ fn read_column(
                 }
             }
             for word in words {
-                // A dictionary's word may stand in every row.
+                // A dictionary's word may occur in every row.
                 *text_left = text_left.checked_sub(word.len()).ok_or_else(|| {
                     let most = parquet_guard::MAX_TEXT >> 20;
                     ParquetError::General(format!("it holds more than {most} MB of text"))

@@ -1,4 +1,4 @@
-//! Tables on their way into Parquet files.
+//! Writes tables to Parquet files.
 
 use std::{collections::HashSet, fs::File, io, path::Path, sync::Arc};
 
@@ -40,7 +40,7 @@ fn write_to(table: &Table, writer: impl io::Write + Send) -> Result<(), ParquetE
     Ok(())
 }
 
-/// Begins a file with the columns of a table.
+/// Starts a file with the columns of a table.
 pub(crate) fn begin<W: io::Write + Send>(
     table: &Table,
     writer: W,
@@ -62,8 +62,8 @@ pub(crate) fn begin<W: io::Write + Send>(
         if !column.data.repeats() {
             properties = properties.set_column_dictionary_enabled(path(), false);
         }
-        // The first and the last word of the alphabet tell a reader nothing, and to find them each
-        // is compared.
+        // The alphabetically first and last word are of no use to a reader, and finding them
+        // compares every word.
         if matches!(column.data, Data::Text(_)) {
             properties = properties.set_column_statistics_enabled(path(), EnabledStatistics::None);
         }
@@ -71,12 +71,12 @@ pub(crate) fn begin<W: io::Write + Send>(
     SerializedFileWriter::new(writer, schema(fields)?, Arc::new(properties.build()))
 }
 
-/// Rows that are looked at.
+/// Number of rows examined.
 const LOOKED_AT: usize = 128;
 
 impl Data {
-    /// Whether a dictionary of the values is worth its time: numbers that were computed are all
-    /// different, and a dictionary of them is made in vain.
+    /// Whether a dictionary of the values is worth its time: computed numbers are all different, so
+    /// that a dictionary of them is useless.
     fn repeats(&self) -> bool {
         match self {
             Data::Number(values) => {
@@ -102,7 +102,7 @@ pub(crate) fn write_group<W: io::Write + Send>(
     Ok(())
 }
 
-/// Copies the first `most` row groups of a file as they are packed.
+/// Copies the first `most` row groups of a file without unpacking them.
 pub(crate) fn copy_groups<W: io::Write + Send>(
     from: &File,
     metadata: &ParquetMetaData,
@@ -127,7 +127,7 @@ pub(crate) fn copy_groups<W: io::Write + Send>(
     Ok(())
 }
 
-/// The system's error where there is one inside, so that a full disk is called one.
+/// The system's error where there is one inside, so that a full disk is reported as such.
 pub(crate) fn io_error(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(error) => match error.downcast::<io::Error>() {
@@ -217,7 +217,9 @@ mod tests {
 
     #[test]
     fn what_repeats_has_a_dictionary_and_what_is_computed_has_none() {
-        let numbers = |of: fn(usize) -> f64| Data::Number((0..1000).map(|i| Some(of(i))).collect());
+        let numbers = |value_at: fn(usize) -> f64| {
+            Data::Number((0..1000).map(|i| Some(value_at(i))).collect())
+        };
         assert!(numbers(|i| (i / 100) as f64).repeats());
         assert!(numbers(|_| 0.3).repeats());
         assert!(!numbers(|i| (i as f64).sqrt()).repeats());

@@ -1,31 +1,31 @@
-//! What the campaign of a plan does to string and casing.
+//! Fatigue and wear of string and casing by the campaign of a plan.
 
 use serde::{Deserialize, Serialize};
 
 use crate::{PLAN_FATIGUE, PLAN_WEAR, Table};
 
 /// Fatigue of a component: its worst part, and the place where an hour of drilling at the deepest
-/// depth costs most.
+/// depth uses up most of its life.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanFatigue {
     /// Name of the model.
     pub model: String,
     /// The component.
     pub component: String,
-    /// Part of its life that the campaign takes of its worst part.
+    /// Part of the life of its worst part that the campaign uses up.
     pub damage: f64,
     /// Distance of that part's lower end from that of the component, m.
     pub from_lower_end_m: f64,
-    /// What an hour costs; none where nothing drills.
+    /// Fatigue of an hour; none where nothing drills.
     pub hour: Option<PlanFatigueHour>,
 }
 
-/// What an hour of drilling costs.
+/// Fatigue of an hour of drilling.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlanFatigueHour {
-    /// Measured depth where it costs most, m.
+    /// Measured depth of the largest damage, m.
     pub md_m: f64,
-    /// Part of the life that goes in an hour.
+    /// Part of the life used up in an hour.
     pub damage_per_hour: f64,
     /// Amplitude of the bending stress, Pa.
     pub bending_Pa: f64,
@@ -44,7 +44,7 @@ pub struct PlanDamage {
     pub component: String,
     /// Distance of the part's lower end from that of the component, m.
     pub from_lower_end_m: f64,
-    /// Part of its life that is gone.
+    /// Part of its life that is used up.
     pub damage: f64,
 }
 
@@ -57,14 +57,14 @@ pub struct PlanWear {
     pub section: usize,
     /// Measured depth of its middle, m.
     pub md_m: f64,
-    /// Depth of the groove, m; none where no groove holds what is gone.
+    /// Depth of the groove, m; none where no groove holds the worn volume.
     pub groove_m: Option<f64>,
-    /// Nominal wall, m; this and what follows none where the casing's pipe or its grade is not
+    /// Nominal wall, m; this and the following are none where the casing's pipe or its grade is not
     /// known.
     pub wall_m: Option<f64>,
     /// Wall at the bottom of the groove, m.
     pub wall_left_m: Option<f64>,
-    /// Part of the wall that is gone.
+    /// Worn part of the wall.
     pub worn: Option<f64>,
     /// Burst of the new and of the worn casing, Pa.
     pub burst_Pa: Option<[f64; 2]>,
@@ -75,10 +75,10 @@ pub struct PlanWear {
 /// A row for each part of the string.
 pub fn plan_fatigue_table(damage: &[PlanDamage]) -> Table {
     let mut table = Table::with_columns(PLAN_FATIGUE);
-    for of in damage {
+    for part in damage {
         table.append(
-            &[("model", &[&of.model]), ("component", &[&of.component])],
-            &[("from_lower_end_m", &[of.from_lower_end_m]), ("damage", &[of.damage])],
+            &[("model", &[&part.model]), ("component", &[&part.component])],
+            &[("from_lower_end_m", &[part.from_lower_end_m]), ("damage", &[part.damage])],
         );
     }
     table
@@ -87,22 +87,22 @@ pub fn plan_fatigue_table(damage: &[PlanDamage]) -> Table {
 /// A row for each stretch of casing.
 pub fn plan_wear_table(wear: &[PlanWear]) -> Table {
     let mut table = Table::with_columns(PLAN_WEAR);
-    for of in wear {
+    for stretch in wear {
         let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
-        let of_pair = |pair: Option<[f64; 2]>, place: usize| number(pair.map(|of| of[place]));
+        let of_pair = |pair: Option<[f64; 2]>, place: usize| number(pair.map(|pair| pair[place]));
         table.append(
-            &[("model", &[&of.model])],
+            &[("model", &[&stretch.model])],
             &[
-                ("section", &[of.section as f64]),
-                ("md_m", &[of.md_m]),
-                ("groove_m", &number(of.groove_m)),
-                ("wall_m", &number(of.wall_m)),
-                ("wall_left_m", &number(of.wall_left_m)),
-                ("worn", &number(of.worn)),
-                ("burst_new_Pa", &of_pair(of.burst_Pa, 0)),
-                ("burst_Pa", &of_pair(of.burst_Pa, 1)),
-                ("collapse_new_Pa", &of_pair(of.collapse_Pa, 0)),
-                ("collapse_Pa", &of_pair(of.collapse_Pa, 1)),
+                ("section", &[stretch.section as f64]),
+                ("md_m", &[stretch.md_m]),
+                ("groove_m", &number(stretch.groove_m)),
+                ("wall_m", &number(stretch.wall_m)),
+                ("wall_left_m", &number(stretch.wall_left_m)),
+                ("worn", &number(stretch.worn)),
+                ("burst_new_Pa", &of_pair(stretch.burst_Pa, 0)),
+                ("burst_Pa", &of_pair(stretch.burst_Pa, 1)),
+                ("collapse_new_Pa", &of_pair(stretch.collapse_Pa, 0)),
+                ("collapse_Pa", &of_pair(stretch.collapse_Pa, 1)),
             ],
         );
     }

@@ -19,15 +19,15 @@ pub struct PlanHydraulics {
     pub bit_loss_Pa: f64,
     /// Friction in the annulus, Pa.
     pub annulus_loss_Pa: f64,
-    /// While the operation goes on.
+    /// During the operation.
     pub circulating: PlanDensity,
     /// Running in at the trip speed, no mud in the string.
     pub surge_closed: PlanDensity,
-    /// The same with mud that streams up the string.
+    /// The same with mud that flows up the string.
     pub surge_open: PlanDensity,
     /// Pulling out at the trip speed, no mud in the string.
     pub swab_closed: PlanDensity,
-    /// The same with mud that streams down the string.
+    /// The same with mud that flows down the string.
     pub swab_open: PlanDensity,
 }
 
@@ -41,7 +41,7 @@ pub struct PlanDensity {
 }
 
 impl PlanHydraulics {
-    /// Each state of the mud by the name that its columns begin with.
+    /// Returns each state of the mud by the prefix of its column names.
     pub fn densities(&self) -> [(&'static str, PlanDensity); 5] {
         [
             ("circulating", self.circulating),
@@ -56,15 +56,15 @@ impl PlanHydraulics {
 /// A row for each depth of the bit.
 pub(super) fn table(rows: &[PlanHydraulics]) -> Table {
     let mut table = Table::with_columns(PLAN_HYDRAULICS);
-    for of in rows {
+    for row in rows {
         let mut numbers = vec![
-            ("bit_depth_m".to_owned(), of.bit_depth_m),
-            ("standpipe_pressure_Pa".to_owned(), of.standpipe_pressure_Pa),
-            ("bore_loss_Pa".to_owned(), of.bore_loss_Pa),
-            ("bit_loss_Pa".to_owned(), of.bit_loss_Pa),
-            ("annulus_loss_Pa".to_owned(), of.annulus_loss_Pa),
+            ("bit_depth_m".to_owned(), row.bit_depth_m),
+            ("standpipe_pressure_Pa".to_owned(), row.standpipe_pressure_Pa),
+            ("bore_loss_Pa".to_owned(), row.bore_loss_Pa),
+            ("bit_loss_Pa".to_owned(), row.bit_loss_Pa),
+            ("annulus_loss_Pa".to_owned(), row.annulus_loss_Pa),
         ];
-        for (name, at) in of.densities() {
+        for (name, at) in row.densities() {
             let shoe = at.shoe_kg_per_m3.unwrap_or(f64::NAN);
             numbers.push((format!("{name}_shoe_kg_per_m3"), shoe));
             numbers.push((format!("{name}_bit_kg_per_m3"), at.bit_kg_per_m3));
@@ -75,7 +75,7 @@ pub(super) fn table(rows: &[PlanHydraulics]) -> Table {
             .zip(&cells)
             .map(|((name, _), cell)| (name.as_str(), cell.as_slice()))
             .collect();
-        table.append(&[("operation", &[&of.operation])], &columns);
+        table.append(&[("operation", &[&row.operation])], &columns);
     }
     table
 }

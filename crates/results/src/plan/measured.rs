@@ -1,53 +1,54 @@
-//! What was measured, beside what the plan would have read.
+//! Measured readings, compared with the predictions of the plan.
 
 use serde::{Deserialize, Serialize};
 
 use crate::{PLAN_MEASURED, Table};
 
-/// Predictions with low and with high friction that differ by less than this part of the one between them do not
-/// depend on friction: no reading lies between them but by chance.
+/// Predictions with low and with high friction that differ by less than this part of the one
+/// between them do not depend on friction; no reading is between them except by chance.
 const SAME: f64 = 2e-3;
 
-/// A weight or torque that was read, and what each level of friction makes of it.
+/// A measured weight or torque, and its prediction at each level of friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanMeasured {
     /// Name of the model that predicts.
     pub model: String,
-    /// Where it stands in its file.
+    /// Place of the reading in its file.
     pub place: String,
     /// Name of the operation.
     pub operation: String,
-    /// What was read: `pick_up`, `slack_off`, `rotating`, `torque` or `torque_on_bottom`.
+    /// Kind of reading: `pick_up`, `slack_off`, `rotating`, `torque` or `torque_on_bottom`.
     pub reading: String,
-    /// Whether it is a torque, N·m, and no weight, N.
+    /// Whether it is a torque, N·m, rather than a weight, N.
     pub is_torque: bool,
-    /// The file holds it out of a calibration.
+    /// Whether the file holds it out of a calibration.
     pub held_out: bool,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// As it was read; weights with the block's.
+    /// Measured value; weights include the block.
     pub measured: f64,
-    /// Weight of the block that it holds, N; zero of torques.
+    /// Weight of the block that it includes, N; zero for torques.
     pub block_N: f64,
-    /// The same by the string that was in the hole, with low, expected and high friction; none without an answer.
+    /// Prediction for the string that was in the hole, with low, expected and high friction; none
+    /// without an answer.
     pub predicted: [Option<f64>; 3],
-    /// Why there is no answer.
+    /// Reason why there is no answer.
     pub message: Option<String>,
 }
 
 impl PlanMeasured {
-    /// What stands beside the curves of a plan: torque, or hook load without block.
+    /// Value to compare with the curves of a plan: torque, or hook load without block.
     pub fn beside_curves(&self) -> f64 {
         self.measured - self.block_N
     }
 
-    /// Measured less predicted with the friction that is expected.
+    /// Measured less predicted with the expected friction.
     pub fn residual(&self) -> Option<f64> {
         Some(self.measured - self.predicted[1]?)
     }
 
-    /// Whether it lies between what low and high friction make of it; none where friction makes nothing of it, or
-    /// there is no answer.
+    /// Whether it is between the predictions of low and high friction; none where it does not
+    /// depend on friction, or there is no answer.
     pub fn between(&self) -> Option<bool> {
         let [Some(low), Some(expected), Some(high)] = self.predicted else { return None };
         let depends = (high - low).abs() > SAME * expected.abs();
@@ -55,36 +56,37 @@ impl PlanMeasured {
     }
 }
 
-/// How many readings lie between low and high friction by a model, of how many that depend on friction.
+/// Number of a model's readings between low and high friction, and number of those that depend on
+/// friction.
 pub(super) fn between(rows: &[PlanMeasured], model: &str) -> (usize, usize) {
-    let told = rows.iter().filter(|of| of.model == model).filter_map(PlanMeasured::between);
-    told.fold((0, 0), |(within, all), is| (within + usize::from(is), all + 1))
+    let known = rows.iter().filter(|row| row.model == model).filter_map(PlanMeasured::between);
+    known.fold((0, 0), |(within, all), is| (within + usize::from(is), all + 1))
 }
 
 /// A row for each reading by each model.
 pub(super) fn table(rows: &[PlanMeasured]) -> Table {
     let mut table = Table::with_columns(PLAN_MEASURED);
-    for of in rows {
-        let [low, expected, high] = of.predicted;
-        let values = [Some(of.measured), low, expected, high, of.residual()];
+    for row in rows {
+        let [low, expected, high] = row.predicted;
+        let values = [Some(row.measured), low, expected, high, row.residual()];
         let values = values.map(|value| value.unwrap_or(f64::NAN));
         let none = [f64::NAN; 5];
-        let (weights, torques) = if of.is_torque { (none, values) } else { (values, none) };
+        let (weights, torques) = if row.is_torque { (none, values) } else { (values, none) };
         let answer = |is: bool| if is { "yes" } else { "no" };
         table.append(
             &[
-                ("model", &[&of.model]),
-                ("place", &[&of.place]),
-                ("operation", &[&of.operation]),
-                ("reading", &[&of.reading]),
-                ("between", &[of.between().map_or("", answer)]),
-                ("message", &[of.message.as_deref().unwrap_or_default()]),
+                ("model", &[&row.model]),
+                ("place", &[&row.place]),
+                ("operation", &[&row.operation]),
+                ("reading", &[&row.reading]),
+                ("between", &[row.between().map_or("", answer)]),
+                ("message", &[row.message.as_deref().unwrap_or_default()]),
             ],
             &[
-                ("held_out", &[f64::from(u8::from(of.held_out))]),
-                ("bit_depth_m", &[of.bit_depth_m]),
+                ("held_out", &[f64::from(u8::from(row.held_out))]),
+                ("bit_depth_m", &[row.bit_depth_m]),
                 ("measured_N", &[weights[0]]),
-                ("hook_load_N", &[weights[0] - of.block_N]),
+                ("hook_load_N", &[weights[0] - row.block_N]),
                 ("low_friction_N", &[weights[1]]),
                 ("predicted_N", &[weights[2]]),
                 ("high_friction_N", &[weights[3]]),
@@ -120,9 +122,10 @@ mod tests {
         }
     }
 
-    /// More friction makes slack-off less: between is between, whichever is greater.
+    /// More friction reduces slack-off weight, so that "between" holds whichever prediction is
+    /// greater.
     #[test]
-    fn between_is_told_where_friction_tells() {
+    fn between_is_known_where_friction_matters() {
         let slack_off = [300.0, 250.0, 200.0];
         let rows =
             [row(slack_off, 210.0), row(slack_off, 190.0), row([250.0, 250.1, 250.2], 260.0)];

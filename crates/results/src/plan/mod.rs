@@ -1,4 +1,4 @@
-//! What a plan leaves as JSON: `summary.json`, and its tables.
+//! The JSON file of a plan, `summary.json`, and its tables.
 
 mod campaign;
 mod hydraulics;
@@ -32,9 +32,9 @@ use crate::{
     json::{read_versioned, write_json},
 };
 
-/// Version of the layout of the files of a plan; raised when a key changes or goes. 2: `checks` in
-/// place of `worst_limits`, `governing` in place of `breaks_first`, verdicts in place of standings.
-/// All versions are read.
+/// Version of the layout of the files of a plan; raised when a key changes or is removed. 2:
+/// `checks` in place of `worst_limits`, `governing` in place of `breaks_first`, verdicts in place
+/// of standings. All versions are read.
 pub const PLAN_VERSION: u32 = 2;
 
 /// `summary.json` of a plan.
@@ -52,7 +52,7 @@ pub struct PlanSummary {
     pub models: Vec<String>,
     /// Operations, in the order of the plan.
     pub operations: Vec<String>,
-    /// Depths of the bit, m, growing.
+    /// Depths of the bit, m, increasing.
     pub bit_depths_m: Vec<f64>,
     /// Points that are not solved because the plan was interrupted.
     pub missing: usize,
@@ -60,21 +60,20 @@ pub struct PlanSummary {
     pub points: Vec<PlanPoint>,
     /// Friction after friction, operation after operation, down the hole.
     pub buckling: Vec<PlanBuckling>,
-    /// Of each kind of check and each operation the most severe, and among equals the one with the least
-    /// reserve, of all models, frictions and depths.
+    /// For each kind of check and each operation the most severe, and among equals the one with the
+    /// least reserve, of all models, frictions and depths.
     #[serde(alias = "worst_limits")]
     pub checks: Vec<PlanCheck>,
-    /// Of each operation the limit that governs: the one with the least reserve among those that break
-    /// something or stop the operation, of all models, frictions and depths.
+    /// For each operation the limit that governs: the one with the least reserve among those that
+    /// break something or stop the operation, of all models, frictions and depths.
     #[serde(default, alias = "breaks_first")]
     pub governing: Vec<PlanCheck>,
-    /// What hook load and torque may come to at the surface: of the rig and of the topmost
-    /// component.
+    /// Allowable hook load and torque at the surface: for the rig and for the topmost component.
     #[serde(default)]
     pub surface_limits: Vec<PlanSurfaceLimit>,
-    /// What could not be checked, and what is missing for it.
+    /// Limits that could not be checked, and the missing numbers.
     pub unchecked: Vec<String>,
-    /// The parts of the campaign of which fatigue and casing wear are summed, with their hours.
+    /// The parts of the campaign whose fatigue and casing wear are summed, with their hours.
     #[serde(default)]
     pub counted: Vec<String>,
     /// The parts of the campaign that fatigue and casing wear do not count, with the reasons.
@@ -85,19 +84,19 @@ pub struct PlanSummary {
     pub hydraulics: Vec<PlanHydraulics>,
     /// Model after model, each component from the bit up whose fatigue is known.
     pub fatigue: Vec<PlanFatigue>,
-    /// Model after model, of each casing the stretch that is worn most, from the surface down.
+    /// Model after model, for each casing the most worn stretch, from the surface down.
     pub wear: Vec<PlanWear>,
-    /// What comes of numbers that are not known exactly; none where all are.
+    /// Effect of uncertain numbers; none where all are exact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertain: Option<UncertainSummary>,
-    /// What was measured, model after model, in the order of its file.
+    /// Measured readings, model after model, in the order of their file.
     #[serde(default)]
     pub measured: Vec<PlanMeasured>,
-    /// Another program's curves; none where none were laid over the plan.
+    /// Another program's curves; none where none are compared with the plan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub overlay: Option<PlanOverlay>,
-    /// Peaks by the dynamics, event after event, friction after friction, down the hole; empty where none was asked
-    /// for.
+    /// Peaks by the dynamics, event after event, friction after friction, down the hole; empty
+    /// where none were requested.
     #[serde(default)]
     pub peaks: Vec<PlanPeak>,
 }
@@ -109,13 +108,13 @@ pub struct PlanFriction {
     pub friction: String,
     /// `casing` or `open`.
     pub kind: String,
-    /// Measured depth where the section begins, m.
+    /// Measured depth of the section's upper end, m.
     pub from_md_m: f64,
-    /// Measured depth where it ends, m.
+    /// Measured depth of its lower end, m.
     pub to_md_m: f64,
-    /// Coefficient while sliding along the hole.
+    /// Coefficient of axial friction.
     pub along: f64,
-    /// Coefficient around it.
+    /// Coefficient of rotational friction.
     pub around: f64,
 }
 
@@ -134,13 +133,13 @@ pub struct PlanPoint {
     pub scalars: Option<Scalars>,
     /// `none`, `sinusoidal` or `helical`; none without an answer.
     pub buckling: Option<String>,
-    /// The most severe check that needs attention; of a point without an answer the verdict on it.
+    /// The most severe check that needs attention; for a point without an answer the verdict on it.
     pub worst: Option<Check>,
-    /// Why there is no answer.
+    /// Reason why there is no answer.
     pub message: Option<String>,
 }
 
-/// The weight on bit under which the string begins to buckle.
+/// The weight on bit at which the string begins to buckle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanBuckling {
     /// Name of the model: `soft`.
@@ -151,11 +150,11 @@ pub struct PlanBuckling {
     pub operation: String,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// Of a sinusoid, N; none where no weight does it or there is no answer.
+    /// Weight for a sinusoid, N; none where no weight does it or there is no answer.
     pub sinusoidal_weight_N: Option<f64>,
-    /// Of a helix, N.
+    /// Weight for a helix, N.
     pub helical_weight_N: Option<f64>,
-    /// Why there is no answer.
+    /// Reason why there is no answer.
     pub message: Option<String>,
 }
 
@@ -181,17 +180,18 @@ impl PlanSummary {
         hydraulics::table(&self.hydraulics)
     }
 
-    /// A row for each limit at the surface at both ends of the depths.
+    /// A row for each limit at the surface, at both ends of the depths.
     pub fn surface_limits_table(&self) -> Table {
         surface::table(&self.surface_limits, self.bit_depths_m.last().copied().unwrap_or(0.0))
     }
 
-    /// A row for each weight and torque that was read, of each model.
+    /// A row for each measured weight and torque, for each model.
     pub fn measured_table(&self) -> Table {
         measured::table(&self.measured)
     }
 
-    /// How many readings lie between low and high friction by a model, of how many that depend on friction.
+    /// Number of a model's readings between low and high friction, and number of those that depend
+    /// on friction.
     pub fn measured_between(&self, model: &str) -> (usize, usize) {
         measured::between(&self.measured, model)
     }
@@ -213,8 +213,8 @@ impl PlanSummary {
         operation: &'a str,
         friction: &'a str,
     ) -> impl Iterator<Item = &'a PlanPoint> {
-        self.points.iter().filter(move |of| {
-            of.model == model && of.operation == operation && of.friction == friction
+        self.points.iter().filter(move |point| {
+            point.model == model && point.operation == operation && point.friction == friction
         })
     }
 }

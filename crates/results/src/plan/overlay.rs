@@ -1,18 +1,18 @@
-//! Another program's curves, beside those of a plan.
+//! Another program's curves, compared with those of a plan.
 
 use serde::{Deserialize, Serialize};
 
 use crate::{PLAN_OVERLAY, Table};
 
-/// Another program's curves of a file.
+/// Another program's curves from a file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanOverlay {
     /// Name of the file.
     pub file: String,
     /// Model after model, operation after operation, down the hole.
     pub rows: Vec<PlanOverlayRow>,
-    /// Of each model, operation and quantity how far ours lies from theirs, in the order of the rows; none where no
-    /// depth has both.
+    /// For each model, operation and quantity the difference between our curve and theirs, in the
+    /// order of the rows; none where no depth has both.
     #[serde(default)]
     pub differences: Vec<PlanOverlayDifference>,
 }
@@ -24,15 +24,16 @@ pub struct PlanOverlayRow {
     pub model: String,
     /// Name of the operation.
     pub operation: String,
-    /// Where it stands in its file.
+    /// Place of their value in its file.
     pub place: String,
-    /// Whether it is a torque, N·m, and no hook load, N.
+    /// Whether it is a torque, N·m, rather than a hook load, N.
     pub is_torque: bool,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// Theirs, as the file has it.
+    /// Their value, as in the file.
     pub theirs: f64,
-    /// Ours with the friction that is expected, hook loads without the block; none where the plan has no answer there.
+    /// Our value with the expected friction, hook loads without the block; none where the plan has
+    /// no answer there.
     pub ours: Option<f64>,
 }
 
@@ -43,31 +44,31 @@ impl PlanOverlayRow {
     }
 }
 
-/// How far ours lies from theirs in an operation.
+/// Difference between our curve and theirs in an operation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanOverlayDifference {
     /// Name of our model.
     pub model: String,
     /// Name of the operation.
     pub operation: String,
-    /// Whether of torques, N·m, and not of hook loads, N.
+    /// Whether it is of torques, N·m, rather than of hook loads, N.
     pub is_torque: bool,
-    /// At how many depths both are known.
+    /// Number of depths at which both are known.
     pub count: usize,
     /// Mean of ours less theirs.
     pub mean: f64,
-    /// The one that is farthest from zero, with its sign.
+    /// The difference farthest from zero, with its sign.
     pub largest: f64,
-    /// Measured depth of the bit there, m.
+    /// Measured depth of the bit at that difference, m.
     pub largest_at_m: f64,
-    /// Theirs there.
+    /// Their value at that difference.
     pub theirs_there: f64,
-    /// The one that is farthest from zero as a part of theirs there; none where theirs is zero.
+    /// The difference farthest from zero as a part of their value there; none where that is zero.
     pub largest_part: Option<f64>,
 }
 
 impl PlanOverlay {
-    /// The curves of a file, with how far ours lies from them.
+    /// Creates the curves of a file, with the differences of ours from them.
     pub fn new(file: String, rows: Vec<PlanOverlayRow>) -> Self {
         let differences = Self::differences(&rows);
         Self { file, rows, differences }
@@ -77,19 +78,19 @@ impl PlanOverlay {
         let mut all: Vec<PlanOverlayDifference> = Vec::new();
         for row in rows {
             let Some(difference) = row.difference() else { continue };
-            let same = |of: &&mut PlanOverlayDifference| {
-                of.model == row.model
-                    && of.operation == row.operation
-                    && of.is_torque == row.is_torque
+            let same = |difference: &&mut PlanOverlayDifference| {
+                difference.model == row.model
+                    && difference.operation == row.operation
+                    && difference.is_torque == row.is_torque
             };
             match all.iter_mut().find(same) {
-                Some(of) => {
-                    of.count += 1;
-                    of.mean += difference;
-                    if difference.abs() > of.largest.abs() {
-                        of.largest = difference;
-                        of.largest_at_m = row.bit_depth_m;
-                        of.theirs_there = row.theirs;
+                Some(differences) => {
+                    differences.count += 1;
+                    differences.mean += difference;
+                    if difference.abs() > differences.largest.abs() {
+                        differences.largest = difference;
+                        differences.largest_at_m = row.bit_depth_m;
+                        differences.theirs_there = row.theirs;
                     }
                 }
                 None => all.push(PlanOverlayDifference {
@@ -105,29 +106,30 @@ impl PlanOverlay {
                 }),
             }
         }
-        for of in &mut all {
-            of.mean /= of.count as f64;
-            of.largest_part = Some(of.largest / of.theirs_there).filter(|part| part.is_finite());
+        for differences in &mut all {
+            differences.mean /= differences.count as f64;
+            differences.largest_part = Some(differences.largest / differences.theirs_there)
+                .filter(|part| part.is_finite());
         }
         all
     }
 
-    /// A row for each weight and torque, of each model.
+    /// A row for each weight and torque, for each model.
     pub fn table(&self) -> Table {
         let mut table = Table::with_columns(PLAN_OVERLAY);
-        for of in &self.rows {
-            let values = [Some(of.theirs), of.ours, of.difference()];
+        for row in &self.rows {
+            let values = [Some(row.theirs), row.ours, row.difference()];
             let values = values.map(|value| value.unwrap_or(f64::NAN));
             let none = [f64::NAN; 3];
-            let (weights, torques) = if of.is_torque { (none, values) } else { (values, none) };
+            let (weights, torques) = if row.is_torque { (none, values) } else { (values, none) };
             table.append(
                 &[
-                    ("model", &[&of.model]),
-                    ("operation", &[&of.operation]),
-                    ("place", &[&of.place]),
+                    ("model", &[&row.model]),
+                    ("operation", &[&row.operation]),
+                    ("place", &[&row.place]),
                 ],
                 &[
-                    ("bit_depth_m", &[of.bit_depth_m]),
+                    ("bit_depth_m", &[row.bit_depth_m]),
                     ("theirs_N", &[weights[0]]),
                     ("ours_N", &[weights[1]]),
                     ("difference_N", &[weights[2]]),
@@ -162,9 +164,12 @@ mod tests {
             row(1500.0, 300.0, None),
         ];
         let overlay = PlanOverlay::new("other.csv".into(), rows);
-        let [of] = &overlay.differences[..] else { panic!("one") };
-        assert_eq!((of.count, of.mean, of.largest, of.largest_at_m), (2, -2.0, -6.0, 1000.0));
-        assert_eq!((of.theirs_there, of.largest_part), (200.0, Some(-0.03)));
+        let [only] = &overlay.differences[..] else { panic!("one") };
+        assert_eq!(
+            (only.count, only.mean, only.largest, only.largest_at_m),
+            (2, -2.0, -6.0, 1000.0)
+        );
+        assert_eq!((only.theirs_there, only.largest_part), (200.0, Some(-0.03)));
         assert_eq!(overlay.table().rows(), 3);
     }
 }

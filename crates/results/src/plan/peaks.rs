@@ -1,4 +1,4 @@
-//! Peaks of a string that sets itself in motion, by the dynamics of a plan.
+//! Peaks of a string that is set in motion from rest, by the dynamics of a plan.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,45 +13,46 @@ pub struct PlanPeak {
     pub friction: String,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// Of the hook load without block, N; none where there is no answer.
+    /// Peak of the hook load without block, N; none where there is no answer.
     pub hook_load_N: Option<PlanPeakOf>,
-    /// Of the surface torque, N·m; none where nothing turns.
+    /// Peak of the surface torque, N·m; none where nothing turns.
     pub surface_torque_N_m: Option<PlanPeakOf>,
-    /// Of the pump's pressure, Pa; none where no pump starts.
+    /// Peak of the pump's pressure, Pa; none where no pump starts.
     pub pump_pressure_Pa: Option<PlanPeakOf>,
-    /// What breaks the gel; none where its strength is not known.
+    /// Pressures that break the gel; none where its strength is not known.
     pub gel: Option<PlanGel>,
-    /// Why there is no answer, or a warning.
+    /// Reason why there is no answer, or a warning.
     pub message: Option<String>,
 }
 
-/// What an event makes of a quantity, in its unit.
+/// Response of a quantity to an event, in its unit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlanPeakOf {
     /// Before the event.
     pub at_rest: f64,
-    /// Farthest from that.
+    /// Sample farthest from that.
     pub peak: f64,
-    /// When, s from the beginning of the event.
+    /// Time of the peak, s from the beginning of the event.
     pub time_s: f64,
-    /// What it comes to.
+    /// Final value.
     pub steady: f64,
-    /// By how much that still changes from a quarter of the watch to the next.
+    /// Change of the final value from a quarter of the observed time to the next.
     pub drift: f64,
-    /// Peak over what it comes to; none where that is nothing.
+    /// Peak over final value; none where that is zero.
     pub ratio: Option<f64>,
-    /// What the peak goes beyond, as a part of the change; none where nothing changes.
+    /// Excess of the peak over the final value, as a part of the change; none where nothing
+    /// changes.
     pub overshoot: Option<f64>,
 }
 
-/// What breaks the gel of a mud.
+/// Pressures that break the gel of a mud.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlanGel {
-    /// In the bore, Pa.
+    /// Pressure in the bore, Pa.
     pub bore_Pa: f64,
-    /// In the annulus, Pa.
+    /// Pressure in the annulus, Pa.
     pub annulus_Pa: f64,
-    /// What it takes off the hook load, N.
+    /// Reduction of the hook load, N.
     pub lift_N: f64,
 }
 
@@ -70,48 +71,48 @@ pub struct PlanHistory {
     pub block_velocity_m_per_s: Vec<f64>,
     /// Rotary speed, rad/s.
     pub rotary_speed_rad_per_s: Vec<f64>,
-    /// What the pumps deliver, m³/s.
+    /// Flow rate of the pumps, m³/s.
     pub flow_rate_m3_per_s: Vec<f64>,
 }
 
 /// A row for each event, friction and depth.
 pub fn plan_peaks_table(peaks: &[PlanPeak]) -> Table {
     let mut table = Table::with_columns(PLAN_PEAKS);
-    for of in peaks {
+    for peak in peaks {
         let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
-        let part = |of: &Option<PlanPeakOf>, part: fn(&PlanPeakOf) -> Option<f64>| {
-            number(of.as_ref().and_then(part))
+        let part = |plan_peak_of: &Option<PlanPeakOf>, part: fn(&PlanPeakOf) -> Option<f64>| {
+            number(plan_peak_of.as_ref().and_then(part))
         };
         let PlanPeak {
             hook_load_N: hook, surface_torque_N_m: torque, pump_pressure_Pa: pump, ..
-        } = of;
-        let gel = |part: fn(&PlanGel) -> f64| number(of.gel.as_ref().map(part));
+        } = peak;
+        let gel = |part: fn(&PlanGel) -> f64| number(peak.gel.as_ref().map(part));
         table.append(
             &[
-                ("event", &[&of.event]),
-                ("friction", &[&of.friction]),
-                ("message", &[of.message.as_deref().unwrap_or_default()]),
+                ("event", &[&peak.event]),
+                ("friction", &[&peak.friction]),
+                ("message", &[peak.message.as_deref().unwrap_or_default()]),
             ],
             &[
-                ("bit_depth_m", &[of.bit_depth_m]),
-                ("hook_load_at_rest_N", &part(hook, |of| Some(of.at_rest))),
-                ("hook_load_peak_N", &part(hook, |of| Some(of.peak))),
-                ("hook_load_peak_time_s", &part(hook, |of| Some(of.time_s))),
-                ("hook_load_steady_N", &part(hook, |of| Some(of.steady))),
-                ("hook_load_drift_N", &part(hook, |of| Some(of.drift))),
-                ("hook_load_ratio", &part(hook, |of| of.ratio)),
-                ("hook_load_overshoot", &part(hook, |of| of.overshoot)),
-                ("surface_torque_peak_N_m", &part(torque, |of| Some(of.peak))),
-                ("surface_torque_peak_time_s", &part(torque, |of| Some(of.time_s))),
-                ("surface_torque_steady_N_m", &part(torque, |of| Some(of.steady))),
-                ("surface_torque_ratio", &part(torque, |of| of.ratio)),
-                ("pump_pressure_peak_Pa", &part(pump, |of| Some(of.peak))),
-                ("pump_pressure_peak_time_s", &part(pump, |of| Some(of.time_s))),
-                ("pump_pressure_steady_Pa", &part(pump, |of| Some(of.steady))),
-                ("pump_pressure_ratio", &part(pump, |of| of.ratio)),
-                ("gel_bore_Pa", &gel(|of| of.bore_Pa)),
-                ("gel_annulus_Pa", &gel(|of| of.annulus_Pa)),
-                ("gel_lift_N", &gel(|of| of.lift_N)),
+                ("bit_depth_m", &[peak.bit_depth_m]),
+                ("hook_load_at_rest_N", &part(hook, |peak| Some(peak.at_rest))),
+                ("hook_load_peak_N", &part(hook, |peak| Some(peak.peak))),
+                ("hook_load_peak_time_s", &part(hook, |peak| Some(peak.time_s))),
+                ("hook_load_steady_N", &part(hook, |peak| Some(peak.steady))),
+                ("hook_load_drift_N", &part(hook, |peak| Some(peak.drift))),
+                ("hook_load_ratio", &part(hook, |peak| peak.ratio)),
+                ("hook_load_overshoot", &part(hook, |peak| peak.overshoot)),
+                ("surface_torque_peak_N_m", &part(torque, |peak| Some(peak.peak))),
+                ("surface_torque_peak_time_s", &part(torque, |peak| Some(peak.time_s))),
+                ("surface_torque_steady_N_m", &part(torque, |peak| Some(peak.steady))),
+                ("surface_torque_ratio", &part(torque, |peak| peak.ratio)),
+                ("pump_pressure_peak_Pa", &part(pump, |peak| Some(peak.peak))),
+                ("pump_pressure_peak_time_s", &part(pump, |peak| Some(peak.time_s))),
+                ("pump_pressure_steady_Pa", &part(pump, |peak| Some(peak.steady))),
+                ("pump_pressure_ratio", &part(pump, |peak| peak.ratio)),
+                ("gel_bore_Pa", &gel(|gel| gel.bore_Pa)),
+                ("gel_annulus_Pa", &gel(|gel| gel.annulus_Pa)),
+                ("gel_lift_N", &gel(|gel| gel.lift_N)),
             ],
         );
     }
@@ -121,12 +122,12 @@ pub fn plan_peaks_table(peaks: &[PlanPeak]) -> Table {
 /// A row for each sample of each event.
 pub fn plan_peaks_time_table(histories: &[(&PlanPeak, &PlanHistory)]) -> Table {
     let mut table = Table::with_columns(PLAN_PEAKS_TIME);
-    for (of, history) in histories {
+    for (peak, history) in histories {
         let rows = history.time_s.len();
         table.append(
-            &[("event", &[&of.event]), ("friction", &[&of.friction])],
+            &[("event", &[&peak.event]), ("friction", &[&peak.friction])],
             &[
-                ("bit_depth_m", &vec![of.bit_depth_m; rows]),
+                ("bit_depth_m", &vec![peak.bit_depth_m; rows]),
                 ("time_s", &history.time_s),
                 ("hook_load_N", &history.hook_load_N),
                 ("surface_torque_N_m", &history.surface_torque_N_m),

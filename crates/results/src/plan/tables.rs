@@ -1,4 +1,4 @@
-//! The tables of a plan: what its summary has, row by row.
+//! The tables of a plan: the contents of its summary, row by row.
 
 use super::{PlanCheck, PlanPoint, PlanSummary};
 use crate::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, Table};
@@ -37,35 +37,35 @@ pub fn plan_limits_table(checks: &[PlanCheck]) -> Table {
 /// A row for each point, of a rig with a block of this weight, N.
 pub fn plan_broomstick_table(points: &[PlanPoint], block_weight_N: Option<f64>) -> Table {
     let mut table = Table::with_columns(PLAN_BROOMSTICK);
-    for of in points {
-        let worst = of.worst.as_ref();
+    for point in points {
+        let worst = point.worst.as_ref();
         let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
-        let scalars = of.scalars.as_ref();
-        let with_block_N = scalars.and_then(|of| Some(of.hook_load_N + block_weight_N?));
+        let scalars = point.scalars.as_ref();
+        let with_block_N = scalars.and_then(|scalar| Some(scalar.hook_load_N + block_weight_N?));
         table.append(
             &[
-                ("model", &[&of.model]),
-                ("friction", &[&of.friction]),
-                ("operation", &[&of.operation]),
-                ("buckling", &[of.buckling.as_deref().unwrap_or_default()]),
+                ("model", &[&point.model]),
+                ("friction", &[&point.friction]),
+                ("operation", &[&point.operation]),
+                ("buckling", &[point.buckling.as_deref().unwrap_or_default()]),
                 ("worst_check", &[worst.map_or("", |check| check.kind.name())]),
                 ("worst_severity", &[worst.map_or("", |check| check.severity.name())]),
-                ("message", &[of.message.as_deref().unwrap_or_default()]),
+                ("message", &[point.message.as_deref().unwrap_or_default()]),
             ],
             &[
-                ("bit_depth_m", &[of.bit_depth_m]),
-                ("hook_load_N", &number(scalars.map(|of| of.hook_load_N))),
+                ("bit_depth_m", &[point.bit_depth_m]),
+                ("hook_load_N", &number(scalars.map(|scalar| scalar.hook_load_N))),
                 ("hook_load_with_block_N", &number(with_block_N)),
-                ("surface_torque_N_m", &number(scalars.map(|of| of.surface_torque_N_m))),
-                ("weight_on_bit_N", &number(scalars.map(|of| of.weight_on_bit_N))),
-                ("bit_torque_N_m", &number(scalars.map(|of| of.bit_torque_N_m))),
-                ("friction_torque_N_m", &number(scalars.map(|of| of.friction_torque_N_m))),
-                ("axial_friction_N", &number(scalars.map(|of| of.axial_friction_N))),
-                ("side_force_total_N", &number(scalars.map(|of| of.side_force_total_N))),
-                ("stretch_m", &number(scalars.map(|of| of.stretch_m))),
-                ("twist_rad", &number(scalars.map(|of| of.twist_rad))),
-                ("neutral_point_m", &number(scalars.and_then(|of| of.neutral_point_m))),
-                ("worst_md_m", &number(worst.and_then(|of| of.md_m))),
+                ("surface_torque_N_m", &number(scalars.map(|scalar| scalar.surface_torque_N_m))),
+                ("weight_on_bit_N", &number(scalars.map(|scalar| scalar.weight_on_bit_N))),
+                ("bit_torque_N_m", &number(scalars.map(|scalar| scalar.bit_torque_N_m))),
+                ("friction_torque_N_m", &number(scalars.map(|scalar| scalar.friction_torque_N_m))),
+                ("axial_friction_N", &number(scalars.map(|scalar| scalar.axial_friction_N))),
+                ("side_force_total_N", &number(scalars.map(|scalar| scalar.side_force_total_N))),
+                ("stretch_m", &number(scalars.map(|scalar| scalar.stretch_m))),
+                ("twist_rad", &number(scalars.map(|scalar| scalar.twist_rad))),
+                ("neutral_point_m", &number(scalars.and_then(|scalar| scalar.neutral_point_m))),
+                ("worst_md_m", &number(worst.and_then(|worst| worst.md_m))),
             ],
         );
     }
@@ -81,19 +81,19 @@ impl PlanSummary {
     /// A row for each weight to buckle.
     pub fn buckling_table(&self) -> Table {
         let mut table = Table::with_columns(PLAN_BUCKLING);
-        for of in &self.buckling {
+        for point in &self.buckling {
             let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
             table.append(
                 &[
-                    ("model", &[&of.model]),
-                    ("friction", &[&of.friction]),
-                    ("operation", &[&of.operation]),
-                    ("message", &[of.message.as_deref().unwrap_or_default()]),
+                    ("model", &[&point.model]),
+                    ("friction", &[&point.friction]),
+                    ("operation", &[&point.operation]),
+                    ("message", &[point.message.as_deref().unwrap_or_default()]),
                 ],
                 &[
-                    ("bit_depth_m", &[of.bit_depth_m]),
-                    ("sinusoidal_weight_N", &number(of.sinusoidal_weight_N)),
-                    ("helical_weight_N", &number(of.helical_weight_N)),
+                    ("bit_depth_m", &[point.bit_depth_m]),
+                    ("sinusoidal_weight_N", &number(point.sinusoidal_weight_N)),
+                    ("helical_weight_N", &number(point.helical_weight_N)),
                 ],
             );
         }
@@ -103,14 +103,14 @@ impl PlanSummary {
     /// A row for each hole section at each level of friction.
     pub fn friction_table(&self) -> Table {
         let mut table = Table::with_columns(PLAN_FRICTION);
-        for of in &self.frictions {
+        for friction in &self.frictions {
             table.append(
-                &[("friction", &[&of.friction]), ("kind", &[&of.kind])],
+                &[("friction", &[&friction.friction]), ("kind", &[&friction.kind])],
                 &[
-                    ("from_md_m", &[of.from_md_m]),
-                    ("to_md_m", &[of.to_md_m]),
-                    ("along", &[of.along]),
-                    ("around", &[of.around]),
+                    ("from_md_m", &[friction.from_md_m]),
+                    ("to_md_m", &[friction.to_md_m]),
+                    ("along", &[friction.along]),
+                    ("around", &[friction.around]),
                 ],
             );
         }

@@ -1,4 +1,4 @@
-//! What the tests of frames share.
+//! Shared parts of the tests of frames.
 #![allow(unreachable_pub)]
 
 use wholestring::dynamics::Frame;

@@ -1,10 +1,10 @@
-//! The time that this thread had of the processor.
+//! Processor time of the current thread.
 
 use std::time::Duration;
 
 use serde::Serialize;
 
-/// What a [`Spread`] of times is of: the processor or the clock.
+/// Kind of time that a [`Spread`] contains: processor time or wall-clock time.
 pub const TIME: &str = kind::NAME;
 
 #[cfg(any(target_os = "linux", target_os = "macos", target_os = "freebsd"))]
@@ -15,7 +15,7 @@ mod kind {
 
     pub(super) const NAME: &str = "CPU time of one thread";
 
-    /// Whatever else the machine does is not in it.
+    /// Excludes the load of other programs on the machine.
     pub(super) fn now() -> Duration {
         let time = clock_gettime(ClockId::ThreadCPUTime);
         Duration::new(time.tv_sec.unsigned_abs(), u32::try_from(time.tv_nsec).unwrap_or(0))
@@ -33,13 +33,13 @@ mod kind {
 
     static BEGINNING: OnceLock<Instant> = OnceLock::new();
 
-    /// The thread's own time comes in ticks of 16 ms on Windows: too coarse.
+    /// On Windows the thread's own time advances in ticks of 16 ms, which is too coarse.
     pub(super) fn now() -> Duration {
         BEGINNING.get_or_init(Instant::now).elapsed()
     }
 }
 
-/// Time since it was begun.
+/// Time since it was started.
 pub(super) struct Clock(Duration);
 
 impl Clock {
@@ -52,19 +52,19 @@ impl Clock {
     }
 }
 
-/// What repeated measurements gave.
+/// Spread of repeated measurements.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Spread {
-    /// The middle one, or half-way between the two in the middle.
+    /// Median; for an even count the mean of the middle two.
     pub median: f64,
-    /// The least.
+    /// Smallest value.
     pub least: f64,
-    /// The most.
+    /// Largest value.
     pub most: f64,
 }
 
 impl Spread {
-    /// Of at least one number.
+    /// Computes the spread of at least one number.
     pub(super) fn of(mut found: Vec<f64>) -> Self {
         found.sort_by(f64::total_cmp);
         let middle = found.len() / 2;
@@ -87,13 +87,13 @@ mod tests {
 
     #[test]
     fn the_median_is_the_middle_one_or_between_two() {
-        let of = |found: &[f64]| {
+        let spread = |found: &[f64]| {
             let Spread { median, least, most } = Spread::of(found.to_vec());
             [median, least, most]
         };
-        assert_eq!(of(&[3.0]), [3.0, 3.0, 3.0]);
-        assert_eq!(of(&[5.0, 1.0, 2.0]), [2.0, 1.0, 5.0]);
-        assert_eq!(of(&[5.0, 1.0, 2.0, 4.0]), [3.0, 1.0, 5.0]);
+        assert_eq!(spread(&[3.0]), [3.0, 3.0, 3.0]);
+        assert_eq!(spread(&[5.0, 1.0, 2.0]), [2.0, 1.0, 5.0]);
+        assert_eq!(spread(&[5.0, 1.0, 2.0, 4.0]), [3.0, 1.0, 5.0]);
     }
 
     #[test]

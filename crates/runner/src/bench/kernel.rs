@@ -1,4 +1,4 @@
-//! The inner loop alone, and what the processor could do at best.
+//! The inner loop alone, and the peak rate of the processor.
 
 use serde::Serialize;
 use wholestring::{
@@ -13,18 +13,18 @@ use super::{
 };
 use crate::Error;
 
-/// Steps after which caches and the prediction of branches know the loop.
+/// Warm-up steps for caches and branch prediction.
 const WARM_STEPS: usize = 20;
 
-/// Rounds of the loop that finds the processor's peak: some milliseconds.
+/// Rounds of the loop that measures the processor's peak; takes some milliseconds.
 const PEAK_ROUNDS: usize = 1_000_000;
 
-/// What was found of the inner loop.
+/// Measured speed of the inner loop.
 #[derive(Debug, Default, Serialize)]
 pub struct Kernel {
     /// Arithmetic of one step in double precision.
     pub flops: Flops,
-    /// Elements times the steps that each takes in it.
+    /// Elements times the substeps of each in one step.
     #[serde(skip)]
     pub element_steps: f64,
     /// A row for each precision and instruction set.
@@ -38,19 +38,19 @@ pub struct KernelRow {
     pub precision: &'static str,
     /// The instruction set.
     pub instructions: &'static str,
-    /// Time of a step, over the elements and the steps that each takes in it.
+    /// Time of a step per element and substep.
     pub ns_per_element_step: Spread,
-    /// Speed of its arithmetic.
+    /// Rate of its arithmetic.
     pub gflop_per_s: f64,
-    /// What the same registers multiply and add at best.
+    /// Peak rate of multiplications and additions in the same registers.
     pub peak_gflop_per_s: f64,
 }
 
 impl Bench<'_> {
-    /// The inner loop alone, and what the processor could do at best.
+    /// Measures the inner loop alone and the peak rate of the processor.
     ///
     /// # Errors
-    /// As for all parts: the case has no simulation, or the user stopped it.
+    /// As for all parts: the case has no simulation, or the user stopped the measurement.
     pub fn kernel(&self) -> Result<Kernel, Error> {
         let case = self.well.case(&[])?;
         let precisions = well::precisions(&case);
@@ -95,7 +95,7 @@ fn step_s(bench: &Bench, simulation: &Simulation) -> Result<Spread, Error> {
     })
 }
 
-/// Floating-point operations per second that the processor does at best.
+/// Peak floating-point operations per second of the processor.
 fn peak(bench: &Bench, simulation: &Simulation) -> Result<f64, Error> {
     let s_per_flop = bench.repeat(|| {
         let clock = Clock::begin();

@@ -1,11 +1,11 @@
-//! What each mechanism costs when it is switched on.
+//! Cost of each mechanism when it is switched on.
 
 use serde::Serialize;
 
 use super::{clock::Spread, session::Bench, well};
 use crate::Error;
 
-/// Something that a case can require: keys of the case, as for `--set`.
+/// A mechanism that a case can switch on, by keys of the case as for `--set`.
 struct Mechanism {
     name: &'static str,
     keys: &'static [&'static str],
@@ -15,8 +15,7 @@ const fn with(name: &'static str, keys: &'static [&'static str]) -> Mechanism {
     Mechanism { name, keys }
 }
 
-/// In the order of the book. Numbers that a driller would give, so that each mechanism does what it
-/// is there for.
+/// Mechanisms in the order of the book, with typical field values so that each one is active.
 const MECHANISMS: &[Mechanism] = &[
     with("linear contact", &["dynamics.contact_law=linear"]),
     with("independent friction", &["dynamics.friction_law=independent"]),
@@ -82,28 +81,28 @@ const MECHANISMS: &[Mechanism] = &[
     with("frames, 10 in a second", &["records.frames=10 Hz"]),
 ];
 
-/// What was found of the mechanisms.
+/// Measured costs of the mechanisms.
 #[derive(Debug, Serialize)]
 pub struct Mechanisms {
-    /// Without any of them.
+    /// Time of a step per element without any mechanism.
     pub ns_per_element_step: f64,
     /// A row for each mechanism.
     pub rows: Vec<MechanismRow>,
 }
 
-/// What one mechanism costs.
+/// Cost of one mechanism.
 #[derive(Debug, Serialize)]
 pub struct MechanismRow {
     /// Its name.
     pub mechanism: &'static str,
-    /// Time of a step with it, over the elements.
+    /// Time of a step per element with the mechanism.
     pub ns_per_element_step: f64,
-    /// Processor time for the same simulated time, over that without it.
+    /// Processor time for the same simulated time, relative to that without the mechanism.
     pub time_ratio: Spread,
 }
 
 impl Bench<'_> {
-    /// What each mechanism costs when it is switched on.
+    /// Measures the cost of each mechanism when it is switched on.
     ///
     /// # Errors
     /// As [`Self::kernel`].
@@ -119,7 +118,7 @@ impl Bench<'_> {
             let case = self.well.case(mechanism.keys)?;
             let simulation = well::initialise(&case, case.dynamics.precision)?;
             let mut run_s = Vec::new();
-            // By turns: a processor that grows slower does so for both.
+            // The two runs alternate, so that a processor that slows down affects both.
             let ratio = self.repeat(|| {
                 let without = self.well.run_s(&plain_case, &plain)?;
                 let with = self.well.run_s(&case, &simulation)?;
@@ -137,7 +136,7 @@ impl Bench<'_> {
     }
 }
 
-/// Nanoseconds per element and step of runs that took so many seconds for one.
+/// Converts the run times, s per simulated second, to nanoseconds per element and step.
 fn ns(simulation: &wholestring::dynamics::Simulation, run_s: Vec<f64>) -> f64 {
     1e9 * Spread::of(run_s).median / simulation.element_steps_per_s()
 }

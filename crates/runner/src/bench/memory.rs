@@ -1,4 +1,4 @@
-//! What a run takes from its start to its end: memory, and wall-clock time.
+//! Memory and wall-clock time of a whole run.
 
 use std::{
     fs, thread,
@@ -16,7 +16,7 @@ pub const MEASURES_MEMORY: bool = cfg!(target_os = "linux");
 /// Time between two checks of the process.
 const POLL_INTERVAL: Duration = Duration::from_millis(5);
 
-/// What a run took.
+/// Memory and time of a run.
 #[derive(Debug, Serialize)]
 pub struct Memory {
     /// Simulated time, all operations together.
@@ -28,7 +28,7 @@ pub struct Memory {
 }
 
 impl Bench<'_> {
-    /// What a run takes from its start to its end.
+    /// Measures memory and wall-clock time of a whole run.
     ///
     /// # Errors
     /// As [`Self::kernel`]; the system reports no memory, or the program failed.
@@ -62,7 +62,7 @@ impl Bench<'_> {
     }
 }
 
-/// Largest resident memory of a process so far; nothing once it has ended.
+/// Largest resident memory of a process so far; `None` once it has ended.
 fn resident_MB(process: u32) -> Option<f64> {
     let status = fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;

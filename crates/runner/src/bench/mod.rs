@@ -1,4 +1,4 @@
-//! The speed of a machine at this work: what [`Bench`] measures of the engine and of the command.
+//! Speed of a machine: the measurements that [`Bench`] takes of the engine and of the command.
 
 mod clock;
 mod kernel;

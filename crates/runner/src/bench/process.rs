@@ -1,4 +1,4 @@
-//! The command, run as a user runs it.
+//! The command, run as by a user.
 
 use std::{
     path::Path,
@@ -9,15 +9,15 @@ use wholestring_case::Override;
 
 use crate::Error;
 
-/// Starts the command with these arguments and changes of the case. It says nothing but why it
-/// failed.
+/// Starts the command with these arguments and changes of the case. Its only output is the reason
+/// of a failure.
 pub(super) fn start(
     program: &Path,
     arguments: &[&str],
     changes: &[Override],
 ) -> Result<Child, Error> {
     let mut command = Command::new(program);
-    // One measurement after the other goes to the same folder.
+    // Successive measurements write to the same folder.
     command.args(arguments).args(["--quiet", "--overwrite"]);
     for Override { key, value, .. } in changes {
         command.arg("--set").arg(format!("{key}={value}"));
@@ -26,12 +26,12 @@ pub(super) fn start(
     command.spawn().map_err(Error::failed)
 }
 
-/// Whether it did what it should.
+/// Checks the exit status.
 pub(super) fn check(status: ExitStatus) -> Result<(), Error> {
     match status.code() {
         Some(0) => Ok(()),
         Some(130) | None => Err(Error::Interrupted),
-        // It has said why.
+        // The command has printed the reason.
         Some(_) => Err(Error::Failed(format!("it ended with {status}"))),
     }
 }

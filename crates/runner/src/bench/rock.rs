@@ -1,4 +1,4 @@
-//! The solid rock: a step of a block of hexahedra with a bit pressed into it.
+//! Solid rock: a step of a block of hexahedra with a bit pressed into it.
 
 use serde::Serialize;
 use wholestring::rock::{
@@ -15,31 +15,31 @@ use crate::Error;
 /// Diameter of the bit, m: 8½ in.
 const BIT_M: f64 = 0.2159;
 
-/// Hexahedra along x, y and z, and their edge, m: a live zone that the bit fits into.
+/// Hexahedra along x, y and z, and their edge, m: a live zone large enough for the bit.
 const CELLS: [usize; 3] = [64, 64, 12];
 const EDGE_M: f64 = 4e-3;
 
 const STRENGTH_PA: f64 = 60e6;
 
-/// How fast the bit goes down, m/s, and turns, rad/s: faster than any that drills, to be in the
-/// rock soon.
+/// Speed of the bit downwards, m/s, and of rotation, rad/s: faster than in any drilling, so that
+/// the bit soon is in the rock.
 const DOWN_M_PER_S: f64 = 20.0;
 const TURN_RAD_PER_S: f64 = 100.0;
 
-/// Steps that bring the bit into the rock, and those that squeeze all of the rock beyond yield.
+/// Steps until the bit is in the rock, and steps until all of the rock is squeezed beyond yield.
 const CUTTING_STEPS: usize = 600;
 const SQUEEZING_STEPS: usize = 200;
 
-/// Rate at which all of the rock is squeezed, 1/s, and its fracture energy, J/m²: it shall not
-/// fail.
+/// Rate at which all of the rock is squeezed, 1/s, and its fracture energy, J/m², which is high
+/// enough that the rock does not fail.
 const SQUEEZING_PER_S: f64 = 100.0;
 const TOUGH_J_PER_M2: f64 = 1e6;
 
-/// Steps after which caches and the prediction of branches know the loop, and those that are timed.
+/// Warm-up steps for caches and branch prediction, and timed steps.
 const WARM_STEPS: usize = 3;
 const TIMED_STEPS: usize = 20;
 
-/// What was found of the solid rock.
+/// Measured speed of the solid rock.
 #[derive(Debug, Serialize)]
 pub struct RockSpeed {
     /// Hexahedra of the block.
@@ -60,22 +60,22 @@ pub struct RockSpeed {
 /// The rock in one state with one instruction set.
 #[derive(Debug, Serialize)]
 pub struct RockRow {
-    /// What happens to it.
+    /// State of the rock.
     pub rock: &'static str,
     /// The instruction set.
     pub instructions: &'static str,
-    /// Time of a step, over the hexahedra.
+    /// Time of a step per hexahedron.
     pub ns_per_hexahedron_step: Spread,
-    /// What the bit takes of it, its nodes found and pushed.
+    /// Part of it that finds the nodes at the bit and applies the contact forces.
     pub contact_ns_per_hexahedron_step: f64,
-    /// Part of the hexahedra that yield in a step.
+    /// Fraction of the hexahedra that yield in a step.
     pub yielding: f64,
     /// Nodes that touch the bit.
     pub touching_nodes: usize,
 }
 
 impl Bench<'_> {
-    /// The solid rock under a bit.
+    /// Measures the solid rock under a bit.
     ///
     /// # Errors
     /// As [`Self::kernel`].
@@ -130,24 +130,25 @@ struct Scene {
     bit: Bit,
 }
 
-/// A bit that moves as prescribed, and the nodes that it meets.
+/// A bit with prescribed motion, and the nodes in contact with it.
 #[derive(Clone)]
 struct Bit {
     face: BitFace,
     law: ContactLaw,
     pose: Pose,
-    /// Nodes that touched in the last step.
+    /// Number of nodes in contact in the last step.
     touching: usize,
 }
 
-/// Softening rock with more of it around, and a bit that has come into it.
+/// Softening rock surrounded by more of it, with a bit that has cut into it.
 fn cut() -> Result<Scene, Error> {
     let mut scene = Scene::new(Rock::of_strength(STRENGTH_PA), Edge::Open)?;
     scene.go(&Stepper::default(), CUTTING_STEPS);
     Ok(scene)
 }
 
-/// Rock that is squeezed along x and stretched along y in every step, all of it, and the bit in it.
+/// Rock that is squeezed along x and stretched along y throughout in every step, with the bit in
+/// it.
 fn squeezed() -> Result<Scene, Error> {
     let rock = Rock {
         tensile_fracture_energy_J_per_m2: TOUGH_J_PER_M2,
@@ -165,7 +166,7 @@ fn squeezed() -> Result<Scene, Error> {
 }
 
 impl Scene {
-    /// A block under a bit that touches it, with its other faces as `around` says.
+    /// A block under a bit that touches it; `around` is the boundary condition of its other faces.
     fn new(rock: Rock, around: Edge) -> Result<Self, Error> {
         let mut spec = BlockSpec::new(rock, CELLS, EDGE_M);
         spec.edges = [around; 6];
@@ -193,7 +194,7 @@ impl Scene {
         })
     }
 
-    /// Steps of the rock with the bit's contact; how long that took of the time, s.
+    /// Runs steps of the rock with the bit's contact, and returns the time of the contact, s.
     fn go(&mut self, stepper: &Stepper, steps: usize) -> f64 {
         let mut contact_s = 0.0;
         for _ in 0..steps {
@@ -205,7 +206,8 @@ impl Scene {
         contact_s
     }
 
-    /// Part of the hexahedra that yield in the next step: their intact part falls.
+    /// Fraction of the hexahedra that yield in the next step, found by the decrease of their intact
+    /// part.
     fn yielding(mut self) -> f64 {
         let intact = |block: &Block| -> Vec<Option<f64>> {
             let elements = block.grid().each_element();
@@ -220,7 +222,7 @@ impl Scene {
 }
 
 impl Bit {
-    /// Pushes the nodes that it holds and moves on.
+    /// Pushes the nodes in contact and moves the bit.
     fn press(&mut self, block: &mut Block) {
         let pressed = block.press(&self.face, &self.pose, &self.law);
         self.touching = pressed.load.touching;

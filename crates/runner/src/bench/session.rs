@@ -1,4 +1,4 @@
-//! How measurements are taken, and watched while they are.
+//! Repetition of measurements, and reports of their progress.
 
 use std::path::PathBuf;
 
@@ -10,21 +10,21 @@ use super::{
 };
 use crate::{CancellationToken, Error};
 
-/// Learns what is measured: a progress bar.
+/// Receives the progress of the measurements, for a progress bar.
 pub trait Watcher {
-    /// So many things begin to be measured.
+    /// The measurement of `_count` items begins.
     fn begun(&self, _count: usize) {}
 
-    /// This is measured next.
+    /// The next item begins.
     fn next(&self, _what: &str) {}
 }
 
-/// Measures one part after the other.
+/// Runs the measurements one after the other.
 pub struct Bench<'a> {
     pub(super) well: Well,
-    /// How often each measurement is repeated.
+    /// Number of repetitions of each measurement.
     count: usize,
-    /// The `wholestring` command, which solves what is measured as a process of its own.
+    /// The `wholestring` command, which solves the case in a process of its own.
     pub(super) program: PathBuf,
     watcher: &'a dyn Watcher,
     cancellation: CancellationToken,
@@ -32,8 +32,7 @@ pub struct Bench<'a> {
 
 impl<'a> Bench<'a> {
     /// Measures NP13-X1042 with these keys set, each number the median of `count`; memory and
-    /// sweeps
-    /// are those of `program`, a `wholestring` command.
+    /// sweeps are measured on `program`, a `wholestring` command.
     ///
     /// # Errors
     /// The case cannot be written to a temporary folder.
@@ -47,7 +46,7 @@ impl<'a> Bench<'a> {
         Ok(Self { well: Well::new(overrides)?, count, program, watcher, cancellation })
     }
 
-    /// The well that is measured.
+    /// Returns the well that is measured.
     ///
     /// # Errors
     /// The overrides do not fit the case.
@@ -55,12 +54,12 @@ impl<'a> Bench<'a> {
         self.well.about()
     }
 
-    /// Begins to measure `count` things.
+    /// Starts the measurement of `count` items.
     pub(super) fn begin(&self, count: usize) {
         self.watcher.begun(count);
     }
 
-    /// Says what is measured next, unless the user asked to stop.
+    /// Reports the next item, unless the user requested to stop.
     pub(super) fn next(&self, what: &str) -> Result<(), Error> {
         self.watcher.next(what);
         match self.cancellation.is_cancelled() {

@@ -1,4 +1,4 @@
-//! A sweep as a user runs it, on all cores: 15 depths by 4 friction factors.
+//! A sweep on all cores, as started by a user: 15 depths by 4 friction factors.
 
 use std::{thread, time::Instant};
 
@@ -11,7 +11,7 @@ const DEPTHS: &str = "bit_depth=300m..4305m/300m";
 const FRICTIONS: &str = "friction=0.1,0.2,0.3,0.4";
 const CASES: usize = 15 * 4;
 
-/// What was found of sweeps.
+/// Measured speed of sweeps.
 #[derive(Debug, Serialize)]
 pub struct Sweeps {
     /// Cores of the machine.
@@ -27,7 +27,7 @@ pub struct Sweeps {
 pub struct SweepRow {
     /// `double` or `single`.
     pub precision: &'static str,
-    /// The law of friction.
+    /// Friction law.
     pub friction_law: &'static str,
     /// Wall-clock time.
     pub wall_time_s: f64,
@@ -36,7 +36,7 @@ pub struct SweepRow {
 }
 
 impl Bench<'_> {
-    /// Sweeps on all cores.
+    /// Measures sweeps on all cores.
     ///
     /// # Errors
     /// As [`Self::kernel`]; the program failed.

@@ -1,4 +1,4 @@
-//! The well that is measured: NP13-X1042, which the program brings along.
+//! The well that is measured: NP13-X1042, which is built into the program.
 
 use std::{fs, path::PathBuf};
 
@@ -12,20 +12,20 @@ use wholestring_results::ResultsFolder;
 use super::clock::Clock;
 use crate::Error;
 
-/// Simulated time before anything is timed, s: what the initialisation has left is gone.
+/// Simulated time before timing begins, s, in which the transients of the initialisation decay.
 const SETTLED_S: f64 = 1.0;
 
-/// Simulated time that is timed at once, s: some hundredths of a second of computing.
+/// Simulated time of one timing, s: some hundredths of a second of computing.
 pub(super) const TIMED_S: f64 = 1.0;
 
-/// The case, in a folder of its own.
+/// The case in a temporary folder.
 pub(super) struct Well {
     scratch: TempDir,
     template: Template,
     changes: Vec<Override>,
 }
 
-/// What is measured.
+/// The case that is measured.
 #[derive(Debug, Serialize)]
 pub struct MeasuredWell {
     /// Name of the case.
@@ -36,7 +36,7 @@ pub struct MeasuredWell {
     pub elements: usize,
     /// Step of the dynamics.
     pub time_step_s: f64,
-    /// Steps of the assembly in one of the string's, where it has steps of its own.
+    /// Steps of the assembly in one of the string's, if it has steps of its own.
     pub assembly_steps: Option<u32>,
 }
 
@@ -58,12 +58,12 @@ impl Well {
         })
     }
 
-    /// Where the case lies.
+    /// Path of the case file.
     pub(super) fn file(&self) -> PathBuf {
         self.scratch.path().join(CASE.file_name)
     }
 
-    /// A folder in which results may be written.
+    /// A folder for results.
     pub(super) fn folder(&self) -> PathBuf {
         self.scratch.path().join("results")
     }
@@ -96,8 +96,8 @@ impl Well {
         })
     }
 
-    /// Processor time that a second of simulated time takes, s, with everything that `run` does in
-    /// it. Where the case requires frames, they are written.
+    /// Processor time per second of simulated time, s, with all work of `run` included. Frames are
+    /// written if the case requires them.
     pub(super) fn run_s(&self, case: &Case, simulation: &Simulation) -> Result<f64, Error> {
         let mut simulation = simulation.clone();
         let folder = ResultsFolder::create(self.folder())?;
@@ -120,7 +120,7 @@ impl Well {
     }
 }
 
-/// The string in a precision, initialised in its hole and settled, its window begun.
+/// The string in a precision, initialised in its hole and settled, with its window started.
 pub(super) fn initialise(case: &Case, precision: Precision) -> Result<Simulation, Error> {
     let settings =
         DynamicsSettings { precision, settle_s: SETTLED_S, steady: None, ..case.dynamics.clone() };
@@ -132,7 +132,7 @@ pub(super) fn initialise(case: &Case, precision: Precision) -> Result<Simulation
     Ok(simulation)
 }
 
-/// The precisions that serve the case, and how they are called.
+/// Precisions that the case allows, and their names.
 pub(super) fn precisions(case: &Case) -> Vec<(Precision, &'static str)> {
     let all = [(Precision::Double, "double"), (Precision::Single, "single")];
     let serves =

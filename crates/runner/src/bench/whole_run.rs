@@ -1,5 +1,5 @@
-//! All that a run does in its window: the inner loop, bit, hoist and top drive, the hole that goes
-//! along, statistics.
+//! All work of a run in its window: the inner loop, bit, hoist and top drive, the deepening hole,
+//! statistics.
 
 use serde::Serialize;
 use wholestring::internals::{KernelAccess, instruction_sets};
@@ -14,14 +14,14 @@ pub struct RunRow {
     pub precision: &'static str,
     /// The instruction set.
     pub instructions: &'static str,
-    /// Time of a step, over the elements and the steps that each takes in it.
+    /// Time of a step per element and substep.
     pub ns_per_element_step: Spread,
-    /// Simulated over processor time.
+    /// Simulated time over processor time.
     pub real_time_factor: f64,
 }
 
 impl Bench<'_> {
-    /// All that a run does in its window.
+    /// Measures all work of a run in its window.
     ///
     /// # Errors
     /// As [`Self::kernel`].

@@ -1,5 +1,5 @@
-//! Static analysis of the bottom-hole assembly: side force and tilt of the bit, contacts, bending,
-//! sag; at other tool faces, weights and inclinations too.
+//! Static analysis of the bottom-hole assembly: side force and tilt of the bit, contacts, bending
+//! and sag; also at other tool faces, weights and inclinations.
 
 mod nodes;
 mod page;

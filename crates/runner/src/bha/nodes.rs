@@ -1,4 +1,4 @@
-//! The table of the nodes, by which a folder is known.
+//! The table of the nodes, which identifies a folder of BHA results.
 
-/// Name of it, without its extension.
+/// Name of the table, without its extension.
 pub(super) const NODES: &str = "bha";

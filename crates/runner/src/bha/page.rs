@@ -1,4 +1,4 @@
-//! `report.html` and the pictures of a static BHA analysis, made from the files that it left.
+//! `report.html` and the pictures of a static BHA analysis, made from the files in its folder.
 
 use std::path::Path;
 
@@ -15,7 +15,7 @@ use crate::{
     results_kind::Results,
 };
 
-/// The picture that is drawn unasked.
+/// The picture that is drawn by default.
 const VIEWS: &str = "views";
 
 impl Results for Bha {
@@ -46,9 +46,9 @@ impl Results for Bha {
             contacts: state
                 .contacts
                 .iter()
-                .map(|of| BhaContact {
-                    at_m: 0.5 * (of.from_bit_m[0] + of.from_bit_m[1]),
-                    force_N: of.force_N,
+                .map(|contact| BhaContact {
+                    at_m: 0.5 * (contact.from_bit_m[0] + contact.from_bit_m[1]),
+                    force_N: contact.force_N,
                 })
                 .collect(),
             sensors_m: state.sag.iter().map(|sag| sag.from_bit_m).collect(),
@@ -69,7 +69,7 @@ impl Results for Bha {
 fn column(table: &Table, name: &str) -> Vec<f64> {
     let numbers = numbers(table, name).iter().map(|value| value.unwrap_or(f64::NAN));
     let mut column: Vec<f64> = numbers.collect();
-    // A table that lacks it has no numbers there.
+    // Results without this column have no numbers for it.
     column.resize(table.rows(), f64::NAN);
     column
 }
@@ -78,19 +78,19 @@ fn pair(table: &Table, high: &str, right: &str) -> [Vec<f64>; 2] {
     [column(table, high), column(table, right)]
 }
 
-fn part(of: &wholestring_results::BhaPart) -> BhaPart {
+fn part(part: &wholestring_results::BhaPart) -> BhaPart {
     BhaPart {
-        name: of.name.clone(),
-        from_bit_m: of.from_bit_m,
-        to_bit_m: of.to_bit_m,
-        od_m: of.od_m,
-        blades_m: of.blades_m,
-        is_jointed: of.joint_od_m.is_some(),
-        bend_m: of.bend_m,
+        name: part.name.clone(),
+        from_bit_m: part.from_bit_m,
+        to_bit_m: part.to_bit_m,
+        od_m: part.od_m,
+        blades_m: part.blades_m,
+        is_jointed: part.joint_od_m.is_some(),
+        bend_m: part.bend_m,
     }
 }
 
-/// What a variation found; none where nothing was varied.
+/// Results of a variation; `None` if nothing was varied.
 fn sweep(summary: &BhaSummary, varied: BhaVaried) -> Option<BhaSweep> {
     let (title, dimension, now, zeros) = match varied {
         BhaVaried::Toolface => ("Tool face", "angle", summary.toolface_rad, Vec::new()),
@@ -134,7 +134,7 @@ fn sweep(summary: &BhaSummary, varied: BhaVaried) -> Option<BhaSweep> {
     })
 }
 
-/// The assembly in a few facts.
+/// Key facts of the assembly.
 fn facts(summary: &BhaSummary) -> Vec<Fact> {
     let fact = |label: &str, value: Cell| Fact { label: label.into(), value };
     let state = &summary.state;

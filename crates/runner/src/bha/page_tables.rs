@@ -3,12 +3,12 @@
 use wholestring_report::{Cell, PageTable, Place};
 use wholestring_results::{BhaState, BhaSummary, BhaVaried};
 
-/// Rows that each name a quantity.
+/// Table whose rows each name a quantity.
 fn quantities(title: &str, rows: Vec<Vec<Cell>>) -> PageTable {
     PageTable { place: Place::Results, ..of(title, &["", "Value"], rows) }
 }
 
-/// Columns of a quantity each.
+/// Table whose columns are a quantity each.
 fn of(title: &str, heads: &[&str], rows: Vec<Vec<Cell>>) -> PageTable {
     PageTable {
         place: Place::Cases,
@@ -22,7 +22,7 @@ fn words(text: &str) -> Cell {
     Cell::Text(text.to_owned())
 }
 
-/// What was found, as tables: the bit, contacts, sag, bending, accuracy, then what was varied.
+/// Results as tables: the bit, contacts, sag, bending, accuracy, then the variations.
 pub(super) fn page_tables(summary: &BhaSummary) -> Vec<PageTable> {
     let state = &summary.state;
     let mut tables =
@@ -75,7 +75,8 @@ fn sag(state: &BhaState) -> PageTable {
                 Cell::quantity(sag.md_m, "length"),
                 Cell::quantity(sag.hole_inclination_rad, "angle"),
                 Cell::quantity(sag.inclination_rad, "angle"),
-                sag.azimuth_rad.map_or(Cell::Nothing, |of| Cell::quantity(of, "angle")),
+                sag.azimuth_rad
+                    .map_or(Cell::Nothing, |azimuth_rad| Cell::quantity(azimuth_rad, "angle")),
             ]
         })
         .collect();
@@ -119,7 +120,7 @@ fn solved(state: &BhaState) -> PageTable {
         vec![words("Length that was solved"), Cell::quantity(state.solved_m, "length")],
         vec![words("Elements"), Cell::number(state.elements as f64)],
     ];
-    quantities("What was solved", rows)
+    quantities("Solved model", rows)
 }
 
 fn accuracy(state: &BhaState) -> PageTable {
@@ -176,17 +177,17 @@ fn sweep(summary: &BhaSummary, varied: BhaVaried) -> Option<PageTable> {
     let rows: Vec<Vec<Cell>> = points
         .map(|point| {
             let found = point.found;
-            let number = |of: Option<f64>, dimension: &str| {
-                of.map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
+            let number = |optional: Option<f64>, dimension: &str| {
+                optional.map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
             };
             vec![
                 Cell::quantity(point.value(), dimension),
-                number(found.map(|of| of.side_force_N[0]), "force"),
-                number(found.map(|of| of.side_force_N[1]), "force"),
-                number(found.map(|of| of.tilt_rad[0]), "angle"),
-                number(found.map(|of| of.tilt_rad[1]), "angle"),
-                number(found.map(|of| of.largest_bending_moment_N_m), "torque"),
-                number(found.and_then(|of| of.sag_inclination_rad), "angle"),
+                number(found.map(|response| response.side_force_N[0]), "force"),
+                number(found.map(|response| response.side_force_N[1]), "force"),
+                number(found.map(|response| response.tilt_rad[0]), "angle"),
+                number(found.map(|response| response.tilt_rad[1]), "angle"),
+                number(found.map(|response| response.largest_bending_moment_N_m), "torque"),
+                number(found.and_then(|response| response.sag_inclination_rad), "angle"),
             ]
         })
         .collect();

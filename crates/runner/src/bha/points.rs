@@ -18,56 +18,57 @@ use crate::{
 
 const DEGREE: f64 = PI / 180.0;
 
-/// Greatest weight on bit that is tried, N: that of the case file.
+/// Largest weight on bit allowed, N: the limit of the case file.
 const MAX_WEIGHT_N: f64 = 5e6;
 
-/// Sharpest build of the holes in which the inclination is varied, rad/m: 180° in 30 m is a radius of
-/// 9.5 m. Short-radius holes, the sharpest that are drilled with a rotating string, have 12 m.
+/// Sharpest build rate of the holes in which the inclination is varied, rad/m: 180° in 30 m, a
+/// radius of 9.5 m. Short-radius holes, the sharpest that are drilled with a rotating string, have
+/// 12 m.
 const MAX_BUILD_RAD_PER_M: f64 = 180.0 * DEGREE / 30.0;
 
-/// What is varied, one after the other, SI; what a front leaves out has a default.
+/// Values to vary, one quantity after the other, SI; `None` selects the default.
 #[derive(Debug, Clone, Default)]
 pub struct Sweeps {
-    /// Tool faces of the lowest bend, rad: a revolution in steps of 15° by default and
-    /// the string has a bend.
+    /// Tool faces of the lowest bend, rad; by default a revolution in steps of 15° if the string
+    /// has a bend.
     pub toolfaces_rad: Option<Vec<f64>>,
-    /// Weights on bit, N: seven up to one and a half times that of an operation that has one.
+    /// Weights on bit, N; by default seven up to 1.5 times that of an operation with weight on bit.
     pub weights_N: Option<Vec<f64>>,
-    /// Inclinations of a straight hole, rad: from 5° to 90° in steps of 5°.
+    /// Inclinations of a straight hole, rad; by default from 5° to 90° in steps of 5°.
     pub inclinations_rad: Option<Vec<f64>>,
-    /// Rate at which those holes build down to the bit, rad/m.
+    /// Build rate of those holes down to the bit, rad/m.
     pub build_rate_rad_per_m: f64,
 }
 
-/// A point that is to be solved.
-struct Wanted {
+/// A point to solve.
+struct Target {
     varied: BhaVaried,
     value: f64,
 }
 
-/// What is solved at every point.
+/// Data common to all points.
 pub(super) struct Base<'a> {
     pub(super) model: &'a Model,
     pub(super) operation: &'a Operation,
     pub(super) settings: &'a AssemblySettings,
-    /// How much of the string is solved, m.
+    /// Length of the string that is solved, m.
     pub(super) solved_m: f64,
-    /// Units of messages.
+    /// Units in messages.
     pub(super) units: UnitSet,
     pub(super) jobs: usize,
     pub(super) cancellation: &'a CancellationToken,
 }
 
 impl Base<'_> {
-    /// All points, in the order of what is varied, and how many were not solved because it was
-    /// cancelled.
+    /// All points in the order of the varied quantities, and the number of points not solved
+    /// because of a cancellation.
     pub(super) fn points(&self, sweeps: &Sweeps) -> Result<(Vec<BhaPoint>, usize), Error> {
-        let wanted = self.wanted(sweeps)?;
-        let order: Vec<usize> = (0..wanted.len()).collect();
+        let targets = self.targets(sweeps)?;
+        let order: Vec<usize> = (0..targets.len()).collect();
         let done: Vec<Mutex<Option<BhaPoint>>> = order.iter().map(|_| Mutex::default()).collect();
         in_parallel(self.jobs, &order, |index| {
             if !self.cancellation.is_cancelled() {
-                let point = self.point(&wanted[index], sweeps.build_rate_rad_per_m);
+                let point = self.point(&targets[index], sweeps.build_rate_rad_per_m);
                 *lock(&done[index]) = Some(point);
             }
         });
@@ -76,7 +77,7 @@ impl Base<'_> {
         Ok((found, missing))
     }
 
-    fn wanted(&self, sweeps: &Sweeps) -> Result<Vec<Wanted>, Error> {
+    fn targets(&self, sweeps: &Sweeps) -> Result<Vec<Target>, Error> {
         let has_bend = self.model.string.toolface_rad().is_some();
         let toolfaces = match &sweeps.toolfaces_rad {
             Some(_) if !has_bend => {
@@ -84,7 +85,7 @@ impl Base<'_> {
                     "no component of the string has a bend: there is no tool face to vary".into(),
                 ));
             }
-            Some(given) => given.clone(),
+            Some(values) => values.clone(),
             None if has_bend => (0..=24).map(|step| f64::from(step) * 15.0 * DEGREE).collect(),
             None => Vec::new(),
         };
@@ -97,7 +98,7 @@ impl Base<'_> {
                     "{name} has no weight on the bit to vary: choose an operation that drills"
                 )));
             }
-            Some(given) => given.clone(),
+            Some(values) => values.clone(),
             None if weight_N > 0.0 => {
                 (0..=6).map(|step| f64::from(step) * 0.25 * weight_N).collect()
             }
@@ -113,7 +114,7 @@ impl Base<'_> {
             )));
         }
         let inclinations = match &sweeps.inclinations_rad {
-            Some(given) => given.clone(),
+            Some(values) => values.clone(),
             None => (1..=18).map(|step| f64::from(step) * 5.0 * DEGREE).collect(),
         };
         if let Some(wrong) = inclinations.iter().find(|rad| !(0.0..=PI).contains(*rad)) {
@@ -132,15 +133,15 @@ impl Base<'_> {
             .into_iter()
             .flat_map(|(varied, mut values)| {
                 values.sort_by(f64::total_cmp);
-                values.into_iter().map(move |value| Wanted { varied, value })
+                values.into_iter().map(move |value| Target { varied, value })
             })
             .collect())
     }
 
-    fn point(&self, wanted: &Wanted, build_rate_rad_per_m: f64) -> BhaPoint {
+    fn point(&self, target: &Target, build_rate_rad_per_m: f64) -> BhaPoint {
         let bit_m = self.operation.bit_depth_m;
         let mut point = BhaPoint {
-            varied: wanted.varied,
+            varied: target.varied,
             toolface_rad: self.model.string.toolface_rad(),
             weight_on_bit_N: self.operation.weight_on_bit_now_N(),
             inclination_rad: self.model.well.path.at(bit_m).inclination_rad(),
@@ -148,21 +149,21 @@ impl Base<'_> {
             found: None,
         };
         let mut operation = *self.operation;
-        let model = match wanted.varied {
+        let model = match target.varied {
             BhaVaried::Toolface => {
-                point.toolface_rad = Some(wanted.value);
-                let string = self.model.string.at_toolface(wanted.value);
+                point.toolface_rad = Some(target.value);
+                let string = self.model.string.at_toolface(target.value);
                 Ok(Model { string, ..self.model.clone() })
             }
             BhaVaried::Weight => {
-                point.weight_on_bit_N = wanted.value;
-                operation = at_weight(&operation, wanted.value);
+                point.weight_on_bit_N = target.value;
+                operation = at_weight(&operation, target.value);
                 Ok(self.model.clone())
             }
             BhaVaried::Inclination => {
-                point.inclination_rad = wanted.value;
+                point.inclination_rad = target.value;
                 let build = (build_rate_rad_per_m, self.solved_m);
-                in_straight_hole(self.model, &operation, wanted.value, build)
+                in_straight_hole(self.model, &operation, target.value, build)
             }
         };
         let found = model.map_err(|error| error.to_string()).and_then(|model| {
@@ -187,7 +188,7 @@ impl Base<'_> {
     }
 }
 
-/// Whether holes are built at such a rate, rad/m.
+/// Checks that a hole can be built at this rate, rad/m.
 fn check_build(rate_rad_per_m: f64, units: UnitSet) -> Result<(), Error> {
     if rate_rad_per_m.abs() <= MAX_BUILD_RAD_PER_M {
         return Ok(());
@@ -200,7 +201,7 @@ fn check_build(rate_rad_per_m: f64, units: UnitSet) -> Result<(), Error> {
     )))
 }
 
-/// The operation at another weight; its bit's torque in proportion.
+/// The operation at another weight, with the torque on bit in proportion.
 fn at_weight(operation: &Operation, weight_N: f64) -> Operation {
     let part =
         if operation.weight_on_bit_N > 0.0 { weight_N / operation.weight_on_bit_N } else { 1.0 };

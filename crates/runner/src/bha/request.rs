@@ -1,4 +1,4 @@
-//! A static BHA analysis that is requested, and what came of it.
+//! Request of a static BHA analysis, and its outcome.
 
 use std::{f64::consts::TAU, num::NonZeroUsize, path::PathBuf};
 
@@ -29,29 +29,29 @@ use crate::{
 const CONTACTS: &str = "bha_contacts";
 const SWEEP: &str = "bha_sweep";
 
-/// A case whose assembly is to be solved.
+/// Request to solve the assembly of a case.
 #[derive(Debug)]
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// The operation; the first one that drills by default, or the first.
+    /// The operation; by default the first that drills, or else the first.
     pub operation: Option<OperationKind>,
-    /// Whether the whole string is solved, rather than the assembly and 100 m of pipe above it.
+    /// Whether the whole string is solved instead of the assembly and 100 m of pipe above it.
     pub whole: bool,
-    /// What is varied.
+    /// Variations.
     pub sweeps: Sweeps,
-    /// Units of the pictures and the page; the case's by default.
+    /// Units of the pictures and the page; by default those of the case.
     pub units: Option<UnitSet>,
-    /// Where the results go.
+    /// Destination of the results.
     pub output: Output,
-    /// Whether to write the tables as CSV too.
+    /// Whether to also write the tables as CSV.
     pub csv: bool,
     /// Number of parallel jobs, a point each; one per core by default.
     pub jobs: Option<NonZeroUsize>,
 }
 
 impl<'a> Request<'a> {
-    /// The case with nothing said beside it.
+    /// Request with default options.
     pub fn new(case: &'a Case) -> Self {
         Self {
             case,
@@ -66,46 +66,47 @@ impl<'a> Request<'a> {
     }
 }
 
-/// What came of it.
+/// Outcome of a static BHA analysis.
 #[derive(Debug)]
 pub struct Outcome {
-    /// What was found, as `summary.json` has it.
+    /// Results, as in `summary.json`.
     pub summary: BhaSummary,
-    /// Where the results are.
+    /// Folder of the results.
     pub folder: PathBuf,
-    /// Wall-clock time of the assembly itself, s, and of all.
+    /// Wall-clock time of the assembly itself, s, and of everything.
     pub took_s: [f64; 2],
-    /// Whether it was interrupted: points of what is varied are missing.
+    /// Whether it was interrupted, so that points of a variation are missing.
     pub interrupted: bool,
 }
 
-/// The same in memory.
+/// The same results in memory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AtRest {
-    /// What was found, as `summary.json` has it.
+    /// Results, as in `summary.json`.
     pub summary: BhaSummary,
-    /// Nodes of all that was solved, from the bit up.
+    /// Nodes of the solved length, from the bit up.
     pub nodes: Vec<AssemblyNode>,
     /// Wall-clock time of the assembly itself, s.
     pub alone_s: f64,
 }
 
-/// Solves the assembly of a case, and writes nothing. One that is cancelled while something is
-/// varied keeps the points that it has.
+/// Solves the assembly of a case without writing files. If it is cancelled during a variation, the
+/// solved points are kept.
 ///
 /// # Errors
-/// An operation that the case has not, something to vary that it has not, an assembly without an
-/// equilibrium, or a cancellation before it had one.
+/// An operation that is not in the case, a variation that does not apply to the case, an assembly
+/// without an equilibrium, or a cancellation before the equilibrium was found.
 pub fn at_rest(request: &Request<'_>, cancellation: &CancellationToken) -> Result<AtRest, Error> {
     solve(request, operation(request.case, request.operation)?, cancellation)
 }
 
-/// Solves the assembly of a case, and writes its tables, its pictures and its page. One that is
-/// cancelled while something is varied keeps the points that it has.
+/// Solves the assembly of a case, and writes its tables, pictures and page. If it is cancelled
+/// during a variation, the solved points are kept.
 ///
 /// # Errors
-/// An operation that the case has not, something to vary that it has not, a folder that the results
-/// cannot go to, an assembly without an equilibrium, or a cancellation before it had one.
+/// An operation that is not in the case, a variation that does not apply to the case, a folder that
+/// cannot take the results, an assembly without an equilibrium, or a cancellation before the
+/// equilibrium was found.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -166,16 +167,16 @@ fn solve(
     Ok(AtRest { summary, nodes: found.nodes, alone_s })
 }
 
-fn operation(case: &Case, wanted: Option<OperationKind>) -> Result<&Operation, Error> {
+fn operation(case: &Case, kind: Option<OperationKind>) -> Result<&Operation, Error> {
     let mut all = case.operations.iter();
-    let found = match wanted {
+    let found = match kind {
         Some(kind) => all.find(|one| one.kind == kind),
         None => all.find(|one| one.kind.on_bottom()).or_else(|| case.operations.first()),
     };
     found.ok_or_else(|| {
         let names: Vec<&str> = case.operations.iter().map(|one| one.kind.name()).collect();
-        let wanted = wanted.map_or("operation", OperationKind::name);
-        Error::BadInput(format!("the case has no {wanted}: it has {}", names.join(", ")))
+        let kind = kind.map_or("operation", OperationKind::name);
+        Error::BadInput(format!("the case has no {kind}: it has {}", names.join(", ")))
     })
 }
 
@@ -249,7 +250,8 @@ fn summary(
     }
 }
 
-/// Mean over the tool faces of a whole revolution in equal steps; none of anything else.
+/// Mean over the tool faces of a whole revolution in equal steps; `None` for any other set of
+/// points.
 fn mean(points: &[(f64, [f64; 2])]) -> Option<[f64; 2]> {
     let [(first, _), (second, _), .., (last, _)] = points else {
         return None;
@@ -270,15 +272,15 @@ fn parts(case: &Case, solved_m: f64) -> Vec<BhaPart> {
     let spans = case.model.string.spans().take_while(|span| span.from_bit_m < solved_m);
     spans
         .map(|span| {
-            let of = span.component;
+            let component = span.component;
             BhaPart {
-                name: of.name.clone(),
+                name: component.name.clone(),
                 from_bit_m: span.from_bit_m,
                 to_bit_m: span.to_bit_m.min(solved_m),
-                od_m: of.od_m,
-                blades_m: of.blades.map(|blades| [blades.od_m, blades.length_m]),
-                joint_od_m: of.joints.map(|joints| joints.od_m),
-                bend_m: of.bend.map(|bend| span.from_bit_m + bend.from_lower_end_m),
+                od_m: component.od_m,
+                blades_m: component.blades.map(|blades| [blades.od_m, blades.length_m]),
+                joint_od_m: component.joints.map(|joints| joints.od_m),
+                bend_m: component.bend.map(|bend| span.from_bit_m + bend.from_lower_end_m),
             }
         })
         .collect()

@@ -1,9 +1,9 @@
-//! The judge's checks of the points of a bit test.
+//! Checks of the points of a bit test.
 
 use wholestring_judge::{Check, TriedPoint, bit_test_checks};
 use wholestring_results::{BitTestPoint, Status};
 
-/// The checks of all points, the most severe first.
+/// Returns the checks of all points, the most severe first.
 pub(super) fn checks(points: &[BitTestPoint]) -> Vec<Check> {
     let tried = points.iter().map(|point| {
         let failure = match &point.status {

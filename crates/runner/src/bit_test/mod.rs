@@ -1,4 +1,4 @@
-//! A bit test: the bit alone on its rock, under every weight at every speed.
+//! A bit test: the bit alone on its rock, at every weight and every speed.
 
 mod checks;
 mod page;

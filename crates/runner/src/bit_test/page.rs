@@ -1,4 +1,4 @@
-//! `report.html` and the pictures of a bit test, made from the files that it left.
+//! `report.html` and the pictures of a bit test, made from the files in its folder.
 
 use std::path::Path;
 
@@ -19,7 +19,7 @@ use crate::{
     results_kind::Results,
 };
 
-/// The picture that is drawn unasked.
+/// The picture that is drawn by default.
 const DRILL_OFF: &str = "drill-off";
 
 impl Results for BitTest {
@@ -43,7 +43,7 @@ impl Results for BitTest {
         }
         let missing = summary.points.len() - points.len();
         let failed =
-            |of: &&wholestring_results::BitTestPoint| matches!(of.status, Status::Failed(_));
+            |point: &&wholestring_results::BitTestPoint| matches!(point.status, Status::Failed(_));
         let failed = summary.points.iter().filter(failed).count();
         let message = (missing > 0).then(|| {
             let all = summary.points.len();
@@ -88,7 +88,7 @@ fn test_point(outcome: &TrialOutcome) -> BitTestPoint {
     }
 }
 
-/// What all points have in common, as tables.
+/// Settings common to all points, as tables.
 fn inputs(settings: &Json) -> Vec<PageTable> {
     let common = common(settings);
     let mut page_tables = page_tables(&json!({
@@ -96,12 +96,12 @@ fn inputs(settings: &Json) -> Vec<PageTable> {
         "bit_test": common["bit_test"],
         "rock": common["rock"],
     }));
-    // Of the case itself there is nothing.
+    // A bit test has none of the other inputs of a case.
     page_tables.retain(|page_table| !page_table.rows.is_empty());
     page_tables
 }
 
-/// Bit, rock and grid in a few facts.
+/// Key facts of bit, rock and grid.
 fn facts(summary: &BitTestSummary) -> Vec<Fact> {
     let test = &summary.settings["bit_test"];
     let number = |value: &Json| value.as_f64().unwrap_or(f64::NAN);

@@ -1,4 +1,4 @@
-//! What a point's folder holds while the point is not finished, and when it is.
+//! Files in the folder of a point, before and after it is finished.
 
 use std::{borrow::Cow, path::Path};
 
@@ -13,7 +13,7 @@ use crate::checkpoint::difference;
 /// Name of the file of a finished point.
 const FILE: &str = "point.json";
 
-/// A trial as its checkpoint holds it.
+/// A trial as stored in its checkpoint.
 #[derive(Serialize, Deserialize)]
 pub(super) struct PointCheckpoint<'a> {
     /// The point's settings, as JSON.
@@ -28,10 +28,10 @@ impl<'a> PointCheckpoint<'a> {
 }
 
 impl PointCheckpoint<'static> {
-    /// The checkpoint in the point's folder, if there is one.
+    /// Reads the checkpoint in the folder of the point, if there is one.
     ///
     /// # Errors
-    /// Why the point cannot continue from it.
+    /// The reason why the point cannot continue from it.
     pub(super) fn read(
         folder: &ResultsFolder,
         point: &Point,
@@ -52,14 +52,14 @@ impl PointCheckpoint<'static> {
     }
 }
 
-/// What a finished trial of the point left in its folder; nothing if it is not finished, or of
-/// another test.
+/// Reads the outcome of a finished trial from the folder of the point; `None` if it is not finished
+/// or belongs to another test.
 pub(super) fn finished(folder: &Path, point: &Point) -> Option<TrialOutcome> {
     let there = BitTestOutcome::read(&folder.join(FILE)).ok()?;
     difference(&there.settings, &point.settings).is_none().then_some(there.outcome)
 }
 
-/// Writes that the point is finished.
+/// Marks the point as finished.
 pub(super) fn finish(
     folder: &ResultsFolder,
     point: &Point,
@@ -73,7 +73,7 @@ pub(super) fn finish(
     done.write(&folder.path().join(FILE))
 }
 
-/// The point begins anew: what an earlier test left of it goes.
+/// Restarts the point: removes the files that an earlier test left of it.
 pub(super) fn begin(folder: &ResultsFolder) -> Result<(), ResultsError> {
     folder.remove(FILE)?;
     folder.remove_checkpoint()

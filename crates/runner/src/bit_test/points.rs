@@ -13,25 +13,25 @@ pub(super) struct Point {
     /// Name of its folder: `wob=60kN,rpm=120`.
     pub(super) name: String,
     pub(super) spec: TrialSpec,
-    /// All that its outcome depends on.
+    /// All settings that its outcome depends on.
     pub(super) settings: Value,
 }
 
 /// Digits of a number in the name of a folder.
 const DIGITS: usize = 9;
 
-/// A rotary speed in rev/min, without what the conversion adds to its digits.
+/// Rotary speed in rev/min, without digits added by the conversion.
 pub(super) fn rpm(rad_per_s: f64) -> f64 {
     rounded(rad_per_s * 30.0 / PI, 12)
 }
 
-/// The number with so many significant digits.
+/// The number rounded to this many significant digits.
 fn rounded(value: f64, digits: usize) -> f64 {
     let text = format!("{value:.*e}", digits - 1);
     text.parse().unwrap_or(value)
 }
 
-/// The points, the speeds of one weight after the other.
+/// The points, ordered by weight, then by speed.
 pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Error> {
     let common = common(settings);
     let point = |weight_N: f64, rotary_rad_per_s: f64| {
@@ -75,8 +75,8 @@ pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Err
     }
 }
 
-/// What all points of a test depend on: rock, face of the bit, and how it is tried, in a case's
-/// settings.
+/// Settings common to all points of a test: rock, face of the bit and test procedure, from the
+/// settings of a case.
 pub(super) fn common(settings: &Value) -> Value {
     let mut test = settings["bit_test"].clone();
     if let Some(test) = test.as_object_mut() {
@@ -96,8 +96,8 @@ mod tests {
 
     #[test]
     fn speeds_have_the_digits_they_were_given_with() {
-        for given in [1.0, 59.7, 120.0, 333.0] {
-            assert_eq!(rpm(given * PI / 30.0), given);
+        for speed_rpm in [1.0, 59.7, 120.0, 333.0] {
+            assert_eq!(rpm(speed_rpm * PI / 30.0), speed_rpm);
         }
     }
 

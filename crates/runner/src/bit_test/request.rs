@@ -1,4 +1,4 @@
-//! A bit test that is requested, and how it ended.
+//! Request of a bit test, and its outcome.
 
 use std::path::Path;
 
@@ -23,31 +23,31 @@ use crate::{
     share::Share,
 };
 
-/// A case whose bit is to be tried on its rock.
+/// Request to test the bit of a case on its rock.
 #[derive(Debug)]
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Units of the picture and the page; the case's by default.
+    /// Units of the picture and the page; by default those of the case.
     pub units: Option<UnitSet>,
-    /// How the points are drilled.
+    /// Options for drilling the points.
     pub batch: BatchOptions,
 }
 
-/// How a bit test ended.
+/// Outcome of a bit test.
 #[derive(Debug)]
 pub struct Outcome {
-    /// What was found, as `summary.json` has it.
+    /// Results, as in `summary.json`.
     pub summary: BitTestSummary,
-    /// How many points are finished.
+    /// Counts of the points.
     pub batch: BatchOutcome,
 }
 
-/// Drills every point of a case's bit test, and writes its tables, its picture and its page.
+/// Drills every point of a case's bit test, and writes its tables, picture and page.
 ///
 /// # Errors
-/// A case without a rock, or a folder that the results cannot go to. What becomes of the points is
-/// identified by the outcome.
+/// A case without a rock, or a folder that cannot take the results. The state of the points is in
+/// the outcome.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -61,8 +61,9 @@ pub fn run(
     };
     let points = points(test, &case.settings)?;
     let name = format!("{} bit test", case.name);
-    let parts: Vec<_> = points.iter().map(|of| (&of.name, &of.settings)).collect();
-    // Before anything is drilled, so that a long test does not end on a folder it may not write to.
+    let parts: Vec<_> = points.iter().map(|point| (&point.name, &point.settings)).collect();
+    // Checked before drilling, so that a long test does not fail at its end on a folder that it may
+    // not write to.
     let occupant = Occupant { kind: "bit test".into(), name, identity: digest(&parts) };
     let claimed = Claim {
         shared: options.shard.is_part(),
@@ -91,7 +92,7 @@ pub fn run(
     Ok(Outcome { summary, batch })
 }
 
-/// Refuses to continue in a folder with another test's points.
+/// Refuses to continue in a folder that contains points of another test.
 fn check_same(folder: &Path, case: &Case) -> Result<(), Error> {
     let path = folder.join("summary.json");
     if !path.is_file() {

@@ -9,7 +9,8 @@ use crate::record::rows::bottom_rows;
 /// Name of the table of all points, without its extension.
 pub(super) const POINTS: &str = "bit-test";
 
-/// Name of the table of a point's bottom, without its extension, and what it has for an operation.
+/// Name of the table of a point's bottom hole, without its extension, and the name of its
+/// operation.
 pub(super) const BOTTOM: &str = "bottom_hole";
 pub(super) const OPERATION: &str = "bit_test";
 
@@ -19,8 +20,8 @@ pub(super) const LAW: &str = "bit-table.csv";
 /// A number of an outcome.
 type Number = (&'static str, fn(&TrialOutcome) -> f64);
 
-/// Writes the table for the law "table", where every point is finished; where not, that of an
-/// earlier test goes.
+/// Writes the table for the law "table" if every point is finished; otherwise removes that of an
+/// earlier test.
 pub(super) fn write_law(
     folder: &ResultsFolder,
     points: &[BitTestPoint],
@@ -32,25 +33,27 @@ pub(super) fn write_law(
     }
 }
 
-/// The columns that `[bit.table] file` reads.
+/// The columns that `[bit.table] file` requires.
 fn law(outcomes: &[TrialOutcome]) -> Table {
-    // A bit that hops on rock that it does not break may end a little higher; a law has nothing
-    // below zero.
+    // A bit that bounces on rock that it does not break may end slightly higher, but a law contains
+    // no negative numbers.
     let columns: [Number; 6] = [
-        ("weight_on_bit_N", |of| of.weight_on_bit_N),
-        ("rotary_speed_rpm", |of| rpm(of.rotary_speed_rad_per_s)),
-        ("rate_of_penetration_m_per_h", |of| 3600.0 * of.rate_of_penetration_m_per_s.max(0.0)),
-        ("torque_N_m", |of| of.torque_N_m.max(0.0)),
-        ("torque_std_N_m", |of| of.torque_std_N_m),
-        ("weight_on_bit_std_N", |of| of.weight_on_bit_std_N),
+        ("weight_on_bit_N", |outcome| outcome.weight_on_bit_N),
+        ("rotary_speed_rpm", |outcome| rpm(outcome.rotary_speed_rad_per_s)),
+        ("rate_of_penetration_m_per_h", |outcome| {
+            3600.0 * outcome.rate_of_penetration_m_per_s.max(0.0)
+        }),
+        ("torque_N_m", |outcome| outcome.torque_N_m.max(0.0)),
+        ("torque_std_N_m", |outcome| outcome.torque_std_N_m),
+        ("weight_on_bit_std_N", |outcome| outcome.weight_on_bit_std_N),
     ];
-    let column = |(name, of): Number| {
-        Column::numbers(name, outcomes.iter().map(|outcome| Some(of(outcome))).collect())
+    let column = |(name, value_of): Number| {
+        Column::numbers(name, outcomes.iter().map(|outcome| Some(value_of(outcome))).collect())
     };
     Table::new(columns.map(column).into())
 }
 
-/// The bottom that a point has left, as a run's.
+/// The bottom hole left by a point, as for a run.
 pub(super) fn bottom(bottom: &BottomHole) -> Table {
     let mut table = Table::with_columns(BOTTOM_HOLE);
     let [radius_m, angle_rad, depth_m] = &bottom_rows(bottom);

@@ -27,33 +27,34 @@ use crate::{
     share::{Gathering, Share},
 };
 
-/// How a point ended.
+/// Outcome of a point.
 type Ending = Result<TrialOutcome, Stop>;
 
 /// Points that are drilled together.
 pub(super) struct Trials<'a> {
     options: &'a BatchOptions,
     share: Share,
-    /// Held from the end of its points on, for tables and page are of all shares.
+    /// Held from the end of the points of this share, because tables and page contain all shares.
     gathering: Option<Gathering>,
     case: &'a Case,
     test: &'a BitTest,
     points: Vec<Point>,
-    /// The points of this shard.
+    /// Indices of the points of this shard.
     mine: Vec<usize>,
     folder: ResultsFolder,
     stepper: Stepper,
     observer: &'a dyn Observer,
     cancellation: &'a CancellationToken,
-    /// How each point ended, none where it has not.
+    /// Outcome of each point, `None` until it has ended.
     endings: Mutex<Vec<Option<Ending>>>,
-    /// Held by who writes the tables.
+    /// Held while the tables are written.
     writing: Mutex<()>,
     start: Instant,
 }
 
 impl<'a> Trials<'a> {
-    /// Trials of these points, with results in the folder; the tables of an earlier test go.
+    /// Creates the trials of these points, with results in the folder; removes the tables of an
+    /// earlier test.
     #[allow(clippy::too_many_arguments, reason = "each is a part of what is tried, once")]
     pub(super) fn new(
         options: &'a BatchOptions,
@@ -92,22 +93,22 @@ impl<'a> Trials<'a> {
         Ok(trials)
     }
 
-    /// Takes up the points that an earlier test finished, those of other shards too: the tables
-    /// show all there is.
+    /// Reads the points that an earlier test has finished, including those of other shards, so that
+    /// the tables are complete.
     fn find_finished(&self) -> Result<(), ResultsError> {
         let mut endings = lock(&self.endings);
         for (index, point) in self.points.iter().enumerate() {
             let place = self.folder.path().join(&point.name);
             endings[index] = point_checkpoint::finished(&place, point).map(Ok);
             if endings[index].is_some() && self.mine.contains(&index) {
-                // Killed as soon as the point was finished, the earlier test left this.
+                // Left by a test that was killed just after the point was finished.
                 ResultsFolder::create(place)?.remove_checkpoint()?;
             }
         }
         Ok(())
     }
 
-    /// Takes up what the other shares have left, and keeps them from writing tables and page until
+    /// Reads the results of the other shares, and keeps them from writing tables and page until
     /// this is dropped.
     fn gather(&mut self) -> Result<(), ResultsError> {
         let endings = self.endings.get_mut().unwrap_or_else(PoisonError::into_inner);
@@ -138,7 +139,8 @@ impl<'a> Trials<'a> {
             finished: self.ended(),
             simulated_s: durations_s.sum(),
         });
-        // The slowest turn longest: what is left at the end is short.
+        // The point with the slowest rotation takes longest and comes first, so that the last jobs
+        // are short.
         let mut order = self.mine.clone();
         let duration_s = |point: &usize| self.points[*point].spec.duration_s();
         order.sort_by(|a, b| duration_s(b).total_cmp(&duration_s(a)));
@@ -162,7 +164,7 @@ impl<'a> Trials<'a> {
         lock(&self.endings)[index] = Some(ending);
         self.report_end(0.0);
         if !self.share.is_part() {
-            // What cannot be written now is reported at the end.
+            // A failure to write is reported at the end.
             let _ = self.write();
         }
     }
@@ -193,7 +195,8 @@ impl<'a> Trials<'a> {
             let interrupted = self.cancellation.is_cancelled();
             if interrupted || keeper.is_due() {
                 let stored = PointCheckpoint::new(point, &trial);
-                // A point does not end because one checkpoint cannot be written: the next may.
+                // The point continues even if a checkpoint cannot be written, because the next one
+                // may succeed.
                 if let Err(error) = keeper.write(&stored) {
                     self.observer.warning(&format!("no checkpoint: {error}"));
                 }
@@ -210,39 +213,39 @@ impl<'a> Trials<'a> {
         let outcome = trial.outcome().expect("a finished trial has an outcome");
         let bottom = tables::bottom(&trial.drilling().bottom_hole());
         folder.write_table(tables::BOTTOM, &bottom, self.options.csv)?;
-        // With this the point is finished.
+        // Marks the point as finished.
         point_checkpoint::finish(&folder, point, outcome)?;
         keeper.finish()?;
         Ok(outcome)
     }
 
-    /// What an earlier test began of the point; nothing where it left none to continue with, or
-    /// none that one can.
+    /// Unfinished trial of the point from an earlier test; `None` if there is none that can be
+    /// continued.
     fn begun(&self, point: &Point, folder: &ResultsFolder) -> Option<Trial> {
         match PointCheckpoint::read(folder, point, &self.test.drilling) {
             Ok(stored) => stored.map(|stored| stored.trial.into_owned()),
             Err(reason) => {
                 let name = &point.name;
-                let warning = format!("{name}: {reason}; it begins anew");
+                let warning = format!("{name}: {reason}; it starts again");
                 self.observer.warning(&warning);
                 None
             }
         }
     }
 
-    /// Points of this shard that have ended.
+    /// Number of points of this shard that have ended.
     fn ended(&self) -> usize {
         let endings = lock(&self.endings);
         let done = self.mine.iter().filter(|point| endings[**point].is_some());
         done.count()
     }
 
-    /// Shows that a point has ended, of which so much was not drilled now.
+    /// Reports that a point has ended; `reused_s` of it were drilled earlier.
     fn report_end(&self, reused_s: f64) {
         self.observer.case_ended(&CaseEnded { ended: self.ended(), of: self.mine.len(), reused_s });
     }
 
-    /// How far the test has come.
+    /// Summary of the test so far.
     pub(super) fn summary(&self) -> BitTestSummary {
         let endings = lock(&self.endings);
         let points = self.points.iter().zip(endings.iter());
@@ -278,7 +281,7 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// Writes the summary and the tables of what there is.
+    /// Writes summary and tables of the points so far.
     fn write(&self) -> Result<(), ResultsError> {
         let _alone = lock(&self.writing);
         let summary = self.summary();
@@ -288,7 +291,7 @@ impl<'a> Trials<'a> {
         summary.write(&self.folder.path().join("summary.json"))
     }
 
-    /// How it went.
+    /// Outcome of the test.
     pub(super) fn outcome(self) -> BatchOutcome {
         let endings = std::mem::take(&mut *lock(&self.endings));
         let (folder, all) = (self.folder.path(), self.mine.len());

@@ -1,4 +1,4 @@
-//! The string in motion, with the numbers that were found, beside some of the readings.
+//! Dynamic simulations with the fitted parameters, compared with some of the readings.
 
 use std::{num::NonZeroUsize, sync::Mutex};
 
@@ -21,19 +21,20 @@ use crate::{
     readings::{NamedCase, Readings},
 };
 
-/// At which of the readings' depths the string in motion is computed.
+/// Depths of readings at which the dynamic simulation is run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CheckDynamics {
-    /// Depths of the bit, m; the shallowest, the middle and the deepest of the fit where none is given.
+    /// Depths of the bit, m; if empty, the shallowest, middle and deepest of the fit.
     pub bit_depths_m: Vec<f64>,
-    /// What is computed side by side; one per core by default.
+    /// Number of parallel jobs; one per core by default.
     pub jobs: Option<NonZeroUsize>,
 }
 
-/// A depth that is given is that of a reading as near as this, m: depths are written in whole feet.
+/// Largest distance of a given depth from that of a reading, m, because depths are written in whole
+/// feet.
 const SAME_DEPTH_M: f64 = 0.5;
 
-/// Simulated time between two looks at a cancellation at most, s.
+/// Longest simulated time between two checks for cancellation, s.
 const POLL_INTERVAL_S: f64 = 0.2;
 
 /// A motion of a string with its bit at a depth.
@@ -44,7 +45,7 @@ struct Run {
     motion: Motion,
 }
 
-/// Loads of a string in motion: hook load and torque, mean and standard deviation of each.
+/// Loads of a moving string: hook load and torque, mean and standard deviation of each.
 #[derive(Debug, Clone, Copy)]
 struct Moved {
     hook_load_N: [f64; 2],
@@ -53,22 +54,22 @@ struct Moved {
     steady: Option<bool>,
 }
 
-/// The strings and depths that are computed.
+/// The strings and depths to simulate.
 pub(super) fn chosen(
     check: &CheckDynamics,
     data: &Readings,
     units: UnitSet,
 ) -> Result<Vec<(usize, f64)>, Error> {
     let mut all: Vec<(usize, f64)> = Vec::new();
-    for of in data.readings.iter().chain(&data.held_out) {
-        if !all.contains(&(of.setup, of.bit_depth_m)) {
-            all.push((of.setup, of.bit_depth_m));
+    for reading in data.readings.iter().chain(&data.held_out) {
+        if !all.contains(&(reading.setup, reading.bit_depth_m)) {
+            all.push((reading.setup, reading.bit_depth_m));
         }
     }
     all.sort_by(|a, b| a.1.total_cmp(&b.1));
     if check.bit_depths_m.is_empty() {
-        let used = |of: &&(usize, f64)| {
-            data.readings.iter().any(|reading| (reading.setup, reading.bit_depth_m) == **of)
+        let used = |depth: &&(usize, f64)| {
+            data.readings.iter().any(|reading| (reading.setup, reading.bit_depth_m) == **depth)
         };
         let used: Vec<_> = all.iter().filter(used).copied().collect();
         let last = used.len().saturating_sub(1);
@@ -78,15 +79,15 @@ pub(super) fn chosen(
     }
     let mut found: Vec<(usize, f64)> = Vec::new();
     for depth_m in &check.bit_depths_m {
-        let near = all.iter().filter(|of| (of.1 - depth_m).abs() <= SAME_DEPTH_M);
+        let near = all.iter().filter(|place| (place.1 - depth_m).abs() <= SAME_DEPTH_M);
         let before = found.len();
         found.extend(near);
         if found.len() == before {
             let depth = |md_m: f64| Dimension::Length.format(md_m, units);
             let depths = all.iter().map(|(_, md_m)| depth(*md_m)).collect::<Vec<_>>();
             return Err(Error::BadInput(format!(
-                "no reading has the bit at {}, where the dynamics are to check it; readings are \
-                 at {}",
+                "no reading has the bit at {}, the depth requested for the dynamic check; \
+                 readings are at {}",
                 depth(*depth_m),
                 depths.join(", ")
             )));
@@ -95,7 +96,8 @@ pub(super) fn chosen(
     Ok(found)
 }
 
-/// Every reading at these depths beside the string in motion; of work that was cancelled, what was finished.
+/// Every reading at these depths with the result of the simulation; after a cancellation, those
+/// that were finished.
 pub(super) fn checked(
     (cases, check): (&[NamedCase<'_>], &CheckDynamics),
     data: &Readings,
@@ -106,8 +108,9 @@ pub(super) fn checked(
 ) -> Vec<DynamicCheck> {
     let used = found.points.iter().zip(&data.places);
     let all = || used.clone().chain(found.held_out.iter().zip(&data.held_out_places));
-    let at =
-        |point: &Point, of: &(usize, f64)| (point.reading.setup, point.reading.bit_depth_m) == *of;
+    let at = |point: &Point, place: &(usize, f64)| {
+        (point.reading.setup, point.reading.bit_depth_m) == *place
+    };
     let mut rows: Vec<(&Point, &String)> = Vec::new();
     for depth in depths {
         rows.extend(all().filter(|(point, _)| at(point, depth)));
@@ -143,7 +146,7 @@ pub(super) fn checked(
     });
     observer.batch_ended();
     let row = |(point, place): &(&Point, &String)| {
-        let run = runs.iter().position(|of| *of == run_of(point))?;
+        let run = runs.iter().position(|run| *run == run_of(point))?;
         let answer = lock(&answers[run]).clone()?;
         let channel = point.reading.channel;
         let state = &found.state;
@@ -151,13 +154,14 @@ pub(super) fn checked(
             Channel::OnBottomTorque | Channel::OffBottomTorque => 0.0,
             _ => state.block_weight_N,
         };
-        let in_motion = |of: Moved| {
-            let [mean, std] = if channel.is_torque() { of.torque_N_m } else { of.hook_load_N };
+        let in_motion = |moved: Moved| {
+            let [mean, std] =
+                if channel.is_torque() { moved.torque_N_m } else { moved.hook_load_N };
             InMotion {
                 mean: mean + beside,
                 std,
-                mean_bit_depth_m: of.mean_bit_depth_m,
-                steady: of.steady,
+                mean_bit_depth_m: moved.mean_bit_depth_m,
+                steady: moved.steady,
             }
         };
         Some(DynamicCheck {
@@ -175,21 +179,22 @@ pub(super) fn checked(
     rows.iter().filter_map(row).collect()
 }
 
-/// Warnings: a string that had not settled, and one without an answer.
+/// Warnings: a string that had not settled, or one without a solution.
 pub(super) fn warnings(checks: &[DynamicCheck], units: UnitSet) -> Vec<String> {
     let unit = Dimension::Length.unit_in(units);
     let depth = |depth_m: f64| format!("{:.0} {}", unit.from_si(depth_m), unit.symbol);
-    let warning = |of: &DynamicCheck| {
-        let reading = of.reading.replace('_', "-");
-        let at = depth(of.bit_depth_m);
-        match (&of.dynamic, &of.message) {
+    let warning = |check: &DynamicCheck| {
+        let reading = check.reading.replace('_', "-");
+        let at = depth(check.bit_depth_m);
+        match (&check.dynamic, &check.message) {
             (Some(dynamic), _) if dynamic.steady == Some(false) => Some(format!(
-                "the string in motion had not settled for {reading} with the bit at {at}, which was at {} on \
-                 average: give a longer dynamics.settle, or a slower trip_speed",
+                "the dynamic simulation had not settled for {reading} with the bit at {at}, where \
+                 the mean bit depth was {}: increase dynamics.settle, or reduce trip_speed",
                 depth(dynamic.mean_bit_depth_m)
             )),
             (None, Some(reason)) => Some(format!(
-                "the dynamics have no answer for {reading} with the bit at {at}: {reason}"
+                "the dynamic simulation has no solution for {reading} with the bit at {at}: \
+                 {reason}"
             )),
             _ => None,
         }
@@ -202,7 +207,7 @@ fn run_of(point: &Point) -> Run {
     Run { setup: reading.setup, bit_depth_m: reading.bit_depth_m, motion: reading.channel.motion() }
 }
 
-/// A simulation that is to be made.
+/// A simulation to set up.
 struct Task {
     name: String,
     model: Model,
@@ -211,7 +216,7 @@ struct Task {
     longest_s: f64,
 }
 
-/// The string of a row with the numbers that were found.
+/// The string of a row with the fitted parameters.
 fn task(
     cases: &[NamedCase<'_>],
     data: &Readings,
@@ -226,7 +231,7 @@ fn task(
         bit_torque_N_m: found.state.bit_torque_N_m,
         ..assembly.operation(run.motion, run.bit_depth_m)
     };
-    // What a driller changes in the course of a run of the case has no part in a reading.
+    // Changes of set points by the driller during a run do not apply to a reading.
     let settings = DynamicsSettings {
         schedule: Schedule::default(),
         probes: Vec::new(),
@@ -237,7 +242,7 @@ fn task(
     Ok(Task { name, model, operation, settings, longest_s: effort.end_s })
 }
 
-/// The loads of a simulation; none where the work was cancelled.
+/// Loads of a simulation; `None` if it was cancelled.
 fn moved(
     task: &Task,
     watch: Watch<'_>,
@@ -275,7 +280,7 @@ fn moved(
     drop(progress);
     let outcome = simulation.outcome();
     let load = |name: &str, mean: f64| {
-        let statistic = outcome.statistics.iter().find(|(of, _)| *of == name);
+        let statistic = outcome.statistics.iter().find(|(statistic, _)| *statistic == name);
         [mean, statistic.map_or(f64::NAN, |(_, statistic)| statistic.std)]
     };
     Some(Ok(Moved {

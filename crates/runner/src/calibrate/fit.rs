@@ -3,31 +3,32 @@
 use wholestring::outcome::ModelKind;
 use wholestring_plan::calibration::Parameter;
 
-/// What is looked for.
+/// Parameters to fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
     /// One factor for cased and open hole.
     pub one_factor: bool,
-    /// A factor for each section of the hole in place of one for casing and one for open hole.
+    /// A factor for each section of the hole instead of one for casing and one for open hole.
     pub by_section: bool,
-    /// Friction around the hole apart from that along it.
+    /// Separate rotational and axial friction.
     pub friction_around: bool,
-    /// The weight of the block, although the case gives it; where it does not, it is looked for.
+    /// Whether to fit the block weight even if the case gives it; otherwise it is fitted only if
+    /// the case does not.
     pub block_weight: bool,
-    /// The torque of the bit on bottom.
+    /// Whether to fit the torque on bit on bottom.
     pub bit_torque: bool,
-    /// Numbers that are held.
+    /// Parameters that are kept fixed, with their values.
     pub hold: Vec<(Parameter, f64)>,
     /// Standard errors of pick-up and slack-off weights and of rotating weights, N, and of torques,
-    /// N·m; estimated where none is given.
+    /// N·m; `None` to estimate them.
     pub errors: [Option<f64>; 3],
-    /// Residuals larger than so many of their standard errors are outliers.
+    /// Residuals larger than this many standard errors are outliers.
     pub outlier_beyond: f64,
-    /// Outliers, as a robust fit finds them, take no part in the fit and are held against it; otherwise what is
-    /// found without them is shown beside it.
+    /// Whether outliers found by a robust fit are left out of the fit and compared with it;
+    /// otherwise the fit without them is shown for comparison.
     pub without_outliers: bool,
     /// Confidence of the bands.
     pub band_confidence: f64,
-    /// The model that predicts: soft or stiff.
+    /// The model used for predictions: soft or stiff.
     pub model: ModelKind,
 }

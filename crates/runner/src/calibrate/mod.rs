@@ -1,4 +1,4 @@
-//! Friction factors, block weight and bit torque from what was read at the surface.
+//! Friction factors, block weight and torque on bit from readings at the surface.
 
 mod checks;
 mod dynamic;

@@ -1,4 +1,4 @@
-//! What is to be known of a calibration, in sentences.
+//! Notes on a calibration, in sentences.
 
 use wholestring_plan::calibration::{Calibration, ErrorKind, Parameter, Settings};
 use wholestring_units::{Dimension, UnitSet};
@@ -6,7 +6,7 @@ use wholestring_units::{Dimension, UnitSet};
 use super::checks::{median, shown};
 use crate::readings::Readings;
 
-/// Notes on the file, on errors that are estimated, and on a block that is held.
+/// Notes on the file, on estimated errors, and on a block weight that is kept fixed.
 pub(super) fn notes(
     data: &Readings,
     found: &Calibration,
@@ -14,44 +14,46 @@ pub(super) fn notes(
     units: UnitSet,
 ) -> Vec<String> {
     let mut notes = vec![data.notes.join("; ")];
-    for of in found.errors.iter().filter(|of| !of.given) {
+    for error in found.errors.iter().filter(|error| !error.given) {
         notes.push(format!(
             "the standard error of the {} is estimated from {} residuals: {}",
-            of.kind.name(),
-            of.readings,
-            shown(of.value, dimension(of.kind), units)
+            error.kind.name(),
+            error.readings,
+            shown(error.value, dimension(error.kind), units)
         ));
     }
-    let looked_for = |of: Parameter| settings.parameters.contains(&of);
+    let looked_for = |parameter: Parameter| settings.parameters.contains(&parameter);
     if !looked_for(Parameter::BlockWeight) {
         let weight = shown(found.state.block_weight_N, Dimension::Force, units);
-        notes.push(format!("the block is held at {weight}, which the weights hold too"));
+        notes.push(format!(
+            "the block weight is fixed at {weight}, and the weights include the block"
+        ));
     }
     notes
 }
 
-/// What readings of a kind measure.
+/// Dimension of the readings of a kind.
 pub(super) fn dimension(kind: ErrorKind) -> Dimension {
     if kind == ErrorKind::Torque { Dimension::Torque } else { Dimension::Force }
 }
 
 /// The median of the readings of a kind.
 pub(super) fn size(found: &Calibration, kind: ErrorKind) -> f64 {
-    let of = found.points.iter().filter(|point| point.reading.channel.error() == kind);
-    median(of.map(|point| point.reading.value.abs()).collect())
+    let points = found.points.iter().filter(|point| point.reading.channel.error() == kind);
+    median(points.map(|point| point.reading.value.abs()).collect())
 }
 
-/// How many readings lie within their band, and how wide the band is: 32 of 32 within a band as wide as the
-/// weights themselves are no agreement.
+/// Number of readings within their band, and the width of the band: 32 of 32 within a band as wide
+/// as the weights themselves would not be agreement.
 pub(super) fn status(found: &Calibration, settings: &Settings, units: UnitSet) -> String {
-    let within = found.points.iter().filter(|of| of.within_band).count();
-    let widths = found.errors.iter().map(|of| {
-        let half = found.band_factor * of.value;
-        let part = 100.0 * half / size(found, of.kind).max(1e-9);
+    let within = found.points.iter().filter(|point| point.within_band).count();
+    let widths = found.errors.iter().map(|error| {
+        let half = found.band_factor * error.value;
+        let part = 100.0 * half / size(found, error.kind).max(1e-9);
         format!(
             "±{} ({part:.1} %) of the {}",
-            shown(half, dimension(of.kind), units),
-            of.kind.name()
+            shown(half, dimension(error.kind), units),
+            error.kind.name()
         )
     });
     format!(

@@ -1,4 +1,4 @@
-//! What users write to a calibration, with its bounds.
+//! Option values that users write for a calibration, with their bounds.
 
 use wholestring_plan::calibration::Parameter;
 use wholestring_units::Dimension;
@@ -11,26 +11,26 @@ fn positive(dimension: Dimension, text: &str) -> Result<f64, String> {
     }
 }
 
-/// More force than none, N.
+/// A positive force, N.
 ///
 /// # Errors
-/// What was expected.
+/// The expected form.
 pub fn force(text: &str) -> Result<f64, String> {
     positive(Dimension::Force, text)
 }
 
-/// More depth than none, m.
+/// A positive depth, m.
 ///
 /// # Errors
-/// What was expected.
+/// The expected form.
 pub fn depth(text: &str) -> Result<f64, String> {
     positive(Dimension::Length, text)
 }
 
-/// More torque than none, N·m.
+/// A positive torque, N·m.
 ///
 /// # Errors
-/// What was expected.
+/// The expected form.
 pub fn torque(text: &str) -> Result<f64, String> {
     positive(Dimension::Torque, text)
 }
@@ -43,59 +43,62 @@ fn number(text: &str, from: f64, to: f64) -> Result<f64, String> {
     }
 }
 
-/// Beyond how many of their standard errors residuals are outliers.
+/// Number of standard errors beyond which residuals are outliers.
 ///
 /// # Errors
-/// What was expected.
+/// The expected form.
 pub fn beyond(text: &str) -> Result<f64, String> {
     number(text, 1.0, 100.0)
 }
 
-/// A confidence in per cent, as a part of one.
+/// A confidence in per cent, as a fraction.
 ///
 /// # Errors
-/// What was expected.
+/// The expected form.
 pub fn confidence(text: &str) -> Result<f64, String> {
     Ok(number(text, 50.0, 99.9)? / 100.0)
 }
 
-/// What is held, such as `friction_cased=0.2` or `block_weight=180kN`, SI.
+/// A parameter that is kept fixed, such as `friction_cased=0.2` or `block_weight=180kN`, SI.
 ///
 /// # Errors
-/// What was expected.
+/// The expected form.
 pub fn held(text: &str) -> Result<(Parameter, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
-    let of = parameter(name.trim())?;
-    let value = match dimension_of(of) {
+    let parameter = parameter(name.trim())?;
+    let value = match dimension_of(parameter) {
         Some(dimension) => dimension.parse(value).map_err(|error| error.to_string()),
         None => number(value, 0.0, 2.0),
     };
-    Ok((of, value?))
+    Ok((parameter, value?))
 }
 
-/// What a number measures that is held by this name; nothing of a factor.
+/// Dimension of the parameter with this name; `None` for a factor.
 ///
 /// # Errors
-/// Nothing is called that.
+/// There is no parameter with this name.
 pub fn dimension(name: &str) -> Result<Option<Dimension>, String> {
     parameter(name).map(dimension_of)
 }
 
-fn dimension_of(of: Parameter) -> Option<Dimension> {
-    match of {
+fn dimension_of(parameter: Parameter) -> Option<Dimension> {
+    match parameter {
         Parameter::BlockWeight => Some(Dimension::Force),
         Parameter::BitTorque => Some(Dimension::Torque),
         _ => None,
     }
 }
 
-/// What is called that, with its unit or without.
+/// The parameter with this name, with or without its unit.
 fn parameter(name: &str) -> Result<Parameter, String> {
-    // Without the unit that the value has itself.
-    let short = |of: Parameter| of.name().trim_end_matches("_N_m").trim_end_matches("_N");
-    let of = Parameter::ALL.into_iter().find(|of| of.name() == name || short(*of) == name);
-    of.ok_or_else(|| {
+    // Without the unit, which the value has.
+    let short =
+        |parameter: Parameter| parameter.name().trim_end_matches("_N_m").trim_end_matches("_N");
+    let parameter = Parameter::ALL
+        .into_iter()
+        .find(|parameter| parameter.name() == name || short(*parameter) == name);
+    parameter.ok_or_else(|| {
         let names: Vec<&str> = Parameter::ALL.into_iter().map(short).collect();
-        format!("nothing is called '{name}'; expected one of {}", names.join(", "))
+        format!("there is no parameter '{name}'; expected one of {}", names.join(", "))
     })
 }

@@ -1,4 +1,4 @@
-//! `report.html` and the pictures of a calibration, made from the files that it left.
+//! `report.html` and the pictures of a calibration, made from the files in its folder.
 
 use std::path::Path;
 
@@ -29,21 +29,27 @@ impl Results for Calibration {
         let title = format!("{}: measured friction", summary.title());
         let head = page::head(title, units, Some(&summary.settings), facts(&summary));
         let profiles = table(folder, PROFILES)?;
-        let rows = summary.estimates.iter().map(|of| {
-            let (dimension, _) = page::dimensions::of_setting(&of.parameter).unwrap_or_default();
+        let rows = summary.estimates.iter().map(|estimate| {
+            let (dimension, _) =
+                page::dimensions::of_setting(&estimate.parameter).unwrap_or_default();
             CalibratedRow {
-                words: of.words.clone(),
+                words: estimate.words.clone(),
                 dimension: dimension.to_owned(),
-                value: of.value,
-                standard_error: of.standard_error,
-                interval: of.interval,
-                profile: profile(&profiles, &of.parameter),
+                value: estimate.value,
+                standard_error: estimate.standard_error,
+                interval: estimate.interval,
+                profile: profile(&profiles, &estimate.parameter),
             }
         });
-        let errors = summary
-            .errors
-            .iter()
-            .map(|of| (of.readings.clone(), of.standard_error, of.is_torque, of.given, of.count));
+        let errors = summary.errors.iter().map(|error| {
+            (
+                error.readings.clone(),
+                error.standard_error,
+                error.is_torque,
+                error.given,
+                error.count,
+            )
+        });
         Ok(Self {
             estimates: rows.collect(),
             errors: errors.collect(),
@@ -54,7 +60,9 @@ impl Results for Calibration {
                 values: other
                     .estimates
                     .iter()
-                    .map(|of| (of.words.clone(), of.value, of.standard_error))
+                    .map(|estimate| {
+                        (estimate.words.clone(), estimate.value, estimate.standard_error)
+                    })
                     .collect(),
             }),
             points: points(&table(folder, POINTS)?),
@@ -78,17 +86,17 @@ impl Results for Calibration {
     }
 }
 
-fn checked(of: &DynamicCheck) -> CalibrationCheck {
-    let dynamic = of.dynamic.as_ref();
+fn checked(check: &DynamicCheck) -> CalibrationCheck {
+    let dynamic = check.dynamic.as_ref();
     CalibrationCheck {
-        place: of.place.clone(),
-        reading: of.reading.clone(),
-        is_torque: of.is_torque,
-        bit_depth_m: of.bit_depth_m,
-        measured: of.measured,
-        predicted: of.predicted,
-        dynamic: dynamic.map(|of| [of.mean, of.std]),
-        said: match (dynamic.and_then(|of| of.steady), &of.message) {
+        place: check.place.clone(),
+        reading: check.reading.clone(),
+        is_torque: check.is_torque,
+        bit_depth_m: check.bit_depth_m,
+        measured: check.measured,
+        predicted: check.predicted,
+        dynamic: dynamic.map(|dynamic| [dynamic.mean, dynamic.std]),
+        said: match (dynamic.and_then(|dynamic| dynamic.steady), &check.message) {
             (_, Some(message)) => message.clone(),
             (Some(false), _) => "not settled".to_owned(),
             _ => String::new(),
@@ -96,7 +104,7 @@ fn checked(of: &DynamicCheck) -> CalibrationCheck {
     }
 }
 
-/// The calibration in a few facts.
+/// Key facts of the calibration.
 fn facts(summary: &CalibrationSummary) -> Vec<Fact> {
     let fact = |label: &str, text: String| Fact { label: label.into(), value: Cell::Text(text) };
     let file = Path::new(&summary.data).file_name();
@@ -107,7 +115,7 @@ fn facts(summary: &CalibrationSummary) -> Vec<Fact> {
         fact("χ²", format!("{:.1}", summary.chi2)),
         fact("Degrees of freedom", summary.degrees_of_freedom.to_string()),
     ];
-    // Folders of older versions have none.
+    // Folders of older versions have no status.
     if !summary.status.is_empty() {
         facts.push(fact("Band", summary.status.clone()));
     }
@@ -123,7 +131,7 @@ fn words(table: &Table, name: &str) -> Vec<String> {
     table.words(name).unwrap_or_default().to_vec()
 }
 
-/// Of a weight's column and a torque's the one that has a number.
+/// Merges a weight's column and a torque's: each row has a number in one of them.
 fn either(table: &Table, name: &str) -> Vec<f64> {
     let (weights, torques) =
         (numbers(table, &format!("{name}_N")), numbers(table, &format!("{name}_N_m")));
@@ -135,7 +143,7 @@ fn profile(table: &Table, parameter: &str) -> Vec<[f64; 3]> {
     let columns = ["value", "excess", "parabola"].map(|name| numbers(table, name));
     let rows = words(table, "parameter").into_iter().enumerate();
     let rows = rows.filter(|(_, name)| name == parameter);
-    rows.map(|(row, _)| columns.each_ref().map(|of| of[row])).collect()
+    rows.map(|(row, _)| columns.each_ref().map(|column| column[row])).collect()
 }
 
 fn points(table: &Table) -> Vec<CalibrationPoint> {

@@ -1,4 +1,4 @@
-//! What the readings would be, by either model, on all cores.
+//! Predicted readings by either model, on all cores.
 
 use std::sync::{
     Mutex,
@@ -16,30 +16,30 @@ use crate::{
     parallel::{in_parallel, jobs, lock},
 };
 
-/// A model on all cores.
+/// A model that predicts on all cores.
 pub(super) struct Predictions<'a> {
     pub(super) assemblies: &'a [Assembly],
-    /// How the stiff string of each is found; the soft string where there is none.
+    /// Settings of the stiff string for each assembly; the soft string predicts if `None`.
     pub(super) stiff: Option<Vec<StiffSettings>>,
     pub(super) cancellation: &'a CancellationToken,
-    /// Learns how far the stiff strings have come that are asked for at once.
+    /// Receives the progress of the stiff strings of one call.
     pub(super) observer: &'a dyn Observer,
 }
 
 impl Predictions<'_> {
-    /// The loads of each, on all cores; `ended` is called after each.
+    /// Loads of each reading, on all cores; `ended` is called after each.
     fn all(
         &self,
-        asked: &[Asked],
+        requests: &[Asked],
         ended: impl Fn() + Sync,
     ) -> Result<Vec<Loads>, CalibrationError> {
-        let order: Vec<usize> = (0..asked.len()).collect();
+        let order: Vec<usize> = (0..requests.len()).collect();
         let loads: Vec<Mutex<Option<Result<Loads, CalibrationError>>>> =
-            asked.iter().map(|_| Mutex::default()).collect();
+            requests.iter().map(|_| Mutex::default()).collect();
         let failed = AtomicBool::new(false);
         in_parallel(jobs(None), &order, |place| {
             if !failed.load(Ordering::Relaxed) {
-                let found = self.one(&asked[place]);
+                let found = self.one(&requests[place]);
                 failed.fetch_or(found.is_err(), Ordering::Relaxed);
                 *lock(&loads[place]) = Some(found);
                 ended();
@@ -49,20 +49,20 @@ impl Predictions<'_> {
         loads.collect()
     }
 
-    fn one(&self, asked: &Asked) -> Result<Loads, CalibrationError> {
+    fn one(&self, request: &Asked) -> Result<Loads, CalibrationError> {
         if self.cancellation.is_cancelled() {
             return Err(CalibrationError::Interrupted);
         }
         let Some(settings) = &self.stiff else {
-            return SoftPredictions::new(self.assemblies).one(asked);
+            return SoftPredictions::new(self.assemblies).one(request);
         };
-        let assembly = &self.assemblies[asked.setup];
-        let no_answer = |reason: String| asked.no_answer("stiff", reason);
-        let setup = asked.factors.applied_to(&assembly.setup);
+        let assembly = &self.assemblies[request.setup];
+        let no_answer = |reason: String| request.no_answer("stiff", reason);
+        let setup = request.factors.applied_to(&assembly.setup);
         let setup = setup.map_err(|error| no_answer(error.to_string()))?;
-        let model = setup.at(asked.bit_depth_m).map_err(|error| no_answer(error.to_string()))?;
-        let operation = assembly.operation(asked.motion, asked.bit_depth_m);
-        let answer = stiff::solve(&model, &operation, &settings[asked.setup]);
+        let model = setup.at(request.bit_depth_m).map_err(|error| no_answer(error.to_string()))?;
+        let operation = assembly.operation(request.motion, request.bit_depth_m);
+        let answer = stiff::solve(&model, &operation, &settings[request.setup]);
         let scalars = answer.map_err(|error| no_answer(error.to_string()))?.scalars;
         Ok(Loads { hook_load_N: scalars.hook_load_N, torque_N_m: scalars.surface_torque_N_m })
     }
@@ -73,17 +73,17 @@ impl Predict for Predictions<'_> {
         self.assemblies[setup].reaches(bit_depth_m, part)
     }
 
-    fn loads(&self, asked: &[Asked]) -> Result<Vec<Loads>, CalibrationError> {
+    fn loads(&self, requests: &[Asked]) -> Result<Vec<Loads>, CalibrationError> {
         if self.stiff.is_none() {
-            return self.all(asked, || {});
+            return self.all(requests, || {});
         }
-        let of = asked.len();
-        self.observer.batch_started(&BatchSize { cases: of, finished: 0, simulated_s: 0.0 });
+        let count = requests.len();
+        self.observer.batch_started(&BatchSize { cases: count, finished: 0, simulated_s: 0.0 });
         let ended = Mutex::new(0);
-        let loads = self.all(asked, || {
+        let loads = self.all(requests, || {
             let mut ended = lock(&ended);
             *ended += 1;
-            self.observer.case_ended(&CaseEnded { ended: *ended, of, reused_s: 0.0 });
+            self.observer.case_ended(&CaseEnded { ended: *ended, of: count, reused_s: 0.0 });
         });
         self.observer.batch_ended();
         loads

@@ -1,4 +1,4 @@
-//! A calibration that is requested, and what came of it.
+//! Request of a calibration, and its outcome.
 
 use std::{
     path::{Path, PathBuf},
@@ -36,63 +36,63 @@ use crate::{
     results_kind::Results,
 };
 
-/// Depths of the bands of a case, by the soft string and by the stiff one.
+/// Number of depths of the bands of a case, for the soft and for the stiff string.
 const DEPTHS: usize = 30;
 const STIFF_DEPTHS: usize = 10;
 
-/// Nodes of a factor where the stiff string predicts, and how far from the soft string's answer: nearer where
-/// strings so far off have no answer.
+/// Nodes of a factor for predictions by the stiff string, and their distance from the solution of
+/// the soft string, which is reduced if strings at that distance have no solution.
 const STIFF_NODES: usize = 3;
 const STIFF_REACH: [f64; 2] = [0.08, 0.025];
 
-/// Readings that are to tell friction.
+/// Request to find friction factors from readings.
 #[derive(Debug)]
 pub struct Request<'a> {
-    /// The cases whose strings were in the hole.
+    /// The cases of the strings that were in the hole.
     pub cases: &'a [NamedCase<'a>],
     /// The file of the readings.
     pub data: &'a Path,
-    /// What it holds, where that is not on the disk.
+    /// Content of the file, if it is not on the disk.
     pub content: Option<&'a [u8]>,
-    /// What is looked for.
+    /// Parameters and options of the fit.
     pub fit: Fit,
-    /// Where the dynamics are to check what was found.
+    /// Depths at which dynamic simulations check the result, if requested.
     pub check: Option<CheckDynamics>,
-    /// Units of the pictures and the page; the first case's by default.
+    /// Units of the pictures and the page; by default those of the first case.
     pub units: Option<UnitSet>,
-    /// Where the results go.
+    /// Destination of the results.
     pub output: Output,
-    /// Whether the pictures are painted as PNG too.
+    /// Whether to also write PNG images.
     pub png: bool,
 }
 
 impl Request<'_> {
-    /// Another case, other readings, another fit or another check: another calibration.
+    /// Identity of the calibration: the case, readings, fit and check determine it.
     fn identity(&self, readings: &[u8]) -> String {
-        let cases: Vec<_> = self.cases.iter().map(|of| of.case.identity()).collect();
+        let cases: Vec<_> = self.cases.iter().map(|case| case.case.identity()).collect();
         let checked = self.check.as_ref().map(|check| &check.bit_depths_m);
         digest(&(cases, digest(&readings), format!("{:?}", self.fit), checked))
     }
 }
 
-/// What came of it.
+/// Outcome of a calibration.
 #[derive(Debug)]
 pub struct Outcome {
-    /// What was found, as `summary.json` has it.
+    /// Results, as in `summary.json`.
     pub summary: CalibrationSummary,
-    /// Where the results are.
+    /// Folder of the results.
     pub folder: PathBuf,
-    /// How long it took, writing and the check by the dynamics apart.
+    /// Wall-clock time, without writing and the dynamic check.
     pub took: Duration,
-    /// Whether the check by the dynamics was interrupted.
+    /// Whether the dynamic check was interrupted.
     pub interrupted: bool,
 }
 
-/// Finds what was asked for, and writes tables, pictures, page and the fragment of a case.
+/// Fits the requested parameters, and writes tables, pictures, page and the fragment of a case.
 ///
 /// # Errors
-/// Readings that cannot be read or do not tell what is looked for, a string without an answer, or a
-/// folder that the results cannot go to.
+/// Readings that cannot be read or do not determine the parameters, a string without a solution, or
+/// a folder that cannot take the results.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -107,7 +107,8 @@ pub fn run(
     let name = request.data.display().to_string();
     let first_settings = settings(&request.fit, request.cases, &data)?;
     checks::by_string(&name, &mut data, &first_settings, units, cancellation)?;
-    // Readings that were left out may have been the only ones of a part of the hole.
+    // Determined again, because the readings that were left out may be the only ones of a part of
+    // the hole.
     let settings = settings(&request.fit, request.cases, &data)?;
     let robust = robust(request, &data, &settings, cancellation)?;
     let parted = robust.as_ref().and_then(|robust| Parted::of(&data, robust));
@@ -130,7 +131,7 @@ pub fn run(
     let comparison = match other {
         Some((other, outliers)) => {
             let work = (observer, cancellation);
-            // Too few may be left: then there is nothing to compare with.
+            // If too few readings are left, there is no fit for comparison.
             match find(request, &other, &settings, false, work) {
                 Ok(found) => Some(OutlierComparison {
                     loss: LOSS.to_owned(),
@@ -145,7 +146,7 @@ pub fn run(
         None => None,
     };
     let took = begun.elapsed();
-    let robust = robust.filter(|of| of.outlier.len() == found.points.len());
+    let robust = robust.filter(|robust| robust.outlier.len() == found.points.len());
     let mut all = data.checks.clone();
     all.extend(checks::of_fit(&data, &found, &settings, robust.as_ref(), units));
     all.extend(outlier_check(comparison.as_ref()));
@@ -154,14 +155,14 @@ pub fn run(
     let (fragment, refused) = toml::fragment(first, &summary, &found, first.case.units);
     all.extend(refused);
     if let Some((check, depths)) = check {
-        let of = (request.cases, check);
-        summary.dynamics = dynamic::checked(of, &data, &found, &depths, observer, cancellation);
+        let inputs = (request.cases, check);
+        summary.dynamics = dynamic::checked(inputs, &data, &found, &depths, observer, cancellation);
         let warnings = dynamic::warnings(&summary.dynamics, units).into_iter();
         all.extend(warnings.map(|sentence| checks::warning(CheckKind::CheckByDynamics, sentence)));
     }
     let interrupted = cancellation.is_cancelled();
     if interrupted {
-        let sentence = "the check by the dynamics was interrupted".to_owned();
+        let sentence = "the dynamic check was interrupted".to_owned();
         all.push(checks::warning(CheckKind::Interrupted, sentence));
     }
     summary.notes.extend(checks::sentences(&all, Severity::Note));
@@ -173,7 +174,7 @@ pub fn run(
     Ok(Outcome { summary, folder: folder.path().to_owned(), took, interrupted })
 }
 
-/// The readings that a robust fit by the soft string does not follow; none where there is no such fit.
+/// Readings that a robust fit by the soft string does not follow; `None` if there is no such fit.
 fn robust(
     request: &Request<'_>,
     data: &Readings,
@@ -190,7 +191,7 @@ fn robust(
     match outliers(&model, &data.readings, &settings) {
         Ok(found) => Ok(Some(found)),
         Err(CalibrationError::Interrupted) => Err(Error::Interrupted),
-        // The fit itself says why.
+        // The fit itself reports the reason.
         Err(_) => Ok(None),
     }
 }
@@ -202,7 +203,7 @@ struct Parted {
 }
 
 impl Parted {
-    /// Nothing where there are no outliers.
+    /// `None` if there are no outliers.
     fn of(data: &Readings, robust: &Outliers) -> Option<Self> {
         if !robust.outlier.contains(&true) {
             return None;
@@ -226,26 +227,26 @@ impl Parted {
     }
 }
 
-/// That there is another answer, with the outliers or without them.
+/// Check that the fit with the outliers differs from that without them.
 fn outlier_check(comparison: Option<&OutlierComparison>) -> Option<ReadingCheck> {
-    let of = comparison?;
-    let (count, loss) = (of.outliers.len(), &of.loss);
+    let comparison = comparison?;
+    let (count, loss) = (comparison.outliers.len(), &comparison.loss);
     let (noun, verb) = if count == 1 { ("outlier", "is") } else { ("outliers", "are") };
-    let sentence = match of.left_out {
+    let sentence = match comparison.left_out {
         true => format!(
-            "{count} {noun} ({}), found by {loss}'s loss, took no part in the fit",
-            of.outliers.join(", ")
+            "{count} {noun} ({}), found by {loss}'s loss, left out of the fit",
+            comparison.outliers.join(", ")
         ),
         false => format!(
-            "{count} {noun} ({}), found by {loss}'s loss, {verb} in the fit; what is found without them is shown \
-             beside it, and `--without-outliers` takes it",
-            of.outliers.join(", ")
+            "{count} {noun} ({}), found by {loss}'s loss, {verb} in the fit; the results without \
+             them are shown for comparison, and `--without-outliers` leaves them out",
+            comparison.outliers.join(", ")
         ),
     };
     Some(
         checks::warning(CheckKind::Outliers, sentence)
             .numbers([Some(count as f64), None])
-            .on(of.outliers.clone()),
+            .on(comparison.outliers.clone()),
     )
 }
 
@@ -257,7 +258,7 @@ fn find(
     (observer, cancellation): (&dyn Observer, &CancellationToken),
 ) -> Result<Calibration, Error> {
     let is_stiff = request.fit.model == ModelKind::Stiff;
-    // Beside the main fit the numbers alone are wanted.
+    // A fit for comparison requires only the parameters.
     let settings = &Settings { profiles: is_main && settings.profiles, ..settings.clone() };
     let depths = match is_main {
         true => depths(data, if is_stiff { STIFF_DEPTHS } else { DEPTHS }),
@@ -276,11 +277,11 @@ fn find(
     }
     let soft = Settings { profiles: false, ..settings.clone() };
     let soft = solve(None, &soft, &[]).map_err(explained)?;
-    let factors = soft.estimates.iter().filter(|of| of.parameter.is_factor());
-    let factors: Vec<f64> = factors.map(|of| of.value).collect();
+    let factors = soft.estimates.iter().filter(|estimate| estimate.parameter.is_factor());
+    let factors: Vec<f64> = factors.map(|factor| factor.value).collect();
     let least = factors.iter().copied().fold(f64::INFINITY, f64::min);
     let most = factors.iter().copied().fold(0.0, f64::max);
-    let stiff = data.cases.iter().map(|&of| request.cases[of].case.dynamics.stiff_string());
+    let stiff = data.cases.iter().map(|&case| request.cases[case].case.dynamics.stiff_string());
     let stiff: Vec<_> = stiff.collect();
     let within = |reach: f64| {
         let first_box = [(least.min(most) - reach).max(0.0), most + reach];
@@ -295,21 +296,21 @@ fn find(
     found.map_err(explained)
 }
 
-/// Depths of the bands: of each case from its first reading to its last, of the deepest to the end of
-/// its hole; with the string and the mud that its deepest reading has.
+/// Depths of the bands: in each case from its first reading to its last, in the deepest to the end
+/// of its hole, with the string and mud of its deepest reading.
 fn depths(data: &Readings, count: usize) -> Vec<(usize, f64)> {
     let mut cases: Vec<usize> = data.cases.clone();
     cases.sort_unstable();
     cases.dedup();
     let span = |case: usize| {
-        let of = data.readings.iter().filter(|of| data.cases[of.setup] == case);
-        let depths = of.map(|of| (of.bit_depth_m, of.setup));
-        let least = depths.clone().map(|of| of.0).fold(f64::INFINITY, f64::min);
+        let readings = data.readings.iter().filter(|reading| data.cases[reading.setup] == case);
+        let depths = readings.map(|reading| (reading.bit_depth_m, reading.setup));
+        let least = depths.clone().map(|depth| depth.0).fold(f64::INFINITY, f64::min);
         let (most, setup) = depths.fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
         (least, most, setup)
     };
     let spans: Vec<_> = cases.into_iter().map(span).collect();
-    let deepest = spans.iter().map(|of| of.1).fold(0.0, f64::max);
+    let deepest = spans.iter().map(|span| span.1).fold(0.0, f64::max);
     let grid = |&(from, to, setup): &(f64, f64, usize)| {
         let to = if to == deepest { readings::deepest_m(&data.assemblies[setup]) } else { to };
         let last = if to > from { count - 1 } else { 0 };
@@ -328,7 +329,7 @@ fn summary(
 ) -> CalibrationSummary {
     CalibrationSummary {
         schema_version: CALIBRATION_VERSION,
-        cases: request.cases.iter().map(|of| of.case.name.clone()).collect(),
+        cases: request.cases.iter().map(|case| case.case.name.clone()).collect(),
         settings: request.cases[0].case.settings.clone(),
         data: request.data.display().to_string(),
         model: request.fit.model.name().to_owned(),
@@ -344,9 +345,9 @@ fn summary(
         band_confidence: settings.band_confidence,
         outlier_beyond: settings.outlier_beyond,
         readings: found.points.len(),
-        within_band: found.points.iter().filter(|of| of.within_band).count(),
+        within_band: found.points.iter().filter(|point| point.within_band).count(),
         held_out: found.held_out.len(),
-        held_out_within_band: found.held_out.iter().filter(|of| of.within_band).count(),
+        held_out_within_band: found.held_out.iter().filter(|held_out| held_out.within_band).count(),
         interpolation_error: found.interpolation_error,
         strings: found.strings,
         status: notes::status(found, settings, units),

@@ -1,4 +1,4 @@
-//! What a calibration looks for.
+//! Parameters of a calibration.
 
 use wholestring::{operation::OperationKind, well::HoleKind};
 use wholestring_case::Case;
@@ -12,7 +12,8 @@ use crate::{
     readings::{NamedCase, Readings},
 };
 
-/// What is looked for, by what the readings reach and what the cases give.
+/// Selects the parameters to fit by the sections that the readings reach and the values that the
+/// cases give.
 pub(super) fn settings(
     fit: &Fit,
     cases: &[NamedCase<'_>],
@@ -21,14 +22,14 @@ pub(super) fn settings(
     let case = cases[0].case;
     let reaches = |part: HolePart| {
         let mut readings = data.readings.iter();
-        readings.any(|of| data.assemblies[of.setup].reaches(of.bit_depth_m, part))
+        readings.any(|reading| data.assemblies[reading.setup].reaches(reading.bit_depth_m, part))
     };
-    let turns = data.readings.iter().any(|of| of.channel.is_torque());
+    let turns = data.readings.iter().any(|reading| reading.channel.is_torque());
     let (cased, open) = (reaches(HoleKind::Casing.into()), reaches(HoleKind::Open.into()));
     let mut parameters = match (fit.one_factor, cased, open) {
         _ if fit.by_section => {
             let count = sections(cases)?;
-            let reached = (0..count).filter(|of| reaches(HolePart::Section(*of)));
+            let reached = (0..count).filter(|section| reaches(HolePart::Section(*section)));
             reached.map(Parameter::Section).collect()
         }
         (false, true, true) => vec![Parameter::Cased, Parameter::Open],
@@ -36,18 +37,18 @@ pub(super) fn settings(
     };
     if fit.friction_around {
         if !turns {
-            let reason = "rotational friction is looked for, but no torque was read";
+            let reason = "rotational friction is to be fitted, but there is no torque reading";
             return Err(Error::BadInput(reason.into()));
         }
-        let around = |of: &Parameter| match of {
+        let around = |parameter: &Parameter| match parameter {
             Parameter::Cased => Parameter::CasedAround,
             Parameter::Open => Parameter::OpenAround,
-            Parameter::Section(of) => Parameter::SectionAround(*of),
+            Parameter::Section(section) => Parameter::SectionAround(*section),
             _ => Parameter::FrictionAround,
         };
         parameters.extend(parameters.iter().map(around).collect::<Vec<_>>());
     }
-    let weighs = data.readings.iter().any(|of| !of.channel.is_torque());
+    let weighs = data.readings.iter().any(|reading| !reading.channel.is_torque());
     let known = case.model.rig.block_weight_N;
     if weighs && (fit.block_weight || known.is_none()) {
         parameters.push(Parameter::BlockWeight);
@@ -55,9 +56,9 @@ pub(super) fn settings(
     if fit.bit_torque {
         parameters.push(Parameter::BitTorque);
     }
-    let drills = case.operations.iter().find(|of| of.kind == OperationKind::Drill);
+    let drills = case.operations.iter().find(|operation| operation.kind == OperationKind::Drill);
     let [along, around] = frictions(case);
-    // What no reading reaches stays as the case has it.
+    // Sections that no reading reaches keep the value of the case.
     let mut own = [None; MOST_SECTIONS];
     if fit.by_section {
         for (own, section) in own.iter_mut().zip(case.model.well.hole.sections()) {
@@ -76,19 +77,20 @@ pub(super) fn settings(
                 sections: own,
             },
             block_weight_N: known.unwrap_or(0.0),
-            bit_torque_N_m: drills.map_or(0.0, |of| of.bit_torque_N_m),
+            bit_torque_N_m: drills.map_or(0.0, |drill| drill.bit_torque_N_m),
         },
     );
     let ratio = |[along, around]: [f64; 2]| if along > 0.0 { around / along } else { 1.0 };
     settings.around_ratio = AroundRatio {
         walls: [0, 1].map(|wall| ratio([along[wall], around[wall]])),
-        sections: own.map(|of| of.map_or(1.0, ratio)),
+        sections: own.map(|factors| factors.map_or(1.0, ratio)),
     };
     for (parameter, value) in &fit.hold {
         if !settings.parameters.contains(parameter) {
-            let names = settings.parameters.iter().map(|of| of.name()).collect::<Vec<_>>();
+            let names =
+                settings.parameters.iter().map(|parameter| parameter.name()).collect::<Vec<_>>();
             return Err(Error::BadInput(format!(
-                "{} is not looked for and cannot be held: looked for are {}",
+                "{} is not a parameter of this fit and cannot be kept fixed; its parameters are {}",
                 parameter.name(),
                 names.join(", ")
             )));
@@ -101,20 +103,20 @@ pub(super) fn settings(
     Ok(settings)
 }
 
-/// How many sections the hole of these cases has: all have the same ones.
+/// Number of sections of the hole, which is the same in all cases.
 fn sections(cases: &[NamedCase<'_>]) -> Result<usize, Error> {
-    let hole = |of: &NamedCase<'_>| {
-        let sections = of.case.model.well.hole.sections().iter();
+    let hole = |case: &NamedCase<'_>| {
+        let sections = case.case.model.well.hole.sections().iter();
         sections.map(|section| (section.kind, section.to_md_m)).collect::<Vec<_>>()
     };
     let first = hole(&cases[0]);
-    // Of the last one the depth is that of the day.
-    let above = |of: &[(HoleKind, f64)]| of[..of.len() - 1].to_vec();
+    // The depth of the last section is that of the day.
+    let above = |kinds: &[(HoleKind, f64)]| kinds[..kinds.len() - 1].to_vec();
     for other in &cases[1..] {
         let sections = hole(other);
         if sections.len() != first.len() || above(&sections) != above(&first) {
             return Err(Error::BadInput(format!(
-                "a factor for each section: '{}' and '{}' have other sections in their holes",
+                "a factor for each section: '{}' and '{}' have different hole sections",
                 cases[0].case.name, other.case.name
             )));
         }
@@ -122,20 +124,23 @@ fn sections(cases: &[NamedCase<'_>]) -> Result<usize, Error> {
     match first.len() <= MOST_SECTIONS {
         true => Ok(first.len()),
         false => Err(Error::BadInput(format!(
-            "a factor for each section: the hole has {}, {MOST_SECTIONS} are the most that are told \
-             apart: join some that are alike in the case",
+            "a factor for each section: the hole has {} sections, but at most {MOST_SECTIONS} can \
+             be fitted: join similar sections in the case",
             first.len()
         ))),
     }
 }
 
-/// Factors of a case along and around the hole: of its deepest casing and its deepest open hole.
+/// Axial and rotational friction factors of a case: of its deepest casing and its deepest open
+/// hole.
 fn frictions(case: &Case) -> [[f64; 2]; 2] {
-    let of = |kind: HoleKind| {
+    let friction_in = |kind: HoleKind| {
         let mut sections = case.model.well.hole.sections().iter().rev();
-        let friction = sections.find(|section| section.kind == kind).map(|of| of.friction);
-        friction.map_or([0.0, 0.0], |of| [of.kinetic, of.kinetic * of.around])
+        let friction =
+            sections.find(|section| section.kind == kind).map(|section| section.friction);
+        friction
+            .map_or([0.0, 0.0], |friction| [friction.kinetic, friction.kinetic * friction.around])
     };
-    let (cased, open) = (of(HoleKind::Casing), of(HoleKind::Open));
+    let (cased, open) = (friction_in(HoleKind::Casing), friction_in(HoleKind::Open));
     [[cased[0], open[0]], [cased[1], open[1]]]
 }

@@ -13,13 +13,13 @@ use crate::{
     readings::Readings,
 };
 
-/// Names of the tables, without their endings.
+/// Names of the tables, without their extensions.
 pub(super) const POINTS: &str = "calibration";
 pub(super) const BANDS: &str = "calibration_bands";
 pub(super) const PROFILES: &str = "calibration_profiles";
 const DYNAMIC: &str = "calibration_dynamic";
 
-/// Writes the summary and all tables, as CSV too: the page leads to them.
+/// Writes the summary and all tables, also as CSV, because the page links to them.
 pub(super) fn write(
     folder: &ResultsFolder,
     data: &Readings,
@@ -32,15 +32,15 @@ pub(super) fn write(
         bands: bands(found, case),
         profiles: profiles(found),
     };
-    // Their CSV are the numbers of the pictures too.
+    // Their CSV files also contain the numbers of the pictures.
     let beyond = [("outlier_beyond".to_owned(), summary.outlier_beyond)];
-    for (name, table, drawn) in [
+    for (name, table, picture) in [
         (POINTS, &tables.points, with_lines(&tables.points, &beyond)),
         (BANDS, &tables.bands, with_rows(&tables.bands, &read(data, found, case))),
         (PROFILES, &tables.profiles, with_rows(&tables.profiles, &ends(found))),
     ] {
         folder.write_table(name, table, false)?;
-        drawn.write_csv(&folder.path().join(format!("{name}.csv")))?;
+        picture.write_csv(&folder.path().join(format!("{name}.csv")))?;
     }
     if summary.dynamics.is_empty() {
         for ending in ["parquet", "csv"] {
@@ -52,15 +52,15 @@ pub(super) fn write(
     summary.write(&folder.path().join("summary.json"))
 }
 
-/// A number as a weight, or as a torque.
+/// A number as a weight or as a torque.
 fn by_kind(channel: Channel, value: f64) -> [f64; 2] {
     if channel.is_torque() { [f64::NAN, value] } else { [value, f64::NAN] }
 }
 
 fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
     let mut table = Table::with_columns(CALIBRATION);
-    let fitted = found.points.iter().zip(&data.places).map(|of| (of, 1.0));
-    let held_out = found.held_out.iter().zip(&data.held_out_places).map(|of| (of, 0.0));
+    let fitted = found.points.iter().zip(&data.places).map(|point| (point, 1.0));
+    let held_out = found.held_out.iter().zip(&data.held_out_places).map(|point| (point, 0.0));
     for ((point, place), used) in fitted.chain(held_out) {
         let channel = point.reading.channel;
         let [measured_N, measured_N_m] = by_kind(channel, point.reading.value);
@@ -101,17 +101,17 @@ fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a 
 
 fn bands<'a>(found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
     let mut table = Table::with_columns(CALIBRATION_BANDS);
-    for of in &found.bands {
-        let kinds = [of.predicted, of.mean_half_width, of.reading_half_width]
-            .map(|value| by_kind(of.channel, value));
+    for band in &found.bands {
+        let kinds = [band.predicted, band.mean_half_width, band.reading_half_width]
+            .map(|value| by_kind(band.channel, value));
         let [predicted, mean, reading] = kinds;
         let end = |half: [f64; 2], sign: f64| [0, 1].map(|k| predicted[k] + sign * half[k]);
         let (mean_low, mean_high) = (end(mean, -1.0), end(mean, 1.0));
         let (low, high) = (end(reading, -1.0), end(reading, 1.0));
         table.append(
-            &[("case", &[case(of.setup)]), ("reading", &[of.channel.name()])],
+            &[("case", &[case(band.setup)]), ("reading", &[band.channel.name()])],
             &[
-                ("bit_depth_m", &[of.bit_depth_m]),
+                ("bit_depth_m", &[band.bit_depth_m]),
                 ("predicted_N", &[predicted[0]]),
                 ("mean_low_N", &[mean_low[0]]),
                 ("mean_high_N", &[mean_high[0]]),
@@ -130,12 +130,12 @@ fn bands<'a>(found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
 
 fn profiles(found: &Calibration) -> Table {
     let mut table = Table::with_columns(CALIBRATION_PROFILES);
-    for of in &found.estimates {
+    for estimate in &found.estimates {
         let each = |value: fn(&wholestring_plan::calibration::ProfilePoint) -> f64| {
-            of.profile.iter().map(value).collect::<Vec<f64>>()
+            estimate.profile.iter().map(value).collect::<Vec<f64>>()
         };
         table.append(
-            &[("parameter", &[of.parameter.name()])],
+            &[("parameter", &[estimate.parameter.name()])],
             &[
                 ("value", &each(|at| at.value)),
                 ("excess", &each(|at| at.excess)),
@@ -146,14 +146,14 @@ fn profiles(found: &Calibration) -> Table {
     table
 }
 
-/// What was read, below the bands.
+/// Readings, in rows below the bands.
 fn read<'a>(
     data: &Readings,
     found: &Calibration,
     case: impl Fn(usize) -> &'a str,
 ) -> Vec<Row<'static>> {
-    let fitted = found.points.iter().zip(&data.places).map(|of| (of, 1.0));
-    let held_out = found.held_out.iter().zip(&data.held_out_places).map(|of| (of, 0.0));
+    let fitted = found.points.iter().zip(&data.places).map(|point| (point, 1.0));
+    let held_out = found.held_out.iter().zip(&data.held_out_places).map(|point| (point, 0.0));
     let row = |((point, place), used): ((&Point, &String), f64)| {
         let reading = &point.reading;
         let unit = if reading.channel.is_torque() { "measured_N_m" } else { "measured_N" };
@@ -169,9 +169,9 @@ fn read<'a>(
     fitted.chain(held_out).map(row).collect()
 }
 
-/// The ends of the intervals, below the profiles.
+/// Ends of the intervals, in rows below the profiles.
 fn ends(found: &Calibration) -> Vec<Row<'static>> {
-    let of = |estimate: &Estimate| {
+    let ends_of = |estimate: &Estimate| {
         let ends = estimate.interval.into_iter().zip(["lower", "upper"]);
         let row = |(end, which): (Option<f64>, &str)| {
             Some(vec![
@@ -182,48 +182,52 @@ fn ends(found: &Calibration) -> Vec<Row<'static>> {
         };
         ends.filter_map(row).collect::<Vec<_>>()
     };
-    found.estimates.iter().flat_map(of).collect()
+    found.estimates.iter().flat_map(ends_of).collect()
 }
 
-/// What was looked for, with what was found.
+/// Fitted parameters with their values.
 pub(super) fn estimates(found: &Calibration) -> Vec<EstimateFound> {
-    let estimate = |of: &wholestring_plan::calibration::Estimate| EstimateFound {
-        parameter: of.parameter.name().to_owned(),
-        words: of.parameter.words().to_owned(),
-        value: of.value,
-        standard_error: of.standard_error,
-        interval: of.interval,
-        at_bound: of.at_bound,
+    let estimate = |estimate: &wholestring_plan::calibration::Estimate| EstimateFound {
+        parameter: estimate.parameter.name().to_owned(),
+        words: estimate.parameter.words().to_owned(),
+        value: estimate.value,
+        standard_error: estimate.standard_error,
+        interval: estimate.interval,
+        at_bound: estimate.at_bound,
     };
     found.estimates.iter().map(estimate).collect()
 }
 
-/// How far readings err.
+/// Errors of the readings.
 pub(super) fn errors(found: &Calibration) -> Vec<ErrorFound> {
-    let error = |of: &wholestring_plan::calibration::ReadingError| ErrorFound {
-        readings: of.kind.name().to_owned(),
-        is_torque: of.kind == ErrorKind::Torque,
-        standard_error: of.value,
-        given: of.given,
-        count: of.readings,
-        chi2: of.chi2,
+    let error = |error: &wholestring_plan::calibration::ReadingError| ErrorFound {
+        readings: error.kind.name().to_owned(),
+        is_torque: error.kind == ErrorKind::Torque,
+        standard_error: error.value,
+        given: error.given,
+        count: error.readings,
+        chi2: error.chi2,
     };
     found.errors.iter().map(error).collect()
 }
 
-/// What was held.
+/// Parameters that are kept fixed.
 pub(super) fn held(settings: &Settings) -> Vec<(String, f64)> {
     let State { factors, block_weight_N, bit_torque_N_m } = settings.held;
-    let looked_for = |of: Parameter| settings.parameters.contains(&of);
+    let looked_for = |parameter: Parameter| settings.parameters.contains(&parameter);
     let by_section = factors.sections.iter().any(Option::is_some);
     let everywhere = looked_for(Parameter::Friction) || by_section;
     let around = by_section || looked_for(Parameter::FrictionAround) || settings.around_follows();
-    let sections = factors.sections.iter().enumerate().filter_map(|(of, own)| {
+    let sections = factors.sections.iter().enumerate().filter_map(|(section, own)| {
         let [along, around] = (*own)?;
         let follows = settings.around_follows();
         Some([
-            (Parameter::Section(of), along, false),
-            (Parameter::SectionAround(of), around, follows && looked_for(Parameter::Section(of))),
+            (Parameter::Section(section), along, false),
+            (
+                Parameter::SectionAround(section),
+                around,
+                follows && looked_for(Parameter::Section(section)),
+            ),
         ])
     });
     let sections: Vec<_> = sections.flatten().collect();
@@ -237,7 +241,7 @@ pub(super) fn held(settings: &Settings) -> Vec<(String, f64)> {
     ]
     .into_iter()
     .chain(sections)
-    .filter(|(of, _, otherwise)| !looked_for(*of) && !otherwise)
-    .map(|(of, value, _)| (of.name().to_owned(), value))
+    .filter(|(parameter, _, otherwise)| !looked_for(*parameter) && !otherwise)
+    .map(|(parameter, value, _)| (parameter.name().to_owned(), value))
     .collect()
 }

@@ -1,4 +1,4 @@
-//! What was found, as a piece of a case file.
+//! Result of a calibration as a fragment of a case file.
 
 use std::{fmt::Write, fs, path::Path};
 
@@ -16,14 +16,14 @@ use crate::{error::Error, readings::NamedCase};
 /// Name of the file.
 pub const FRAGMENT: &str = "friction.toml";
 
-/// Least factor along the hole beside which a case takes one around it.
-const LEAST: f64 = 1e-3;
+/// Smallest axial friction factor for which a case accepts a rotational one.
+const MIN_AXIAL_FRICTION: f64 = 1e-3;
 
-/// Least weight of a block that is written, N: a case takes none that weighs nothing.
-const LEAST_BLOCK_N: f64 = 100.0;
+/// Smallest block weight that is written, N, because a case accepts no zero weight.
+const MIN_BLOCK_N: f64 = 100.0;
 
-/// The factor of a section, or a table, as case files write it; friction at rest keeps its ratio to that along
-/// the hole.
+/// The factor of a section, or a table, in the syntax of case files; static friction keeps its
+/// ratio to axial friction.
 fn friction(index: usize, section: &HoleSection, factors: &Factors) -> String {
     let [along, around] = factors.of_section(index, section.kind);
     let own = section.friction;
@@ -35,10 +35,10 @@ fn friction(index: usize, section: &HoleSection, factors: &Factors) -> String {
     if at_rest.is_none() && !is_around {
         return format!("{along:.4}");
     }
-    let along = if is_around { along.max(LEAST) } else { along };
+    let along = if is_around { along.max(MIN_AXIAL_FRICTION) } else { along };
     let mut text = format!("{{ kinetic = {along:.4}");
     if let Some(at_rest) = at_rest {
-        // Rounded, it may not be less.
+        // After rounding, static friction may not be less than kinetic friction.
         let _ = write!(text, ", static = {:.4}", at_rest.max(along));
     }
     if is_around {
@@ -47,7 +47,7 @@ fn friction(index: usize, section: &HoleSection, factors: &Factors) -> String {
     text + " }"
 }
 
-/// The keys of the case that are given what was found, with their values.
+/// Keys of the case that are set to results, with their values.
 fn found_keys(
     case: &Case,
     summary: &CalibrationSummary,
@@ -60,9 +60,12 @@ fn found_keys(
             (format!("well.hole.{index}.friction"), friction(index, section, &found.state.factors))
         })
         .collect();
-    let weighed = summary.estimates.iter().any(|of| of.parameter == Parameter::BlockWeight.name());
-    // A case has no block of nothing.
-    if weighed && found.state.block_weight_N > LEAST_BLOCK_N {
+    let weighed = summary
+        .estimates
+        .iter()
+        .any(|estimate| estimate.parameter == Parameter::BlockWeight.name());
+    // A case cannot have a block of zero weight.
+    if weighed && found.state.block_weight_N > MIN_BLOCK_N {
         let unit = Dimension::Force.unit_in(units);
         let value = unit.from_si(found.state.block_weight_N);
         keys.push(("rig.block_weight".to_owned(), format!("{} {}", six(value), unit.symbol)));
@@ -70,8 +73,9 @@ fn found_keys(
     keys
 }
 
-/// The sections of the first case's hole as the case writes them, with the friction that was found, and the
-/// block's weight; how they are tried without writing them in. A check says where the case would refuse them.
+/// Sections of the first case's hole in the text of the case, with the fitted friction and block
+/// weight, and the command to try them without editing the case. A check reports values that the
+/// case would refuse.
 pub(super) fn fragment(
     first: &NamedCase<'_>,
     summary: &CalibrationSummary,
@@ -88,24 +92,26 @@ pub(super) fn fragment(
         summary.readings,
         one_line(&summary.data)
     );
-    for of in &summary.estimates {
-        let error = of.standard_error.map_or("held at zero".to_owned(), |error| {
-            format!("standard error {}", plain(of, error, units))
+    for estimate in &summary.estimates {
+        let error = estimate.standard_error.map_or("held at zero".to_owned(), |error| {
+            format!("standard error {}", plain(estimate, error, units))
         });
-        let ends =
-            of.interval.map(|end| end.map_or("not found".to_owned(), |end| plain(of, end, units)));
+        let ends = estimate
+            .interval
+            .map(|end| end.map_or("not found".to_owned(), |end| plain(estimate, end, units)));
         let [from, to] = ends;
         let percent = 100.0 * summary.confidence;
         let _ = writeln!(
             text,
             "# {}: {}, {error}, {percent:.0} %: {from} to {to}",
-            of.words,
-            plain(of, of.value, units)
+            estimate.words,
+            plain(estimate, estimate.value, units)
         );
     }
     if let Some(other) = &summary.comparison {
         let values = other.estimates.iter();
-        let values = values.map(|of| format!("{} {}", of.words, plain(of, of.value, units)));
+        let values =
+            values.map(|value| format!("{} {}", value.words, plain(value, value.value, units)));
         let which = if other.left_out { "With" } else { "Without" };
         let _ = writeln!(
             text,
@@ -131,14 +137,18 @@ pub(super) fn fragment(
         let _ = write!(text, "\n[rig]\nblock_weight = \"{block}\"\n");
     }
     let refused = first.template.case(&changes).err().map(|report| {
-        let reason = report.diagnostics.first().map_or(String::new(), |of| of.message.clone());
-        let sentence = format!("the case does not take what {FRAGMENT} has: {reason}");
+        let reason = report
+            .diagnostics
+            .first()
+            .map_or(String::new(), |diagnostic| diagnostic.message.clone());
+        let sentence = format!("the case would refuse the values in {FRAGMENT}: {reason}");
         checks::warning(CheckKind::CaseFragment, sentence)
     });
     (text, refused)
 }
 
-/// The sections as the case writes them, with their changes; nothing where its text cannot be changed so.
+/// The sections in the text of the case, with their changes; `None` if its text cannot be changed
+/// this way.
 fn written(first: &NamedCase<'_>, changes: &[Override]) -> Option<String> {
     let text = first.template.text(changes).ok()?;
     let document: DocumentMut = text.parse().ok()?;
@@ -154,7 +164,11 @@ fn written(first: &NamedCase<'_>, changes: &[Override]) -> Option<String> {
             .map(|section| {
                 let table = section.as_inline_table()?;
                 let entries = table.iter();
-                Some(entries.map(|(key, of)| (key.to_owned(), Item::Value(of.clone()))).collect())
+                Some(
+                    entries
+                        .map(|(key, entry)| (key.to_owned(), Item::Value(entry.clone())))
+                        .collect(),
+                )
             })
             .collect::<Option<_>>()?,
     };
@@ -188,10 +202,10 @@ fn from_model(case: &Case, factors: &Factors) -> String {
     text
 }
 
-/// The keys of a case that the fragment in a folder gives what was found, each with its TOML value.
+/// Keys of a case that the fragment in a folder sets to results, each with its TOML value.
 ///
 /// # Errors
-/// A fragment that is not there, or is not one.
+/// The fragment does not exist, or is invalid.
 pub fn changes(folder: &Path) -> Result<Vec<(String, String)>, Error> {
     let path = folder.join(FRAGMENT);
     let text = fs::read_to_string(&path)
@@ -200,15 +214,15 @@ pub fn changes(folder: &Path) -> Result<Vec<(String, String)>, Error> {
     let document: DocumentMut = text.parse().map_err(|error| wrong(format!("{error}")))?;
     let sections = document.get("well").and_then(|well| well.get("hole")?.as_array_of_tables());
     let sections = sections.ok_or_else(|| wrong("it has no [[well.hole]]".to_owned()))?;
-    let given = |key: String, item: Option<&Item>| {
+    let entry = |key: String, item: Option<&Item>| {
         Some((key, item?.as_value()?.clone().decorated("", "").to_string()))
     };
     let frictions = sections.iter().enumerate();
     let frictions = frictions.filter_map(|(place, section)| {
-        given(format!("well.hole.{place}.friction"), section.get("friction"))
+        entry(format!("well.hole.{place}.friction"), section.get("friction"))
     });
     let block = document.get("rig").and_then(|rig| rig.get("block_weight"));
-    Ok(frictions.chain(given("rig.block_weight".to_owned(), block)).collect())
+    Ok(frictions.chain(entry("rig.block_weight".to_owned(), block)).collect())
 }
 
 /// A number in six digits.
@@ -218,8 +232,8 @@ fn six(value: f64) -> String {
 }
 
 /// A factor in four decimals; a force or torque in the case's unit.
-fn plain(of: &EstimateFound, value: f64, units: UnitSet) -> String {
-    let dimension = match of.parameter.as_str() {
+fn plain(estimate: &EstimateFound, value: f64, units: UnitSet) -> String {
+    let dimension = match estimate.parameter.as_str() {
         "block_weight_N" => Dimension::Force,
         "bit_torque_N_m" => Dimension::Torque,
         _ => return format!("{value:.4}"),

@@ -1,21 +1,22 @@
-//! Whether what was computed is what would be computed now.
+//! Checks that stored results are those of the current case.
 
 use serde_json::Value;
 use wholestring_case::Case;
 use wholestring_results::{ENGINE_VERSION, Summary, digest};
 
-/// Whether a summary's answers are those of the case.
+/// Checks that a summary contains the answers of the case.
 ///
 /// # Errors
-/// Why they are not: of another case, of another version of the program, or of one that did not say
-/// of which case.
+/// The reason why it does not: another case, another version of the program, or no record of its
+/// case.
 pub(crate) fn is_of(summary: &Summary, case: &Case) -> Result<(), String> {
     match &summary.identity {
-        None => Err("it is of an earlier version, which did not say of which case".to_owned()),
+        None => Err("it is of an earlier version, which did not record its case".to_owned()),
         Some(identity) if *identity != digest(&case.identity()) => Err(format!(
             "it is of another case: {}",
-            difference(&summary.settings, &case.settings)
-                .unwrap_or_else(|| "it differs in what its settings do not tell".to_owned())
+            difference(&summary.settings, &case.settings).unwrap_or_else(|| {
+                "it differs in inputs that are not among its settings".to_owned()
+            })
         )),
         Some(_) => match summary.engine_version.as_deref() {
             Some(ENGINE_VERSION) => Ok(()),
@@ -27,7 +28,7 @@ pub(crate) fn is_of(summary: &Summary, case: &Case) -> Result<(), String> {
     }
 }
 
-/// Settings that leave the answer as it is.
+/// Settings without effect on the answer.
 const WITHOUT_EFFECT: &[&str] = &["name", "units", "well.survey", "dynamics.checkpoint_interval_s"];
 
 /// The first difference between the settings of the run in a folder and those of the case.
@@ -55,13 +56,13 @@ fn first_difference<'a>(
             .find_map(|key| first_difference(below(key), a.get(key), b.get(key))),
         (Some(Value::Array(a)), Some(Value::Array(b))) => (0..a.len().max(b.len()))
             .find_map(|i| first_difference(below(&i.to_string()), a.get(i), b.get(i))),
-        // What is left out and what is null are the same: earlier versions wrote null.
+        // A missing value and null are equal, because earlier versions wrote null.
         (None, Some(Value::Null)) | (Some(Value::Null), None) => None,
         (a, b) => (a != b && !WITHOUT_EFFECT.contains(&path.as_str())).then_some((path, a, b)),
     }
 }
 
-/// What to tell whoever resumes a run on a processor that rounds its products otherwise: in single
+/// Note for a run that is resumed on a processor with different rounding of products: in single
 /// precision, with fused multiply-add or without.
 pub(crate) fn other_arithmetic(then: bool, now: bool) -> Option<&'static str> {
     match (then, now) {
@@ -106,8 +107,8 @@ mod tests {
     fn other_arithmetic_is_told() {
         for alike in [true, false] {
             assert_eq!(other_arithmetic(alike, alike), None);
-            let told = other_arithmetic(alike, !alike).unwrap();
-            assert!(told.contains("fused multiply-add until now"), "{told}");
+            let note = other_arithmetic(alike, !alike).unwrap();
+            assert!(note.contains("fused multiply-add until now"), "{note}");
         }
     }
 }

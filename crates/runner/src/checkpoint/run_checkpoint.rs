@@ -1,9 +1,9 @@
 //! A run that was written to a checkpoint.
 //!
-//! A checkpoint holds all that a run knows: what it has solved, and the operation under way as it
-//! stands. The results in the folder are not read, so that it does not matter what was being
-//! written when the run was killed. Only frames are too many to hold: a checkpoint knows how many
-//! parts of them were on the disk, and holds the rest.
+//! A checkpoint contains the whole state of a run: its solved operations and the current state of
+//! the operation under way. The results in the folder are not read, so that files that were being
+//! written when the run was killed do not matter. Only frames are too many to store: a checkpoint
+//! contains the number of their parts on the disk, and the frames not yet written.
 
 use std::time::Duration;
 
@@ -24,9 +24,9 @@ use crate::record::{Record, Solved};
 pub(crate) struct UnderWay<'a> {
     /// Name of the operation.
     operation: String,
-    /// What it had taken until then, s.
+    /// Wall-clock time so far, s.
     pub(crate) wall_time_s: f64,
-    /// The lift that was found for it, where it hangs on one.
+    /// Lift found for it, if it hangs on one.
     pub(crate) lift: Option<TunedHookLoad>,
     pub(crate) simulation: Checkpoint<'a>,
 }
@@ -54,16 +54,16 @@ impl<'a> UnderWay<'a> {
 /// A run that was written to a checkpoint.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct RunCheckpoint<'a> {
-    /// All that the case's answers depend on, as JSON.
+    /// All settings that the case's answers depend on, as JSON.
     identity: String,
-    /// The case's settings, as JSON: the same in words that people know.
+    /// The case's settings, as JSON, for messages.
     settings: String,
     pub(crate) solved: Solved<'a>,
     pub(crate) under_way: Option<UnderWay<'a>>,
 }
 
 impl<'a> RunCheckpoint<'a> {
-    /// What a run knows.
+    /// Creates the checkpoint of a run.
     pub(crate) fn new(record: &'a Record, under_way: Option<UnderWay<'a>>) -> Self {
         Self {
             identity: record.identity.to_string(),
@@ -73,10 +73,10 @@ impl<'a> RunCheckpoint<'a> {
         }
     }
 
-    /// The checkpoint in the folder, if there is one.
+    /// Reads the checkpoint in the folder, if there is one.
     ///
     /// # Errors
-    /// Why the case cannot continue from it.
+    /// The reason why the case cannot continue from it.
     pub(crate) fn read(folder: &ResultsFolder, case: &Case) -> Result<Option<Self>, String> {
         let stored: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
         let Some(stored) = stored else {
@@ -95,7 +95,7 @@ impl<'a> RunCheckpoint<'a> {
         if identity == here {
             return Ok(Some(stored));
         }
-        // In the words of the settings where they tell it.
+        // Named by the settings if they differ.
         let difference = difference(&settings, &case.settings);
         let difference = difference.or_else(|| super::difference::difference(&identity, &here));
         Err(format!(

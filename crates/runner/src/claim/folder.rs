@@ -1,4 +1,4 @@
-//! A folder that is claimed, and held as long as it is written to.
+//! A folder that is claimed, and locked while it is written to.
 
 use std::{
     path::{Path, PathBuf},
@@ -17,56 +17,56 @@ use crate::{
     output::{Existing, Output},
 };
 
-/// Who claims a folder, and what for.
+/// A claim of a folder for some work.
 pub(crate) struct Claim<'a> {
-    /// What will be written.
+    /// The work that will be written.
     pub(crate) occupant: Occupant,
-    /// The folder that the user named, and what becomes of what lies there.
+    /// Folder given by the user, and treatment of existing files.
     pub(crate) output: &'a Output,
-    /// Where it goes otherwise.
+    /// The default folder.
     pub(crate) default: PathBuf,
-    /// Whether others that do a part of the same work write to the folder too.
+    /// Whether other processes that do part of the same work also write to the folder.
     pub(crate) shared: bool,
-    /// Who is told of another folder than the default one.
+    /// Notified if the folder is not the default one.
     pub(crate) observer: &'a dyn Observer,
-    /// Whether the work has been begun there, and can be continued.
+    /// Whether the work was begun there and can be continued.
     pub(crate) is_unfinished: &'a dyn Fn(&Path) -> bool,
-    /// Whether some of the work lies there, of more or less work than this: a sweep may be resumed
-    /// with other values.
+    /// Whether the folder contains part of this work, even if the amount of work differs: a sweep
+    /// may be resumed with other values.
     pub(crate) is_part: &'a dyn Fn(&Path) -> bool,
-    /// Why the work cannot go to a folder that could be held, if anything else is against it.
+    /// Any other reason why the work cannot use a folder that could be locked.
     pub(crate) refuse: &'a dyn Fn(&Path) -> Result<(), Error>,
 }
 
-/// A folder for results, and what keeps others out of it as long as it lives.
+/// A folder for results, locked for others during its lifetime.
 pub(crate) struct Claimed {
     pub(crate) folder: ResultsFolder,
     hold: Hold,
 }
 
-/// What comes of a folder that was looked at.
+/// State of a folder that was inspected.
 enum FolderState {
     Free(ResultsFolder, Hold),
-    /// A part of the work lies there.
+    /// It contains part of the work.
     Part(ResultsFolder, Hold),
     /// The same work was begun there.
     Unfinished,
-    /// It holds other results.
+    /// It contains other results.
     Other(Option<Occupant>),
     /// Another program writes to it.
     Busy(Option<Occupant>),
 }
 
-/// More folders of one name than this are a mistake.
+/// Largest number of folders with one base name; more indicate a mistake.
 const MAX_FOLDERS: usize = 1000;
 
-/// How long a share waits for a folder that another share only looks at, and how often it looks
-/// again: with many shares that begin at once on a busy machine each look takes long.
+/// Longest wait of a share for a folder that another share only inspects, and the interval of
+/// attempts: with many shares that start at once on a busy machine each inspection takes long.
 const PATIENCE: Duration = Duration::from_secs(60);
 const PAUSE: Duration = Duration::from_millis(5);
 
 impl<'a> Claim<'a> {
-    /// A claim for work that one program does at once, in the folder that is called like it.
+    /// Creates a claim for unshared work, in the folder named after it.
     pub(crate) fn new(occupant: Occupant, output: &'a Output, observer: &'a dyn Observer) -> Self {
         Self {
             default: default_output(&output.root, &occupant.name),
@@ -82,11 +82,11 @@ impl<'a> Claim<'a> {
 }
 
 impl Claim<'_> {
-    /// The folder: the one that was named, or the default one; where that holds other results, the
-    /// next one that does not, with a number after its name.
+    /// Returns the folder: the given one, or the default one; if that contains other results, the
+    /// next free one with a number after its name.
     ///
     /// # Errors
-    /// A named folder with other results, an unfinished run of the same work, or another program
+    /// A given folder with other results, an unfinished run of the same work, or another program
     /// that writes there.
     pub(crate) fn folder(&self) -> Result<Claimed, Error> {
         if let Some(path) = &self.output.folder {
@@ -109,7 +109,7 @@ impl Claim<'_> {
         let ours = |there: &Option<Occupant>| {
             there.as_ref().is_none_or(|there| self.occupant.is_same(there))
         };
-        // The same work has the first say, wherever it lies.
+        // A folder with the same work takes precedence, whatever its number.
         let mut part = None;
         for number in 1..=MAX_FOLDERS {
             let path = numbered(&self.default, number);
@@ -123,7 +123,7 @@ impl Claim<'_> {
                 FolderState::Free(folder, hold) => {
                     if number > 1 {
                         self.observer.note(&format!(
-                            "{} holds other results, and is left alone: these go to {}",
+                            "{} holds other results and is not changed: these are written to {}",
                             self.default.display(),
                             path.display()
                         ));
@@ -144,7 +144,7 @@ impl Claim<'_> {
         let hold = loop {
             match folder.hold(self.shared)? {
                 Holding::Alone(hold) => break hold,
-                // Nobody shares what is not the same.
+                // The lock is shared only between processes of the same work.
                 Holding::Shared(hold)
                     if hold.occupant().is_some_and(|there| self.occupant.is_same(there)) =>
                 {
@@ -176,7 +176,7 @@ impl Claim<'_> {
                 leftovers::remove(path)?;
                 FolderState::Free(folder, hold)
             }
-            // Which of its cases are finished is found one by one.
+            // Which of its cases are finished is determined case by case.
             Some(there)
                 if self.output.existing == Existing::Resume
                     && there.as_ref().is_none_or(|one| one.kind == self.occupant.kind)
@@ -199,7 +199,7 @@ impl Claim<'_> {
                 }
                 thread::sleep(PAUSE);
             }
-            // While nobody held the folder, other work may have taken it.
+            // Other work may have taken the folder while it was not locked.
             if !hold.says().is_some_and(|there| self.occupant.is_same(&there)) {
                 return Err(busy(folder.path()));
             }
@@ -215,7 +215,7 @@ impl Claim<'_> {
     }
 }
 
-/// Holds a folder whose work is continued, whatever it is.
+/// Locks a folder to continue any kind of work in it.
 ///
 /// # Errors
 /// Another program that writes there.
@@ -227,19 +227,19 @@ pub(crate) fn hold(folder: &ResultsFolder) -> Result<Claimed, Error> {
 }
 
 impl Claimed {
-    /// Digest of all that the results depend on.
+    /// Digest of all inputs that the results depend on.
     pub(crate) fn identity(&self) -> &str {
         self.hold.occupant().map_or("", |occupant| &occupant.identity)
     }
 
-    /// Says what the folder is written for from now on.
+    /// Records the work that the folder is written for from now on.
     pub(crate) fn occupy(mut self, occupant: &Occupant) -> Result<Self, Error> {
         self.hold.occupy(occupant)?;
         Ok(self)
     }
 }
 
-/// `out/case`, `out/case-2`, ...
+/// Numbered folder names: `out/case`, `out/case-2`, ...
 fn numbered(path: &Path, number: usize) -> PathBuf {
     if number == 1 {
         return path.to_owned();

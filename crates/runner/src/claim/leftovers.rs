@@ -1,4 +1,4 @@
-//! What an earlier command left in a folder.
+//! Results that an earlier command left in a folder.
 
 use std::{
     fs, io,
@@ -9,14 +9,14 @@ use wholestring_results::{Occupant, ResultsError, ResultsFolder, Summary, TABLES
 
 use crate::{page::FILE, results_kinds::KINDS, shard::SHARES};
 
-/// Files by which a folder is known to hold results, whatever wrote them.
+/// Files that identify a folder of results of any kind.
 const KNOWN: [&str; 4] = ["summary.json", "checkpoint.bin", "sweep.csv", "point.json"];
 
-/// Other files that every command may write beside them.
+/// Other files that every command may write in addition.
 const OTHERS: [&str; 2] = [FILE, "checkpoint.bin.partial"];
 
-/// Folders that commands make in the folder of their results, and the endings of what they put
-/// there.
+/// Subfolders that commands create in the folder of their results, and the extensions of the files
+/// in them.
 const MADE: [&str; 6] = ["plots", "figures", "tables", "frames.parts", "time.parts", SHARES];
 const PUT_THERE: [&str; 7] = [".svg", ".png", ".csv", ".md", ".parquet", ".json", ".lock"];
 
@@ -33,17 +33,17 @@ fn holds_results(path: &Path) -> bool {
     KNOWN.iter().any(|known| path.join(known).is_file())
 }
 
-/// What the results in the folder are of: nothing where there are none, and nothing known where
-/// they do not say.
+/// Returns the occupant of the results in the folder: `None` if there are no results, `Some(None)`
+/// if their case is unknown.
 ///
-/// What the folder itself says goes before what its files say; files of an earlier version say
-/// nothing.
+/// The record in the folder takes precedence over the result files, because files of an earlier
+/// version do not identify their case.
 pub(super) fn occupant(
     folder: &ResultsFolder,
-    says: Option<&Occupant>,
+    owner: Option<&Occupant>,
 ) -> Option<Option<Occupant>> {
-    if let Some(says) = says {
-        return Some(Some(says.clone()));
+    if let Some(owner) = owner {
+        return Some(Some(owner.clone()));
     }
     let path = folder.path();
     if !holds_results(path) {
@@ -56,13 +56,13 @@ pub(super) fn occupant(
     Some(run)
 }
 
-/// Removes what commands left in a folder: the results of a run, and the folders of the cases of a
-/// sweep or a study. What is not theirs stays.
+/// Removes results from a folder: those of a run, and the folders of the cases of a sweep or a
+/// study. Other files are kept.
 pub(crate) fn remove(path: &Path) -> Result<(), ResultsError> {
     remove_within(path, 0)
 }
 
-/// Study, sweep, case, plots.
+/// Depth of study, sweep, case and plots.
 const DEEPEST: usize = 4;
 
 fn remove_within(path: &Path, depth: usize) -> Result<(), ResultsError> {
@@ -71,11 +71,11 @@ fn remove_within(path: &Path, depth: usize) -> Result<(), ResultsError> {
     for (name, path, is_folder) in entries(path)? {
         if is_folder {
             let known = holds_results(&path) || MADE.contains(&&*name);
-            // A sweep of a study that was killed early has nothing but the folders of its cases.
+            // A sweep of a study that was killed early contains only the folders of its cases.
             let known = known || entries(&path)?.iter().any(|(_, path, _)| holds_results(path));
             if known && depth < DEEPEST {
                 remove_within(&path, depth + 1)?;
-                // It stays where something that is not ours is in it.
+                // The folder is kept if it contains other files.
                 let _ = fs::remove_dir(&path);
             }
         } else if is_written(&name) || made && PUT_THERE.iter().any(|end| name.ends_with(end)) {
@@ -85,7 +85,7 @@ fn remove_within(path: &Path, depth: usize) -> Result<(), ResultsError> {
     Ok(())
 }
 
-/// Names, paths, and whether they are folders; a link is none.
+/// Names, paths and whether they are folders; links do not count as folders.
 fn entries(path: &Path) -> Result<Vec<(String, PathBuf, bool)>, ResultsError> {
     let read = || -> io::Result<Vec<_>> {
         let all = fs::read_dir(path)?.map(|entry| {

@@ -1,5 +1,5 @@
-//! Whose a folder is: results of one case are never replaced by those of another in silence, and no
-//! two programs write to one folder, but for the shards of one sweep.
+//! Ownership of folders: results of one case never replace those of another silently, and no two
+//! programs write to one folder, except the shards of one sweep.
 
 mod folder;
 mod leftovers;

@@ -1,11 +1,11 @@
-//! Why results do not go to a folder.
+//! Reasons why a folder is refused for results.
 
 use std::path::PathBuf;
 
 use thiserror::Error;
 use wholestring_results::Occupant;
 
-/// A folder that results cannot go to.
+/// A folder that cannot take the results.
 #[derive(Debug, Clone, Error)]
 pub enum FolderRefused {
     /// It holds other results.
@@ -13,9 +13,9 @@ pub enum FolderRefused {
     Occupied {
         /// The folder.
         path: PathBuf,
-        /// What its results are of; nothing where they do not say.
+        /// Owner of its results; `None` if they do not record it.
         there: Option<Occupant>,
-        /// Whether they are called as those that were to go there.
+        /// Whether they have the same kind and name as the new results.
         alike: bool,
     },
 
@@ -24,7 +24,7 @@ pub enum FolderRefused {
     Unfinished {
         /// The folder.
         path: PathBuf,
-        /// What was begun: `run`, `sweep`, `study`, `bit test`.
+        /// Kind of work that was begun: `run`, `sweep`, `study`, `bit test`.
         kind: String,
     },
 
@@ -35,21 +35,21 @@ pub enum FolderRefused {
         path: PathBuf,
     },
 
-    /// Another program solves a share there that has cases of this one.
+    /// Another program there solves a share that overlaps with this one.
     #[error("another run is solving share {share} in {}", path.display())]
     ShareBusy {
         /// The folder.
         path: PathBuf,
-        /// The other share: `2/4`.
+        /// The other share, such as `2/4`.
         share: String,
     },
 
-    /// The default folder and all that are called like it hold other results.
+    /// The default folder and all numbered folders of its name contain other results.
     #[error("{} and {count} folders like it hold other results", path.display())]
     AllOccupied {
         /// The default folder.
         path: PathBuf,
-        /// How many there are.
+        /// Number of these folders.
         count: usize,
     },
 }
@@ -60,6 +60,6 @@ fn whose(there: Option<&Occupant>, alike: bool) -> String {
             format!("the {} \"{}\" with other settings or data", there.kind, there.name)
         }
         Some(there) => format!("the {} of another case, \"{}\"", there.kind, there.name),
-        None => "results of an earlier version, which did not say of which case".to_owned(),
+        None => "results of an earlier version, which did not record their case".to_owned(),
     }
 }

@@ -1,33 +1,33 @@
-//! What is exported, and how it is written.
+//! Parts that can be exported, and their formats.
 
 use wholestring_export::Version;
 
-/// A part of a case or of its results.
+/// Part of a case or of its results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum What {
-    /// The tables of a folder of results; in WITSML hook load and torque against the depth of the bit.
+    /// Tables of a folder of results; in WITSML, hook load and torque against bit depth.
     Results,
-    /// The stations of the well.
+    /// Survey stations of the well.
     Survey,
-    /// The components of the string, from the bit up.
+    /// Components of the string, from the bit up.
     Tally,
 }
 
-/// How it is written.
+/// Format of the export.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
-    /// Text with commas, units in the headings.
+    /// Comma-separated text with units in the headings.
     Csv,
     /// An Excel workbook.
     Xlsx,
-    /// Columns of one width, as reports of surveys have them.
+    /// Columns of fixed width, as in survey reports.
     Text,
-    /// WITSML, in one of its versions.
+    /// WITSML in one of its versions.
     Witsml(Version),
 }
 
 impl Format {
-    /// The ending of its files.
+    /// Extension of the files.
     pub(super) fn ending(self) -> &'static str {
         match self {
             Self::Csv => "csv",

@@ -1,4 +1,4 @@
-//! Hook load and torque against the depth of the bit.
+//! Hook load and torque against bit depth.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use wholestring_units::Dimension;
 
 use crate::{error::Error, results_kinds::kind_of, sweep};
 
-/// With the bit at a depth.
+/// Loads at one bit depth.
 #[derive(Debug, Clone, Copy)]
 struct Point {
     bit_depth_m: f64,
@@ -19,7 +19,7 @@ struct Point {
     weight_on_bit_N: Option<f64>,
 }
 
-/// The logs of a folder: one for each model, operation and whatever else differs.
+/// The logs of a folder: one for each combination of model, operation and other varied keys.
 pub(super) fn of_folder(folder: &Path, notes: &mut Vec<String>) -> Result<Vec<Log>, Error> {
     let kind = kind_of(folder)?;
     let points = match kind.noun {
@@ -36,7 +36,7 @@ pub(super) fn of_folder(folder: &Path, notes: &mut Vec<String>) -> Result<Vec<Lo
     };
     let mut grouped: Vec<(String, Vec<Point>)> = Vec::new();
     for (name, point) in points {
-        match grouped.iter_mut().find(|(of, _)| *of == name) {
+        match grouped.iter_mut().find(|(grouped, _)| *grouped == name) {
             Some((_, points)) => points.push(point),
             None => grouped.push((name, vec![point])),
         }
@@ -47,7 +47,7 @@ pub(super) fn of_folder(folder: &Path, notes: &mut Vec<String>) -> Result<Vec<Lo
     if grouped.iter().all(|(_, points)| points.len() == 1) {
         let noun = kind.noun;
         notes.push(format!(
-            "each log has one row, for {noun} has one depth of the bit; a plan has many"
+            "each log has one row, because {noun} has one depth of the bit; a plan has many"
         ));
     }
     let count = grouped.len();
@@ -58,12 +58,12 @@ pub(super) fn of_folder(folder: &Path, notes: &mut Vec<String>) -> Result<Vec<Lo
 
 fn log(name: String, mut points: Vec<Point>) -> Log {
     points.sort_by(|a, b| a.bit_depth_m.total_cmp(&b.bit_depth_m));
-    let curve = |mnemonic, class, meaning, dimension, of: fn(&Point) -> Option<f64>| Curve {
+    let curve = |mnemonic, class, meaning, dimension, point: fn(&Point) -> Option<f64>| Curve {
         mnemonic,
         class,
         meaning,
         dimension,
-        values: points.iter().map(of).collect(),
+        values: points.iter().map(point).collect(),
     };
     Log {
         name,
@@ -99,19 +99,19 @@ fn model(model: &str) -> String {
 
 fn plan(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
     let summary = PlanSummary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
-    let points = summary.points.iter().map(|of| {
+    let points = summary.points.iter().map(|row| {
         let name = format!(
             "{}, {}, {} friction",
-            operation_name(&of.operation),
-            model(&of.model),
-            of.friction
+            operation_name(&row.operation),
+            model(&row.model),
+            row.friction
         );
-        let scalars = of.scalars.as_ref();
+        let scalars = row.scalars.as_ref();
         let point = Point {
-            bit_depth_m: of.bit_depth_m,
-            hook_load_N: scalars.map(|of| of.hook_load_N),
-            torque_N_m: scalars.map(|of| of.surface_torque_N_m),
-            weight_on_bit_N: scalars.map(|of| of.weight_on_bit_N),
+            bit_depth_m: row.bit_depth_m,
+            hook_load_N: scalars.map(|scalar| scalar.hook_load_N),
+            torque_N_m: scalars.map(|scalar| scalar.surface_torque_N_m),
+            weight_on_bit_N: scalars.map(|scalar| scalar.weight_on_bit_N),
         };
         (name, point)
     });
@@ -120,29 +120,32 @@ fn plan(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
 
 fn run(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
     let summary = Summary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
-    let points = summary.operations.iter().map(|of| {
-        let name = format!("{}, {}", operation_name(&of.operation), model(of.model.name()));
+    let points = summary.operations.iter().map(|operation| {
+        let name =
+            format!("{}, {}", operation_name(&operation.operation), model(operation.model.name()));
         let point = Point {
-            bit_depth_m: of.bit_depth_m,
-            hook_load_N: Some(of.scalars.hook_load_N),
-            torque_N_m: Some(of.scalars.surface_torque_N_m),
-            weight_on_bit_N: Some(of.scalars.weight_on_bit_N),
+            bit_depth_m: operation.bit_depth_m,
+            hook_load_N: Some(operation.scalars.hook_load_N),
+            torque_N_m: Some(operation.scalars.surface_torque_N_m),
+            weight_on_bit_N: Some(operation.scalars.weight_on_bit_N),
         };
         (name, point)
     });
     Ok(points.collect())
 }
 
-/// The cases of a sweep; those that differ in the depth of the bit alone are one log.
+/// The cases of a sweep; cases that differ only in bit depth form one log.
 fn swept(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
     let (varied, table) = sweep::read(folder).map_err(Error::bad_input)?;
-    let number = |name: &str, row: usize| table.numbers(name).and_then(|of| of[row]);
-    let word = |name: &str, row: usize| table.words(name).map_or("", |of| of[row].as_str());
+    let number = |name: &str, row: usize| table.numbers(name).and_then(|number| number[row]);
+    let word = |name: &str, row: usize| table.words(name).map_or("", |word| word[row].as_str());
     let rows = (0..table.rows()).filter_map(|row| {
         let keys = table.columns()[..varied].iter();
         let keys = keys.filter(|column| !column.name.ends_with("bit_depth")).map(|column| {
             let value = match &column.data {
-                Data::Number(values) => values[row].map_or(String::new(), |of| of.to_string()),
+                Data::Number(values) => {
+                    values[row].map_or(String::new(), |value| value.to_string())
+                }
                 Data::Text(words) => words[row].clone(),
             };
             format!("{} {value} {}", column.name, column.unit).trim_end().to_owned()

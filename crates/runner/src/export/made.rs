@@ -1,4 +1,4 @@
-//! What was made, and its way to the disk.
+//! Exported data, and writing them to the disk.
 
 use std::path::{Path, PathBuf};
 
@@ -12,17 +12,16 @@ use super::{
 };
 use crate::error::Error;
 
-/// What was made, before it is written.
+/// Exported data before they are written.
 pub(super) enum Made {
     /// One file.
     File(Vec<u8>),
-    /// Several, by the stems of their names.
+    /// Several files, by the stems of their names.
     Files(Vec<(String, Vec<u8>)>),
 }
 
 impl Made {
-    /// Writes it to a file, or a folder, of that name; beside what it was made from where there is
-    /// none.
+    /// Writes the data to a file or folder of that name; without a name, next to their source.
     pub(super) fn write(
         self,
         from: &Path,
@@ -64,7 +63,7 @@ impl Made {
     }
 }
 
-/// `CASE-survey.csv` beside `CASE.toml`.
+/// `CASE-survey.csv` next to `CASE.toml`.
 fn beside(case: &Path, name: &str) -> PathBuf {
     let stem = case.file_stem().unwrap_or_default().to_string_lossy();
     case.with_file_name(format!("{stem}-{name}"))

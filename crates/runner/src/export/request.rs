@@ -1,4 +1,4 @@
-//! What is exported, to where.
+//! Request of an export, and its outcome.
 
 use std::{path::PathBuf, time::SystemTime};
 
@@ -16,34 +16,34 @@ use super::{
 };
 use crate::{error::Error, page::PROGRAM};
 
-/// A request to export.
+/// Request of an export.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
     /// A folder of results, or a case file.
     pub from: PathBuf,
-    /// What of it; none for the results of a folder.
+    /// Part to export; `None` for the results of a folder.
     pub what: Option<What>,
-    /// How.
+    /// Format.
     pub format: Format,
-    /// File, or folder for several; none beside what is exported.
+    /// File, or folder for several files; `None` to write next to the source.
     pub output: Option<PathBuf>,
-    /// Units; none for the case's.
+    /// Units; `None` for those of the case.
     pub units: Option<UnitSet>,
 }
 
-/// What was written.
+/// Outcome of an export.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exported {
     /// Files, in their order.
     pub files: Vec<PathBuf>,
-    /// What is to be said of them, in sentences.
+    /// Notes on the files, in sentences.
     pub notes: Vec<String>,
 }
 
-/// Writes what is requested.
+/// Exports the requested part.
 ///
 /// # Errors
-/// A folder or file that does not hold it, a format that has no place for it, a file that cannot be
+/// A folder or file without this part, a format that cannot represent it, or a file that cannot be
 /// written.
 pub fn export(request: &Request) -> Result<Exported, Error> {
     let is_folder = request.from.is_dir();
@@ -52,8 +52,8 @@ pub fn export(request: &Request) -> Result<Exported, Error> {
         None if is_folder => What::Results,
         None => {
             return Err(Error::bad_input(format!(
-                "{} is a case, which has a survey and a string; say which of them is exported: survey or \
-                 tally",
+                "{} is a case, which has a survey and a string; choose which of them to export: \
+                 survey or tally",
                 request.from.display()
             )));
         }
@@ -81,7 +81,7 @@ pub fn export(request: &Request) -> Result<Exported, Error> {
     Ok(Exported { files, notes })
 }
 
-/// Results by the format that is requested.
+/// Exports results in the requested format.
 fn results(
     source: &Source,
     look: &Look,
@@ -90,7 +90,7 @@ fn results(
 ) -> Result<Made, Error> {
     let Some(folder) = &source.folder else {
         return Err(Error::bad_input(
-            "a case file has no results: name the folder that a run, a plan or a sweep left",
+            "a case file has no results: give the folder of a run, a plan or a sweep",
         ));
     };
     if let Some(version) = format.version() {
@@ -115,7 +115,7 @@ fn results(
     }
 }
 
-/// The name of a sheet as that of a file.
+/// File name made from the name of a sheet.
 fn file_stem(name: &str) -> String {
     name.to_lowercase().replace(' ', "_")
 }

@@ -1,4 +1,4 @@
-//! What is exported from.
+//! Source of an export.
 
 use std::path::{Path, PathBuf};
 
@@ -7,11 +7,11 @@ use serde_json::Value as Json;
 use super::format::What;
 use crate::{error::Error, results_kinds::kind_of, survey::bytes};
 
-/// What is exported from: a name, and the settings with all defaults filled in.
+/// Source of an export: its name, and the settings with all defaults.
 pub(super) struct Source {
     pub(super) name: String,
     pub(super) settings: Json,
-    /// The folder of results; none of a case file.
+    /// Folder of results; `None` for a case file.
     pub(super) folder: Option<PathBuf>,
 }
 

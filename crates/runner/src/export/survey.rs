@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{error::Error, page::well::path_of};
 
-/// The survey as it is requested.
+/// Exports the survey in the requested format.
 pub(super) fn export(
     source: &Source,
     look: &Look,
@@ -53,11 +53,11 @@ fn table(rows: &[Row]) -> Table {
             row.dogleg_severity_rad_per_m
         }),
     ];
-    let columns = columns.into_iter().map(|(name, unit, meaning, of)| Column {
+    let columns = columns.into_iter().map(|(name, unit, meaning, column)| Column {
         name: name.to_owned(),
         unit: unit.to_owned(),
         meaning: meaning.to_owned(),
-        data: Data::Number(rows.iter().map(|row| Some(of(row))).collect()),
+        data: Data::Number(rows.iter().map(|row| Some(column(row))).collect()),
     });
     Table::new(columns.collect())
 }

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::error::Error;
 
-/// What a component may have that a tally has no column for.
+/// Properties of a component without a column in a tally.
 const NO_PLACE: [(&str, &str); 5] = [
     ("bend_rad", "bends"),
     ("lateral_force_N", "lateral forces"),
@@ -21,7 +21,7 @@ const NO_PLACE: [(&str, &str); 5] = [
     ("connection", "ratings of connections"),
 ];
 
-/// The tally as it is requested.
+/// Exports the tally in the requested format.
 pub(super) fn export(
     source: &Source,
     look: &Look,
@@ -34,7 +34,7 @@ pub(super) fn export(
         return Err(Error::bad_input("the settings of these results hold no string"));
     };
     let components: Vec<Component> = listed.iter().map(component).collect();
-    let length_m: f64 = components.iter().map(|of| of.length_m).sum();
+    let length_m: f64 = components.iter().map(|component| component.length_m).sum();
     notes.push(format!(
         "{} {} from the bit up; the topmost as long as it is with the bit at {}",
         components.len(),
@@ -46,7 +46,9 @@ pub(super) fn export(
             notes.push(format!("{what} are left out: a tally has no place for them"));
         }
     }
-    let is_steel = |of: &Component| of.density_kg_per_m3.is_none() && of.moduli_Pa.is_none();
+    let is_steel = |component: &Component| {
+        component.density_kg_per_m3.is_none() && component.moduli_Pa.is_none()
+    };
     if matches!(format, Format::Witsml(_)) && !components.iter().all(is_steel) {
         let metals = "density and moduli of other metals than steel";
         notes.push(format!("{metals} are left out: a WITSML tubular has no place for them"));
@@ -67,11 +69,11 @@ pub(super) fn export(
     }
 }
 
-fn component(of: &Json) -> Component {
-    let number = |key: &str| of[key].as_f64();
+fn component(json: &Json) -> Component {
+    let number = |key: &str| json[key].as_f64();
     let needed = |key: &str| number(key).unwrap_or(f64::NAN);
     Component {
-        name: of["component"].as_str().unwrap_or_default().to_owned(),
+        name: json["component"].as_str().unwrap_or_default().to_owned(),
         length_m: needed("length_m"),
         od_m: needed("od_m"),
         id_m: needed("id_m"),
@@ -93,56 +95,68 @@ fn component(of: &Json) -> Component {
     }
 }
 
-/// Whether two numbers are not the same but for rounding.
+/// Whether two numbers differ by more than rounding.
 fn differs(one: f64, other: f64) -> bool {
     (one - other).abs() > 1e-9 * other.abs()
 }
 
 /// A row for each component.
 fn table(components: &[Component]) -> Table {
-    type Of = fn(&Component) -> Option<f64>;
-    let columns: [(&str, &str, &str, Of); 12] = [
-        ("od_m", "m", "Outside diameter of the body", |of| Some(of.od_m)),
-        ("id_m", "m", "Inside diameter of the body", |of| Some(of.id_m)),
-        ("length_m", "m", "Length", |of| Some(of.length_m)),
-        ("weight_kg_per_m", "kg/m", "Mass per length in air, joints included", |of| {
-            Some(of.mass_per_length_kg_per_m)
+    type Getter = fn(&Component) -> Option<f64>;
+    let columns: [(&str, &str, &str, Getter); 12] = [
+        ("od_m", "m", "Outside diameter of the body", |component| Some(component.od_m)),
+        ("id_m", "m", "Inside diameter of the body", |component| Some(component.id_m)),
+        ("length_m", "m", "Length", |component| Some(component.length_m)),
+        ("weight_kg_per_m", "kg/m", "Mass per length in air, joints included", |component| {
+            Some(component.mass_per_length_kg_per_m)
         }),
-        ("joint_od_m", "m", "Outside diameter of the tool joints", |of| of.joint_od_m),
-        ("joint_spacing_m", "m", "Distance between tool joints", |of| of.joint_spacing_m),
-        ("blade_od_m", "m", "Diameter over the blades", |of| of.blade_od_m),
-        ("blade_length_m", "m", "Length of the blades", |of| of.blade_length_m),
-        ("metal_density_kg_per_m3", "kg/m³", "Density of the metal, where it is not steel", |of| {
-            of.density_kg_per_m3
+        ("joint_od_m", "m", "Outside diameter of the tool joints", |component| {
+            component.joint_od_m
         }),
-        ("youngs_modulus_Pa", "Pa", "Young's modulus, where it is not that of steel", |of| {
-            of.moduli_Pa.map(|[youngs, _]| youngs)
+        ("joint_spacing_m", "m", "Distance between tool joints", |component| {
+            component.joint_spacing_m
         }),
-        ("shear_modulus_Pa", "Pa", "Shear modulus, where it is not that of steel", |of| {
-            of.moduli_Pa.map(|[_, shear]| shear)
+        ("blade_od_m", "m", "Diameter over the blades", |component| component.blade_od_m),
+        ("blade_length_m", "m", "Length of the blades", |component| component.blade_length_m),
+        (
+            "metal_density_kg_per_m3",
+            "kg/m³",
+            "Density of the metal, where it is not steel",
+            |component| component.density_kg_per_m3,
+        ),
+        (
+            "youngs_modulus_Pa",
+            "Pa",
+            "Young's modulus, where it is not that of steel",
+            |component| component.moduli_Pa.map(|[youngs, _]| youngs),
+        ),
+        ("shear_modulus_Pa", "Pa", "Shear modulus, where it is not that of steel", |component| {
+            component.moduli_Pa.map(|[_, shear]| shear)
         }),
-        ("yield_strength_Pa", "Pa", "Minimum yield strength", |of| of.yield_strength_Pa),
+        ("yield_strength_Pa", "Pa", "Minimum yield strength", |component| {
+            component.yield_strength_Pa
+        }),
     ];
-    let names = components.iter().map(|of| of.name.clone()).collect();
+    let names = components.iter().map(|component| component.name.clone()).collect();
     let mut all = vec![Column {
-        meaning: "What it is called".to_owned(),
+        meaning: "Name of the component".to_owned(),
         ..Column::words("component", names)
     }];
-    // Columns of what few strings have are there for those that have it.
-    let is_used = |(name, .., of): &(&str, &str, &str, Of)| {
+    // Optional columns are included only if a component has a value.
+    let is_used = |(name, .., value_of): &(&str, &str, &str, Getter)| {
         let rare =
             ["blade_length_m", "metal_density_kg_per_m3", "youngs_modulus_Pa", "shear_modulus_Pa"];
-        !rare.contains(name) || components.iter().any(|component| of(component).is_some())
+        !rare.contains(name) || components.iter().any(|component| value_of(component).is_some())
     };
-    all.extend(columns.into_iter().filter(is_used).map(|(name, unit, meaning, of)| Column {
+    all.extend(columns.into_iter().filter(is_used).map(|(name, unit, meaning, column)| Column {
         name: name.to_owned(),
         unit: unit.to_owned(),
         meaning: meaning.to_owned(),
-        data: Data::Number(components.iter().map(of).collect()),
+        data: Data::Number(components.iter().map(column).collect()),
     }));
     let mut sum_m = 0.0;
-    let below = components.iter().map(|of| {
-        sum_m += of.length_m;
+    let below = components.iter().map(|component| {
+        sum_m += component.length_m;
         Some(sum_m)
     });
     all.push(Column {

@@ -3,7 +3,7 @@
 use wholestring_export::number;
 use wholestring_report::{Cells, Sheet};
 
-/// The sheet as CSV: headings with their units in brackets, as tables are read again.
+/// The sheet as CSV: headings with units in brackets, which the table reader accepts.
 pub(super) fn csv(sheet: &Sheet) -> String {
     let head = |column: &wholestring_report::SheetColumn| match column.unit.as_str() {
         "" => column.heading.clone(),

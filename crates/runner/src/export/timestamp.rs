@@ -6,8 +6,8 @@ use std::time::{SystemTime, UNIX_EPOCH};
 pub(super) fn timestamp(time: SystemTime) -> String {
     let seconds = time.duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
     let (days, of_day) = (seconds / 86_400, seconds % 86_400);
-    // Days since the first of March of the year 0, of which every fourth year but three of each four
-    // centuries ends with a day more.
+    // Days since 1 March of the year 0: the leap day then is the last of every fourth year, except
+    // in three of four centuries.
     let shifted = days + 719_468;
     let (era, of_era) = (shifted / 146_097, shifted % 146_097);
     let year = (of_era - of_era / 1460 + of_era / 36_524 - of_era / 146_096) / 365;

@@ -1,4 +1,4 @@
-//! The tables of a folder of results, in the units of people.
+//! Tables of a folder of results as a workbook, in display units.
 
 use std::path::Path;
 
@@ -16,7 +16,7 @@ use crate::{
     sweep,
 };
 
-/// Tables of a run that no sheet is large enough for: where the string was, sample by sample.
+/// Table of a run that exceeds the size of a sheet: string positions, sample by sample.
 const LEFT_OUT: &str = "frames";
 
 /// Every table of the folder as a sheet.
@@ -44,7 +44,7 @@ pub(super) fn of_folder(
     for (name, _) in TABLES.iter().filter(|(name, _)| *name != LEFT_OUT) {
         let table = table(folder, name).map_err(Error::bad_input)?;
         if table.rows() > 0 {
-            let about = "As the results have it";
+            let about = "As in the results";
             sheets.push(sheet(name, &table, about, units));
         }
     }
@@ -67,22 +67,22 @@ pub(super) fn of_folder(
 /// The scalars of a run.
 fn operations(summary: &Summary) -> Table {
     let all = &summary.operations;
-    let words = |name: &str, of: Vec<String>| Column::words(name, of);
+    let words = |name: &str, values: Vec<String>| Column::words(name, values);
     let mut columns = vec![
-        words("model", all.iter().map(|of| of.model.name().to_owned()).collect()),
-        words("operation", all.iter().map(|of| of.operation.clone()).collect()),
+        words("model", all.iter().map(|answer| answer.model.name().to_owned()).collect()),
+        words("operation", all.iter().map(|answer| answer.operation.clone()).collect()),
         Column {
             name: "bit_depth_m".to_owned(),
             unit: "m".to_owned(),
             meaning: "Measured depth of the bit".to_owned(),
-            data: Data::Number(all.iter().map(|of| Some(of.bit_depth_m)).collect()),
+            data: Data::Number(all.iter().map(|answer| Some(answer.bit_depth_m)).collect()),
         },
     ];
     columns.extend(outcome::scalars_by_row().into_iter().map(|scalar| Column {
         name: scalar.quantity.name.to_owned(),
         unit: scalar.quantity.unit.to_owned(),
         meaning: scalar.quantity.meaning.to_owned(),
-        data: Data::Number(all.iter().map(|of| (scalar.of)(&of.scalars)).collect()),
+        data: Data::Number(all.iter().map(|answer| (scalar.of)(&answer.scalars)).collect()),
     }));
     Table::new(columns)
 }

@@ -1,5 +1,5 @@
-//! Small motions about the string at rest: natural frequencies, critical speeds and the answer to a
-//! rotating force.
+//! Linear vibration about static equilibrium: natural frequencies, critical speeds and the response
+//! to a rotating force.
 
 mod page;
 mod request;

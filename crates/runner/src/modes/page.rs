@@ -1,4 +1,4 @@
-//! `report.html` and the pictures of small motions, made from the files that they left.
+//! `report.html` and the pictures of linear vibration, made from the files in its folder.
 
 use std::path::Path;
 
@@ -28,7 +28,7 @@ impl Results for Modes {
         let title = format!("{}: natural frequencies", summary.case);
         let head = page::head(title, units, Some(&summary.settings), facts(&summary));
         let set: UnitSet = head.units.parse().unwrap_or_default();
-        let place = |of: &Spot| (of.md_m, of.component.clone());
+        let place = |spot: &Spot| (spot.md_m, spot.component.clone());
         Ok(Self {
             head,
             operation: summary.operation.clone(),
@@ -38,36 +38,36 @@ impl Results for Modes {
             modes: summary
                 .modes
                 .iter()
-                .map(|of| ModeRow {
-                    family: of.family.clone(),
-                    number: of.number,
-                    frequency_Hz: of.frequency_Hz,
-                    whirl: of.whirl.clone(),
-                    energy: of.energy,
-                    most_strained: place(&of.most_strained),
+                .map(|mode| ModeRow {
+                    family: mode.family.clone(),
+                    number: mode.number,
+                    frequency_Hz: mode.frequency_Hz,
+                    whirl: mode.whirl.clone(),
+                    energy: mode.energy,
+                    most_strained: place(&mode.most_strained),
                 })
                 .collect(),
             critical: summary
                 .critical_speeds
                 .iter()
-                .map(|of| CriticalRow {
-                    order: of.order,
-                    rotary_rad_per_s: of.rotary_speed_rad_per_s,
-                    frequency_Hz: of.frequency_Hz,
-                    family: of.family.clone(),
-                    number: of.number,
-                    most_strained: place(&of.most_strained),
+                .map(|critical_speed| CriticalRow {
+                    order: critical_speed.order,
+                    rotary_rad_per_s: critical_speed.rotary_speed_rad_per_s,
+                    frequency_Hz: critical_speed.frequency_Hz,
+                    family: critical_speed.family.clone(),
+                    number: critical_speed.number,
+                    most_strained: place(&critical_speed.most_strained),
                 })
                 .collect(),
             shapes: shapes::shapes(&table(folder, SHAPES)?),
             branches: shapes::branches(&table(folder, DIAGRAM)?),
             answer: shapes::answer(&table(folder, ANSWER)?),
             stability: match &summary.torsional_stability {
-                Some(of) => stability::sentences(of, set),
+                Some(map) => stability::sentences(map, set),
                 None => summary.no_torsional_stability.iter().cloned().collect(),
             },
             stability_map: match &summary.torsional_stability {
-                Some(of) => Some(stability::picture(&table(folder, STABILITY)?, of)),
+                Some(map) => Some(stability::picture(&table(folder, STABILITY)?, map)),
                 None => None,
             },
             message: summary.warning(),
@@ -83,7 +83,7 @@ impl Results for Modes {
     }
 }
 
-/// The state in a few facts.
+/// Key facts of the state.
 fn facts(summary: &ModesSummary) -> Vec<Fact> {
     let fact = |label: &str, value: Cell| Fact { label: label.into(), value };
     vec![

@@ -1,4 +1,4 @@
-//! Small motions that are requested, and what came of them.
+//! Request of a linear vibration analysis, and its outcome.
 
 use std::{num::NonZeroUsize, path::PathBuf, time::Duration};
 
@@ -19,47 +19,47 @@ use crate::{
     observer::Observer, output::Output, results_kind::Results,
 };
 
-/// Rotary speeds of the diagram, and of the answer to a force.
+/// Number of rotary speeds of the diagram and of the response to a force.
 const SPEEDS: usize = 41;
 const ANSWERS: usize = 191;
 
-/// A case whose small motions are looked for.
+/// Request to analyse the linear vibration of a case.
 #[derive(Debug)]
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// The operation whose string at rest it is, by its name; the case's first where none is given.
+    /// Name of the operation whose static equilibrium is used; by default the first of the case.
     pub operation: Option<&'a str>,
-    /// Units of the pictures and the page; the case's by default.
+    /// Units of the pictures and the page; by default those of the case.
     pub units: Option<UnitSet>,
-    /// Where the results go.
+    /// Destination of the results.
     pub output: Output,
-    /// Whether the page and its pictures are painted as PNG too.
+    /// Whether to also write PNG images.
     pub png: bool,
-    /// Lines of the map of torsional stability that are found side by side; one per core where
-    /// nothing is said.
+    /// Number of parallel jobs, a line of the map of torsional stability each; one per core by
+    /// default.
     pub jobs: Option<NonZeroUsize>,
 }
 
-/// What came of it.
+/// Outcome of a linear vibration analysis.
 #[derive(Debug)]
 pub struct Outcome {
-    /// What was found, as `summary.json` has it.
+    /// Results, as in `summary.json`.
     pub summary: ModesSummary,
-    /// Where the results are.
+    /// Folder of the results.
     pub folder: PathBuf,
-    /// How long it took, writing apart.
+    /// Wall-clock time, without writing.
     pub took: Duration,
-    /// Whether it was interrupted: the summary names what is missing.
+    /// Whether it was interrupted; the summary names the missing parts.
     pub interrupted: bool,
 }
 
-/// Finds the small motions of a case, and writes their tables, their pictures and their page. Once
-/// the natural modes are found, a cancellation keeps what there is.
+/// Analyses the linear vibration of a case, and writes tables, pictures and page. After a
+/// cancellation, the results so far are kept once the natural modes are found.
 ///
 /// # Errors
-/// An operation that the case does not have, a string without a state at rest, a folder that the
-/// results cannot go to, or a cancellation before the natural modes are found.
+/// An operation that is not in the case, a string without static equilibrium, a folder that cannot
+/// take the results, or a cancellation before the natural modes are found.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -79,7 +79,7 @@ pub fn run(
     let (mut summary, tables) = find(case, operation, cancellation)?;
     let map = stability::find(case, operation, request.jobs, cancellation);
     let map = match (map, cancellation.is_cancelled()) {
-        // Lines of the map are missing.
+        // The map is incomplete.
         (_, true) => {
             summary.missing.push("the map of torsional stability".to_owned());
             None
@@ -103,9 +103,10 @@ pub fn run(
 }
 
 fn operation<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Error> {
-    let named = |of: &&Operation| name.is_none_or(|name| of.kind.name() == name);
+    let named = |operation: &&Operation| name.is_none_or(|name| operation.kind.name() == name);
     case.operations.iter().find(named).ok_or_else(|| {
-        let names = case.operations.iter().map(|of| of.kind.name()).collect::<Vec<_>>();
+        let names =
+            case.operations.iter().map(|operation| operation.kind.name()).collect::<Vec<_>>();
         let name = name.unwrap_or_default();
         Error::BadInput(format!("the case has no operation `{name}`: it has {}", names.join(", ")))
     })
@@ -120,17 +121,17 @@ fn find(
         true => Err(Error::Interrupted),
         false => Ok(()),
     };
-    let wanted = &case.modes;
+    let options = &case.modes;
     let at_rest = case.dynamics.stiff_string();
     let motions = SmallMotions::new(&case.model, operation, &at_rest, &case.dynamics)
         .map_err(Error::failed)?;
     goes_on()?;
-    let assembly = motions.assembly(wanted.assembly_m);
+    let assembly = motions.assembly(options.assembly_m);
     let lateral =
-        assembly.lateral(0.0, wanted.count, motions.rotary_rad_per_s()).map_err(Error::failed)?;
-    let family = |of| {
+        assembly.lateral(0.0, options.count, motions.rotary_rad_per_s()).map_err(Error::failed)?;
+    let family = |kind| {
         goes_on()?;
-        motions.family(of, wanted.count).map_err(Error::failed)
+        motions.family(kind, options.count).map_err(Error::failed)
     };
     let others = [family(Family::Axial)?, family(Family::Torsional)?].concat();
     let mut missing = Vec::new();
@@ -138,16 +139,16 @@ fn find(
         missing.push("the Campbell diagram with its critical speeds".to_owned());
         Campbell { rotary_rad_per_s: Vec::new(), branches: Vec::new(), critical: Vec::new() }
     } else {
-        let over = speeds(wanted.rotary_rad_per_s, SPEEDS);
-        let found = assembly.campbell(wanted.count, &others, &over, &wanted.orders);
+        let over = speeds(options.rotary_rad_per_s, SPEEDS);
+        let found = assembly.campbell(options.count, &others, &over, &options.orders);
         found.map_err(Error::failed)?
     };
     let (forcing, words) = forcing(case, &motions, || assembly.middle_of_longest_span_m());
     let answers = if cancellation.is_cancelled() {
-        missing.push("the answer to what shakes the string".to_owned());
+        missing.push("the response to the excitation".to_owned());
         Vec::new()
     } else {
-        assembly.respond(forcing, &speeds(wanted.rotary_rad_per_s, ANSWERS))
+        assembly.respond(forcing, &speeds(options.rotary_rad_per_s, ANSWERS))
     };
     let modes: Vec<Mode> = [lateral, others].concat();
     let judge = case.judge(case.units);
@@ -176,19 +177,19 @@ fn find(
     Ok((summary, tables))
 }
 
-/// The case's settings, and what is asked of the string at rest.
+/// The case's settings, and the settings of the analysis.
 fn settings(case: &Case) -> serde_json::Value {
     let mut settings = case.settings.clone();
     settings["modes"] = serde_json::json!(case.modes);
     settings
 }
 
-/// So many speeds over a range.
+/// `number` speeds over a range.
 fn speeds([from, to]: [f64; 2], number: usize) -> Vec<f64> {
     (0..number).map(|k| from + (to - from) * k as f64 / (number - 1) as f64).collect()
 }
 
-/// What is eccentric of the string; where nothing is, the case's force.
+/// Eccentric masses of the string; without any, the case's force.
 fn forcing(case: &Case, motions: &SmallMotions, middle_m: impl Fn() -> f64) -> (Forcing, String) {
     if motions.is_eccentric() {
         return (Forcing::Imbalance, "imbalance of the eccentric components".to_owned());
@@ -204,38 +205,38 @@ fn forcing(case: &Case, motions: &SmallMotions, middle_m: impl Fn() -> f64) -> (
     (Forcing::Force { force_N, from_bit_m }, words)
 }
 
-fn spot(of: &Place) -> Spot {
-    Spot { md_m: of.md_m, from_bit_m: of.from_bit_m, component: of.component.clone() }
+fn spot(place: &Place) -> Spot {
+    Spot { md_m: place.md_m, from_bit_m: place.from_bit_m, component: place.component.clone() }
 }
 
 fn found(modes: &[Mode]) -> Vec<ModeFound> {
     let number = |index: usize| {
         let before = modes[..=index].iter();
-        before.filter(|of| of.family == modes[index].family).count()
+        before.filter(|before| before.family == modes[index].family).count()
     };
-    let found = |(index, of): (usize, &Mode)| ModeFound {
-        family: of.family.name().to_owned(),
+    let found = |(index, mode): (usize, &Mode)| ModeFound {
+        family: mode.family.name().to_owned(),
         number: number(index),
-        frequency_Hz: of.frequency_Hz,
-        whirl: of.whirl().map(|whirl| whirl.name().to_owned()),
-        precession: of.precession,
-        energy: of.energy,
-        most_strained: spot(&of.most_strained),
+        frequency_Hz: mode.frequency_Hz,
+        whirl: mode.whirl().map(|whirl| whirl.name().to_owned()),
+        precession: mode.precession,
+        energy: mode.energy,
+        most_strained: spot(&mode.most_strained),
     };
     modes.iter().enumerate().map(found).collect()
 }
 
 fn critical(campbell: &Campbell) -> Vec<CriticalSpeed> {
-    let critical = campbell.critical.iter().map(|of| {
-        let branch = &campbell.branches[of.branch];
+    let critical = campbell.critical.iter().map(|critical| {
+        let branch = &campbell.branches[critical.branch];
         CriticalSpeed {
-            order: of.order,
-            rotary_speed_rad_per_s: of.rotary_rad_per_s,
-            frequency_Hz: of.frequency_Hz,
-            branch: of.branch,
+            order: critical.order,
+            rotary_speed_rad_per_s: critical.rotary_rad_per_s,
+            frequency_Hz: critical.frequency_Hz,
+            branch: critical.branch,
             family: branch.family.name().to_owned(),
             number: branch.number,
-            most_strained: spot(&of.most_strained),
+            most_strained: spot(&critical.most_strained),
         }
     });
     critical.collect()

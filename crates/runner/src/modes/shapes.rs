@@ -1,4 +1,4 @@
-//! Columns of the tables as the page reads them.
+//! Columns of the tables in the form that the page requires.
 
 use wholestring_report::{AnswerCurve, ModeBranch, ModeShape};
 use wholestring_results::Table;
@@ -8,7 +8,7 @@ fn numbers(table: &Table, name: &str) -> Vec<f64> {
     column.iter().map(|value| value.unwrap_or(f64::NAN)).collect()
 }
 
-/// Rows of a table that are alike in a column of words and one of numbers, as stretches of it.
+/// Ranges of consecutive rows with equal values in a text column and a numeric column.
 fn stretches(table: &Table, words: &str, number: &str) -> Vec<std::ops::Range<usize>> {
     let (words, numbers) = (table.words(words).unwrap_or_default(), numbers(table, number));
     let mut found: Vec<std::ops::Range<usize>> = Vec::new();
@@ -36,7 +36,7 @@ pub(super) fn shapes(table: &Table) -> Vec<ModeShape> {
         family: family[rows.start].clone(),
         number: number[rows.start] as usize,
         md_m: md_m[rows.clone()].to_vec(),
-        across_m: across.each_ref().map(|of| of[rows.clone()].to_vec()),
+        across_m: across.each_ref().map(|column| column[rows.clone()].to_vec()),
         along_m: along[rows.clone()].to_vec(),
         turn_rad: turn[rows].to_vec(),
     };
@@ -59,7 +59,7 @@ pub(super) fn branches(table: &Table) -> Vec<ModeBranch> {
     stretches(table, "family", "branch").into_iter().map(branch).collect()
 }
 
-/// The curve of `response.parquet`.
+/// Response curve of `response.parquet`.
 pub(super) fn answer(table: &Table) -> AnswerCurve {
     AnswerCurve {
         rotary_rad_per_s: numbers(table, "rotary_speed_rad_per_s"),

@@ -21,26 +21,26 @@ use crate::{
     parallel::{in_parallel, jobs, lock},
 };
 
-/// Rotary speeds and weights of the map.
+/// Numbers of rotary speeds and weights of the map.
 const SPEEDS: usize = 20;
 const WEIGHTS: usize = 19;
 
-/// The map of a case, and what it says of the case's own speed and weight.
+/// The map of a case, and its result for the case's own speed and weight.
 pub(super) struct Stability {
     pub(super) summary: StabilitySummary,
     pub(super) lines: Vec<StabilityLine>,
 }
 
-/// The map of an operation that drills, or else of the case's first that does; why there is none,
-/// where no operation turns on bottom, the bit stands on solid rock, or settings of the dynamics
-/// are invalid. Once it is cancelled, the map is of no use.
+/// Computes the map of an operation that drills, or else of the case's first that does. Returns the
+/// reason if there is none: no operation rotates on bottom, the bit is on solid rock, or settings
+/// of the dynamics are invalid. After a cancellation the map is invalid.
 pub(super) fn find(
     case: &Case,
     operation: &Operation,
     jobs: Option<NonZeroUsize>,
     cancellation: &CancellationToken,
 ) -> Result<Stability, String> {
-    let drills = |of: &&Operation| of.kind == OperationKind::Drill;
+    let drills = |operation: &&Operation| operation.kind == OperationKind::Drill;
     let operation = [operation].into_iter().chain(&case.operations).find(drills);
     let found = operation.map(|operation| map(case, operation, jobs, cancellation));
     found.unwrap_or(Err(StabilityError::NotDrilling)).map_err(|error| error.to_string())
@@ -49,7 +49,7 @@ pub(super) fn find(
 fn map(
     case: &Case,
     operation: &Operation,
-    asked: Option<NonZeroUsize>,
+    requested: Option<NonZeroUsize>,
     cancellation: &CancellationToken,
 ) -> Result<Stability, StabilityError> {
     let settings = settings(case);
@@ -60,7 +60,7 @@ fn map(
     let lines: Vec<Mutex<Option<Result<StabilityLine, StabilityError>>>> =
         weights.iter().map(|_| Mutex::new(None)).collect();
     let order: Vec<usize> = (0..weights.len()).collect();
-    in_parallel(jobs(asked), &order, |index| {
+    in_parallel(jobs(requested), &order, |index| {
         if !cancellation.is_cancelled() {
             *lock(&lines[index]) = Some(string.line(weights[index], &settings));
         }
@@ -68,7 +68,7 @@ fn map(
     let lines: Result<Vec<StabilityLine>, StabilityError> =
         lines.iter().filter_map(|line| lock(line).take()).collect();
     let lines = lines?;
-    // A map that could not have come out otherwise would be taken for a result.
+    // A map that could not have any other result would be misleading.
     let stable = |line: &StabilityLine| line.threshold == Threshold::Everywhere;
     let falls = string.anything_falls()?;
     if lines.iter().all(stable) && of_case.threshold == Threshold::Everywhere && !falls {
@@ -79,8 +79,8 @@ fn map(
     Ok(Stability { summary, lines })
 }
 
-/// The model with friction at rest of this ratio to the kinetic friction in the sections that have
-/// none above it.
+/// The model with static friction at this ratio to kinetic friction, in sections without higher
+/// static friction.
 fn with_static_friction(model: &Model, ratio: f64) -> Cow<'_, Model> {
     let hole = &model.well.hole;
     let sections = hole.sections().iter().map(|section| {
@@ -101,29 +101,29 @@ fn with_static_friction(model: &Model, ratio: f64) -> Cow<'_, Model> {
     }
 }
 
-/// What the map covers.
+/// Ranges of the map.
 fn settings(case: &Case) -> StabilitySettings {
     let range = |[from, to]: [f64; 2], values: usize| StabilityRange { from, to, values };
     let [slowest, fastest] = case.modes.rotary_rad_per_s;
     StabilitySettings {
-        // A string that stands has no steady rotation.
+        // A string at zero speed has no steady rotation.
         speeds_rad_per_s: range([slowest.max(fastest / SPEEDS as f64), fastest], SPEEDS),
         weights_N: range(case.modes.weights_N, WEIGHTS),
         highest_Hz: case.modes.highest_frequency_Hz,
     }
 }
 
-/// What it says, in sentences.
-pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
+/// Conclusions from the map, in sentences.
+pub fn sentences(summary: &StabilitySummary, units: UnitSet) -> Vec<String> {
     let speed = |si: f64| Dimension::RotarySpeed.format(three(si / RPM) * RPM, units);
-    let weight = Dimension::Force.format(of.weight_on_bit_N, units);
-    let own = speed(of.rotary_speed_rad_per_s);
-    let mut sentences = vec![match of.from {
+    let weight = Dimension::Force.format(summary.weight_on_bit_N, units);
+    let own = speed(summary.rotary_speed_rad_per_s);
+    let mut sentences = vec![match summary.from {
         StableFrom { threshold_rad_per_s: Some(threshold), .. } => format!(
             "At {weight} steady rotation is stable from {} on; the case's {own} is {:.0} % {}.",
             speed(threshold),
-            100.0 * of.margin.unwrap_or(0.0).abs(),
-            if of.margin.unwrap_or(0.0) < 0.0 { "below" } else { "above" },
+            100.0 * summary.margin.unwrap_or(0.0).abs(),
+            if summary.margin.unwrap_or(0.0) < 0.0 { "below" } else { "above" },
         ),
         StableFrom { stable: StableWhere::Everywhere, .. } => {
             format!("At {weight} steady rotation is stable at all speeds of the map.")
@@ -132,7 +132,7 @@ pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
             "At {weight} steady rotation is not stable even at the fastest speed of the map."
         ),
     }];
-    if let (Some(growth), Some(frequency)) = (of.growth_per_s, of.frequency_Hz) {
+    if let (Some(growth), Some(frequency)) = (summary.growth_per_s, summary.frequency_Hz) {
         let how = if growth > 0.0 { "grows" } else { "dies away" };
         sentences.push(format!(
             "At {own} a swing of {frequency:.3} Hz {how} by {:.3} 1/s{}.",
@@ -140,46 +140,45 @@ pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
             if growth > 0.0 { ", fastest of all" } else { ", slowest of all" },
         ));
     }
-    if of.driven_by_rate {
+    if summary.driven_by_rate {
         sentences.push(
-            "Neither the torque of the bit nor the axial friction falls with speed in \
-             this case: what is unstable on the map is driven by the rate of penetration. A bit \
-             that slows down drills less than the string follows, so that its weight grows, and \
-             its torque with it."
+            "Neither the torque of the bit nor the axial friction falls with speed in this case: \
+             the instability on the map is driven by the rate of penetration. A bit that slows \
+             down drills less than the string advances, so that its weight increases, and its \
+             torque with it."
                 .into(),
         );
     }
-    if of.stalls {
+    if summary.stalls {
         sentences.push(format!(
-            "The string takes {} at the top, more than the top drive gives.",
-            Dimension::Torque.format(of.surface_torque_N_m, units)
+            "The string requires {} at the top, more than the top drive provides.",
+            Dimension::Torque.format(summary.surface_torque_N_m, units)
         ));
     }
-    let parts = of.reflections.iter().map(|[frequency_Hz, part]| {
+    let parts = summary.reflections.iter().map(|[frequency_Hz, part]| {
         format!("{:.0} % of a wave of {frequency_Hz:.2} Hz", 100.0 * part)
     });
     let parts = parts.collect::<Vec<_>>().join(", ");
-    sentences.push(match gives_way(of) {
+    sentences.push(match gives_way(summary) {
         true => format!(
-            "The top drive sends back {parts}; the first is the string's lowest torsional \
-            frequency."
+            "The top drive reflects {parts}; the first is the string's lowest torsional frequency."
         ),
-        false => "The top turns at a constant speed and sends back all of every wave.".into(),
+        false => "The top turns at a constant speed and reflects every wave completely.".into(),
     });
-    if let Some(better) = &of.better_controller {
+    if let Some(better) = &summary.better_controller {
         let from = match better.from.threshold_rad_per_s {
             Some(threshold) => format!("from {} on", speed(threshold)),
             None => "at all speeds of the map".to_owned(),
         };
         sentences.push(format!(
-            "SoftTorque with impedance_ratio = {} would send back {:.0} %, and be stable {from}.",
+            "SoftTorque with impedance_ratio = {} would reflect {:.0} % and be stable {from}.",
             better.impedance_ratio,
             100.0 * better.reflection
         ));
-    } else if of.from.stable != StableWhere::Everywhere && gives_way(of) {
+    } else if summary.from.stable != StableWhere::Everywhere && gives_way(summary) {
         sentences.push("No SoftTorque that was tried has a lower threshold.".into());
     }
-    if of.lies_by == "soft" {
+    if summary.lies_by == "soft" {
         sentences.push(
             "The stiff string found no equilibrium: contact forces are the soft string's.".into(),
         );
@@ -187,9 +186,9 @@ pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
     sentences
 }
 
-/// Whether the drive has inertia: a constant speed sends all of every wave back.
-fn gives_way(of: &StabilitySummary) -> bool {
-    of.reflections.iter().any(|[_, part]| *part < 1.0)
+/// Whether the drive has inertia; a drive at constant speed reflects every wave completely.
+fn gives_way(summary: &StabilitySummary) -> bool {
+    summary.reflections.iter().any(|[_, part]| *part < 1.0)
 }
 
 /// rad/s in a revolution per minute.
@@ -201,7 +200,7 @@ fn three(value: f64) -> f64 {
 }
 
 /// The map as the page shows it, from its table.
-pub(super) fn picture(table: &Table, of: &StabilitySummary) -> StabilityPicture {
+pub(super) fn picture(table: &Table, summary: &StabilitySummary) -> StabilityPicture {
     let column = |name: &str| -> Vec<f64> {
         let column = table.numbers(name).unwrap_or_default();
         column.iter().map(|value| value.unwrap_or(f64::NAN)).collect()
@@ -216,6 +215,6 @@ pub(super) fn picture(table: &Table, of: &StabilitySummary) -> StabilityPicture 
         weights_N,
         growth_per_s: column("growth_per_s"),
         thresholds_rad_per_s: thresholds.into_iter().step_by(speeds.max(1)).collect(),
-        own: [of.rotary_speed_rad_per_s, of.weight_on_bit_N],
+        own: [summary.rotary_speed_rad_per_s, summary.weight_on_bit_N],
     }
 }

@@ -1,10 +1,10 @@
-//! Checks on their way to the page.
+//! Checks in the form of the page.
 
 use wholestring::outcome::QuantityKind;
 use wholestring_report::{Cell, CheckRow, shown_dimension};
 use wholestring_results::Check;
 
-/// A check of the summary as the page shows it.
+/// Converts a check of the summary to a row of the page.
 pub(crate) fn row(check: &Check) -> CheckRow {
     let quantity = check.kind.quantity();
     let cell = |value: Option<f64>| {

@@ -1,4 +1,4 @@
-//! How each set of units shows each dimension on the page.
+//! Units of each dimension on the page.
 
 use std::{collections::BTreeMap, f64::consts::TAU};
 
@@ -6,8 +6,7 @@ use wholestring_case::dimension_of;
 use wholestring_report::DisplayUnit;
 use wholestring_units::{Dimension, UnitSet};
 
-/// Dimensions of which the page speaks and in which nobody writes: name, then symbol and factor in
-/// each set.
+/// Dimensions that appear only in output: name, then symbol and factor in each set.
 const OTHERS: &[(&str, [(&str, f64); 3])] = &[
     ("ratio", [("", 1.0); 3]),
     ("percent", [("%", 0.01); 3]),
@@ -37,14 +36,14 @@ pub fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
     known.chain(others).collect()
 }
 
-/// The unit of a dimension by its name in a set of units; none of a bare number.
+/// Unit of a dimension by its name in a set of units; `None` for a bare number.
 pub(crate) fn unit(dimension: &str, units: UnitSet) -> Option<DisplayUnit> {
     let place =
-        [UnitSet::Si, UnitSet::Metric, UnitSet::Field].iter().position(|of| *of == units)?;
-    all().remove(dimension).map(|shown| shown[place].clone())
+        [UnitSet::Si, UnitSet::Metric, UnitSet::Field].iter().position(|set| *set == units)?;
+    all().remove(dimension).map(|sets| sets[place].clone())
 }
 
-/// The symbol as it is printed: `kN.m` becomes `kN·m`, `deg/30m` becomes `°/30 m`.
+/// The symbol for display: `kN.m` becomes `kN·m`, `deg/30m` becomes `°/30 m`.
 pub(crate) fn pretty(symbol: &str) -> String {
     [
         ("deg", "°"),
@@ -63,8 +62,8 @@ pub(crate) fn pretty(symbol: &str) -> String {
     .fold(symbol.to_owned(), |text, (from, to)| text.replace(from, to))
 }
 
-/// The dimension of a key of the settings as the page shows it, and its name without the unit; none
-/// of a bare number.
+/// Dimension of a key of the settings on the page, and its name without the unit; `None` for a bare
+/// number.
 pub(crate) fn of_setting(key: &str) -> Option<(&'static str, &str)> {
     if let Some(name) = key.strip_suffix("_J_per_m3") {
         return Some(("work per volume", name));
@@ -104,7 +103,7 @@ mod tests {
         assert!((per_metre / all["dogleg severity"][2].factor - 3.048).abs() < 1e-12);
     }
 
-    /// Of those that nobody converts, pages show the SI unit.
+    /// Pages show the SI unit of columns without a conversion.
     #[test]
     fn a_kind_of_quantity_has_units() {
         let all = all();

@@ -1,11 +1,11 @@
-//! The case in a few facts.
+//! Key facts of a case.
 
 use serde_json::Value as Json;
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_report::{Cell, Fact};
 use wholestring_results::{Friction, Summary};
 
-/// The question in a few facts: what is done, how deep, with what.
+/// Key facts of a run: operation, depth, string.
 pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     let settings = &summary.settings;
     let operation = &settings["operation"];
@@ -19,7 +19,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     let names: Vec<String> = kinds.iter().map(|kind| readable(kind.name())).collect();
     add(if names.len() > 1 { "Operations" } else { "Operation" }, Cell::Text(names.join(", ")));
     let models: Vec<&str> = texts(&settings["model"])
-        .map(|name| ModelKind::named(name).map_or(name, |of| of.method().long_name))
+        .map(|name| ModelKind::named(name).map_or(name, |model| model.method().long_name))
         .collect();
     add("Solved by", Cell::Text(models.join(", ")));
     add("Bit depth", quantity(&operation["bit_depth_m"], "length"));
@@ -31,8 +31,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
         add("Weight on bit", quantity(&operation["wob_N"], "force"));
         let bit = &settings["bit"];
         if bit["law"] == "rock" {
-            // Rate and torque are what the rock makes of it; those of the settings are an estimate
-            // to begin with.
+            // Rate and torque result from the rock; those of the settings are an initial estimate.
             let strength = &settings["rock"]["strength_Pa"];
             add("Rock strength", quantity(strength, "pressure"));
         } else {
@@ -79,7 +78,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     found
 }
 
-/// `trip_out` as people write it.
+/// Name with spaces instead of underscores, such as `trip out`.
 pub(crate) fn readable(name: &str) -> String {
     name.replace('_', " ")
 }
@@ -88,7 +87,7 @@ fn quantity(value: &Json, dimension: &str) -> Cell {
     value.as_f64().map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
 }
 
-/// The words of a list, or the only one.
+/// The words of a list, or a single one.
 fn texts(value: &Json) -> impl Iterator<Item = &str> {
     let list = value.as_array().map_or(&[][..], |list| list);
     list.iter().filter_map(Json::as_str).chain(value.as_str())

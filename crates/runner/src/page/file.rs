@@ -1,7 +1,7 @@
-//! The file of a page, and what made it.
+//! The file of a page, and the program that wrote it.
 
 /// Name of the file.
 pub(crate) const FILE: &str = "report.html";
 
-/// What made the page.
+/// Name and version of the program.
 pub(crate) const PROGRAM: &str = concat!("wholestring ", env!("CARGO_PKG_VERSION"));

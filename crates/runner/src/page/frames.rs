@@ -1,4 +1,4 @@
-//! The string at moments, chosen evenly from the frames that a run kept.
+//! Positions of the string at evenly chosen frames of a run.
 
 use std::{collections::BTreeMap, path::Path};
 
@@ -7,32 +7,32 @@ use wholestring_results::{ResultsError, Table};
 
 use crate::column::{numbers, words};
 
-/// Numbers of frames that a page holds, all operations together: 1.6 MB.
+/// Largest count of frame values in a page, all operations together: 1.6 MB.
 const MAX_NUMBERS: usize = 600_000;
 
 /// Nodes of a frame on the page.
 const MAX_NODES: usize = 450;
 
-/// Frames of each operation, of so many that may have some; none where none were kept, or where
-/// they do not hold where the string lies.
+/// Frames of each operation, with space shared by `runs` operations; empty if no frames were kept,
+/// or if they do not contain the position of the string.
 ///
-/// The file may be larger than memory: it is read twice, piece by piece.
+/// The file may exceed the memory, so it is read in two passes, piece by piece.
 pub(super) fn read(folder: &Path, runs: usize) -> Result<BTreeMap<String, Frames>, ResultsError> {
     let path = folder.join("frames.parquet");
     if !path.is_file() {
         return Ok(BTreeMap::new());
     }
-    let mut kept: BTreeMap<String, Kept> = BTreeMap::new();
+    let mut extents: BTreeMap<String, Extent> = BTreeMap::new();
     Table::read_parquet_pieces(&path, &["operation", "node"], |piece| {
         let operations = words(&piece, "operation").iter();
         for (operation, node) in operations.zip(numbers(&piece, "node")) {
-            let kept = kept.entry(operation.clone()).or_default();
-            kept.rows += 1;
-            kept.frames += usize::from(*node == Some(0.0));
+            let extent = extents.entry(operation.clone()).or_default();
+            extent.rows += 1;
+            extent.frames += usize::from(*node == Some(0.0));
         }
     })?;
     let mut reader = Reader {
-        kept,
+        extents,
         share: MAX_NUMBERS / runs.max(1),
         seen: BTreeMap::new(),
         moment: None,
@@ -45,13 +45,13 @@ pub(super) fn read(folder: &Path, runs: usize) -> Result<BTreeMap<String, Frames
     let taken = reader.taken.into_iter();
     Ok(taken
         .filter_map(|(operation, taken)| {
-            let kept = reader.kept.get(&operation)?.frames;
-            Some((operation, taken.frames(kept, &reader.columns)?))
+            let count = reader.extents.get(&operation)?.frames;
+            Some((operation, taken.frames(count, &reader.columns)?))
         })
         .collect())
 }
 
-/// The number of a row; not a number where the column has none.
+/// The number of a row; NaN if the column has no value there.
 fn number(column: &[Option<f64>], row: usize) -> f64 {
     column.get(row).copied().flatten().unwrap_or(f64::NAN)
 }
@@ -68,21 +68,21 @@ struct Moment {
     channels: Vec<Vec<f64>>,
 }
 
-/// What the file holds of an operation.
+/// Contents of the file for an operation.
 #[derive(Default)]
-struct Kept {
+struct Extent {
     frames: usize,
     rows: usize,
 }
 
 /// Reads rows, which may end anywhere in a frame.
 struct Reader {
-    kept: BTreeMap<String, Kept>,
-    /// Numbers that an operation may have.
+    extents: BTreeMap<String, Extent>,
+    /// Number of values available for each operation.
     share: usize,
-    /// Frames seen so far by operation.
+    /// Frames by operation so far.
     seen: BTreeMap<String, usize>,
-    /// The frame that is being read, if it is one to take.
+    /// The frame that is being read, if it is selected.
     moment: Option<Moment>,
     taken: BTreeMap<String, Taken>,
     /// The columns that the page holds.
@@ -117,10 +117,12 @@ impl Reader {
         let seen = self.seen.entry(operation.to_owned()).or_default();
         let place = *seen;
         *seen += 1;
-        let Some(kept) = self.kept.get(operation).filter(|kept| kept.frames > 0) else { return };
-        let nodes = (kept.rows / kept.frames).min(MAX_NODES);
+        let Some(extent) = self.extents.get(operation).filter(|extent| extent.frames > 0) else {
+            return;
+        };
+        let nodes = (extent.rows / extent.frames).min(MAX_NODES);
         let most = (self.share / (nodes * self.columns.len())).max(2);
-        let every = kept.frames.div_ceil(most).max(1);
+        let every = extent.frames.div_ceil(most).max(1);
         self.moment = place.is_multiple_of(every).then(|| Moment {
             operation: operation.to_owned(),
             time_s,
@@ -137,11 +139,11 @@ impl Reader {
     }
 }
 
-/// Frames of one operation that were taken.
+/// Selected frames of one operation.
 #[derive(Default)]
 struct Taken {
     nodes: usize,
-    /// Nodes of the string that stand on the page.
+    /// Nodes of the string that are on the page.
     chosen: Vec<usize>,
     time_s: Vec<f64>,
     md_m: Vec<f64>,
@@ -156,13 +158,13 @@ impl Taken {
         if self.time_s.is_empty() {
             self.nodes = nodes;
             let every = nodes.div_ceil(MAX_NODES).max(1);
-            // The bit is always among them.
+            // The bit is always included.
             self.chosen =
                 (0..nodes).filter(|node| (nodes - 1 - node).is_multiple_of(every)).collect();
             self.md_m = self.chosen.iter().map(|node| moment.md_m[*node]).collect();
             self.channels = vec![Vec::new(); columns.len()];
         } else if nodes != self.nodes {
-            // The run was killed while it wrote this one.
+            // The run was killed while it wrote this frame.
             return;
         }
         self.time_s.push(moment.time_s);
@@ -173,14 +175,14 @@ impl Taken {
                 self.channels.iter_mut().zip(&moment.channels).enumerate()
             {
                 if values.len() == nodes {
-                    // Joints touch, what lies between them does not: a node stands for those above
-                    // it too.
-                    let of = if columns[channel] == "contact_force_N" {
+                    // Joints touch the wall and the pipe between them does not, so a node also
+                    // represents those above it.
+                    let range = if columns[channel] == "contact_force_N" {
                         above..node + 1
                     } else {
                         *node..node + 1
                     };
-                    let largest = values[of].iter().copied().reduce(larger);
+                    let largest = values[range].iter().copied().reduce(larger);
                     all.push(largest.unwrap_or(f64::NAN));
                 }
             }
@@ -188,7 +190,7 @@ impl Taken {
         }
     }
 
-    fn frames(self, kept: usize, columns: &[&str]) -> Option<Frames> {
+    fn frames(self, count: usize, columns: &[&str]) -> Option<Frames> {
         let first = *self.bit_md_m.first()?;
         let full = self.time_s.len() * self.chosen.len();
         let channels: BTreeMap<String, Packed> = columns
@@ -203,7 +205,7 @@ impl Taken {
             md_m: Packed::single(self.md_m),
             moved_m: Packed::single(self.bit_md_m.iter().map(|md| md - first)),
             channels,
-            kept,
+            kept: count,
             nodes: self.nodes,
         })
     }

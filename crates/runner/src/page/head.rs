@@ -1,4 +1,4 @@
-//! What a page says first.
+//! Head of a page.
 
 use serde_json::Value as Json;
 use wholestring_report::{Fact, PageHead};
@@ -6,7 +6,7 @@ use wholestring_units::UnitSet;
 
 use super::{dimensions, file::PROGRAM};
 
-/// The head of a page that opens with these units, or those of the case where none are requested.
+/// Head of a page that opens in these units, by default in those of the case.
 pub(crate) fn head(
     title: String,
     units: Option<UnitSet>,

@@ -1,4 +1,4 @@
-//! What an operation did in time, as much of it as a page can show.
+//! Time histories of an operation, reduced for a page.
 
 use std::collections::BTreeMap;
 
@@ -10,32 +10,31 @@ use wholestring_results::{ResultsError, Table};
 use super::{rows::rows, tables::Tables};
 use crate::column::{numbers, words};
 
-/// Rows of time histories that a page holds, all operations together.
+/// Largest number of rows of time histories in a page, all operations together.
 const MAX_ROWS: usize = 12_000;
 
-/// Times of a map of contact that a page holds, all operations together.
+/// Largest number of times of a contact map in a page, all operations together.
 const MAX_TIMES: usize = 450;
 
-/// Samples of what the bit does that a page holds, all operations together.
+/// Largest number of samples of the drilling response in a page, all operations together.
 const MAX_DRILLED: usize = 3000;
 
 /// Time histories of one operation.
 pub(super) struct History {
-    /// Samples that it took.
+    /// Number of samples in the history.
     pub(super) samples: usize,
     /// Columns by their name.
     pub(super) columns: BTreeMap<String, Packed>,
-    /// When a line of the schedule with a note began, and the note.
+    /// Start times of schedule lines with a note, and the notes.
     pub(super) notes: Vec<(f64, String)>,
-    /// What the bit takes away in the window for what it is given; none where no weight is on the
-    /// bit.
+    /// Drilling response of the bit in the window; `None` if there is no weight on bit.
     pub(super) drill_off: Option<DrillOff>,
 }
 
 impl History {
-    /// Of an operation whose window begins at `window_s` and which shares the page with `many`,
-    /// itself included. The table is read piece by piece, twice: how many rows become one is known
-    /// when all are counted.
+    /// Reads the history of an operation whose window begins at `window_s` and which shares the
+    /// page with `many`, including itself. The table is read in two passes, because the number of
+    /// rows to merge depends on their total.
     pub(super) fn of(
         tables: &Tables,
         operation: &str,
@@ -63,7 +62,7 @@ impl History {
     }
 }
 
-/// Time histories that are being read.
+/// Reader of time histories.
 struct Reading {
     samples: usize,
     many: usize,
@@ -93,7 +92,7 @@ impl Reading {
         self.drill_off.take(piece, &rows, &times_s);
     }
 
-    /// Where the note changes to another one.
+    /// Extracts the changes of the note.
     fn take_notes(&mut self, all: &[String], rows: &[usize], times_s: &[f64]) {
         for (row, time_s) in rows.iter().zip(times_s) {
             let note = all.get(*row).map_or("", String::as_str);
@@ -123,9 +122,9 @@ impl Reading {
     }
 }
 
-/// Every so many rows of the window, of what the bit takes away.
+/// Every n-th row of the window, with the drilling response.
 struct DrillOffRows {
-    /// Rows before this time, s, are not in the window.
+    /// Rows before this time, s, are outside the window.
     from_s: f64,
     step: usize,
     place: usize,
@@ -134,7 +133,7 @@ struct DrillOffRows {
 
 impl DrillOffRows {
     fn new(in_window: usize, samples: usize, window_s: f64, many: usize) -> Self {
-        // What ended before its window shows what there is.
+        // A run that ended before its window shows all of its samples.
         let (rows, from_s) =
             if in_window > 0 { (in_window, window_s) } else { (samples, f64::NEG_INFINITY) };
         let step = rows.div_ceil((MAX_DRILLED / many.max(1)).max(1)).max(1);
@@ -145,7 +144,7 @@ impl DrillOffRows {
     fn take(&mut self, piece: &Table, rows: &[usize], times_s: &[f64]) {
         let mut chosen = Vec::new();
         for (row, time_s) in rows.iter().zip(times_s) {
-            // Where no window began, times that are missing count, too.
+            // If no window began, rows without a time count too.
             if *time_s >= self.from_s || self.from_s == f64::NEG_INFINITY {
                 if self.place.is_multiple_of(self.step) {
                     chosen.push(*row);
@@ -170,13 +169,13 @@ impl DrillOffRows {
     }
 }
 
-/// The bottom of the hole that an operation left; none where its bit did not stand on solid rock.
+/// Bottom hole left by an operation; `None` if its bit was not on solid rock.
 pub(crate) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
     let rows = rows(table, None, operation);
     let mut radius_m = of_rows(table, "radius_m", &rows);
     let mut angle_rad = of_rows(table, "angle_rad", &rows);
-    // All sectors of a ring follow each other.
-    let sectors = radius_m.iter().take_while(|of| **of == radius_m[0]).count();
+    // Sectors of a ring are consecutive.
+    let sectors = radius_m.iter().take_while(|radius| **radius == radius_m[0]).count();
     if sectors == 0 || !radius_m.len().is_multiple_of(sectors) {
         return None;
     }
@@ -185,21 +184,21 @@ pub(crate) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
     BottomPicture::new(&radius_m, &angle_rad, &of_rows(table, "depth_m", &rows))
 }
 
-/// The numbers of a column in some rows; not a number where there is none.
+/// Numbers of a column in some rows; NaN if there is none.
 fn of_rows(table: &Table, name: &str, rows: &[usize]) -> Vec<f64> {
     let values = numbers(table, name);
     let number = |row: &usize| values.get(*row).copied().flatten();
     rows.iter().map(|row| number(row).unwrap_or(f64::NAN)).collect()
 }
 
-/// The map of contact of an operation that shares the page with `many`, itself included.
+/// Contact map of an operation that shares the page with `many`, including itself.
 pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<ContactPicture> {
     let rows = rows(table, None, operation);
     let times = of_rows(table, "time_s", &rows);
-    // All stretches of one time follow each other.
+    // Stretches at one time are consecutive.
     let stretches = times.iter().take_while(|time| **time == times[0]).count();
     let count = times.len().checked_div(stretches)?;
-    // Neighbouring times become one where there are too many.
+    // Adjacent times are merged if there are too many.
     let many = count.div_ceil((MAX_TIMES / many.max(1)).max(1));
     let groups: Vec<std::ops::Range<usize>> =
         (0..count).step_by(many).map(|first| first..(first + many).min(count)).collect();
@@ -237,7 +236,7 @@ mod tests {
 
     use super::*;
 
-    /// Of each operation its own, ring after ring, and none of one without rock.
+    /// Each operation has its own bottom, ring by ring; an operation without rock has none.
     #[test]
     fn a_bottom_is_read_back() {
         const NAN: f64 = f64::NAN;
@@ -253,12 +252,12 @@ mod tests {
             );
         }
         for (operation, deepest_m) in [("drill", 0.04), ("slide", 0.05)] {
-            let shown = bottom(&table, operation).expect("a bottom");
+            let picture = bottom(&table, operation).expect("a bottom");
             let near = |a: f64, b: f64| (a - b).abs() < 1e-7;
-            let radii = shown.radius_m.values();
+            let radii = picture.radius_m.values();
             assert!(radii.len() == 2 && near(radii[1], 0.05), "{radii:?}");
-            assert_eq!(shown.angle_rad.values(), [1.0, 3.0, 5.0]);
-            let depths = shown.depth_m.values();
+            assert_eq!(picture.angle_rad.values(), [1.0, 3.0, 5.0]);
+            let depths = picture.depth_m.values();
             assert!(near(depths[0], 0.0) && depths[1].is_nan() && near(depths[5], deepest_m));
         }
         assert_eq!(bottom(&table, "trip_out"), None);

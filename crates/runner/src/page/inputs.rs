@@ -5,7 +5,8 @@ use wholestring_report::{Cell, PageTable, Place};
 
 use super::dimensions;
 
-/// The settings of a summary, a table for each of the case file's, and one for each list in them.
+/// The settings of a summary: a table for each table of the case file, and one for each list in
+/// them.
 pub(crate) fn page_tables(settings: &Json) -> Vec<PageTable> {
     let Some(settings) = settings.as_object() else {
         return Vec::new();
@@ -27,7 +28,7 @@ pub(crate) fn page_tables(settings: &Json) -> Vec<PageTable> {
     page_tables
 }
 
-/// A table of keys and values, and one for each list or set of columns in it.
+/// Adds a table of keys and values, and one for each list or set of columns in it.
 fn tables(title: &str, table: &Map<String, Json>, page_tables: &mut Vec<PageTable>) {
     let place = page_tables.len();
     let mut rows = Vec::new();
@@ -60,7 +61,7 @@ fn gather(
     }
 }
 
-/// Whether a table holds lists of numbers of one length: the columns of a survey.
+/// Whether a table contains number lists of equal length, as the columns of a survey.
 fn is_columns(table: &Map<String, Json>) -> bool {
     let lengths: Vec<Option<usize>> = table
         .values()
@@ -73,7 +74,7 @@ fn is_columns(table: &Map<String, Json>) -> bool {
 }
 
 fn columns_table(title: &str, table: &Map<String, Json>) -> PageTable {
-    // JSON has lost the order in which they stood; a depth comes first.
+    // JSON does not preserve the order of columns; a depth is put first.
     let mut names: Vec<&String> = table.keys().collect();
     names.sort_by_key(|name| (name.as_str() != "md_m", name.as_str() == "azimuth_rad"));
     let rows = table.values().filter_map(Json::as_array).map(Vec::len);
@@ -103,9 +104,9 @@ fn list_table(title: &str, list: &[Json]) -> PageTable {
         let cell = cells.iter().find(|(other, _)| other == name);
         cell.map_or(Cell::Nothing, |(_, cell)| cell.clone())
     };
-    // What no item has is no column.
+    // Columns without any value are left out.
     names.retain(|name| flat.iter().any(|cells| value(cells, name) != Cell::Nothing));
-    // What a thing is called comes first; items that lack a key do not move its column.
+    // The name of an item comes first; items that lack a key do not move its column.
     names.sort_by_key(|name| {
         let first = ["Component", "Kind", "At"].contains(&name.as_str());
         (!first, name.to_lowercase())
@@ -160,7 +161,7 @@ fn cell(key: &str, value: &Json) -> Cell {
     }
 }
 
-/// A key as people read it, without its unit: `bit_depth_m` is the bit depth.
+/// Label of a key without its unit: `bit_depth_m` is the bit depth.
 fn label(key: &str) -> String {
     let name = dimensions::of_setting(key).map_or(key, |(_, name)| name);
     match name {
@@ -181,7 +182,7 @@ fn label(key: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// A key of a table within a table: `damping.mass_per_s` is "Damping, mass".
+/// Label of a key of a nested table: `damping.mass_per_s` is "Damping, mass".
 fn under(above: &str, key: &str) -> String {
     match (above, label(key)) {
         ("", own) => own,

@@ -1,4 +1,4 @@
-//! `report.html`: the pages and pictures of what runs left, made from their files.
+//! `report.html`: pages and pictures of results, made from their files.
 
 pub(crate) mod checks;
 pub(crate) mod dimensions;

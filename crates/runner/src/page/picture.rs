@@ -1,4 +1,4 @@
-//! Pictures as files.
+//! Files of pictures.
 
 use std::io;
 
@@ -11,7 +11,7 @@ use crate::error::mistake_of;
 /// Dots per inch that printers and journals require.
 const DOTS_PER_INCH: f64 = 300.0;
 
-/// Writes a picture as SVG, and as PNG if that is requested.
+/// Writes a picture as SVG, and as PNG if requested.
 ///
 /// # Errors
 /// Files that cannot be written.
@@ -22,11 +22,11 @@ pub fn write_picture(
     png: bool,
 ) -> Result<(), ResultsError> {
     let path = folder.path().join(format!("{name}.svg"));
-    let drawn = contain(|| {
+    let images = contain(|| {
         let drawing = figure.drawing();
         (drawing.svg(), png.then(|| drawing.png(DOTS_PER_INCH)))
     });
-    let (svg, painted) = drawn.map_err(|Panicked(mistake)| ResultsError::Write {
+    let (svg, painted) = images.map_err(|Panicked(mistake)| ResultsError::Write {
         path,
         source: io::Error::other(mistake_of(&mistake)),
     })?;
@@ -34,7 +34,7 @@ pub fn write_picture(
     let name = format!("{name}.png");
     match painted {
         Some(bytes) => folder.write_file(&name, &bytes),
-        // One that was painted before is not of what was drawn now.
+        // An earlier PNG image does not belong to the new picture.
         None => folder.remove(&name),
     }
 }

@@ -1,4 +1,4 @@
-//! The five numbers that an engineer looks for first, beside their limits.
+//! The five key numbers for an engineer, with their limits.
 
 use serde_json::Value as Json;
 use wholestring::outcome::{Column, PROFILE, Quantity, Scalar};
@@ -14,8 +14,8 @@ const AXIAL_FRICTION: &Scalar = Scalar::declared("axial_friction_N");
 const STRESS: &Quantity = Column::declared(PROFILE, "von_mises_stress_max_Pa");
 const NEUTRAL_POINT: &Scalar = Scalar::declared("neutral_point_m");
 
-/// Five numbers. Of a dynamic model those that vary are means, and their largest of the window is
-/// compared with the limit.
+/// Five key numbers. In a dynamic model, varying ones are means, and their largest value in the
+/// window is compared with the limit.
 pub(super) fn key_results(
     solved: &OperationSummary,
     settings: &Json,
@@ -39,7 +39,7 @@ pub(super) fn key_results(
         label: HOOK_LOAD.label.into(),
         value: Cell::quantity(scalars.hook_load_N, "force"),
         largest: largest(HOOK_LOAD),
-        // The hoist lifts the block too.
+        // The hoist also lifts the block.
         compared: block_N
             .map(|block_N| largest(HOOK_LOAD).unwrap_or(scalars.hook_load_N) + block_N),
         more: more.into_iter().collect(),
@@ -69,11 +69,11 @@ pub(super) fn key_results(
     vec![hook, torque, drag(solved), neutral_point, side]
 }
 
-fn words(of: &[&str]) -> Vec<String> {
-    of.iter().map(|word| (*word).to_owned()).collect()
+fn words(list: &[&str]) -> Vec<String> {
+    list.iter().map(|word| (*word).to_owned()).collect()
 }
 
-/// A number with this limit, whose label and value are yet to be given.
+/// A number with this limit; the caller sets label and value.
 fn limited(limit: Option<f64>, whose: &str) -> KeyResult {
     KeyResult {
         label: String::new(),
@@ -103,7 +103,7 @@ fn drag(solved: &OperationSummary) -> KeyResult {
     }
 }
 
-/// Severity of stick-slip, where the string turns: at one the bit just stops.
+/// Severity of stick-slip, if the string rotates: at one the bit just stops.
 fn stick_slip(solved: &OperationSummary) -> Option<KeyResult> {
     let severity = solved.indicators?.stick_slip?.severity?;
     Some(KeyResult {
@@ -114,7 +114,7 @@ fn stick_slip(solved: &OperationSummary) -> Option<KeyResult> {
     })
 }
 
-/// Use of the yield strength where it is known, the stress itself where it is not.
+/// Utilisation of the yield strength if it is known, otherwise the stress itself.
 fn stress(solved: &OperationSummary, nodes: &Table) -> KeyResult {
     let largest = |name: &str| largest_of(solved, nodes, name, |value| value);
     match largest("yield_use") {
@@ -135,8 +135,8 @@ fn stress(solved: &OperationSummary, nodes: &Table) -> KeyResult {
     }
 }
 
-/// The largest mean side force: of a joint where the string has joints and the model knows them,
-/// per length otherwise.
+/// The largest mean side force: of a joint if the string has joints and the model includes them,
+/// otherwise per length.
 fn side_force(solved: &OperationSummary, nodes: &Table) -> KeyResult {
     match largest_of(solved, nodes, "side_force_per_joint_N", f64::abs) {
         Some(force) => KeyResult {
@@ -158,11 +158,11 @@ fn largest_of(
     solved: &OperationSummary,
     nodes: &Table,
     name: &str,
-    of: fn(f64) -> f64,
+    convert: fn(f64) -> f64,
 ) -> Option<f64> {
     let values = numbers(nodes, name);
     rows(nodes, Some(solved.model.name()), &solved.operation)
         .into_iter()
-        .filter_map(|row| values.get(row).copied().flatten().map(of))
+        .filter_map(|row| values.get(row).copied().flatten().map(convert))
         .max_by(f64::total_cmp)
 }

@@ -1,4 +1,4 @@
-//! The rows of a table that a page shows.
+//! Rows of a table on the page.
 
 use std::collections::BTreeMap;
 
@@ -7,25 +7,25 @@ use wholestring_results::Table;
 
 use crate::column::{numbers, words};
 
-/// Rows of a profile that a page shows: of a soft string every few where there are more.
+/// Largest number of rows of a profile on the page; longer soft-string profiles are thinned.
 const MAX_NODES: usize = 3000;
 
-/// Rows of a table that belong to an operation, and to a model where the table distinguishes them.
+/// Rows of a table that belong to an operation, and to a model if the table distinguishes models.
 pub(super) fn rows(table: &Table, model: Option<&str>, operation: &str) -> Vec<usize> {
     let models = words(table, "model");
     let operations = words(table, "operation").iter().enumerate();
     operations
         .filter(|(row, name)| {
-            // A table that does not distinguish models is that of the one in time.
-            let of = models.get(*row);
-            let others = of.zip(model).is_some_and(|(of, model)| of != model);
+            // A table without a column of models belongs to the time-domain model.
+            let models = models.get(*row);
+            let others = models.zip(model).is_some_and(|(own, model)| own != model);
             *name == operation && !others
         })
         .map(|(row, _)| row)
         .collect()
 }
 
-/// The numbers of those rows by the name of their column; columns that hold none are left out.
+/// Numbers of those rows by the name of their column; columns without numbers are left out.
 pub(super) fn columns(
     table: &Table,
     model: Option<&str>,
@@ -33,7 +33,7 @@ pub(super) fn columns(
 ) -> BTreeMap<String, Packed> {
     let rows = rows(table, model, operation);
     let step = rows.len().div_ceil(MAX_NODES).max(1);
-    // The last row, the bit's, is always among them.
+    // The last row, that of the bit, is always included.
     let last = rows.len().saturating_sub(1);
     let chosen: Vec<usize> = rows
         .iter()

@@ -1,4 +1,4 @@
-//! The page of a run, made from the files that it left.
+//! The page of a run, made from the files in its folder.
 
 use std::path::Path;
 
@@ -23,7 +23,7 @@ use super::{
     well,
 };
 
-/// Writes the page of the run whose files are in the folder; nothing where nothing was solved.
+/// Writes the page of the run in the folder; nothing if no operation was solved.
 pub(crate) fn write(folder: &ResultsFolder, units: UnitSet) -> Result<(), ResultsError> {
     if !folder.path().join("summary.json").is_file() {
         return Ok(());
@@ -32,7 +32,7 @@ pub(crate) fn write(folder: &ResultsFolder, units: UnitSet) -> Result<(), Result
     folder.write_file(FILE, page.as_bytes())
 }
 
-/// Makes the page and the picture of a run that is finished where its folder lacks them.
+/// Adds the page and the picture of a finished run if they are missing in its folder.
 pub(crate) fn complete(folder: &ResultsFolder, units: UnitSet) -> Result<(), ResultsError> {
     if !folder.path().join(PROFILE).is_file() {
         let summary = Summary::read(&folder.path().join("summary.json"))?;
@@ -45,11 +45,11 @@ pub(crate) fn complete(folder: &ResultsFolder, units: UnitSet) -> Result<(), Res
     Ok(())
 }
 
-/// What is said of a folder with a summary that lacks tables from which pages and pictures are
-/// made; nothing where they are there.
+/// Message for a folder with a summary but without the tables that pages and pictures require;
+/// `None` if they exist.
 pub(crate) fn lacking(folder: &Path) -> Result<Option<String>, ResultsError> {
     let summary = Summary::read(&folder.join("summary.json"))?;
-    let dynamic = summary.operations.iter().any(|of| of.statistics.is_some());
+    let dynamic = summary.operations.iter().any(|operation| operation.statistics.is_some());
     let needed = match (summary.operations.is_empty(), dynamic) {
         (true, _) => &[][..],
         (_, true) => &["nodes", "time", "wear", "contact"],
@@ -80,7 +80,7 @@ pub(crate) fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, Resu
     Ok(report_html(&report))
 }
 
-/// What is reported of a run; all but the string at moments.
+/// Page data of a run, except the positions of the string.
 ///
 /// # Errors
 /// Tables that cannot be read.
@@ -117,7 +117,7 @@ pub(crate) fn gather(
     })
 }
 
-/// What is reported of a run along its hole, and nothing of what it did in time.
+/// Page data of a run along its hole, without time histories.
 ///
 /// # Errors
 /// Tables that cannot be read.
@@ -136,16 +136,17 @@ pub(crate) fn along_the_hole(
             operation: solved.operation.clone(),
             message: match &solved.status {
                 Status::Complete => None,
-                Status::Interrupted => Some("interrupted: what was computed until then".into()),
+                Status::Interrupted => Some("interrupted: results until then".into()),
                 Status::Failed(reason) => Some(reason.clone()),
             },
             checks: solved.checks.iter().map(checks::row).collect(),
             unchecked: Unchecked::phrases(&solved.unchecked),
-            // An operation without an answer has no rows, and no numbers.
+            // An operation without a solution has no rows and no numbers.
             key_results: match solved.scalars.hook_load_N.is_nan() {
                 true => Vec::new(),
                 false => results::key_results(solved, settings, &nodes),
             },
+            cutoff_depth_m: solved.scalars.cutoff_depth_m,
             profile: columns(&nodes, Some(solved.model.name()), &solved.operation),
             wear: columns(&wear, Some(solved.model.name()), &solved.operation),
         })

@@ -13,8 +13,9 @@ pub(crate) fn spectra(table: &Table) -> Vec<Spectrum> {
     for row in 0..table.rows() {
         let (operation, signal) = (text("operation", row), text("signal", row));
         let md_m = number("md_m", row);
-        let same =
-            |of: &Spectrum| of.operation == operation && of.signal == signal && of.md_m == md_m;
+        let same = |spectrum: &Spectrum| {
+            spectrum.operation == operation && spectrum.signal == signal && spectrum.md_m == md_m
+        };
         if !spectra.last().is_some_and(same) {
             spectra.push(Spectrum {
                 operation,
@@ -25,24 +26,26 @@ pub(crate) fn spectra(table: &Table) -> Vec<Spectrum> {
                 density: Vec::new(),
             });
         }
-        if let Some(of) = spectra.last_mut() {
-            of.frequency_Hz.push(number("frequency_Hz", row).unwrap_or(f64::NAN));
-            of.density.push(number("density", row).unwrap_or(f64::NAN));
+        if let Some(spectrum) = spectra.last_mut() {
+            spectrum.frequency_Hz.push(number("frequency_Hz", row).unwrap_or(f64::NAN));
+            spectrum.density.push(number("density", row).unwrap_or(f64::NAN));
         }
     }
     spectra
 }
 
-/// Those of an operation as the page draws them.
+/// Spectra of an operation for the page.
 pub(super) fn pictures(table: &Table, operation: &str) -> Vec<SpectrumPicture> {
     let mine = spectra(table).into_iter();
-    mine.filter(|of| of.operation == operation)
-        .map(|of| SpectrumPicture {
-            dimension: spectrum_dimension(&of.signal, of.md_m.is_some()).unwrap_or_default().into(),
-            frequency_Hz: Packed::single(of.frequency_Hz),
-            density: Packed::single(of.density),
-            signal: of.signal,
-            md_m: of.md_m,
+    mine.filter(|mine| mine.operation == operation)
+        .map(|mine| SpectrumPicture {
+            dimension: spectrum_dimension(&mine.signal, mine.md_m.is_some())
+                .unwrap_or_default()
+                .into(),
+            frequency_Hz: Packed::single(mine.frequency_Hz),
+            density: Packed::single(mine.density),
+            signal: mine.signal,
+            md_m: mine.md_m,
         })
         .collect()
 }

@@ -1,21 +1,21 @@
-//! The tables of a run as its page reads them.
+//! Tables of a run for its page.
 
 use std::path::{Path, PathBuf};
 
 use wholestring_results::{ResultsError, TABLES, Table};
 
-/// The tables of a run. They are large, and are read operation by operation.
+/// The tables of a run. They are large and are read operation by operation.
 pub(crate) struct Tables {
     folder: PathBuf,
 }
 
 impl Tables {
-    /// Those in a folder.
+    /// Tables in a folder.
     pub(crate) fn of_folder(folder: &Path) -> Self {
         Self { folder: folder.to_owned() }
     }
 
-    /// A table as far as it is about an operation; without rows where there is none.
+    /// The part of a table for an operation; without rows if there is none.
     pub(super) fn of(&self, name: &str, operation: &str) -> Result<Table, ResultsError> {
         let path = self.folder.join(format!("{name}.parquet"));
         let rows = if path.is_file() {
@@ -28,8 +28,8 @@ impl Tables {
 }
 
 impl Tables {
-    /// Calls `take` with the pieces of a table that are about an operation, among other rows: of a
-    /// table that is too long for memory.
+    /// Calls `take` with the pieces of a table that contain rows of an operation, possibly with
+    /// others, for tables that exceed the memory.
     pub(super) fn pieces_of(
         &self,
         name: &str,
@@ -43,7 +43,7 @@ impl Tables {
         }
     }
 
-    /// The same of some columns alone, with all pieces of the table.
+    /// The same for some columns only, with all pieces of the table.
     pub(super) fn columns_of(
         &self,
         name: &str,
@@ -58,11 +58,11 @@ impl Tables {
     }
 }
 
-/// A whole table of the folder with all of its declared columns, without rows where there is no
-/// such file.
+/// A whole table of the folder with all of its declared columns; without rows if the file does not
+/// exist.
 ///
 /// # Errors
-/// A file that cannot be read, or holds another table.
+/// A file that cannot be read, or contains another table.
 pub(crate) fn table(folder: &Path, name: &str) -> Result<Table, ResultsError> {
     let path = folder.join(format!("{name}.parquet"));
     if !path.is_file() {

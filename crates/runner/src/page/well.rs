@@ -7,7 +7,7 @@ use wholestring::{
 };
 use wholestring_report::{Packed, Part, Section, Well};
 
-/// Points of the path on the page, besides the stations.
+/// Points of the path on the page, in addition to the stations.
 const POINTS: usize = 800;
 
 /// The well of a run.
@@ -26,7 +26,7 @@ impl<'a> WellBore<'a> {
         }
     }
 
-    /// Depths from the surface to the bit, evenly and at every station.
+    /// Depths from the surface to the bit, evenly spaced and at every station.
     fn depths(&self, path: &Path) -> Vec<f64> {
         let from = path.first_md_m().max(0.0);
         let to = self.bit_md_m.max(from);
@@ -39,7 +39,7 @@ impl<'a> WellBore<'a> {
         depths
     }
 
-    /// The path from the surface to the bit; no rows where the settings do not hold it.
+    /// The path from the surface to the bit; no rows if the settings do not contain it.
     pub(crate) fn columns(&self) -> WellPath {
         let path = self.path.as_ref();
         path.map_or_else(WellPath::default, |path| WellPath::at(path, self.depths(path)))
@@ -111,13 +111,13 @@ impl<'a> WellBore<'a> {
     }
 }
 
-/// The path of a case from the surface to the bit, by its settings; no rows where they do not hold
-/// it.
+/// The path of a case from the surface to the bit, from its settings; no rows if they do not
+/// contain it.
 pub fn well_path(settings: &Json) -> WellPath {
     WellBore::of(settings).columns()
 }
 
-/// The path that a run was solved on; none where the settings do not hold it.
+/// The path that a run was solved on; `None` if the settings do not contain it.
 pub(crate) fn path_of(well: &Json) -> Option<Path> {
     let column = |name: &str| well["stations"][name].as_array();
     let (md, inclination, azimuth) =

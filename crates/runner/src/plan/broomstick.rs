@@ -1,4 +1,4 @@
-//! A broomstick without a folder: every operation at every depth with every friction.
+//! A broomstick in memory: every operation at every depth with every friction level.
 
 use std::{num::NonZeroUsize, sync::Mutex};
 
@@ -18,44 +18,44 @@ use crate::{
     reach,
 };
 
-/// A case whose broomstick is wanted; what is left empty is that of its plan.
+/// Request of a broomstick; empty lists select those of the case's plan.
 #[derive(Debug)]
 pub struct BroomstickRequest<'a> {
     /// The case.
     pub case: &'a Case,
-    /// By which models.
+    /// Static models.
     pub models: Vec<Statics>,
-    /// Friction factors of all sections; low, expected and high friction of the plan where empty.
+    /// Friction factors of all sections; if empty, the low, expected and high friction of the plan.
     pub frictions: Vec<f64>,
     /// Depths of the bit, m.
     pub bit_depths_m: Vec<f64>,
-    /// What is done at every depth.
+    /// Operations at every depth.
     pub operations: Vec<OperationKind>,
     /// Number of parallel jobs; one per core by default.
     pub jobs: Option<NonZeroUsize>,
 }
 
-/// Largest friction factor that a case takes.
-const MOST_FRICTION: f64 = 2.0;
+/// Largest friction factor allowed by the case file.
+const MAX_FRICTION: f64 = 2.0;
 
-/// A friction factor that was asked for.
+/// Name of a requested friction factor in messages.
 const FRICTION: &str = "Friction factor of all hole sections";
 
-/// A broomstick, as far as it came.
+/// A broomstick, complete or up to a cancellation.
 #[derive(Debug)]
 pub struct BroomstickFound {
     /// The table `plan_broomstick`.
     pub table: Table,
-    /// Points that are missing because it was cancelled.
+    /// Number of points that are missing because of a cancellation.
     pub missing: usize,
 }
 
-/// The points of a broomstick: the table `plan_broomstick` of the plan of a case. Where friction
-/// factors are asked for they stand in its column `friction` as numbers.
+/// Computes the points of a broomstick: the table `plan_broomstick` of the plan of a case.
+/// Requested friction factors are numbers in its column `friction`.
 ///
 /// # Errors
-/// A friction factor or a depth that is out of its range, or an operation whose set points the case
-/// lacks.
+/// A friction factor or a depth that is out of its range, or an operation whose set points are not
+/// in the case.
 pub fn broomstick(
     request: &BroomstickRequest<'_>,
     cancellation: &CancellationToken,
@@ -71,23 +71,26 @@ pub fn broomstick(
     let setup = case.setup();
     let with = |frictions: &Frictions| -> Result<Broomstick, Error> {
         let operations = operations.clone();
-        let of = Broomstick::new(&setup, frictions, operations, depths_m.clone(), models.clone())
-            .map_err(Error::failed)?;
+        let map_err =
+            Broomstick::new(&setup, frictions, operations, depths_m.clone(), models.clone())
+                .map_err(Error::failed)?;
         let stiff = case.dynamics.stiff_string();
-        Ok(of.with_settings(case.soft, stiff).with_judge(case.judge(case.units)))
+        Ok(map_err.with_settings(case.soft, stiff).with_judge(case.judge(case.units)))
     };
-    // A broomstick has three frictions at a time.
+    // A broomstick has three friction levels at a time.
     let levels = &FrictionLevel::ALL[..];
     let sets: Vec<(Broomstick, &[FrictionLevel])> = match &request.frictions[..] {
         [] => vec![(with(&case.plan.frictions)?, levels)],
         factors => {
             let set = |some: &[f64]| {
-                if let Some(factor) = some.iter().find(|of| !(0.0..=MOST_FRICTION).contains(*of)) {
+                if let Some(factor) =
+                    some.iter().find(|factor| !(0.0..=MAX_FRICTION).contains(*factor))
+                {
                     let reason = format!("a friction factor of {factor} is outside 0 to 2");
                     return Err(Error::BadInput(reason));
                 }
-                let of = |place: usize| LevelFriction::uniform(some[place.min(some.len() - 1)]);
-                let set = with(&Frictions { low: of(0), expected: of(1), high: of(2) })?;
+                let level = |place: usize| LevelFriction::uniform(some[place.min(some.len() - 1)]);
+                let set = with(&Frictions { low: level(0), expected: level(1), high: level(2) })?;
                 Ok((set, &levels[..some.len()]))
             };
             factors.chunks(levels.len()).map(set).collect::<Result<_, Error>>()?
@@ -102,8 +105,8 @@ pub fn broomstick(
     in_parallel(jobs(request.jobs), &order, |index| {
         if !cancellation.is_cancelled() {
             let (set, task) = &tasks[index];
-            let (of, levels) = &sets[*set];
-            *lock(&done[index]) = Some(of.solve_at(task, levels));
+            let (sets, levels) = &sets[*set];
+            *lock(&done[index]) = Some(sets.solve_at(task, levels));
         }
     });
     let (mut found, mut missing) = (Vec::new(), 0);
@@ -114,13 +117,14 @@ pub fn broomstick(
             None => missing += sets[*set].1.len(),
         }
     }
-    // Curve by curve, as a plan has them: a task has the frictions of one depth.
-    found.sort_by_key(|(set, place, of): &(usize, usize, BroomstickPoint)| {
-        let model = models.iter().position(|model| *model == of.model);
-        let operation = operations.iter().position(|one| one.kind == of.operation);
+    // Sorted curve by curve, as in a plan, because a task contains the friction levels of one
+    // depth.
+    found.sort_by_key(|(set, place, point): &(usize, usize, BroomstickPoint)| {
+        let model = models.iter().position(|model| *model == point.model);
+        let operation = operations.iter().position(|one| one.kind == point.operation);
         (model, operation, *set, *place)
     });
-    let points: Vec<BroomstickPoint> = found.iter().map(|(_, _, of)| of.clone()).collect();
+    let points: Vec<BroomstickPoint> = found.iter().map(|(_, _, point)| point.clone()).collect();
     let rows: Vec<PlanPoint> = rows::points(&points);
     let table = plan_broomstick_table(&rows, case.model.rig.block_weight_N);
     if request.frictions.is_empty() {
@@ -137,7 +141,7 @@ pub fn broomstick(
     Ok(BroomstickFound { table: Table::new(columns.collect()), missing })
 }
 
-/// Depths of the bit that string and well have, growing.
+/// Depths of the bit that string and well allow, increasing.
 fn depths_m(request: &BroomstickRequest<'_>) -> Result<Vec<f64>, Error> {
     let case = request.case;
     if request.bit_depths_m.is_empty() {
@@ -163,8 +167,11 @@ fn depths_m(request: &BroomstickRequest<'_>) -> Result<Vec<f64>, Error> {
     Ok(depths_m)
 }
 
-/// The plan's operation of a kind; one with the case's set points where it has none.
+/// The plan's operation of a kind; if there is none, one with the case's set points.
 fn operation(case: &Case, kind: OperationKind) -> Result<Operation, Error> {
-    let planned = case.plan.operations.iter().find(|of| of.kind == kind);
-    planned.map_or_else(|| reach::operation(case, kind).map_err(Error::BadInput), |of| Ok(*of))
+    let planned = case.plan.operations.iter().find(|operation| operation.kind == kind);
+    planned.map_or_else(
+        || reach::operation(case, kind).map_err(Error::BadInput),
+        |planned| Ok(*planned),
+    )
 }

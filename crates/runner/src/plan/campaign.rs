@@ -1,4 +1,4 @@
-//! What the campaign of a plan does to string and casing, as results have it.
+//! Effects of a plan's campaign on string and casing, in the form of the results.
 
 use serde::{Deserialize, Serialize};
 use wholestring::outcome::ModelKind;
@@ -9,21 +9,21 @@ use wholestring_plan::{
 };
 use wholestring_results::{PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear};
 
-/// A damage that nothing survives: what is beyond has no number in JSON.
+/// Damage beyond any fatigue life, because JSON has no infinite number.
 const SURELY: f64 = 1e9;
 
-/// A share of the campaign, by which model and of which operation.
+/// A contribution to the campaign from one operation by one model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Taken {
     pub(super) model: String,
     pub(super) operation: String,
     /// Measured depth of the bit, m.
     pub(super) bit_depth_m: f64,
-    /// The share, or the verdict of a point that has no answer.
+    /// The contribution, or the verdict of a point without a solution.
     pub(super) share: Result<Share, String>,
 }
 
-/// The shares of these points of a broomstick.
+/// Contributions of these points of a broomstick.
 pub(super) fn taken(broomstick: &Broomstick, found: &[BroomstickPoint]) -> Vec<Taken> {
     let Some(campaign) = broomstick.campaign() else { return Vec::new() };
     let is_part = |point: &&BroomstickPoint| {
@@ -47,50 +47,53 @@ pub(super) fn taken(broomstick: &Broomstick, found: &[BroomstickPoint]) -> Vec<T
     found.iter().filter(is_part).filter_map(one).collect()
 }
 
-/// What all of it comes to.
+/// Sums of all contributions.
 #[derive(Debug, Default)]
-pub(super) struct Came {
+pub(super) struct Totals {
     pub(super) fatigue: Vec<PlanFatigue>,
     pub(super) damage: Vec<PlanDamage>,
     pub(super) wear: Vec<PlanWear>,
     pub(super) worst_wear: Vec<PlanWear>,
 }
 
-/// Adds up the shares, model after model. What the dynamics wears stands after them: with it in the place of what
-/// the first of them says of the same operations.
-pub(super) fn came(
-    of: &Broomstick,
+/// Sums the contributions, model after model. Wear from the dynamics follows, combined with that of
+/// the first static model for the other operations.
+pub(super) fn totals(
+    broomstick: &Broomstick,
     models: &[Statics],
     taken: &[Taken],
     by_dynamics: &[(String, Share)],
-) -> Came {
-    let mut came = Came::default();
-    let Some(campaign) = of.campaign() else { return came };
+) -> Totals {
+    let mut totals = Totals::default();
+    let Some(campaign) = broomstick.campaign() else { return totals };
     for model in models.iter().map(|model| model.name()) {
-        let mut shares =
-            taken.iter().filter(|of| of.model == model).filter_map(|of| of.share.as_ref().ok());
+        let mut shares = taken
+            .iter()
+            .filter(|part| part.model == model)
+            .filter_map(|part| part.share.as_ref().ok());
         let Some(first) = shares.next() else { continue };
         let mut all = first.clone();
         shares.for_each(|share| all.merge(share));
-        came.add(of, campaign, model, &all);
+        totals.add(broomstick, campaign, model, &all);
     }
     if let (Some((_, all)), Some(first)) = (by_dynamics.first(), models.first()) {
-        let is_replaced = |name: &str| by_dynamics.iter().any(|(of, _)| of == name);
+        let is_replaced = |name: &str| by_dynamics.iter().any(|(by_dynamic, _)| by_dynamic == name);
         let others =
-            taken.iter().filter(|of| of.model == first.name() && !is_replaced(&of.operation));
+            taken.iter().filter(|part| part.model == first.name() && !is_replaced(&part.operation));
         let mut all = all.clone();
         by_dynamics[1..].iter().for_each(|(_, share)| all.worn.merge(&share.worn));
-        let others = others.filter_map(|of| of.share.as_ref().ok());
+        let others = others.filter_map(|part| part.share.as_ref().ok());
         others.for_each(|share| all.worn.merge(&share.worn));
-        came.add_wear(campaign, ModelKind::Dynamic.name(), &all);
+        totals.add_wear(campaign, ModelKind::Dynamic.name(), &all);
     }
-    came
+    totals
 }
 
-impl Came {
-    fn add(&mut self, of: &Broomstick, campaign: &Campaign, model: &str, all: &Share) {
-        let components = &of.setup(FrictionLevel::Expected).string.components;
-        let name = |row: &DamageRow| components.get(row.component).map(|of| of.name.clone());
+impl Totals {
+    fn add(&mut self, broomstick: &Broomstick, campaign: &Campaign, model: &str, all: &Share) {
+        let components = &broomstick.setup(FrictionLevel::Expected).string.components;
+        let name =
+            |row: &DamageRow| components.get(row.component).map(|component| component.name.clone());
         self.damage.extend(all.damage.rows().map(|row| PlanDamage {
             model: model.to_owned(),
             component: name(&row).unwrap_or_default(),
@@ -99,7 +102,7 @@ impl Came {
         }));
         for index in 0..components.len() {
             let Some(worst) = all.damage.worst(index) else { continue };
-            let hour = all.rates.iter().find(|of| of.component == index);
+            let hour = all.rates.iter().find(|rate| rate.component == index);
             self.fatigue.push(PlanFatigue {
                 model: model.to_owned(),
                 component: name(&worst).unwrap_or_default(),
@@ -114,42 +117,42 @@ impl Came {
     fn add_wear(&mut self, campaign: &Campaign, model: &str, all: &Share) {
         let wear: Vec<PlanWear> =
             campaign.casings(all).iter().map(|row| stretch(model, row)).collect();
-        for of in &wear {
-            let worn = |of: &PlanWear| of.worn.or(of.groove_m).unwrap_or(f64::INFINITY);
+        for row in &wear {
+            let worn = |wear: &PlanWear| wear.worn.or(wear.groove_m).unwrap_or(f64::INFINITY);
             match self
                 .worst_wear
                 .iter_mut()
-                .find(|one| one.section == of.section && one.model == of.model)
+                .find(|one| one.section == row.section && one.model == row.model)
             {
-                Some(worst) if worn(of) > worn(worst) => *worst = of.clone(),
+                Some(worst) if worn(row) > worn(worst) => *worst = row.clone(),
                 Some(_) => {}
-                None => self.worst_wear.push(of.clone()),
+                None => self.worst_wear.push(row.clone()),
             }
         }
         self.wear.extend(wear);
     }
 }
 
-fn hourly(of: &FatigueRow) -> PlanFatigueHour {
+fn hourly(row: &FatigueRow) -> PlanFatigueHour {
     PlanFatigueHour {
-        md_m: of.md_m,
-        damage_per_hour: of.damage_per_hour.min(SURELY),
-        bending_Pa: of.bending_Pa,
-        dogleg_rad_per_m: of.dogleg_rad_per_m,
-        permissible_dogleg_rad_per_m: of.permissible_dogleg_rad_per_m,
+        md_m: row.md_m,
+        damage_per_hour: row.damage_per_hour.min(SURELY),
+        bending_Pa: row.bending_Pa,
+        dogleg_rad_per_m: row.dogleg_rad_per_m,
+        permissible_dogleg_rad_per_m: row.permissible_dogleg_rad_per_m,
     }
 }
 
-fn stretch(model: &str, of: &WearRow) -> PlanWear {
+fn stretch(model: &str, row: &WearRow) -> PlanWear {
     PlanWear {
         model: model.to_owned(),
-        section: of.section + 1,
-        md_m: of.md_m,
-        groove_m: of.groove_m,
-        wall_m: of.pipe.map(|pipe| pipe.wall_m),
-        wall_left_m: of.pipe.map(|pipe| pipe.wall_left_m),
-        worn: of.pipe.map(|pipe| pipe.worn_part()),
-        burst_Pa: of.pipe.and_then(|pipe| pipe.burst_Pa),
-        collapse_Pa: of.pipe.and_then(|pipe| pipe.collapse_Pa),
+        section: row.section + 1,
+        md_m: row.md_m,
+        groove_m: row.groove_m,
+        wall_m: row.pipe.map(|pipe| pipe.wall_m),
+        wall_left_m: row.pipe.map(|pipe| pipe.wall_left_m),
+        worn: row.pipe.map(|pipe| pipe.worn_part()),
+        burst_Pa: row.pipe.and_then(|pipe| pipe.burst_Pa),
+        collapse_Pa: row.pipe.and_then(|pipe| pipe.collapse_Pa),
     }
 }

@@ -1,4 +1,4 @@
-//! The charts of `plan.xlsx`: curves down the depth of the bit, of the cells of its sheets.
+//! Charts of `plan.xlsx`: curves against bit depth from the cells of its sheets.
 
 use wholestring::operation::OperationKind;
 use wholestring_report::{
@@ -12,7 +12,7 @@ use super::{
     surface,
 };
 
-/// Names of the sheets that charts are of.
+/// Names of the sheets with data of charts.
 pub(super) const BROOMSTICK: &str = "Broomstick";
 pub(super) const BUCKLING: &str = "Weight to buckle";
 pub(super) const HYDRAULICS: &str = "Hydraulics";
@@ -20,34 +20,35 @@ pub(super) const MEASURED: &str = "Measured";
 pub(super) const OVERLAY: &str = "Overlay";
 pub(super) const SURFACE: &str = "Surface limits";
 
-/// Headings of the columns that are drawn.
+/// Headings of the columns of the charts.
 const DEPTH: &str = "bit depth";
 const OPERATION: &str = "operation";
 
-/// All of them, of the first model where there are several.
+/// All charts, of the first model if there are several.
 pub(super) fn charts(summary: &PlanSummary, sheets: &[Sheet]) -> Vec<WorkbookChart> {
-    let sheet = |name: &str| sheets.iter().find(|of| of.name == name);
+    let sheet = |name: &str| sheets.iter().find(|sheet| sheet.name == name);
     let mut charts = Vec::new();
     if let Some(points) = sheet(BROOMSTICK) {
         let broomstick = |title: &str, heading, is_shown: fn(OperationKind) -> bool| {
             let mut series = broomstick(summary, points, heading, is_shown);
             series.extend(
-                sheet(MEASURED).map_or_else(Vec::new, |of| read(summary, of, heading, is_shown)),
+                sheet(MEASURED)
+                    .map_or_else(Vec::new, |sheet| read(summary, sheet, heading, is_shown)),
             );
             series.extend(
                 sheet(OVERLAY)
-                    .map_or_else(Vec::new, |of| laid_over(summary, of, heading, is_shown)),
+                    .map_or_else(Vec::new, |sheet| laid_over(summary, sheet, heading, is_shown)),
             );
             if !series.is_empty() {
                 series.extend(
                     sheet(SURFACE)
-                        .map_or_else(Vec::new, |of| borne(summary, of, heading, is_shown)),
+                        .map_or_else(Vec::new, |sheet| borne(summary, sheet, heading, is_shown)),
                 );
             }
             chart(title, heading, points, series)
         };
-        charts.extend(broomstick("Hook load without block, off bottom", "hook load", |of| {
-            !of.on_bottom()
+        charts.extend(broomstick("Hook load without block, off bottom", "hook load", |kind| {
+            !kind.on_bottom()
         }));
         charts.extend(broomstick("Surface torque", "surface torque", OperationKind::rotates));
         charts.extend(broomstick(
@@ -69,7 +70,7 @@ pub(super) fn charts(summary: &PlanSummary, sheets: &[Sheet]) -> Vec<WorkbookCha
     charts
 }
 
-/// What the string does, and the column of the density at the bit.
+/// State of the mud, and the column of the density at the bit.
 const DENSITIES: [(&str, &str); 5] = [
     ("circulating", "circulating bit"),
     ("running in, string closed", "surge closed bit"),
@@ -78,23 +79,23 @@ const DENSITIES: [(&str, &str); 5] = [
     ("pulling out, string open", "swab open bit"),
 ];
 
-/// A chart whose axes are a quantity, in the unit of its first series, and its depth; none without series.
+/// A chart of a quantity, in the unit of its first series, against depth; `None` without series.
 fn chart(
     title: &str,
     quantity: &str,
-    of: &Sheet,
+    sheet: &Sheet,
     series: Vec<WorkbookSeries>,
 ) -> Option<WorkbookChart> {
     let first = series.first()?;
     Some(WorkbookChart {
         title: title.to_owned(),
-        across: format!("{quantity}, {}", of.columns[first.across].unit),
-        down: of.columns[first.down].head(),
+        across: format!("{quantity}, {}", sheet.columns[first.across].unit),
+        down: sheet.columns[first.down].head(),
         series,
     })
 }
 
-/// A curve for each operation and friction.
+/// A curve for each operation and friction level.
 fn broomstick(
     summary: &PlanSummary,
     sheet: &Sheet,
@@ -109,17 +110,17 @@ fn broomstick(
         for (stroke, friction) in FRICTION_STROKES.into_iter().zip(LEVELS) {
             let rows = rows(summary, sheet, name, friction);
             let title = format!("{} {}", operation_name(name), label(summary, friction));
-            all.extend(series(sheet, title, heading, rows).map(|of| WorkbookSeries {
+            all.extend(series(sheet, title, heading, rows).map(|series| WorkbookSeries {
                 colour: operation_colour(name),
                 stroke: Some(stroke),
-                ..of
+                ..series
             }));
         }
     }
     all
 }
 
-/// What was read in each operation, as points: rows of a reading stand together.
+/// Readings of each operation as points; the rows of a reading are consecutive.
 fn read(
     summary: &PlanSummary,
     sheet: &Sheet,
@@ -129,20 +130,20 @@ fn read(
     let is_torque = heading == "surface torque";
     let column = if is_torque { "measured_N_m" } else { "hook_load_N" };
     let table = summary.measured_table();
-    let place = |name: &str| table.columns().iter().position(|of| of.name == name);
+    let place = |name: &str| table.columns().iter().position(|column| column.name == name);
     let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
     let mut all = Vec::new();
     for name in &summary.operations {
         if !OperationKind::from_name(name).is_some_and(is_shown) {
             continue;
         }
-        let is_of = |of: &PlanMeasured| {
-            Some(&of.model) == summary.models.first()
-                && of.operation == *name
-                && of.is_torque == is_torque
+        let is_of = |measured: &PlanMeasured| {
+            Some(&measured.model) == summary.models.first()
+                && measured.operation == *name
+                && measured.is_torque == is_torque
         };
         let Some(first) = summary.measured.iter().position(is_of) else { continue };
-        let count = summary.measured[first..].iter().take_while(|of| is_of(of)).count();
+        let count = summary.measured[first..].iter().take_while(|measured| is_of(measured)).count();
         all.push(WorkbookSeries {
             name: format!("{} measured", operation_name(name)),
             sheet: sheet.name.clone(),
@@ -156,7 +157,7 @@ fn read(
     all
 }
 
-/// What another program computed of each operation: its rows stand together.
+/// Results of another program for each operation; its rows are consecutive.
 fn laid_over(
     summary: &PlanSummary,
     sheet: &Sheet,
@@ -167,20 +168,20 @@ fn laid_over(
     let is_torque = heading == "surface torque";
     let column = if is_torque { "theirs_N_m" } else { "theirs_N" };
     let table = overlay.table();
-    let place = |name: &str| table.columns().iter().position(|of| of.name == name);
+    let place = |name: &str| table.columns().iter().position(|column| column.name == name);
     let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
     let mut all = Vec::new();
     for name in &summary.operations {
         if !OperationKind::from_name(name).is_some_and(is_shown) {
             continue;
         }
-        let is_of = |of: &PlanOverlayRow| {
-            Some(&of.model) == summary.models.first()
-                && of.operation == *name
-                && of.is_torque == is_torque
+        let is_of = |row: &PlanOverlayRow| {
+            Some(&row.model) == summary.models.first()
+                && row.operation == *name
+                && row.is_torque == is_torque
         };
         let Some(first) = overlay.rows.iter().position(is_of) else { continue };
-        let count = overlay.rows[first..].iter().take_while(|of| is_of(of)).count();
+        let count = overlay.rows[first..].iter().take_while(|row| is_of(row)).count();
         all.push(WorkbookSeries {
             name: format!("{} of another program", operation_name(name)),
             sheet: sheet.name.clone(),
@@ -194,7 +195,7 @@ fn laid_over(
     all
 }
 
-/// A line for each limit that is near to the curves: two rows of its sheet, in their order.
+/// A line for each limit close to the curves: two rows of its sheet, in their order.
 fn borne(
     summary: &PlanSummary,
     sheet: &Sheet,
@@ -204,34 +205,35 @@ fn borne(
     let is_torque = heading == "surface torque";
     let column = if is_torque { "allowed_N_m" } else { "allowed_N" };
     let table = summary.surface_limits_table();
-    let place = |name: &str| table.columns().iter().position(|of| of.name == name);
+    let place = |name: &str| table.columns().iter().position(|column| column.name == name);
     let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
-    let drawn = summary.points.iter().filter(|of| {
-        summary.models.first() == Some(&of.model)
-            && OperationKind::from_name(&of.operation).is_some_and(is_shown)
+    let points = summary.points.iter().filter(|point| {
+        summary.models.first() == Some(&point.model)
+            && OperationKind::from_name(&point.operation).is_some_and(is_shown)
     });
-    let value = drawn.filter_map(|of| {
-        let scalars = of.scalars?;
+    let value = points.filter_map(|point| {
+        let scalars = point.scalars?;
         Some(if is_torque { scalars.surface_torque_N_m } else { scalars.hook_load_N })
     });
     let largest = value.fold(0.0, |most: f64, value| most.max(value.abs()));
     let limits = summary.surface_limits.iter().enumerate();
-    let near =
-        limits.filter(|(_, of)| of.is_torque == is_torque && surface::shown(of).is_near(largest));
-    near.map(|(row, of)| WorkbookSeries {
-        name: format!("limit: {}", surface::title(&of.kind)),
+    let near = limits.filter(|(_, limit)| {
+        limit.is_torque == is_torque && surface::shown(limit).is_near(largest)
+    });
+    near.map(|(row, near)| WorkbookSeries {
+        name: format!("limit: {}", surface::title(&near.kind)),
         sheet: sheet.name.clone(),
         across,
         down,
         rows: 2 * row..2 * row + 2,
-        // No operation of a broomstick has the last two colours.
+        // Operations of a broomstick do not use the last two colours.
         colour: 5 + row % 2,
         stroke: Some(Stroke::LongDashed),
     })
     .collect()
 }
 
-/// A curve for each operation that drills, each friction and each shape.
+/// A curve for each operation that drills, each friction level and each buckling mode.
 fn buckling(summary: &PlanSummary, sheet: &Sheet) -> Vec<WorkbookSeries> {
     let mut all = Vec::new();
     for name in ["drill", "slide"] {
@@ -243,10 +245,10 @@ fn buckling(summary: &PlanSummary, sheet: &Sheet) -> Vec<WorkbookSeries> {
                     format!("{}, {shape} {}", operation_name(name), label(summary, friction));
                 // Two colours for each operation.
                 let colour = 2 * usize::from(name == "slide") + usize::from(shape == "helix");
-                all.extend(series(sheet, title, heading, rows).map(|of| WorkbookSeries {
+                all.extend(series(sheet, title, heading, rows).map(|series| WorkbookSeries {
                     colour,
                     stroke: Some(stroke),
-                    ..of
+                    ..series
                 }));
             }
         }
@@ -254,26 +256,26 @@ fn buckling(summary: &PlanSummary, sheet: &Sheet) -> Vec<WorkbookSeries> {
     all
 }
 
-/// A curve for each of some columns, of all rows.
+/// A curve for each of some columns, over all rows.
 fn columns(sheet: &Sheet, named: &[(&str, &str)]) -> Vec<WorkbookSeries> {
-    let all = 0..sheet.columns.first().map_or(0, |of| of.cells.len());
+    let all = 0..sheet.columns.first().map_or(0, |column| column.cells.len());
     let numbered = named.iter().enumerate();
     numbered
         .filter_map(|(colour, (title, heading))| {
-            let of = series(sheet, (*title).to_owned(), heading, all.clone())?;
-            Some(WorkbookSeries { colour, ..of })
+            let series = series(sheet, (*title).to_owned(), heading, all.clone())?;
+            Some(WorkbookSeries { colour, ..series })
         })
         .collect()
 }
 
-/// A solid curve of a column over rows; none where there are no rows or no such column.
+/// A solid curve of a column over rows; `None` if there are no rows or no such column.
 fn series(
     sheet: &Sheet,
     name: String,
     heading: &str,
     rows: std::ops::Range<usize>,
 ) -> Option<WorkbookSeries> {
-    let place = |heading: &str| sheet.columns.iter().position(|of| of.heading == heading);
+    let place = |heading: &str| sheet.columns.iter().position(|column| column.heading == heading);
     let (across, down) = (place(heading)?, place(DEPTH)?);
     (!rows.is_empty()).then(|| WorkbookSeries {
         name,
@@ -286,7 +288,7 @@ fn series(
     })
 }
 
-/// The rows of an operation with a friction by the first model, which stand together.
+/// Rows of an operation with a friction level by the first model, which are consecutive.
 fn rows(
     summary: &PlanSummary,
     sheet: &Sheet,
@@ -294,16 +296,16 @@ fn rows(
     friction: &str,
 ) -> std::ops::Range<usize> {
     let words = |heading: &str| {
-        let found = sheet.columns.iter().find(|of| of.heading == heading);
-        match found.map(|of| &of.cells) {
+        let found = sheet.columns.iter().find(|column| column.heading == heading);
+        match found.map(|column| &column.cells) {
             Some(Cells::Words(words)) => &words[..],
             _ => &[],
         }
     };
     let model = summary.models.first().map_or("", String::as_str);
     let operation = operation_name(operation);
-    let wanted = [("model", model), ("friction", friction), (OPERATION, operation.as_str())];
-    let columns = wanted.map(|(heading, word)| (words(heading), word));
+    let names = [("model", model), ("friction", friction), (OPERATION, operation.as_str())];
+    let columns = names.map(|(heading, word)| (words(heading), word));
     let is_of = |row: &usize| {
         columns.iter().all(|(words, word)| words.get(*row).is_some_and(|found| found == word))
     };

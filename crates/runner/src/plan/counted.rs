@@ -1,4 +1,4 @@
-//! The parts of a campaign that fatigue and casing wear count, and those that they do not, in
+//! Parts of a campaign that are included in fatigue and casing wear, and those that are not, in
 //! words.
 
 use wholestring::string::StringSpec;
@@ -10,14 +10,14 @@ use super::campaign::Taken;
 /// The parts of a campaign in words.
 #[derive(Debug, Default)]
 pub(super) struct Counted {
-    /// Those that are counted, with their hours.
+    /// Included parts, with their hours.
     pub(super) counted: Vec<String>,
-    /// Those that are not, with the reasons.
+    /// Parts that are not included, with the reasons.
     pub(super) not_counted: Vec<String>,
 }
 
 impl Counted {
-    /// The parts of the campaign of a broomstick, of which so much was solved.
+    /// Parts of the campaign of a broomstick, given the points that were solved.
     pub(super) fn of(broomstick: &Broomstick, taken: &[Taken], units: UnitSet) -> Self {
         let Some(campaign) = broomstick.campaign() else { return Self::default() };
         let mut found = Self::default();
@@ -47,7 +47,7 @@ impl Counted {
     }
 }
 
-/// A part of the campaign with the hole that it goes through.
+/// A part of the campaign with its interval of the hole.
 fn named(part: &CampaignPart, units: UnitSet) -> String {
     let name = match part.operation {
         Some(kind) => kind.name().replace('_', " "),
@@ -60,7 +60,7 @@ fn named(part: &CampaignPart, units: UnitSet) -> String {
     }
 }
 
-/// Points of the campaign that have no answer, operation by operation.
+/// Points of the campaign without a solution, for each operation.
 fn unsolved(taken: &[Taken], units: UnitSet) -> Vec<String> {
     let mut found: Vec<(&Taken, &String, [f64; 2], usize)> = Vec::new();
     for point in taken {
@@ -89,7 +89,7 @@ fn unsolved(taken: &[Taken], units: UnitSet) -> Vec<String> {
     found.iter().map(text).collect()
 }
 
-/// Components whose fatigue is not computed for want of a strength.
+/// Components whose fatigue is not computed because their strength is not given.
 fn without_strength(string: &StringSpec) -> Option<String> {
     let bit = usize::from(string.components.len() > 1);
     let lacking = string.components.iter().skip(bit).filter(|one| one.yield_strength_Pa.is_none());

@@ -1,4 +1,4 @@
-//! The numbers of each picture of a plan.
+//! Numbers of each picture of a plan.
 
 use wholestring_results::{
     Column, Data, PlanMeasured, PlanOverlayRow, PlanPoint, PlanSummary, Table, UncertainBand,
@@ -7,13 +7,13 @@ use wholestring_results::{
 use super::{levels::LEVELS, mud, weight};
 use crate::picture_table::{Entry, Row, with_lines, with_rows};
 
-/// Another program's curves below the rows of ours, a column for each operation.
+/// Curves of another program in rows below the plan's, with a column for each operation.
 fn theirs(summary: &PlanSummary, table: Table, quantity: &str, is_torque: bool) -> Table {
-    let first = |of: &&PlanOverlayRow| {
-        summary.models.first() == Some(&of.model) && of.is_torque == is_torque
+    let first = |row: &&PlanOverlayRow| {
+        summary.models.first() == Some(&row.model) && row.is_torque == is_torque
     };
     let rows: Vec<&PlanOverlayRow> =
-        summary.overlay.iter().flat_map(|of| &of.rows).filter(first).collect();
+        summary.overlay.iter().flat_map(|overlay| &overlay.rows).filter(first).collect();
     if rows.is_empty() {
         return table;
     }
@@ -22,78 +22,84 @@ fn theirs(summary: &PlanSummary, table: Table, quantity: &str, is_torque: bool) 
     for column in &mut columns {
         let is_depth = column.name == "bit_depth_m";
         if let Data::Number(values) = &mut column.data {
-            values.extend(rows.iter().map(|of| is_depth.then_some(of.bit_depth_m)));
+            values.extend(rows.iter().map(|row| is_depth.then_some(row.bit_depth_m)));
         }
     }
     for operation in &summary.operations {
-        let of_operation = |of: &&PlanOverlayRow| of.operation == *operation;
+        let of_operation = |row: &&PlanOverlayRow| row.operation == *operation;
         if rows.iter().any(of_operation) {
             let mut values = vec![None; above];
-            values.extend(rows.iter().map(|of| of_operation(of).then_some(of.theirs)));
+            values.extend(rows.iter().map(|row| of_operation(row).then_some(row.theirs)));
             columns.push(Column::numbers(format!("{operation}_overlay_{quantity}"), values));
         }
     }
     Table::new(columns)
 }
 
-/// The limits of a picture beside its curves, a column for each: the same at every depth.
+/// Limits of a picture next to its curves, a column for each, equal at every depth.
 fn with_limits(summary: &PlanSummary, table: &Table, quantity: &str, is_torque: bool) -> Table {
-    let limits = summary.surface_limits.iter().filter(|of| of.is_torque == is_torque);
-    let lines = limits.map(|of| (format!("{}_limit_{quantity}", of.kind), of.allowed));
+    let limits =
+        summary.surface_limits.iter().filter(|surface_limit| surface_limit.is_torque == is_torque);
+    let lines = limits.map(|limit| (format!("{}_limit_{quantity}", limit.kind), limit.allowed));
     with_lines(table, &lines.collect::<Vec<_>>())
 }
 
-/// The mud at rest and the limit of the pump beside the curves of the mud.
+/// The mud at rest and the limit of the pump next to the curves of the mud.
 pub(super) fn with_mud(summary: &PlanSummary, table: &Table) -> Table {
     let Some(mud) = mud::shown(summary) else { return table.clone() };
-    let pump = mud.pump_limit_Pa.map(|of| ("pump_limit_standpipe_pressure_Pa".to_owned(), of));
+    let pump = mud
+        .pump_limit_Pa
+        .map(|pump_limit_Pa| ("pump_limit_standpipe_pressure_Pa".to_owned(), pump_limit_Pa));
     let mut lines = vec![("mud_density_kg_per_m3".to_owned(), mud.density_kg_per_m3)];
     lines.extend(pump);
     with_lines(table, &lines)
 }
 
-/// The events against time, then a row for each peak that is marked, with the limits of hook load,
-/// torque and pump beside all of them and what breaks the gel beside its event's.
+/// Time histories of the events, followed by a row for each marked peak and for each pressure that
+/// breaks the gel. The limits of hook load, torque and pump are columns in all rows.
 pub(super) fn with_peaks(summary: &PlanSummary, table: &Table) -> Table {
     let mut rows: Vec<Row<'_>> = Vec::new();
-    for of in &summary.peaks {
+    for event in &summary.peaks {
         let mut row = |name: &'static str, time_s: f64, value: f64| {
             rows.push(vec![
-                ("event", Entry::Word(of.event.clone())),
-                ("friction", Entry::Word(of.friction.clone())),
-                ("bit_depth_m", Entry::Number(of.bit_depth_m)),
+                ("event", Entry::Word(event.event.clone())),
+                ("friction", Entry::Word(event.friction.clone())),
+                ("bit_depth_m", Entry::Number(event.bit_depth_m)),
                 ("time_s", Entry::Number(time_s)),
                 (name, Entry::Number(value)),
             ]);
         };
         let peaks = [
-            ("peak_hook_load_N", of.hook_load_N),
-            ("peak_surface_torque_N_m", of.surface_torque_N_m),
-            ("peak_pump_pressure_Pa", of.pump_pressure_Pa),
+            ("peak_hook_load_N", event.hook_load_N),
+            ("peak_surface_torque_N_m", event.surface_torque_N_m),
+            ("peak_pump_pressure_Pa", event.pump_pressure_Pa),
         ];
         for (name, peak) in peaks.into_iter().filter_map(|(name, peak)| Some((name, peak?))) {
             row(name, peak.time_s, peak.peak);
         }
-        if let Some(gel) = of.gel {
+        if let Some(gel) = event.gel {
             row("gel_pump_pressure_Pa", f64::NAN, gel.bore_Pa + gel.annulus_Pa);
         }
     }
     let table = with_rows(table, &rows);
     let pump_Pa = summary.settings["rig"]["pump_pressure_limit_Pa"].as_f64();
-    let pump_Pa = pump_Pa.map(|of| ("pump_limit_pump_pressure_Pa".to_owned(), of));
+    let pump_Pa = pump_Pa.map(|pump_Pa| ("pump_limit_pump_pressure_Pa".to_owned(), pump_Pa));
     let table = with_lines(&table, &Vec::from_iter(pump_Pa));
     let table = with_limits(summary, &table, "hook_load_N", false);
     with_limits(summary, &table, "surface_torque_N_m", true)
 }
 
-/// What each picture shows, a column for each of its curves.
+/// Data of each picture, with a column for each curve.
 pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
-    // Below the rows of the curves, one for each reading.
-    let first = |of: &&PlanMeasured| summary.models.first() == Some(&of.model);
+    // One row per reading, below the rows of the curves.
+    let first = |measured: &&PlanMeasured| summary.models.first() == Some(&measured.model);
     let read: Vec<&PlanMeasured> = summary.measured.iter().filter(first).collect();
     let depth = |read: &[&PlanMeasured]| {
-        let depths =
-            summary.bit_depths_m.iter().copied().chain(read.iter().map(|of| of.bit_depth_m));
+        let depths = summary
+            .bit_depths_m
+            .iter()
+            .copied()
+            .chain(read.iter().map(|reading| reading.bit_depth_m));
         Column::numbers("bit_depth_m", depths.map(Some).collect())
     };
     let at = |depth_m: f64, found: Option<f64>| (depth_m, found);
@@ -101,19 +107,20 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         let value = |depth: &f64| found.iter().find(|(at, _)| at == depth)?.1;
         Column::numbers(name, summary.bit_depths_m.iter().map(value).collect())
     };
-    let curves = |quantity: &str, is_torque: bool, of: fn(&PlanPoint) -> Option<f64>| {
+    let curves = |quantity: &str, is_torque: bool, point: fn(&PlanPoint) -> Option<f64>| {
         let mut columns = vec![depth(&[])];
         for model in &summary.models {
             for operation in &summary.operations {
                 for friction in LEVELS {
                     let points = summary.curve(model, operation, friction);
-                    let found: Vec<_> = points.map(|one| at(one.bit_depth_m, of(one))).collect();
+                    let found: Vec<_> = points.map(|one| at(one.bit_depth_m, point(one))).collect();
                     let name = format!("{operation}_{friction}_{model}_{quantity}");
                     columns.push(column(name, &found));
                 }
             }
         }
-        let read: Vec<_> = read.iter().filter(|of| of.is_torque == is_torque).copied().collect();
+        let read: Vec<_> =
+            read.iter().filter(|reading| reading.is_torque == is_torque).copied().collect();
         if read.is_empty() {
             return Table::new(columns);
         }
@@ -125,8 +132,10 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         }
         for operation in &summary.operations {
             let mut values = vec![None; summary.bit_depths_m.len()];
-            let of_operation = |of: &&PlanMeasured| of.operation == *operation;
-            values.extend(read.iter().map(|of| of_operation(of).then(|| of.beside_curves())));
+            let of_operation = |measured: &&PlanMeasured| measured.operation == *operation;
+            values.extend(
+                read.iter().map(|reading| of_operation(reading).then(|| reading.beside_curves())),
+            );
             columns.push(Column::numbers(format!("{operation}_measured_{quantity}"), values));
         }
         Table::new(columns)
@@ -137,16 +146,19 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         let mut columns = table.columns().to_vec();
         let rows = table.rows();
         let uncertain = summary.uncertain.iter();
-        let of: Vec<&UncertainBand> = uncertain.flat_map(|of| &of.bands).collect();
+        let bands: Vec<&UncertainBand> = uncertain.flat_map(|uncertain| &uncertain.bands).collect();
         for operation in &summary.operations {
-            let of = of.iter().filter(|of| of.quantity == quantity && of.operation == *operation);
+            let operation_bands = bands
+                .iter()
+                .filter(|band| band.quantity == quantity && band.operation == *operation);
             for (place, part) in [(0, "p05"), (2, "p50"), (4, "p95")] {
-                let found =
-                    of.clone().filter_map(|of| Some((of.bit_depth_m?, Some(of.quantiles[place]))));
+                let found = operation_bands
+                    .clone()
+                    .filter_map(|band| Some((band.bit_depth_m?, Some(band.quantiles[place]))));
                 let found: Vec<_> = found.collect();
                 if !found.is_empty() {
                     let mut band = column(format!("{operation}_{part}_{quantity}_{unit}"), &found);
-                    // Readings stand below the rows of the curves.
+                    // Readings are below the rows of the curves.
                     if let Data::Number(values) = &mut band.data {
                         values.resize(rows, None);
                     }
@@ -160,21 +172,21 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
     for operation in ["drill", "slide"] {
         for friction in LEVELS {
             let rows = summary.buckling.iter();
-            let rows = rows.filter(|of| of.operation == operation && of.friction == friction);
+            let rows = rows.filter(|row| row.operation == operation && row.friction == friction);
             let rows: Vec<_> = rows.collect();
             for shape in ["sinusoidal", "helical"] {
                 let found: Vec<_> = rows
                     .iter()
-                    .map(|of| match shape {
-                        "sinusoidal" => at(of.bit_depth_m, of.sinusoidal_weight_N),
-                        _ => at(of.bit_depth_m, of.helical_weight_N),
+                    .map(|row| match shape {
+                        "sinusoidal" => at(row.bit_depth_m, row.sinusoidal_weight_N),
+                        _ => at(row.bit_depth_m, row.helical_weight_N),
                     })
                     .collect();
                 weights.push(column(format!("{operation}_{friction}_{shape}_weight_N"), &found));
             }
         }
     }
-    // The weight that the case drills with.
+    // The case's weight on bit while drilling.
     let of_case = weight::on_bit_N(summary).filter(|weight_N| *weight_N > 0.0);
     let of_case: Vec<_> =
         of_case.map(|weight_N| ("case_weight_on_bit_N".to_owned(), weight_N)).into_iter().collect();
@@ -184,7 +196,7 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
             bands(
                 theirs(
                     summary,
-                    curves("hook_load_N", false, |of| Some(of.scalars?.hook_load_N)),
+                    curves("hook_load_N", false, |point| Some(point.scalars?.hook_load_N)),
                     "hook_load_N",
                     false,
                 ),
@@ -196,7 +208,9 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
             bands(
                 theirs(
                     summary,
-                    curves("surface_torque_N_m", true, |of| Some(of.scalars?.surface_torque_N_m)),
+                    curves("surface_torque_N_m", true, |point| {
+                        Some(point.scalars?.surface_torque_N_m)
+                    }),
                     "surface_torque_N_m",
                     true,
                 ),

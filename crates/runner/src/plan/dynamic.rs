@@ -1,4 +1,4 @@
-//! What a plan takes from the dynamics, as results have it.
+//! Dynamic part of a plan, in the form of the results.
 
 use serde::{Deserialize, Serialize};
 use wholestring::outcome::ModelKind;
@@ -11,32 +11,32 @@ use wholestring_plan::{
 use wholestring_results::{PlanCheck, PlanGel, PlanHistory, PlanPeak, PlanPeakOf};
 use wholestring_units::{Dimension, UnitSet};
 
-/// Part of what it comes to by which a hook load may still drift: beyond it the watch was short.
+/// Largest relative drift of a hook load at the end; beyond it the simulated time was too short.
 const DRIFT: f64 = 0.01;
 
-/// A task of the dynamics' part.
+/// A task of the dynamic part.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Run {
     /// An event.
     Event(EventTask),
-    /// An operation that wears casing.
+    /// An operation that contributes to casing wear.
     Wear(WearTask),
 }
 
-/// What came of it.
+/// Outcome of such a task.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) enum Ran {
     /// An event with its samples and limits.
     Event(Box<PlanPeak>, PlanHistory, #[serde(with = "super::packed_checks")] Vec<PlanCheck>),
-    /// What an operation takes of the casings.
+    /// Casing wear by an operation.
     Wear { operation: String, bit_depth_m: f64, found: Result<Share, String> },
 }
 
-/// All that a plan asks of the dynamics.
-pub(super) fn runs(case: &Case, of: &Broomstick) -> Vec<Run> {
+/// All dynamic runs that a plan requires.
+pub(super) fn runs(case: &Case, broomstick: &Broomstick) -> Vec<Run> {
     let plan = &case.plan.dynamic;
     let events = plan.tasks().into_iter().map(Run::Event);
-    let wear = of.campaign().map_or_else(Vec::new, |campaign| plan.wear_tasks(campaign));
+    let wear = broomstick.campaign().map_or_else(Vec::new, |campaign| plan.wear_tasks(campaign));
     events.chain(wear.into_iter().map(Run::Wear)).collect()
 }
 
@@ -49,21 +49,21 @@ impl Run {
         }
     }
 
-    /// Runs it; none where `goes_on` said no on the way.
+    /// Runs the task; `None` if `goes_on` returned false before its end.
     pub(super) fn solve(
         &self,
         case: &Case,
-        of: &Broomstick,
+        broomstick: &Broomstick,
         goes_on: &dyn Fn() -> bool,
     ) -> Option<Ran> {
         let (plan, dynamics) = (&case.plan.dynamic, &case.dynamics);
         match self {
-            Self::Event(task) => match of.solve_event(task, plan, dynamics, goes_on) {
+            Self::Event(task) => match broomstick.solve_event(task, plan, dynamics, goes_on) {
                 Ok(answer) => answer.map(|answer| event(task, answer)),
                 Err(error) => Some(unanswered(task, &error)),
             },
             Self::Wear(task) => {
-                let found = match of.solve_wear(task, plan, dynamics, goes_on) {
+                let found = match broomstick.solve_wear(task, plan, dynamics, goes_on) {
                     Ok(None) => return None,
                     Ok(Some(share)) => Ok(share),
                     Err(error) => Err(error.to_string()),
@@ -108,7 +108,7 @@ fn event(task: &EventTask, answer: EventAnswer) -> Ran {
     let drifts = hook.drift.abs() > DRIFT * hook.steady.abs();
     let message = drifts.then(|| {
         format!(
-            "the hook load still drifts by {:.1} % at the end of the watch",
+            "the hook load still drifts by {:.1} % at the end of the simulated time",
             100.0 * (hook.drift / hook.steady).abs()
         )
     });
@@ -121,7 +121,8 @@ fn event(task: &EventTask, answer: EventAnswer) -> Ran {
         ..row(task)
     };
     let series = answer.history;
-    let pressures = series.pump_pressure_Pa.iter().map(|of| of.unwrap_or(f64::NAN));
+    let pressures =
+        series.pump_pressure_Pa.iter().map(|pump_pressure_Pa| pump_pressure_Pa.unwrap_or(f64::NAN));
     let history = PlanHistory {
         pump_pressure_Pa: pressures.collect(),
         time_s: series.time_s,
@@ -141,31 +142,31 @@ fn event(task: &EventTask, answer: EventAnswer) -> Ran {
     Ran::Event(Box::new(peak), history, limits.collect())
 }
 
-/// All that came of the dynamics' part.
+/// Outcome of the dynamic part.
 #[derive(Debug, Default)]
 pub(super) struct Parts {
     pub(super) peaks: Vec<PlanPeak>,
     pub(super) histories: Vec<PlanHistory>,
     pub(super) limits: Vec<PlanCheck>,
-    /// What wears, by the name of its operation.
+    /// Wear by the name of its operation.
     pub(super) wear: Vec<(String, Share)>,
-    /// Why wear is not known, or not all of it.
+    /// Reasons why wear is unknown or incomplete.
     pub(super) lacking: Vec<String>,
-    /// Runs that were asked for.
-    pub(super) asked: usize,
-    /// Units of the sentences.
+    /// Number of requested runs without an outcome yet.
+    pub(super) pending: usize,
+    /// Units in sentences.
     units: UnitSet,
 }
 
 impl Parts {
-    /// Of so many runs that were asked for, with sentences in these units.
-    pub(super) fn of(asked: usize, units: UnitSet) -> Self {
-        Self { asked, units, ..Self::default() }
+    /// Creates the outcome of `pending` requested runs, with sentences in these units.
+    pub(super) fn of(pending: usize, units: UnitSet) -> Self {
+        Self { pending, units, ..Self::default() }
     }
 
-    /// Adds what came of a run.
+    /// Adds the outcome of a run.
     pub(super) fn add(&mut self, ran: Ran) {
-        self.asked = self.asked.saturating_sub(1);
+        self.pending = self.pending.saturating_sub(1);
         match ran {
             Ran::Event(peak, history, limits) => {
                 self.peaks.push(*peak);
@@ -174,15 +175,15 @@ impl Parts {
             }
             Ran::Wear { operation, found: Ok(share), .. } => self.wear.push((operation, share)),
             Ran::Wear { operation, bit_depth_m, found: Err(why) } => self.lacking.push(format!(
-                "no wear by the dynamics: {} at {}, {why}",
+                "no casing wear from the dynamics: {} at {}, {why}",
                 operation.replace('_', " "),
                 Dimension::Length.format(bit_depth_m, self.units)
             )),
         }
     }
 
-    /// What wears, where all of it is known.
+    /// The wear, if it is complete.
     pub(super) fn whole_wear(&self) -> &[(String, Share)] {
-        if self.asked == 0 && self.lacking.is_empty() { &self.wear } else { &[] }
+        if self.pending == 0 && self.lacking.is_empty() { &self.wear } else { &[] }
     }
 }

@@ -1,11 +1,11 @@
-//! The files of a plan.
+//! Files of a plan.
 
 use wholestring_results::{PlanSummary, ResultsError, ResultsFolder, Table, plan_peaks_table};
 
 use super::drawn::{pictures, with_mud, with_peaks};
 use crate::uncertain::{self, Names};
 
-/// Names of the tables, without their endings.
+/// Names of the tables, without their extensions.
 pub(super) const BROOMSTICK: &str = "plan_broomstick";
 pub(super) const BUCKLING: &str = "plan_buckling";
 pub(super) const FRICTION: &str = "plan_friction";
@@ -19,25 +19,25 @@ pub(super) const OVERLAY: &str = "plan_overlay";
 pub(super) const PEAKS: &str = "plan_peaks";
 pub(super) const PEAKS_TIME: &str = "plan_peaks_time";
 
-/// Tables whose rows the summary has not all of.
+/// Tables that are not completely contained in the summary.
 pub(super) struct Tables {
-    /// Of limits.
+    /// Limits.
     pub(super) limits: Table,
-    /// Of fatigue.
+    /// Fatigue.
     pub(super) fatigue: Table,
-    /// Of casing wear.
+    /// Casing wear.
     pub(super) wear: Table,
-    /// Of the samples of what is uncertain, where anything is.
+    /// Samples of uncertain inputs, if there are any.
     pub(super) samples: Option<Table>,
-    /// Of events against time.
+    /// Time histories of events.
     pub(super) peaks_time: Table,
 }
 
 /// Name of the workbook.
 pub(super) const WORKBOOK: &str = "plan.xlsx";
 
-/// Writes the summary and all tables, as CSV too: the page leads to them; and the numbers of each
-/// picture.
+/// Writes the summary and all tables, also as CSV, because the page links to them; and the numbers
+/// of each picture.
 pub(super) fn write(
     folder: &ResultsFolder,
     summary: &PlanSummary,

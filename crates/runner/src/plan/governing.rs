@@ -1,12 +1,12 @@
-//! The limit that governs each operation, in the summary and in sentences.
+//! The governing limit of each operation, in the summary and in sentences.
 
 use wholestring_plan::dynamic::Event;
 use wholestring_report::operation_name;
 use wholestring_results::{PlanCheck, PlanSummary};
 use wholestring_units::{Dimension, UnitSet};
 
-/// Of each operation the limit with the least reserve among those that break something or stop the
-/// operation: not buckling, nor a requested overpull. In the order of the operations.
+/// For each operation, the limit with the least reserve among those that damage a component or stop
+/// the operation; buckling and a requested overpull are excluded. In the order of the operations.
 pub(super) fn governing(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     let mut found: Vec<&PlanCheck> = Vec::new();
     for row in checks.iter().filter(|row| row.check.kind.stops() && row.check.factor.is_some()) {
@@ -19,7 +19,7 @@ pub(super) fn governing(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     found.into_iter().cloned().collect()
 }
 
-/// A sentence for each operation: which limit governs, of which component, where, and its reserve.
+/// A sentence for each operation: the governing limit, its component and position, and the reserve.
 pub fn governing_sentences(summary: &PlanSummary, units: UnitSet) -> Vec<String> {
     summary.governing.iter().map(|row| sentence(row, units)).collect()
 }

@@ -1,4 +1,4 @@
-//! The sheet of a plan's inputs: well, string, mud, rig, operations and campaign, a line for each.
+//! Sheet of a plan's inputs: well, string, mud, rig, operations and campaign, a line for each.
 
 use serde_json::{Map, Value as Json};
 use wholestring_judge::strength::PSI_PA;
@@ -8,11 +8,11 @@ use wholestring_units::UnitSet;
 
 use crate::page::{dimensions, inputs};
 
-/// Keys of the settings that a plan depends on, those of the dynamics alone left out.
+/// Keys of the settings that a plan depends on, without those of the dynamics only.
 const KEYS: [&str; 10] =
     ["name", "units", "well", "string", "bit", "mud", "rig", "operation", "buckling", "plan"];
 
-/// Lists that are longer are a count: the stations of a survey.
+/// Longer lists, such as the stations of a survey, are shown as a count.
 const MAX_ITEMS: usize = 40;
 
 /// The inputs of a plan.
@@ -49,8 +49,8 @@ pub(super) fn inputs_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
     }
 }
 
-/// Settings of a plan for a person: without the depths, which the roadmap lists, and the
-/// operations of the campaign alone; wear factors in their own unit.
+/// Settings of a plan for display: without the depths, which the roadmap lists, with only the
+/// operations of the campaign, and with wear factors in their own unit.
 fn as_read(plan: &Json) -> Json {
     let mut plan = plan.clone();
     let Some(settings) = plan.as_object_mut() else { return plan };
@@ -76,7 +76,7 @@ fn as_read(plan: &Json) -> Json {
     plan
 }
 
-/// The lines of a table: an input each, or an item of a list each.
+/// Lines of a table, one for each input or list item.
 fn lines(table: &PageTable, units: UnitSet) -> Vec<[String; 3]> {
     let title = || table.title.clone();
     if table.heads.is_empty() {
@@ -100,7 +100,7 @@ fn lines(table: &PageTable, units: UnitSet) -> Vec<[String; 3]> {
     table.rows.iter().enumerate().map(line).collect()
 }
 
-/// A value with its unit; none of nothing.
+/// A value with its unit; `None` for an empty cell.
 fn text(cell: &Cell, units: UnitSet) -> Option<String> {
     let quantities = |values: &[f64], dimension: &str| {
         let unit = dimensions::unit(dimension, units);
@@ -121,7 +121,7 @@ fn text(cell: &Cell, units: UnitSet) -> Option<String> {
     }
 }
 
-/// A number in six digits, without zeros at its end.
+/// A number in six digits, without trailing zeros.
 fn number(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();

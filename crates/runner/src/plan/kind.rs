@@ -1,4 +1,4 @@
-//! What a folder with a plan holds.
+//! Contents of a folder with a plan.
 
 use std::path::Path;
 

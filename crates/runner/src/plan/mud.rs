@@ -1,4 +1,4 @@
-//! What the mud does in a plan.
+//! Hydraulics in a plan.
 
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_case::Case;
@@ -9,11 +9,11 @@ use wholestring_results::{PlanDensity, PlanHydraulics, PlanSummary};
 /// A row for each depth of the plan.
 ///
 /// # Errors
-/// Why there is none: nothing circulates, no flow rate, a mud without a rheology.
+/// The reason why there is none: no circulation, no flow rate, or a mud without a rheology.
 pub(super) fn rows(case: &Case) -> Result<Vec<PlanHydraulics>, String> {
     let plan = &case.plan;
-    let drills = plan.operations.iter().find(|of| of.kind == OperationKind::Drill);
-    let circulates = || plan.operations.iter().find(|of| of.kind.circulates());
+    let drills = plan.operations.iter().find(|operation| operation.kind == OperationKind::Drill);
+    let circulates = || plan.operations.iter().find(|operation| operation.kind.circulates());
     let operation = drills.or_else(circulates).ok_or("no operation circulates, for hydraulics")?;
     if operation.flow_now_m3_per_s() == 0.0 {
         return Err("no flow_rate, for hydraulics".to_owned());
@@ -23,24 +23,24 @@ pub(super) fn rows(case: &Case) -> Result<Vec<PlanHydraulics>, String> {
         HydraulicsError::NoRheology => "no rheology of the mud, for hydraulics".to_owned(),
         HydraulicsError::Assembly(error) => error.to_string(),
     })?;
-    Ok(found.iter().map(|of| row(operation, of)).collect())
+    Ok(found.iter().map(|hydraulics_row| row(operation, hydraulics_row)).collect())
 }
 
-fn row(operation: &Operation, of: &HydraulicsRow) -> PlanHydraulics {
-    let density = |of: EquivalentDensity| PlanDensity {
-        shoe_kg_per_m3: of.shoe_kg_per_m3,
-        bit_kg_per_m3: of.bit_kg_per_m3,
+fn row(operation: &Operation, row: &HydraulicsRow) -> PlanHydraulics {
+    let density = |density: EquivalentDensity| PlanDensity {
+        shoe_kg_per_m3: density.shoe_kg_per_m3,
+        bit_kg_per_m3: density.bit_kg_per_m3,
     };
     let [[surge_closed, surge_open], [swab_closed, swab_open]] =
-        [of.surge, of.swab].map(|ends| ends.map(density));
+        [row.surge, row.swab].map(|ends| ends.map(density));
     PlanHydraulics {
         operation: operation.kind.name().to_owned(),
-        bit_depth_m: of.bit_depth_m,
-        standpipe_pressure_Pa: of.standpipe_Pa,
-        bore_loss_Pa: of.bore_loss_Pa,
-        bit_loss_Pa: of.bit_loss_Pa,
-        annulus_loss_Pa: of.annulus_loss_Pa,
-        circulating: density(of.circulating),
+        bit_depth_m: row.bit_depth_m,
+        standpipe_pressure_Pa: row.standpipe_Pa,
+        bore_loss_Pa: row.bore_loss_Pa,
+        bit_loss_Pa: row.bit_loss_Pa,
+        annulus_loss_Pa: row.annulus_loss_Pa,
+        circulating: density(row.circulating),
         surge_closed,
         surge_open,
         swab_closed,
@@ -48,7 +48,7 @@ fn row(operation: &Operation, of: &HydraulicsRow) -> PlanHydraulics {
     }
 }
 
-/// The same as the page shows it.
+/// The same in the form of the page.
 pub(super) fn shown(summary: &PlanSummary) -> Option<PlanMud> {
     let first = summary.hydraulics.first()?;
     let settings = &summary.settings;
@@ -60,11 +60,13 @@ pub(super) fn shown(summary: &PlanSummary) -> Option<PlanMud> {
     })
 }
 
-fn spot(of: &PlanHydraulics) -> PlanMudRow {
+fn spot(hydraulics: &PlanHydraulics) -> PlanMudRow {
     PlanMudRow {
-        bit_depth_m: of.bit_depth_m,
-        standpipe_Pa: of.standpipe_pressure_Pa,
-        at_shoe_kg_per_m3: of.densities().map(|(_, at)| at.shoe_kg_per_m3.unwrap_or(f64::NAN)),
-        at_bit_kg_per_m3: of.densities().map(|(_, at)| at.bit_kg_per_m3),
+        bit_depth_m: hydraulics.bit_depth_m,
+        standpipe_Pa: hydraulics.standpipe_pressure_Pa,
+        at_shoe_kg_per_m3: hydraulics
+            .densities()
+            .map(|(_, at)| at.shoe_kg_per_m3.unwrap_or(f64::NAN)),
+        at_bit_kg_per_m3: hydraulics.densities().map(|(_, at)| at.bit_kg_per_m3),
     }
 }

@@ -1,4 +1,4 @@
-//! What comes of a plan.
+//! Execution and outcome of a plan.
 
 use wholestring_report::Plan;
 use wholestring_results::{Occupant, PlanSummary, digest};
@@ -15,20 +15,20 @@ use crate::{
     observer::Observer, results_kind::Results, uncertain::Sampler,
 };
 
-/// What came of it.
+/// Outcome of a plan.
 #[derive(Debug)]
 pub struct Outcome {
-    /// What was found, as `summary.json` has it.
+    /// Results, as in `summary.json`.
     pub summary: PlanSummary,
-    /// How much of it is finished.
+    /// Number of finished tasks.
     pub batch: BatchOutcome,
 }
 
-/// Solves every operation at every depth with every friction, and writes the tables, the pictures,
-/// the page and the workbook. What has no answer is a row with its reason.
+/// Solves every operation at every depth with every friction level, and writes the tables, the
+/// pictures, the page and the workbook. A point without a solution is a row with the reason.
 ///
 /// # Errors
-/// A folder that the results cannot go to.
+/// A folder that cannot take the results.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -38,7 +38,11 @@ pub fn run(
     let broomstick = case.broomstick().map_err(Error::failed)?;
     let measured = Measured::of(request)?;
     let read = case.plan.measured.as_ref();
-    let identity = digest(&(case.identity(), &case.plan, read.map(|of| format!("{of:?}"))));
+    let identity = digest(&(
+        case.identity(),
+        &case.plan,
+        read.map(|measurements| format!("{measurements:?}")),
+    ));
     let name = format!("{} plan", case.name);
     let occupant = Occupant { kind: "plan".into(), name, identity: identity.clone() };
     let claimed = Claim {
@@ -51,8 +55,9 @@ pub fn run(
         observer.note(&format!("{}: {}", read.file, read.notes.join("; ")));
     }
     let sampler = Sampler::of(case, request.template, request.overrides);
-    let of = Solvers { broomstick: &broomstick, measured: &measured, sampler: sampler.as_ref() };
-    let work = Work::new(request, of, identity, folder, observer, cancellation)?;
+    let solvers =
+        Solvers { broomstick: &broomstick, measured: &measured, sampler: sampler.as_ref() };
+    let work = Work::new(request, solvers, identity, folder, observer, cancellation)?;
     work.solve_all()?;
     let Ended { mut summary, tables, batch } = work.end();
     if let Some(overlay) = &request.overlay {

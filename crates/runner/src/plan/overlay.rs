@@ -1,4 +1,4 @@
-//! Another program's curves, laid over those of a plan.
+//! Curves of another program overlaid on those of a plan.
 
 use std::path::Path;
 
@@ -12,15 +12,15 @@ use crate::{error::Error, survey};
 /// Weights and torques that another program computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overlay {
-    /// Name of the file, as the page calls it.
+    /// Name of the file on the page.
     pub file: String,
-    /// By their order in the file.
+    /// Readings in the order of the file.
     pub readings: Vec<ImportedReading>,
-    /// How the file was understood, in sentences.
+    /// Interpretation of the file, in sentences.
     pub notes: Vec<String>,
 }
 
-/// What a reading has of an operation.
+/// Quantity of a reading in an operation.
 struct Quantity {
     operation: OperationKind,
     is_torque: bool,
@@ -28,35 +28,43 @@ struct Quantity {
 }
 
 const QUANTITIES: [Quantity; 5] = [
-    Quantity { operation: OperationKind::TripOut, is_torque: false, theirs: |of| of.pick_up_N },
-    Quantity { operation: OperationKind::TripIn, is_torque: false, theirs: |of| of.slack_off_N },
+    Quantity {
+        operation: OperationKind::TripOut,
+        is_torque: false,
+        theirs: |reading| reading.pick_up_N,
+    },
+    Quantity {
+        operation: OperationKind::TripIn,
+        is_torque: false,
+        theirs: |reading| reading.slack_off_N,
+    },
     Quantity {
         operation: OperationKind::RotateOffBottom,
         is_torque: false,
-        theirs: |of| of.rotating_N,
+        theirs: |reading| reading.rotating_N,
     },
     Quantity {
         operation: OperationKind::RotateOffBottom,
         is_torque: true,
-        theirs: |of| of.torque_N_m,
+        theirs: |reading| reading.torque_N_m,
     },
     Quantity {
         operation: OperationKind::Drill,
         is_torque: true,
-        theirs: |of| of.torque_on_bottom_N_m,
+        theirs: |reading| reading.torque_on_bottom_N_m,
     },
 ];
 
 impl Overlay {
-    /// Reads a file of weights and torques: CSV or Excel, as measured ones are.
+    /// Reads a file of weights and torques in the format of measurements, CSV or Excel.
     ///
     /// # Errors
-    /// A file that cannot be read, or has none.
+    /// A file that cannot be read, or contains none.
     pub fn read(path: &Path) -> Result<Self, Error> {
         Self::of_bytes(&path.display().to_string(), &survey::bytes(path, "curves")?)
     }
 
-    /// Reads the bytes of such a file, which is called so.
+    /// Reads the bytes of such a file with this name.
     ///
     /// # Errors
     /// Bytes that are no such file.
@@ -67,19 +75,23 @@ impl Overlay {
         Ok(Self { file, readings: imported.readings, notes: imported.notes })
     }
 
-    /// Theirs beside ours at their depths, with what of it the plan does not do in sentences.
+    /// Compares the other program's values with the plan at their depths; returns sentences on
+    /// values outside the plan.
     pub(super) fn laid_over(&self, summary: &PlanSummary) -> (PlanOverlay, Vec<String>) {
         let mut rows = Vec::new();
         let mut without = Vec::new();
         for quantity in QUANTITIES {
             let name = quantity.operation.name();
-            let mut theirs: Vec<(&ImportedReading, f64)> =
-                self.readings.iter().filter_map(|of| Some((of, (quantity.theirs)(of)?))).collect();
+            let mut theirs: Vec<(&ImportedReading, f64)> = self
+                .readings
+                .iter()
+                .filter_map(|reading| Some((reading, (quantity.theirs)(reading)?)))
+                .collect();
             if !summary.operations.iter().any(|own| own == name) {
                 if !theirs.is_empty() {
                     let what = if quantity.is_torque { "torques" } else { "hook loads" };
                     without.push(format!(
-                        "left out: its {what} of '{name}', which the plan does not do"
+                        "left out: its {what} of '{name}', an operation that is not in the plan"
                     ));
                 }
                 continue;
@@ -87,39 +99,39 @@ impl Overlay {
             theirs.sort_by(|a, b| a.0.bit_depth_m.total_cmp(&b.0.bit_depth_m));
             for model in &summary.models {
                 let ours = curve(summary, model, name, quantity.is_torque);
-                rows.extend(theirs.iter().map(|(of, theirs)| PlanOverlayRow {
+                rows.extend(theirs.iter().map(|(their, theirs)| PlanOverlayRow {
                     model: model.clone(),
                     operation: name.to_owned(),
-                    place: of.place.clone(),
+                    place: their.place.clone(),
                     is_torque: quantity.is_torque,
-                    bit_depth_m: of.bit_depth_m,
+                    bit_depth_m: their.bit_depth_m,
                     theirs: *theirs,
-                    ours: between(&ours, of.bit_depth_m),
+                    ours: between(&ours, their.bit_depth_m),
                 }));
             }
         }
-        // Model after model.
+        // Ordered by model.
         let place = |model: &str| summary.models.iter().position(|own| own == model);
-        rows.sort_by_key(|of: &PlanOverlayRow| place(&of.model));
+        rows.sort_by_key(|row: &PlanOverlayRow| place(&row.model));
         (PlanOverlay::new(self.file.clone(), rows), without)
     }
 }
 
-/// Depths of the bit and what we expect there; no number without an answer.
+/// Depths of the bit and expected values of the plan there; NaN without a solution.
 fn curve(summary: &PlanSummary, model: &str, operation: &str, is_torque: bool) -> Vec<(f64, f64)> {
     let points = summary.curve(model, operation, LEVELS[1]);
-    let value = |of: &wholestring_results::PlanPoint| match (of.scalars, is_torque) {
+    let value = |point: &wholestring_results::PlanPoint| match (point.scalars, is_torque) {
         (Some(scalars), true) => scalars.surface_torque_N_m,
         (Some(scalars), false) => scalars.hook_load_N,
         (None, _) => f64::NAN,
     };
-    points.map(|of| (of.bit_depth_m, value(of))).collect()
+    points.map(|point| (point.bit_depth_m, value(point))).collect()
 }
 
-/// A depth that is that of a point but for rounding is at it, m.
+/// Depths within this distance are equal except for rounding, m.
 const ROUNDED_M: f64 = 0.01;
 
-/// The value at a depth on a straight line between two depths; none beyond the first and the last.
+/// Linear interpolation at a depth; `None` beyond the first and the last point.
 fn between(curve: &[(f64, f64)], depth_m: f64) -> Option<f64> {
     if let Some((_, value)) = curve.iter().find(|(at, _)| (at - depth_m).abs() < ROUNDED_M) {
         return value.is_finite().then_some(*value);

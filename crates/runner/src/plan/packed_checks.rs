@@ -1,5 +1,5 @@
-//! Checks of a plan as its checkpoint holds them: a format without names cannot take a check's
-//! fields in among those of its row.
+//! Checks of a plan in its checkpoint, whose format has no names and so cannot flatten the fields
+//! of a check into those of its row.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use wholestring_judge::Check;
@@ -12,8 +12,8 @@ pub(super) fn serialize<S: Serializer>(
     checks: &[PlanCheck],
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    let row = |of: &PlanCheck| -> Row {
-        let PlanCheck { model, friction, operation, bit_depth_m, check } = of.clone();
+    let row = |row: &PlanCheck| -> Row {
+        let PlanCheck { model, friction, operation, bit_depth_m, check } = row.clone();
         (model, friction, operation, bit_depth_m, check)
     };
     checks.iter().map(row).collect::<Vec<Row>>().serialize(serializer)

@@ -1,4 +1,4 @@
-//! The page, the pictures and the workbook of a plan, made from the files that it left.
+//! The page, the pictures and the workbook of a plan, made from the files in its folder.
 
 use std::path::Path;
 
@@ -38,7 +38,7 @@ pub(super) fn write_workbook(
     Ok(folder.write_file(WORKBOOK, &bytes)?)
 }
 
-/// Makes page, pictures and workbook again.
+/// Rewrites page, pictures and workbook.
 pub(super) fn write_again(
     folder: &ResultsFolder,
     units: Option<UnitSet>,
@@ -61,9 +61,9 @@ pub(crate) fn workbook_of(
     Ok(workbook(&summary, &tables, units))
 }
 
-/// The tables of a plan that its summary does not hold.
+/// Tables of a plan that are not in its summary.
 fn tables(folder: &Path, summary: &PlanSummary, peaks_time: Table) -> Result<Tables, ResultsError> {
-    // Limits are read by programs alone: what a page shows of them is in the summary.
+    // The table of limits is for programs only; the page reads them from the summary.
     let [fatigue, wear] = [FATIGUE, WEAR].map(|name| table(folder, name));
     let samples = summary.uncertain.as_ref().map(|_| table(folder, Names::PLAN.samples));
     let samples = samples.transpose()?;
@@ -76,7 +76,7 @@ fn tables(folder: &Path, summary: &PlanSummary, peaks_time: Table) -> Result<Tab
     })
 }
 
-/// Everything that is reported of a plan.
+/// Page data of a plan.
 pub(super) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, ResultsError> {
     let summary = PlanSummary::read(&folder.join("summary.json"))?;
     Ok(of_summary(&summary, &table(folder, PEAKS_TIME)?, units))
@@ -84,7 +84,7 @@ pub(super) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, Resu
 
 fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>) -> Plan {
     let settings = &summary.settings;
-    let number = |of: &Json| of.as_f64();
+    let number = |value: &Json| value.as_f64();
     let message = (summary.missing > 0).then(|| {
         format!(
             "The plan was interrupted: {} of {} points are missing.",
@@ -113,7 +113,10 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         events: peaks::events(summary, peaks_time),
         block_N: number(&settings["rig"]["block_weight_N"]),
         surface_limits: summary.surface_limits.iter().map(surface::shown).collect(),
-        uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::PLAN)),
+        uncertain: summary
+            .uncertain
+            .as_ref()
+            .map(|uncertain| uncertain::shown(uncertain, &Names::PLAN)),
         weight_on_bit_N: weight::on_bit_N(summary),
         measured: summary.measured.iter().map(measured).collect(),
         overlay: summary.overlay.as_ref().map(overlay),
@@ -121,14 +124,14 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
 }
 
 fn level(summary: &PlanSummary, name: &str) -> PlanLevel {
-    let sections = summary.frictions.iter().filter(|of| of.friction == name);
-    let sections = sections.map(|of| {
-        let kind = if of.kind == "casing" { "casing" } else { "open hole" };
-        let around = match of.around == of.along {
+    let sections = summary.frictions.iter().filter(|friction| friction.friction == name);
+    let sections = sections.map(|section| {
+        let kind = if section.kind == "casing" { "casing" } else { "open hole" };
+        let around = match section.around == section.along {
             true => String::new(),
-            false => format!(", {} around", short(of.around)),
+            false => format!(", {} around", short(section.around)),
         };
-        format!("{kind} {}{around}", short(of.along))
+        format!("{kind} {}{around}", short(section.along))
     });
     let mut sections: Vec<String> = sections.collect();
     sections.dedup();
@@ -152,15 +155,15 @@ fn curves(summary: &PlanSummary) -> Vec<PlanCurve> {
     curves
 }
 
-fn spot(of: &PlanPoint) -> PlanSpot {
-    let number = |of: Option<f64>| of.unwrap_or(f64::NAN);
+fn spot(point: &PlanPoint) -> PlanSpot {
+    let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
     PlanSpot {
-        bit_depth_m: of.bit_depth_m,
-        hook_load_N: number(of.scalars.map(|of| of.hook_load_N)),
-        torque_N_m: number(of.scalars.map(|of| of.surface_torque_N_m)),
-        buckling: of.buckling.clone().unwrap_or_default(),
-        worst: of.worst.as_ref().map(|worst| (worst.kind.label().to_owned(), worst.severity)),
-        message: of.message.clone(),
+        bit_depth_m: point.bit_depth_m,
+        hook_load_N: number(point.scalars.map(|scalar| scalar.hook_load_N)),
+        torque_N_m: number(point.scalars.map(|scalar| scalar.surface_torque_N_m)),
+        buckling: point.buckling.clone().unwrap_or_default(),
+        worst: point.worst.as_ref().map(|worst| (worst.kind.label().to_owned(), worst.severity)),
+        message: point.message.clone(),
     }
 }
 
@@ -169,11 +172,11 @@ fn buckling(summary: &PlanSummary) -> Vec<BucklingCurve> {
     for operation in ["drill", "slide"] {
         for (level, friction) in LEVELS.iter().enumerate() {
             let rows = summary.buckling.iter();
-            let rows = rows.filter(|of| of.operation == operation && of.friction == *friction);
-            let number = |of: Option<f64>| of.unwrap_or(f64::NAN);
-            let points = rows.map(|of| {
-                let weights = [of.sinusoidal_weight_N, of.helical_weight_N];
-                (of.bit_depth_m, weights.map(number))
+            let rows = rows.filter(|row| row.operation == operation && row.friction == *friction);
+            let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
+            let points = rows.map(|row| {
+                let weights = [row.sinusoidal_weight_N, row.helical_weight_N];
+                (row.bit_depth_m, weights.map(number))
             });
             let points = points.collect();
             curves.push(BucklingCurve { operation: operation.to_owned(), level, points });
@@ -182,7 +185,7 @@ fn buckling(summary: &PlanSummary) -> Vec<BucklingCurve> {
     curves
 }
 
-/// A limit as the page shows it; none of a check without a load and a capacity.
+/// A limit in the form of the page; `None` for a check without a load and a capacity.
 fn limit(row: &PlanCheck) -> Option<PlanLimitRow> {
     let check = &row.check;
     Some(PlanLimitRow {
@@ -208,7 +211,7 @@ fn operation(row: &PlanCheck) -> String {
         .map_or_else(|| row.operation.clone(), |event| format!("{}, dynamics", event.label()))
 }
 
-/// The checks that need attention, the most severe first.
+/// Checks that require attention, the most severe first.
 fn verdicts(summary: &PlanSummary) -> Vec<PlanVerdict> {
     let mut rows: Vec<&PlanCheck> =
         summary.checks.iter().filter(|row| row.check.severity >= Severity::Warning).collect();
@@ -226,100 +229,107 @@ fn verdicts(summary: &PlanSummary) -> Vec<PlanVerdict> {
     rows.iter().map(verdict).collect()
 }
 
-fn fatigue(of: &PlanFatigue) -> PlanFatigueRow {
+fn fatigue(fatigue: &PlanFatigue) -> PlanFatigueRow {
     PlanFatigueRow {
-        model: of.model.clone(),
-        component: of.component.clone(),
-        damage: of.damage,
-        hour: of.hour.map(|hour| PlanFatigueHourRow {
+        model: fatigue.model.clone(),
+        component: fatigue.component.clone(),
+        damage: fatigue.damage,
+        hour: fatigue.hour.map(|hour| PlanFatigueHourRow {
             md_m: hour.md_m,
             damage_per_hour: hour.damage_per_hour,
             bending_Pa: hour.bending_Pa,
             doglegs_rad_per_m: [Some(hour.dogleg_rad_per_m), hour.permissible_dogleg_rad_per_m]
-                .map(|of| of.unwrap_or(f64::NAN)),
+                .map(|dogleg| dogleg.unwrap_or(f64::NAN)),
         }),
     }
 }
 
-fn wear(of: &PlanWear) -> PlanWearRow {
-    let number = |of: Option<f64>| of.unwrap_or(f64::NAN);
+fn wear(wear: &PlanWear) -> PlanWearRow {
+    let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
     PlanWearRow {
-        model: of.model.clone(),
-        section: of.section,
-        md_m: of.md_m,
-        groove_m: number(of.groove_m),
-        wall_left_m: number(of.wall_left_m),
-        worn: number(of.worn),
-        burst_Pa: of.burst_Pa.unwrap_or([f64::NAN; 2]),
-        collapse_Pa: of.collapse_Pa.unwrap_or([f64::NAN; 2]),
+        model: wear.model.clone(),
+        section: wear.section,
+        md_m: wear.md_m,
+        groove_m: number(wear.groove_m),
+        wall_left_m: number(wear.wall_left_m),
+        worn: number(wear.worn),
+        burst_Pa: wear.burst_Pa.unwrap_or([f64::NAN; 2]),
+        collapse_Pa: wear.collapse_Pa.unwrap_or([f64::NAN; 2]),
     }
 }
 
-fn measured(of: &wholestring_results::PlanMeasured) -> PlanMeasured {
+fn measured(measured: &wholestring_results::PlanMeasured) -> PlanMeasured {
     PlanMeasured {
-        model: of.model.clone(),
-        place: of.place.clone(),
-        operation: of.operation.clone(),
-        is_torque: of.is_torque,
-        held_out: of.held_out,
-        bit_depth_m: of.bit_depth_m,
-        measured: of.measured,
-        block_N: of.block_N,
-        predicted: of.predicted.map(|value| value.unwrap_or(f64::NAN)),
-        between: of.between(),
-        message: of.message.clone(),
+        model: measured.model.clone(),
+        place: measured.place.clone(),
+        operation: measured.operation.clone(),
+        is_torque: measured.is_torque,
+        held_out: measured.held_out,
+        bit_depth_m: measured.bit_depth_m,
+        measured: measured.measured,
+        block_N: measured.block_N,
+        predicted: measured.predicted.map(|value| value.unwrap_or(f64::NAN)),
+        between: measured.between(),
+        message: measured.message.clone(),
     }
 }
 
-fn overlay(of: &wholestring_results::PlanOverlay) -> PlanOverlay {
-    let rows = of.rows.iter().map(|row| PlanOverlayRow {
+fn overlay(overlay: &wholestring_results::PlanOverlay) -> PlanOverlay {
+    let rows = overlay.rows.iter().map(|row| PlanOverlayRow {
         model: row.model.clone(),
         operation: row.operation.clone(),
         is_torque: row.is_torque,
         bit_depth_m: row.bit_depth_m,
         theirs: row.theirs,
     });
-    let differences = of.differences.iter().map(|of| PlanOverlayDifference {
-        model: of.model.clone(),
-        operation: of.operation.clone(),
-        is_torque: of.is_torque,
-        count: of.count,
-        mean: of.mean,
-        largest: of.largest,
-        largest_at_m: of.largest_at_m,
-        theirs_there: of.theirs_there,
-        largest_part: of.largest_part,
+    let differences = overlay.differences.iter().map(|difference| PlanOverlayDifference {
+        model: difference.model.clone(),
+        operation: difference.operation.clone(),
+        is_torque: difference.is_torque,
+        count: difference.count,
+        mean: difference.mean,
+        largest: difference.largest,
+        largest_at_m: difference.largest_at_m,
+        theirs_there: difference.theirs_there,
+        largest_part: difference.largest_part,
     });
-    PlanOverlay { file: of.file.clone(), rows: rows.collect(), differences: differences.collect() }
+    PlanOverlay {
+        file: overlay.file.clone(),
+        rows: rows.collect(),
+        differences: differences.collect(),
+    }
 }
 
-/// Sections of the hole with the friction that is expected.
+/// Sections of the hole with the expected friction.
 fn hole(summary: &PlanSummary) -> Vec<Section> {
     let holes = summary.settings["well"]["hole"].as_array();
-    let diameters = holes.into_iter().flatten().map(|of| of["diameter_m"].as_f64());
-    let sections = summary.frictions.iter().filter(|of| of.friction == "expected");
-    let section = |(of, diameter_m): (&wholestring_results::PlanFriction, Option<f64>)| Section {
-        kind: of.kind.clone(),
-        from_m: of.from_md_m,
-        to_m: of.to_md_m,
-        diameter_m: diameter_m.unwrap_or(f64::NAN),
-        friction: of.along,
-    };
+    let diameters = holes.into_iter().flatten().map(|hole| hole["diameter_m"].as_f64());
+    let sections = summary.frictions.iter().filter(|friction| friction.friction == "expected");
+    let section =
+        |(friction, diameter_m): (&wholestring_results::PlanFriction, Option<f64>)| Section {
+            kind: friction.kind.clone(),
+            from_m: friction.from_md_m,
+            to_m: friction.to_md_m,
+            diameter_m: diameter_m.unwrap_or(f64::NAN),
+            friction: friction.along,
+        };
     sections.zip(diameters).map(section).collect()
 }
 
-/// The plan in a few facts.
+/// Key facts of the plan.
 fn facts(summary: &PlanSummary) -> Vec<Fact> {
     let settings = &summary.settings;
     let fact = |label: &str, value: Cell| Fact { label: label.into(), value };
-    let quantity = |of: &Json, dimension: &str| {
-        of.as_f64().map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
+    let quantity = |number: &Json, dimension: &str| {
+        number.as_f64().map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
     };
-    let names: Vec<String> = summary.operations.iter().map(|of| operation_name(of)).collect();
-    let models: Vec<String> = summary.models.iter().map(|of| format!("{of} string")).collect();
-    let frictions: Vec<String> = LEVELS.iter().map(|of| label(summary, of)).collect();
+    let names: Vec<String> =
+        summary.operations.iter().map(|operation| operation_name(operation)).collect();
+    let models: Vec<String> =
+        summary.models.iter().map(|model| format!("{model} string")).collect();
+    let frictions: Vec<String> = LEVELS.iter().map(|level| label(summary, level)).collect();
     let depths = &summary.bit_depths_m;
-    let ends = [depths.first(), depths.last()].map(|of| of.copied().unwrap_or(f64::NAN));
+    let ends = [depths.first(), depths.last()].map(|depth| depth.copied().unwrap_or(f64::NAN));
     vec![
         fact("Operations", Cell::Text(names.join(", "))),
         fact("Solved by", Cell::Text(models.join(", "))),

@@ -1,4 +1,4 @@
-//! What a plan's page says of peaks.
+//! Peaks on a plan's page.
 
 use wholestring_plan::dynamic::Event;
 use wholestring_report::{PlanEvent, PlanPeakRow};
@@ -8,19 +8,19 @@ use super::levels::LEVELS;
 
 /// Every event with its samples.
 pub(super) fn events(summary: &PlanSummary, samples: &Table) -> Vec<PlanEvent> {
-    summary.peaks.iter().map(|of| event(of, samples)).collect()
+    summary.peaks.iter().map(|peak| event(peak, samples)).collect()
 }
 
-fn event(of: &PlanPeak, samples: &Table) -> PlanEvent {
-    let rows = rows(of, samples);
+fn event(peak: &PlanPeak, samples: &Table) -> PlanEvent {
+    let rows = rows(peak, samples);
     let column = |name: &str| {
         let values = samples.numbers(name).unwrap_or_default();
         rows.iter().map(|row| values[*row].unwrap_or(f64::NAN)).collect::<Vec<f64>>()
     };
     let peaks = [
-        ("hook load", "force", of.hook_load_N),
-        ("surface torque", "torque", of.surface_torque_N_m),
-        ("pump pressure", "pressure", of.pump_pressure_Pa),
+        ("hook load", "force", peak.hook_load_N),
+        ("surface torque", "torque", peak.surface_torque_N_m),
+        ("pump pressure", "pressure", peak.pump_pressure_Pa),
     ];
     let row = |(quantity, dimension, peak): (&'static str, &str, Option<PlanPeakOf>)| {
         let PlanPeakOf { at_rest, peak, time_s, steady, drift: _, ratio, overshoot } = peak?;
@@ -36,32 +36,32 @@ fn event(of: &PlanPeak, samples: &Table) -> PlanEvent {
         })
     };
     PlanEvent {
-        name: Event::from_name(&of.event)
-            .map_or_else(|| of.event.clone(), |event| event.label().to_owned()),
-        level: LEVELS.iter().position(|level| *level == of.friction).unwrap_or(0),
-        bit_depth_m: of.bit_depth_m,
+        name: Event::from_name(&peak.event)
+            .map_or_else(|| peak.event.clone(), |event| event.label().to_owned()),
+        level: LEVELS.iter().position(|level| *level == peak.friction).unwrap_or(0),
+        bit_depth_m: peak.bit_depth_m,
         peaks: peaks.into_iter().filter_map(row).collect(),
-        gel_Pa: of.gel.map(|gel| gel.bore_Pa + gel.annulus_Pa),
-        gel_lift_N: of.gel.map_or(f64::NAN, |gel| gel.lift_N),
+        gel_Pa: peak.gel.map(|gel| gel.bore_Pa + gel.annulus_Pa),
+        gel_lift_N: peak.gel.map_or(f64::NAN, |gel| gel.lift_N),
         time_s: column("time_s"),
         hook_load_N: column("hook_load_N"),
         torque_N_m: column("surface_torque_N_m"),
         pump_Pa: column("pump_pressure_Pa"),
-        message: of.message.clone(),
+        message: peak.message.clone(),
     }
 }
 
-/// The rows of an event among the samples of all.
-fn rows(of: &PlanPeak, samples: &Table) -> Vec<usize> {
+/// Rows of an event in the samples of all.
+fn rows(peak: &PlanPeak, samples: &Table) -> Vec<usize> {
     let (Some(events), Some(frictions), Some(depths)) =
         (samples.words("event"), samples.words("friction"), samples.numbers("bit_depth_m"))
     else {
         return Vec::new();
     };
     let is_its = |row: &usize| {
-        events[*row] == of.event
-            && frictions[*row] == of.friction
-            && depths[*row] == Some(of.bit_depth_m)
+        events[*row] == peak.event
+            && frictions[*row] == peak.friction
+            && depths[*row] == Some(peak.bit_depth_m)
     };
     (0..samples.rows()).filter(is_its).collect()
 }

@@ -1,4 +1,4 @@
-//! A plan that is requested.
+//! Request of a plan.
 
 use std::{num::NonZeroUsize, time::Duration};
 
@@ -8,26 +8,26 @@ use wholestring_units::UnitSet;
 use super::overlay::Overlay;
 use crate::output::Output;
 
-/// A case whose plan is to be made.
+/// Request to make the plan of a case.
 #[derive(Debug)]
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Its text, to be read again with each sample of what is uncertain in it, and with what a row of
-    /// measured weights changes.
+    /// Text of the case, which is read again with each sample of its uncertain inputs and with the
+    /// changes of a row of measured weights.
     pub template: &'a Template,
-    /// What is changed in it.
+    /// Changes of the case.
     pub overrides: &'a [Override],
-    /// Units of the page, the pictures and the workbook; the case's by default.
+    /// Units of the page, the pictures and the workbook; by default those of the case.
     pub units: Option<UnitSet>,
-    /// Where the results go.
+    /// Destination of the results.
     pub output: Output,
     /// Number of parallel jobs; one per core by default.
     pub jobs: Option<NonZeroUsize>,
-    /// Wall-clock time between checkpoints; the case's by default.
+    /// Wall-clock time between checkpoints; by default that of the case.
     pub checkpoint_every: Option<Duration>,
-    /// Another program's curves, to be laid over those of the plan.
+    /// Curves of another program to overlay on those of the plan.
     pub overlay: Option<Overlay>,
-    /// Whether the pictures are painted as PNG too.
+    /// Whether to also write PNG images.
     pub png: bool,
 }

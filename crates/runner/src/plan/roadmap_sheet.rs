@@ -1,5 +1,4 @@
-//! The roadmap of a plan: hook loads and torques of every operation, a row for each depth of the
-//! bit.
+//! Roadmap of a plan: hook loads and torques of every operation, a row for each depth of the bit.
 
 use wholestring::operation::OperationKind;
 use wholestring_report::{Cells, Sheet, SheetColumn, operation_name};
@@ -35,28 +34,30 @@ pub(super) fn roadmap_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
             },
         );
     }
-    let mut add =
-        |operation: &str, what: &str, dimension: Dimension, of: fn(&PlanPoint) -> Option<f64>| {
-            let unit = dimension.unit_in(units);
-            for level in LEVELS {
-                let value = |(model, depth_m): &(&String, f64)| {
-                    let mut curve = summary.curve(model, operation, level);
-                    let point = curve.find(|point| point.bit_depth_m == *depth_m)?;
-                    Some(unit.from_si(of(point)?))
-                };
-                columns.push(SheetColumn {
-                    heading: format!("{} {what} {level}", operation_name(operation)),
-                    unit: pretty(unit.symbol),
-                    meaning: format!(
-                        "{} of {} with {level} friction; empty without an answer, which is on the \
+    let mut add = |operation: &str,
+                   what: &str,
+                   dimension: Dimension,
+                   quantity: fn(&PlanPoint) -> Option<f64>| {
+        let unit = dimension.unit_in(units);
+        for level in LEVELS {
+            let value = |(model, depth_m): &(&String, f64)| {
+                let mut curve = summary.curve(model, operation, level);
+                let point = curve.find(|point| point.bit_depth_m == *depth_m)?;
+                Some(unit.from_si(quantity(point)?))
+            };
+            columns.push(SheetColumn {
+                heading: format!("{} {what} {level}", operation_name(operation)),
+                unit: pretty(unit.symbol),
+                meaning: format!(
+                    "{} of {} with {level} friction; empty without an answer, which is on the \
                      sheet Verdict",
-                        if what == "torque" { "Surface torque" } else { "Hook load without block" },
-                        operation_name(operation)
-                    ),
-                    cells: Cells::Numbers(rows.iter().map(value).collect()),
-                });
-            }
-        };
+                    if what == "torque" { "Surface torque" } else { "Hook load without block" },
+                    operation_name(operation)
+                ),
+                cells: Cells::Numbers(rows.iter().map(value).collect()),
+            });
+        }
+    };
     for operation in &summary.operations {
         add(operation, "hook load", Dimension::Force, |point| Some(point.scalars?.hook_load_N));
     }

@@ -1,9 +1,9 @@
-//! What was found as results have it.
+//! Results in the form of the tables.
 
 use std::collections::BTreeSet;
 
 use wholestring::well::HoleKind;
-use wholestring_judge::{Check, Unchecked};
+use wholestring_judge::{Check, Judge, Unchecked};
 use wholestring_plan::{Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel};
 use wholestring_results::{PlanBuckling, PlanCheck, PlanFriction, PlanPoint};
 
@@ -18,13 +18,16 @@ pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
             scalars: answer.map(|answer| answer.scalars),
             buckling: answer.map(|answer| answer.buckling.name().to_owned()),
             worst: point.checks.most_severe().cloned(),
-            message: point.outcome.as_ref().err().map(ToString::to_string),
+            message: match answer {
+                Some(_) => None,
+                None => point.checks.most_severe().map(|check| check.sentence.clone()),
+            },
         }
     };
     found.iter().map(point).collect()
 }
 
-/// The checks of these points.
+/// Checks at these points.
 pub(super) fn checks(found: &[BroomstickPoint]) -> Vec<PlanCheck> {
     let rows = |point: &BroomstickPoint| {
         let row = |check: &Check| PlanCheck {
@@ -39,31 +42,31 @@ pub(super) fn checks(found: &[BroomstickPoint]) -> Vec<PlanCheck> {
     found.iter().flat_map(rows).collect()
 }
 
-/// What could not be checked at these points.
+/// Checks that were not possible at these points.
 pub(super) fn unchecked(found: &[BroomstickPoint]) -> BTreeSet<Unchecked> {
     found.iter().flat_map(|point| point.checks.unchecked.iter().cloned()).collect()
 }
 
-pub(super) fn buckling(found: &[BucklingWeight]) -> Vec<PlanBuckling> {
-    let row = |of: &BucklingWeight| {
-        let [sinusoidal, helical] = of.weights_N.as_ref().map_or([None; 2], |weights| *weights);
+pub(super) fn buckling(found: &[BucklingWeight], judge: &Judge) -> Vec<PlanBuckling> {
+    let row = |weight: &BucklingWeight| {
+        let [sinusoidal, helical] = weight.weights_N.as_ref().map_or([None; 2], |weights| *weights);
         PlanBuckling {
             model: "soft".to_owned(),
-            friction: of.friction.name().to_owned(),
-            operation: of.operation.name().to_owned(),
-            bit_depth_m: of.bit_depth_m,
+            friction: weight.friction.name().to_owned(),
+            operation: weight.operation.name().to_owned(),
+            bit_depth_m: weight.bit_depth_m,
             sinusoidal_weight_N: sinusoidal,
             helical_weight_N: helical,
-            message: of.weights_N.as_ref().err().map(ToString::to_string),
+            message: weight.weights_N.as_ref().err().map(|why| judge.reason(why)),
         }
     };
     found.iter().map(row).collect()
 }
 
 /// Friction of each section at each level.
-pub(super) fn frictions(of: &Broomstick) -> Vec<PlanFriction> {
+pub(super) fn frictions(broomstick: &Broomstick) -> Vec<PlanFriction> {
     let sections = |level: FrictionLevel| {
-        let sections = of.setup(level).well.hole.sections().iter();
+        let sections = broomstick.setup(level).well.hole.sections().iter();
         sections.map(move |section| PlanFriction {
             friction: level.name().to_owned(),
             kind: match section.kind {
@@ -72,7 +75,7 @@ pub(super) fn frictions(of: &Broomstick) -> Vec<PlanFriction> {
             },
             from_md_m: section.from_md_m,
             to_md_m: section.to_md_m,
-            // Of what rounding leaves, nothing.
+            // Removes digits left by rounding.
             along: rounded(section.friction.kinetic),
             around: rounded(section.friction.kinetic * section.friction.around),
         })

@@ -1,5 +1,5 @@
-//! The samples of a plan: the operations at every depth with the friction that is expected, of the case
-//! with other numbers.
+//! Samples of a plan: the operations at every depth with expected friction, for the case with
+//! sampled inputs.
 
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_judge::CheckKind;
@@ -8,26 +8,30 @@ use wholestring_results::{PlanBuckling, PlanCheck, PlanPoint};
 
 use crate::uncertain::{Quantity, Sampled, Sampler};
 
-/// What the samples of a plan are asked: which quantities, in an order.
-pub(super) struct Asked<'a> {
+/// Quantities that each sample of a plan computes, in order.
+pub(super) struct SampleSolver<'a> {
     sampler: &'a Sampler<'a>,
     kinds: Vec<OperationKind>,
     depths_m: &'a [f64],
 }
 
-/// How it drills where the weight to buckle is looked for.
+/// Operations with a weight at which the string buckles.
 const DRILLS: [OperationKind; 2] = [OperationKind::Drill, OperationKind::Slide];
 
-impl<'a> Asked<'a> {
+impl<'a> SampleSolver<'a> {
     pub(super) fn new(
         sampler: &'a Sampler<'a>,
         operations: &[Operation],
         depths_m: &'a [f64],
     ) -> Self {
-        Self { sampler, kinds: operations.iter().map(|of| of.kind).collect(), depths_m }
+        Self {
+            sampler,
+            kinds: operations.iter().map(|operation| operation.kind).collect(),
+            depths_m,
+        }
     }
 
-    /// How many answers there are of the loads, which stand first.
+    /// Number of points with loads, whose answers come first.
     fn points(&self) -> usize {
         self.kinds.len() * self.depths_m.len()
     }
@@ -49,7 +53,7 @@ impl<'a> Asked<'a> {
         };
         let mut operations = Vec::new();
         for kind in &self.kinds {
-            match case.plan.operations.iter().find(|of| of.kind == *kind) {
+            match case.plan.operations.iter().find(|operation| operation.kind == *kind) {
                 Some(operation) => operations.push(*operation),
                 None => return none(format!("it has no {}", kind.name())),
             }
@@ -58,22 +62,22 @@ impl<'a> Asked<'a> {
         let deepest_m = self.depths_m.last().copied().unwrap_or(0.0);
         let weights = broomstick.expected_weights_to_buckle(deepest_m);
         for kind in DRILLS {
-            let found = weights.iter().find(|of| of.operation == kind);
-            let found = found.and_then(|of| of.weights_N.as_ref().ok());
-            sampled.answers.extend(found.map_or([None; 2], |of| *of));
+            let found = weights.iter().find(|weight| weight.operation == kind);
+            let found = found.and_then(|weight| weight.weights_N.as_ref().ok());
+            sampled.answers.extend(found.map_or([None; 2], |weights_N| *weights_N));
         }
         sampled
     }
 
-    /// Hook load and torque of each operation at every depth; after them the least reserve of each
+    /// Hook load and torque of each operation at every depth, followed by the least reserve of each
     /// kind of limit in each operation.
-    fn loads(&self, of: &Broomstick, operations: &[Operation]) -> Sampled {
+    fn loads(&self, broomstick: &Broomstick, operations: &[Operation]) -> Sampled {
         let by = self.sampler.uncertain.model;
         let mut reserves = vec![[None::<f64>; CheckKind::LIMITS.len()]; operations.len()];
         let mut found = Vec::new();
-        // What a depth has in common is solved once.
+        // Calculations common to a depth are done once.
         for bit_depth_m in self.depths_m {
-            let all = of.expected_loads(by, *bit_depth_m, operations);
+            let all = broomstick.expected_loads(by, *bit_depth_m, operations);
             for (loads, reserves) in all.into_iter().zip(&mut reserves) {
                 if let Ok(loads) = &loads {
                     for limit in loads.limits.limits() {
@@ -82,13 +86,13 @@ impl<'a> Asked<'a> {
                         *least = Some(least.map_or(reserve, |least| least.min(reserve)));
                     }
                 }
-                found.push(loads.map(|of| [of.hook_load_N, of.surface_torque_N_m]));
+                found.push(loads.map(|load| [load.hook_load_N, load.surface_torque_N_m]));
             }
         }
         let mut sampled = Sampled::default();
         for (place, operation) in operations.iter().enumerate() {
             for loads in found.iter().skip(place).step_by(operations.len()) {
-                sampled.answers.extend(loads.as_ref().map_or([None; 2], |of| of.map(Some)));
+                sampled.answers.extend(loads.as_ref().map_or([None; 2], |load| load.map(Some)));
                 if let Err(why) = loads {
                     let name = operation.kind.name().replace('_', " ");
                     sampled.lacks(|| format!("{name}: {why}"));
@@ -99,7 +103,7 @@ impl<'a> Asked<'a> {
         sampled
     }
 
-    /// The quantities in the order of the answers, with what the plan itself has found of them.
+    /// Quantities in the order of the answers, with the plan's own values.
     pub(super) fn quantities(
         &self,
         points: &[PlanPoint],
@@ -109,34 +113,38 @@ impl<'a> Asked<'a> {
         let model = self.sampler.uncertain.model.name();
         let mut all = Vec::new();
         for kind in &self.kinds {
-            let of_kind = |of: &&PlanPoint| {
-                of.model == model && of.operation == kind.name() && of.friction == "expected"
+            let of_kind = |point: &&PlanPoint| {
+                point.model == model
+                    && point.operation == kind.name()
+                    && point.friction == "expected"
             };
             let own: Vec<&PlanPoint> = points.iter().filter(of_kind).collect();
             for bit_depth_m in self.depths_m {
-                let found = own.iter().find(|of| of.bit_depth_m == *bit_depth_m);
-                let found = found.and_then(|of| of.scalars);
-                let of = |name, unit, expected| Quantity {
+                let found = own.iter().find(|point| point.bit_depth_m == *bit_depth_m);
+                let found = found.and_then(|point| point.scalars);
+                let quantity = |name, unit, expected| Quantity {
                     bit_depth_m: Some(*bit_depth_m),
                     expected,
                     ..Quantity::new(name, kind.name(), unit)
                 };
-                all.push(of("hook_load", "N", found.map(|of| of.hook_load_N)));
-                let torque = found.map(|of| of.surface_torque_N_m);
-                all.push(of("surface_torque", "N·m", torque));
+                all.push(quantity("hook_load", "N", found.map(|scalars| scalars.hook_load_N)));
+                let torque = found.map(|scalars| scalars.surface_torque_N_m);
+                all.push(quantity("surface_torque", "N·m", torque));
             }
         }
         for kind in &self.kinds {
-            let of_kind = |of: &&PlanCheck| {
-                of.model == model && of.operation == kind.name() && of.friction == "expected"
+            let of_kind = |check: &&PlanCheck| {
+                check.model == model
+                    && check.operation == kind.name()
+                    && check.friction == "expected"
             };
             let own: Vec<&PlanCheck> = limits.iter().filter(of_kind).collect();
             for limit in CheckKind::LIMITS {
-                let reserves = own.iter().filter(|of| of.check.kind == *limit);
+                let reserves = own.iter().filter(|reserve| reserve.check.kind == *limit);
                 all.push(Quantity {
                     limit: limit.name(),
                     expected: reserves
-                        .map(|of| of.check.reserve())
+                        .map(|reserve| reserve.check.reserve())
                         .filter(|reserve| reserve.is_finite())
                         .reduce(f64::min),
                     must_be: false,
@@ -146,19 +154,22 @@ impl<'a> Asked<'a> {
         }
         let deepest_m = self.depths_m.last().copied();
         for kind in DRILLS {
-            let own = weights.iter().find(|of| {
-                of.operation == kind.name()
-                    && of.friction == "expected"
-                    && Some(of.bit_depth_m) == deepest_m
+            let own = weights.iter().find(|weight| {
+                weight.operation == kind.name()
+                    && weight.friction == "expected"
+                    && Some(weight.bit_depth_m) == deepest_m
             });
-            let of = |name, expected| Quantity {
+            let quantity = |name, expected| Quantity {
                 bit_depth_m: deepest_m,
                 expected,
                 must_be: false,
                 ..Quantity::new(name, kind.name(), "N")
             };
-            all.push(of("sinusoidal_weight", own.and_then(|of| of.sinusoidal_weight_N)));
-            all.push(of("helical_weight", own.and_then(|of| of.helical_weight_N)));
+            all.push(quantity(
+                "sinusoidal_weight",
+                own.and_then(|weight| weight.sinusoidal_weight_N),
+            ));
+            all.push(quantity("helical_weight", own.and_then(|weight| weight.helical_weight_N)));
         }
         all
     }

@@ -1,4 +1,4 @@
-//! What hook load and torque may come to at the surface.
+//! Limits of hook load and torque at the surface.
 
 use wholestring::outcome::QuantityKind;
 use wholestring_judge::{CheckKind, LimitSettings, surface_limits};
@@ -6,30 +6,31 @@ use wholestring_plan::{Broomstick, FrictionLevel};
 use wholestring_report as report;
 use wholestring_results::PlanSurfaceLimit;
 
-/// Of the rig and of the topmost component; none of a string that fits no depth.
-pub(super) fn limits(of: &Broomstick, settings: &LimitSettings) -> Vec<PlanSurfaceLimit> {
-    let setup = of.setup(FrictionLevel::Expected);
-    let deepest_m = of.depths_m().last().copied().unwrap_or_default();
-    // Why there is no string stands beside each of its points.
+/// Limits of the rig and of the topmost component; empty if the string fits no depth.
+pub(super) fn limits(broomstick: &Broomstick, settings: &LimitSettings) -> Vec<PlanSurfaceLimit> {
+    let setup = broomstick.setup(FrictionLevel::Expected);
+    let deepest_m = broomstick.depths_m().last().copied().unwrap_or_default();
+    // The reason is given with each of its points.
     let Ok(model) = setup.at(deepest_m) else { return Vec::new() };
-    let limits = surface_limits(&model, settings).into_iter().map(|of| PlanSurfaceLimit {
-        kind: of.kind.name().to_owned(),
-        component: of.component,
-        is_torque: of.kind.quantity() == QuantityKind::Torque,
-        capacity: of.capacity,
-        required: of.required,
-        allowed: of.allowed,
-    });
+    let limits =
+        surface_limits(&model, settings).into_iter().map(|surface_limit| PlanSurfaceLimit {
+            kind: surface_limit.kind.name().to_owned(),
+            component: surface_limit.component,
+            is_torque: surface_limit.kind.quantity() == QuantityKind::Torque,
+            capacity: surface_limit.capacity,
+            required: surface_limit.required,
+            allowed: surface_limit.allowed,
+        });
     limits.collect()
 }
 
-/// The same as pages show it.
-pub(super) fn shown(of: &PlanSurfaceLimit) -> report::PlanSurfaceLimit {
-    let title = title(&of.kind).to_owned();
-    report::PlanSurfaceLimit { title, is_torque: of.is_torque, allowed: of.allowed }
+/// The same in the form of the page.
+pub(super) fn shown(limit: &PlanSurfaceLimit) -> report::PlanSurfaceLimit {
+    let title = title(&limit.kind).to_owned();
+    report::PlanSurfaceLimit { title, is_torque: limit.is_torque, allowed: limit.allowed }
 }
 
-/// What a line of a kind is called.
+/// Title of a line of this kind.
 pub(super) fn title(kind: &str) -> &str {
     match CheckKind::named(kind) {
         Some(CheckKind::Hoist) => "hoist",

@@ -1,11 +1,11 @@
-//! Sheets of a plan's checks that a person reads: the verdict first, then the least reserve of each
-//! kind of limit.
+//! Sheets of a plan's checks for a reader: the verdict first, then the least reserve of each kind
+//! of limit.
 
 use wholestring_report::{Cells, Sheet, SheetColumn, operation_name};
 use wholestring_results::{PlanCheck, PlanSummary};
 use wholestring_units::{Dimension, UnitSet};
 
-/// The checks of a plan: of each kind and each operation one, the most severe first.
+/// Checks of a plan: the most severe for each kind and operation.
 pub(super) fn verdict_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
     let mut rows: Vec<&PlanCheck> = summary.checks.iter().collect();
     rows.sort_by_key(|row| std::cmp::Reverse(row.check.severity));

@@ -1,9 +1,10 @@
-//! The weight on bit of the case that is planned.
+//! Weight on bit of the planned case.
 
 use wholestring_results::PlanSummary;
 
-/// Weight on bit of what drills, N.
+/// Weight on bit of the drilling operations, N.
 pub(super) fn on_bit_N(summary: &PlanSummary) -> Option<f64> {
-    let drills = summary.operations.iter().any(|of| of == "drill" || of == "slide");
+    let drills =
+        summary.operations.iter().any(|operation| operation == "drill" || operation == "slide");
     summary.settings["operation"]["wob_N"].as_f64().filter(|_| drills)
 }

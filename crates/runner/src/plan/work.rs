@@ -1,4 +1,4 @@
-//! The work of a plan, on all cores, kept as it comes.
+//! Parallel tasks of a plan, whose results are stored as they finish.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use wholestring_results::{
 };
 
 use super::{
-    campaign::{Taken, came, taken},
+    campaign::{Taken, taken, totals},
     counted::Counted,
     dynamic::{Parts, Ran, Run, runs},
     files::Tables,
@@ -21,7 +21,7 @@ use super::{
     mud, packed_checks,
     request::Request,
     rows::{buckling, checks, frictions, points, unchecked},
-    sample::Asked,
+    sample::SampleSolver,
     surface,
 };
 use crate::{
@@ -39,21 +39,21 @@ use crate::{
 /// A task of a plan.
 #[derive(Debug, Clone, Copy)]
 enum PlanTask {
-    /// An operation at a depth, with every friction.
+    /// An operation at a depth, with every friction level.
     Points(BroomstickTask),
-    /// An operation of the campaign that is no point of the plan, with the expected friction.
+    /// An operation of the campaign that is not a point of the plan, with the expected friction.
     Campaign(BroomstickTask),
-    /// The weights to buckle at a depth, m.
+    /// Weights at which the string buckles at a depth, m.
     Buckling(f64),
-    /// A sample of what is uncertain.
+    /// A sample of the uncertain inputs.
     Sample(usize),
-    /// What would have been read.
+    /// Prediction of measured readings.
     Measured(MeasuredTask),
-    /// What the dynamics is asked for.
+    /// A run of the dynamic part.
     Dynamic(Run),
 }
 
-/// What came of a task.
+/// Outcome of a task.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Done {
     Points(
@@ -69,15 +69,15 @@ enum Done {
     Dynamic(Ran),
 }
 
-/// What became of the work.
+/// Outcome of the work.
 pub(super) struct Ended {
     pub(super) summary: PlanSummary,
     pub(super) tables: Tables,
     pub(super) batch: BatchOutcome,
 }
 
-/// The checks that matter to a plan: not those of depths at which the string is too light for the
-/// requested weight on bit, where it is heavy enough at the deepest.
+/// Checks that are relevant to a plan: without those of depths at which the string is too light for
+/// the requested weight on bit, if it is heavy enough at the deepest.
 fn relevant(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     let is_too_light = |row: &PlanCheck| row.check.kind == CheckKind::WeightNotAvailable;
     let is_alike = |row: &PlanCheck, other: &PlanCheck| {
@@ -105,8 +105,8 @@ fn relevant(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     checks.iter().filter(matters).cloned().collect()
 }
 
-/// Of each kind and each operation the most severe check, among equals the one with the least
-/// reserve, in the order of the kinds.
+/// The most severe check of each kind and operation, among equals the one with the least reserve,
+/// in the order of the kinds.
 fn worst(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     let mut found: Vec<&PlanCheck> = Vec::new();
     for row in checks {
@@ -123,21 +123,20 @@ fn worst(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     found.into_iter().cloned().collect()
 }
 
-/// Of checks that are alike the one with the deeper bit is the worse.
+/// Of equal checks, the one at the deeper bit is the worse.
 fn is_worse(row: &PlanCheck, other: &PlanCheck) -> bool {
-    let severity = row.check.severity.cmp(&other.check.severity);
-    let reserve = other.check.reserve().total_cmp(&row.check.reserve());
-    severity.then(reserve).then(row.bit_depth_m.total_cmp(&other.bit_depth_m)).is_gt()
+    let severity = row.check.cmp_severity(&other.check);
+    severity.then(row.bit_depth_m.total_cmp(&other.bit_depth_m)).is_gt()
 }
 
-/// What solves the tasks.
+/// Solvers of the tasks.
 #[derive(Clone, Copy)]
 pub(super) struct Solvers<'a> {
     /// Every operation at every depth.
     pub(super) broomstick: &'a Broomstick,
-    /// What would have been read.
+    /// Predictions of measured readings.
     pub(super) measured: &'a Measured,
-    /// Samples of what is uncertain, where anything is.
+    /// Samples of uncertain inputs, if there are any.
     pub(super) sampler: Option<&'a Sampler<'a>>,
 }
 
@@ -155,8 +154,8 @@ pub(super) struct Work<'a> {
 }
 
 impl<'a> Work<'a> {
-    /// The work of a plan, less what an earlier one has left in its folder, where that is to be
-    /// continued.
+    /// Creates the tasks of a plan, without those finished earlier in its folder if the plan is
+    /// resumed.
     pub(super) fn new(
         request: &'a Request<'a>,
         Solvers { broomstick, measured, sampler }: Solvers<'a>,
@@ -169,7 +168,7 @@ impl<'a> Work<'a> {
         let depths = broomstick.depths_m().iter().copied().map(PlanTask::Buckling);
         let read = measured.tasks(request).into_iter().map(PlanTask::Measured);
         let runs = runs(request.case, broomstick).into_iter().map(PlanTask::Dynamic);
-        let samples = (0..sampler.map_or(0, |of| of.points.len())).map(PlanTask::Sample);
+        let samples = (0..sampler.map_or(0, |sampler| sampler.points.len())).map(PlanTask::Sample);
         let campaign = broomstick.campaign_tasks().into_iter().map(PlanTask::Campaign);
         let points = points.chain(campaign);
         let list: Vec<PlanTask> =
@@ -196,8 +195,8 @@ impl<'a> Work<'a> {
         })
     }
 
-    /// Solves what is left, the deepest and slowest first, and samples last, which are short: what is
-    /// left at the end is short.
+    /// Solves the remaining tasks, the deepest and slowest first and samples last, so that the last
+    /// jobs are short.
     pub(super) fn solve_all(&self) -> Result<(), ResultsError> {
         let mut order: Vec<usize> = (0..self.list.len()).collect();
         let weight = |task: &usize| match self.list[*task] {
@@ -214,47 +213,50 @@ impl<'a> Work<'a> {
             let (a, b) = (weight(a), weight(b));
             b.0.cmp(&a.0).then(b.1.total_cmp(&a.1))
         });
-        let asked = self.asked();
+        let solver = self.sample_solver();
         self.tasks.solve_all(&order, jobs(self.request.jobs), |task| {
-            self.solve(self.list[task], asked.as_ref())
+            self.solve(self.list[task], solver.as_ref())
         })
     }
 
-    /// What samples are asked.
-    fn asked(&self) -> Option<Asked<'a>> {
+    /// Quantities that samples compute.
+    fn sample_solver(&self) -> Option<SampleSolver<'a>> {
         let plan = &self.request.case.plan;
-        Some(Asked::new(self.sampler?, &plan.operations, &plan.bit_depths_m))
+        Some(SampleSolver::new(self.sampler?, &plan.operations, &plan.bit_depths_m))
     }
 
-    /// What comes of a task; nothing where it is cancelled before it has come to its end.
-    fn solve(&self, task: PlanTask, asked: Option<&Asked<'_>>) -> Option<Done> {
-        let of = self.broomstick;
+    /// Solves a task; `None` if it is cancelled before its end.
+    fn solve(&self, task: PlanTask, solver: Option<&SampleSolver<'_>>) -> Option<Done> {
+        let broomstick = self.broomstick;
         Some(match task {
             PlanTask::Points(task) => {
-                let found = of.solve(&task);
+                let found = broomstick.solve(&task);
                 let (checks, unchecked) = (checks(&found), unchecked(&found));
-                Done::Points(points(&found), checks, unchecked, taken(of, &found))
+                Done::Points(points(&found), checks, unchecked, taken(broomstick, &found))
             }
-            PlanTask::Campaign(task) => {
-                Done::Campaign(taken(of, &of.solve_at(&task, &[FrictionLevel::Expected])))
+            PlanTask::Campaign(task) => Done::Campaign(taken(
+                broomstick,
+                &broomstick.solve_at(&task, &[FrictionLevel::Expected]),
+            )),
+            PlanTask::Buckling(depth_m) => {
+                Done::Buckling(buckling(&broomstick.weights_to_buckle(depth_m), broomstick.judge()))
             }
-            PlanTask::Buckling(depth_m) => Done::Buckling(buckling(&of.weights_to_buckle(depth_m))),
-            PlanTask::Measured(of) => Done::Measured(self.measured.solve(&of)),
+            PlanTask::Measured(task) => Done::Measured(self.measured.solve(&task)),
             PlanTask::Dynamic(run) => {
                 let goes_on = || !self.cancellation.is_cancelled();
-                Done::Dynamic(run.solve(self.request.case, of, &goes_on)?)
+                Done::Dynamic(run.solve(self.request.case, broomstick, &goes_on)?)
             }
             PlanTask::Sample(sample) => {
-                Done::Sample(asked.map(|asked| asked.solve(sample)).unwrap_or_default())
+                Done::Sample(solver.map(|solver| solver.solve(sample)).unwrap_or_default())
             }
         })
     }
 
-    /// What was found, and how it went.
+    /// Results of the tasks, and how many ended.
     pub(super) fn end(self) -> Ended {
         let case = self.request.case;
         let all = self.list.len();
-        let asked = self.asked();
+        let solver = self.sample_solver();
         let mut batch = BatchOutcome::begin(self.folder.path(), all, self.start, self.cancellation);
         batch.finished = self.tasks.ended();
         let done = self.tasks.into_done();
@@ -263,8 +265,8 @@ impl<'a> Work<'a> {
         let (mut all_taken, mut all_measured) = (Vec::new(), Vec::new());
         let mut sampled = Vec::new();
         let is_run = |task: &&PlanTask| matches!(task, PlanTask::Dynamic(_));
-        let asked_runs = self.list.iter().filter(is_run).count();
-        let mut parts = Parts::of(asked_runs, self.request.units.unwrap_or(case.units));
+        let run_count = self.list.iter().filter(is_run).count();
+        let mut parts = Parts::of(run_count, self.request.units.unwrap_or(case.units));
         for (task, one) in self.list.iter().zip(done) {
             let Some(one) = one else {
                 if let PlanTask::Sample(_) = task {
@@ -273,43 +275,44 @@ impl<'a> Work<'a> {
                 continue;
             };
             match one {
-                Done::Points(of, limits, unchecked, taken) => {
+                Done::Points(found, limits, unchecked, taken) => {
                     all_taken.extend(taken);
-                    points.extend(of);
+                    points.extend(found);
                     all_limits.extend(limits);
                     lacking.extend(unchecked);
                 }
                 Done::Campaign(taken) => all_taken.extend(taken),
-                Done::Buckling(of) => weights.extend(of),
-                Done::Sample(of) => sampled.push(Some(of)),
-                Done::Measured(of) => all_measured.push(of),
+                Done::Buckling(rows) => weights.extend(rows),
+                Done::Sample(sample) => sampled.push(Some(sample)),
+                Done::Measured(measured) => all_measured.push(measured),
                 Done::Dynamic(ran) => parts.add(ran),
             }
         }
         let plan = &case.plan;
         let parts_of_campaign = Counted::of(self.broomstick, &all_taken, case.units);
-        let came = came(self.broomstick, &plan.models, &all_taken, parts.whole_wear());
-        // Curve by curve: a task has the frictions of one depth.
-        let level = |name: &str| FrictionLevel::ALL.iter().position(|of| of.name() == name);
-        let models: Vec<String> = plan.models.iter().map(|of| of.name().to_owned()).collect();
+        let totals = totals(self.broomstick, &plan.models, &all_taken, parts.whole_wear());
+        // Sorted curve by curve, because a task contains the friction levels of one depth.
+        let level = |name: &str| FrictionLevel::ALL.iter().position(|level| level.name() == name);
+        let models: Vec<String> = plan.models.iter().map(|model| model.name().to_owned()).collect();
         let operations: Vec<String> =
-            plan.operations.iter().map(|of| of.kind.name().to_owned()).collect();
-        let place = |names: &[String], name: &str| names.iter().position(|of| of == name);
+            plan.operations.iter().map(|operation| operation.kind.name().to_owned()).collect();
+        let place = |names: &[String], name: &str| names.iter().position(|own| own == name);
         points.sort_by(|a: &PlanPoint, b: &PlanPoint| {
-            let key = |of: &PlanPoint| {
-                let names = (place(&models, &of.model), place(&operations, &of.operation));
-                (names, level(&of.friction))
+            let key = |point: &PlanPoint| {
+                let names = (place(&models, &point.model), place(&operations, &point.operation));
+                (names, level(&point.friction))
             };
             key(a).cmp(&key(b)).then(a.bit_depth_m.total_cmp(&b.bit_depth_m))
         });
         weights.sort_by(|a: &PlanBuckling, b: &PlanBuckling| {
-            let key = |of: &PlanBuckling| (of.operation.clone(), level(&of.friction));
+            let key =
+                |buckling: &PlanBuckling| (buckling.operation.clone(), level(&buckling.friction));
             key(a).cmp(&key(b)).then(a.bit_depth_m.total_cmp(&b.bit_depth_m))
         });
         let levels = FrictionLevel::ALL.len();
         let expected = levels * models.len() * operations.len() * plan.bit_depths_m.len();
-        let uncertain = self.sampler.zip(asked).map(|(sampler, asked)| {
-            let quantities = asked.quantities(&points, &all_limits, &weights);
+        let uncertain = self.sampler.zip(solver).map(|(sampler, solver)| {
+            let quantities = solver.quantities(&points, &all_limits, &weights);
             let model = sampler.uncertain.model.name();
             let found = uncertain::summary(sampler, model, &quantities, &[], &sampled);
             (found, samples_table(sampler, &sampled))
@@ -322,7 +325,7 @@ impl<'a> Work<'a> {
             "models": models,
             "limits": plan.limits,
             "campaign": plan.campaign,
-            "measured": plan.measured.as_ref().map(|of| &of.file),
+            "measured": plan.measured.as_ref().map(|measured| &measured.file),
         });
         if let Some(uncertain) = &plan.uncertain {
             settings["plan"]["uncertain"] = json!(uncertain);
@@ -353,8 +356,8 @@ impl<'a> Work<'a> {
             counted: parts_of_campaign.counted,
             not_counted: parts_of_campaign.not_counted,
             hydraulics,
-            fatigue: came.fatigue,
-            wear: came.worst_wear,
+            fatigue: totals.fatigue,
+            wear: totals.worst_wear,
             uncertain,
             measured: self.measured.rows(self.request, &all_measured),
             overlay: None,
@@ -366,8 +369,8 @@ impl<'a> Work<'a> {
         let events: Vec<_> = summary.peaks.iter().zip(&parts.histories).collect();
         let tables = Tables {
             limits: plan_limits_table(&all_limits),
-            fatigue: plan_fatigue_table(&came.damage),
-            wear: plan_wear_table(&came.wear),
+            fatigue: plan_fatigue_table(&totals.damage),
+            wear: plan_wear_table(&totals.wear),
             samples,
             peaks_time: plan_peaks_time_table(&events),
         };

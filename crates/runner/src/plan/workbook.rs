@@ -13,15 +13,16 @@ use super::{
 };
 use crate::{page::PROGRAM, sheet::sheet};
 
-/// Rows of a table that are printed: a table of every depth or every joint is to be read on the
-/// screen.
+/// Printed rows of a table; tables of every depth or every joint are intended for the screen.
 const PRINTED_ROWS: u32 = 50;
 
 /// The workbook of a plan in these units.
 pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
-    let scattered = summary.uncertain.as_ref().map(|of| (of.table(), of.indices_table()));
+    let scattered =
+        summary.uncertain.as_ref().map(|uncertain| (uncertain.table(), uncertain.indices_table()));
     let measured = summary.measured_table();
-    let overlay = summary.overlay.as_ref().map_or_else(|| Table::new(Vec::new()), |of| of.table());
+    let overlay =
+        summary.overlay.as_ref().map_or_else(|| Table::new(Vec::new()), |overlay| overlay.table());
     let peaks = plan_peaks_table(&summary.peaks);
     let surface = summary.surface_limits_table();
     let tables = [
@@ -31,14 +32,10 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
             "A row for each depth of the bit of each model, operation and friction",
         ),
         (BUCKLING, &summary.buckling_table(), "Weights on bit under which the string buckles"),
-        (
-            SURFACE,
-            &surface,
-            "What hook load and torque may come to: the ends of lines in the charts",
-        ),
-        ("Fatigue", &found.fatigue, "What the campaign takes of the string's life"),
-        ("Casing wear", &found.wear, "What the campaign takes of the casing"),
-        ("Peaks", &peaks, "What a string that sets itself in motion comes to, by the dynamics"),
+        (SURFACE, &surface, "Limits of hook load and torque: the ends of lines in the charts"),
+        ("Fatigue", &found.fatigue, "Fatigue damage of the string by the campaign"),
+        ("Casing wear", &found.wear, "Casing wear by the campaign"),
+        ("Peaks", &peaks, "Peak loads of a string that is set in motion, from the dynamics"),
         ("Peaks against time", &found.peaks_time, "The same, sample by sample"),
         ("Friction", &summary.friction_table(), "Friction of each hole section at each level"),
         (
@@ -46,12 +43,12 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
             &summary.hydraulics_table(),
             "Pressures and equivalent densities with the bit at each depth",
         ),
+        (MEASURED, &measured, "Readings, and the predictions for the string in the hole"),
         (
-            MEASURED,
-            &measured,
-            "What was read, beside what the string in the hole is predicted to show",
+            OVERLAY,
+            &overlay,
+            "Results of another program, and those of the plan with expected friction",
         ),
-        (OVERLAY, &overlay, "What another program computed, beside ours with expected friction"),
     ];
     let is_there = |name: &str| match name {
         HYDRAULICS => !summary.hydraulics.is_empty(),
@@ -64,18 +61,17 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     let tables = tables.into_iter().filter(|(name, ..)| is_there(name));
     let scattered = scattered.iter().flat_map(|(bands, indices)| {
         let samples = found.samples.as_ref();
-        let samples =
-            samples.map(|table| ("Samples", table, "What was drawn of each uncertain number"));
+        let samples = samples.map(|table| ("Samples", table, "Samples of each uncertain input"));
         [
             (
                 "Uncertain",
                 bands,
-                "How the samples of uncertain numbers scatter, in the unit of each row",
+                "Scatter of the results for uncertain inputs, in the unit of each row",
             ),
             (
                 "Sensitivity",
                 indices,
-                "Sobol indices: the share of the variance that each uncertain number causes",
+                "Sobol indices: the share of the variance that each uncertain input causes",
             ),
         ]
         .into_iter()

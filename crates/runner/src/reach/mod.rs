@@ -1,4 +1,4 @@
-//! How far a well can go in its last direction, and what stops it.
+//! Maximum reach of a well in its last direction, and the limit that stops it.
 
 mod operations;
 mod page;

@@ -1,11 +1,11 @@
-//! The operations of a case whose limits are looked for.
+//! Operations of a case whose limits are evaluated.
 
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_case::Case;
 
 use crate::error::Error;
 
-/// Those that are looked at where none is asked for.
+/// Operations that are evaluated by default.
 const USUAL: [OperationKind; 5] = [
     OperationKind::TripOut,
     OperationKind::RotateOffBottom,
@@ -20,17 +20,17 @@ pub(super) struct Operations {
     pub(super) left_out: Vec<String>,
 }
 
-/// The operations that are asked for; else the usual ones and those of the case, as far as the case
-/// has what they need.
-pub(super) fn operations(case: &Case, asked: &[OperationKind]) -> Result<Operations, Error> {
+/// The requested operations; by default the usual ones and those of the case, if the case has their
+/// set points.
+pub(super) fn operations(case: &Case, requested: &[OperationKind]) -> Result<Operations, Error> {
     let mut found = Operations { all: Vec::new(), left_out: Vec::new() };
-    if !asked.is_empty() {
-        for kind in asked {
+    if !requested.is_empty() {
+        for kind in requested {
             found.all.push(operation(case, *kind).map_err(Error::BadInput)?);
         }
         return Ok(found);
     }
-    let of_case = case.operations.iter().map(|of| of.kind);
+    let of_case = case.operations.iter().map(|operation| operation.kind);
     let more = of_case.filter(|kind| !USUAL.contains(kind));
     for kind in USUAL.into_iter().chain(more) {
         match operation(case, kind) {
@@ -41,11 +41,13 @@ pub(super) fn operations(case: &Case, asked: &[OperationKind]) -> Result<Operati
     Ok(found)
 }
 
-/// The case's operation of a kind; one with the set points of another where it has none.
+/// The case's operation of a kind; if there is none, one with the set points of another.
 pub(crate) fn operation(case: &Case, kind: OperationKind) -> Result<Operation, String> {
-    let of_kind = case.operations.iter().find(|of| of.kind == kind);
-    // Set points are the case's, but that some laws give the bit's torque and rate themselves.
-    let alike = || case.operations.iter().find(|of| of.kind.on_bottom() == kind.on_bottom());
+    let of_kind = case.operations.iter().find(|operation| operation.kind == kind);
+    // Uses the case's set points, except that some laws determine the bit's torque and rate
+    // themselves.
+    let alike =
+        || case.operations.iter().find(|operation| operation.kind.on_bottom() == kind.on_bottom());
     let found = of_kind.or_else(alike).or(case.operations.first());
     let Some(found) = found else {
         return Err("the case has no operation".into());

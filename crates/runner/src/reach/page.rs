@@ -1,4 +1,4 @@
-//! `report.html` and the picture of a reach, made from the files that it left.
+//! `report.html` and the picture of a reach, made from the files in its folder.
 
 use std::path::Path;
 
@@ -37,7 +37,10 @@ impl Results for Reach {
             limits: summary.frictions.iter().enumerate().flat_map(rows).collect(),
             curves: curves(&table(folder, REACH)?, &summary),
             depths_m: [summary.from_m, summary.to_m],
-            uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::REACH)),
+            uncertain: summary
+                .uncertain
+                .as_ref()
+                .map(|uncertain| uncertain::shown(uncertain, &Names::REACH)),
         })
     }
 
@@ -59,7 +62,7 @@ fn facts(summary: &ReachSummary) -> Vec<Fact> {
     ]
 }
 
-fn rows((friction, of): (usize, &ReachOfFriction)) -> Vec<ReachRow> {
+fn rows((friction, reach): (usize, &ReachOfFriction)) -> Vec<ReachRow> {
     let row = |limit: &wholestring_results::ReachLimit| ReachRow {
         operation: readable(&limit.operation),
         limit: limit.title.clone(),
@@ -69,31 +72,31 @@ fn rows((friction, of): (usize, &ReachOfFriction)) -> Vec<ReachRow> {
         already: limit.already,
         margins: [limit.margin_at_from, limit.margin_at_to],
         md_m: limit.at_md_m,
-        first: of
+        first: reach
             .first
             .as_ref()
             .is_some_and(|first| first.limit == limit.limit && first.operation == limit.operation),
     };
-    of.limits.iter().map(row).collect()
+    reach.limits.iter().map(row).collect()
 }
 
-/// The curves of `reach.parquet`: rows that are alike but for their depth.
+/// Curves of `reach.parquet`: rows that differ only in depth.
 fn curves(table: &Table, summary: &ReachSummary) -> Vec<ReachCurve> {
     let (operation, limit) = (words(table, "operation"), words(table, "limit"));
     let friction = numbers(table, "friction");
     let (depth_m, margin) = (numbers(table, "bit_depth_m"), numbers(table, "margin"));
-    let number = |of: Option<f64>| of.unwrap_or(f64::NAN);
+    let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
     let mut curves: Vec<ReachCurve> = Vec::new();
     let mut last = None;
     for row in 0..operation.len().min(limit.len()).min(margin.len()) {
         let key = (&operation[row], &limit[row], friction[row].map(f64::to_bits));
         if last != Some(key) {
-            let place = summary.frictions.iter().position(|of| of.friction == friction[row]);
-            let titled = summary.frictions.iter().flat_map(|of| &of.limits);
-            let title = titled.clone().find(|of| of.limit == limit[row]);
+            let place = summary.frictions.iter().position(|reach| reach.friction == friction[row]);
+            let titled = summary.frictions.iter().flat_map(|friction| &friction.limits);
+            let title = titled.clone().find(|titled| titled.limit == limit[row]);
             curves.push(ReachCurve {
                 operation: readable(&operation[row]),
-                limit: title.map_or_else(|| limit[row].clone(), |of| of.title.clone()),
+                limit: title.map_or_else(|| limit[row].clone(), |title| title.title.clone()),
                 friction: place.unwrap_or(0),
                 points: Vec::new(),
             });

@@ -1,4 +1,4 @@
-//! A reach that is requested, and what came of it.
+//! Request of a reach, and its outcome.
 
 use std::{num::NonZeroUsize, path::PathBuf, sync::Mutex, time::Duration};
 
@@ -18,7 +18,7 @@ use wholestring_units::{Dimension, UnitSet};
 
 use super::{
     operations::{Operations, operations},
-    sample::{Asked, with_friction},
+    sample::{SampleSolver, with_friction},
     sentences,
     tables::{self, LIMITS, REACH, reach_table},
 };
@@ -36,57 +36,58 @@ use crate::{
     uncertain::{self, Names, Sampler},
 };
 
-/// A case whose reach is looked for.
+/// Request to find the reach of a case.
 #[derive(Debug)]
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Its text, to be read again with each sample of what is uncertain in it.
+    /// Text of the case, which is read again with each sample of its uncertain inputs.
     pub template: &'a Template,
-    /// What is changed in it.
+    /// Changes of the case.
     pub overrides: &'a [Override],
-    /// Depth of the bit to begin with, m; the end of the survey where none is given.
+    /// First depth of the bit, m; by default the end of the survey.
     pub from_m: Option<f64>,
-    /// Deepest bit, m; 15 km, or twice the first depth where that is deeper.
+    /// Deepest bit, m; by default 15 km, or twice the first depth if that is deeper.
     pub to_m: Option<f64>,
-    /// Friction factors that all sections are given one after the other; the case's own where empty.
+    /// Friction factors that are applied to all sections one after the other; if empty, the case's
+    /// own.
     pub frictions: Vec<f64>,
-    /// The operations; pick-up, slack-off, rotating off bottom, drilling, sliding and those of the
-    /// case where empty, as far as the case has their set points.
+    /// The operations; if empty, pick-up, slack-off, rotating off bottom, drilling, sliding and
+    /// those of the case, if the case has their set points.
     pub operations: Vec<OperationKind>,
-    /// Whether what a helix presses to the wall rubs; a string never locks up otherwise.
+    /// Whether the wall force of a helix causes friction; without it a string never locks up.
     pub helix_side_force: bool,
-    /// Whether the string stops where its helix begins, though it would go on buckled.
+    /// Whether the string stops at the onset of its helix, although it could advance buckled.
     pub stop_at_helix: bool,
-    /// Units of the pictures and the page; the case's by default.
+    /// Units of the pictures and the page; by default those of the case.
     pub units: Option<UnitSet>,
-    /// Where the results go.
+    /// Destination of the results.
     pub output: Output,
-    /// Whether the picture is painted as PNG too.
+    /// Whether to also write a PNG image.
     pub png: bool,
     /// Number of parallel jobs, an operation each; one per core by default.
     pub jobs: Option<NonZeroUsize>,
 }
 
-/// What came of it.
+/// Outcome of a reach.
 #[derive(Debug)]
 pub struct Outcome {
-    /// What was found, as `summary.json` has it.
+    /// Results, as in `summary.json`.
     pub summary: ReachSummary,
-    /// Where the results are.
+    /// Folder of the results.
     pub folder: PathBuf,
-    /// How long it took, writing apart.
+    /// Wall-clock time, without writing.
     pub took: Duration,
-    /// How much of the samples is finished; none where nothing is uncertain, or where it was
-    /// interrupted before the first.
+    /// Number of finished samples; `None` if no input is uncertain, or after an interruption before
+    /// the first.
     pub samples: Option<BatchOutcome>,
-    /// Whether it was interrupted before every operation was solved: the summary names those that
-    /// are missing.
+    /// Whether it was interrupted before every operation was solved; the summary names the missing
+    /// ones.
     pub interrupted: bool,
 }
 
 impl<'a> Request<'a> {
-    /// Everything as it is without a word.
+    /// Request with default options.
     pub fn new(case: &'a Case, template: &'a Template, overrides: &'a [Override]) -> Self {
         Self {
             case,
@@ -137,14 +138,14 @@ impl<'a> Request<'a> {
             return bad(format!("the reach ends at {to}: {most} is the most"));
         }
         for friction in &self.frictions {
-            if !(0.0..=MOST_FRICTION).contains(friction) {
+            if !(0.0..=MAX_FRICTION).contains(friction) {
                 return bad(format!("a friction factor of {friction} is outside 0 to 2"));
             }
         }
         Ok(settings)
     }
 
-    /// The string and well at each friction.
+    /// String and well at each friction factor.
     fn setups(&self) -> Result<Vec<(Option<f64>, Setup)>, Error> {
         let all: Vec<Option<f64>> = match self.frictions.is_empty() {
             true => vec![None],
@@ -155,19 +156,19 @@ impl<'a> Request<'a> {
     }
 }
 
-/// Deepest bit that the soft string takes, m.
+/// Deepest bit that the soft string allows, m.
 const DEEPEST_M: f64 = 1e5;
 
-/// Largest friction factor that a case takes.
-const MOST_FRICTION: f64 = 2.0;
+/// Largest friction factor allowed by the case file.
+const MAX_FRICTION: f64 = 2.0;
 
-/// Finds how far the well of a case can go, and writes tables, picture and page. One that is
-/// cancelled keeps the operations that are solved.
+/// Finds the reach of the well of a case, and writes tables, picture and page. After a cancellation
+/// the solved operations are kept.
 ///
 /// # Errors
-/// Depths or frictions out of their range, an operation whose set points the case lacks, a folder
-/// that the results cannot go to, a soft string without an answer, or a cancellation before the
-/// first operation was solved.
+/// Depths or friction factors out of their range, an operation whose set points are not in the
+/// case, a folder that cannot take the results, a soft string without a solution, or a cancellation
+/// before the first operation was solved.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -178,11 +179,11 @@ pub fn run(
     let Operations { all, left_out } = operations(case, &request.operations)?;
     let setups = request.setups()?;
     let name = format!("{} reach", case.name);
-    let kinds: Vec<&str> = all.iter().map(|of| of.kind.name()).collect();
-    let asked = json!([settings.from_m, settings.to_m, request.frictions, kinds]);
-    let drawn = &case.plan.uncertain;
+    let kinds: Vec<&str> = all.iter().map(|operation| operation.kind.name()).collect();
+    let inputs = json!([settings.from_m, settings.to_m, request.frictions, kinds]);
+    let uncertain = &case.plan.uncertain;
     let helix = [request.helix_side_force, request.stop_at_helix];
-    let identity = digest(&json!([case.identity(), asked, helix, drawn]));
+    let identity = digest(&json!([case.identity(), inputs, helix, uncertain]));
     let occupant =
         Occupant { kind: "reach".into(), name: name.clone(), identity: identity.clone() };
     let claimed = Claim {
@@ -201,19 +202,20 @@ pub fn run(
     if answers.iter().all(|answer| answer.reaches.is_empty()) && interrupted {
         return Err(Error::Interrupted);
     }
-    let own: Vec<OperationReach> = answers.iter().flat_map(|of| of.reaches.clone()).collect();
+    let own: Vec<OperationReach> =
+        answers.iter().flat_map(|answer| answer.reaches.clone()).collect();
     let sampler = Sampler::of(case, request.template, request.overrides).filter(|_| !interrupted);
-    let asked = sampler.as_ref().map(|sampler| Asked {
+    let solver = sampler.as_ref().map(|sampler| SampleSolver {
         sampler,
         settings: &settings,
         frictions: setups.iter().map(|(friction, _)| *friction).collect(),
         own: &own,
-        kinds: all.iter().map(|of| of.kind).collect(),
+        kinds: all.iter().map(|operation| operation.kind).collect(),
     });
     let every = checkpoint_every(case);
-    let samples = asked.map(|asked| {
+    let samples = solver.map(|solver| {
         let place = (folder, request.output.existing, every);
-        asked.solve_all(identity, place, jobs, observer, cancellation)
+        solver.solve_all(identity, place, jobs, observer, cancellation)
     });
     let samples = samples.transpose()?;
     let took = begun.elapsed();
@@ -223,7 +225,9 @@ pub fn run(
     });
     let frictions: Vec<ReachOfFriction> = frictions.collect();
     let judge = case.judge(request.units.unwrap_or(case.units));
-    let checks = sentences::checks(&frictions, [settings.from_m, settings.to_m], &judge);
+    let planned_m =
+        case.operations.iter().map(|operation| operation.bit_depth_m).fold(0.0, f64::max);
+    let checks = sentences::checks(&frictions, [settings.from_m, settings.to_m], planned_m, &judge);
     let summary = ReachSummary {
         schema_version: REACH_VERSION,
         case: case.name.clone(),
@@ -241,8 +245,9 @@ pub fn run(
     let written = samples.as_ref().map(|(_, found, table)| (found, table));
     uncertain::write(folder, &Names::REACH, written)?;
     uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
-    // As CSV too: the page leads to them.
-    let rows: Vec<_> = answers.iter().map(|of| (of.friction, &of.reaches[..])).collect();
+    // Also as CSV, because the page links to them.
+    let rows: Vec<_> =
+        answers.iter().map(|answer| (answer.friction, &answer.reaches[..])).collect();
     let margins = reach_table(&rows);
     folder.write_table(REACH, &margins, false)?;
     tables::picture(&margins, &summary).write_csv(&folder.path().join(format!("{REACH}.csv")))?;
@@ -254,11 +259,11 @@ pub fn run(
     Ok(Outcome { summary, folder: folder.path().to_owned(), took, samples, interrupted })
 }
 
-/// The operations at a friction.
+/// The operations at a friction factor.
 struct Answer {
     friction: Option<f64>,
     reaches: Vec<OperationReach>,
-    /// Those that were not solved.
+    /// Operations that were not solved.
     missing: Vec<String>,
 }
 
@@ -269,7 +274,7 @@ impl Answer {
         operations: &[Operation],
     ) -> Self {
         let unsolved = found.iter().zip(operations).filter(|(found, _)| found.is_none());
-        let missing = unsolved.map(|(_, of)| of.kind.name().to_owned()).collect();
+        let missing = unsolved.map(|(_, unsolved)| unsolved.kind.name().to_owned()).collect();
         Self { friction, reaches: found.iter().flatten().cloned().collect(), missing }
     }
 
@@ -297,8 +302,8 @@ impl Answer {
     }
 }
 
-/// Every operation at every friction, the operations of the first friction first; none of what was
-/// not finished when it was cancelled.
+/// Solves every operation at every friction factor, ordered by friction; operations that were not
+/// finished at a cancellation are left out.
 fn solve(
     setups: &[(Option<f64>, Setup)],
     operations: &[Operation],
@@ -317,11 +322,11 @@ fn solve(
             found => Some(found),
         };
     });
-    done.iter().map(|of| lock(of).take().transpose().map_err(Error::failed)).collect()
+    done.iter().map(|done| lock(done).take().transpose().map_err(Error::failed)).collect()
 }
 
 fn limit(operation: &str, curve: &Curve) -> ReachLimit {
-    let finite = |of: Option<f64>| of.filter(|value| value.is_finite());
+    let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
     ReachLimit {
         operation: operation.into(),
         limit: curve.limit.name().into(),
@@ -329,8 +334,8 @@ fn limit(operation: &str, curve: &Curve) -> ReachLimit {
         stops: curve.stops,
         depth_m: curve.end.depth_m(),
         already: matches!(curve.end, End::Already(_)),
-        margin_at_from: finite(curve.margins.first().map(|of| of.margin)),
-        margin_at_to: finite(curve.margins.last().map(|of| of.margin)),
+        margin_at_from: finite(curve.margins.first().map(|margin| margin.margin)),
+        margin_at_to: finite(curve.margins.last().map(|margin| margin.margin)),
         at_md_m: curve.there.at_md_m,
     }
 }

@@ -1,4 +1,4 @@
-//! The samples of a reach: how far the well goes with other numbers of the case.
+//! Samples of a reach: the reach with sampled inputs of the case.
 
 use std::time::Duration;
 
@@ -23,28 +23,28 @@ use crate::{
     uncertain::{Quantity, Sampled, Sampler, samples_table, summary},
 };
 
-/// A margin is told between these: that of a string that is locked up is infinite.
+/// Margins are clipped to this range, because the margin of a locked-up string is infinite.
 const MARGIN: [f64; 2] = [-1.0, 1.0];
 
-/// What the samples of a reach are asked: which quantities, in an order.
-pub(super) struct Asked<'a> {
+/// Quantities that each sample of a reach computes, in order.
+pub(super) struct SampleSolver<'a> {
     pub(super) sampler: &'a Sampler<'a>,
     pub(super) settings: &'a ReachSettings,
-    /// Friction factors of all sections; none where they have their own.
+    /// Friction factors of all sections; `None` for their own.
     pub(super) frictions: Vec<Option<f64>>,
-    /// What the case itself has come to: at each friction every operation.
+    /// Results of the case itself: every operation at each friction factor.
     pub(super) own: &'a [OperationReach],
     pub(super) kinds: Vec<OperationKind>,
 }
 
-/// Depth where a limit is met, or the last one that was looked at, m.
+/// Depth of the limit, or the deepest one evaluated, m.
 fn depth_m(end: End) -> f64 {
     match end {
         End::At(depth_m) | End::Already(depth_m) | End::NoneTo(depth_m) => depth_m,
     }
 }
 
-impl Asked<'_> {
+impl SampleSolver<'_> {
     /// The case's own reaches at each friction.
     fn own(&self) -> impl Iterator<Item = (Option<f64>, &[OperationReach])> {
         let chunks = self.own.chunks(self.kinds.len().max(1));
@@ -64,10 +64,10 @@ impl Asked<'_> {
             };
             let first_m = first_stop(reaches).and_then(|(_, curve)| curve.end.depth_m());
             all.push(depth("", "", first_m));
-            for of in reaches {
-                for curve in &of.curves {
+            for reache in reaches {
+                for curve in &reache.curves {
                     let name = curve.limit.name();
-                    all.push(depth(of.kind.name(), name, curve.end.depth_m()));
+                    all.push(depth(reache.kind.name(), name, curve.end.depth_m()));
                     if !curve.stops {
                         continue;
                     }
@@ -77,17 +77,17 @@ impl Asked<'_> {
                         bit_depth_m: Some(*bit_depth_m),
                         expected: Some(*own).filter(|own| own.is_finite()),
                         is_owed: false,
-                        ..Quantity::new("margin", of.kind.name(), "1")
+                        ..Quantity::new("margin", reache.kind.name(), "1")
                     };
-                    let own: Vec<f64> = curve.margins.iter().map(|of| of.margin).collect();
-                    all.extend(of.depth_m.iter().zip(&own).map(margin));
+                    let own: Vec<f64> = curve.margins.iter().map(|margin| margin.margin).collect();
+                    all.extend(reache.depth_m.iter().zip(&own).map(margin));
                 }
             }
         }
         all
     }
 
-    /// Solves all samples, but those that are solved already, and says what they come to.
+    /// Solves all samples except those already solved, and summarises them.
     pub(super) fn solve_all(
         &self,
         identity: String,
@@ -121,19 +121,17 @@ impl Asked<'_> {
         let reached = found.chunks(self.kinds.len().max(1));
         for ((_, own), found) in self.own().zip(reached) {
             let sound: Vec<OperationReach> =
-                found.iter().filter_map(|of| of.as_ref().ok().cloned()).collect();
-            // What stops it first is known where all operations are.
+                found.iter().filter_map(|reach| reach.as_ref().ok().cloned()).collect();
+            // The first stop is known only if all operations are.
             let first = (sound.len() == own.len()).then(|| first_stop(&sound));
             let to_m = self.settings.to_m;
-            let of_first = |of: Option<(&OperationReach, &Curve)>| {
-                of.map_or(to_m, |(_, curve)| depth_m(curve.end))
+            let of_first = |reach: Option<(&OperationReach, &Curve)>| {
+                reach.map_or(to_m, |(_, curve)| depth_m(curve.end))
             };
             sampled.answers.push(first.map(of_first));
-            sampled.stops.push(
-                first
-                    .flatten()
-                    .map(|(of, curve)| (of.kind.name().to_owned(), curve.limit.name().to_owned())),
-            );
+            sampled.stops.push(first.flatten().map(|(flatten, curve)| {
+                (flatten.kind.name().to_owned(), curve.limit.name().to_owned())
+            }));
             for (own, found) in own.iter().zip(found) {
                 if let Err(message) = found {
                     let name = own.kind.name().replace('_', " ");
@@ -145,7 +143,8 @@ impl Asked<'_> {
                     if curve.stops {
                         let margins = (0..own.depth_m.len()).map(|row| {
                             let margin = found?.margins.get(row)?.margin;
-                            Some(margin.clamp(MARGIN[0], MARGIN[1])).filter(|of| of.is_finite())
+                            Some(margin.clamp(MARGIN[0], MARGIN[1]))
+                                .filter(|value| value.is_finite())
                         });
                         sampled.answers.extend(margins);
                     }
@@ -155,7 +154,7 @@ impl Asked<'_> {
         sampled
     }
 
-    /// Every operation at every friction.
+    /// Every operation at every friction factor.
     fn reaches(&self, case: &Case) -> Result<Vec<Result<OperationReach, String>>, String> {
         let operations = operations(case, &self.kinds).map_err(|error| error.to_string())?.all;
         let mut all = Vec::new();
@@ -169,11 +168,11 @@ impl Asked<'_> {
     }
 }
 
-fn of_limit(of: &OperationReach, limit: Limit) -> Option<&Curve> {
-    of.curves.iter().find(|curve| curve.limit == limit)
+fn of_limit(reach: &OperationReach, limit: Limit) -> Option<&Curve> {
+    reach.curves.iter().find(|curve| curve.limit == limit)
 }
 
-/// String and well of a case, with a friction of all sections in place of their own.
+/// String and well of a case, with one friction factor in all sections instead of their own.
 pub(super) fn with_friction(case: &Case, friction: Option<f64>) -> Result<Setup, Error> {
     let own = case.setup();
     let Some(friction) = friction else { return Ok(own) };

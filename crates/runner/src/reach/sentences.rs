@@ -1,4 +1,4 @@
-//! What a reach says, in sentences.
+//! Results of a reach in sentences.
 
 use wholestring_judge::{Judge, Reached};
 use wholestring_results::{ReachCheck, ReachOfFriction, ReachSummary};
@@ -6,9 +6,9 @@ use wholestring_units::{Dimension, UnitSet};
 
 use crate::page::facts::readable;
 
-/// A friction as people say it.
-pub(super) fn friction(of: &ReachOfFriction) -> String {
-    match of.friction {
+/// A friction factor in words.
+pub(super) fn friction(reach: &ReachOfFriction) -> String {
+    match reach.friction {
         Some(friction) => format!("friction {friction}"),
         None => "the case's friction".into(),
     }
@@ -20,18 +20,19 @@ fn depth(depth_m: f64, units: UnitSet) -> String {
     format!("{:.0} {}", unit.from_si(depth_m), unit.symbol)
 }
 
-/// What stops the well first, a sentence for each friction. What was not solved may stop it earlier.
+/// The limit that stops the well first, in a sentence for each friction factor. Unsolved operations
+/// may stop it earlier.
 pub fn answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
-    let answer = |of: &ReachOfFriction| {
-        let mut at = friction(of);
-        if !of.missing.is_empty() {
-            let missing: Vec<String> = of.missing.iter().map(|name| readable(name)).collect();
+    let answer = |reach: &ReachOfFriction| {
+        let mut at = friction(reach);
+        if !reach.missing.is_empty() {
+            let missing: Vec<String> = reach.missing.iter().map(|name| readable(name)).collect();
             at += &format!(" without {}, interrupted,", missing.join(", "));
         }
-        let Some(first) = &of.first else {
-            return format!("At {at} nothing stops it down to {}.", depth(summary.to_m, units));
+        let Some(first) = &reach.first else {
+            return format!("At {at} no limit is reached down to {}.", depth(summary.to_m, units));
         };
-        let found = of
+        let found = reach
             .limits
             .iter()
             .find(|limit| limit.limit == first.limit && limit.operation == first.operation);
@@ -49,13 +50,13 @@ pub fn answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     summary.frictions.iter().map(answer).collect()
 }
 
-/// How far each operation goes at each friction, in the units of the judge.
+/// Reach of each operation at each friction factor, as checks in the units of the judge.
 pub(super) fn checks(
     frictions: &[ReachOfFriction],
-    depths_m: [f64; 2],
+    [from_m, to_m]: [f64; 2],
+    planned_m: f64,
     judge: &Judge,
 ) -> Vec<ReachCheck> {
-    let [from_m, to_m] = depths_m;
     let mut checks = Vec::new();
     for found in frictions {
         let mut operations: Vec<&str> = Vec::new();
@@ -72,6 +73,7 @@ pub(super) fn checks(
                 operation: &readable(operation),
                 stopped: met.min_by(|a, b| a.0.total_cmp(&b.0)),
                 from_m,
+                planned_m,
                 to_m,
             };
             checks.push(ReachCheck {
@@ -84,18 +86,18 @@ pub(super) fn checks(
     checks
 }
 
-/// What is to be known besides: the critical inclination, helices that do not rub, operations that
-/// were left out.
+/// Additional notes: the critical inclination, helices without friction, operations that were left
+/// out.
 pub fn notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     let angle = |rad: f64| {
         let unit = Dimension::Angle.unit_in(units);
         format!("{:.1} {}", unit.from_si(rad), unit.symbol)
     };
     let mut notes = Vec::new();
-    for of in &summary.frictions {
-        let Some(critical_rad) = of.critical_inclination_rad else { continue };
+    for reach in &summary.frictions {
+        let Some(critical_rad) = reach.critical_inclination_rad else { continue };
         let inclination = angle(summary.inclination_rad);
-        let (at, critical) = (friction(of), angle(critical_rad));
+        let (at, critical) = (friction(reach), angle(critical_rad));
         notes.push(match summary.inclination_rad < critical_rad {
             true => format!(
                 "At {at} a string slides down by its own weight to {critical}; at {inclination} its \
@@ -109,11 +111,13 @@ pub fn notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     }
     if summary.stop_at_helix {
         notes.push(
-            "A helix counts as a stop, as was asked for, but where the hole is vertical.".into(),
+            "A helix counts as a stop, as requested, except where the hole is vertical.".into(),
         );
     }
     if !summary.helix_side_force {
-        notes.push("What a helix presses to the wall does not rub: no string locks up.".into());
+        notes.push(
+            "The wall force of a helix causes no friction, so that no string locks up.".into(),
+        );
     }
     notes.extend(summary.left_out.iter().cloned());
     notes

@@ -5,12 +5,12 @@ use wholestring_results::{REACH as COLUMNS, ReachSummary, Table};
 
 use crate::picture_table::{Entry, Row, with_rows};
 
-/// Names of the tables, without their endings.
+/// Names of the tables, without their extensions.
 pub(super) const REACH: &str = "reach";
 pub(super) const LIMITS: &str = "reach_limits";
 
-/// `reach.parquet`: a row for each margin at each depth. The answers of each friction stand one
-/// after the other; none is the case's own.
+/// `reach.parquet`: a row for each margin at each depth. The results of the friction factors follow
+/// each other; `None` is the case's own.
 pub(super) fn reach_table(answers: &[(Option<f64>, &[OperationReach])]) -> Table {
     let mut table = Table::with_columns(COLUMNS);
     for (friction, reaches) in answers {
@@ -18,10 +18,12 @@ pub(super) fn reach_table(answers: &[(Option<f64>, &[OperationReach])]) -> Table
             for curve in &reach.curves {
                 let margins = &curve.margins;
                 let rows = margins.len();
-                let each = |of: &dyn Fn(&Margin) -> f64| margins.iter().map(of).collect::<Vec<_>>();
-                let of_unit = |unit: &str, of: fn(&Margin) -> f64| {
+                let each = |margin: &dyn Fn(&Margin) -> f64| {
+                    margins.iter().map(margin).collect::<Vec<_>>()
+                };
+                let of_unit = |unit: &str, value: fn(&Margin) -> f64| {
                     let is_such = curve.limit.unit() == unit;
-                    each(&|margin| if is_such { of(margin) } else { f64::NAN })
+                    each(&|margin| if is_such { value(margin) } else { f64::NAN })
                 };
                 let force = Limit::Hoist.unit();
                 let torque = Limit::TopDrive.unit();
@@ -33,12 +35,12 @@ pub(super) fn reach_table(answers: &[(Option<f64>, &[OperationReach])]) -> Table
                     &[
                         ("friction", &vec![friction.unwrap_or(f64::NAN); rows]),
                         ("bit_depth_m", &reach.depth_m),
-                        ("margin", &each(&|of| of.margin)),
-                        ("force_N", &of_unit(force, |of| of.load)),
-                        ("force_limit_N", &of_unit(force, |of| of.bound)),
-                        ("torque_N_m", &of_unit(torque, |of| of.load)),
-                        ("torque_limit_N_m", &of_unit(torque, |of| of.bound)),
-                        ("md_m", &each(&|of| of.at_md_m.unwrap_or(f64::NAN))),
+                        ("margin", &each(&|margin| margin.margin)),
+                        ("force_N", &of_unit(force, |margin| margin.load)),
+                        ("force_limit_N", &of_unit(force, |margin| margin.bound)),
+                        ("torque_N_m", &of_unit(torque, |margin| margin.load)),
+                        ("torque_limit_N_m", &of_unit(torque, |margin| margin.bound)),
+                        ("md_m", &each(&|margin| margin.at_md_m.unwrap_or(f64::NAN))),
                     ],
                 );
             }
@@ -47,8 +49,8 @@ pub(super) fn reach_table(answers: &[(Option<f64>, &[OperationReach])]) -> Table
     table
 }
 
-/// What the picture shows beside the curves: where a limit is met, and of uncertain numbers the
-/// bands of margins and the bars of depths, within which 90 % of the samples lie.
+/// Additional data of the picture: depths of the limits, and for uncertain inputs the bands of
+/// margins and the bars of depths that contain 90 % of the samples.
 pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
     let mut rows: Vec<Row<'_>> = Vec::new();
     let named = |operation: &str, limit: &str, friction: Option<f64>| {
@@ -59,13 +61,13 @@ pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
         ]
     };
     for answer in &summary.frictions {
-        for of in &answer.limits {
-            let Some(depth_m) = of.depth_m else { continue };
+        for limit in &answer.limits {
+            let Some(depth_m) = limit.depth_m else { continue };
             let first = answer.first.as_ref();
             let is_first = first.is_some_and(|first| {
-                (&first.operation, &first.limit) == (&of.operation, &of.limit)
+                (&first.operation, &first.limit) == (&limit.operation, &limit.limit)
             });
-            let mut row = named(&of.operation, &of.limit, answer.friction);
+            let mut row = named(&limit.operation, &limit.limit, answer.friction);
             row.extend([
                 ("met_at_bit_depth_m", Entry::Number(depth_m)),
                 ("stops_first", Entry::Number(f64::from(u8::from(is_first)))),
@@ -73,17 +75,17 @@ pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
             rows.push(row);
         }
     }
-    let bands = summary.uncertain.iter().flat_map(|of| &of.bands);
-    for of in bands.filter(|of| !of.limit.is_empty()) {
-        let [low, .., high] = of.quantiles;
-        let mut row = named(&of.operation, &of.limit, of.friction);
-        match of.quantity.as_str() {
+    let bands = summary.uncertain.iter().flat_map(|uncertain| &uncertain.bands);
+    for band in bands.filter(|band| !band.limit.is_empty()) {
+        let [low, .., high] = band.quantiles;
+        let mut row = named(&band.operation, &band.limit, band.friction);
+        match band.quantity.as_str() {
             "margin" => row.extend([
-                ("bit_depth_m", Entry::Number(of.bit_depth_m.unwrap_or(f64::NAN))),
+                ("bit_depth_m", Entry::Number(band.bit_depth_m.unwrap_or(f64::NAN))),
                 ("margin_p05", Entry::Number(low)),
                 ("margin_p95", Entry::Number(high)),
             ]),
-            "depth" if of.not_met < of.answers => {
+            "depth" if band.not_met < band.answers => {
                 row.extend([("met_p05_m", Entry::Number(low)), ("met_p95_m", Entry::Number(high))])
             }
             _ => continue,

@@ -1,4 +1,4 @@
-//! Readings at the surface, and the strings that they were made with.
+//! Readings at the surface, and the strings that they belong to.
 
 mod named_case;
 
@@ -14,31 +14,32 @@ use wholestring_units::{Dimension, Unit, UnitSet};
 
 use crate::{error::Error, survey};
 
-/// Readings with what was in the hole.
+/// Readings with the strings in the hole.
 #[derive(Debug, Default, Clone)]
 pub(crate) struct Readings {
     pub(crate) readings: Vec<Reading>,
-    /// Where each stands in its file.
+    /// Position of each in its file.
     pub(crate) places: Vec<String>,
-    /// Those that take no part in the fit, and where each stands.
+    /// Readings that are not part of the fit, and their positions.
     pub(crate) held_out: Vec<Reading>,
     pub(crate) held_out_places: Vec<String>,
-    /// Strings in their holes: one for each case, density of mud and what else a row changes.
+    /// Strings in their holes: one for each combination of case, mud density and other changes of a
+    /// row.
     pub(crate) assemblies: Vec<Assembly>,
-    /// Each one's case.
+    /// Case of each.
     pub(crate) cases: Vec<usize>,
-    /// How the file was understood.
+    /// Interpretation of the file.
     pub(crate) notes: Vec<String>,
-    /// What is to be said of the readings themselves.
+    /// Checks of the readings themselves.
     pub(crate) checks: Vec<ReadingCheck>,
     /// Units of the columns, by channel.
     pub(crate) units: [Option<&'static Unit>; Channel::ALL.len()],
 }
 
-/// Bits this near to the end of the hole are at it, m.
+/// Bit depths within this distance of the end of the hole are equal to it, m.
 const ROUNDED_M: f64 = 1e-3;
 
-/// What a file holds, or would hold.
+/// Content of a file, from the disk or from memory.
 pub(crate) fn bytes<'a>(file: &Path, content: Option<&'a [u8]>) -> Result<Cow<'a, [u8]>, Error> {
     match content {
         Some(content) => Ok(content.into()),
@@ -46,7 +47,8 @@ pub(crate) fn bytes<'a>(file: &Path, content: Option<&'a [u8]>) -> Result<Cow<'a
     }
 }
 
-/// Reads the bytes of a file, and finds each row's case; readings that cannot be any are left out and said.
+/// Reads the bytes of a file and finds the case of each row; impossible readings are left out and
+/// reported.
 pub(crate) fn read(file: &Path, bytes: &[u8], cases: &[NamedCase<'_>]) -> Result<Readings, Error> {
     let name = file.display().to_string();
     let imported = read_readings(bytes, &name).map_err(|error| survey::explained(&error))?;
@@ -58,15 +60,15 @@ pub(crate) fn read(file: &Path, bytes: &[u8], cases: &[NamedCase<'_>]) -> Result
     Ok(Readings { notes, units, ..data })
 }
 
-/// Units in which the first case is shown.
+/// Units of the first case.
 fn units_of(cases: &[NamedCase<'_>]) -> UnitSet {
-    cases.first().map_or(UnitSet::Si, |of| of.case.units)
+    cases.first().map_or(UnitSet::Si, |case| case.case.units)
 }
 
-/// The checks that leave no answer, as one error.
+/// The checks with severity error as one error.
 pub(crate) fn refused(name: &str, checks: &[ReadingCheck]) -> Result<(), Error> {
-    let errors = checks.iter().filter(|of| of.check.severity == Severity::Error);
-    let errors: Vec<&str> = errors.map(|of| of.check.sentence.as_str()).collect();
+    let errors = checks.iter().filter(|check| check.check.severity == Severity::Error);
+    let errors: Vec<&str> = errors.map(|error| error.check.sentence.as_str()).collect();
     match errors[..] {
         [] => Ok(()),
         _ => Err(Error::BadInput(format!("{name}: {}", errors.join("\n")))),
@@ -86,7 +88,11 @@ pub(crate) fn of_rows(
         let bad = |reason: String| Error::BadInput(format!("{name}, {}: {reason}", row.place));
         let case = of_row(row, cases).map_err(bad)?;
         let change: Changes<'_> = (row.mud_density_kg_per_m3, &row.keys);
-        let known = data.cases.iter().zip(&changes).position(|of| of == (&case, &change));
+        let known = data
+            .cases
+            .iter()
+            .zip(&changes)
+            .position(|known_change| known_change == (&case, &change));
         let setup = match known {
             Some(setup) => setup,
             None => {
@@ -120,22 +126,22 @@ pub(crate) fn of_rows(
     Ok(data)
 }
 
-/// What a row changes of its case: density of the mud, kg/m³, and keys with their values.
+/// Changes of the case in a row: mud density, kg/m³, and keys with their values.
 type Changes<'a> = (Option<f64>, &'a [(String, String)]);
 
-/// The string, the hole and the mud of a row.
-fn assembly(of: &NamedCase<'_>, (density, keys): Changes<'_>) -> Result<Assembly, String> {
+/// String, hole and mud of a row.
+fn assembly(named: &NamedCase<'_>, (density, keys): Changes<'_>) -> Result<Assembly, String> {
     let changed = match keys {
         [] => None,
         keys => {
             let own = keys.iter().map(|(key, value)| format!("{key}={value}").parse::<Override>());
             let own: Vec<Override> =
                 own.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
-            let all = [of.overrides, &own].concat();
-            Some(of.template.case(&all).map_err(|report| report.to_string())?)
+            let all = [named.overrides, &own].concat();
+            Some(named.template.case(&all).map_err(|report| report.to_string())?)
         }
     };
-    let case = changed.as_ref().unwrap_or(of.case);
+    let case = changed.as_ref().unwrap_or(named.case);
     let mut setup = case.setup();
     if let Some(density) = density {
         setup.mud.density_kg_per_m3 = density;
@@ -143,34 +149,34 @@ fn assembly(of: &NamedCase<'_>, (density, keys): Changes<'_>) -> Result<Assembly
     Ok(Assembly::new(setup, &case.operations))
 }
 
-/// The case of a row, by the name of the case or of its file.
+/// Case of a row, by the name of the case or of its file.
 fn of_row(row: &ImportedReading, cases: &[NamedCase<'_>]) -> Result<usize, String> {
     let names = || {
-        let names = cases.iter().map(|of| format!("'{}' ({})", of.case.name, of.file));
+        let names = cases.iter().map(|case| format!("'{}' ({})", case.case.name, case.file));
         names.collect::<Vec<_>>().join(", ")
     };
     let Some(name) = &row.case else {
         return match cases {
             [_] => Ok(0),
-            _ => Err(format!("it does not say its case: a column `case` names one of {}", names())),
+            _ => Err(format!("it names no case: give a column `case` with one of {}", names())),
         };
     };
-    let is = |of: &NamedCase<'_>| {
-        [&of.case.name, &of.file].iter().any(|known| known.eq_ignore_ascii_case(name))
+    let is = |case: &NamedCase<'_>| {
+        [&case.case.name, &case.file].iter().any(|known| known.eq_ignore_ascii_case(name))
     };
     let found = cases.iter().position(is);
-    found.ok_or_else(|| format!("no case is called '{name}'; there are {}", names()))
+    found.ok_or_else(|| format!("there is no case '{name}'; expected one of {}", names()))
 }
 
-/// The deepest that the bit of a string can be, m.
+/// Deepest bit of a string, m.
 pub(crate) fn deepest_m(assembly: &Assembly) -> f64 {
     let well = &assembly.setup.well;
     let hole_m = well.hole.sections().last().map_or(0.0, |section| section.to_md_m);
     hole_m.min(well.path.last_md_m())
 }
 
-/// The depth of a reading's bit in its case, m: the end of the hole where the depth as it is written is rounded
-/// beyond it.
+/// Bit depth of a reading in its case, m: the end of the hole if the written depth exceeds it by
+/// rounding.
 fn within(
     row: &ImportedReading,
     half_digit_m: f64,
@@ -180,23 +186,23 @@ fn within(
 ) -> Result<f64, String> {
     let depth_m = row.bit_depth_m;
     let (least, most) = (assembly.setup.assembly_m(), deepest_m(assembly));
-    let shown = |depth_m: f64| {
+    let text = |depth_m: f64| {
         let unit = Dimension::Length.unit_in(units);
         format!("{:.1} {}", unit.from_si(depth_m), unit.symbol)
     };
     if depth_m > most + half_digit_m.max(ROUNDED_M) {
         return Err(format!(
             "the bit is at {}, but hole and survey of its case end at {}",
-            shown(depth_m),
-            shown(most)
+            text(depth_m),
+            text(most)
         ));
     }
     if depth_m > most + ROUNDED_M {
         let sentence = format!(
             "{}: the bit is at {}, rounded beyond the end of hole and survey at {}; taken as at the end",
             row.place,
-            shown(depth_m),
-            shown(most)
+            text(depth_m),
+            text(most)
         );
         let check = ReadingCheck::new(CheckKind::RoundedDepth, Severity::Note, sentence);
         checks.push(check.numbers([depth_m, most].map(Some)).on(vec![row.place.clone()]));
@@ -205,8 +211,8 @@ fn within(
     if depth_m <= least {
         return Err(format!(
             "the bit is at {}, but the string of its case is {} long below its drill pipe",
-            shown(depth_m),
-            shown(least)
+            text(depth_m),
+            text(least)
         ));
     }
     Ok(depth_m)

@@ -1,18 +1,18 @@
-//! Frames of the whole string on their way to the disk.
+//! Writing of frames of the whole string to the disk.
 
 use wholestring::{dynamics::Simulation, operation::Operation, outcome::ModelKind};
 use wholestring_case::Case;
 use wholestring_results::{FrameWriter, FramesSoFar, ResultsError, ResultsFolder};
 
-/// Frames at even spacing in time.
+/// Frames at equal intervals of time.
 pub(crate) struct Frames {
     writer: FrameWriter,
     interval_s: f64,
 }
 
 impl Frames {
-    /// Begins them, or continues from what a checkpoint kept, where the case requires frames and a
-    /// model can give them.
+    /// Starts the frames, or continues from a checkpoint, if the case requires frames and a model
+    /// can provide them.
     pub(crate) fn begin(
         case: &Case,
         folder: &ResultsFolder,
@@ -32,17 +32,17 @@ impl Frames {
         Ok(Some(Self { writer, interval_s }))
     }
 
-    /// What a checkpoint must keep.
+    /// State for a checkpoint.
     pub(crate) fn so_far(&self) -> &FramesSoFar {
         self.writer.so_far()
     }
 
-    /// Samples from one frame to the next.
+    /// Number of samples between two frames.
     pub(crate) fn samples(&self, sample_interval_s: f64) -> u64 {
         (self.interval_s / sample_interval_s).round().max(1.0) as u64
     }
 
-    /// Takes the string as it is.
+    /// Adds the current state of the string.
     pub(crate) fn take(
         &mut self,
         operation: &Operation,
@@ -51,7 +51,7 @@ impl Frames {
         self.writer.push(operation.kind.name(), &simulation.frame())
     }
 
-    /// Writes the file with all that were taken.
+    /// Writes the file with all frames.
     pub(crate) fn write(&mut self) -> Result<(), ResultsError> {
         self.writer.write()
     }

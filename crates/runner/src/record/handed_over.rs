@@ -1,5 +1,5 @@
-//! Rows against time that a long run has handed over: they are on the disk, in parts, and are read
-//! back as often as the answer needs them.
+//! Time histories that a long run has moved to the disk: they are stored in parts, which are read
+//! back whenever a result requires them.
 
 use std::{
     path::{Path, PathBuf},
@@ -14,7 +14,7 @@ use crate::parallel::lock;
 /// Rows of a part: 16 384 are 164 s of a run that is sampled every 10 ms, and 10 MB of memory.
 pub(crate) const PART_ROWS: usize = 1 << 14;
 
-/// The rows that one operation has handed over.
+/// The rows that one operation has moved to the disk.
 #[derive(Debug)]
 pub(crate) struct HandedOver {
     parts: Vec<PathBuf>,
@@ -22,7 +22,7 @@ pub(crate) struct HandedOver {
 }
 
 impl HandedOver {
-    /// Those in these parts, each of [`PART_ROWS`] rows.
+    /// Creates them from these parts, each of [`PART_ROWS`] rows.
     pub(super) fn new(parts: Vec<PathBuf>) -> Self {
         Self { parts, fault: Mutex::new(None) }
     }
@@ -32,12 +32,12 @@ impl HandedOver {
         Self::new(Vec::new())
     }
 
-    /// The first fault at which rows could not be read, if there was one.
+    /// The first error in reading rows, if there was one.
     pub(crate) fn fault(&self) -> Option<String> {
         lock(&self.fault).as_ref().map(ToString::to_string)
     }
 
-    /// The columns of a part; without numbers where it cannot be read.
+    /// Columns of a part; empty if it cannot be read.
     fn read(&self, part: &Path, names: &[&'static str]) -> Vec<Vec<f64>> {
         let mut columns = vec![Vec::with_capacity(PART_ROWS); names.len()];
         let read = Table::read_parquet_pieces(part, names, |piece| {
@@ -50,7 +50,7 @@ impl HandedOver {
         let read = read.and_then(|()| match whole {
             true => Ok(()),
             false => {
-                let reason = "it has not the rows that were written to it".to_owned();
+                let reason = "it lacks rows that were written to it".to_owned();
                 Err(ResultsError::Format { path: part.to_owned(), reason })
             }
         });

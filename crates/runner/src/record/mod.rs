@@ -1,4 +1,4 @@
-//! What a run has solved so far, and its way to the disk.
+//! Results of a run so far, and writing them to the disk.
 
 mod frames;
 mod handed_over;
@@ -30,11 +30,11 @@ use crate::{
     page::{FILE, PROFILE, Tables, along_the_hole, write_profile},
 };
 
-/// What a run has solved to its end, as a checkpoint keeps it. The tables are large: what was
-/// written of them is on the disk.
+/// Finished results of a run, as stored in a checkpoint. Tables are large, so those already written
+/// remain on the disk.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Solved<'a> {
-    /// The operations of the summary, as JSON.
+    /// Operations of the summary, as JSON.
     operations: String,
     nodes: TableSoFar<'a>,
     time: TableSoFar<'a>,
@@ -42,14 +42,14 @@ pub(crate) struct Solved<'a> {
     contact: TableSoFar<'a>,
     bottom_hole: Cow<'a, Table>,
     spectra: TableSoFar<'a>,
-    /// Frames up to the checkpoint, of the operation under way too.
+    /// Frames up to the checkpoint, including the operation under way.
     frames: Option<Cow<'a, FramesSoFar>>,
 }
 
-/// Everything that a run leaves.
+/// All results of a run.
 pub(crate) struct Record {
     pub(crate) summary: Summary,
-    /// All that the case's answers depend on.
+    /// All settings that the case's answers depend on.
     pub(crate) identity: Value,
     tables: RunTables,
     /// Lines of the case's schedule.
@@ -62,7 +62,7 @@ pub(crate) struct Record {
 }
 
 impl Record {
-    /// Begins anew in the folder; what an earlier run left to continue with goes.
+    /// Starts a new run in the folder; removes the checkpoint of an earlier run.
     pub(crate) fn begin(
         case: &Case,
         units: UnitSet,
@@ -73,30 +73,30 @@ impl Record {
         Ok(Self::empty(case, units, frames))
     }
 
-    /// Begins anew, with no folder: the rows stay in memory, and no frames are kept.
+    /// Starts a new run without a folder: rows remain in memory, and no frames are kept.
     pub(crate) fn in_memory(case: &Case, units: UnitSet) -> Self {
         Self::empty(case, units, None)
     }
 
-    /// The lines of the schedule where they are not those of the case: some were added.
+    /// Replaces the lines of the case's schedule, because some were added.
     pub(crate) fn schedule_is(&mut self, lines: &[ScheduleStep]) {
         self.schedule = lines.to_vec();
     }
 
-    /// The kinetic coefficients of the hole's sections where they are not those of the case.
+    /// Replaces the kinetic friction coefficients of the case's hole sections.
     pub(crate) fn friction_is(&mut self, kinetic: &[f64]) {
-        let of = |section: usize| kinetic.get(section).copied().unwrap_or(f64::NAN);
-        if let Ok(hole) = self.hole.with_friction_of(of) {
+        let kinetic = |section: usize| kinetic.get(section).copied().unwrap_or(f64::NAN);
+        if let Ok(hole) = self.hole.with_friction_of(kinetic) {
             self.hole = hole;
         }
     }
 
-    /// Its summary and its tables, of a run that stayed in memory.
+    /// Returns summary and tables of a run in memory.
     pub(crate) fn into_parts(self) -> (Summary, RunTables) {
         (self.summary, self.tables)
     }
 
-    /// Takes up what was solved before, in the same folder.
+    /// Continues from results solved earlier in the same folder.
     pub(crate) fn resume(
         case: &Case,
         units: UnitSet,
@@ -145,9 +145,9 @@ impl Record {
         }
     }
 
-    /// What was solved so far; nothing that was only begun is in it.
+    /// Results of the finished operations; the operation under way is not included.
     pub(crate) fn solved_so_far(&self) -> Solved<'_> {
-        // Every field is named: a new one is either found anew or kept.
+        // All fields are listed, so that a new field must be either restored or stored.
         let Self {
             summary,
             identity: _,
@@ -170,7 +170,7 @@ impl Record {
         }
     }
 
-    /// Its summary; all else goes.
+    /// Returns the summary and drops the rest.
     pub(crate) fn into_summary(self) -> Summary {
         self.summary
     }
@@ -182,10 +182,10 @@ impl Record {
         solved.any(|solved| solved.model == model && solved.operation == name)
     }
 
-    /// The rows that an operation under way has handed over.
+    /// Rows that an operation under way has moved to the disk.
     ///
     /// # Errors
-    /// A checkpoint whose operation has handed over other rows than there are.
+    /// A checkpoint whose operation has moved other rows than those on the disk.
     pub(crate) fn handed_over(
         &self,
         folder: &ResultsFolder,
@@ -201,14 +201,14 @@ impl Record {
         Ok(HandedOver::new(parts.map(path).collect()))
     }
 
-    /// The answer that was added last has failed after all.
+    /// Marks the last added answer as failed.
     pub(crate) fn failed(&mut self, reason: String) {
         if let Some(last) = self.summary.operations.last_mut() {
             last.status = Status::Failed(reason);
         }
     }
 
-    /// Adds the checks of the answer that was added last.
+    /// Adds the checks of the last added answer.
     pub(crate) fn judged(&mut self, checks: Checks) {
         if let Some(last) = self.summary.operations.last_mut() {
             last.checks = checks.governing_of_each_kind();
@@ -221,7 +221,7 @@ impl Record {
         case.judge(self.units)
     }
 
-    /// Writes what is kept; what an earlier run left goes.
+    /// Writes the files that are kept; removes those of an earlier run.
     pub(crate) fn write(
         &mut self,
         folder: &ResultsFolder,
@@ -236,8 +236,8 @@ impl Record {
         write_summary(folder, keep, &self.summary, self.units)
     }
 
-    /// Removes the tables that are not kept but whose rows a checkpoint counted on: those of a run
-    /// that was begun to keep them. Only once there is no checkpoint.
+    /// Removes tables that are not kept but were written for a checkpoint, by a run that was
+    /// started to keep them. Called only once there is no checkpoint.
     pub(crate) fn finish(&self, folder: &ResultsFolder, keep: Keep) -> Result<(), ResultsError> {
         match keep {
             Keep::Summary => self.tables.remove_all_but_spectra(folder),
@@ -246,7 +246,7 @@ impl Record {
     }
 }
 
-/// Writes the summary, and the profile where all is kept, once the tables are there.
+/// Writes the summary, and the profile if all is kept, after the tables.
 pub(crate) fn write_summary(
     folder: &ResultsFolder,
     keep: Keep,
@@ -261,15 +261,16 @@ pub(crate) fn write_summary(
         folder.remove(PROFILE)?;
         folder.remove(FILE)?;
     }
-    // Last, so that a summary reports tables that are there.
-    if keep == Keep::Summary && summary.operations.iter().all(|of| is_cheap(of.model)) {
+    // Written last, so that the tables that a summary reports exist.
+    if keep == Keep::Summary && summary.operations.iter().all(|operation| is_cheap(operation.model))
+    {
         folder.write_compact_summary(summary)
     } else {
         folder.write_summary(summary)
     }
 }
 
-/// Whether what a method answers is solved again rather than read back.
+/// Whether results of a model are solved again instead of read back.
 fn is_cheap(model: ModelKind) -> bool {
     model.method().cost == Cost::Milliseconds
 }

@@ -1,4 +1,4 @@
-//! What a model computed, as rows of the tables.
+//! Results of a model as rows of the tables.
 
 use std::time::Duration;
 
@@ -11,35 +11,36 @@ use wholestring::{
     },
     rock::bit_face::BottomHole,
 };
+use wholestring_report::operation_name;
 use wholestring_results::{
     Friction, Numerics, OperationSummary, ResultsError, ResultsFolder, Spectrum, Status,
 };
 
 use super::{Record, friction, handed_over::PART_ROWS};
 
-/// What a dynamic run cost.
+/// Cost of a dynamic run.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Effort {
     /// Wall-clock time.
     pub(crate) took: Duration,
-    /// Runs from the start to the end, those that a lift was sought with included.
+    /// Number of runs from start to end, including those that search a lift.
     pub(crate) runs: usize,
 }
 
-/// How an operation was carried out, whatever the method.
+/// Solution of an operation by any method, apart from its profile.
 pub(crate) struct CarriedOut<'a> {
-    /// How far.
+    /// Completion.
     pub(crate) status: Status,
-    /// The lift that was found for it, if there is one.
+    /// Lift found for it, if there is one.
     pub(crate) lift: Option<TunedHookLoad>,
-    /// The bottom that it left on solid rock, if there is one.
+    /// Bottom hole on solid rock, if there is one.
     pub(crate) bottom: Option<&'a BottomHole>,
-    /// What it cost.
+    /// Cost.
     pub(crate) effort: Effort,
 }
 
 impl CarriedOut<'_> {
-    /// To its end, and too fast for a clock.
+    /// Complete, in negligible time.
     pub(crate) const AT_ONCE: Self = Self {
         status: Status::Complete,
         lift: None,
@@ -49,7 +50,7 @@ impl CarriedOut<'_> {
 }
 
 impl Record {
-    /// Adds the results of a method for an operation: to the summary, and to every table.
+    /// Adds the results of a method for an operation to the summary and to every table.
     pub(crate) fn add(
         &mut self,
         operation: &Operation,
@@ -58,9 +59,9 @@ impl Record {
     ) {
         let Solution { model, scalars, hydraulics, profile, wear, at_rest, in_time } = *solution;
         let CarriedOut { status, lift, bottom, effort } = carried_out;
-        let statistics = |of: InTime<'_>| {
-            let named = of.statistics.iter();
-            named.map(|(name, of)| ((*name).to_owned(), *of)).collect()
+        let statistics = |time: InTime<'_>| {
+            let named = time.statistics.iter();
+            named.map(|(name, statistic)| ((*name).to_owned(), *statistic)).collect()
         };
         self.summary.operations.push(OperationSummary {
             model,
@@ -75,9 +76,9 @@ impl Record {
             hydraulics,
             at_rest,
             statistics: in_time.map(statistics),
-            indicators: in_time.map(|of| *of.indicators),
-            bit_table: in_time.and_then(|of| of.bit_table),
-            numerics: in_time.map(|of| numerics(&of, effort)),
+            indicators: in_time.map(|time| *time.indicators),
+            bit_table: in_time.and_then(|time| time.bit_table),
+            numerics: in_time.map(|time| numerics(&time, effort)),
         });
         let name = operation.kind.name();
         let whose: [(&str, &[&str]); 2] = [("model", &[model.name()]), ("operation", &[name])];
@@ -91,7 +92,7 @@ impl Record {
             );
         }
         if let Some(InTime { contact, history, .. }) = in_time {
-            // Those before them are in the table.
+            // Earlier rows are already in the table.
             let series = history.series();
             let whose: (&str, &[&str]) = ("operation", &[name]);
             self.tables.contact.append_declared(&[whose], CONTACT_MAP, contact, model);
@@ -108,8 +109,8 @@ impl Record {
         }
     }
 
-    /// Takes rows against time from an operation that continues, as long as they fill a part: they
-    /// go to the disk, so that a run of hours takes no more memory than one of minutes.
+    /// Moves rows of a time history from a running operation to the disk as long as they fill a
+    /// part, so that a run of hours needs no more memory than one of minutes.
     ///
     /// # Errors
     /// A part that cannot be written.
@@ -133,7 +134,8 @@ impl Record {
         Ok(())
     }
 
-    /// Adds an operation that a method has no answer for: to the summary alone, without numbers.
+    /// Adds an operation without a solution, which has an entry without numbers in the summary and
+    /// no rows in the tables.
     pub(crate) fn add_unsolved(&mut self, model: ModelKind, operation: &Operation, why: String) {
         self.summary.operations.push(OperationSummary {
             model,
@@ -154,28 +156,31 @@ impl Record {
         });
     }
 
-    /// Which operations have no answer, and why, in lines; none where all have one.
+    /// Operations without a solution and the reasons, a line each; `None` if all are solved.
     pub(crate) fn unsolved(&self) -> Option<String> {
-        let failed = self.summary.operations.iter().filter_map(|of| match &of.status {
-            Status::Failed(why) => Some(format!("{}: {why}", of.operation)),
-            Status::Complete | Status::Interrupted => None,
-        });
+        let failed =
+            self.summary.operations.iter().filter_map(|operation| match &operation.status {
+                Status::Failed(why) => {
+                    Some(format!("{}: {why}", operation_name(&operation.operation)))
+                }
+                Status::Complete | Status::Interrupted => None,
+            });
         let lines: Vec<String> = failed.collect();
         (!lines.is_empty()).then(|| lines.join("\n"))
     }
 
-    /// Adds the spectra that the case requires; a window that was interrupted before a segment of
-    /// it was full is one segment.
-    fn add_spectra(&mut self, operation: &Operation, of: &InTime<'_>, profile: &Profile) {
-        let history = of.history;
-        let from = history.row_at(of.numerics.settle_s);
+    /// Adds the spectra that the case requires; a window that ended before its first segment was
+    /// full is one segment.
+    fn add_spectra(&mut self, operation: &Operation, time: &InTime<'_>, profile: &Profile) {
+        let history = time.history;
+        let from = history.row_at(time.numerics.settle_s);
         let times = history.scalar(TIME, from);
         let count = times.count();
         let Some([first_s, last_s]) = ends(&times).filter(|_| count > 1) else {
             return;
         };
         let interval_s = (last_s - first_s) / (count - 1) as f64;
-        // Rounding to whole steps may leave the window a sample short.
+        // Rounding to whole steps may make the window one sample shorter.
         let segment = (self.records.spectrum_segment_s / interval_s).round() as usize;
         let spectra = &mut self.tables.spectra;
         let mut add = |name: &str, unit: &str, md_m: Option<f64>, samples: &dyn Samples| {
@@ -209,20 +214,24 @@ impl Record {
 
 const TIME: &Column<TimeSeries> = Column::named(TIME_SERIES, "time_s");
 
-/// What a solution in time says of how it was computed, and what it cost.
-fn numerics(of: &InTime<'_>, effort: Effort) -> Numerics {
-    let last_s = of.history.series().time_s.last().copied().unwrap_or(0.0);
+/// Numerical settings and cost of a solution in time.
+fn numerics(time: &InTime<'_>, effort: Effort) -> Numerics {
+    let last_s = time.history.series().time_s.last().copied().unwrap_or(0.0);
     let simulated_s = last_s * effort.runs as f64;
     let wall_time_s = effort.took.as_secs_f64();
-    Numerics { run: of.numerics.clone(), wall_time_s, real_time_factor: simulated_s / wall_time_s }
+    Numerics {
+        run: time.numerics.clone(),
+        wall_time_s,
+        real_time_factor: simulated_s / wall_time_s,
+    }
 }
 
 /// Radius, angle and depth of every cell of a bottom, ring after ring.
 pub(crate) fn bottom_rows(bottom: &BottomHole) -> [Vec<f64>; 3] {
     let cells = (0..bottom.rings())
         .flat_map(|ring| (0..bottom.sectors()).map(move |sector| (ring, sector)));
-    let column = |of: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
-        cells.clone().map(|(ring, sector)| of(ring, sector)).collect()
+    let column = |value: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
+        cells.clone().map(|(ring, sector)| value(ring, sector)).collect()
     };
     [
         column(&|ring, _| bottom.radius_m(ring)),
@@ -231,13 +240,13 @@ pub(crate) fn bottom_rows(bottom: &BottomHole) -> [Vec<f64>; 3] {
     ]
 }
 
-/// The table writes what is not finite as `null`.
+/// The table writes non-finite numbers as `null`.
 fn numbers(values: &[Option<f64>]) -> Vec<f64> {
     let number = |value: &Option<f64>| value.unwrap_or(f64::NAN);
     values.iter().map(number).collect()
 }
 
-/// The note of the line of a schedule that began last, at each row.
+/// Note of the schedule line in effect at each row.
 fn notes<'a>(schedule: &'a [ScheduleStep], lines: &[usize]) -> Vec<&'a str> {
     let note = |line: &usize| {
         let begun = schedule.get(..*line).unwrap_or_default();

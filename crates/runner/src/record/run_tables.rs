@@ -13,10 +13,10 @@ use crate::{
     parallel::{in_parallel, lock},
 };
 
-/// Name of the table of the bottom of the hole, without the ending of its file.
+/// Name of the table of the bottom of the hole, without its extension.
 const BOTTOM_HOLE_FILE: &str = "bottom_hole";
 
-/// The tables of a run: rows gather in memory until they are written.
+/// Tables of a run, whose rows are collected in memory until they are written.
 #[derive(Clone)]
 pub(crate) struct RunTables {
     pub(super) nodes: GrowingTable,
@@ -25,12 +25,12 @@ pub(crate) struct RunTables {
     pub(super) contact: GrowingTable,
     pub(super) bottom_hole: Table,
     pub(super) spectra: GrowingTable,
-    /// Whether the case asks for spectra: their file is written then, if only without rows.
+    /// Whether the case requires spectra: their file is then written even without rows.
     with_spectra: bool,
 }
 
 impl RunTables {
-    /// Those of a case that keeps these, without rows.
+    /// Creates the tables for these records, without rows.
     pub(super) fn of(records: &Records) -> Self {
         Self::empty(!records.spectra.is_empty() || !records.probes.is_empty())
     }
@@ -47,7 +47,7 @@ impl RunTables {
         }
     }
 
-    /// Those that have these rows.
+    /// Creates the tables from these rows.
     ///
     /// # Errors
     /// The name of a table that a run does not have, or not with these columns.
@@ -56,8 +56,8 @@ impl RunTables {
         let Self { nodes, time, wear, contact, spectra, bottom_hole, .. } = &mut all;
         let mut growing = [nodes, time, wear, contact, spectra];
         for (name, table) in rows {
-            let is_taken = match growing.iter_mut().find(|of| of.name() == name) {
-                Some(of) => of.take(table),
+            let is_taken = match growing.iter_mut().find(|growing| growing.name() == name) {
+                Some(growing) => growing.take(table),
                 None if name == BOTTOM_HOLE_FILE && table.is_like(bottom_hole) => {
                     *bottom_hole = table;
                     true
@@ -71,32 +71,32 @@ impl RunTables {
         Ok(all)
     }
 
-    /// Whether the case asks for spectra.
+    /// Whether the case requires spectra.
     pub(crate) fn with_spectra(&self) -> bool {
         self.with_spectra
     }
 
-    /// The tables as they are in memory, each with its name.
+    /// The tables in memory, each with its name.
     pub(crate) fn named(&self) -> [(&'static str, &Table); 6] {
-        let of = |table| (GrowingTable::name(table), GrowingTable::rows(table));
+        let entry = |table| (GrowingTable::name(table), GrowingTable::rows(table));
         [
-            of(&self.nodes),
-            of(&self.time),
-            of(&self.wear),
-            of(&self.contact),
+            entry(&self.nodes),
+            entry(&self.time),
+            entry(&self.wear),
+            entry(&self.contact),
             (BOTTOM_HOLE_FILE, &self.bottom_hole),
-            of(&self.spectra),
+            entry(&self.spectra),
         ]
     }
 
-    /// Writes what is kept; what an earlier run left goes.
+    /// Writes the tables that are kept; removes those of an earlier run.
     pub(crate) fn write(
         &mut self,
         folder: &ResultsFolder,
         keep: Keep,
         csv: bool,
     ) -> Result<(), ResultsError> {
-        // Of most bits there is none.
+        // Most bits leave none.
         if keep >= Keep::Tables && self.bottom_hole.rows() > 0 {
             folder.write_table(BOTTOM_HOLE_FILE, &self.bottom_hole, csv)?;
         } else {
@@ -110,7 +110,7 @@ impl RunTables {
         if self.with_spectra { self.spectra.write(folder, csv) } else { remove(folder, "spectra") }
     }
 
-    /// Removes the tables that are not kept but whose rows a checkpoint counted on.
+    /// Removes tables that are not kept but were written for a checkpoint.
     pub(super) fn remove_all_but_spectra(
         &self,
         folder: &ResultsFolder,
@@ -122,7 +122,8 @@ impl RunTables {
     }
 }
 
-/// Writes tables at the same time: each waits for the disk, and one is much longer than the others.
+/// Writes tables in parallel, because each waits for the disk and one is much longer than the
+/// others.
 fn write_side_by_side(
     tables: [&mut GrowingTable; 4],
     folder: &ResultsFolder,

@@ -1,4 +1,4 @@
-//! What a case comes to, in memory.
+//! Results of a case in memory.
 
 use std::{
     num::NonZeroUsize,
@@ -23,8 +23,8 @@ use crate::{
     record::{self, Record, RunTables},
 };
 
-/// What a case comes to, in memory: the summary and the tables that [`run`](super::run) writes, and
-/// nothing on the disk until [`Answers::save`].
+/// Results of a case in memory: the summary and the tables that [`run`](super::run) writes. No
+/// files are written before [`Answers::save`].
 pub struct Answers {
     summary: Summary,
     tables: RunTables,
@@ -33,22 +33,22 @@ pub struct Answers {
     units: UnitSet,
 }
 
-/// How solving in memory ended.
+/// Outcome of solving in memory.
 #[must_use = "it may have stopped before its end"]
 pub struct Solved {
-    /// What was computed.
+    /// Computed results.
     pub answers: Answers,
-    /// Why it stopped before its end; nothing where it has come to it.
+    /// Reason why it stopped before its end; `None` if it is complete.
     pub stopped: Option<Stop>,
 }
 
-/// Solves a case, operation after operation, with all of its models, and writes nothing. `jobs` are
-/// the threads that work on solid rock under the bit; one per core by default.
+/// Solves a case, operation after operation, with all of its models, without writing files. `jobs`
+/// are the threads that work on solid rock under the bit; one per core by default.
 ///
 /// # Errors
-/// A case that keeps frames of the whole string: these go to the disk as they are taken, which
-/// [`run`](super::run) does. What stops the work later is told by the outcome, for what was computed
-/// until then is kept.
+/// A case that keeps frames of the whole string, because these are written to the disk as they are
+/// computed; use [`run`](super::run) instead. A later stop is reported by the outcome, because the
+/// results until then are kept.
 pub fn answer(
     case: &Case,
     jobs: Option<NonZeroUsize>,
@@ -56,8 +56,8 @@ pub fn answer(
     cancellation: &CancellationToken,
 ) -> Result<Solved, Error> {
     if case.records.frame_interval_s.is_some() {
-        let message = "frames of the whole string are written to a folder as they are taken: a case \
-                       with [records] frames is run into one";
+        let message = "frames of the whole string are written to a folder as they are computed: \
+                       run a case with [records] frames into a folder";
         return Err(Error::BadInput(message.to_owned()));
     }
     let way = Way {
@@ -80,8 +80,8 @@ impl Answers {
         Self { summary, tables, identity, name: case.name.clone(), units: case.units }
     }
 
-    /// Those of which these are the [`Answers::summary`] as JSON, the [`Answers::tables`], and
-    /// whether the case asks for spectra: what one process sends another.
+    /// Restores answers from their [`Answers::summary`] as JSON, their [`Answers::tables`], and
+    /// whether the case requires spectra, as sent by another process.
     ///
     /// # Errors
     /// A summary of a newer version, or a table that is not one of a run.
@@ -94,35 +94,36 @@ impl Answers {
         let bad = |reason: String| ResultsError::Format { path: place.to_owned(), reason };
         let summary = Summary::parse(place, summary)?;
         let tables = RunTables::with(with_spectra, tables);
-        let tables = tables.map_err(|name| bad(format!("its table `{name}` is none of a run")))?;
+        let tables =
+            tables.map_err(|name| bad(format!("its table `{name}` is not one of a run")))?;
         let identity = summary.identity.clone();
-        let identity = identity.ok_or_else(|| bad("it does not say of which case".to_owned()))?;
-        let units = summary.settings.get("units").and_then(|of| of.as_str());
-        let units = units.and_then(|of| of.parse().ok());
-        let units = units.ok_or_else(|| bad("it does not say in which units".to_owned()))?;
+        let identity = identity.ok_or_else(|| bad("it does not name its case".to_owned()))?;
+        let units = summary.settings.get("units").and_then(|setting| setting.as_str());
+        let units = units.and_then(|unit| unit.parse().ok());
+        let units = units.ok_or_else(|| bad("it does not name its units".to_owned()))?;
         Ok(Self { name: summary.case.clone(), summary, tables, identity, units })
     }
 
-    /// The summary, as `summary.json` has it.
+    /// The summary, as in `summary.json`.
     pub fn summary(&self) -> &Summary {
         &self.summary
     }
 
-    /// Whether the case asks for spectra: they have a file then, if only without rows.
+    /// Whether the case requires spectra: their file is then written even without rows.
     pub fn with_spectra(&self) -> bool {
         self.tables.with_spectra()
     }
 
-    /// The tables that have rows, each with the name of its file without the ending.
+    /// Tables with rows, each with the name of its file without extension.
     pub fn tables(&self) -> Vec<(&'static str, &Table)> {
         self.tables.named().into_iter().filter(|(_, table)| table.rows() > 0).collect()
     }
 
-    /// Writes what a run of the case leaves, its page and its picture too, and gives the folder: the
-    /// one that `output` names, or `out/<name>`. With `csv` the tables are written as CSV too.
+    /// Writes the files of a run of the case, including its page and picture, and returns the
+    /// folder: the one in `output`, or `out/<name>`. With `csv` the tables are also written as CSV.
     ///
     /// # Errors
-    /// A folder that the results cannot go to.
+    /// A folder that cannot take the results.
     pub fn save(
         &self,
         output: &Output,
@@ -141,7 +142,7 @@ impl Answers {
         .folder()?;
         let folder = &claimed.folder;
         folder.remove_checkpoint()?;
-        // What is written leaves the memory of the record that writes it.
+        // Writing takes the rows out of the tables, so a copy is written.
         self.tables.clone().write(folder, Keep::All, csv)?;
         folder.remove("frames.parquet")?;
         record::write_summary(folder, Keep::All, &self.summary, self.units)?;

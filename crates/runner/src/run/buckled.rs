@@ -1,14 +1,14 @@
-//! Sentences about elements that are too long for the compression on them.
+//! Sentences about elements that are too long for their compression.
 
 use wholestring::rod::buckled_element::BuckledElement;
 use wholestring_judge::shorter_element;
 use wholestring_units::{Dimension, UnitSet};
 
-/// Why a run in hand stops.
+/// Reason why a live run stops.
 pub(super) fn stopped(element: &BuckledElement, units: UnitSet) -> String {
     format!(
         "{} buckles between its nodes under a compression of {}, its own buckling load is {}: the \
-         string folds there as no pipe does. {}",
+         string folds there, which a real pipe does not. {}",
         named(element, units),
         force(element.compression_N, units),
         force(element.own_load_N, units),
@@ -16,7 +16,7 @@ pub(super) fn stopped(element: &BuckledElement, units: UnitSet) -> String {
     )
 }
 
-/// Why a weight on bit is refused, N.
+/// Reason why a weight on bit, N, is refused.
 pub(super) fn refused(weight_N: f64, element: &BuckledElement, units: UnitSet) -> String {
     format!(
         "a weight on bit of {} exceeds what the mesh is made for: {} would buckle between its nodes \
@@ -47,7 +47,7 @@ fn remedy(element: &BuckledElement, units: UnitSet) -> String {
     )
 }
 
-/// A force in four digits, as many as a sentence needs.
+/// A force in four digits for a sentence.
 fn force(force_N: f64, units: UnitSet) -> String {
     let unit = Dimension::Force.unit_in(units);
     let force = unit.from_si(force_N);

@@ -1,5 +1,5 @@
-//! A dynamic run that a front takes forward bit by bit, and whose set points it changes: for a
-//! controller, a digital twin, an environment to learn in.
+//! A dynamic run that a front end advances step by step and whose set points it changes, for a
+//! controller, a digital twin or a learning environment.
 
 use std::{num::NonZeroUsize, sync::Arc, time::Duration};
 
@@ -31,24 +31,25 @@ use crate::{
     },
 };
 
-/// Simulated time between two looks at a cancellation at most, s; a slow run looks by the clock.
+/// Longest simulated time between two checks for cancellation, s; a slow run checks by wall-clock
+/// time.
 const POLL_INTERVAL_S: f64 = 0.05;
 
-/// A dynamic run that a front takes forward.
+/// A dynamic run that a front end advances.
 pub struct Live {
     case: Arc<Case>,
     operation: Operation,
     simulation: Simulation,
     rock_threads: RockThreads,
     took: Duration,
-    /// Sum of the times that it was advanced by, s: the nearest sample is where it stands.
+    /// Sum of the times that it was advanced by, s; the run is at the nearest sample.
     target_s: f64,
     laws: StoredLaws,
-    /// Used by a law of one's own that gave no answer.
+    /// Cancelled by a user's law that returned no answer.
     failed: CancellationToken,
 }
 
-/// What a checkpoint of it holds.
+/// Contents of a checkpoint of it.
 #[derive(Serialize, Deserialize)]
 struct Stored<'a> {
     identity: String,
@@ -60,13 +61,13 @@ struct Stored<'a> {
 }
 
 impl Live {
-    /// Initialises the string for an operation of the case, ready to run; for its only one where
-    /// none is named. Laws of one's own take the place of the case's. `jobs` are the threads that
-    /// work on solid rock under the bit; one per core by default.
+    /// Initialises the string for an operation of the case, ready to run; `None` selects its only
+    /// one. Laws of the user replace those of the case. `jobs` are the threads that work on solid
+    /// rock under the bit; one per core by default.
     ///
     /// # Errors
-    /// An operation that the case does not have, a hoist whose lift is found by runs of the whole
-    /// case, laws where there are none to follow, a string without answer, a cancellation.
+    /// An operation that is not in the case, a hoist whose lift is found by runs of the whole case,
+    /// laws where none apply, a string without a solution, or a cancellation.
     pub fn begin(
         case: Arc<Case>,
         operation: Option<&str>,
@@ -77,14 +78,14 @@ impl Live {
     ) -> Result<Self, Error> {
         let mut operation = *named(&case, operation)?;
         if case.tunes_hook_load {
-            let message = "the lift of this case's hoist is found by runs of the whole case: give \
-                           a run in hand another hoist, such as the autodriller";
+            let message = "the lift of this case's hoist is found by runs of the whole case: use \
+                           another hoist for a live run, such as the autodriller";
             return Err(Error::BadInput(message.to_owned()));
         }
         let start = Instant::now();
         let watch = Watch { observer, case: 0 };
         let what = "initialising the string";
-        let shown = watch.preparing(operation.kind.name(), what);
+        let preparation = watch.preparing(operation.kind.name(), what);
         let rock_threads = RockThreads::of_others(&case, jobs);
         let executor = rock_threads.executor(cancellation);
         let (mut settings, failed) = (case.dynamics.clone(), CancellationToken::new());
@@ -95,18 +96,18 @@ impl Live {
             SetupError::Stopped => Error::Interrupted,
             error => Error::Failed(no_answer("dynamic model", &error)),
         })?;
-        drop(shown);
+        drop(preparation);
         let took = start.elapsed();
         let target_s = simulation.time_s();
         let laws = stored;
         Ok(Self { case, operation, simulation, rock_threads, took, target_s, laws, failed })
     }
 
-    /// Continues from what [`Live::checkpoint`] gave, to the same bits.
+    /// Continues from the bytes of [`Live::checkpoint`], with bitwise equal results.
     ///
     /// # Errors
     /// Bytes that are damaged, of another version of the program, of another case, or with other
-    /// laws of one's own: these are known by their names and rates.
+    /// laws of the user; laws are identified by their names and rates.
     pub fn resume(
         case: Arc<Case>,
         laws: &OwnLaws,
@@ -119,8 +120,8 @@ impl Live {
             return Err(anew("the checkpoint is of another case".to_owned()));
         }
         if !stored.laws.is_of(laws) {
-            let (found, given) = (stored.laws.titles(), laws.titles());
-            return Err(anew(format!("the checkpoint is of a run with {found}, not with {given}")));
+            let (found, own) = (stored.laws.titles(), laws.titles());
+            return Err(anew(format!("the checkpoint is of a run with {found}, not with {own}")));
         }
         let took = Duration::try_from_secs_f64(stored.took_s);
         let took = took.map_err(|_| anew("the checkpoint is damaged: its time".to_owned()))?;
@@ -137,15 +138,16 @@ impl Live {
         Ok(Self { case, operation, simulation, rock_threads, took, target_s, laws, failed })
     }
 
-    /// Advances by `seconds`, to the nearest sample; stops before where it is cancelled. Times add up
-    /// exactly: what one call leaves of a sample, the next one has, so that many short calls come to
-    /// the same time as one long call. After a stop the time counts from where the run stands.
+    /// Advances by `seconds`, to the nearest sample; a cancellation stops it earlier. Times add up
+    /// exactly: the remainder of a sample carries over to the next call, so that many short calls
+    /// reach the same time as one long call. After a stop the time counts from the current time of
+    /// the run.
     ///
     /// # Errors
-    /// A cancellation, a law of one's own that gave no answer, a run that diverged, and one whose
-    /// elements are too long for its compression; what it had
-    /// sampled before stays available. The run stands at a sample then, on solid rock maybe between
-    /// two, and can go on but for one that diverged. Where a law gave no answer, it held the one before until that sample.
+    /// A cancellation, a law of the user that returned no answer, a run that diverged, or elements
+    /// that are too long for their compression; earlier samples remain available. The run is then
+    /// at a sample, on solid rock possibly between two, and can continue unless it diverged. After
+    /// a law returned no answer, its previous answer was held until that sample.
     pub fn advance(
         &mut self,
         seconds: f64,
@@ -153,7 +155,8 @@ impl Live {
         cancellation: &CancellationToken,
     ) -> Result<(), Error> {
         if !(seconds.is_finite() && seconds >= 0.0) {
-            let message = format!("a simulation was asked to advance by {seconds} s");
+            let message =
+                format!("a simulation cannot advance by {seconds} s: expected zero or more");
             return Err(Error::BadInput(message));
         }
         self.check_elements()?;
@@ -162,11 +165,11 @@ impl Live {
         let from_s = self.simulation.time_s();
         let end_s = self.target_s + seconds;
         let watch = Watch { observer, case: 0 };
-        let shown = watch.simulation(self.operation.kind.name(), None, [from_s, end_s]);
+        let report = watch.simulation(self.operation.kind.name(), None, [from_s, end_s]);
         let target = (end_s / sample_s).round() as u64;
         let mut missing = target.saturating_sub(self.simulation.samples());
         let asks = self.laws != StoredLaws::default();
-        // One that asks laws of one's own stops at the sample at which one gave no answer.
+        // A run with laws of the user stops at the sample at which one returned no answer.
         let mut pace = Pace::new(if asks { 0.0 } else { POLL_INTERVAL_S }, sample_s);
         self.failed.reset();
         self.simulation.set_executor(self.rock_threads.executor(cancellation));
@@ -187,18 +190,19 @@ impl Live {
                 let message = format!("no answer of {}", self.laws.titles());
                 done = Err(Error::Failed(message));
             }
-            shown.reach(self.simulation.time_s(), end_s, false);
+            report.reach(self.simulation.time_s(), end_s, false);
         }
         self.took += start.elapsed();
         self.target_s = if done.is_ok() { end_s } else { self.simulation.time_s() };
         done
     }
 
-    /// Adds a line to the schedule: set points that go to new values. A time that has passed is now.
+    /// Adds a line to the schedule: set points that change to new values. A time in the past is
+    /// replaced by the current time.
     ///
     /// # Errors
-    /// A time or a set point that a case could not have, and a weight on bit that the elements are
-    /// too long for.
+    /// A time or a set point that a case could not have, or a weight on bit for which the elements
+    /// are too long.
     pub fn add_to_schedule(&mut self, line: ScheduleStep) -> Result<(), Error> {
         if let Some(refusal) = refused_set_point(&line) {
             return Err(Error::BadInput(refusal));
@@ -212,13 +216,14 @@ impl Live {
         self.simulation.add_to_schedule(line).map_err(|fault| Error::BadInput(fault.to_string()))
     }
 
-    /// Weight on bit that the autodriller holds, N; the operation's where it holds none.
+    /// Weight on bit that the autodriller holds, N; without an autodriller, that of the operation.
     fn set_weight_N(&self) -> f64 {
         let set_N = self.simulation.series().weight_on_bit_set_N.last().copied().flatten();
         set_N.unwrap_or(self.operation.weight_on_bit_N)
     }
 
-    /// An error where an element has buckled between its nodes: from then on the string folds.
+    /// Returns an error if an element has buckled between its nodes, because from then on the
+    /// string folds.
     fn check_elements(&self) -> Result<(), Error> {
         match self.simulation.buckled_element() {
             Some(element) => Err(Error::Failed(buckled::stopped(&element, self.case.units))),
@@ -227,14 +232,16 @@ impl Live {
     }
 
     /// Sets the kinetic coefficient of friction: one for the whole hole, or one for each of its
-    /// sections from the surface down, reached in proportion to time within `ramp_s`.
+    /// sections from the surface down, reached linearly in time within `ramp_s`.
     ///
     /// # Errors
-    /// Another count, a coefficient that a case cannot have, a time that is not one.
+    /// Another number of coefficients, a coefficient that a case cannot have, or an invalid time.
     pub fn set_friction(&mut self, kinetic: &[f64], ramp_s: f64) -> Result<(), Error> {
-        if let Some(of) = kinetic.iter().find(|of| !(0.0..=MAX_FRICTION).contains(*of)) {
+        if let Some(coefficient) =
+            kinetic.iter().find(|kinetic| !(0.0..=MAX_FRICTION).contains(*kinetic))
+        {
             let message =
-                format!("a coefficient of friction of {of}: expected 0 to {MAX_FRICTION}");
+                format!("a coefficient of friction of {coefficient}: expected 0 to {MAX_FRICTION}");
             return Err(Error::BadInput(message));
         }
         let sections = self.case.model.well.hole.sections().len();
@@ -245,10 +252,10 @@ impl Live {
         changed.map_err(Error::bad_input)
     }
 
-    /// Gives the top drive another controller; its torque goes on from where it is.
+    /// Sets another controller of the top drive; its torque continues from the current value.
     ///
     /// # Errors
-    /// A drive that follows its set point whatever torque that takes, which has none.
+    /// A drive that follows its set point at any torque, because it has no controller.
     pub fn set_speed_controller(&mut self, controller: SpeedController) -> Result<(), Error> {
         if self.simulation.set_speed_controller(controller) {
             return Ok(());
@@ -258,23 +265,23 @@ impl Live {
         Err(Error::BadInput(message.to_owned()))
     }
 
-    /// Begins the window anew and forgets what was sampled before, so that memory does not grow
-    /// with the time that a run goes on.
+    /// Restarts the window and drops earlier samples, so that memory does not grow with the
+    /// duration of a run.
     pub fn restart_window(&mut self) {
         self.simulation.restart_window();
     }
 
-    /// Drops the samples of before a time, s: see [`Simulation::forget`].
+    /// Drops the samples before a time, s: see [`Simulation::forget`].
     pub fn forget(&mut self, before_s: f64) {
         self.simulation.forget(before_s);
     }
 
-    /// Whether the bit drills solid rock: a sample takes long.
+    /// Whether the bit drills solid rock, so that a sample takes long.
     pub fn is_on_rock(&self) -> bool {
         self.simulation.is_on_rock()
     }
 
-    /// The simulation as it stands.
+    /// The simulation in its current state.
     pub fn simulation(&self) -> &Simulation {
         &self.simulation
     }
@@ -284,10 +291,10 @@ impl Live {
         &self.operation
     }
 
-    /// All of it, to be kept: [`Live::resume`] continues from it.
+    /// Returns the whole state as bytes, from which [`Live::resume`] continues.
     ///
     /// # Errors
-    /// None that a run gives.
+    /// None in a valid run.
     pub fn checkpoint(&self) -> Result<Vec<u8>, Error> {
         let stored = Stored {
             identity: digest(&self.case.identity()),
@@ -300,8 +307,8 @@ impl Live {
         Ok(checkpoint_bytes(&stored)?)
     }
 
-    /// The answers so far, as a run that was interrupted now has them: over the window if it has
-    /// begun, over everything sampled otherwise.
+    /// Results so far, as for a run interrupted now: over the window if it has begun, otherwise
+    /// over all samples.
     pub fn answers(&self) -> Answers {
         let mut record = Record::in_memory(&self.case, self.case.units);
         record.schedule_is(self.simulation.schedule());
@@ -322,7 +329,8 @@ impl Live {
 /// The operation of that name, or the only one.
 fn named<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Error> {
     let there = || {
-        let names: Vec<&str> = case.operations.iter().map(|of| of.kind.name()).collect();
+        let names: Vec<&str> =
+            case.operations.iter().map(|operation| operation.kind.name()).collect();
         names.join(", ")
     };
     match (name, &case.operations[..]) {
@@ -331,8 +339,10 @@ fn named<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Error>
             let message = format!("the case has several operations: name one of {}", there());
             Err(Error::BadInput(message))
         }
-        (Some(name), all) => all.iter().find(|of| of.kind.name() == name).ok_or_else(|| {
-            Error::BadInput(format!("the case has no operation `{name}`: it has {}", there()))
-        }),
+        (Some(name), all) => {
+            all.iter().find(|operation| operation.kind.name() == name).ok_or_else(|| {
+                Error::BadInput(format!("the case has no operation `{name}`: it has {}", there()))
+            })
+        }
     }
 }

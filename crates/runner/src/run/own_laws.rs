@@ -1,4 +1,4 @@
-//! The laws of one's own of a run in hand, in place of the case's.
+//! User laws of a live run, which replace those of the case.
 
 use std::sync::Arc;
 
@@ -14,16 +14,16 @@ use super::{
 };
 use crate::{cancellation::CancellationToken, error::Error};
 
-/// The laws of one's own of a run in hand.
+/// User laws of a live run.
 #[derive(Debug, Clone, Default)]
 pub struct OwnLaws {
     /// The law of the bit.
     pub bit_law: Option<SampledLaw<BitReading, BitAnswer>>,
-    /// What shakes the bit.
+    /// Excitation of the bit.
     pub excitation: Option<SampledLaw<ShakeReading, Shake>>,
 }
 
-/// What a checkpoint tells of them: their names, and what they answered before the first step.
+/// Laws in a checkpoint: their names, and their answers before the first step.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(super) struct StoredLaws {
     bit_law: Option<(String, [f64; 2])>,
@@ -31,35 +31,37 @@ pub(super) struct StoredLaws {
 }
 
 impl StoredLaws {
-    /// What they are called, for people.
+    /// Names for messages.
     pub(super) fn titles(&self) -> String {
         let bit_law = self.bit_law.as_ref().map(|(name, _)| format!("the bit law {name}"));
         let shaking = self.excitation.as_ref();
         let excitation = shaking.map(|(name, _)| format!("the excitation {name}"));
         let titles: Vec<String> = bit_law.into_iter().chain(excitation).collect();
-        if titles.is_empty() { "no law of one's own".to_owned() } else { titles.join(" and ") }
+        if titles.is_empty() { "no user law".to_owned() } else { titles.join(" and ") }
     }
 
-    /// Whether these are the laws that it tells of.
+    /// Whether these are the laws of the checkpoint.
     pub(super) fn is_of(&self, laws: &OwnLaws) -> bool {
         let named = |name: Option<&String>, title: Option<String>| name == title.as_ref();
-        named(self.bit_law.as_ref().map(|of| &of.0), laws.bit_law.as_ref().map(SampledLaw::title))
-            && named(
-                self.excitation.as_ref().map(|of| &of.0),
-                laws.excitation.as_ref().map(SampledLaw::title),
-            )
+        named(
+            self.bit_law.as_ref().map(|bit_law| &bit_law.0),
+            laws.bit_law.as_ref().map(SampledLaw::title),
+        ) && named(
+            self.excitation.as_ref().map(|excitation| &excitation.0),
+            laws.excitation.as_ref().map(SampledLaw::title),
+        )
     }
 }
 
 impl OwnLaws {
-    /// What they are called, for people.
+    /// Names for messages.
     pub(super) fn titles(&self) -> String {
-        let bit_law = self.bit_law.as_ref().map(|of| (of.title(), [0.0; 2]));
-        let excitation = self.excitation.as_ref().map(|of| (of.title(), [0.0; 4]));
+        let bit_law = self.bit_law.as_ref().map(|bit_law| (bit_law.title(), [0.0; 2]));
+        let excitation = self.excitation.as_ref().map(|excitation| (excitation.title(), [0.0; 4]));
         StoredLaws { bit_law, excitation }.titles()
     }
 
-    /// Asks them for what they answer before the first step.
+    /// Evaluates them before the first step.
     pub(super) fn begin(
         &self,
         operation: &Operation,
@@ -70,7 +72,7 @@ impl OwnLaws {
         }
         if operation.weight_on_bit_now_N() <= 0.0 {
             let name = operation.kind.name();
-            let message = format!("the bit of `{name}` is off bottom: it has no law to follow");
+            let message = format!("the bit of `{name}` is off bottom: no bit law applies");
             return Err(Error::BadInput(message));
         }
         let speed = settings.bit.drilling_speed_rad_per_s(operation);
@@ -106,7 +108,7 @@ impl OwnLaws {
         Ok(stored)
     }
 
-    /// Puts them into operation and settings; `failed` is told when one of them gives no answer.
+    /// Sets them in operation and settings; `failed` is cancelled if one of them returns no answer.
     pub(super) fn apply(
         &self,
         stored: &StoredLaws,
@@ -114,22 +116,22 @@ impl OwnLaws {
         settings: &mut DynamicsSettings,
         failed: &CancellationToken,
     ) -> Result<(), Error> {
-        if let (Some(asked), Some((_, first))) = (&self.bit_law, &stored.bit_law) {
+        if let (Some(law), Some((_, first))) = (&self.bit_law, &stored.bit_law) {
             let excitation = match &settings.bit.law {
                 BitLaw::Rate(law) => law.excitation,
                 BitLaw::DetournayDefourny(law) => law.excitation,
                 BitLaw::Table(law) => law.excitation,
                 BitLaw::Custom(law) => law.excitation,
                 BitLaw::Regenerative(_) | BitLaw::Rock(_) => {
-                    let message = "a bit law of one's own cuts a rock front of a stiffness: give \
-                                   the case a bit law that has one, such as `rate`";
+                    let message = "a user bit law requires a rock stiffness: give the case a bit \
+                                   law that has one, such as `rate`";
                     return Err(Error::BadInput(message.to_owned()));
                 }
             };
             let rock_stiffness_N_per_m = settings.bit.law.stiffness_N_per_m();
             let held = HeldLaw {
-                title: asked.title(),
-                asked: asked.clone(),
+                title: law.title(),
+                law: law.clone(),
                 first: *first,
                 failed: failed.clone(),
             };
@@ -138,10 +140,10 @@ impl OwnLaws {
                 BitLaw::Custom(CustomLaw { law, rock_stiffness_N_per_m, excitation });
             *operation = settings.bit.drilling_steadily(*operation);
         }
-        if let (Some(asked), Some((_, first))) = (&self.excitation, &stored.excitation) {
+        if let (Some(law), Some((_, first))) = (&self.excitation, &stored.excitation) {
             let held = HeldShake {
-                title: asked.title(),
-                asked: asked.clone(),
+                title: law.title(),
+                law: law.clone(),
                 first: *first,
                 failed: failed.clone(),
             };

@@ -1,4 +1,4 @@
-//! The page of a run again, and its pictures, those of two on the same axes too.
+//! The page of a run made again, and its pictures, including those of two runs on the same axes.
 
 use std::path::{Path, PathBuf};
 
@@ -41,7 +41,7 @@ pub(crate) fn overlaid(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Ve
     drawn(&runs.collect::<Result<Vec<_>, _>>()?)
 }
 
-/// A run that is to be drawn.
+/// A run to draw.
 struct Drawn {
     folder: PathBuf,
     report: Report,
@@ -74,7 +74,7 @@ fn drawn(runs: &[Drawn]) -> Result<Vec<Plot>, Error> {
     let names: Vec<String> = runs
         .iter()
         .map(|run| match alike {
-            // Two runs of one case are distinguished by where they lie.
+            // Two runs of one case are distinguished by their folders.
             true => run.folder.display().to_string(),
             false => run.report.title.clone(),
         })

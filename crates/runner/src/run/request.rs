@@ -1,4 +1,4 @@
-//! A run that is requested, and how it ended.
+//! Request of a run, and its outcome.
 
 use std::{
     num::NonZeroUsize,
@@ -29,27 +29,27 @@ use crate::{
     record::Record,
 };
 
-/// A case that is to be solved.
+/// Request to solve a case.
 #[derive(Debug, Clone)]
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Where the results go. With [`Existing::Resume`] the run in the folder continues from its
-    /// checkpoint.
+    /// Destination of the results. With [`Existing::Resume`] the run in the folder continues from
+    /// its checkpoint.
     pub output: Output,
-    /// Units of the checks, the picture and the page; the case's by default.
+    /// Units of the checks, the picture and the page; by default those of the case.
     pub units: Option<UnitSet>,
-    /// Threads that work on solid rock under the bit, to the same answer; one per core where
-    /// nothing is said.
+    /// Threads that work on solid rock under the bit, without effect on the answer; one per core by
+    /// default.
     pub jobs: Option<NonZeroUsize>,
-    /// Wall-clock time between checkpoints; the case's by default.
+    /// Wall-clock time between checkpoints; by default that of the case.
     pub checkpoint_every: Option<Duration>,
-    /// Whether to write the tables as CSV too.
+    /// Whether to also write the tables as CSV.
     pub csv: bool,
 }
 
 impl<'a> Request<'a> {
-    /// The case with nothing said beside it.
+    /// Request with default options.
     pub fn new(case: &'a Case) -> Self {
         Self {
             case,
@@ -62,25 +62,25 @@ impl<'a> Request<'a> {
     }
 }
 
-/// How a run ended.
+/// Outcome of a run.
 #[derive(Debug)]
 #[must_use = "the run may have stopped before its end"]
 pub struct Outcome {
-    /// What it computed, as `summary.json` has it.
+    /// Results, as in `summary.json`.
     pub summary: Summary,
-    /// Where the results are.
+    /// Folder of the results.
     pub folder: PathBuf,
-    /// Whether a checkpoint lies there from which it can be resumed.
+    /// Whether the folder contains a checkpoint from which the run can be resumed.
     pub is_resumable: bool,
-    /// Why it stopped before its end; nothing where it has come to it.
+    /// Reason why it stopped before its end; `None` if it is complete.
     pub stopped: Option<Stop>,
 }
 
 impl Outcome {
-    /// The outcome of a run that has come to its end.
+    /// Returns the outcome of a run that is complete.
     ///
     /// # Errors
-    /// Why it has not.
+    /// The reason why it is not.
     pub fn finished(mut self) -> Result<Self, Error> {
         match self.stopped.take() {
             None => Ok(self),
@@ -92,8 +92,8 @@ impl Outcome {
 /// Solves a case, and writes its results, its picture and its page.
 ///
 /// # Errors
-/// A folder that the results cannot go to, or a run that cannot be resumed. What stops the run
-/// later is identified by its outcome, for what was computed until then is kept.
+/// A folder that cannot take the results, or a run that cannot be resumed. A later stop is reported
+/// by the outcome, because the results until then are kept.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -113,7 +113,7 @@ pub fn run(
         executor: cores::for_rock(case, request.jobs, cancellation),
     };
     let solved = solve(case, &way, &mut record, Some(folder), under_way);
-    // The page is made from the files: of what they hold, only the summary is compared with it.
+    // The page is made from the files, so only their summary is retained for the outcome.
     let summary = record.into_summary();
     let reported = page::write(folder, units);
     Ok(Outcome {
@@ -124,7 +124,7 @@ pub fn run(
     })
 }
 
-/// The folder of a run, held, with what was solved of it already.
+/// Locks the folder of a run, and reads the operations already solved.
 fn begin(
     request: &Request<'_>,
     units: UnitSet,
@@ -145,7 +145,8 @@ fn begin(
         observer.folder(folder.path());
         return Ok((claimed.occupy(&occupant)?, record, stored.under_way));
     }
-    // Before anything is solved, so that a long run does not end on a folder it may not write to.
+    // Checked before solving, so that a long run does not fail at its end on a folder that it may
+    // not write to.
     let claimed = Claim {
         is_unfinished: &|path| path.join("checkpoint.bin").is_file(),
         ..Claim::new(occupant, &request.output, observer)
@@ -155,13 +156,13 @@ fn begin(
     Ok((claimed, record, None))
 }
 
-/// Why a run cannot continue.
+/// Error that a run cannot continue, with the reason.
 fn anew(reason: String) -> Error {
     let noun = "case";
     Error::NotResumable { noun, reason }
 }
 
-/// The folder of a run that is to be resumed.
+/// The folder of a run to resume.
 fn existing(path: &Path) -> Result<ResultsFolder, Error> {
     if !path.is_dir() {
         let place = path.display();
@@ -170,7 +171,7 @@ fn existing(path: &Path) -> Result<ResultsFolder, Error> {
     Ok(ResultsFolder::create(path)?)
 }
 
-/// The run that was written to a checkpoint in the folder, or why there is none.
+/// The run in the checkpoint of the folder, or the reason why there is none.
 fn read_checkpoint(folder: &ResultsFolder, case: &Case) -> Result<RunCheckpoint<'static>, Error> {
     let place = folder.path().display();
     match RunCheckpoint::read(folder, case) {
@@ -183,10 +184,11 @@ fn read_checkpoint(folder: &ResultsFolder, case: &Case) -> Result<RunCheckpoint<
     };
     if let Err(reason) = is_of(&summary, case) {
         return Err(anew(format!(
-            "there is no checkpoint in {place}, and what lies there cannot be continued: {reason}"
+            "there is no checkpoint in {place}, and the results there cannot be continued: \
+             {reason}"
         )));
     }
-    let failed = summary.operations.iter().find_map(|of| match &of.status {
+    let failed = summary.operations.iter().find_map(|operation| match &operation.status {
         Status::Failed(reason) => Some(reason),
         _ => None,
     });
@@ -196,7 +198,7 @@ fn read_checkpoint(folder: &ResultsFolder, case: &Case) -> Result<RunCheckpoint<
         )));
     }
     let complete = summary.operations.iter();
-    let complete = complete.filter(|of| of.status == Status::Complete).count();
+    let complete = complete.filter(|complete| complete.status == Status::Complete).count();
     let all = case.operations.len() * case.models.len();
     Err(if complete == all {
         Error::BadInput(format!("the run in {place} is finished: nothing is left to do"))

@@ -1,11 +1,10 @@
-//! Laws of the bit that are sampled at a rate: a front gives them, in whatever language they are
-//! written.
+//! Laws of the bit that are sampled at a rate; a front end supplies them in any language.
 
 use std::{fmt, sync::Arc};
 
 use crate::error::Error;
 
-/// What a law of the bit is asked with: how the bit drills at the end of a step.
+/// Input of a law of the bit: the state of drilling at the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BitReading {
     /// Time since the start of the run, s.
@@ -16,36 +15,36 @@ pub struct BitReading {
     pub rotary_speed_rad_per_s: f64,
     /// Angle through which the bit has turned since the start of the run, rad.
     pub angle_rad: f64,
-    /// Rock that the bit has taken away along the hole since the start of the run, m.
+    /// Length of rock drilled along the hole since the start of the run, m.
     pub drilled_m: f64,
 }
 
-/// What a law of the bit answers.
+/// Output of a law of the bit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BitAnswer {
-    /// Rock that a revolution takes away under that weight, m; zero or more.
+    /// Depth of cut per revolution at that weight, m; zero or more.
     pub depth_of_cut_m: f64,
     /// Torque on bit, N·m; zero or more.
     pub torque_N_m: f64,
 }
 
-/// What an excitation is asked with.
+/// Input of an excitation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShakeReading {
     /// Time since the start of the run, s.
     pub time_s: f64,
-    /// Angle through which the bit will have turned then, at the speed that it has, rad.
+    /// Angle of the bit at that time, extrapolated at its current speed, rad.
     pub angle_rad: f64,
 }
 
-/// What answers: nothing where it cannot.
+/// Function of a law; returns `None` if it has no answer.
 pub type Answering<I, O> = dyn Fn(&I) -> Option<O> + Send + Sync;
 
-/// A law that is sampled at a rate. It answers nothing where it cannot: the run then stops.
+/// A law that is sampled at a rate. If it returns no answer, the run stops.
 pub struct SampledLaw<I, O> {
-    /// Its name, by which a checkpoint knows it again.
+    /// Its name, which identifies it in a checkpoint.
     pub name: String,
-    /// How often it is asked, Hz; once a step at most.
+    /// Sampling rate, Hz; at most once per step.
     pub rate_Hz: f64,
     /// The law itself.
     pub ask: Arc<Answering<I, O>>,
@@ -73,6 +72,9 @@ impl<I, O> SampledLaw<I, O> {
         if self.rate_Hz.is_finite() && self.rate_Hz > 0.0 {
             return Ok(());
         }
-        Err(Error::BadInput(format!("{} is to be asked at {} Hz", self.name, self.rate_Hz)))
+        Err(Error::BadInput(format!(
+            "the rate of {} is {} Hz: expected more than zero",
+            self.name, self.rate_Hz
+        )))
     }
 }

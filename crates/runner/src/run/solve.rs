@@ -1,4 +1,4 @@
-//! Solving a case, operation by operation, with whatever model it requires.
+//! Solution of a case, operation by operation, with the models that it requires.
 
 use std::time::Duration;
 
@@ -12,6 +12,7 @@ use wholestring::{
     statics::{soft, stiff},
 };
 use wholestring_case::Case;
+use wholestring_judge::NoAnswer;
 use wholestring_results::{ResultsFolder, Status};
 
 use super::{lift::tune, stop::Stop, way::Way};
@@ -27,10 +28,10 @@ use crate::{
     },
 };
 
-/// Solves operation after operation, each with every model, and writes after each, so that whatever
-/// comes between keeps what was solved. What the record has is solved already, but for one
-/// operation that may be under way. One that a statics has no answer for ends the run no sooner than
-/// the others are solved; one that diverged, at once. Without a folder all of it stays in the record.
+/// Solves each operation with every model, and writes after each, so that an interruption keeps the
+/// results so far. Operations in the record are already solved; one may be under way. If a static
+/// model has no solution for an operation, the run ends with an error after the others are solved;
+/// if a dynamic one diverges, it ends at once. Without a folder all results remain in the record.
 pub(crate) fn solve(
     case: &Case,
     way: &Way<'_>,
@@ -91,17 +92,18 @@ pub(crate) fn solve(
         }
     }
     if !written {
-        // All was solved when the run was written to a checkpoint; the folder may not show it.
+        // All was solved when the checkpoint was written, but the results in the folder may be
+        // incomplete.
         write(record)?;
     }
     keeper.finish()?;
     finish(record)?;
-    // One from a checkpoint has no answer either.
+    // Includes operations without a solution from a checkpoint.
     record.unsolved().map_or(Ok(()), |reasons| Err(Stop::Unsolved(reasons)))
 }
 
-/// Writes a checkpoint. A run does not end because one cannot be written: the next may, and so may
-/// the results.
+/// Writes a checkpoint. The run continues if it cannot be written, because the next one and the
+/// results may succeed.
 fn write_checkpoint(
     keeper: &mut Keeper<'_>,
     record: &Record,
@@ -120,10 +122,7 @@ fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) {
             record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
             record.judged(record.judge(case).soft(&case.model, operation, &profile));
         }
-        Err(error) => {
-            record.add_unsolved(ModelKind::Soft, operation, no_answer("soft string", &error));
-            record.judged(record.judge(case).unsolved(&error.into()));
-        }
+        Err(error) => add_unsolved(case, ModelKind::Soft, operation, &error.into(), record),
     }
 }
 
@@ -133,15 +132,26 @@ fn solve_stiff(case: &Case, operation: &Operation, record: &mut Record) {
             record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
             record.judged(record.judge(case).stiff(&case.model, operation, &profile));
         }
-        Err(error) => {
-            record.add_unsolved(ModelKind::Stiff, operation, no_answer("stiff string", &error));
-            record.judged(record.judge(case).unsolved(&error.into()));
-        }
+        Err(error) => add_unsolved(case, ModelKind::Stiff, operation, &error.into(), record),
     }
 }
 
-/// Simulated time between two checks of a cancellation and two tellings of the progress at most, s;
-/// a slow run looks by the clock.
+/// Records an operation without an equilibrium: its verdict, whose sentence is also the reason.
+fn add_unsolved(
+    case: &Case,
+    model: ModelKind,
+    operation: &Operation,
+    why: &NoAnswer,
+    record: &mut Record,
+) {
+    let judge = record.judge(case);
+    let reason = format!("the {} string has no answer: {}", model.name(), judge.reason(why));
+    record.add_unsolved(model, operation, reason);
+    record.judged(judge.unsolved(why));
+}
+
+/// Longest simulated time between two checks for cancellation and two progress reports, s; a slow
+/// run checks by wall-clock time.
 const POLL_INTERVAL_S: f64 = 0.2;
 
 fn solve_dynamic(
@@ -161,7 +171,7 @@ fn solve_dynamic(
         match tune(case, operation, way) {
             Ok((found, simulation)) => {
                 lift = Some(found);
-                // Frames are taken as a run continues: that needs another.
+                // Frames are taken while a run continues, so they require another run.
                 tuned = record.frames.is_none().then_some(simulation);
             }
             Err(TuningError::Stopped) => {
@@ -205,7 +215,7 @@ fn solve_dynamic(
             }
         }
     };
-    // One that was resumed has not got them yet.
+    // A resumed run has no executor yet.
     simulation.set_executor(way.executor.clone());
     let took = || before + start.elapsed();
     if simulation.handed_over() > 0
@@ -213,8 +223,8 @@ fn solve_dynamic(
     {
         return Status::Failed(reason);
     }
-    // Initialising the string takes seconds. Whoever has asked by now has nothing of this operation
-    // to keep.
+    // Initialising the string takes seconds; after a cancellation in that time there is no result
+    // of this operation to keep.
     if way.cancellation.is_cancelled() && simulation.time_s() == 0.0 {
         write_checkpoint(keeper, record, None, &way.watch);
         return Status::Interrupted;
@@ -227,7 +237,8 @@ fn solve_dynamic(
     };
     let times = [simulation.time_s(), longest_s];
     let progress = way.watch.simulation(name, None, times);
-    // The run continues by whole samples; one on rock that was stopped first ends its sample.
+    // The run continues by whole samples; a run on rock that was stopped within a sample first
+    // completes it.
     let sample_s = simulation.sample_interval_s();
     let frame_samples = record.frames.as_ref().map(|frames| frames.samples(sample_s));
     let mut pace = Pace::new(POLL_INTERVAL_S, sample_s);
@@ -251,7 +262,7 @@ fn solve_dynamic(
             let under_way = UnderWay::new(operation, took(), lift, simulation.checkpoint());
             write_checkpoint(keeper, record, Some(under_way), &way.watch);
         }
-        // Frames fall on the same samples wherever the run was taken up.
+        // Frames are at the same samples wherever the run was resumed.
         let to_frame = frame_samples.map_or(u64::MAX, |every| every - samples % every);
         let advanced =
             pace.work(missing.min(to_frame), |next| simulation.advance(next as f64 * sample_s));
@@ -284,7 +295,7 @@ fn solve_dynamic(
     let carried_out = CarriedOut { status: status.clone(), lift, bottom: bottom.as_ref(), effort };
     let solution = Solution::from(&outcome).with_earlier(Some(&earlier));
     record.add(operation, &solution, carried_out);
-    // What was not computed to its end has said so already.
+    // Incomplete operations have reported this already.
     if status == Status::Complete {
         let judge = record.judge(case);
         record.judged(judge.dynamic(&case.model, operation, &settings, &solution));
@@ -298,7 +309,7 @@ fn solve_dynamic(
     }
 }
 
-/// The rows that a simulation has handed over: none where it stays in memory.
+/// Rows that a simulation has moved to the disk; empty for a run in memory.
 fn handed_over(
     folder: Option<&ResultsFolder>,
     record: &Record,
@@ -310,7 +321,7 @@ fn handed_over(
     }
 }
 
-/// The answers of a run, made while something else is done: who interrupts waits for both.
+/// Results of a run, computed while other work is done; an interruption waits for both.
 fn outcome_beside(
     simulation: &Simulation,
     earlier: &HandedOver,
@@ -319,7 +330,7 @@ fn outcome_beside(
     beside(|| simulation.outcome_with(earlier), other).0
 }
 
-/// What is done before an operation's first step.
+/// Description of the preparation before an operation's first step.
 fn preparation(settings: &DynamicsSettings, operation: &Operation) -> &'static str {
     match settings.bit.law {
         BitLaw::Rock(_) if operation.weight_on_bit_now_N() > 0.0 => {

@@ -1,4 +1,4 @@
-//! Why a case was not solved to its end.
+//! Reasons why a case was not solved to its end.
 
 use std::fmt;
 
@@ -6,19 +6,19 @@ use wholestring_results::ResultsError;
 
 use crate::error::Error;
 
-/// Why a case was not solved to its end.
+/// Reason why a case was not solved to its end.
 #[derive(Debug)]
 pub enum Stop {
     /// It was cancelled.
     Interrupted,
-    /// An operation has no answer or diverged: which, and why.
+    /// An operation without a solution or one that diverged, with the reason.
     Unsolved(String),
     /// The results could not be written.
     Unwritten(Error),
 }
 
 impl Stop {
-    /// Why the case failed; nothing where it was cancelled.
+    /// Reason why the case failed; `None` if it was cancelled.
     pub fn reason(&self) -> Option<String> {
         match self {
             Self::Interrupted => None,

@@ -1,4 +1,4 @@
-//! How a case is solved, beside what it says itself.
+//! Options for solving a case, in addition to its settings.
 
 use std::time::Duration;
 
@@ -6,22 +6,22 @@ use wholestring_case::Case;
 
 use crate::{cancellation::CancellationToken, cores::SharedExecutor, keep::Keep, observer::Watch};
 
-/// How a case is solved, beside what it says itself.
+/// Options for solving a case, in addition to its settings.
 pub(crate) struct Way<'a> {
-    /// What is kept of it.
+    /// Files that are kept.
     pub(crate) keep: Keep,
-    /// Whether to write the tables as CSV too.
+    /// Whether to also write the tables as CSV.
     pub(crate) csv: bool,
     /// Wall-clock time between checkpoints.
     pub(crate) checkpoint_every: Duration,
-    /// Who watches its progress.
+    /// Observer of its progress.
     pub(crate) watch: Watch<'a>,
     pub(crate) cancellation: &'a CancellationToken,
-    /// Who works on solid rock.
+    /// Executor for solid rock.
     pub(crate) executor: SharedExecutor,
 }
 
-/// What the case says about the time between checkpoints.
+/// Wall-clock time between checkpoints in the case's settings.
 pub(crate) fn checkpoint_every(case: &Case) -> Duration {
     Duration::from_secs_f64(case.checkpoint_interval_s)
 }

@@ -1,5 +1,5 @@
 //! Laws that are sampled at a rate, between two samples: a law of the bit by a zero-order hold of
-//! what it gave per weight, an excitation by a first-order hold.
+//! its answer per weight, an excitation by a first-order hold.
 
 use std::f64::consts::TAU;
 
@@ -8,15 +8,15 @@ use wholestring::dynamics::{BitExcitation, BitRockLaw, BitRockStep, Shake, Stead
 use super::sampled_law::{BitAnswer, BitReading, SampledLaw, ShakeReading};
 use crate::cancellation::CancellationToken;
 
-/// Parts of a period by which a moment may be early and is taken for its end.
+/// Fraction of a period within which a time counts as its end.
 const EARLY: f64 = 1e-6;
 
-/// A law of the bit between two questions: depth of cut and torque in proportion to the weight, as
-/// it answered last. A bit that is off the rock is not asked.
+/// A law of the bit between two samples: depth of cut and torque in proportion to the weight, as in
+/// its last answer. It is not evaluated while the bit is off the rock.
 #[derive(Debug)]
 pub(super) struct HeldLaw {
     pub(super) title: String,
-    pub(super) asked: SampledLaw<BitReading, BitAnswer>,
+    pub(super) law: SampledLaw<BitReading, BitAnswer>,
     /// Depth of cut, m/N, and torque, m, per weight at the start.
     pub(super) first: [f64; 2],
     pub(super) failed: CancellationToken,
@@ -52,7 +52,7 @@ impl BitRockLaw for HeldLaw {
         *time_s += step.dt_s;
         *angle_rad += step.bit_speed_rad_per_s * step.dt_s;
         *drilled_m += step.advance_m;
-        let passed = *time_s * self.asked.rate_Hz + EARLY;
+        let passed = *time_s * self.law.rate_Hz + EARLY;
         if passed < *periods || step.weight_on_bit_N <= 0.0 || self.failed.is_cancelled() {
             return;
         }
@@ -64,7 +64,7 @@ impl BitRockLaw for HeldLaw {
             angle_rad: *angle_rad,
             drilled_m: *drilled_m,
         };
-        match (self.asked.ask)(&reading) {
+        match (self.law.ask)(&reading) {
             Some(answer) => {
                 *depth_m_per_N = answer.depth_of_cut_m / step.weight_on_bit_N;
                 *torque_m = answer.torque_N_m / step.weight_on_bit_N;
@@ -76,12 +76,12 @@ impl BitRockLaw for HeldLaw {
     }
 }
 
-/// An excitation between two questions: on the straight line from one answer to the next, which is
-/// asked a period ahead.
+/// An excitation between two samples: linear interpolation between its answers, evaluated one
+/// period ahead.
 #[derive(Debug)]
 pub(super) struct HeldShake {
     pub(super) title: String,
-    pub(super) asked: SampledLaw<ShakeReading, Shake>,
+    pub(super) law: SampledLaw<ShakeReading, Shake>,
     /// Front, m, and torque at the start and after the first period.
     pub(super) first: [f64; 4],
     pub(super) failed: CancellationToken,
@@ -92,9 +92,9 @@ impl BitExcitation for HeldShake {
         &self.title
     }
 
-    /// Time, s; angle, rad; beginning and end of the period, s; front and torque at both.
+    /// Time, s; angle, rad; start and end of the period, s; front and torque at both.
     fn initial_state(&self) -> Vec<f64> {
-        let period_s = 1.0 / self.asked.rate_Hz;
+        let period_s = 1.0 / self.law.rate_Hz;
         [0.0, 0.0, 0.0, period_s].into_iter().chain(self.first).collect()
     }
 
@@ -116,7 +116,7 @@ impl BitExcitation for HeldShake {
         };
         *time_s += step.dt_s;
         *angle_rad += step.bit_speed_rad_per_s * step.dt_s;
-        let period_s = (1.0 / self.asked.rate_Hz).max(step.dt_s);
+        let period_s = (1.0 / self.law.rate_Hz).max(step.dt_s);
         if *time_s < *to_s - EARLY * period_s || self.failed.is_cancelled() {
             return;
         }
@@ -125,7 +125,7 @@ impl BitExcitation for HeldShake {
             time_s: next_s,
             angle_rad: libm::fma(step.bit_speed_rad_per_s, next_s - *time_s, *angle_rad),
         };
-        match (self.asked.ask)(&reading) {
+        match (self.law.ask)(&reading) {
             Some(shake) => {
                 (*from_s, *to_s) = (*to_s, next_s);
                 (*front_m, *torque) = (*next_front_m, *next_torque);

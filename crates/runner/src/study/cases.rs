@@ -14,12 +14,12 @@ use crate::{
     sweep::{Point, points},
 };
 
-/// Where the case files of a study are.
+/// Source of the case files of a study.
 #[derive(Debug, Clone, Copy)]
 pub enum CaseFiles<'a> {
-    /// On the disk, as seen from a folder: that of the study's own file.
+    /// On the disk, relative to a folder: that of the study's own file.
     Beside(&'a Path),
-    /// In memory, by the names that the study has for them.
+    /// In memory, by the names used in the study.
     Given(&'a BTreeMap<String, Arc<Template>>),
 }
 
@@ -34,7 +34,7 @@ impl CaseFiles<'_> {
     }
 }
 
-/// The names of the case files that a study needs, each once.
+/// Names of the case files that a study requires, each once.
 pub fn case_files(study: &Study) -> BTreeSet<&str> {
     study.sweeps.iter().flat_map(files).collect()
 }
@@ -49,7 +49,7 @@ impl Templates {
         Ok(Self(case_files(study).into_iter().map(read).collect::<Result<_, Error>>()?))
     }
 
-    /// The cases of all sweeps, with these changes of every one of them.
+    /// Cases of all sweeps, with these changes to every one of them.
     pub(super) fn points(
         &self,
         study: &Study,
@@ -70,11 +70,13 @@ impl Templates {
             for point in &mut points {
                 point.set = set;
                 let exceptions = sweep.exceptions.iter();
-                for exception in exceptions.filter(|of| of.when.has(&keys, &point.values)) {
+                for exception in
+                    exceptions.filter(|exception| exception.when.has(&keys, &point.values))
+                {
                     if let Some(case) = &exception.case {
                         point.template = self.0[case].clone();
                     }
-                    // What is varied has the last word.
+                    // Varied values take precedence.
                     let varied = point.changes.len() - point.values.len();
                     let set = exception.set.iter().cloned();
                     point.changes.splice(varied..varied, set);
@@ -89,8 +91,8 @@ impl Templates {
     }
 }
 
-/// The case files of a sweep.
+/// Case files of a sweep.
 fn files(sweep: &Sweep) -> impl Iterator<Item = &str> {
-    let others = sweep.exceptions.iter().filter_map(|of| of.case.as_deref());
+    let others = sweep.exceptions.iter().filter_map(|exception| exception.case.as_deref());
     std::iter::once(sweep.case.as_str()).chain(others)
 }

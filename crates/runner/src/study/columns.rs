@@ -1,4 +1,4 @@
-//! What figures and tables of a study may show, and what people call it.
+//! Columns that figures and tables of a study may show, and their labels.
 
 use wholestring::{
     dynamics::DynamicOutcome,
@@ -10,19 +10,19 @@ use wholestring_units::{Dimension, UnitSet};
 
 use crate::{checks::quantities::dimension, page::dimensions::pretty, sweep::SCALARS};
 
-/// How many findings of each level there are.
+/// Numbers of findings at each level.
 pub(super) const FINDINGS: [&str; 3] = ["errors", "warnings", "notes"];
 
-/// Every quantity that results declare, and where it stands.
+/// Every quantity declared by results, and its source.
 fn declared() -> impl Iterator<Item = (Source, outcome::Quantity)> {
     let varying = DynamicOutcome::quantities().filter(|name| !SCALARS.contains(name));
     let scalar = |name: &str| {
-        let scalars = outcome::SCALARS.iter().map(|of| of.quantity);
-        let mut all = scalars.chain(TIME_SERIES.iter().map(|of| of.quantity));
-        all.find(|of| of.name == name)
+        let scalars = outcome::SCALARS.iter().map(|scalar| scalar.quantity);
+        let mut all = scalars.chain(TIME_SERIES.iter().map(|series| series.quantity));
+        all.find(|quantity| quantity.name == name)
     };
     let counted = |name| {
-        let meaning = "How many findings of the level there are";
+        let meaning = "Number of findings of the level";
         outcome::Quantity::number(name, QuantityKind::Ratio, meaning)
     };
     let summary = SCALARS.into_iter().chain(varying).filter_map(scalar);
@@ -38,29 +38,36 @@ fn declared() -> impl Iterator<Item = (Source, outcome::Quantity)> {
         let numbers = specs.iter().filter(|spec| !spec.text);
         numbers.map(move |spec| (source, *spec))
     });
-    let path = WELL_PATH.iter().map(|of| of.quantity);
-    summary.map(|of| (Source::Summary, of)).chain(numbers).chain(path.map(|of| (Source::Path, of)))
+    let path = WELL_PATH.iter().map(|column| column.quantity);
+    summary
+        .map(|summary| (Source::Summary, summary))
+        .chain(numbers)
+        .chain(path.map(|path| (Source::Path, path)))
 }
 
 /// Every column that a study may show.
 pub(super) fn all() -> Vec<ColumnName> {
     declared()
-        .map(|(source, of)| ColumnName { source, name: of.name, dimension: dimension(of.kind) })
+        .map(|(source, declared)| ColumnName {
+            source,
+            name: declared.name,
+            dimension: dimension(declared.kind),
+        })
         .collect()
 }
 
-/// The declaration of a column by its name: wherever it stands, it is of the same kind.
+/// Declaration of a column by its name, which has one meaning in all sources.
 fn named(name: &str) -> Option<outcome::Quantity> {
-    let found = declared().find(|(_, of)| of.name == name);
-    found.map(|(_, of)| of)
+    let found = declared().find(|(_, declared)| declared.name == name);
+    found.map(|(_, quantity)| quantity)
 }
 
-/// What people call a column: `hook load`.
+/// Label of a column: `hook load`.
 fn words(name: &str) -> String {
-    named(name).map_or_else(|| name.replace('_', " "), |of| of.words())
+    named(name).map_or_else(|| name.replace('_', " "), |quantity| quantity.words())
 }
 
-/// What people call a quantity, without its unit.
+/// Label of a quantity, without its unit.
 pub(super) fn title(quantity: &Quantity) -> String {
     let words = words(quantity.column.name);
     match quantity.magnitude {
@@ -69,17 +76,17 @@ pub(super) fn title(quantity: &Quantity) -> String {
     }
 }
 
-/// The unit in which people see a quantity, and what it is worth in SI.
+/// Display unit of a quantity, and its value in SI.
 pub(super) fn unit(dimension: Option<Dimension>, name: &str, units: UnitSet) -> (String, f64) {
     if let Some(dimension) = dimension {
         let unit = dimension.unit_in(units);
         return (pretty(unit.symbol), unit.factor);
     }
-    let plain = named(name).map_or("", |of| of.unit);
+    let plain = named(name).map_or("", |quantity| quantity.unit);
     (plain.to_owned(), 1.0)
 }
 
-/// A name and its unit, the first letter large: `Hook load, kN`.
+/// Label of a name and its unit, with a capital: `Hook load, kN`.
 pub(super) fn label(name: &str, unit: &str) -> String {
     let mut letters = name.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
@@ -90,7 +97,7 @@ pub(super) fn label(name: &str, unit: &str) -> String {
     }
 }
 
-/// A depth is drawn downwards, and like time exactly as far as it goes.
+/// Whether the column is a depth, which is drawn downwards and, as for time, without margins.
 pub(super) fn is_depth(name: &str) -> bool {
     matches!(name, "md_m" | "tvd_m" | "bit_depth_m")
 }
@@ -103,7 +110,7 @@ mod tests {
     fn every_column_has_its_dimension_and_its_name() {
         let all = all();
         let column = |source, name| {
-            let found = all.iter().find(|of| of.source == source && of.name == name);
+            let found = all.iter().find(|column| column.source == source && column.name == name);
             found.unwrap_or_else(|| panic!("{name}"))
         };
         for (source, name, expected, called) in [

@@ -1,4 +1,4 @@
-//! The data of a figure as a table.
+//! Data of a figure as a table.
 
 use wholestring_results::{Column, Table};
 use wholestring_study::{Figure, FigureData};
@@ -8,7 +8,7 @@ use super::{
     results::{CaseResults, keys_of},
 };
 
-/// The data of the curves, a row per point, SI.
+/// Data of the curves, a row per point, SI.
 pub(super) fn table(
     figure: &Figure,
     curves: &[Curve],
@@ -19,8 +19,8 @@ pub(super) fn table(
     for curve in curves {
         points.extend(curve.points.iter().map(|(x, y)| (curve, *x, *y)));
     }
-    let text = |name: &str, of: &dyn Fn(&Curve) -> String| {
-        Column::words(name, points.iter().map(|(curve, ..)| of(curve)).collect())
+    let text = |name: &str, value: &dyn Fn(&Curve) -> String| {
+        Column::words(name, points.iter().map(|(curve, ..)| value(curve)).collect())
     };
     let number = |name: &str, values: Vec<f64>| {
         Column::numbers(name, values.into_iter().map(Some).collect())
@@ -43,7 +43,8 @@ pub(super) fn table(
             found.map_or_else(String::new, |(_, value)| value.clone())
         }));
     }
-    let at = |name| number(name, points.iter().map(|of| of.0.at.unwrap_or(f64::NAN)).collect());
+    let at =
+        |name| number(name, points.iter().map(|point| point.0.at.unwrap_or(f64::NAN)).collect());
     match figure.data {
         FigureData::Times { .. } => columns.push(at("frame_s")),
         FigureData::Depths { .. } => columns.push(at("depth_m")),

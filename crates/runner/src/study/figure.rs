@@ -1,4 +1,4 @@
-//! Curves of a figure: what they show.
+//! Data of the curves of a figure.
 
 use wholestring_results::ResultsError;
 use wholestring_study::{Figure, FigureData, Quantity, Source, Statistic};
@@ -21,7 +21,7 @@ pub(super) fn curves(figure: &Figure, results: &CaseResults) -> Result<Vec<Curve
                     for result in &chosen {
                         let place = result.value(&x.key).and_then(|value| x.number(value));
                         let value = result.summary(quantity, *statistic);
-                        // A soft string has no spread: its curve is left out, not empty.
+                        // A soft string has no spread, so its curve is left out.
                         if let (Some(place), Some(value)) = (place, value) {
                             let mut curve = blank(result, Some(&x.key), quantity, Some(*statistic));
                             curve.points.push((place, value));
@@ -37,7 +37,7 @@ pub(super) fn curves(figure: &Figure, results: &CaseResults) -> Result<Vec<Curve
                 for result in &chosen {
                     let mut curve = blank(result, None, quantity, None);
                     curve.points = rows(result, x, quantity, *window_s)?;
-                    // Most cases lie in the same well: it is drawn once.
+                    // Most cases have the same well, which is drawn once.
                     let again =
                         |other: &Curve| other.quantity == *quantity && other.points == curve.points;
                     if quantity.column.source != Source::Path || !curves.iter().any(again) {
@@ -99,7 +99,7 @@ fn blank(
     }
 }
 
-/// Puts the points of a curve at the end of the one that is alike, or begins it.
+/// Appends the points of a curve to the matching one, or adds it.
 fn put(curves: &mut Vec<Curve>, like: Curve) {
     let alike = |curve: &&mut Curve| {
         curve.series == like.series
@@ -125,8 +125,8 @@ fn rows(
     let (source, columns) = (y.column.source, [x.column.name, y.column.name]);
     if source == Source::Time {
         let rows = result.rows(source, [columns[0], columns[1], "time_s"])?;
-        let kept = rows.iter().filter(|[_, _, time_s]| within(window_s, *time_s));
-        return Ok(kept.map(|[a, b, _]| (signed(x, *a), signed(y, *b))).collect());
+        let in_window = rows.iter().filter(|[_, _, time_s]| within(window_s, *time_s));
+        return Ok(in_window.map(|[a, b, _]| (signed(x, *a), signed(y, *b))).collect());
     }
     let rows = result.rows(source, columns)?;
     Ok(rows.iter().map(|[a, b]| (signed(x, *a), signed(y, *b))).collect())

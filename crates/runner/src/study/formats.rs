@@ -1,4 +1,4 @@
-//! A table of a study: as data, as Markdown, and for its page.
+//! A table of a study: as data, as Markdown, and for the page.
 
 use wholestring_report::{Grid, Head, Verdict};
 use wholestring_results::{Column, Table};
@@ -11,7 +11,7 @@ use super::{
     results::names,
 };
 
-/// The data: a row for each number and series, in SI.
+/// Data of the table: a row for each number and series, in SI.
 pub(super) fn data(computed: &Computed<'_>, sweeps: &[String]) -> Table {
     let rows = computed.table.rows.iter().zip(&computed.numbers);
     let cells: Vec<_> = rows
@@ -20,7 +20,8 @@ pub(super) fn data(computed: &Computed<'_>, sweeps: &[String]) -> Table {
             numbers.filter_map(move |(series, number)| Some((row, series, (*number)?)))
         })
         .collect();
-    let each = |of: &dyn Fn(&Row) -> Option<f64>| cells.iter().map(|(row, ..)| of(row)).collect();
+    let each =
+        |value: &dyn Fn(&Row) -> Option<f64>| cells.iter().map(|(row, ..)| value(row)).collect();
     let agrees = |(row, _, value): &(&Row, _, f64)| match agrees(row, *value) {
         Some(true) => "yes".to_owned(),
         Some(false) => "no".to_owned(),
@@ -29,14 +30,16 @@ pub(super) fn data(computed: &Computed<'_>, sweeps: &[String]) -> Table {
     Table::new(vec![
         Column::words("label", cells.iter().map(|(row, ..)| row.label.clone()).collect()),
         Column::words("source", cells.iter().map(|(row, ..)| row.source.clone()).collect()),
-        Column::words("sweep", cells.iter().map(|(_, of, _)| sweeps[of.0].clone()).collect()),
-        Column::words("model", cells.iter().map(|(_, of, _)| of.1.name().to_owned()).collect()),
-        Column::words("operation", cells.iter().map(|(_, of, _)| of.2.clone()).collect()),
+        Column::words("sweep", cells.iter().map(|(_, cell, _)| sweeps[cell.0].clone()).collect()),
+        Column::words("model", cells.iter().map(|(_, cell, _)| cell.1.name().to_owned()).collect()),
+        Column::words("operation", cells.iter().map(|(_, cell, _)| cell.2.clone()).collect()),
         Column::words(
             "unit",
             cells
                 .iter()
-                .map(|(row, ..)| row.dimension().map_or("", |of| of.si_symbol()).to_owned())
+                .map(|(row, ..)| {
+                    row.dimension().map_or("", |dimension| dimension.si_symbol()).to_owned()
+                })
                 .collect(),
         ),
         Column::numbers("expected", each(&|row| row.wanted.expected)),
@@ -47,7 +50,7 @@ pub(super) fn data(computed: &Computed<'_>, sweeps: &[String]) -> Table {
     ])
 }
 
-/// The table for people.
+/// The table in display units.
 pub(super) fn grid(computed: &Computed<'_>, sweeps: &[String], units: UnitSet) -> Grid {
     let sources = computed.table.rows.iter().any(|row| !row.source.is_empty());
     let head = |words: bool| move |text: String| Head { text, words };
@@ -89,17 +92,17 @@ fn verdict(row: &Row, number: f64) -> Verdict {
     }
 }
 
-/// What is given: `13.61 ± 1.089`, `at least 0.95`.
-fn given(wanted: &Wanted, worth: f64) -> String {
+/// Text of the expected value: `13.61 ± 1.089`, `at least 0.95`.
+fn given(target: &Wanted, worth: f64) -> String {
     let show = |value: f64| as_given(value / worth);
-    let bounds = (wanted.least, wanted.most);
-    match (wanted.expected, bounds) {
+    let bounds = (target.least, target.most);
+    match (target.expected, bounds) {
         (Some(expected), (Some(least), Some(most)))
             if (least + most - 2.0 * expected).abs() <= 1e-6 * (most - least) =>
         {
             let off = expected - least;
             let percent = 100.0 * off / expected.abs();
-            // Whoever wrote so few digits wrote percent.
+            // A tolerance with so few digits was written in percent.
             let share = format!("{:.1e}", percent).parse().ok();
             let share = share.filter(|share: &f64| (share - percent).abs() <= 1e-6 * percent);
             match share {
@@ -122,7 +125,7 @@ fn between(bounds: (Option<f64>, Option<f64>), show: impl Fn(f64) -> String) -> 
     }
 }
 
-/// A computed number and how far it is from the given one.
+/// A computed number and its deviation from the expected one.
 fn against(row: &Row, number: f64, worth: f64) -> String {
     let value = short(number / worth);
     match row.wanted.expected.filter(|expected| *expected != 0.0) {
@@ -135,7 +138,7 @@ fn against(row: &Row, number: f64, worth: f64) -> String {
     }
 }
 
-/// A number that somebody wrote: all of its digits, where these are no more than seven.
+/// A number as written: all of its digits, if there are at most seven.
 fn as_given(value: f64) -> String {
     let whole: f64 = format!("{value:.6e}").parse().unwrap_or(value);
     let written = format!("{whole}");
@@ -145,7 +148,7 @@ fn as_given(value: f64) -> String {
     }
 }
 
-/// Four digits.
+/// A number in four digits.
 fn short(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
@@ -165,7 +168,7 @@ fn short(value: f64) -> String {
     }
 }
 
-/// A digit or a minus as an exponent.
+/// A digit or a minus sign as an exponent.
 fn raised(letter: char) -> char {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     match letter.to_digit(10) {
@@ -225,12 +228,12 @@ mod tests {
         }
     }
 
-    /// A tolerance is shown as it was written: in percent or as a quantity.
+    /// A tolerance is shown as written: in percent or as a quantity.
     #[test]
     fn what_is_given_is_shown_as_it_was_written() {
         let row = |expected: f64, least: f64, most: f64| {
-            let wanted = Wanted { expected: Some(expected), least: Some(least), most: Some(most) };
-            given(&wanted, 1e3)
+            let target = Wanted { expected: Some(expected), least: Some(least), most: Some(most) };
+            given(&target, 1e3)
         };
         assert_eq!(row(13.61e3, 0.92 * 13.61e3, 1.08 * 13.61e3), "13.61 ± 8 %");
         assert_eq!(row(4124e3, 4123e3, 4125e3), "4124 ± 1");

@@ -1,4 +1,4 @@
-//! What frames of the whole string say at a time or at a depth.
+//! Values from frames of the whole string at a time or at a depth.
 
 use wholestring::dynamics::Channel;
 use wholestring_results::ResultsError;
@@ -12,7 +12,7 @@ use super::{
 /// A time, s, and the points of its frame.
 type AtTime = (f64, Vec<(f64, f64)>);
 
-/// What frames say at the times that are nearest to these.
+/// Values from the frames that are nearest to these times.
 pub(super) fn at_times(
     result: &CaseResult,
     x: &Quantity,
@@ -21,8 +21,8 @@ pub(super) fn at_times(
 ) -> Result<Vec<AtTime>, ResultsError> {
     let mut nearest: Vec<f64> = vec![f64::INFINITY; times_s.len()];
     result.each_row(Source::Frames, ["time_s"], |[time_s]| {
-        for (wanted, best) in times_s.iter().zip(&mut nearest) {
-            if (time_s - wanted).abs() < (*best - wanted).abs() {
+        for (time, best) in times_s.iter().zip(&mut nearest) {
+            if (time_s - time).abs() < (*best - time).abs() {
                 *best = time_s;
             }
         }
@@ -30,7 +30,7 @@ pub(super) fn at_times(
     let mut curves: Vec<AtTime> = nearest.into_iter().map(|time_s| (time_s, Vec::new())).collect();
     let columns = ["time_s", x.column.name, y.column.name];
     result.each_row(Source::Frames, columns, |[time_s, a, b]| {
-        for (_, points) in curves.iter_mut().filter(|(of, _)| *of == time_s) {
+        for (_, points) in curves.iter_mut().filter(|(curve, _)| *curve == time_s) {
             points.push((signed(x, a), signed(y, b)));
         }
     })?;
@@ -41,13 +41,13 @@ pub(super) fn at_times(
 /// given depth.
 const REACH_M: f64 = 5.0;
 
-/// What the wall does to a node.
+/// Whether the column is a force of the wall on a node.
 fn is_of_wall(name: &str) -> bool {
-    [Channel::Contact, Channel::Friction].iter().any(|of| of.columns().contains(&name))
+    [Channel::Contact, Channel::Friction].iter().any(|channel| channel.columns().contains(&name))
 }
 
-/// The node that frames at a depth are about: the nearest in the first frame, and for what the wall
-/// does, of those within half a joint the one to which it does most.
+/// The node for frames at a depth: the nearest in the first frame; for wall forces, the one with
+/// the largest force within half a joint.
 fn node_at(
     result: &CaseResult,
     depth_m: f64,
@@ -56,7 +56,7 @@ fn node_at(
     let mut names = quantities.iter().map(|quantity| quantity.column.name);
     let wall = names.find(|name| is_of_wall(name));
     let mut first = None;
-    // Distance, number, and what the wall did, of each node by its number.
+    // Distance, number and sum of wall forces of each node, by its number.
     let mut nodes: Vec<(f64, f64, f64)> = Vec::new();
     let columns = ["time_s", "node", "md_m", wall.unwrap_or("md_m")];
     result.each_row(Source::Frames, columns, |[time_s, number, md_m, force]| {
@@ -84,14 +84,15 @@ pub(super) fn at_depth<const N: usize>(
     let Some(node) = node_at(result, depth_m, &quantities)? else {
         return Ok(Vec::new());
     };
-    // Rows of two reads follow each other alike: the node and the time of each, then each quantity.
-    let mut kept: Vec<(f64, [f64; N])> = Vec::new();
+    // Two reads return the rows in the same order: first the node and time of each, then each
+    // quantity.
+    let mut rows: Vec<(f64, [f64; N])> = Vec::new();
     let mut places = Vec::new();
     let mut row = 0_usize;
     result.each_row(Source::Frames, ["time_s", "node"], |[time_s, number]| {
         if number == node && within(window_s, time_s) {
             places.push(row);
-            kept.push((time_s, [f64::NAN; N]));
+            rows.push((time_s, [f64::NAN; N]));
         }
         row += 1;
     })?;
@@ -99,11 +100,11 @@ pub(super) fn at_depth<const N: usize>(
         let (mut row, mut next) = (0_usize, 0);
         result.each_row(Source::Frames, [quantity.column.name], |[value]| {
             if places.get(next) == Some(&row) {
-                kept[next].1[column] = signed(quantity, value);
+                rows[next].1[column] = signed(quantity, value);
                 next += 1;
             }
             row += 1;
         })?;
     }
-    Ok(kept)
+    Ok(rows)
 }

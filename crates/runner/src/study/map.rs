@@ -23,7 +23,8 @@ pub(super) fn read(
 ) -> Result<(Vec<(f64, f64)>, MapData), ResultsError> {
     let rows = result.rows(Source::Contact, ["time_s", "md_m", colour.column.name])?;
     let [from_s, to_s] = window_s.unwrap_or([0.0, f64::INFINITY]);
-    // A row is an average since the one before: one that ends where the window begins is not of it.
+    // A row is an average since the one before, so a row that ends at the start of the window is
+    // outside it.
     let before = rows.iter().map(|[time_s, ..]| *time_s);
     let before = before.take_while(|time_s| *time_s <= from_s + 1e-6);
     let from_s = before.fold(0.0, f64::max);
@@ -43,7 +44,7 @@ pub(super) fn read(
     Ok((points, map))
 }
 
-/// The maps one below the other.
+/// The maps, one below the other.
 pub(super) fn picture(
     figure: &Figure,
     curves: &[Curve],
@@ -64,7 +65,7 @@ pub(super) fn picture(
         let mut ends: Vec<f64> = curve.points.iter().map(|(time_s, _)| *time_s).collect();
         ends.dedup();
         let stretches = curve.points.len() / ends.len();
-        // The string goes down as it drills: on average, each stretch stood here.
+        // The string moves down as it drills; this is the mean position of each stretch.
         let middle = |stretch: usize| {
             let depths = map.depths_m.iter().skip(stretch).step_by(stretches);
             depths.sum::<f64>() / (ends.len() as f64 * metre)

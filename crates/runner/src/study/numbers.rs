@@ -9,28 +9,28 @@ use super::{
     results::{CaseResult, CaseResults, Series},
 };
 
-/// A table with what was computed.
+/// A table with its computed numbers.
 pub(super) struct Computed<'a> {
     pub(super) table: &'a NumberTable,
-    /// Whose results its columns are.
+    /// Series of the columns.
     pub(super) series: Vec<Series>,
-    /// By row and series; none where there is no result, or none was requested.
+    /// By row and series; `None` if there is no result, or none was requested.
     pub(super) numbers: Vec<Vec<Option<f64>>>,
 }
 
 impl<'a> Computed<'a> {
     pub(super) fn of(table: &'a NumberTable, results: &CaseResults) -> Result<Self, ResultsError> {
         let mut series = Vec::new();
-        for of in table.rows.iter().flat_map(|row| results.series(&row.chosen)) {
-            if !series.contains(&of) {
-                series.push(of);
+        for key in table.rows.iter().flat_map(|row| results.series(&row.chosen)) {
+            if !series.contains(&key) {
+                series.push(key);
             }
         }
         series.sort_by_key(|(sweep, ..)| *sweep);
         let numbers = table.rows.iter().map(|row| {
             let row_series = results.series(&row.chosen);
-            let number = |of: &Series| match row_series.contains(of) {
-                true => computed(row, of, results),
+            let number = |series: &Series| match row_series.contains(series) {
+                true => computed(row, series, results),
                 false => Ok(None),
             };
             series.iter().map(number).collect()
@@ -40,17 +40,17 @@ impl<'a> Computed<'a> {
     }
 }
 
-/// Whether a computed number agrees with what was given; none where nothing was.
+/// Whether a computed number agrees with the expected one; `None` if there is none.
 pub(super) fn agrees(row: &Row, computed: f64) -> Option<bool> {
-    let wanted = &row.wanted;
-    let any = wanted.least.is_some() || wanted.most.is_some();
+    let target = &row.wanted;
+    let any = target.least.is_some() || target.most.is_some();
     any.then(|| {
-        wanted.least.is_none_or(|least| computed >= least)
-            && wanted.most.is_none_or(|most| computed <= most)
+        target.least.is_none_or(|least| computed >= least)
+            && target.most.is_none_or(|most| computed <= most)
     })
 }
 
-/// The number of a row as a series has it.
+/// The number of a row for a series.
 fn computed(
     row: &Row,
     series: &Series,
@@ -77,7 +77,7 @@ fn computed(
     Ok(Some(value).filter(|value| value.is_finite()))
 }
 
-/// The number of one case, or what is reported of those along a key.
+/// The number of one case, or a property of the numbers along a key.
 fn of_cases(
     row: &Row,
     series: &Series,
@@ -102,7 +102,7 @@ fn of_cases(
     Ok(shape_of(*shape, &points))
 }
 
-/// The number that a value of a key begins with: the values of one key have one unit.
+/// Leading number of a value; the values of one key have the same unit.
 fn quantity(value: &str) -> Option<f64> {
     let ends = value.char_indices().map(|(at, letter)| at + letter.len_utf8());
     let number = |end: usize| value[..end].trim().parse::<f64>().ok();
@@ -122,16 +122,18 @@ fn shape_of(shape: Shape, points: &[(f64, f64)]) -> Option<f64> {
         }
         Shape::Linearity => {
             let n = points.len() as f64;
-            let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
-            let (x, y) = (mean(&|of| of.0), mean(&|of| of.1));
-            let xy = mean(&|of| (of.0 - x) * (of.1 - y));
-            let (xx, yy) = (mean(&|of| (of.0 - x).powi(2)), mean(&|of| (of.1 - y).powi(2)));
+            let mean =
+                |value: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(value).sum::<f64>() / n;
+            let (x, y) = (mean(&|point| point.0), mean(&|point| point.1));
+            let xy = mean(&|point| (point.0 - x) * (point.1 - y));
+            let (xx, yy) =
+                (mean(&|point| (point.0 - x).powi(2)), mean(&|point| (point.1 - y).powi(2)));
             (points.len() > 2 && xx * yy > 0.0).then(|| xy * xy / (xx * yy))
         }
     }
 }
 
-/// The number as one result has it.
+/// The number in one result.
 fn number(number: &Number, result: &CaseResult) -> Result<Option<f64>, ResultsError> {
     let quantity = &number.quantity;
     let source = quantity.column.source;
@@ -169,8 +171,8 @@ fn number(number: &Number, result: &CaseResult) -> Result<Option<f64>, ResultsEr
                 Some(time_s) => nearest_by(rows, time_s, |[at, ..]| *at),
                 None => {
                     let [from, to] = window_s()?;
-                    // A row is an average since the one before: one that ends where the window
-                    // begins is not of it.
+                    // A row is an average since the one before, so a row that ends at the start of
+                    // the window is outside it.
                     let mut rows = rows;
                     rows.retain(|[at, ..]| *at > from && *at <= to);
                     rows
@@ -210,33 +212,33 @@ fn number(number: &Number, result: &CaseResult) -> Result<Option<f64>, ResultsEr
     Ok(statistic(number.statistic, &values))
 }
 
-/// The value whose place is the nearest.
-fn nearest(rows: impl Iterator<Item = (f64, f64)>, wanted: f64) -> Vec<f64> {
+/// Value at the nearest position.
+fn nearest(rows: impl Iterator<Item = (f64, f64)>, target: f64) -> Vec<f64> {
     let valid = rows.filter(|(_, value)| value.is_finite());
-    let best = valid.min_by(|a, b| (a.0 - wanted).abs().total_cmp(&(b.0 - wanted).abs()));
+    let best = valid.min_by(|a, b| (a.0 - target).abs().total_cmp(&(b.0 - target).abs()));
     best.into_iter().map(|(_, value)| value).collect()
 }
 
-/// The rows whose place is the nearest.
+/// Rows at the nearest position.
 fn nearest_by(
     mut rows: Vec<[f64; 3]>,
-    wanted: f64,
+    target: f64,
     place: impl Fn(&[f64; 3]) -> f64,
 ) -> Vec<[f64; 3]> {
-    let off = |row: &[f64; 3]| (place(row) - wanted).abs();
+    let off = |row: &[f64; 3]| (place(row) - target).abs();
     let least = rows.iter().map(off).fold(f64::INFINITY, f64::min);
     rows.retain(|row| off(row) <= least);
     rows
 }
 
 fn statistic(statistic: Statistic, values: &[f64]) -> Option<f64> {
-    let of = Distribution::of(values)?;
+    let distribution = Distribution::of(values)?;
     Some(match statistic {
-        Statistic::Mean => of.mean,
-        Statistic::Std => of.std,
-        Statistic::MeanPlusStd => of.mean + of.std,
-        Statistic::Min => of.min,
-        Statistic::Max => of.max,
+        Statistic::Mean => distribution.mean,
+        Statistic::Std => distribution.std,
+        Statistic::MeanPlusStd => distribution.mean + distribution.std,
+        Statistic::Min => distribution.min,
+        Statistic::Max => distribution.max,
         Statistic::Percentile(percent) => Distribution::percentile(values, percent / 100.0)?,
     })
 }

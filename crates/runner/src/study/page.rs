@@ -1,4 +1,4 @@
-//! The figures and tables of a study, and the page of all.
+//! Figures and tables of a study, and a page with all of them.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use wholestring_study::Study;
 use super::{data, figure, formats, numbers::Computed, picture, results::CaseResults};
 use crate::page::{FILE, PROGRAM, write_picture};
 
-/// Writes every figure and table, and the page of all.
+/// Writes every figure and table, and the page.
 pub(super) fn show(
     study: &Study,
     results: &CaseResults,
@@ -20,17 +20,17 @@ pub(super) fn show(
     let figures = within(folder, "figures")?;
     let tables = within(folder, "tables")?;
     let mut parts = Vec::new();
-    for of in &study.figures {
-        let curves = figure::curves(of, results)?;
-        let data = data::table(of, &curves, results, &sweeps);
-        data.write_csv(&figures.path().join(format!("{}.csv", of.name)))?;
-        let picture = picture::picture(of, &curves, &sweeps, study.units);
-        write_picture(&figures, &of.name, &picture, png)?;
+    for figure in &study.figures {
+        let curves = figure::curves(figure, results)?;
+        let data = data::table(figure, &curves, results, &sweeps);
+        data.write_csv(&figures.path().join(format!("{}.csv", figure.name)))?;
+        let picture = picture::picture(figure, &curves, &sweeps, study.units);
+        write_picture(&figures, &figure.name, &picture, png)?;
         parts.push(StudyPart::Figure {
-            title: of.title.clone(),
-            caption: of.caption.clone(),
+            title: figure.title.clone(),
+            caption: figure.caption.clone(),
             figure: (!curves.is_empty()).then(|| Box::new(picture)),
-            files: format!("figures/{}", of.name),
+            files: format!("figures/{}", figure.name),
             painted: png,
         });
     }

@@ -16,7 +16,7 @@ use super::{
     styles::{CurveStyles, levels},
 };
 
-/// Size of a figure, and the height of one in which depth points down.
+/// Size of a figure, and the height if depth points down.
 const WIDTH_MM: f64 = 180.0;
 const HEIGHT_MM: f64 = 90.0;
 const TALL_MM: f64 = 120.0;
@@ -24,13 +24,13 @@ const TALL_MM: f64 = 120.0;
 /// Size of a figure whose shared axis points down.
 const UPRIGHT_MM: (f64, f64) = (130.0, 140.0);
 
-/// Where the path is in space, m.
+/// Columns of the path's position in space, m.
 const POSITIONS: [&str; 4] = ["north_m", "east_m", "tvd_m", "vertical_section_m"];
 
-/// Curves of more points than this are lines without dots.
+/// Curves with more points than this are drawn without dots.
 const MAX_DOTS: usize = 60;
 
-/// The figure as it is to be drawn.
+/// Draws the figure.
 pub(super) fn picture(
     figure: &Figure,
     curves: &[Curve],
@@ -62,7 +62,8 @@ pub(super) fn picture(
         let points: Vec<(f64, f64)> =
             curve.points.iter().map(|(x, y)| (x / x_worth, y / y_worth)).collect();
         let (ink, shape) = (Ink::Line(colour), Shape::Circle);
-        // Nodes between the joints of a string touch nothing: a line would fill the picture.
+        // Nodes between the joints of a string have no contact, and a line through them would fill
+        // the picture.
         let single = matches!(figure.data, FigureData::Times { .. });
         if single || points.len() <= MAX_DOTS {
             let points = points.clone();
@@ -85,11 +86,11 @@ pub(super) fn picture(
         _ => None,
     };
     let plan = !upright && x.is_some_and(|x| is_position(x) && is_position(y));
-    // A depth against which nothing else is drawn points down the page.
+    // A depth on the vertical axis, if no other quantity is drawn on it, increases downwards.
     let down = !upright && y.column.source != Source::Summary && is_depth(y.column.name);
     let own = Axis {
         down,
-        // One node may bear what would flatten all others.
+        // The force of a single node may be so large that all others would be invisible.
         clips: matches!(y.column.source, Source::Nodes | Source::Frames | Source::Wear),
         ..Axis::new(
             label(&y_names.join(", "), &y_unit),
@@ -123,12 +124,13 @@ pub(super) fn picture(
     }
 }
 
-/// Whether a column says where the path is in space: two of them share one scale.
+/// Whether a column is a position in space; two of them have the same scale.
 fn is_position(quantity: &Quantity) -> bool {
     quantity.column.source == Source::Path && POSITIONS.contains(&quantity.column.name)
 }
 
-/// Depth reaches as far as it goes, time over all that is requested, all else to zero.
+/// Depth is drawn over the range of its data, time over the requested range, other quantities from
+/// zero.
 fn range(name: &str, figure: &Figure, curves: &[Curve]) -> Range {
     let window_s = match figure.data {
         FigureData::Rows { window_s, .. } | FigureData::Depths { window_s, .. } => window_s,

@@ -1,4 +1,4 @@
-//! A study that is requested.
+//! Request of a study, and its execution.
 
 use std::path::Path;
 
@@ -23,21 +23,21 @@ use crate::{
     sweep::{Batch, CheckedPoints, Ending, Set},
 };
 
-/// A study that is to be carried out.
+/// Request to carry out a study.
 #[derive(Debug)]
 pub struct Request<'a> {
     /// The study, as [`load`] reads it.
     pub study: &'a Study,
     /// The case files that it names.
     pub cases: CaseFiles<'a>,
-    /// What is changed in every case.
+    /// Changes in every case.
     pub overrides: &'a [Override],
-    /// What is kept of each case. By default: its tables where dynamics solve it, or
-    /// where they are requested as CSV or a figure needs them, else its summary.
+    /// Files of each case that are kept. By default its tables if dynamics solve it, or if CSV is
+    /// requested or a figure requires them, otherwise its summary.
     pub keep: Option<Keep>,
-    /// Whether to paint each figure as PNG too.
+    /// Whether to also write PNG images.
     pub png: bool,
-    /// How the cases are solved.
+    /// Options for solving the cases.
     pub batch: BatchOptions,
 }
 
@@ -49,7 +49,7 @@ pub fn load(path: &Path) -> Result<Study, Report> {
     wholestring_study::load(path, &columns::all())
 }
 
-/// Reads a study from its text; `name` is what diagnostics call it.
+/// Parses a study; `name` identifies it in diagnostics.
 ///
 /// # Errors
 /// As [`load`].
@@ -60,8 +60,8 @@ pub fn parse(name: &str, text: &[u8]) -> Result<Study, Report> {
 /// Checks every case of a study, solves them, and makes its figures, its tables and its page.
 ///
 /// # Errors
-/// Cases that are invalid, or a folder that the results cannot go to. What becomes of the cases
-/// is identified by the outcome.
+/// Cases that are invalid, or a folder that cannot take the results. The state of the cases is in
+/// the outcome.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,

@@ -1,4 +1,4 @@
-//! The results of the cases of a study, and the rows of what they left.
+//! Results of the cases of a study, and the rows of their tables.
 
 use std::{
     borrow::Cow,
@@ -16,7 +16,7 @@ use crate::{
     page::well::WellBore,
 };
 
-/// One operation of one case, as one model solved it to its end.
+/// Result of one operation of one case by one model, solved to its end.
 pub(super) struct CaseResult {
     /// Index of the sweep.
     pub(super) sweep: usize,
@@ -24,11 +24,11 @@ pub(super) struct CaseResult {
     pub(super) keys: Vec<String>,
     pub(super) values: Vec<String>,
     pub(super) solved: OperationSummary,
-    /// Where the tables lie.
+    /// Folder of the tables.
     pub(super) folder: PathBuf,
 }
 
-/// Whose result it is, whatever the case: a column of a table, a stroke of a figure.
+/// Identity of a result apart from its case: a column of a table, a line style of a figure.
 pub(super) type Series = (usize, ModelKind, String);
 
 impl CaseResult {
@@ -36,7 +36,7 @@ impl CaseResult {
         (self.sweep, self.solved.model, self.solved.operation.clone())
     }
 
-    /// Whether it is among those, but for the cases that are chosen.
+    /// Whether it belongs to the chosen series, apart from the chosen cases.
     fn is_of(&self, chosen: &Chosen) -> bool {
         let (models, operations) = (&chosen.models, &chosen.operations);
         chosen.sweeps.contains(&self.sweep)
@@ -45,7 +45,7 @@ impl CaseResult {
                 || operations.iter().any(|kind| kind.name() == self.solved.operation))
     }
 
-    /// Whether an error was found in it.
+    /// Whether it has an error.
     pub(super) fn has_error(&self) -> bool {
         checks::has_error(&self.solved)
     }
@@ -56,21 +56,23 @@ impl CaseResult {
         Some(&self.values[place])
     }
 
-    /// A number of the summary; none where the model does not know it.
+    /// A number of the summary; `None` if the model does not provide it.
     pub(super) fn summary(&self, quantity: &Quantity, statistic: Statistic) -> Option<f64> {
         let name = quantity.column.name;
         let statistics = self.solved.statistics.as_ref();
-        let of = statistics.and_then(|statistics| statistics.get(name));
+        let statistics = statistics.and_then(|statistics| statistics.get(name));
         let value = match statistic {
-            // The cut-off depth and what does not vary have no statistics, but a mean.
-            Statistic::Mean => of.map(|of| of.mean).or_else(|| self.scalar(name)),
-            Statistic::Std => of.map(|of| of.std),
-            Statistic::MeanPlusStd => of.map(|of| of.mean + of.std),
-            Statistic::Min => of.map(|of| of.min),
-            Statistic::Max => of.map(|of| of.max),
-            Statistic::Percentile(percent) => of.map(|of| match percent < 50.0 {
-                true => of.p05,
-                false => of.p95,
+            // The cut-off depth and constant quantities have no statistics, but a mean.
+            Statistic::Mean => {
+                statistics.map(|statistics| statistics.mean).or_else(|| self.scalar(name))
+            }
+            Statistic::Std => statistics.map(|statistics| statistics.std),
+            Statistic::MeanPlusStd => statistics.map(|statistics| statistics.mean + statistics.std),
+            Statistic::Min => statistics.map(|statistics| statistics.min),
+            Statistic::Max => statistics.map(|statistics| statistics.max),
+            Statistic::Percentile(percent) => statistics.map(|statistics| match percent < 50.0 {
+                true => statistics.p05,
+                false => statistics.p95,
             }),
         };
         let value = value.filter(|value| value.is_finite())?;
@@ -87,7 +89,7 @@ impl CaseResult {
         solved.get(name)?.as_f64()
     }
 
-    /// The rows of these columns; a number that does not apply is NaN.
+    /// Rows of these columns, with NaN for a number that does not apply.
     pub(super) fn rows<const N: usize>(
         &self,
         source: Source,
@@ -98,7 +100,7 @@ impl CaseResult {
         Ok(rows)
     }
 
-    /// Visits the rows of these columns in their order.
+    /// Visits the rows of these columns in order.
     pub(super) fn each_row<const N: usize>(
         &self,
         source: Source,
@@ -111,14 +113,15 @@ impl CaseResult {
                 let settings = self.settings()?;
                 let path = WellBore::of(&settings).columns();
                 let numbers = |name| {
-                    let declared = WELL_PATH.iter().find(|of| of.quantity.name == name);
-                    match declared.map(|of| (of.of)(&path)) {
+                    let declared = WELL_PATH.iter().find(|column| column.quantity.name == name);
+                    match declared.map(|declared| (declared.of)(&path)) {
                         Some(Values::Numbers(numbers)) => numbers,
                         Some(Values::Words(_)) | None => Cow::default(),
                     }
                 };
                 let columns = names.map(numbers);
-                (0..columns[0].len()).for_each(|row| visit(columns.each_ref().map(|of| of[row])));
+                (0..columns[0].len())
+                    .for_each(|row| visit(columns.each_ref().map(|column| column[row])));
                 return Ok(());
             }
             Source::Nodes => "nodes.parquet",
@@ -128,7 +131,7 @@ impl CaseResult {
             Source::Contact => "contact.parquet",
         };
         let path = self.folder.join(file);
-        // Only a method in time reports it, and frames are kept where they are requested.
+        // Only a method in time provides it, and frames are kept only if requested.
         let timeless = matches!(source, Source::Nodes | Source::Wear);
         if !timeless && !self.solved.model.in_time() || !path.is_file() {
             return Ok(());
@@ -146,22 +149,22 @@ impl CaseResult {
         let columns = names.map(|name| numbers(piece, name));
         let models = words(piece, "model");
         for (row, operation) in words(piece, "operation").iter().enumerate() {
-            // A table that does not distinguish models is that of the one in time.
+            // A table without a column of models belongs to the time-domain model.
             let model = models
                 .get(row)
                 .map_or(self.solved.model.in_time(), |model| model == self.solved.model.name());
             if model && *operation == self.solved.operation {
-                visit(columns.map(|of| of.get(row).copied().flatten().unwrap_or(f64::NAN)));
+                visit(columns.map(|column| column.get(row).copied().flatten().unwrap_or(f64::NAN)));
             }
         }
     }
 
-    /// When the window of its statistics begins, s.
+    /// Start of the window of its statistics, s.
     pub(super) fn window_from_s(&self) -> Result<f64, ResultsError> {
         Ok(self.solved.window_from_s(&self.settings()?))
     }
 
-    /// Where the shoes of its casing stand, m.
+    /// Depths of its casing shoes, m.
     pub(super) fn shoes_m(&self) -> Result<Vec<f64>, ResultsError> {
         let settings = self.settings()?;
         let hole = WellBore::of(&settings).hole().into_iter();
@@ -179,7 +182,7 @@ impl CaseResult {
 pub(super) struct CaseResults(pub(super) Vec<CaseResult>);
 
 impl CaseResults {
-    /// Adds what was solved of a case to its end.
+    /// Adds the complete results of a case.
     pub(super) fn add(
         &mut self,
         sweep: usize,
@@ -187,7 +190,7 @@ impl CaseResults {
         solved: &[OperationSummary],
         folder: &Path,
     ) {
-        let complete = solved.iter().filter(|of| of.status == Status::Complete);
+        let complete = solved.iter().filter(|solved| solved.status == Status::Complete);
         self.0.extend(complete.map(|solved| CaseResult {
             sweep,
             keys: keys.to_vec(),
@@ -197,23 +200,27 @@ impl CaseResults {
         }));
     }
 
-    /// Those that a figure shows.
+    /// Results for a figure.
     pub(super) fn chosen<'a>(&'a self, chosen: &'a Chosen) -> impl Iterator<Item = &'a CaseResult> {
-        let is = |of: &&CaseResult| of.is_of(chosen) && chosen.only.has(&of.keys, &of.values);
+        let is = |result: &&CaseResult| {
+            result.is_of(chosen) && chosen.only.has(&result.keys, &result.values)
+        };
         self.0.iter().filter(is)
     }
 
-    /// Those of a series with these values, by their cases.
+    /// Results of a series with these values, ordered by case.
     pub(super) fn of<'a>(
         &'a self,
         series: &'a Series,
         only: &'a Selection,
     ) -> impl Iterator<Item = &'a CaseResult> {
-        let is = |of: &&CaseResult| of.series() == *series && only.has(&of.keys, &of.values);
+        let is = |result: &&CaseResult| {
+            result.series() == *series && only.has(&result.keys, &result.values)
+        };
         self.0.iter().filter(is)
     }
 
-    /// Whose results there are among those chosen, in their order.
+    /// Series of the chosen results, in their order.
     pub(super) fn series(&self, chosen: &Chosen) -> Vec<Series> {
         let mut all = Vec::new();
         for result in self.0.iter().filter(|result| result.is_of(chosen)) {
@@ -226,10 +233,10 @@ impl CaseResults {
     }
 }
 
-/// What series are called: by what distinguishes them.
+/// Names of series, by the properties that distinguish them.
 pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
-    let differ = |of: &dyn Fn(&Series) -> String| {
-        let mut all: Vec<String> = series.iter().map(of).collect();
+    let differ = |part: &dyn Fn(&Series) -> String| {
+        let mut all: Vec<String> = series.iter().map(part).collect();
         all.sort();
         all.dedup();
         all.len() > 1
@@ -243,7 +250,8 @@ pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
     if differing.is_empty() {
         differing.push(&parts[1]);
     }
-    let name = |of: &Series| differing.iter().map(|part| part(of)).collect::<Vec<_>>().join(", ");
+    let name =
+        |series: &Series| differing.iter().map(|part| part(series)).collect::<Vec<_>>().join(", ");
     series.iter().map(name).collect()
 }
 

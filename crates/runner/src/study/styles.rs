@@ -1,4 +1,4 @@
-//! How curves of a study look, and what distinguishes them.
+//! Styles of the curves of a study, and the properties that distinguish them.
 
 use wholestring_report::figure::{Ink, Key, Mark, Sample, Stroke};
 use wholestring_study::{Figure, FigureData, Level, Source};
@@ -10,11 +10,11 @@ use super::{
     results::{Series, names},
 };
 
-/// Curves differ by colour in what they show, and by stroke in who says it.
+/// Curve styles: the colour distinguishes the content, the line style the series.
 pub(super) struct CurveStyles {
     series: Vec<Series>,
     series_names: Vec<String>,
-    /// What curves show, by colour.
+    /// Names of the contents, by colour.
     shown: Vec<String>,
     shown_of: Box<dyn Fn(&Curve) -> String>,
 }
@@ -27,7 +27,7 @@ impl CurveStyles {
                 series.push(curve.series.clone());
             }
         }
-        // Dynamics are drawn full, the soft string beside them dashed.
+        // Dynamics are drawn solid, the soft string dashed.
         series.sort_by_key(rank);
         let by_time = matches!(figure.data, FigureData::Times { .. });
         let several = figure.y.len() > 1;
@@ -64,7 +64,7 @@ impl CurveStyles {
         let of_path = figure.y[0].column.source == Source::Path;
         Self {
             series_names: match &series[..] {
-                // Whoever solves it, a well is the same.
+                // The well is the same for all models.
                 [_] if of_path => vec![String::new()],
                 _ => names(&series, sweeps),
             },
@@ -74,20 +74,20 @@ impl CurveStyles {
         }
     }
 
-    /// Whether strokes are enough to distinguish the series.
+    /// Whether line styles are enough to distinguish the series.
     fn by_stroke(&self) -> bool {
         self.series.len() <= 2 && self.shown.len() > 1
     }
 
-    /// The places of its series and of what it shows.
+    /// Indices of its series and of its content.
     fn place(&self, curve: &Curve) -> (usize, usize) {
         let name = (self.shown_of)(curve);
-        let series = self.series.iter().position(|of| *of == curve.series);
-        let shown = self.shown.iter().position(|of| *of == name);
+        let series = self.series.iter().position(|series| *series == curve.series);
+        let shown = self.shown.iter().position(|shown_name| *shown_name == name);
         (series.unwrap_or(0), shown.unwrap_or(0))
     }
 
-    /// What a curve is called among the others.
+    /// Name of a curve that distinguishes it from the others.
     pub(super) fn name(&self, curve: &Curve) -> String {
         let (series, shown) = self.place(curve);
         match self.series.len() {
@@ -96,7 +96,7 @@ impl CurveStyles {
         }
     }
 
-    /// A series and what it shows, in words.
+    /// A series and its content, in words.
     fn series_label(&self, series: usize, shown: usize) -> String {
         let both = [&self.series_names[series], &self.shown[shown]].map(String::as_str);
         let series_label: Vec<&str> = both.into_iter().filter(|name| !name.is_empty()).collect();
@@ -138,7 +138,7 @@ impl CurveStyles {
     }
 }
 
-/// Dynamics are drawn full, the soft string dashed.
+/// Dynamics are drawn solid, the soft string dashed.
 fn stroke_of(series: &Series) -> Stroke {
     match rank(series) {
         0 => Stroke::Solid,
@@ -146,7 +146,7 @@ fn stroke_of(series: &Series) -> Stroke {
     }
 }
 
-/// Lines at the levels of the vertical axis, in a unit worth so much.
+/// Lines at the levels of the vertical axis; `worth` is its unit in SI.
 pub(super) fn levels(figure: &Figure, worth: f64) -> Vec<Mark> {
     let levels = figure.levels.iter();
     let rule =
@@ -154,7 +154,7 @@ pub(super) fn levels(figure: &Figure, worth: f64) -> Vec<Mark> {
     levels.map(rule).collect()
 }
 
-/// A value with a blank before its unit: `300m` as `300 m`.
+/// A value with a space before its unit: `300m` as `300 m`.
 fn apart(value: &str) -> String {
     let ends = value.char_indices().map(|(at, letter)| at + letter.len_utf8());
     let number = ends.rev().find(|end| value[..*end].parse::<f64>().is_ok());
@@ -164,7 +164,7 @@ fn apart(value: &str) -> String {
     }
 }
 
-/// Keys whose value is the same for all curves.
+/// Keys with the same value in all curves.
 fn constant(curves: &[Curve]) -> Vec<String> {
     let keys = curves.iter().flat_map(|curve| curve.values.iter().map(|(key, _)| key));
     let mut all: Vec<String> = keys.cloned().collect();

@@ -20,12 +20,12 @@ use crate::{
     share::{Gathering, Share},
 };
 
-/// How far a batch has come.
+/// Progress of a batch.
 struct Reached {
-    /// How each case of all shards ended, none where it has not.
+    /// Outcome of each case of all shards, `None` until it has ended.
     endings: Vec<Option<Ending>>,
     count: usize,
-    /// When a `sweep.csv` is written.
+    /// Interval for writing a `sweep.csv`.
     pace: Pace,
 }
 
@@ -36,16 +36,16 @@ pub(crate) struct Batch<'a> {
     observer: &'a dyn Observer,
     cancellation: &'a CancellationToken,
     share: Share,
-    /// Held from the end of its cases on, for tables and page are of all shares.
+    /// Held from the end of the cases of this share, because tables and page contain all shares.
     gathering: Option<Gathering>,
-    /// The cases of this shard, the longest first.
+    /// Cases of this shard, the longest first.
     mine: Vec<usize>,
     progress: Mutex<Reached>,
     start: Instant,
 }
 
 impl<'a> Batch<'a> {
-    /// A batch of valid cases that belong to these sets.
+    /// Creates a batch of valid cases that belong to these sets.
     pub(crate) fn new(
         options: &'a BatchOptions,
         share: Share,
@@ -57,7 +57,7 @@ impl<'a> Batch<'a> {
         Self::of(options, share, Cases::new(sets, valid), observer, cancellation)
     }
 
-    /// A batch of these cases.
+    /// Creates a batch of these cases.
     pub(super) fn of(
         options: &'a BatchOptions,
         share: Share,
@@ -79,8 +79,9 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Solves the cases of this shard, and writes table and page of each set: of all cases that
-    /// have ended, those of other shares too. No other share writes them until this is dropped.
+    /// Solves the cases of this shard, and writes table and page of each set for all cases that
+    /// have ended, including those of other shares. No other share writes them until this is
+    /// dropped.
     pub(crate) fn solve_all(&mut self) -> Result<(), ResultsError> {
         let simulated_s = self.mine.iter().map(|case| self.cases.checked[*case].simulated_s);
         self.observer.batch_started(&BatchSize {
@@ -97,7 +98,7 @@ impl<'a> Batch<'a> {
         Ok(())
     }
 
-    /// Each case with its set and how it ended; nothing where it has not.
+    /// Each case with its set and outcome; `None` until it has ended.
     pub(crate) fn cases(&mut self) -> impl Iterator<Item = (&Set, &Point, Option<&Ending>)> {
         let reached = self.progress.get_mut();
         let reached = reached.unwrap_or_else(PoisonError::into_inner);
@@ -128,12 +129,12 @@ impl<'a> Batch<'a> {
         }
         let Reached { endings, pace, .. } = &mut *reached;
         pace.when_due(|| {
-            // What cannot be written now is reported at the end.
+            // A failure to write is reported at the end.
             let _ = self.cases.write_table(self.cases.points[case].set, endings);
         });
     }
 
-    /// How it went; its results are in `place`.
+    /// Outcome of the batch, with results in `place`.
     pub(crate) fn outcome(self, place: &Path) -> BatchOutcome {
         let endings = std::mem::take(&mut lock(&self.progress).endings);
         let outcome = BatchOutcome::begin(place, self.mine.len(), self.start, self.cancellation);

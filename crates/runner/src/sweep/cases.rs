@@ -1,4 +1,4 @@
-//! Valid cases, the sets that they belong to, and the tables of how they ended.
+//! Valid cases, their sets, and the tables of their outcomes.
 
 use std::{
     path::PathBuf,
@@ -28,7 +28,7 @@ use crate::{
     share::{Gathering, Share},
 };
 
-/// Valid cases, and the sets that they belong to.
+/// Valid cases and their sets.
 pub(crate) struct Cases {
     pub(super) sets: Vec<Set>,
     pub(super) points: Vec<Point>,
@@ -36,14 +36,14 @@ pub(crate) struct Cases {
 }
 
 impl Cases {
-    /// Valid cases that belong to these sets.
+    /// Creates the collection of valid cases that belong to these sets.
     pub(super) fn new(sets: Vec<Set>, valid: CheckedPoints) -> Self {
         let CheckedPoints { points, checked } = valid;
         Self { sets, points, checked }
     }
 
-    /// The numbers of a share, the longest case first: what is left at the end is short, and nobody
-    /// waits long for the others.
+    /// Indices of a share, the longest case first, so that the last jobs are short and no job waits
+    /// long for the others.
     pub(super) fn longest_first(&self, shard: Shard) -> Vec<usize> {
         let mut order: Vec<usize> =
             (0..self.points.len()).filter(|case| shard.has(*case)).collect();
@@ -82,19 +82,19 @@ impl Cases {
         one.solve(&folder)
     }
 
-    /// The folder of a case.
+    /// Folder of a case.
     pub(super) fn folder(&self, number: usize) -> PathBuf {
         let point = &self.points[number];
         self.sets[point.set].folder.path().join(&point.name)
     }
 
-    /// What messages call a case.
+    /// Name of a case in messages.
     pub(super) fn label(&self, number: usize) -> String {
         let point = &self.points[number];
         format!("{}{}", self.sets[point.set].prefix, point.name)
     }
 
-    /// Writes a set's `sweep.csv`: its cases in their order, as far as they have ended.
+    /// Writes the `sweep.csv` of a set: its cases in their order, as far as they have ended.
     pub(super) fn write_table(
         &self,
         set: usize,
@@ -116,8 +116,8 @@ impl Cases {
         table.table().write_csv(&path)
     }
 
-    /// Takes up what other shares have left, and keeps them from writing tables and page as long as
-    /// the answer lives.
+    /// Reads the results of the other shares, and keeps them from writing tables and page while the
+    /// returned value exists.
     pub(super) fn gather(
         &self,
         endings: &mut [Option<Ending>],
@@ -147,8 +147,8 @@ impl Cases {
         Ok(gathering)
     }
 
-    /// How a case ended by what another share has left; nothing where it has not begun, or where
-    /// what lies there is of other settings or another version.
+    /// Outcome of a case from the files of another share; `None` if it has not begun, or if the
+    /// files belong to other settings or another version.
     fn left_by_another(&self, case: usize, why: Option<String>) -> Option<Ending> {
         let summary = Summary::read(&self.folder(case).join("summary.json")).ok();
         let summary = summary.filter(|summary| {
@@ -168,7 +168,7 @@ impl Cases {
         })
     }
 
-    /// Adds to an outcome how the cases of the share went.
+    /// Adds the outcomes of the share's cases to that of the batch.
     pub(super) fn conclude(
         &self,
         endings: &[Option<Ending>],
@@ -187,7 +187,7 @@ impl Cases {
                     .failed
                     .extend(reason.map(|reason| FailedCase { name: self.label(case), reason })),
             }
-            let wrong = solved.iter().filter(|of| checks::has_error(of));
+            let wrong = solved.iter().filter(|solved| checks::has_error(solved));
             let operations: Vec<String> = wrong.map(checks::name).collect();
             if !operations.is_empty() {
                 outcome.with_errors.push(CaseWithErrors { name: self.label(case), operations });

@@ -18,27 +18,26 @@ use crate::{
     parallel::{in_parallel, lock},
 };
 
-/// What is known of a case before it is solved.
+/// Data of a case that are known before it is solved.
 pub(super) struct Checked {
     pub(super) name: String,
-    /// Digest of all that its answers depend on.
+    /// Digest of all settings that its answers depend on.
     pub(super) identity: String,
-    /// Element-steps of its dynamic runs, at most.
+    /// Element-steps of its dynamic runs; an upper limit.
     pub(super) cost: f64,
-    /// Simulated time of its dynamic runs, s, at most.
+    /// Simulated time of its dynamic runs, s; an upper limit.
     pub(super) simulated_s: f64,
     /// Whether its lift is tuned.
     pub(super) lift: bool,
-    /// Operations, each by each model.
+    /// Number of answers: operations times models.
     pub(super) answers: usize,
-    /// What is kept of it where nobody says.
+    /// Files that are kept by default.
     pub(super) keep: Keep,
-    /// The case itself, until it is solved, where reading it again would take as long as solving
-    /// it.
+    /// The case itself, until it is solved, if reading it again would take as long as solving it.
     case: Mutex<Option<Case>>,
 }
 
-/// Most cases that are held in memory between their check and their solution; each takes some 0.2
+/// Largest number of cases in memory between their check and their solution; each takes some 0.2
 /// MB.
 const MAX_HELD: usize = 500;
 
@@ -63,16 +62,16 @@ impl Checked {
         }
     }
 
-    /// The case, where it was held since its check; only once.
+    /// Takes the case, if it was held since its check; later calls return `None`.
     pub(super) fn take(&self) -> Option<Case> {
         lock(&self.case).take()
     }
 }
 
-/// Mistakes or warnings that are reported; the same is reported once.
+/// Largest number of mistakes or warnings that are reported; equal ones are reported once.
 const SHOWN: usize = 5;
 
-/// Reads and checks every case, so that no sweep ends on a mistake in its last.
+/// Reads and checks every case, so that no sweep fails at its end on a mistake in its last case.
 pub(super) fn check(
     points: &[Point],
     jobs: usize,
@@ -82,7 +81,7 @@ pub(super) fn check(
     let all: Vec<usize> = (0..points.len()).collect();
     let outcomes: Vec<Mutex<Option<Result<Checked, Report>>>> =
         points.iter().map(|_| Mutex::default()).collect();
-    // The first in the order of their texts.
+    // The first in alphabetical order.
     let warnings: Mutex<BTreeMap<String, Report>> = Mutex::default();
     in_parallel(jobs, &all, |i| {
         if cancellation.is_cancelled() {

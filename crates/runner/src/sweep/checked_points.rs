@@ -1,4 +1,4 @@
-//! The cases of a batch, read and checked, and the folder that they go to.
+//! Checked cases of a batch, and the folder of their results.
 
 use std::path::{Path, PathBuf};
 
@@ -16,14 +16,15 @@ use crate::{
     observer::Observer,
 };
 
-/// The cases of a batch, read and checked.
+/// Checked cases of a batch.
 pub(crate) struct CheckedPoints {
     pub(super) points: Vec<Point>,
     pub(super) checked: Vec<Checked>,
 }
 
 impl CheckedPoints {
-    /// Reads and checks every case, so that no batch ends on a mistake in its last.
+    /// Reads and checks every case, so that no batch fails at its end on a mistake in its last
+    /// case.
     pub(crate) fn check(
         points: Vec<Point>,
         options: &BatchOptions,
@@ -34,20 +35,20 @@ impl CheckedPoints {
         Ok(Self { points, checked })
     }
 
-    /// What the first case is called.
+    /// Name of the first case.
     pub(crate) fn first_name(&self) -> &str {
         self.checked.first().map_or("", |case| &case.name)
     }
 
-    /// Digest of all that the answers depend on: those of all cases, by set and name.
+    /// Digest of all settings that the answers depend on: those of all cases, by set and name.
     fn identity(&self) -> String {
         let cases = self.points.iter().zip(&self.checked);
         let cases = cases.map(|(point, case)| (point.set, &point.name, &case.identity));
         digest(&cases.collect::<Vec<_>>())
     }
 
-    /// The folder for a batch, which is called so; a case of the numbered set goes to what `within`
-    /// makes of the batch's folder.
+    /// Claims the folder of a batch with this name; `within` returns the folder of a numbered set
+    /// in the batch's folder.
     pub(crate) fn claim(
         &self,
         kind: &str,

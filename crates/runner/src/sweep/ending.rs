@@ -1,4 +1,4 @@
-//! How a case ended.
+//! Outcome of a case.
 
 use serde::{Deserialize, Serialize};
 use wholestring_contain::{Panicked, contain};
@@ -6,17 +6,17 @@ use wholestring_results::OperationSummary;
 
 use crate::{error::mistake_of, run::Stop};
 
-/// How a case ended.
+/// Outcome of a case.
 pub(crate) struct Ending {
     pub(crate) solved: Vec<OperationSummary>,
-    /// Nothing where it is finished.
+    /// `None` if it is finished.
     pub(crate) why: Option<Stop>,
-    /// Simulated time that an earlier batch had solved, s.
+    /// Simulated time solved by an earlier batch, s.
     pub(crate) reused_s: f64,
 }
 
 impl Ending {
-    /// How the work on a case ended. A mistake of the program in one case is no reason to lose the
+    /// Runs the work on a case and returns its outcome. A panic in one case does not end the
     /// others.
     pub(crate) fn of(work: impl FnOnce() -> Result<Self, Stop>) -> Self {
         contain(work)
@@ -25,7 +25,8 @@ impl Ending {
     }
 }
 
-/// How a case ended that was [solved by itself](super::RemoteCase), as it goes from one process to another.
+/// Outcome of a case that was [solved separately](super::RemoteCase), for transfer between
+/// processes.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Ended {
     solved: Vec<OperationSummary>,
@@ -40,7 +41,7 @@ enum End {
 }
 
 impl Ended {
-    /// A case of which nothing was solved, for this reason.
+    /// A case without results, for this reason.
     pub fn failed(reason: String) -> Self {
         Self { solved: Vec::new(), end: End::Failed(reason) }
     }

@@ -1,4 +1,4 @@
-//! Many variations of a case by statics, in memory: one table, no folder.
+//! Many variations of a case by static models in memory: one table, no folder.
 
 use std::{collections::BTreeMap, num::NonZeroUsize, sync::Mutex};
 
@@ -15,41 +15,41 @@ use crate::{
     run::answer,
 };
 
-/// Reports of faulty cases that are shown at most; the others are counted.
+/// Largest number of reports of faulty cases; the others are counted.
 const MAX_REPORTS: usize = 5;
 
 /// Variations of a case that are solved by one static model.
 pub struct Many<'a> {
-    /// The case.
+    /// The case file.
     pub template: &'a Template,
-    /// Changes of all variations.
+    /// Changes common to all variations.
     pub overrides: &'a [Override],
-    /// The changes of each variation.
+    /// Changes of each variation.
     pub variations: &'a [Vec<Override>],
     /// The model, soft or stiff.
     pub model: ModelKind,
-    /// The operation; all of the case by default.
+    /// The operation; by default all of the case.
     pub operation: Option<OperationKind>,
     /// Number of parallel jobs; one per core by default.
     pub jobs: Option<NonZeroUsize>,
 }
 
-/// One variation as it was solved.
+/// Result of one variation.
 struct Row {
     operations: Vec<OperationSummary>,
-    /// Why it has no answer.
+    /// Reason why it has no solution.
     failure: Option<String>,
     /// Warnings of the case.
     warnings: Vec<String>,
 }
 
 /// Solves variations of a case in memory and returns the table of a sweep: a row for each variation
-/// and operation, `case` being the number of the variation from zero. The first columns, of which
-/// the second value is the number, are the keys that were changed. A variation without an answer is
-/// a row with its reason.
+/// and operation, `case` being the index of the variation. The second value is the number of
+/// leading columns that contain changed keys. A variation without a solution is a row with its
+/// reason.
 ///
 /// # Errors
-/// Faulty cases, of which none is solved then, and a cancellation.
+/// Faulty cases, in which case none is solved, or a cancellation.
 pub fn solve_many(
     many: &Many<'_>,
     observer: &dyn Observer,
@@ -88,7 +88,7 @@ pub fn solve_many(
 }
 
 impl Many<'_> {
-    /// A variation, for the model and the operation alone.
+    /// Case of a variation, with this model and operation only.
     fn case(&self, number: usize) -> Result<Case, Report> {
         let mut changes = self.overrides.to_vec();
         changes.extend(self.variations[number].iter().cloned());
@@ -106,7 +106,7 @@ impl Many<'_> {
         }
     }
 
-    /// The table, and how many of its columns are keys that were changed.
+    /// The table, and the number of its columns that are changed keys.
     fn table(&self, rows: &[Row]) -> (Table, usize) {
         let mut keys: Vec<String> = Vec::new();
         for change in self.variations.iter().flatten() {
@@ -128,8 +128,8 @@ impl Many<'_> {
     }
 }
 
-/// A row for each operation that was solved, with the columns of a sweep: scalars, statistics,
-/// indicators, findings and how it ended.
+/// A row for each solved operation, with the columns of a sweep: scalars, statistics, indicators,
+/// findings and outcome.
 pub fn operations_table(solved: &[OperationSummary]) -> Table {
     let dynamic = solved.iter().any(|operation| operation.statistics.is_some());
     let lift = solved.iter().any(|operation| operation.lift.is_some());
@@ -140,7 +140,7 @@ pub fn operations_table(solved: &[OperationSummary]) -> Table {
     Table::new(columns.cloned().collect())
 }
 
-/// The column of folders is that of the numbers of the variations.
+/// Replaces the column of folders by the indices of the variations.
 fn numbered(column: &Column) -> Column {
     match &column.data {
         wholestring_results::Data::Text(words) if column.name == "folder" => {
@@ -153,7 +153,8 @@ fn numbered(column: &Column) -> Column {
 }
 
 fn solve(case: &Case, cancellation: &CancellationToken) -> Row {
-    let warnings = case.warnings.diagnostics.iter().map(|of| of.message.clone()).collect();
+    let warnings =
+        case.warnings.diagnostics.iter().map(|diagnostic| diagnostic.message.clone()).collect();
     match answer(case, NonZeroUsize::new(1), &Silent, cancellation) {
         Ok(solved) => Row {
             operations: solved.answers.summary().operations.clone(),
@@ -164,8 +165,8 @@ fn solve(case: &Case, cancellation: &CancellationToken) -> Row {
     }
 }
 
-/// Passes each kind of warning of the cases on once: the first of it, with the number of cases that
-/// have it. What differs between cases, such as the value, stands behind a colon.
+/// Reports each kind of warning once: the first, with the number of cases that have it. Parts that
+/// differ between cases, such as the value, follow a colon.
 fn warn(rows: &[Row], observer: &dyn Observer) {
     let mut counts: BTreeMap<&str, (&str, usize)> = BTreeMap::new();
     for warning in rows.iter().flat_map(|row| &row.warnings) {

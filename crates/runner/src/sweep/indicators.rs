@@ -1,6 +1,6 @@
 //! Indicators of dynamic runs as columns of a sweep.
 
-/// An indicator: where `summary.json` has it, below `indicators`, and its column: name, unit and
+/// An indicator: its path in `summary.json` below `indicators`, and its column: name, unit and
 /// meaning.
 pub(super) struct Indicator {
     pub(super) path: &'static [&'static str],
@@ -16,7 +16,7 @@ const fn indicator(
     Indicator { path, about: (name, unit, meaning) }
 }
 
-/// The indicators, in the order of the columns.
+/// The indicators in the order of the columns.
 pub(super) const INDICATORS: &[Indicator] = &[
     indicator(
         &["stick_slip", "severity"],

@@ -21,29 +21,29 @@ use crate::{
 /// One case of a sweep.
 pub(crate) struct OneCase<'a> {
     pub(crate) case: &'a Case,
-    /// What messages call it.
+    /// Name of the case in messages.
     pub(crate) label: &'a str,
-    /// Simulated time of its dynamic runs, s, at most.
+    /// Simulated time of its dynamic runs, s; an upper limit.
     pub(crate) simulated_s: f64,
     pub(crate) keep: Keep,
     pub(crate) csv: bool,
     pub(crate) existing: Existing,
-    /// Wall-clock time between checkpoints; the case's by default.
+    /// Wall-clock time between checkpoints; by default that of the case.
     pub(crate) checkpoint_every: Option<Duration>,
     pub(crate) watch: Watch<'a>,
     pub(crate) cancellation: &'a CancellationToken,
 }
 
 impl OneCase<'_> {
-    /// Solves it into the folder, or takes what an earlier sweep left there, where that is asked
-    /// for.
+    /// Solves it into the folder, or uses the results of an earlier sweep there if the sweep is
+    /// resumed.
     pub(crate) fn solve(&self, folder: &ResultsFolder) -> Result<Ending, Stop> {
         let (case, keep) = (self.case, self.keep);
         let mut begun = None;
         if self.existing == Existing::Resume {
             match finished(folder.path(), case, keep) {
                 Ok(Some(solved)) => {
-                    // Killed between its last result and its end, a run may leave one.
+                    // A run that was killed between its last result and its end may leave one.
                     folder.remove_checkpoint()?;
                     if keep == Keep::All {
                         page::complete(folder, case.units)?;
@@ -64,7 +64,7 @@ impl OneCase<'_> {
             checkpoint_every: self.checkpoint_every.unwrap_or_else(|| checkpoint_every(case)),
             watch: self.watch,
             cancellation: self.cancellation,
-            // Cases are what the cores share.
+            // The cores are used for different cases.
             executor: cores::alone(self.cancellation),
         };
         let why = solve(case, &way, &mut record, Some(folder), under_way).err();
@@ -74,8 +74,8 @@ impl OneCase<'_> {
         Ok(Ending { solved: record.into_summary().operations, why, reused_s: 0.0 })
     }
 
-    /// What an earlier sweep began of the case; nothing where it left none to continue with, or
-    /// none that one can.
+    /// Unfinished run of the case from an earlier sweep; `None` if there is none that can be
+    /// continued.
     fn begun(&self, folder: &ResultsFolder) -> Option<(Record, Option<UnderWay<'static>>)> {
         let case = self.case;
         let begun = RunCheckpoint::<'static>::read(folder, case).and_then(|stored| {
@@ -91,18 +91,18 @@ impl OneCase<'_> {
         })
     }
 
-    /// Says why it does not continue from what lies in its folder.
+    /// Warns that it does not continue from the files in its folder, with the reason.
     fn warn(&self, reason: &str) {
-        let warning = format!("{}: {reason}; it begins anew", self.label);
+        let warning = format!("{}: {reason}; it starts again", self.label);
         self.watch.observer.warning(&warning);
     }
 }
 
-/// What a finished run of the case left in the folder; nothing if there is none, it is not
-/// finished, or has not kept what is to be kept.
+/// Results of a finished run of the case in the folder; `None` if there is none, it is not
+/// finished, or it lacks files that are to be kept.
 ///
 /// # Errors
-/// Why what lies there is not the case's.
+/// The reason why the files there do not belong to the case.
 fn finished(
     folder: &Path,
     case: &Case,
@@ -117,8 +117,8 @@ fn finished(
     Ok(complete.then_some(summary.operations))
 }
 
-/// Whether a summary has so many answers, all of them complete.
+/// Whether a summary contains this number of answers, all of them complete.
 pub(super) fn is_complete(summary: &Summary, answers: usize) -> bool {
     summary.operations.len() == answers
-        && summary.operations.iter().all(|of| of.status == Status::Complete)
+        && summary.operations.iter().all(|operation| operation.status == Status::Complete)
 }

@@ -1,16 +1,17 @@
-//! How often a table is written while its cases are solved.
+//! Interval for writing a table while its cases are solved.
 
 use std::time::Duration;
 
 use crate::clock::Instant;
 
-/// Least time between two writings.
+/// Shortest time between two writes.
 const INTERVAL: Duration = Duration::from_secs(5);
 
-/// A writing takes at most one part in so many of the time: a table of 100 000 rows takes seconds.
+/// Writing takes at most one part in this many of the time, because a table of 100 000 rows takes
+/// seconds.
 const SHARE: u32 = 20;
 
-/// When the table is written next.
+/// Time of the next write.
 pub(super) struct Pace(Instant);
 
 impl Default for Pace {
@@ -20,7 +21,7 @@ impl Default for Pace {
 }
 
 impl Pace {
-    /// Writes, if it is time to.
+    /// Writes if it is due.
     pub(super) fn when_due(&mut self, write: impl FnOnce()) {
         let begin = Instant::now();
         if begin < self.0 {

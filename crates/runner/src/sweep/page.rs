@@ -1,4 +1,4 @@
-//! `report.html` of a sweep, made from the files that it left.
+//! `report.html` of a sweep, made from the files in its folder.
 
 use std::{collections::BTreeMap, path::Path};
 
@@ -28,7 +28,7 @@ pub(crate) const SWEEP: ResultsKind = ResultsKind {
     },
 };
 
-/// Writes the page of the sweep whose files are in the folder; nothing where no case has ended yet.
+/// Writes the page of the sweep in the folder; nothing if no case has ended yet.
 pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), ResultsError> {
     let sweep = gather(folder.path(), units)?;
     if sweep.rows.is_empty() {
@@ -37,7 +37,7 @@ pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<()
     folder.write_file(page::FILE, sweep_html(&sweep).as_bytes())
 }
 
-/// Everything that is reported of a sweep.
+/// Page data of a sweep.
 fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> {
     let table = Table::read_csv(&folder.join(FILE))?;
     let columns = table.columns();
@@ -58,10 +58,10 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
         };
         others.iter().filter_map(number).collect()
     };
-    // A sweep of before checks has no such columns.
+    // Sweeps of versions without checks have no such columns.
     let count =
         |name: &str, row: usize| word(name, row).parse::<f64>().map_or(0, |many| many as usize);
-    // Cases that keep no page of their own have none to lead to.
+    // Cases that keep no page of their own have no link.
     let page = |case: &str| {
         let there = !case.is_empty() && folder.join(case).join(page::FILE).is_file();
         there.then(|| format!("{}/{}", address(case), page::FILE))
@@ -77,7 +77,7 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
             errors: count("errors", row),
             warnings: count("warnings", row),
             check: match word("worst_check_sentence", row) {
-                // As earlier versions called it.
+                // Column of earlier versions.
                 sentence if sentence.is_empty() => word("worst_finding_message", row),
                 sentence => sentence,
             },
@@ -93,7 +93,7 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
     let first = summary(folders.first())?;
     // The last case differs from the first in every key that was varied.
     let last = summary(folders.last())?;
-    let facts = |of: &Option<Summary>| of.as_ref().map_or(Vec::new(), facts::facts);
+    let facts = |summary: &Option<Summary>| summary.as_ref().map_or(Vec::new(), facts::facts);
     let mut common = facts(&first);
     let others = facts(&last);
     common.retain(|fact| others.contains(fact));

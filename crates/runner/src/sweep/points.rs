@@ -1,4 +1,4 @@
-//! The combinations of values that a sweep solves.
+//! Combinations of values that a sweep solves.
 
 use std::{collections::BTreeSet, sync::Arc};
 
@@ -6,16 +6,16 @@ use wholestring_case::{Override, Template, Variation};
 
 use crate::{error::Error, folder_name::file_name};
 
-/// More cases than this make no sense in one sweep.
+/// Largest number of cases of a sweep.
 const MAX_CASES: usize = 100_000;
 
 /// One combination of values.
 pub(crate) struct Point {
-    /// Index of the set that it belongs to.
+    /// Index of its set.
     pub(crate) set: usize,
-    /// The case that it is a variation of.
+    /// The case file that it varies.
     pub(crate) template: Arc<Template>,
-    /// The changes of the case: those of all, then its own.
+    /// Changes of the case: the common ones, then its own.
     pub(crate) changes: Vec<Override>,
     /// Its own values, as written.
     pub(crate) values: Vec<String>,
@@ -23,13 +23,13 @@ pub(crate) struct Point {
     pub(crate) name: String,
 }
 
-/// All combinations, the last key varying fastest.
+/// All combinations, with the last key varying fastest.
 pub(crate) fn points(
     template: &Arc<Template>,
     common: &[Override],
     variations: &[Variation],
 ) -> Result<Vec<Point>, Error> {
-    let counts = variations.iter().map(|of| of.values.len());
+    let counts = variations.iter().map(|variation| variation.values.len());
     let count = counts.clone().try_fold(1_usize, usize::checked_mul);
     let Some(count) = count.filter(|count| *count <= MAX_CASES) else {
         let counts: Vec<String> = counts.map(|count| count.to_string()).collect();
@@ -37,26 +37,26 @@ pub(crate) fn points(
     };
     let own = (0..count).map(|case| {
         let mut stride = count;
-        let own = variations.iter().map(|of| {
-            stride /= of.values.len();
-            of.values[case / stride % of.values.len()].clone()
+        let own = variations.iter().map(|variation| {
+            stride /= variation.values.len();
+            variation.values[case / stride % variation.values.len()].clone()
         });
         own.collect()
     });
     Ok(with_names(template, common, own))
 }
 
-/// As many cases as every key has values: the first of each, the second of each, and so on.
+/// The n-th case has the n-th value of every key.
 pub(crate) fn points_together(
     template: &Arc<Template>,
     common: &[Override],
     variations: &[Variation],
 ) -> Result<Vec<Point>, Error> {
-    let count = variations.first().map_or(1, |of| of.values.len());
-    if let Some(other) = variations.iter().find(|of| of.values.len() != count) {
+    let count = variations.first().map_or(1, |variation| variation.values.len());
+    if let Some(other) = variations.iter().find(|variation| variation.values.len() != count) {
         return Err(Error::BadInput(format!(
-            "`{}` has {count} values and `{}` has {}: keys that are varied together have as many \
-             values each",
+            "`{}` has {count} values and `{}` has {}: keys that are varied together require equal \
+             numbers of values",
             variations[0].key,
             other.key,
             other.values.len()
@@ -65,7 +65,8 @@ pub(crate) fn points_together(
     if count > MAX_CASES {
         return Err(too_many(&count.to_string()));
     }
-    let own = (0..count).map(|case| variations.iter().map(|of| of.values[case].clone()).collect());
+    let own = (0..count)
+        .map(|case| variations.iter().map(|variation| variation.values[case].clone()).collect());
     Ok(with_names(template, common, own))
 }
 
@@ -73,16 +74,16 @@ fn too_many(count: &str) -> Error {
     Error::BadInput(format!("a sweep of {count} cases, expected at most {MAX_CASES}"))
 }
 
-/// The cases with these values of their own, each with a folder that bears them.
+/// Cases with these values, each with a folder named after them.
 fn with_names(
     template: &Arc<Template>,
     common: &[Override],
     own: impl Iterator<Item = Vec<Override>>,
 ) -> Vec<Point> {
     let point = |own: Vec<Override>| {
-        let values: Vec<String> = own.iter().map(|of| of.bare().to_owned()).collect();
+        let values: Vec<String> = own.iter().map(|change| change.bare().to_owned()).collect();
         let parts = own.iter().zip(&values);
-        let parts: Vec<_> = parts.map(|(of, value)| format!("{}={value}", of.key)).collect();
+        let parts: Vec<_> = parts.map(|(part, value)| format!("{}={value}", part.key)).collect();
         Point {
             set: 0,
             template: template.clone(),
@@ -99,8 +100,8 @@ fn with_names(
     points
 }
 
-/// Folders bear the values; where those are too long for a name, or some system does not
-/// distinguish them, the number of the case.
+/// Names the folders after the values; if those are too long for a name, or some system does not
+/// distinguish them, after the index of the case.
 fn name_folders(points: &mut [Point]) {
     let names: Vec<String> = points.iter().map(|point| file_name(&point.name)).collect();
     let unique: BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();

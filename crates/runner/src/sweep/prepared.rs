@@ -1,4 +1,4 @@
-//! A sweep whose cases the front hands out: to other processes, or to other machines.
+//! A sweep whose cases a front end distributes to other processes or machines.
 
 use std::{
     fs,
@@ -34,12 +34,12 @@ use crate::{
     share::Share,
 };
 
-/// Checks every case, solves them, and writes `sweep.csv` and a page beside the folders of the
+/// Checks every case, solves them, and writes `sweep.csv` and a page next to the folders of the
 /// cases.
 ///
 /// # Errors
-/// Cases that are invalid, or a folder that the results cannot go to. What becomes of the cases
-/// is identified by the outcome.
+/// Cases that are invalid, or a folder that cannot take the results. The state of the cases is in
+/// the outcome.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -48,11 +48,11 @@ pub fn run(
     PreparedSweep::begin(request, observer, cancellation)?.solve(observer, cancellation)
 }
 
-/// A sweep that is checked, holds its folder, and waits for its cases to be solved.
+/// A sweep that is checked and has locked its folder, with cases ready to be solved.
 ///
-/// Either [`Self::solve`] does that here, on all cores, or a front hands the cases out: each of
-/// [`Self::left`] is [made ready](Self::make_ready), solved [by itself](super::RemoteCase) wherever that may
-/// be, and [taken](Self::take) back; [`Self::end`] writes table and page.
+/// Either [`Self::solve`] solves them here, on all cores, or a front end distributes them: each of
+/// [`Self::left`] is [prepared](Self::make_ready), solved [separately](super::RemoteCase) anywhere,
+/// and its outcome [recorded](Self::take); [`Self::end`] writes table and page.
 pub struct PreparedSweep {
     cases: Cases,
     options: BatchOptions,
@@ -67,7 +67,7 @@ impl PreparedSweep {
     /// Reads and checks every case, and claims the folder.
     ///
     /// # Errors
-    /// Cases that are invalid, or a folder that the results cannot go to.
+    /// Cases that are invalid, or a folder that cannot take the results.
     pub fn begin(
         request: &Request<'_>,
         observer: &dyn Observer,
@@ -75,7 +75,8 @@ impl PreparedSweep {
     ) -> Result<Self, Error> {
         let options = &request.batch;
         let all = if request.together { points_together } else { points };
-        if let Some(empty) = request.variations.iter().find(|of| of.values.is_empty()) {
+        if let Some(empty) = request.variations.iter().find(|variation| variation.values.is_empty())
+        {
             return Err(Error::BadInput(format!("`{}` is given no values", empty.key)));
         }
         let points = all(request.template, request.overrides, request.variations)?;
@@ -84,7 +85,7 @@ impl PreparedSweep {
         let within_itself = |path: &Path, _| path.to_owned();
         let claimed = valid.claim("sweep", &name, options, observer, &within_itself)?;
         let share = Share::begin(&claimed, options.shard)?;
-        let keys = request.variations.iter().map(|of| of.key.clone());
+        let keys = request.variations.iter().map(|variation| variation.key.clone());
         let set = Set {
             prefix: String::new(),
             folder: claimed.folder.clone(),
@@ -118,31 +119,31 @@ impl PreparedSweep {
         Ok(batch.outcome(self.claimed.folder.path()))
     }
 
-    /// Where the results go.
+    /// Folder of the results.
     pub fn folder(&self) -> &Path {
         self.claimed.folder.path()
     }
 
-    /// How many cases there are.
+    /// Number of cases.
     pub fn count(&self) -> usize {
         self.endings.len()
     }
 
-    /// Name of a case, which its folder has too.
+    /// Name of a case and of its folder.
     ///
     /// # Panics
-    /// A number that is none of a case, here as in the other methods.
+    /// If there is no case of this index, as in the other methods.
     pub fn name(&self, case: usize) -> &str {
         &self.cases.points[case].name
     }
 
-    /// What is changed in a case.
+    /// Changes of a case.
     pub fn changes(&self, case: usize) -> &[Override] {
         &self.cases.points[case].changes
     }
 
-    /// The cases that are to be solved, the longest first. Where the sweep is resumed, those that
-    /// are finished are taken up.
+    /// Indices of the cases to solve, the longest first. If the sweep is resumed, finished cases
+    /// are read and excluded.
     pub fn left(&mut self) -> Vec<usize> {
         let mut order = self.cases.longest_first(self.options.shard);
         if self.options.output.existing == Existing::Resume {
@@ -161,8 +162,8 @@ impl PreparedSweep {
         order
     }
 
-    /// What an earlier sweep has left of a case that it finished: nothing is missing there. What is
-    /// not found here, who solves the case may still find.
+    /// Outcome of a case that an earlier sweep finished completely. A finished case that is not
+    /// found here may still be found when it is solved.
     fn finished(&self, case: usize) -> Option<Ending> {
         let (folder, checked) = (self.cases.folder(case), &self.cases.checked[case]);
         let summary = Summary::read(&folder.join("summary.json")).ok()?;
@@ -184,8 +185,8 @@ impl PreparedSweep {
         set.keep.unwrap_or(by_itself).max(set.needs)
     }
 
-    /// Makes a case's folder ready for who solves it: where the sweep is not resumed, what an
-    /// earlier one left goes, so that the case can be handed out again to whoever continues it.
+    /// Prepares the folder of a case. If the sweep is not resumed, files of an earlier one are
+    /// removed, so that the case can be distributed again to continue it.
     ///
     /// # Errors
     /// A folder that cannot be cleared.
@@ -197,9 +198,8 @@ impl PreparedSweep {
         Ok(folder)
     }
 
-    /// The files, by their names, with which another machine continues a case that was begun; none
-    /// where it was not, or where frames or parts of a long series are kept of it: those are too
-    /// many to send.
+    /// Files, by name, with which another machine continues an unfinished case; empty if it was not
+    /// begun, or if frames or parts of a long time history are kept, which are too large to send.
     pub fn begun(&self, case: usize) -> Vec<(String, Vec<u8>)> {
         const FILE: &str = "checkpoint.bin";
         let folder = self.cases.folder(case);
@@ -213,8 +213,8 @@ impl PreparedSweep {
         file.map_or(Vec::new(), |bytes| vec![(FILE.to_owned(), bytes)])
     }
 
-    /// Puts the files of a case that was solved elsewhere into its folder, in place of all that
-    /// lies there; its summary last, for that tells that the others are whole.
+    /// Writes the files of a case that was solved elsewhere into its folder, replacing all existing
+    /// ones; its summary last, because it marks the others as complete.
     ///
     /// # Errors
     /// Files that cannot be written.
@@ -227,7 +227,7 @@ impl PreparedSweep {
         let (last, first): (Vec<_>, Vec<_>) =
             files.iter().partition(|(name, _)| name == "summary.json");
         for (name, bytes) in first.into_iter().chain(last) {
-            // Files of a case lie side by side.
+            // The files of a case are in one folder without subfolders.
             if Path::new(name).file_name() != Some(name.as_ref()) {
                 return Err(Error::BadInput(format!("`{name}` is no file of a case")));
             }
@@ -236,7 +236,7 @@ impl PreparedSweep {
         Ok(())
     }
 
-    /// Takes up how a case ended.
+    /// Records the outcome of a case.
     pub fn take(&mut self, case: usize, ended: Ended) {
         self.endings[case] = Some(ended.into());
         if self.share.is_part() {
@@ -244,12 +244,12 @@ impl PreparedSweep {
         }
         let (cases, endings) = (&self.cases, &self.endings);
         self.pace.when_due(|| {
-            // What cannot be written now is reported at the end.
+            // A failure to write is reported at the end.
             let _ = cases.write_table(0, endings);
         });
     }
 
-    /// Writes table and page of what has ended, and gives the outcome.
+    /// Writes table and page of the cases that have ended, and returns the outcome.
     ///
     /// # Errors
     /// Results that cannot be written.

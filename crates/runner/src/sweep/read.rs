@@ -1,4 +1,4 @@
-//! `sweep.csv` as a table, with numbers where it has numbers.
+//! `sweep.csv` as a table, with numeric columns.
 
 use std::path::Path;
 
@@ -11,35 +11,35 @@ use super::{
     table::{FILE, SCALARS, STATISTICS},
 };
 
-/// Columns of words, with what they are.
+/// Text columns with their meanings.
 const WORDS: [(&str, &str); 8] = [
     ("model", "The model that solved it."),
     ("operation", "The operation."),
     ("drifting", "The quantities that drift over the window."),
     ("worst_check", "Kind of the most severe check."),
     ("worst_check_sentence", "The most severe check in a sentence."),
-    ("status", "How it ended: complete, interrupted or failed."),
+    ("status", "Status: complete, interrupted or failed."),
     ("message", "Why it failed."),
     ("folder", "Name of the case's folder."),
 ];
 
-/// Columns of numbers that are neither scalars nor their statistics: unit, and what they are.
+/// Numeric columns other than scalars and their statistics: unit and meaning.
 const NUMBERS: [(&str, &str, &str); 7] = [
     ("bit_depth_m", "m", "Measured depth of the bit."),
-    ("settle_s", "s", "When the window of the statistics begins."),
+    ("settle_s", "s", "Start of the window of the statistics."),
     ("lift_hook_load_N", "N", "The hook load that the lift is tuned to."),
     ("lift_weight_on_bit_N", "N", "The weight on bit that the tuned lift gives."),
-    ("lift_runs", "", "The runs that it took to find the lift."),
+    ("lift_runs", "", "Number of runs to find the lift."),
     ("errors", "", "Checks that are errors."),
     ("warnings", "", "Checks that are warnings."),
 ];
 
-/// Reads the `sweep.csv` of a folder, and says how many of its columns, from the first, were
-/// varied: what was varied in SI where all its values are numbers of the key's dimension, and as
-/// written otherwise; every other column with its unit and meaning.
+/// Reads the `sweep.csv` of a folder, and returns the number of its leading columns that were
+/// varied. Varied columns are in SI if all values are numbers of the key's dimension, and as
+/// written otherwise; every other column has its unit and meaning.
 ///
 /// # Errors
-/// A file that is not there, or is none of a sweep.
+/// A file that does not exist or does not belong to a sweep.
 pub fn read(folder: &Path) -> Result<(usize, Table), ResultsError> {
     let path = folder.join(FILE);
     let table = Table::read_csv(&path)?;
@@ -47,8 +47,8 @@ pub fn read(folder: &Path) -> Result<(usize, Table), ResultsError> {
     Ok((varied, described(&table, varied)))
 }
 
-/// The table of a sweep of which so many columns, from the first, were varied, with numbers where it
-/// has numbers, and the unit and the meaning of each column.
+/// The table of a sweep with `varied` leading columns of varied keys, with numeric columns, and the
+/// unit and the meaning of each column.
 pub(super) fn described(table: &Table, varied: usize) -> Table {
     let columns = table.columns().iter().enumerate();
     let columns = columns.map(|(place, column)| match &column.data {
@@ -62,12 +62,12 @@ pub(super) fn described(table: &Table, varied: usize) -> Table {
     Table::new(columns.collect())
 }
 
-/// How many columns, from the first, were varied.
+/// Number of leading columns that were varied.
 ///
 /// # Errors
 /// Columns that are not those of a sweep.
 pub(super) fn varied(path: &Path, columns: &[Column]) -> Result<usize, ResultsError> {
-    // Keys may be named like other columns, `model`: they are those that come first.
+    // A key may have the name of another column, such as `model`; keys are the leading columns.
     let begins = |rest: &[Column]| {
         let names = rest.iter().map(|column| column.name.as_str());
         names.eq(["model", "operation", SCALARS[0]])
@@ -83,7 +83,7 @@ pub(super) fn varied(path: &Path, columns: &[Column]) -> Result<usize, ResultsEr
     })
 }
 
-/// A key that was varied.
+/// Column of a varied key.
 fn key(name: &str, words: &[String]) -> Column {
     let dimension = dimension_at(name);
     let number = |word: &String| match dimension {
@@ -96,15 +96,15 @@ fn key(name: &str, words: &[String]) -> Column {
         None => Data::Text(words.to_vec()),
     };
     let is_number = matches!(data, Data::Number(_));
-    let unit = dimension.filter(|_| is_number).map_or("", |of| of.si_symbol());
-    let meaning = "What was varied: a key of the case file.";
+    let unit = dimension.filter(|_| is_number).map_or("", |dimension| dimension.si_symbol());
+    let meaning = "Varied key of the case file.";
     Column { name: name.to_owned(), unit: unit.to_owned(), meaning: meaning.to_owned(), data }
 }
 
-/// What was answered.
+/// Column of results.
 fn answer(name: &str, words: &[String]) -> Column {
     let name = name.to_owned();
-    if let Some((_, meaning)) = WORDS.iter().find(|(of, _)| *of == name) {
+    if let Some((_, meaning)) = WORDS.iter().find(|(column, _)| *column == name) {
         let (unit, meaning) = (String::new(), (*meaning).to_owned());
         return Column { name, unit, meaning, data: Data::Text(words.to_vec()) };
     }
@@ -113,21 +113,22 @@ fn answer(name: &str, words: &[String]) -> Column {
     Column { name, unit: unit.to_owned(), meaning, data: Data::Number(numbers) }
 }
 
-/// Unit and meaning of a column of numbers.
+/// Unit and meaning of a numeric column.
 fn about(name: &str) -> Option<(&'static str, String)> {
     let declared = NUMBERS.iter().chain(INDICATORS.iter().map(|indicator| &indicator.about));
-    if let Some((_, unit, meaning)) = declared.into_iter().find(|(of, ..)| *of == name) {
+    if let Some((_, unit, meaning)) = declared.into_iter().find(|(declared, ..)| *declared == name)
+    {
         return Some((unit, (*meaning).to_owned()));
     }
-    let scalars = outcome::SCALARS.iter().map(|of| of.quantity);
-    let in_time = outcome::TIME_SERIES.iter().map(|of| of.quantity);
+    let scalars = outcome::SCALARS.iter().map(|scalar| scalar.quantity);
+    let in_time = outcome::TIME_SERIES.iter().map(|series| series.quantity);
     let all: Vec<Quantity> = scalars.chain(in_time).collect();
-    if let Some(of) = all.iter().find(|of| of.name == name) {
-        return Some((of.unit, of.meaning.to_owned()));
+    if let Some(quantity) = all.iter().find(|quantity| quantity.name == name) {
+        return Some((quantity.unit, quantity.meaning.to_owned()));
     }
     STATISTICS.iter().find_map(|statistic| {
         let quantity = name.strip_suffix(statistic)?.strip_suffix('_')?;
-        let of = all.iter().find(|of| of.name == quantity)?;
-        Some((of.unit, format!("`{statistic}` over the window of: {}", of.meaning)))
+        let described = all.iter().find(|described| described.name == quantity)?;
+        Some((described.unit, format!("`{statistic}` over the window of: {}", described.meaning)))
     })
 }

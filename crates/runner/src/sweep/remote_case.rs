@@ -1,5 +1,4 @@
-//! A case of a sweep that is solved apart from the others: in another process, or on another
-//! machine.
+//! A case of a sweep that is solved separately: in another process, or on another machine.
 
 use std::{path::Path, time::Duration};
 
@@ -18,25 +17,25 @@ use crate::{
     run::Stop,
 };
 
-/// A case of a sweep that is solved apart from the others.
+/// A case of a sweep that is solved separately from the others.
 #[derive(Debug, Clone, Copy)]
 pub struct RemoteCase<'a> {
     /// The case file.
     pub template: &'a Template,
-    /// What is changed in it.
+    /// Changes in it.
     pub changes: &'a [Override],
-    /// What messages call it.
+    /// Name of the case in messages.
     pub name: &'a str,
-    /// What is kept of it, as in the request of the sweep.
+    /// Files that are kept, as in the request of the sweep.
     pub keep: Option<Keep>,
-    /// Whether to write the tables that are kept as CSV too.
+    /// Whether to also write the tables that are kept as CSV.
     pub csv: bool,
-    /// Wall-clock time between checkpoints; the case's by default.
+    /// Wall-clock time between checkpoints; by default that of the case.
     pub checkpoint_every: Option<Duration>,
 }
 
 impl RemoteCase<'_> {
-    /// Solves it into the folder; what is finished there is left alone, and what was begun is
+    /// Solves it into the folder; a finished case is not solved again, and an unfinished one is
     /// continued.
     pub fn solve(
         &self,

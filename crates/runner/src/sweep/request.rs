@@ -1,4 +1,4 @@
-//! A sweep that is requested.
+//! Request of a sweep.
 
 use std::sync::Arc;
 
@@ -6,21 +6,20 @@ use wholestring_case::{Override, Template, Variation};
 
 use crate::{batch::BatchOptions, keep::Keep};
 
-/// A case that is to be solved with all combinations of some values, the last key varying fastest.
+/// Request to solve a case with all combinations of some values, the last key varying fastest.
 #[derive(Debug)]
 pub struct Request<'a> {
     /// The case file.
     pub template: &'a Arc<Template>,
-    /// What is changed in every case.
+    /// Changes in every case.
     pub overrides: &'a [Override],
-    /// The keys that are varied, with their values.
+    /// Varied keys with their values.
     pub variations: &'a [Variation],
-    /// Whether the keys are varied together instead: the first value of each, the second of each,
-    /// and so on.
+    /// Whether the keys are varied together: the n-th case has the n-th value of every key.
     pub together: bool,
-    /// What is kept of each case. By default: its tables where dynamics solve it or they
-    /// are requested as CSV, else its summary.
+    /// Files of each case that are kept. By default its tables if dynamics solve it or CSV is
+    /// requested, otherwise its summary.
     pub keep: Option<Keep>,
-    /// How the cases are solved.
+    /// Options for solving the cases.
     pub batch: BatchOptions,
 }

@@ -7,19 +7,19 @@ use crate::keep::Keep;
 
 /// Cases with a folder and a table of their own.
 pub(crate) struct Set {
-    /// What stands before the names of its cases in messages.
+    /// Prefix of the names of its cases in messages.
     pub(crate) prefix: String,
     pub(crate) folder: ResultsFolder,
-    /// The keys that are varied.
+    /// Varied keys.
     pub(crate) keys: Vec<String>,
-    /// What the user asks to keep of each case.
+    /// Files of each case that the user requests to keep.
     pub(crate) keep: Option<Keep>,
-    /// What at least is read again.
+    /// Files that are read again and so are always kept.
     pub(crate) needs: Keep,
 }
 
 impl Set {
-    /// What is kept of a case.
+    /// Files of a case that are kept.
     pub(super) fn keep(&self, case: &Case, csv: bool) -> Keep {
         let keep = self.keep.unwrap_or_else(|| Keep::of_itself(case, csv));
         keep.max(self.needs)

@@ -9,7 +9,7 @@ use super::indicators::{INDICATORS, Indicator};
 /// Name of the file.
 pub const FILE: &str = "sweep.csv";
 
-/// The scalars of an operation, as `summary.json` names them, in the order of the columns.
+/// Scalars of an operation, named as in `summary.json`, in the order of the columns.
 pub const SCALARS: [&str; outcome::SCALARS.len() + 1] = {
     let mut names = ["bit_depth_m"; outcome::SCALARS.len() + 1];
     let mut place = 1;
@@ -20,14 +20,14 @@ pub const SCALARS: [&str; outcome::SCALARS.len() + 1] = {
     names
 };
 
-/// What is reported of a tuned lift, as `summary.json` names it.
+/// Quantities of a tuned lift, named as in `summary.json`.
 const LIFT: [&str; 3] = ["hook_load_N", "weight_on_bit_N", "runs"];
 
 pub(super) const STATISTICS: [&str; 8] =
     ["mean", "std", "min", "max", "p05", "p95", "std_error", "drift"];
 
-/// The rows of a sweep. Which columns they have is settled by what is swept and solved, so that the
-/// tables of its shards can be put one below the other.
+/// Rows of a sweep. The columns depend only on the varied keys and the models, so that the tables
+/// of shards can be concatenated.
 pub(crate) struct SweepTable {
     keys: Vec<String>,
     /// Quantity and statistic of each column.
@@ -41,19 +41,19 @@ pub(crate) struct SweepTable {
 
 struct Row {
     values: Vec<String>,
-    /// The operation as in `summary.json`; empty where a case failed before it had an answer.
+    /// The operation as in `summary.json`; empty if a case failed before it had an answer.
     solved: Map<String, Value>,
     folder: String,
 }
 
 impl Row {
-    /// Number of checks of a severity; none where nothing was solved.
+    /// Number of checks of a severity; `None` if there is no solution.
     fn checks(&self, severity: Severity) -> Option<f64> {
         let checks = self.solved.get("checks")?.as_array()?.iter();
         Some(checks.filter(|check| check["severity"] == severity.name()).count() as f64)
     }
 
-    /// A word of the most severe check that needs attention.
+    /// A text field of the most severe check that requires attention.
     fn worst(&self, key: &str) -> String {
         let checks = self.solved.get("checks").and_then(Value::as_array);
         let worst = checks.and_then(|checks| checks.first());
@@ -64,19 +64,19 @@ impl Row {
 }
 
 impl SweepTable {
-    /// A table for a sweep of these keys, in which some case is dynamic or none is, and a lift is
-    /// tuned in some or in none.
+    /// Creates a table for a sweep of these keys; `dynamic` and `lift` are true if any case is
+    /// dynamic or has a tuned lift.
     pub(crate) fn new(keys: Vec<String>, dynamic: bool, lift: bool) -> Self {
         let statistics = DynamicOutcome::quantities()
             .filter(|_| dynamic)
             .flat_map(|quantity| STATISTICS.map(|statistic| [quantity, statistic]))
-            // The mean of a scalar is the scalar.
+            // The mean of a scalar is the scalar itself.
             .filter(|[quantity, statistic]| *statistic != "mean" || !SCALARS.contains(quantity))
             .collect();
         Self { keys, statistics, dynamic, lift, rows: Vec::new() }
     }
 
-    /// Adds what was solved of a case, and why it failed if that says more.
+    /// Adds the results of a case, and the reason of its failure if it adds information.
     pub(crate) fn add(
         &mut self,
         values: &[String],
@@ -102,12 +102,12 @@ impl SweepTable {
         }
     }
 
-    /// The table: varied keys, model and operation, scalars, statistics, where the window begins
-    /// and what drifts in it, indicators, the lift, checks, how it ended, and where the rest of it
-    /// lies.
+    /// The table: varied keys, model and operation, scalars, statistics, start of the window and
+    /// drifting quantities, indicators, the lift, checks, outcome, and the folder of the other
+    /// results.
     pub(crate) fn table(&self) -> Table {
-        let text = |name: &str, of: &dyn Fn(&Row) -> String| {
-            Column::words(name, self.rows.iter().map(of).collect())
+        let text = |name: &str, row: &dyn Fn(&Row) -> String| {
+            Column::words(name, self.rows.iter().map(row).collect())
         };
         let word = |name: &str| {
             text(name, &|row| {
@@ -115,8 +115,8 @@ impl SweepTable {
                 word.unwrap_or_default().to_owned()
             })
         };
-        let number = |name: String, of: &dyn Fn(&Row) -> Option<f64>| {
-            Column::numbers(name, self.rows.iter().map(of).collect())
+        let number = |name: String, row: &dyn Fn(&Row) -> Option<f64>| {
+            Column::numbers(name, self.rows.iter().map(row).collect())
         };
         let mut columns = Vec::new();
         for (i, key) in self.keys.iter().enumerate() {
@@ -162,11 +162,11 @@ impl SweepTable {
     }
 }
 
-/// The quantities that drift over the window of an operation, one after the other.
+/// Quantities that drift over the window of an operation, separated by blanks.
 fn drifting(solved: &Map<String, Value>) -> String {
     let statistics = solved.get("statistics").and_then(Value::as_object);
-    let drifts = |of: &Value| of.get("drifts").and_then(Value::as_bool) == Some(true);
+    let drifts = |statistic: &Value| statistic.get("drifts").and_then(Value::as_bool) == Some(true);
     let names = statistics.into_iter().flatten();
-    let names = names.filter_map(|(name, of)| drifts(of).then_some(name.as_str()));
+    let names = names.filter_map(|(name, statistic)| drifts(statistic).then_some(name.as_str()));
     names.collect::<Vec<_>>().join(" ")
 }

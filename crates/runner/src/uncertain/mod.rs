@@ -1,4 +1,4 @@
-//! Samples of numbers that are not known exactly, of plans and reaches alike.
+//! Samples of uncertain inputs, for plans and reaches.
 
 mod quantity;
 mod sampled;

@@ -1,32 +1,32 @@
-//! A number that samples scatter.
+//! A quantity that varies between samples.
 
-/// A number that every sample has an answer for.
+/// A quantity that is computed for every sample.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Quantity {
-    /// What it is, as the tables have it.
+    /// Name of the quantity in the tables.
     pub(crate) name: &'static str,
-    /// Of which limit; empty of others.
+    /// Name of the limit; empty for other quantities.
     pub(crate) limit: &'static str,
-    /// Of which operation; empty of all.
+    /// Name of the operation; empty for all.
     pub(crate) operation: &'static str,
-    /// Friction factor of all sections; none where they have their own.
+    /// Friction factor of all sections; `None` for their own.
     pub(crate) friction: Option<f64>,
-    /// Measured depth of the bit, m; none of all depths.
+    /// Measured depth of the bit, m; `None` for all depths.
     pub(crate) bit_depth_m: Option<f64>,
     /// SI unit.
     pub(crate) unit: &'static str,
-    /// The case's own.
+    /// Value of the case itself.
     pub(crate) expected: Option<f64>,
-    /// Whether a sample that has none lacks an answer: not where nothing loads a limit.
+    /// Whether a sample without a value lacks an answer; false for limits, which may not be loaded.
     pub(crate) must_be: bool,
-    /// Whether it is asked which inputs it is owed to.
+    /// Whether sensitivities to the inputs are computed.
     pub(crate) is_owed: bool,
-    /// Of a depth, how deep is looked, m.
+    /// Deepest depth evaluated, m, for a depth.
     pub(crate) to_m: Option<f64>,
 }
 
 impl Quantity {
-    /// Of an operation, at a depth, in a unit.
+    /// Creates a quantity of an operation, without depth, with this unit.
     pub(crate) fn new(name: &'static str, operation: &'static str, unit: &'static str) -> Self {
         Self {
             name,

@@ -1,22 +1,22 @@
-//! What came of a sample.
+//! Result of a sample.
 
 use serde::{Deserialize, Serialize};
 
-/// What came of a sample: an answer to each quantity, in their order.
+/// Result of a sample: a value of each quantity, in order.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Sampled {
-    /// None where there is no answer.
+    /// `None` for a quantity without a value.
     pub(crate) answers: Vec<Option<f64>>,
-    /// How many points have none.
+    /// Number of points without a solution.
     pub(crate) lacking: usize,
-    /// Why the first of them has none.
+    /// Reason of the first of them.
     pub(crate) message: Option<String>,
-    /// Of a reach, at each friction the operation and the limit that stop the well first.
+    /// For a reach, the operation and the limit that stop the well first, at each friction factor.
     pub(crate) stops: Vec<Option<(String, String)>>,
 }
 
 impl Sampled {
-    /// One that is no case, or has no answer at all to so many points.
+    /// A sample whose case is invalid or without any solution; `points` of them are counted.
     pub(crate) fn none(answers: usize, points: usize, message: String) -> Self {
         Self {
             answers: vec![None; answers],
@@ -26,7 +26,7 @@ impl Sampled {
         }
     }
 
-    /// Counts a point without an answer.
+    /// Counts a point without a solution.
     pub(crate) fn lacks(&mut self, message: impl FnOnce() -> String) {
         self.lacking += 1;
         self.message.get_or_insert_with(message);

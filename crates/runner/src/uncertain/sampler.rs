@@ -1,8 +1,8 @@
-//! Where the cases of samples come from.
+//! Creation of the cases of samples.
 
 use wholestring_case::{Case, Override, Template, Uncertain};
 
-/// The case that is sampled, as it was read.
+/// The sampled case, as it was read.
 #[derive(Debug, Clone)]
 pub(crate) struct Sampler<'a> {
     template: &'a Template,
@@ -13,7 +13,7 @@ pub(crate) struct Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    /// Of a case in which something is uncertain; none of another one.
+    /// Creates the sampler of a case with uncertain inputs; `None` for any other case.
     pub(crate) fn of(
         case: &'a Case,
         template: &'a Template,
@@ -26,12 +26,12 @@ impl<'a> Sampler<'a> {
     /// The case of a sample.
     ///
     /// # Errors
-    /// What is wrong with it, in a sentence.
+    /// The mistake in it, in a sentence.
     pub(crate) fn case(&self, sample: usize) -> Result<Case, String> {
         let found = self.template.sample(self.overrides, self.uncertain, &self.points[sample]);
         found.map_err(|report| {
             let first = report.diagnostics.first();
-            first.map_or_else(|| "it is no case".to_owned(), |first| first.message.clone())
+            first.map_or_else(|| "the case is invalid".to_owned(), |first| first.message.clone())
         })
     }
 }

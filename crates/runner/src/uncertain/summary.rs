@@ -1,4 +1,4 @@
-//! What samples come to: how each number scatters, and which inputs it is owed to.
+//! Statistics of the samples: scatter of each quantity, and its sensitivity to the inputs.
 
 use std::cmp::Reverse;
 
@@ -9,7 +9,7 @@ use wholestring_results::{
 
 use super::{Quantity, Sampled, Sampler};
 
-/// What they come to; samples that were not solved are none.
+/// Statistics of the solved samples.
 pub(crate) fn summary(
     sampler: &Sampler<'_>,
     model: &str,
@@ -26,11 +26,11 @@ pub(crate) fn summary(
         .collect();
     let points: Vec<Vec<f64>> = solved.iter().map(|(point, _)| (*point).clone()).collect();
     let distributions = uncertain.distributions();
-    let band = |(place, of): (usize, &Quantity)| {
+    let band = |(place, quantity): (usize, &Quantity)| {
         let answers =
             solved.iter().map(|(_, sampled)| sampled.answers.get(place).copied().flatten());
-        let answers: Vec<f64> = answers.map(|of| of.unwrap_or(f64::NAN)).collect();
-        band(of, &answers, &points, &distributions)
+        let answers: Vec<f64> = answers.map(|answer| answer.unwrap_or(f64::NAN)).collect();
+        band(quantity, &answers, &points, &distributions)
     };
     let mut reasons: Vec<(String, usize)> = Vec::new();
     for message in solved.iter().filter_map(|(_, sampled)| sampled.message.as_ref()) {
@@ -50,7 +50,7 @@ pub(crate) fn summary(
         inputs: uncertain
             .inputs
             .iter()
-            .map(|of| UncertainKey { key: of.key.clone(), distribution: of.said() })
+            .map(|input| UncertainKey { key: input.key.clone(), distribution: input.said() })
             .collect(),
         bands: quantities.iter().enumerate().filter_map(band).collect(),
         stops: stops(frictions, &solved),
@@ -58,54 +58,59 @@ pub(crate) fn summary(
 }
 
 fn band(
-    of: &Quantity,
+    quantity: &Quantity,
     answers: &[f64],
     points: &[Vec<f64>],
     distributions: &[Distribution],
 ) -> Option<UncertainBand> {
     let bands = Bands::of(answers)?;
-    let owed = of.is_owed.then(|| attribute(distributions, points, answers)).flatten();
+    let owed = quantity.is_owed.then(|| attribute(distributions, points, answers)).flatten();
     let owed = owed.map(|owed| UncertainOwed {
-        first: owed.first.iter().map(|of| Some(*of).filter(|of| of.is_finite())).collect(),
+        first: owed
+            .first
+            .iter()
+            .map(|first| Some(*first).filter(|share| share.is_finite()))
+            .collect(),
         total: owed.total,
         predicts: owed.predicts,
         degree: owed.degree,
     });
     let lacking = answers.len() - bands.count;
-    let not_met = of.to_m.map_or(0, |to_m| answers.iter().filter(|of| **of >= to_m).count());
+    let not_met =
+        quantity.to_m.map_or(0, |to_m| answers.iter().filter(|answer| **answer >= to_m).count());
     Some(UncertainBand {
-        quantity: of.name.to_owned(),
-        limit: of.limit.to_owned(),
-        operation: of.operation.to_owned(),
-        friction: of.friction,
-        bit_depth_m: of.bit_depth_m,
-        unit: of.unit.to_owned(),
-        expected: of.expected,
+        quantity: quantity.name.to_owned(),
+        limit: quantity.limit.to_owned(),
+        operation: quantity.operation.to_owned(),
+        friction: quantity.friction,
+        bit_depth_m: quantity.bit_depth_m,
+        unit: quantity.unit.to_owned(),
+        expected: quantity.expected,
         quantiles: bands.quantiles,
         mean: bands.mean,
         std: bands.std,
         answers: bands.count,
-        without_answer: if of.must_be { lacking } else { 0 },
+        without_answer: if quantity.must_be { lacking } else { 0 },
         not_met,
         owed,
     })
 }
 
-/// What stops the well first at each friction, in how many samples.
+/// The limit that stops the well first at each friction factor, with the number of samples.
 fn stops(frictions: &[Option<f64>], solved: &[(&Vec<f64>, &Sampled)]) -> Vec<UncertainStop> {
     let mut all = Vec::new();
     for (place, friction) in frictions.iter().enumerate() {
         let mut stops: Vec<UncertainStop> = Vec::new();
         for stop in solved.iter().filter_map(|(_, sampled)| sampled.stops.get(place)) {
             let (operation, limit) = stop.clone().unwrap_or_default();
-            match stops.iter_mut().find(|of| of.operation == operation && of.limit == limit) {
-                Some(of) => of.samples += 1,
+            match stops.iter_mut().find(|stop| stop.operation == operation && stop.limit == limit) {
+                Some(stop) => stop.samples += 1,
                 None => {
                     stops.push(UncertainStop { friction: *friction, operation, limit, samples: 1 });
                 }
             }
         }
-        stops.sort_by_key(|of| Reverse(of.samples));
+        stops.sort_by_key(|stop| Reverse(stop.samples));
         all.extend(stops);
     }
     all

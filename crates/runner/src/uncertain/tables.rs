@@ -1,4 +1,4 @@
-//! The tables of what is not known exactly.
+//! Tables of uncertain inputs and their effects.
 
 use wholestring_results::{
     ResultsError, ResultsFolder, Table, UNCERTAIN_SAMPLES, UncertainSummary,
@@ -6,27 +6,27 @@ use wholestring_results::{
 
 use super::{Sampled, Sampler};
 
-/// Names of the tables of a plan or a reach, without their endings.
+/// Names of the tables of a plan or a reach, without their extensions.
 pub(crate) struct Names {
-    /// How the samples scatter.
+    /// Scatter of the samples.
     pub(crate) bands: &'static str,
-    /// Which inputs that is owed to.
+    /// Sensitivity (Sobol) indices.
     pub(crate) indices: &'static str,
-    /// What was drawn.
+    /// Sampled inputs.
     pub(crate) samples: &'static str,
-    /// What stops the well first, and how often; a plan has no stops.
+    /// The limit that stops the well first, with its frequency; `None` for a plan.
     pub(crate) stops: Option<&'static str>,
 }
 
 impl Names {
-    /// Of a plan.
+    /// Names for a plan.
     pub(crate) const PLAN: Self = Self {
         bands: "plan_uncertain",
         indices: "plan_uncertain_indices",
         samples: "plan_uncertain_samples",
         stops: None,
     };
-    /// Of a reach.
+    /// Names for a reach.
     pub(crate) const REACH: Self = Self {
         bands: "reach_uncertain",
         indices: "reach_uncertain_indices",
@@ -35,13 +35,13 @@ impl Names {
     };
 }
 
-/// Writes the tables, as CSV too; those of earlier samples go where there are none.
+/// Writes the tables, also as CSV; without samples, removes earlier ones.
 pub(crate) fn write(
     folder: &ResultsFolder,
     names: &Names,
-    of: Option<(&UncertainSummary, &Table)>,
+    results: Option<(&UncertainSummary, &Table)>,
 ) -> Result<(), ResultsError> {
-    let Some((summary, samples)) = of else {
+    let Some((summary, samples)) = results else {
         for name in [names.bands, names.indices, names.samples].into_iter().chain(names.stops) {
             for ending in ["parquet", "csv"] {
                 folder.remove(&format!("{name}.{ending}"))?;
@@ -58,12 +58,13 @@ pub(crate) fn write(
     }
 }
 
-/// What was drawn, a row for each sample and input.
+/// Sampled inputs, a row for each sample and input.
 pub(crate) fn samples_table(sampler: &Sampler<'_>, sampled: &[Option<Sampled>]) -> Table {
     let mut table = Table::with_columns(UNCERTAIN_SAMPLES);
     for (place, (point, sampled)) in sampler.points.iter().zip(sampled).enumerate() {
-        let lacking = sampled.as_ref().map_or(f64::NAN, |of| of.lacking as f64);
-        let message = sampled.as_ref().and_then(|of| of.message.as_deref()).unwrap_or_default();
+        let lacking = sampled.as_ref().map_or(f64::NAN, |sampled| sampled.lacking as f64);
+        let message =
+            sampled.as_ref().and_then(|sampled| sampled.message.as_deref()).unwrap_or_default();
         for (input, value) in sampler.uncertain.inputs.iter().zip(point) {
             table.append(
                 &[
@@ -83,13 +84,13 @@ pub(crate) fn samples_table(sampler: &Sampler<'_>, sampled: &[Option<Sampled>]) 
     table
 }
 
-/// Writes the numbers of the picture of the indices; those of an earlier one go where there is none.
+/// Writes the numbers of the picture of the indices; without indices, removes an earlier one.
 pub(crate) fn write_picture_numbers(
     folder: &ResultsFolder,
-    of: Option<&UncertainSummary>,
+    summary: Option<&UncertainSummary>,
 ) -> Result<(), ResultsError> {
-    match of.filter(|of| of.inputs.len() > 1) {
-        Some(of) => of.indices_table().write_csv(&folder.path().join("uncertain.csv")),
+    match summary.filter(|summary| summary.inputs.len() > 1) {
+        Some(summary) => summary.indices_table().write_csv(&folder.path().join("uncertain.csv")),
         None => folder.remove("uncertain.csv"),
     }
 }

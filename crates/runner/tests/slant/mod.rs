@@ -1,4 +1,4 @@
-//! The straight hole at 60 deg with its plain pipe, plans of it, and one who stops them.
+//! The straight hole at 60 deg with its plain pipe, plans of it, and an observer that cancels them.
 
 use std::{
     fs,
@@ -19,16 +19,16 @@ pub struct Slant {
 }
 
 impl Slant {
-    /// With these keys changed.
+    /// The case with these keys changed.
     pub fn with(changes: &[&str]) -> Self {
         let overrides: Vec<Override> =
-            changes.iter().map(|of| of.parse().expect("an override")).collect();
+            changes.iter().map(|change| change.parse().expect("an override")).collect();
         let template = Template::read(Path::new("../cli/tests/data/slant.toml")).expect("a case");
         let case = template.case(&overrides).unwrap_or_else(|report| panic!("{report}"));
         Self { template, overrides, case }
     }
 
-    /// A plan of it, task after task.
+    /// A plan of it, solved by one job.
     pub fn plan(&self, folder: &Path, existing: Existing) -> plan::Request<'_> {
         plan::Request {
             case: &self.case,
@@ -44,7 +44,7 @@ impl Slant {
     }
 }
 
-/// Cancels after some tasks, and notes how many were finished when it began.
+/// Cancels after some tasks, and records how many were finished at the start.
 pub struct Stops {
     after: usize,
     pub token: CancellationToken,
@@ -56,7 +56,7 @@ impl Stops {
         Self { after: tasks, token: CancellationToken::new(), finished: AtomicUsize::new(0) }
     }
 
-    /// How many were finished when it began.
+    /// Number of tasks that were finished at the start.
     pub fn finished(&self) -> usize {
         self.finished.load(Ordering::Relaxed)
     }
@@ -67,14 +67,14 @@ impl Observer for Stops {
         self.finished.store(size.finished, Ordering::Relaxed);
     }
 
-    fn case_ended(&self, of: &CaseEnded) {
-        if of.ended >= self.after {
+    fn case_ended(&self, ended: &CaseEnded) {
+        if ended.ended >= self.after {
             self.token.cancel();
         }
     }
 }
 
-/// Files of two folders are the same.
+/// Checks that files of two folders are equal.
 pub fn same(names: &[&str], [a, b]: [&Path; 2]) {
     for name in names {
         let read = |folder: &Path| fs::read(folder.join(name)).expect("a file");

@@ -1,4 +1,4 @@
-//! The answer of a case by the models that take milliseconds.
+//! Results of a case by the static models, which take milliseconds.
 
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -15,22 +15,22 @@ use super::{
     well::WellView,
 };
 
-/// What a case comes to.
+/// Results of a case.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Answer {
-    /// Each operation by each model, as `summary.json` has it, with its checks.
+    /// Each operation by each model, with its checks, as in `summary.json`.
     #[schema(value_type = Vec<Object>)]
     operations: serde_json::Value,
-    /// Values along the string, an operation by a model each.
+    /// Values along the string, one track for each operation and model.
     tracks: Vec<Track>,
     /// Path, hole and string.
     well: WellView,
     /// The verdict on each operation by each model.
     verdicts: Vec<OperationVerdict>,
-    /// How near its operations are to what pipe and rig bear; by the soft string, and so where that
-    /// was asked for.
+    /// Loads of its operations against the capacities of pipe and rig, by the soft string, if that
+    /// model was requested.
     limits: Vec<OperationLimits>,
-    /// What may be replaced without touching the text, and the units of the case.
+    /// Values that can be replaced without editing the text, and the units of the case.
     set_points: SetPoints,
     /// Wall-clock time of the solving, s.
     took_s: f64,
@@ -55,11 +55,11 @@ fn verdict(operation: &OperationSummary) -> Option<OperationVerdict> {
     Some(OperationVerdict { model, operation: operation.operation.clone(), severity, words })
 }
 
-/// Solves a case by these models instead of its own. Nothing is written; frames, which are taken of
-/// dynamic runs alone, are not asked for.
+/// Solves a case by these models instead of its own. Nothing is written, and no frames are taken,
+/// which only dynamic runs have.
 ///
 /// # Errors
-/// A cancellation. What has no answer says so in its operation.
+/// A cancellation. An operation without a result contains the reason.
 pub fn answer(
     mut case: Case,
     models: Vec<ModelKind>,
@@ -109,7 +109,7 @@ mod tests {
         load(&file, &[]).expect("a valid case")
     }
 
-    /// The numbers are those of a run: hook load to every digit, tracks to a float's.
+    /// The numbers are those of a run: hook load to every digit, tracks to single precision.
     #[test]
     fn an_answer_is_what_a_run_comes_to() {
         let models = vec![ModelKind::Soft, ModelKind::Stiff];
@@ -118,11 +118,11 @@ mod tests {
         let run = run::answer(&Case { models, ..np13() }, None, &Silent, &token).expect("a run");
         let summary = run.answers.summary();
         assert_eq!(summary.operations.len(), 2);
-        for (shown, solved) in
+        for (row, solved) in
             found.operations.as_array().expect("a list").iter().zip(&summary.operations)
         {
-            assert_eq!(shown["hook_load_N"].as_f64(), Some(solved.scalars.hook_load_N));
-            assert_eq!(shown["model"], solved.model.name());
+            assert_eq!(row["hook_load_N"].as_f64(), Some(solved.scalars.hook_load_N));
+            assert_eq!(row["model"], solved.model.name());
         }
         let tables = run.answers.tables();
         let nodes = tables.iter().find(|(name, _)| *name == "nodes").expect("nodes").1;

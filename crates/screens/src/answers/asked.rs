@@ -1,4 +1,4 @@
-//! What is asked of a text, and its answer.
+//! Requests for the results of a text.
 
 use std::collections::BTreeMap;
 
@@ -23,19 +23,19 @@ use crate::{refusal::Refusal, trial};
 pub struct Asked {
     /// The text.
     text: String,
-    /// Values by keys, as `--set KEY=VALUE` has them; `friction_multiplier` times every section's
-    /// own friction and what the plan gives of it, `friction` for all sections alike.
+    /// Values by key, as in `--set KEY=VALUE`; `friction_multiplier` scales every section's own
+    /// friction and that of the plan, `friction` applies to all sections alike.
     #[serde(default)]
     set: BTreeMap<String, String>,
 }
 
-/// The same, and by which models.
+/// The same, with models.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AskedOfModels {
     /// The text.
     text: String,
-    /// Values by keys, as `--set KEY=VALUE` has them.
+    /// Values by key, as in `--set KEY=VALUE`.
     #[serde(default)]
     set: BTreeMap<String, String>,
     /// The models: `soft`, `stiff`. Both by default.
@@ -46,32 +46,32 @@ pub struct AskedOfModels {
     units: Option<String>,
 }
 
-/// The same, and in which operation.
+/// The same, with an operation.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AskedOfOperation {
     /// The text.
     text: String,
-    /// Values by keys, as `--set KEY=VALUE` has them.
+    /// Values by key, as in `--set KEY=VALUE`.
     #[serde(default)]
     set: BTreeMap<String, String>,
-    /// The operation: `drill`, ...; the first that drills, or the first, by default.
+    /// The operation: `drill`, ...; by default the first that drills, or else the first.
     #[serde(default)]
     operation: Option<String>,
 }
 
 impl Asked {
-    /// The case that it makes, in a file of this name beside these files.
+    /// The case of the text, in a file of this name next to these files.
     fn case(&self, name: &str, files: &dyn Files) -> Result<Case, Refusal> {
         let set = trial::overrides(&self.text, &self.set)?;
         Ok(parse(name, self.text.as_bytes(), files, &set)?)
     }
 
-    /// Hook load and torque against the depth of the bit, with low, expected and high friction, by
-    /// the soft string.
+    /// Hook load and torque against bit depth, with low, expected and high friction, by the soft
+    /// string.
     ///
     /// # Errors
-    /// A case that is invalid, and a cancellation.
+    /// An invalid case, and a cancellation.
     pub fn broomstick(
         &self,
         name: &str,
@@ -83,10 +83,10 @@ impl Asked {
 }
 
 impl AskedOfModels {
-    /// What the text comes to by soft and stiff string, in a file of this name beside these files.
+    /// Solves the text by soft and stiff string, in a file of this name next to these files.
     ///
     /// # Errors
-    /// A case that is invalid, a model that there is not, and a cancellation.
+    /// An invalid case, an unknown model, and a cancellation.
     pub fn answer(
         self,
         name: &str,
@@ -97,39 +97,39 @@ impl AskedOfModels {
         let models = models(&names)?;
         let units = units.map(|units| units.parse::<UnitSet>());
         let units = units.transpose().map_err(|error| Refusal::bad_input(error.to_string()))?;
-        let asked = Asked { text, set };
-        let mut case = asked.case(name, files)?;
-        let set_points = SetPoints::of(&case, &asked.text);
+        let request = Asked { text, set };
+        let mut case = request.case(name, files)?;
+        let set_points = SetPoints::of(&case, &request.text);
         case.units = units.unwrap_or(case.units);
         Ok(answer::answer(case, models, set_points, cancellation)?)
     }
 }
 
 impl AskedOfOperation {
-    /// Static analysis of the bottom-hole assembly: how it lies in its hole, what it does to the bit.
+    /// Static analysis of the bottom-hole assembly: its shape in the hole and its loads on the bit.
     ///
     /// # Errors
-    /// A case that is invalid, an operation that it has not, and a cancellation.
+    /// An invalid case, an operation that it lacks, and a cancellation.
     pub fn assembly(
         self,
         name: &str,
         files: &dyn Files,
         cancellation: &CancellationToken,
     ) -> Result<AssemblyView, Refusal> {
-        let Self { text, set, operation: wanted } = self;
-        let kind = wanted.as_deref().map(operation).transpose()?;
+        let Self { text, set, operation: word } = self;
+        let kind = word.as_deref().map(operation).transpose()?;
         let case = Asked { text, set }.case(name, files)?;
         Ok(assembly::assembly(&case, kind, cancellation)?)
     }
 }
 
 fn models(names: &[String]) -> Result<Vec<ModelKind>, Refusal> {
-    let statics = || ModelKind::ALL.iter().copied().filter(|of| !of.method().in_time);
+    let statics = || ModelKind::ALL.iter().copied().filter(|model| !model.method().in_time);
     if names.is_empty() {
         return Ok(statics().collect());
     }
     let named = |name: &String| {
-        statics().find(|of| of.name() == name).ok_or_else(|| {
+        statics().find(|model| model.name() == name).ok_or_else(|| {
             let names: Vec<&str> = statics().map(ModelKind::name).collect();
             let names = names.join(", ");
             Refusal::bad_input(format!("no model `{name}` answers at once: {names} do"))
@@ -139,9 +139,9 @@ fn models(names: &[String]) -> Result<Vec<ModelKind>, Refusal> {
 }
 
 fn operation(name: &str) -> Result<OperationKind, Refusal> {
-    let found = OperationKind::ALL.iter().copied().find(|of| of.name() == name);
+    let found = OperationKind::ALL.iter().copied().find(|kind| kind.name() == name);
     found.ok_or_else(|| {
-        let names: Vec<&str> = OperationKind::ALL.iter().map(|of| of.name()).collect();
+        let names: Vec<&str> = OperationKind::ALL.iter().map(|kind| kind.name()).collect();
         Refusal::bad_input(format!("no operation is called `{name}`: {} are", names.join(", ")))
     })
 }

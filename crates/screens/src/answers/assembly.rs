@@ -9,8 +9,8 @@ use wholestring_runner::{CancellationToken, Error, bha};
 
 use super::column::Column;
 
-/// A static BHA analysis. Each pair is the part towards the high side and that to the right of it as
-/// one looks down the hole; distances are from the bit.
+/// A static BHA analysis. Each pair has the component towards the high side and the one to the
+/// right of it, looking down the hole; distances are from the bit.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct AssemblyView {
     /// The operation: `drill`, `slide`, ...
@@ -23,15 +23,15 @@ pub struct AssemblyView {
     inclination_rad: f64,
     /// Tool face of the lowest bend, rad; null without one.
     toolface_rad: Option<f64>,
-    /// Side force of the bit on the rock, N: towards the high side it builds.
+    /// Side force of the bit on the rock, N; towards the high side it builds.
     side_force_N: [f64; 2],
-    /// Tilt of the bit against the hole's axis, rad.
+    /// Tilt of the bit relative to the hole's axis, rad.
     tilt_rad: [f64; 2],
-    /// Upper end of the assembly, m: where ordinary pipe begins.
+    /// Upper end of the assembly, m, where ordinary pipe begins.
     length_m: f64,
-    /// Where it touches, from the bit up.
+    /// Contacts with the wall, from the bit up.
     contacts: Vec<Touch>,
-    /// Places of the survey sensors, m.
+    /// Positions of the survey sensors, m.
     sensors_m: Vec<f64>,
     /// Components, from the bit up.
     parts: Vec<Part>,
@@ -41,10 +41,10 @@ pub struct AssemblyView {
     took_s: f64,
 }
 
-/// A place where it presses on its hole.
+/// A contact with the wall.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Touch {
-    /// What touches: `bit`, `blades`, `joint`, `body`.
+    /// The contacting part: `bit`, `blades`, `joint`, `body`.
     touching: &'static str,
     /// The component.
     name: String,
@@ -57,7 +57,7 @@ pub struct Touch {
 /// A component.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Part {
-    /// What it is called.
+    /// Its name.
     name: String,
     /// Its lower end, m.
     from_bit_m: f64,
@@ -69,14 +69,14 @@ pub struct Part {
     blades_m: Option<[f64; 2]>,
     /// Diameter of its tool joints, m.
     joint_od_m: Option<f64>,
-    /// Place of its bend, m.
+    /// Position of its bend, m.
     bend_m: Option<f64>,
 }
 
 /// The string's axis at its nodes, from the bit up.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Axis {
-    /// Places, m.
+    /// Positions, m.
     from_bit_m: Column,
     /// Radius of the hole, m.
     hole_radius_m: Column,
@@ -88,11 +88,10 @@ pub struct Axis {
     bending_moment_N_m: Column,
 }
 
-/// The assembly of a case in an operation; in the first that drills, or the first, where none is
-/// named.
+/// The assembly of a case in an operation, by default the first that drills, or else the first.
 ///
 /// # Errors
-/// An operation that the case has not, an assembly without an equilibrium, or a cancellation.
+/// An operation that the case lacks, an assembly without an equilibrium, or a cancellation.
 pub fn assembly(
     case: &Case,
     operation: Option<OperationKind>,
@@ -117,20 +116,20 @@ impl AssemblyView {
     fn of(bha::AtRest { summary, nodes, alone_s }: bha::AtRest) -> Self {
         let axis = Axis::of(&nodes);
         let BhaSummary { state, parts, .. } = summary;
-        let contacts = state.contacts.into_iter().map(|of| Touch {
-            touching: of.touching.name(),
-            name: of.name,
-            from_bit_m: of.from_bit_m,
-            force_N: of.force_N,
+        let contacts = state.contacts.into_iter().map(|contact| Touch {
+            touching: contact.touching.name(),
+            name: contact.name,
+            from_bit_m: contact.from_bit_m,
+            force_N: contact.force_N,
         });
-        let parts = parts.into_iter().map(|of| Part {
-            name: of.name,
-            from_bit_m: of.from_bit_m,
-            to_bit_m: of.to_bit_m,
-            od_m: of.od_m,
-            blades_m: of.blades_m,
-            joint_od_m: of.joint_od_m,
-            bend_m: of.bend_m,
+        let parts = parts.into_iter().map(|part| Part {
+            name: part.name,
+            from_bit_m: part.from_bit_m,
+            to_bit_m: part.to_bit_m,
+            od_m: part.od_m,
+            blades_m: part.blades_m,
+            joint_od_m: part.joint_od_m,
+            bend_m: part.bend_m,
         });
         Self {
             operation: summary.operation,
@@ -152,7 +151,7 @@ impl AssemblyView {
 
 impl Axis {
     fn of(nodes: &[AssemblyNode]) -> Self {
-        let column = |of: fn(&AssemblyNode) -> f64| nodes.iter().map(of).collect();
+        let column = |node: fn(&AssemblyNode) -> f64| nodes.iter().map(node).collect();
         Self {
             from_bit_m: column(|node| node.from_bit_m),
             hole_radius_m: column(|node| node.hole_radius_m),
@@ -172,7 +171,7 @@ mod tests {
 
     use super::*;
 
-    /// The numbers are those of the engine, and the forces of the contacts are those of the bit too.
+    /// The numbers equal the engine's, and the contacts have the side forces of the bit as well.
     #[test]
     fn an_assembly_is_what_the_engine_finds() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/bent-motor.toml");

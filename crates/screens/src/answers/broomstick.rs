@@ -1,4 +1,4 @@
-//! Hook load and torque against the depth of the bit, by the soft string.
+//! Hook load and torque against bit depth, by the soft string.
 
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -9,7 +9,7 @@ use wholestring_runner::{CancellationToken, Error, Instant, plan};
 
 use super::column::Column;
 
-/// Depths of the bit; the plan of the case has more.
+/// Number of bit depths; the plan of the case has more.
 const DEPTHS: usize = 15;
 
 /// A broomstick.
@@ -19,9 +19,9 @@ pub struct Broomstick {
     curves: Vec<Curve>,
     /// Levels of friction, from the least to the most.
     frictions: Vec<Level>,
-    /// What the hoist carries at most beside the block, N; null where it is not known.
+    /// Capacity of the hoist minus the block weight, N; null if unknown.
     hoist_N: Option<f64>,
-    /// Torque that the top drive gives for as long as one wants, N·m; null where it is not known.
+    /// Continuous torque of the top drive, N·m; null if unknown.
     top_drive_N_m: Option<f64>,
     /// Wall-clock time of the solving, s.
     took_s: f64,
@@ -32,19 +32,18 @@ pub struct Broomstick {
 pub struct Level {
     /// `low`, `expected` or `high`.
     name: &'static str,
-    /// Kinetic coefficients of the hole's sections, from the surface down.
+    /// Kinetic coefficients of the hole sections, from the surface down.
     coefficients: Vec<f64>,
 }
 
-/// An operation at a friction, against the depth of the bit. Where there is no answer, its numbers are
-/// null.
+/// An operation at a friction level, against bit depth. Points without a result are null.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Curve {
     /// The operation: `trip_out`, `trip_in`, ...
     operation: String,
-    /// `low`, `expected` or `high`, as the plan of the case has them.
+    /// `low`, `expected` or `high`, as in the plan of the case.
     friction: String,
-    /// Depths of the bit, m.
+    /// Bit depths, m.
     bit_depth_m: Column,
     /// Hook load without the block, N.
     hook_load_N: Column,
@@ -55,7 +54,7 @@ pub struct Curve {
 /// The operations of the case's plan at some of its depths, with low, expected and high friction.
 ///
 /// # Errors
-/// A cancellation, or a plan that the case does not hold.
+/// A cancellation, or a plan with settings that the case does not support.
 pub fn broomstick(case: &Case, cancellation: &CancellationToken) -> Result<Broomstick, Error> {
     let begun = Instant::now();
     let request = plan::BroomstickRequest {
@@ -82,12 +81,15 @@ pub fn broomstick(case: &Case, cancellation: &CancellationToken) -> Result<Broom
 }
 
 fn level_of(case: &Case, level: FrictionLevel) -> Level {
-    let of = case.plan.frictions.of(level);
+    let frictions = case.plan.frictions.of(level);
     let sections = case.model.well.hole.sections().iter();
-    Level { name: level.name(), coefficients: sections.map(|at| of.of(at).kinetic).collect() }
+    Level {
+        name: level.name(),
+        coefficients: sections.map(|at| frictions.of(at).kinetic).collect(),
+    }
 }
 
-/// The first, the last, and evenly between them.
+/// The first, the last, and evenly spaced ones between them.
 fn some_of(depths_m: &[f64]) -> Vec<f64> {
     if depths_m.len() <= DEPTHS {
         return depths_m.to_vec();
@@ -141,19 +143,20 @@ mod tests {
         assert_eq!(some_of(&all[..3]), all[..3]);
     }
 
-    /// More friction lifts the hook load of a string that is pulled, and lowers that of one let down.
+    /// More friction increases the hook load of a string that is pulled, and reduces that of one
+    /// lowered.
     #[test]
     fn friction_spreads_the_broomstick() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042.toml");
         let case = load(&file, &[]).expect("a valid case");
         let found = broomstick(&case, &CancellationToken::new()).expect("a broomstick");
         let at_depth = |operation: &str, friction: &str| {
-            let is_it = |of: &&Curve| of.operation == operation && of.friction == friction;
+            let is_it = |curve: &&Curve| curve.operation == operation && curve.friction == friction;
             found.curves.iter().find(is_it).expect("a curve").hook_load_N.last().expect("a number")
         };
         assert!(at_depth("trip_out", "high") > at_depth("trip_out", "low") + 1e4);
         assert!(at_depth("trip_in", "high") < at_depth("trip_in", "low") - 1e4);
-        let levels = found.frictions.iter().map(|of| of.coefficients[0]);
+        let levels = found.frictions.iter().map(|friction| friction.coefficients[0]);
         assert!(levels.is_sorted_by(|a, b| a < b));
         assert_eq!(found.frictions[1].coefficients, [0.3, 0.3]);
         assert_eq!((found.hoist_N, found.top_drive_N_m), (None, None));

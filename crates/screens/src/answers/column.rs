@@ -3,8 +3,8 @@
 use serde::{Serialize, Serializer};
 use utoipa::ToSchema;
 
-/// Numbers for drawing, in single precision: a picture has no more digits, and a page takes half the
-/// time over them. What is no number is null.
+/// Numbers for drawing, in single precision, which suffices for a picture and halves the page's
+/// transfer time. NaN is null.
 #[derive(Debug, Clone, PartialEq, ToSchema)]
 #[schema(value_type = Vec<Option<f32>>)]
 pub struct Column(Vec<f32>);
@@ -20,7 +20,7 @@ impl Column {
         self.0.last().copied()
     }
 
-    /// Whether there is no number in it.
+    /// Whether it has no number at all.
     pub fn is_blank(&self) -> bool {
         self.0.iter().all(|number| !number.is_finite())
     }

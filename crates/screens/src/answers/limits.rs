@@ -1,4 +1,4 @@
-//! How near operations are to what pipe and rig bear, by the soft string.
+//! Loads of operations against the capacities of pipe and rig, by the soft string.
 
 use std::collections::BTreeMap;
 
@@ -13,22 +13,22 @@ use wholestring_judge::{Check, CheckKind, Checks};
 pub struct OperationLimits {
     /// The operation: `drill`, `trip_out`, ...
     operation: String,
-    /// Of each kind the one with the least reserve, in the order of the plan's tables.
+    /// The limit with the smallest reserve for each kind, in the order of the plan's tables.
     limits: Vec<Limit>,
-    /// What could not be checked.
+    /// Limits that could not be checked.
     unchecked: Vec<Unchecked>,
 }
 
 /// A load against its capacity.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Limit {
-    /// Kind of limit, as `plan_limits.parquet` has it: `hoist`, `von_mises`, ...
+    /// Kind of limit, as in `plan_limits.parquet`: `hoist`, `von_mises`, ...
     kind: &'static str,
-    /// The same for people.
+    /// Label for display.
     label: &'static str,
-    /// The component; null of the rig.
+    /// The component; null for the rig.
     component: Option<String>,
-    /// Measured depth of the place, m; null of the rig.
+    /// Measured depth of the place, m; null for the rig.
     md_m: Option<f64>,
     /// Dimension of load and capacity: `force`, `torque`, `pressure`.
     dimension: &'static str,
@@ -38,26 +38,27 @@ pub struct Limit {
     capacity: f64,
     /// Required capacity over load.
     required: f64,
-    /// Capacity over load, over the required one: the load may grow by it. Less than 1 is too little.
+    /// Capacity over load, divided by the required factor: the factor by which the load may grow.
+    /// Less than 1 is insufficient.
     reserve: f64,
     /// `OK`, `marginal`, `below required factor` or `exceeded`.
     verdict: &'static str,
     /// `ok`, `note`, `warning` or `error`.
     severity: &'static str,
-    /// The same as a sentence, in the units of the case.
+    /// The result as a sentence, in the units of the case.
     sentence: String,
 }
 
-/// What is not known, and of which components; of the rig where there are none.
+/// A missing input, with the components that lack it; no components for the rig.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Unchecked {
-    /// In words: `no yield strength`.
+    /// Description: `no yield strength`.
     missing: &'static str,
     /// The components.
     components: Vec<String>,
 }
 
-/// The limits of every operation of a case that the soft string has an answer for.
+/// The limits of every operation of a case that the soft string can solve.
 pub fn of_operations(case: &Case) -> Vec<OperationLimits> {
     let judge = case.judge(case.units);
     let limits = |operation: &Operation| {
@@ -121,7 +122,7 @@ mod tests {
         load(&file, &[]).expect("a valid case")
     }
 
-    /// A hoist that carries twice what hangs on it has a reserve of two over its factor.
+    /// A hoist with twice the capacity of its load has a reserve of two divided by its factor.
     #[test]
     fn the_reserve_is_capacity_over_load_and_factor() {
         let mut case = slant();
@@ -133,14 +134,14 @@ mod tests {
         let found = of_operations(&case);
         assert_eq!(found.len(), case.operations.len());
         let hoist = found[0].limits.iter().find(|one| one.kind == "hoist").expect("a hoist");
-        // Both are sums of the same loads along the string, in another order.
+        // Both are sums of the same loads along the string, in a different order.
         assert!((hoist.load / hangs_N - 1.0).abs() < 1e-12, "{} {hangs_N}", hoist.load);
         assert!((hoist.reserve * hoist.required - 2.0).abs() < 1e-12, "{}", hoist.reserve);
         assert_eq!((hoist.dimension, hoist.verdict), ("force", "OK"));
     }
 
-    /// The table of limits and the checks of the same answers are the judge's: none says anything
-    /// else of a kind of limit than the other, short buckled stretches among them.
+    /// The table of limits and the checks of the same results come from the judge and agree on
+    /// every kind of limit, short buckled stretches included.
     #[test]
     fn the_table_and_the_checks_say_the_same() {
         let shipped = |name: &str, set: &[&str]| {

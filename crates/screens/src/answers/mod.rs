@@ -1,5 +1,5 @@
-//! What a case answers at once, while it is written: soft and stiff string,
-//! limits, broomstick, and static BHA analysis.
+//! Results of a case that are fast enough while it is edited: soft and stiff string, limits,
+//! broomstick, and static BHA analysis.
 
 mod answer;
 mod asked;

@@ -1,4 +1,4 @@
-//! What may be changed without touching the text, and within which bounds.
+//! Values that can be changed without editing the text, and their bounds.
 
 use std::f64::consts::TAU;
 
@@ -9,14 +9,14 @@ use wholestring_config::node::parse_text;
 
 use crate::trial::{self, Frictions, MULTIPLIER, UNIFORM};
 
-/// Values that a case has and that may be replaced, SI.
+/// Values of a case that can be replaced, SI.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct SetPoints {
-    /// What may be replaced.
+    /// The replaceable values.
     values: Vec<SetPoint>,
-    /// Hole sections, each of which has its friction.
+    /// Hole sections, each with its friction.
     sections: Vec<SectionFriction>,
-    /// Why no one friction can be set for all sections; null where it can.
+    /// Reason why no single friction can be set for all sections; null if it can.
     no_uniform_friction: Option<&'static str>,
     /// Units of the case: `si`, `metric` or `field`.
     units: &'static str,
@@ -27,31 +27,31 @@ pub struct SetPoints {
 pub struct SectionFriction {
     /// The section: `casing to 1500 m`.
     label: String,
-    /// Kinetic coefficient along the hole.
+    /// Kinetic axial friction coefficient.
     friction: f64,
 }
 
-/// A value that may be replaced.
+/// A replaceable value.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct SetPoint {
     /// The key of `--set`: `friction`, `wob`, ...
     key: &'static str,
-    /// For people.
+    /// Label for display.
     label: &'static str,
-    /// Its dimension; `ratio` of a bare number.
+    /// Its dimension; `ratio` for a bare number.
     dimension: &'static str,
-    /// What the case has.
+    /// Its value in the case.
     now: f64,
-    /// The least and the most that make sense.
+    /// The smallest and the largest sensible value.
     range: [f64; 2],
 }
 
-/// The plan leaves no friction that all sections could have.
+/// The plan allows no friction that all sections could share.
 const NO_UNIFORM: &str =
     "low and high of [plan.friction] leave no factor that all sections can have";
 
 impl SetPoints {
-    /// Those of a case and its text, which says what its plan allows.
+    /// The values of a case and its text, whose plan limits the friction.
     pub fn of(case: &Case, text: &str) -> Self {
         let frictions = parse_text(text, 0).map(|root| Frictions::of(&root)).unwrap_or_default();
         let uniform = uniform_friction(case, &frictions);
@@ -79,7 +79,7 @@ impl SetPoints {
     }
 }
 
-/// The factor of every section's own friction, and of what the plan gives of it.
+/// The factor on every section's own friction, and on that of the plan.
 fn multiplier(frictions: &Frictions) -> SetPoint {
     SetPoint {
         key: MULTIPLIER,
@@ -90,16 +90,17 @@ fn multiplier(frictions: &Frictions) -> SetPoint {
     }
 }
 
-/// One friction for all sections, within what the plan allows; where they differ, it begins at
-/// their mean along the hole.
+/// One friction for all sections, within the limits of the plan; if the sections differ, its
+/// initial value is their mean over the hole.
 fn uniform_friction(case: &Case, frictions: &Frictions) -> Option<SetPoint> {
     let sections = case.model.well.hole.sections();
-    let lengths = sections.iter().map(|of| of.to_md_m - of.from_md_m.max(0.0));
-    let (length_m, sum) = lengths.zip(sections).fold((0.0, 0.0), |(length_m, sum), (own_m, of)| {
-        (length_m + own_m, sum + own_m * of.friction.kinetic)
-    });
+    let lengths = sections.iter().map(|section| section.to_md_m - section.from_md_m.max(0.0));
+    let (length_m, sum) =
+        lengths.zip(sections).fold((0.0, 0.0), |(length_m, sum), (own_m, section)| {
+            (length_m + own_m, sum + own_m * section.friction.kinetic)
+        });
     let now = sum / length_m;
-    // Of cased and open holes, in water and in oil, usual factors are between 0.1 and 0.5.
+    // Usual factors of cased and open holes, in water- and oil-based mud, are between 0.1 and 0.5.
     let range = frictions.uniforms((2.0 * now).clamp(0.6, 2.0))?;
     now.is_finite().then_some(SetPoint {
         key: UNIFORM,
@@ -111,7 +112,7 @@ fn uniform_friction(case: &Case, frictions: &Frictions) -> Option<SetPoint> {
 }
 
 fn weight(case: &Case) -> Option<SetPoint> {
-    let drills = case.operations.iter().find(|of| of.kind.on_bottom())?;
+    let drills = case.operations.iter().find(|operation| operation.kind.on_bottom())?;
     Some(SetPoint {
         key: "wob",
         label: "Weight on bit",
@@ -123,13 +124,14 @@ fn weight(case: &Case) -> Option<SetPoint> {
 
 fn speed(case: &Case) -> Option<SetPoint> {
     const REV_PER_MIN: f64 = TAU / 60.0;
-    let now = case.operations.iter().find(|of| of.kind.rotates())?.rotary_speed_rad_per_s;
+    let now =
+        case.operations.iter().find(|operation| operation.kind.rotates())?.rotary_speed_rad_per_s;
     Some(SetPoint {
         key: "rpm",
         label: "Rotary speed",
         dimension: "rotary speed",
         now,
-        // What turns may not stand still.
+        // A rotating string may not stop.
         range: [now.min(10.0 * REV_PER_MIN), (2.0 * now).max(180.0 * REV_PER_MIN)],
     })
 }
@@ -146,7 +148,8 @@ fn mud(case: &Case) -> Option<SetPoint> {
     })
 }
 
-/// From where what stands below the pipe that runs to surface hangs in the hole, to its end.
+/// From the depth at which the part below the uppermost pipe hangs in the hole, to the end of the
+/// hole.
 fn depth(case: &Case) -> Option<SetPoint> {
     let now = case.operations.first()?.bit_depth_m;
     let hole_m = case.model.well.hole.sections().last()?.to_md_m;
@@ -169,7 +172,7 @@ mod tests {
 
     use super::*;
 
-    /// A text in place of that of a shipped case's file, as the app has it.
+    /// A text in place of that of a shipped case's file, as in the app.
     fn answered(text: &str, set: &[(&str, String)]) -> Result<SetPoints, crate::refusal::Refusal> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
         let files = Disk::beside(&folder.join("case.toml"));
@@ -194,7 +197,8 @@ mod tests {
         }
     }
 
-    /// Each value lies within its range, and a case with it replaced by an end is valid and has it.
+    /// Each value is within its range, and a case with it replaced by an end of the range is valid
+    /// and has it.
     #[test]
     fn what_may_be_replaced_is_valid_at_the_ends_of_its_range() {
         let text = shipped("np13-x1042.toml");
@@ -215,13 +219,13 @@ mod tests {
                 }
                 let found = changed.values.iter().find(|point| point.key == key);
                 let found = found.expect("the value").now;
-                // Units are converted there and back.
+                // Units are converted in both directions.
                 assert!((found - end).abs() <= 1e-9 * end.abs().max(1.0), "{key} {end}");
             }
         }
     }
 
-    /// Where a plan has low and high, every value of the sliders is one that it allows.
+    /// In a plan with low and high friction, every value of the sliders is one that it allows.
     #[test]
     fn a_plan_with_low_and_high_is_valid_at_every_friction() {
         let slant = shipped("slant.toml");

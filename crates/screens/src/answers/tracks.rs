@@ -27,21 +27,21 @@ pub struct Track {
     operation: String,
     /// Measured depths, m.
     md_m: Column,
-    /// The others by the names of their columns in `nodes.parquet`; a model leaves out what it does
-    /// not know.
+    /// The other columns by their names in `nodes.parquet`; a model omits those that it does not
+    /// compute.
     #[serde(flatten)]
     columns: BTreeMap<&'static str, Column>,
 }
 
 impl Track {
-    /// How many depths it has.
+    /// Number of depths.
     #[cfg(test)]
     pub(super) fn rows(&self) -> usize {
         self.md_m.len()
     }
 }
 
-/// A track for each operation by each model of the table of the nodes.
+/// A track for each operation and model in the table of the nodes.
 pub fn tracks(nodes: &Table) -> Vec<Track> {
     let (Some(models), Some(operations)) = (nodes.words("model"), nodes.words("operation")) else {
         return Vec::new();
@@ -56,12 +56,12 @@ pub fn tracks(nodes: &Table) -> Vec<Track> {
             let numbers = &nodes.numbers(name)?[from..from + rows];
             Some(numbers.iter().map(|number| number.unwrap_or(f64::NAN)).collect())
         };
-        let drawn = DRAWN.iter().filter_map(|name| Some((*name, column(name)?)));
+        let pairs = DRAWN.iter().filter_map(|name| Some((*name, column(name)?)));
         tracks.push(Track {
             model: key.0.clone(),
             operation: key.1.clone(),
             md_m: column("md_m").unwrap_or_else(|| [].into_iter().collect()),
-            columns: drawn.filter(|(_, column)| !column.is_blank()).collect(),
+            columns: pairs.filter(|(_, column)| !column.is_blank()).collect(),
         });
         from += rows;
     }

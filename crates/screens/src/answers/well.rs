@@ -11,7 +11,7 @@ use wholestring_case::Case;
 
 use super::column::Column;
 
-/// Points of the path beside its stations.
+/// Number of points of the path in addition to its stations.
 const POINTS: usize = 200;
 
 /// Path, hole and string.
@@ -22,14 +22,15 @@ pub struct WellView {
     path: PathView,
     /// Sections of the hole, from the surface down.
     hole: Vec<Section>,
-    /// Components of the string, from the surface down, at the depth of the case's first operation.
+    /// Components of the string, from the surface down, at the bit depth of the case's first
+    /// operation.
     string: Vec<Component>,
 }
 
 /// A path, at its stations and between them.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct PathView {
-    /// Measured depths of the stations and evenly between them, m.
+    /// Measured depths of the stations and of evenly spaced points between them, m.
     md_m: Column,
     /// North, m.
     north_m: Column,
@@ -37,7 +38,7 @@ pub struct PathView {
     east_m: Column,
     /// True vertical depth, m.
     tvd_m: Column,
-    /// Distance along the closure's direction, m.
+    /// Distance along the direction of the closure, m.
     vertical_section_m: Column,
     /// Inclination, rad.
     inclination_rad: Column,
@@ -65,7 +66,7 @@ pub struct Section {
 /// A component of the string.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Component {
-    /// What the case calls it.
+    /// Its name in the case.
     name: String,
     /// Its upper end, m.
     from_m: f64,
@@ -75,15 +76,16 @@ pub struct Component {
     od_m: f64,
     /// Inside diameter, m.
     id_m: f64,
-    /// Diameter over joints or blades, which touch the wall first, m.
+    /// Diameter over joints or blades, which contact the wall first, m.
     contact_od_m: f64,
 }
 
 impl WellView {
-    /// Those of a case.
+    /// The views of a case.
     pub fn of(case: &Case) -> Self {
         let (model, path) = (&case.model, &case.model.well.path);
-        let bit_m = case.operations.first().map_or(path.last_md_m(), |of| of.bit_depth_m);
+        let bit_m =
+            case.operations.first().map_or(path.last_md_m(), |operation| operation.bit_depth_m);
         Self {
             path: PathView::of(path),
             hole: model.well.hole.sections().iter().map(Section::of).collect(),
@@ -93,7 +95,7 @@ impl WellView {
 }
 
 impl PathView {
-    /// That of a path.
+    /// The view of a path.
     pub fn of(path: &Path) -> Self {
         let well = WellPath::at(path, depths(path)).drawn(path);
         let column = |numbers: Vec<f64>| numbers.into_iter().collect();
@@ -121,7 +123,7 @@ fn depths(path: &Path) -> Vec<f64> {
 }
 
 impl Section {
-    /// That of a hole.
+    /// The view of a hole section.
     pub fn of(section: &HoleSection) -> Self {
         Self {
             kind: match section.kind {
@@ -137,7 +139,7 @@ impl Section {
 }
 
 impl Component {
-    /// Those of a string, from the surface down, its bit at this depth, m.
+    /// The components of a string, from the surface down, for this bit depth, m.
     pub fn all(string: &DrillString, bit_m: f64) -> Vec<Self> {
         let components = string.spans().rev().map(|span| Self {
             name: span.component.name.clone(),
@@ -151,8 +153,8 @@ impl Component {
     }
 }
 
-fn contact_od_m(of: &StringComponent) -> f64 {
-    let joints_m = of.joints.map(|joints| joints.od_m);
-    let blades_m = of.blades.map(|blades| blades.od_m);
-    joints_m.or(blades_m).unwrap_or(of.od_m)
+fn contact_od_m(component: &StringComponent) -> f64 {
+    let joints_m = component.joints.map(|joints| joints.od_m);
+    let blades_m = component.blades.map(|blades| blades.od_m);
+    joints_m.or(blades_m).unwrap_or(component.od_m)
 }

@@ -1,24 +1,24 @@
-//! Which key a place of a case belongs to.
+//! The key at a place of a case.
 
 use wholestring_config::node::{Entries, Node, Value, parse_text};
 
-/// The dotted keys of a text, by where they begin.
+/// The dotted keys of a text, by their first byte.
 #[derive(Debug, Default)]
 pub(super) struct Keys(Vec<(usize, String)>);
 
 impl Keys {
-    /// The keys of a text; none where it is no TOML.
+    /// The keys of a text; empty if it is not TOML.
     pub(super) fn of(text: &str) -> Self {
         let mut keys = Self::default();
         if let Ok(entries) = parse_text(text, 0) {
             keys.table(&entries, "");
         }
-        // Of those that begin at the same place the last is the innermost: it stays last.
+        // The sort is stable, so that of keys with the same start the last stays the innermost.
         keys.0.sort_by_key(|(start, _)| *start);
         keys
     }
 
-    /// The key that a byte of the text belongs to: the last that begins there or before.
+    /// The key at a byte of the text: the last one that begins at or before it.
     pub(super) fn at(&self, byte: usize) -> Option<String> {
         let after = self.0.partition_point(|(start, _)| *start <= byte);
         self.0[..after].last().map(|(_, key)| key.clone())

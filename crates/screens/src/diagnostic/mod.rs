@@ -1,4 +1,4 @@
-//! What is wrong with a case, and where.
+//! Diagnostics of a case, with their places.
 
 mod keys;
 mod place;
@@ -13,20 +13,20 @@ use place::Place;
 /// A sentence about a place of a text.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct Diagnostic {
-    /// `error`: the case cannot be used; `warning`: it hardly says what was meant; `note`: how it
-    /// was understood.
+    /// `error`: the case cannot be used; `warning`: probably a mistake; `note`: how it was
+    /// interpreted.
     pub level: Level,
-    /// What is wrong, in one sentence without a full stop.
+    /// The mistake, in one sentence without a full stop.
     pub message: String,
-    /// What stands beside the place.
+    /// Text next to the place.
     pub label: String,
-    /// What was expected, the nearest right name, how to put it right.
+    /// The expected form, the nearest valid name, advice for the correction.
     pub help: Vec<String>,
-    /// The dotted key that the place belongs to, such as `well.hole.0.friction`.
+    /// The dotted key at the place, such as `well.hole.0.friction`.
     pub key: Option<String>,
-    /// The file that the place is in; null where it is the case.
+    /// The file of the place; null for the case.
     pub file: Option<String>,
-    /// Where it begins, in UTF-16 units of the text.
+    /// Its start, in UTF-16 units of the text.
     pub start: Option<usize>,
     /// One past its end.
     pub end: Option<usize>,
@@ -36,15 +36,15 @@ pub struct Diagnostic {
     pub column: Option<usize>,
 }
 
-/// How bad it is.
+/// Severity of a diagnostic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ToSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Level {
     /// The case cannot be used.
     Error,
-    /// The case can be used, but probably does not say what was meant.
+    /// The case can be used, but is probably mistaken.
     Warning,
-    /// How something was understood.
+    /// Note on the interpretation.
     Note,
 }
 
@@ -58,7 +58,7 @@ impl From<Severity> for Level {
 }
 
 impl Diagnostic {
-    /// One without a place.
+    /// A diagnostic without a place.
     pub fn sentence(message: &str) -> Self {
         Self {
             level: Level::Error,
@@ -75,17 +75,17 @@ impl Diagnostic {
     }
 }
 
-/// What a report says. Its first source is the case.
+/// The diagnostics of a report. Its first source is the case.
 pub fn of_report(report: &Report) -> Vec<Diagnostic> {
     let keys = report.sources.first().map(|case| Keys::of(&case.text)).unwrap_or_default();
     report.diagnostics.iter().map(|one| of(one, report, &keys)).collect()
 }
 
 fn of(one: &wholestring_case::Diagnostic, report: &Report, keys: &Keys) -> Diagnostic {
-    let said = Diagnostic {
+    let diagnostic = Diagnostic {
         level: one.severity.into(),
         help: one.help.clone(),
-        // Where the mistake is in another file, the place of the case that names it.
+        // For a mistake in another file, the place of the case that names it.
         key: one
             .labels
             .iter()
@@ -94,11 +94,11 @@ fn of(one: &wholestring_case::Diagnostic, report: &Report, keys: &Keys) -> Diagn
         ..Diagnostic::sentence(&one.message)
     };
     let Some(first) = one.labels.first() else {
-        return said;
+        return diagnostic;
     };
     let label = first.text.clone();
     let Some(source) = report.sources.get(first.place.source) else {
-        return Diagnostic { label, ..said };
+        return Diagnostic { label, ..diagnostic };
     };
     let place = Place::of(&source.text, first.place.start, first.place.end);
     Diagnostic {
@@ -108,6 +108,6 @@ fn of(one: &wholestring_case::Diagnostic, report: &Report, keys: &Keys) -> Diagn
         end: Some(place.end),
         line: Some(place.line),
         column: Some(place.column),
-        ..said
+        ..diagnostic
     }
 }

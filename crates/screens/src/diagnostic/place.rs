@@ -1,9 +1,9 @@
-//! Places as an editor counts: in UTF-16 units.
+//! Places in an editor's UTF-16 units.
 
 /// A stretch of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Place {
-    /// Where it begins.
+    /// Its start.
     pub(super) start: usize,
     /// One past its end.
     pub(super) end: usize,

@@ -1,4 +1,4 @@
-//! How a string comes to be live.
+//! Start of a live string.
 
 use std::sync::Arc;
 
@@ -17,44 +17,44 @@ use super::{
     recording::RecordedEvent,
 };
 
-/// How much is kept of a string.
+/// Limits of the memory of a string.
 #[derive(Debug, Clone, Copy)]
 pub struct Keeps {
-    /// Samples, for who comes late.
+    /// Number of samples for viewers that join later.
     pub samples: usize,
     /// Memory of its checkpoints, bytes.
     pub checkpoint_bytes: usize,
 }
 
-/// What a string is begun with.
+/// Input for the start of a string.
 pub struct Beginning {
     /// The id of the case.
     pub case_id: String,
-    /// The text that the case was made of.
+    /// The text of the case.
     pub text: String,
     /// The case.
     pub case: Arc<Case>,
-    /// Where it begins.
+    /// The initial state.
     pub start: Start,
 }
 
-/// Where a string begins.
+/// Initial state of a string.
 pub enum Start {
-    /// At time zero of an operation; of the only one where none is named.
+    /// Time zero of an operation; the name may be omitted if there is only one.
     New {
         /// Its name.
         operation: Option<String>,
     },
-    /// At a checkpoint.
+    /// A checkpoint.
     At {
         /// The checkpoint.
         bytes: Arc<Vec<u8>>,
-        /// What was set before.
+        /// The earlier events.
         events: Vec<RecordedEvent>,
     },
 }
 
-/// A simulation, and what its viewers share.
+/// A simulation, and the state shared with its viewers.
 pub(super) struct Begun {
     pub(super) live: Live,
     pub(super) string: Arc<LiveString>,
@@ -97,25 +97,27 @@ pub(super) fn begin(id: &str, from: Beginning, keeps: &Keeps) -> Result<Begun, L
     Ok(Begun { live, string: Arc::new(string) })
 }
 
-/// The controllers that the drive of a case can have: the case's own with its numbers.
+/// The controllers available to the drive of a case, with the parameters of the case for its own.
 pub(super) fn controllers(case: &Case) -> Vec<(&'static str, SpeedController)> {
     let TopDriveSettings::Driven { controller: own, .. } = case.dynamics.top_drive else {
         return Vec::new();
     };
-    let same = |of: SpeedController| std::mem::discriminant(&of) == std::mem::discriminant(&own);
+    let same = |controller: SpeedController| {
+        std::mem::discriminant(&controller) == std::mem::discriminant(&own)
+    };
     let usual = usual_speed_controllers().into_iter();
-    usual.map(|(word, of)| (word, if same(of) { own } else { of })).collect()
+    usual.map(|(word, usual)| (word, if same(usual) { own } else { usual })).collect()
 }
 
-/// The word of the controller that a case begins with.
+/// The name of the case's initial controller.
 fn own_controller(case: &Case) -> Option<&'static str> {
     let TopDriveSettings::Driven { controller, .. } = case.dynamics.top_drive else { return None };
-    controllers(case).into_iter().find(|(_, of)| *of == controller).map(|(word, _)| word)
+    controllers(case).into_iter().find(|(_, other)| *other == controller).map(|(word, _)| word)
 }
 
-/// The word of the controller that a case has after what was set.
+/// The name of the controller after these events.
 pub(super) fn last_controller(case: &Case, events: &[RecordedEvent]) -> Option<&'static str> {
-    let last = events.iter().rev().find_map(|of| of.set.controller.as_deref());
+    let last = events.iter().rev().find_map(|event| event.set.controller.as_deref());
     let known = controllers(case).into_iter();
     let found = known.map(|(word, _)| word).find(|word| Some(*word) == last);
     found.or_else(|| own_controller(case))

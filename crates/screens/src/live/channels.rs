@@ -1,4 +1,4 @@
-//! What is sent of each sample and of each frame, in the order of the columns.
+//! Columns of samples and of frames, in the order of sending.
 
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -40,10 +40,10 @@ const FRAMED: [&str; 9] = [
     "contact_force_N",
 ];
 
-/// How many columns a sample has.
+/// Number of columns of a sample.
 pub(super) const SAMPLE_COLUMNS: usize = SAMPLED.len();
 
-/// How many columns a frame has.
+/// Number of columns of a frame.
 pub(super) const FRAME_COLUMNS: usize = FRAMED.len();
 
 /// A column of samples or of frames.
@@ -51,11 +51,11 @@ pub(super) const FRAME_COLUMNS: usize = FRAMED.len();
 pub struct Channel {
     /// Its name, with the SI unit in it.
     name: &'static str,
-    /// What people call it.
+    /// Its name for display.
     label: String,
-    /// Its dimension, which `units` of the layout tells how to show.
+    /// Its dimension, whose display units are in `units` of the layout.
     dimension: &'static str,
-    /// What it is.
+    /// Its meaning.
     meaning: &'static str,
 }
 
@@ -84,20 +84,20 @@ pub(super) fn framed() -> Vec<Channel> {
     channels(FRAME, &FRAMED)
 }
 
-/// The numbers of a column from a row on; what has no value is not a number.
+/// The numbers of a column from this row on; missing values are NaN.
 fn numbers<'a, T>(
     columns: &'static [Column<T>],
     name: &str,
-    of: &'a T,
+    table: &'a T,
     row: usize,
 ) -> Option<std::borrow::Cow<'a, [f64]>> {
-    match (declared(columns, name)?.rows_from)(of, row) {
+    match (declared(columns, name)?.rows_from)(table, row) {
         Values::Numbers(numbers) => Some(numbers),
         Values::Words(_) => None,
     }
 }
 
-/// The rows of a series from one on, row after row.
+/// The rows of a series from this one on, one after the other.
 pub(super) fn sample_rows(series: &TimeSeries, row: usize) -> Vec<f32> {
     let rows = series.time_s.len().saturating_sub(row);
     let mut values = vec![f32::NAN; rows * SAMPLE_COLUMNS];
@@ -114,7 +114,7 @@ pub(super) fn sample_rows(series: &TimeSeries, row: usize) -> Vec<f32> {
     values
 }
 
-/// A frame, column after column.
+/// The columns of a frame, one after the other.
 pub(super) fn frame_columns(frame: &Frame) -> Vec<f32> {
     let mut values = Vec::with_capacity(frame.md_m.len() * FRAME_COLUMNS);
     for name in FRAMED {
@@ -142,10 +142,14 @@ mod tests {
         series.pump_pressure_Pa = vec![None, Some(3e5)];
         let rows = sample_rows(&series, 1);
         assert_eq!(rows.len(), SAMPLE_COLUMNS);
-        let of = |name: &str| rows[SAMPLED.iter().position(|of| *of == name).expect("a column")];
-        assert_eq!((of("hook_load_N"), of("pump_pressure_Pa")), (2e6, 3e5));
-        assert!(of("bit_depth_m").is_nan());
+        let rows =
+            |name: &str| rows[SAMPLED.iter().position(|column| *column == name).expect("a column")];
+        assert_eq!((rows("hook_load_N"), rows("pump_pressure_Pa")), (2e6, 3e5));
+        assert!(rows("bit_depth_m").is_nan());
         let before = sample_rows(&series, 0);
-        assert!(before[SAMPLED.iter().position(|of| *of == "pump_pressure_Pa").unwrap()].is_nan());
+        assert!(
+            before[SAMPLED.iter().position(|column| *column == "pump_pressure_Pa").unwrap()]
+                .is_nan()
+        );
     }
 }

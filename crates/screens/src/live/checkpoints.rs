@@ -1,14 +1,14 @@
-//! Moments that a string can be taken back to, in bounded memory.
+//! Moments to rewind to, in bounded memory.
 
 use std::sync::Arc;
 
 use serde::Serialize;
 use utoipa::ToSchema;
 
-/// A moment that a string can be taken back to.
+/// A moment to rewind to.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, ToSchema)]
 pub struct CheckpointEntry {
-    /// What requests call it.
+    /// Identifier in requests.
     pub number: u64,
     /// Its time, s.
     pub time_s: f64,
@@ -20,8 +20,8 @@ struct Kept {
     bytes: Arc<Vec<u8>>,
 }
 
-/// Checkpoints within so many bytes: where they become too many, they become rarer, and the rarer
-/// the longer ago; the first and the last stay.
+/// Checkpoints within a limit of bytes: beyond it they are thinned out, the more so the older they
+/// are; the first and the last stay.
 #[derive(Debug)]
 pub(super) struct Checkpoints {
     most_bytes: usize,
@@ -34,7 +34,7 @@ impl Checkpoints {
         Self { most_bytes, next: 1, kept: Vec::new() }
     }
 
-    /// Adds the latest, and gives its number.
+    /// Adds the latest, and returns its number.
     pub(super) fn put(&mut self, time_s: f64, bytes: Vec<u8>) -> u64 {
         let number = self.next;
         self.next += 1;
@@ -46,12 +46,12 @@ impl Checkpoints {
         number
     }
 
-    /// What they take.
+    /// Their size, bytes.
     pub(super) fn bytes(&self) -> usize {
-        self.kept.iter().map(|kept| kept.bytes.len()).sum()
+        self.kept.iter().map(|checkpoint| checkpoint.bytes.len()).sum()
     }
 
-    /// Removes the one whose neighbours are nearest to each other for how long ago they are.
+    /// Removes the one whose neighbours are closest to each other relative to their age.
     fn thin(&mut self) {
         let time_s = |place: usize| self.kept[place].entry.time_s;
         let now_s = time_s(self.kept.len() - 1);
@@ -65,20 +65,20 @@ impl Checkpoints {
         }
     }
 
-    /// All of them, the oldest first.
+    /// All checkpoints, the oldest first.
     pub(super) fn entries(&self) -> Vec<CheckpointEntry> {
-        self.kept.iter().map(|kept| kept.entry).collect()
+        self.kept.iter().map(|checkpoint| checkpoint.entry).collect()
     }
 
-    /// One of them.
+    /// The checkpoint with this number.
     pub(super) fn get(&self, number: u64) -> Option<(CheckpointEntry, Arc<Vec<u8>>)> {
-        let found = self.kept.iter().find(|kept| kept.entry.number == number)?;
+        let found = self.kept.iter().find(|checkpoint| checkpoint.entry.number == number)?;
         Some((found.entry, found.bytes.clone()))
     }
 
-    /// Forgets those that come after one.
+    /// Drops those after this one.
     pub(super) fn rewind(&mut self, number: u64) {
-        self.kept.retain(|kept| kept.entry.number <= number);
+        self.kept.retain(|checkpoint| checkpoint.entry.number <= number);
     }
 }
 
@@ -92,10 +92,10 @@ mod tests {
         for place in 0..100 {
             all.put(10.0 * f64::from(place), vec![0; 100]);
         }
-        let times: Vec<f64> = all.entries().iter().map(|of| of.time_s).collect();
+        let times: Vec<f64> = all.entries().iter().map(|entry| entry.time_s).collect();
         assert_eq!(times.len(), 8);
         assert_eq!((times[0], times[7]), (0.0, 990.0));
-        // Near now they are nearer to each other than in the middle.
+        // Recent ones are closer together than those in the middle.
         assert!(times[7] - times[6] < times[3] - times[2], "{times:?}");
         let number = all.entries()[3].number;
         all.rewind(number);
@@ -106,8 +106,8 @@ mod tests {
     #[test]
     fn one_that_is_too_large_is_kept_with_the_first_alone() {
         let mut all = Checkpoints::new(10);
-        for of in 0..5 {
-            all.put(f64::from(of), vec![0; 100]);
+        for index in 0..5 {
+            all.put(f64::from(index), vec![0; 100]);
         }
         assert_eq!(all.entries().len(), 2);
     }

@@ -1,35 +1,35 @@
-//! What is asked of a live string and answered, one after the other.
+//! Commands to a live string that have a response, handled in order.
 
 use tokio::sync::oneshot;
 
-/// Why a live string does not do what it was asked to.
+/// Reason why a live string refuses a request.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LiveError {
-    /// There is no such thing.
+    /// The object does not exist.
     #[error("there is no such {0}")]
     Nothing(&'static str),
-    /// It cannot be so.
+    /// The request is invalid.
     #[error("{0}")]
     Refused(String),
     /// It has ended.
     #[error("{0}")]
     Ended(String),
-    /// There are too many.
+    /// The number is limited.
     #[error("{0}")]
     TooMany(String),
-    /// It should have gone, and did not.
+    /// An operation failed unexpectedly.
     #[error("{0}")]
     Failed(String),
 }
 
-/// Where the answer goes.
+/// Channel of the response.
 pub(super) type Reply<T> = oneshot::Sender<Result<T, LiveError>>;
 
-/// What is asked.
+/// Commands.
 #[derive(Debug)]
 pub(super) enum Command {
-    /// Go back to a checkpoint; with `replay`, do again what was done after it.
+    /// Rewinds to a checkpoint; with `replay`, the later events are applied again.
     Rewind { number: u64, replay: bool, reply: Reply<()> },
-    /// Make a checkpoint now; its number.
+    /// Makes a checkpoint now, and returns its number.
     Checkpoint { reply: Reply<u64> },
 }

@@ -1,4 +1,4 @@
-//! What takes a string forward, a turn at a time.
+//! The engine that advances a string, one turn at a time.
 
 use std::{collections::VecDeque, sync::Arc, time::Duration};
 
@@ -16,28 +16,28 @@ use super::{
     wanted::Asked,
 };
 
-/// Simulated time between two checkpoints, and between two beginnings of the window, s.
+/// Simulated time between two checkpoints, and between two starts of the window, s.
 const CHECKPOINT_S: f64 = 10.0;
 
-/// Wall-clock time between two checkpoints at least.
+/// Minimum wall-clock time between two checkpoints.
 const CHECKPOINT_CLOCK: Duration = Duration::from_secs(1);
 
-/// Wall-clock time between two statuses where nothing changes but time.
+/// Wall-clock time between two statuses if only the time changes.
 const STATUS: Duration = Duration::from_millis(200);
 
-/// How long nothing is due of an engine that waits.
+/// Time until the next turn of a paused engine.
 const IDLE: Duration = Duration::from_millis(250);
 
-/// How an engine ended.
+/// End of an engine.
 #[derive(Debug)]
 pub struct End {
-    /// Why.
+    /// Reason.
     pub sentence: String,
-    /// The string as it stood, where that can be continued.
+    /// The final state of the string, if it can be continued.
     pub checkpoint: Option<Vec<u8>>,
 }
 
-/// A string and what takes it forward.
+/// A string and its simulation.
 pub struct Engine {
     pub(super) string: Arc<LiveString>,
     pub(super) live: Live,
@@ -45,18 +45,18 @@ pub struct Engine {
     pub(super) runs: bool,
     pub(super) step_s: f64,
     pub(super) failed: Option<String>,
-    /// What was refused last.
+    /// The last refusal.
     pub(super) refused: Option<String>,
     pub(super) controller: Option<&'static str>,
     pub(super) watched: Watched,
     pub(super) lamps: Lamps,
-    /// Rows of the series that are sent.
+    /// Number of rows of the series that are sent.
     pub(super) rows: usize,
     pub(super) epoch: u32,
     pub(super) replay: VecDeque<RecordedEvent>,
     /// Simulated time and wall-clock time of the last checkpoint.
     pub(super) checkpoint: (f64, Instant),
-    pub(super) told: Instant,
+    pub(super) last_status: Instant,
 }
 
 pub(super) fn watched(live: &Live, string: &LiveString) -> Watched {
@@ -67,10 +67,10 @@ pub(super) fn watched(live: &Live, string: &LiveString) -> Watched {
 }
 
 impl Engine {
-    /// Begins a string, which waits. This takes a second or more.
+    /// Starts a string, initially paused. This takes a second or more.
     ///
     /// # Errors
-    /// A string that cannot be, and one whose state takes too much memory.
+    /// A string that cannot be solved, and one whose state takes too much memory.
     pub fn begin(id: &str, from: Beginning, keeps: &Keeps) -> Result<Self, LiveError> {
         let engine = Self::new(begin(id, from, keeps)?);
         match engine.too_large(keeps) {
@@ -79,7 +79,7 @@ impl Engine {
         }
     }
 
-    /// Why a string is not to be live, where its state takes too much memory.
+    /// The error if the state of a string takes too much memory for it to be live.
     fn too_large(&self, keeps: &Keeps) -> Option<LiveError> {
         let bytes = held(&self.string.checkpoints).bytes();
         let most = keeps.checkpoint_bytes / 4;
@@ -93,7 +93,7 @@ impl Engine {
         })
     }
 
-    /// An engine that waits. Its first checkpoint is that of now.
+    /// A paused engine. Its first checkpoint is the initial state.
     fn new(begun: Begun) -> Self {
         let Begun { live, string } = begun;
         let now = Instant::now();
@@ -112,11 +112,11 @@ impl Engine {
             epoch: 0,
             replay: VecDeque::new(),
             checkpoint: (time_s, now),
-            told: now,
+            last_status: now,
             live,
             string,
         };
-        // One that cannot be written is said when it is asked for.
+        // A failure to write it is reported when one is requested.
         let _ = engine.put_checkpoint();
         engine.show();
         engine.tell();
@@ -131,49 +131,49 @@ impl Engine {
         self.string.layout.sample_interval_s
     }
 
-    /// What its viewers share.
+    /// The state shared with its viewers.
     pub fn string(&self) -> Arc<LiveString> {
         self.string.clone()
     }
 
-    /// Does what is asked and goes on as far as is due; how long nothing is due then. That the
-    /// string is to end is left to who holds it.
-    pub fn turn(&mut self, asked: Asked) -> Duration {
-        let mut news = asked.set.is_some() || asked.pace.is_some() || asked.run.is_some();
-        if let Some(pace) = asked.pace {
+    /// Handles the requests and advances as far as is due; returns the time until the next turn. A
+    /// request to end is left to the owner.
+    pub fn turn(&mut self, requests: Asked) -> Duration {
+        let mut news = requests.set.is_some() || requests.pace.is_some() || requests.run.is_some();
+        if let Some(pace) = requests.pace {
             self.restart_pace(pace);
         }
-        if let Some(runs) = asked.run {
+        if let Some(runs) = requests.run {
             self.restart_pace(self.pacer.pace());
             self.runs = runs && self.failed.is_none();
             self.step_s = 0.0;
         }
         if self.failed.is_none() {
-            self.step_s += asked.step_s;
+            self.step_s += requests.step_s;
         }
-        if let Some(set) = asked.set {
-            // Whoever takes hold of a knob ends what is being done again.
+        if let Some(set) = requests.set {
+            // A manual change of a set point ends a replay.
             self.replay.clear();
             self.set(set);
         }
-        for command in asked.commands {
+        for command in requests.commands {
             news = true;
             self.command(command);
         }
         let wait = self.go(&mut news);
-        if news || self.told.elapsed() >= STATUS {
+        if news || self.last_status.elapsed() >= STATUS {
             self.tell();
         }
         wait
     }
 
-    /// Goes on as far as is due; how long nothing is due then.
+    /// Advances as far as is due; returns the time until the next turn.
     fn go(&mut self, news: &mut bool) -> Duration {
         let (time_s, sample_s) = (self.time_s(), self.sample_s());
         let steps = self.step_s > 0.0;
         let samples = if steps {
             let left = ((self.step_s / sample_s).round() as u64).max(1);
-            // In slices, so that what is seen moves.
+            // In slices, so that the picture moves.
             left.min(((0.02 * self.pacer.able()) / sample_s).max(1.0) as u64)
         } else if self.runs {
             match self.pacer.next(Instant::now(), time_s, sample_s) {
@@ -194,17 +194,18 @@ impl Engine {
         Duration::ZERO
     }
 
-    /// Goes on by so many samples, or to what is to be done again before; how far, s.
+    /// Advances by a number of samples, or to the next replayed event before; returns the advance,
+    /// s.
     fn advance(&mut self, samples: u64, news: &mut bool) -> f64 {
         let (sample_s, before_s) = (self.sample_s(), self.time_s());
-        while self.replay.front().is_some_and(|of| of.at_s <= before_s + 0.5 * sample_s) {
+        while self.replay.front().is_some_and(|front| front.at_s <= before_s + 0.5 * sample_s) {
             if let Some(event) = self.replay.pop_front() {
                 self.set(event.set);
                 *news = true;
             }
         }
-        let until = self.replay.front().map_or(samples, |of| {
-            (((of.at_s - before_s) / sample_s).round() as u64).clamp(1, samples)
+        let until = self.replay.front().map_or(samples, |front| {
+            (((front.at_s - before_s) / sample_s).round() as u64).clamp(1, samples)
         });
         let began = Instant::now();
         let none = CancellationToken::new();
@@ -212,7 +213,7 @@ impl Engine {
         let time_s = self.time_s();
         self.pacer.went(began, Instant::now(), time_s - before_s, time_s);
         if let Err(error) = advanced {
-            self.failed = Some(format!("the string cannot go on from here: {error}"));
+            self.failed = Some(format!("the string cannot continue from here: {error}"));
             (self.runs, self.step_s) = (false, 0.0);
             *news = true;
         }
@@ -222,7 +223,7 @@ impl Engine {
             self.live.restart_window();
             self.rows = 0;
             if self.checkpoint.1.elapsed() >= CHECKPOINT_CLOCK && self.failed.is_none() {
-                // The next one may go.
+                // The next one may succeed.
                 let _ = self.put_checkpoint();
                 *news = true;
             }
@@ -231,7 +232,7 @@ impl Engine {
         time_s - before_s
     }
 
-    /// Gives viewers what is new.
+    /// Publishes new samples and frames to the viewers.
     pub(super) fn show(&mut self) {
         let simulation = self.live.simulation();
         let series = simulation.series();
@@ -248,9 +249,9 @@ impl Engine {
         }
     }
 
-    /// Says how it is doing.
+    /// Publishes the status.
     fn tell(&mut self) {
-        self.told = Instant::now();
+        self.last_status = Instant::now();
         self.lamps = self.watched.lamps(self.live.simulation());
         let state = match (&self.failed, self.runs || self.step_s > 0.0) {
             (Some(_), _) => LiveState::Failed,
@@ -278,7 +279,7 @@ impl Engine {
         self.pacer.restart(pace, Instant::now(), self.time_s());
     }
 
-    /// Ends it, with what it is continued from where it is to be kept and can be.
+    /// Ends the string, with its final checkpoint if it is to be saved and has one.
     pub fn end(self, sentence: String, keeps: bool) -> End {
         let whole = keeps && self.failed.is_none();
         let checkpoint = whole.then(|| self.live.checkpoint().ok()).flatten();

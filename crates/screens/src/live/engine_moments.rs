@@ -1,4 +1,4 @@
-//! Checkpoints of an engine, and the way back to them.
+//! Checkpoints of an engine, and rewinding.
 
 use std::collections::VecDeque;
 
@@ -22,7 +22,7 @@ impl Engine {
         Ok(held(&self.string.checkpoints).put(time_s, bytes))
     }
 
-    // Who asked may have gone: nobody misses the answer.
+    // If the client has gone, nobody needs the response.
     pub(super) fn command(&mut self, command: Command) {
         match command {
             Command::Rewind { number, replay, reply } => {

@@ -1,4 +1,4 @@
-//! What an engine sets in its simulation, and records.
+//! Set points of an engine, and their recording.
 
 use super::{
     begin::{controllers, refused},
@@ -10,12 +10,12 @@ use super::{
 };
 
 impl Engine {
-    /// Sets something now, and records it.
+    /// Applies set points now, and records them.
     pub(super) fn set(&mut self, set: SetPoints) {
         let at_s = self.time_s();
         if held(&self.string.recording).events().len() >= MOST_EVENTS {
             self.refused = Some(format!(
-                "{MOST_EVENTS} changes are recorded: rewind, or begin anew, to make more"
+                "{MOST_EVENTS} changes are recorded: rewind, or start again, to make more"
             ));
             return;
         }
@@ -32,7 +32,7 @@ impl Engine {
     fn apply(&mut self, set: &SetPoints, at_s: f64) -> Result<(), LiveError> {
         if let Some(word) = &set.controller {
             let known = controllers(&self.string.case);
-            let found = known.iter().find(|(of, _)| of == word);
+            let found = known.iter().find(|(known_word, _)| known_word == word);
             let (word, controller) = found.ok_or_else(|| {
                 let words: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
                 LiveError::Refused(match words[..] {
@@ -52,7 +52,7 @@ impl Engine {
         }
     }
 
-    /// Where the set points stand, as the last sample has them.
+    /// The present values of the set points, from the last sample.
     fn standing(&self) -> SetPoints {
         let series = self.live.simulation().series();
         SetPoints {

@@ -1,4 +1,4 @@
-//! A string as it is kept, to be continued.
+//! Saved strings, to be continued.
 
 use std::io;
 
@@ -7,10 +7,10 @@ use utoipa::ToSchema;
 
 use super::{command::LiveError, live_string::LiveString, recording::RecordedEvent};
 
-/// What a kept string begins with.
+/// First bytes of a saved string.
 const MARK: &[u8; 8] = b"WSLIVE1\n";
 
-/// What is kept beside the checkpoint.
+/// Data saved with the checkpoint.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Head {
     case_id: String,
@@ -21,47 +21,47 @@ struct Head {
     events: Vec<RecordedEvent>,
 }
 
-/// A string that is kept.
+/// A saved string.
 #[derive(Debug, Clone)]
 pub struct KeptString {
     /// The id of its case.
     pub case_id: String,
-    /// What the case calls itself.
+    /// The name of the case.
     pub name: String,
     /// Name of the operation.
     pub operation: String,
     /// Its time, s.
     pub time_s: f64,
-    /// The text that the case was made of.
+    /// The text of the case.
     pub text: String,
-    /// What was set.
+    /// The events.
     pub events: Vec<RecordedEvent>,
     /// The checkpoint.
     pub checkpoint: Vec<u8>,
 }
 
-/// A kept string in a list.
+/// A saved string in a list.
 #[derive(Debug, Clone, Serialize, ToSchema)]
 pub struct KeptEntry {
-    /// What requests call it.
+    /// Identifier in requests.
     pub name: String,
     /// The id of its case.
     pub case: String,
-    /// What the case calls itself.
+    /// The name of the case.
     pub title: String,
     /// Name of the operation.
     pub operation: String,
     /// Its time, s.
     pub time_s: f64,
-    /// When it was kept, milliseconds since 1970.
+    /// Time when it was saved, milliseconds since 1970.
     pub modified_ms: u64,
 }
 
 impl KeptString {
-    /// As the bytes of a file.
+    /// The bytes of its file.
     ///
     /// # Errors
-    /// None that a string gives.
+    /// None for a valid string.
     pub fn bytes(&self) -> io::Result<Vec<u8>> {
         let Self { case_id, name, operation, time_s, text, events, checkpoint } = self.clone();
         let head = Head { case_id, name, operation, time_s, text, events };
@@ -74,7 +74,7 @@ impl KeptString {
         Ok(bytes)
     }
 
-    /// Of the bytes of a file; none of what is no such file.
+    /// Reads the bytes of a file; none if it is not such a file.
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
         let rest = bytes.strip_prefix(MARK)?;
         let (length, rest) = rest.split_first_chunk::<4>()?;
@@ -87,7 +87,7 @@ impl KeptString {
 }
 
 impl LiveString {
-    /// As it is kept, but for the checkpoint.
+    /// The string to be saved, without its checkpoint.
     pub fn as_kept(&self) -> KeptString {
         KeptString {
             case_id: self.layout.case.clone(),
@@ -100,10 +100,10 @@ impl LiveString {
         }
     }
 
-    /// As it is to be kept: at a checkpoint, or now.
+    /// The string to be saved, at a checkpoint or now.
     ///
     /// # Errors
-    /// Where it has ended, or the checkpoint is not there.
+    /// The string has ended, or the checkpoint is unknown.
     pub async fn kept_at(&self, checkpoint: Option<u64>) -> Result<KeptString, LiveError> {
         let moment = self.moment(checkpoint).await?;
         Ok(KeptString {
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn what_is_kept_is_read_back_and_damage_is_none() {
-        let kept = KeptString {
+        let string = KeptString {
             case_id: "0".into(),
             name: "slant".into(),
             operation: "drill".into(),
@@ -130,7 +130,7 @@ mod tests {
             events: Vec::new(),
             checkpoint: vec![1, 2, 3],
         };
-        let bytes = kept.bytes().expect("bytes");
+        let bytes = string.bytes().expect("bytes");
         let back = KeptString::of_bytes(&bytes).expect("a kept string");
         assert_eq!((back.time_s, back.text.as_str()), (12.5, "a = 1\n"));
         assert_eq!(back.checkpoint, [1, 2, 3]);

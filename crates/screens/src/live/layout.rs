@@ -1,4 +1,4 @@
-//! What a viewer has to know of a live string before its first frame.
+//! Layout of a live string, which a viewer needs before its first frame.
 
 use std::collections::BTreeMap;
 
@@ -22,49 +22,49 @@ use super::{
 };
 use crate::answers::Section;
 
-/// Points of the path beside its stations.
+/// Number of points of the path in addition to its stations.
 const POINTS: usize = 400;
 
-/// What a viewer has to know before the first frame.
+/// Layout of a live string, which a viewer needs before the first frame.
 #[derive(Debug, Clone, Serialize, ToSchema)]
 pub struct Layout {
-    /// What requests call it.
+    /// Identifier in requests.
     pub id: String,
-    /// The case that it was begun with.
+    /// Its case.
     pub case: String,
-    /// What the case calls itself.
+    /// The name of the case.
     pub name: String,
     /// Name of the operation.
     pub operation: &'static str,
-    /// Time between two samples, s: sample `n` is that of `(n + 1)` of them.
+    /// Time between two samples, s: sample `n` is at `(n + 1)` intervals.
     pub sample_interval_s: f64,
-    /// Samples that are kept for who comes late.
+    /// Number of samples kept for viewers that join later.
     pub samples_kept: usize,
-    /// Elements of the string.
+    /// Number of elements of the string.
     elements: usize,
-    /// Time that a twist takes from the surface to the bit, s.
+    /// Travel time of a torsional wave from the surface to the bit, s.
     torsional_travel_s: f64,
     /// Columns of a sample, in their order.
     samples: Vec<Channel>,
     /// Columns of a frame, in their order.
     frame: Vec<Channel>,
-    /// How each dimension is shown: in SI, metric and field units.
+    /// Display units of each dimension: in SI, metric and field units.
     units: BTreeMap<String, [ShownUnit; 3]>,
-    /// Radius that touches the wall, of each node from the surface down, m.
+    /// Contact radius of each node from the surface down, m.
     contact_radius_m: Vec<f32>,
     /// The path.
     path: LivePath,
     /// Sections of the hole, from the surface down.
     hole: Vec<Section>,
-    /// What can be set.
+    /// The knobs.
     knobs: Knobs,
 }
 
-/// A unit as people see it.
+/// A display unit.
 #[derive(Debug, Clone, Serialize, ToSchema)]
 pub struct ShownUnit {
     symbol: String,
-    /// SI units in one of it.
+    /// Its SI value.
     factor: f64,
 }
 
@@ -75,21 +75,21 @@ pub struct LivePath {
     north_m: Vec<f32>,
     east_m: Vec<f32>,
     tvd_m: Vec<f32>,
-    /// Towards the high side: its parts to the north, to the east and down.
+    /// Components of the direction towards the high side: north, east and down.
     high: [Vec<f32>; 3],
 }
 
-/// What can be set, in SI units: bounds, and where it stands at the beginning; null what cannot.
+/// Knobs in SI units: bounds and initial value; null if the value cannot be set.
 #[derive(Debug, Clone, Serialize, ToSchema)]
 pub struct Knobs {
     rotary_speed_rad_per_s: Option<Knob>,
     block_velocity_m_per_s: Option<Knob>,
     weight_on_bit_N: Option<Knob>,
-    /// Null without a rheology of the mud: however it flows, the string does not notice.
+    /// Null without a mud rheology, because the flow rate then has no effect on the string.
     flow_rate_m3_per_s: Option<Knob>,
     friction: Option<Knob>,
-    /// The controllers that the top drive can have; empty of one that follows its set point
-    /// whatever torque that takes.
+    /// The available controllers of the top drive; empty for a drive that follows its set point at
+    /// any torque.
     controllers: Vec<&'static str>,
 }
 
@@ -113,8 +113,8 @@ impl Layout {
         let mesh = simulation.mesh();
         let radii = mesh.nodes.iter().map(|node| node.contact_radius_m as f32);
         let units = wholestring_runner::display_units().into_iter().map(|(name, units)| {
-            let shown = units.map(|of| ShownUnit { symbol: of.symbol, factor: of.factor });
-            (name, shown)
+            let display = units.map(|unit| ShownUnit { symbol: unit.symbol, factor: unit.factor });
+            (name, display)
         });
         Self {
             id: id.to_owned(),
@@ -136,10 +136,10 @@ impl Layout {
     }
 }
 
-/// Time that a twist takes through an element, s: `L/c` with `c² = GJ/(ρ J)`.
-fn torsional_travel_s(of: &MeshElement) -> f64 {
-    let section = &of.section;
-    of.length_m * (section.polar_inertia_kg_m / section.torsional_stiffness_N_m2).sqrt()
+/// Travel time of a torsional wave through an element, s: `L/c` with `c² = GJ/(ρ J)`.
+fn torsional_travel_s(element: &MeshElement) -> f64 {
+    let section = &element.section;
+    element.length_m * (section.polar_inertia_kg_m / section.torsional_stiffness_N_m2).sqrt()
 }
 
 fn path(path: &Path) -> LivePath {
@@ -167,7 +167,8 @@ fn knobs(case: &Case, operation: &Operation) -> Knobs {
     let driven = matches!(case.dynamics.top_drive, TopDriveSettings::Driven { .. });
     let speed = first.rotation_rad_per_s();
     let block = first.axial_velocity_m_per_s();
-    let friction = case.model.well.hole.sections().first().map_or(0.0, |of| of.friction.kinetic);
+    let friction =
+        case.model.well.hole.sections().first().map_or(0.0, |section| section.friction.kinetic);
     let turns = operation.kind.rotates();
     let weight_N = first.weight_on_bit_now_N();
     let (bottom, pumps) =

@@ -1,4 +1,4 @@
-//! What viewers and the engine of a live string share.
+//! The state that viewers and the engine of a live string share.
 
 use std::{
     sync::{
@@ -25,24 +25,24 @@ use super::{
     wanted::{Asked, Ending, Wanted},
 };
 
-/// The whole string at one moment, as it is sent.
+/// The whole string at one moment, as sent.
 #[derive(Debug, Default)]
 pub struct FrameNow {
-    /// How many times the string was taken back.
+    /// Number of rewinds so far.
     pub epoch: u32,
     /// Its time, s.
     pub time_s: f64,
-    /// Column after column.
+    /// The columns, one after the other.
     pub columns: Vec<f32>,
 }
 
 /// A live string, for its viewers.
 pub struct LiveString {
-    /// What a viewer has to know first.
+    /// The layout that a viewer needs first.
     pub layout: Layout,
     pub(super) case: Arc<Case>,
     pub(super) operation: Operation,
-    /// The text of the case, as it was begun with.
+    /// The text of the case at the start.
     pub text: String,
     pub(super) frames: watch::Sender<Arc<FrameNow>>,
     pub(super) status: watch::Sender<Arc<Status>>,
@@ -54,7 +54,7 @@ pub struct LiveString {
     looked: Mutex<Instant>,
 }
 
-/// What it is made of.
+/// The parts of a live string.
 pub(super) struct Parts {
     pub(super) layout: Layout,
     pub(super) case: Arc<Case>,
@@ -66,7 +66,7 @@ pub(super) struct Parts {
     pub(super) pace: Pace,
 }
 
-/// Counts a viewer for as long as it is held.
+/// Counts a viewer until it is dropped.
 pub struct Viewer(Arc<LiveString>);
 
 impl Drop for Viewer {
@@ -76,9 +76,9 @@ impl Drop for Viewer {
     }
 }
 
-pub(super) fn held<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
-    // What is behind these is whole between any two lines.
-    of.lock().unwrap_or_else(PoisonError::into_inner)
+pub(super) fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    // The state behind these locks is consistent between any two lines.
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl LiveString {
@@ -112,42 +112,42 @@ impl LiveString {
         *held(&self.looked) = Instant::now();
     }
 
-    /// Pages that look at it.
+    /// Number of pages that view it.
     pub(super) fn viewers(&self) -> usize {
         self.viewers.load(Ordering::Relaxed)
     }
 
-    /// How long nobody has looked.
+    /// Time since the last viewer left.
     pub fn unseen(&self) -> Duration {
         if self.viewers() > 0 { Duration::ZERO } else { held(&self.looked).elapsed() }
     }
 
-    /// The latest frame, and those that follow.
+    /// Receiver of the latest frame.
     pub fn frames(&self) -> watch::Receiver<Arc<FrameNow>> {
         self.frames.subscribe()
     }
 
-    /// How it is doing, and what follows.
+    /// Receiver of the status.
     pub fn status(&self) -> watch::Receiver<Arc<Status>> {
         self.status.subscribe()
     }
 
-    /// Samples from a number of an epoch on.
+    /// Samples from this number of an epoch on.
     pub fn samples(&self, epoch: u32, number: u64, most: usize) -> Option<Samples> {
         held(&self.ring).since(epoch, number, most)
     }
 
-    /// What its viewers want now, or come to want within a time; the thread waits for it.
+    /// Takes the pending requests of the viewers, after waiting for one at most this long.
     pub fn wanted_within(&self, time: Duration) -> Asked {
         self.wanted.take_within(time)
     }
 
-    /// What its viewers want now.
+    /// Takes the pending requests of the viewers.
     pub fn wanted_now(&self) -> Asked {
         self.wanted.take()
     }
 
-    /// Says that it is gone, and why.
+    /// Marks the string as ended, with the reason.
     pub fn ended(&self, sentence: String) -> Status {
         let now = self.status.borrow().clone();
         let status = Status { state: LiveState::Ended, sentence: Some(sentence), ..(*now).clone() };
@@ -155,15 +155,15 @@ impl LiveString {
         status
     }
 
-    /// Whether it is gone.
+    /// Whether it has ended.
     pub fn has_ended(&self) -> bool {
         self.status.borrow().state == LiveState::Ended
     }
 
-    /// Sets something.
+    /// Applies set points.
     ///
     /// # Errors
-    /// What cannot be set so.
+    /// Set points that the operation does not accept.
     pub fn set(&self, set: SetPoints) -> Result<(), LiveError> {
         if let Some(fault) = set.fault(&self.operation) {
             return Err(LiveError::Refused(fault));
@@ -174,10 +174,10 @@ impl LiveString {
         Ok(())
     }
 
-    /// Takes another pace.
+    /// Changes the pace.
     ///
     /// # Errors
-    /// One that there is not.
+    /// An invalid pace.
     pub fn pace(&self, pace: Pace) -> Result<(), LiveError> {
         if !pace.is_sound() {
             let message = "a pace is 0.01 to 1000 times real time, or \"max\"";
@@ -187,15 +187,15 @@ impl LiveString {
         Ok(())
     }
 
-    /// Goes on, or waits.
+    /// Runs or pauses the string.
     pub fn run(&self, runs: bool) {
         self.wanted.run(runs);
     }
 
-    /// Goes on by so many seconds, and waits then.
+    /// Advances by this many seconds, and pauses then.
     ///
     /// # Errors
-    /// No such time.
+    /// An invalid time.
     pub fn step(&self, seconds: f64) -> Result<(), LiveError> {
         if !(seconds > 0.0 && seconds <= 10.0) {
             return Err(LiveError::Refused("a step is more than 0 s and at most 10 s".to_owned()));
@@ -204,17 +204,17 @@ impl LiveString {
         Ok(())
     }
 
-    /// Ends it, and keeps it, to be continued, where that is wanted.
+    /// Ends the string, and saves it for continuation if requested.
     pub fn end(&self, why: &str, keeps: bool) {
         self.wanted.end(Ending { sentence: why.to_owned(), keeps });
     }
 
-    /// The case that it is of.
+    /// Its case.
     pub fn case(&self) -> Arc<Case> {
         self.case.clone()
     }
 
-    /// What was set so far.
+    /// The set points so far.
     pub fn events(&self) -> Vec<RecordedEvent> {
         held(&self.recording).events().to_vec()
     }
@@ -232,19 +232,19 @@ impl LiveString {
         answer.await.unwrap_or_else(|_| Err(ended()))
     }
 
-    /// Goes back to a checkpoint; with `replay`, does again what was done after it.
+    /// Rewinds to a checkpoint; with `replay`, the later events are applied again.
     ///
     /// # Errors
-    /// One that is not there.
+    /// An unknown checkpoint.
     pub async fn rewind(&self, number: u64, replay: bool) -> Result<(), LiveError> {
         self.look();
         self.ask(|reply| Command::Rewind { number, replay, reply }).await
     }
 
-    /// A checkpoint of now, or of its number, with what was set until then.
+    /// A checkpoint of now, or the one with this number, with the events until then.
     ///
     /// # Errors
-    /// One that is not there.
+    /// An unknown checkpoint.
     pub(super) async fn moment(&self, number: Option<u64>) -> Result<Moment, LiveError> {
         self.look();
         let number = match number {
@@ -260,12 +260,12 @@ impl LiveString {
     }
 }
 
-/// A moment of a live string, whole.
+/// A complete moment of a live string.
 pub(super) struct Moment {
     /// Its time, s.
     pub(super) time_s: f64,
     /// The checkpoint.
     pub(super) bytes: Arc<Vec<u8>>,
-    /// What was set until then.
+    /// The events until then.
     pub(super) events: Vec<RecordedEvent>,
 }

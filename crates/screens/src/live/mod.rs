@@ -1,10 +1,10 @@
-//! Strings in motion, taken forward at the pace that their viewers choose.
+//! Live strings, advanced at the pace that their viewers choose.
 //!
-//! A [`LiveString`] is what viewers share: they leave what they want there, and find the latest
-//! frame, the samples of some minutes and the status. Nothing is queued for them: who reads slowly
-//! gets the newest frame, and what samples are still kept. Its [`Engine`] owns the simulation, and
-//! goes on a [turn](Engine::turn) at a time. What a page and the string say to each other is in
-//! [`Viewing`].
+//! A [`LiveString`] is shared with viewers: they leave their requests there, and find the latest
+//! frame, the samples of some minutes and the status. Nothing is queued for them: a slow reader
+//! gets the newest frame, and the samples that are still kept. Its [`Engine`] owns the simulation,
+//! and advances one [turn](Engine::turn) at a time. The messages between a page and the string are
+//! in [`Viewing`].
 
 mod begin;
 mod channels;

@@ -1,4 +1,4 @@
-//! How fast simulated time goes.
+//! Pace of the simulated time.
 
 use std::time::Duration;
 
@@ -6,35 +6,35 @@ use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 use wholestring_runner::Instant;
 
-/// Wall-clock time of a slice at most: what a viewer sees moves at least thirty times a second.
+/// Maximum wall-clock time of a slice, so that the picture moves at least thirty times a second.
 const SLICE: Duration = Duration::from_millis(25);
 
-/// Time that may be made up for: a string that is further behind goes on from where it is.
+/// Maximum delay that is caught up; a string further behind continues from its present time.
 const BEHIND: Duration = Duration::from_millis(250);
 
-/// Over how long the pace that is reached is measured.
+/// Time over which the achieved pace is measured.
 const MEASURED: Duration = Duration::from_secs(1);
 
-/// Simulated seconds in one on the clock.
+/// Simulated seconds per wall-clock second.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(untagged)]
 pub enum Pace {
-    /// So many.
+    /// This ratio.
     Times(f64),
-    /// As fast as it goes.
+    /// As fast as possible.
     Fastest(Fastest),
 }
 
-/// As fast as it goes.
+/// As fast as possible.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Fastest {
-    /// As fast as it goes.
+    /// As fast as possible.
     Max,
 }
 
 impl Pace {
-    /// Whether it is one that there is.
+    /// Whether the pace is valid.
     pub fn is_sound(self) -> bool {
         match self {
             Self::Times(times) => (0.01..=1000.0).contains(&times),
@@ -43,25 +43,25 @@ impl Pace {
     }
 }
 
-/// Keeps a pace: says how far to go next and how long to wait.
+/// Keeps a pace: determines the next advance and the next wait.
 #[derive(Debug)]
 pub(super) struct Pacer {
     pace: Pace,
-    /// A moment, and the simulated time that belongs to it.
+    /// A moment, and its simulated time.
     origin: (Instant, f64),
-    /// Simulated seconds that a second on the clock computes, as the last slices did.
+    /// Simulated seconds per second of computation, from the last slices.
     able: f64,
-    /// Where a measurement began.
+    /// Start of the present measurement.
     measured_from: (Instant, f64),
     reached: f64,
 }
 
-/// What to do next.
+/// The next action.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Next {
-    /// Go so many samples.
+    /// Advances by this many samples.
     Go(u64),
-    /// Nothing is due for so long.
+    /// Waits this long.
     Wait(Duration),
 }
 
@@ -71,7 +71,7 @@ impl Pacer {
         Self { pace, origin, able: 1.0, measured_from: origin, reached: 0.0 }
     }
 
-    /// Goes on from here.
+    /// Restarts from this time.
     pub(super) fn restart(&mut self, pace: Pace, now: Instant, time_s: f64) {
         (self.pace, self.origin) = (pace, (now, time_s));
         (self.measured_from, self.reached) = ((now, time_s), 0.0);
@@ -81,17 +81,17 @@ impl Pacer {
         self.pace
     }
 
-    /// Simulated seconds in one on the clock, as it was of late.
+    /// Simulated seconds per wall-clock second, achieved recently.
     pub(super) fn reached(&self) -> f64 {
         self.reached
     }
 
-    /// Simulated seconds that a second on the clock computes.
+    /// Simulated seconds per second of computation.
     pub(super) fn able(&self) -> f64 {
         self.able
     }
 
-    /// What is due.
+    /// The action that is due.
     pub(super) fn next(&mut self, now: Instant, time_s: f64, sample_s: f64) -> Next {
         let most = ((self.able * SLICE.as_secs_f64() / sample_s) as u64).max(1);
         let Pace::Times(times) = self.pace else { return Next::Go(most) };
@@ -101,7 +101,7 @@ impl Pacer {
             self.origin = (now, time_s);
         }
         let due = (behind_s / sample_s).max(0.0) as u64;
-        // Not sample by sample where many are wanted: a slice at a time.
+        // Samples are computed in slices, not one by one, when many are due.
         let least = ((times * SLICE.as_secs_f64() / sample_s) as u64).clamp(1, most);
         if due >= least {
             return Next::Go(due.min(most));
@@ -110,7 +110,7 @@ impl Pacer {
         Next::Wait(Duration::from_secs_f64(missing_s.clamp(1e-4, 0.25)))
     }
 
-    /// Learns what a slice took.
+    /// Records the duration of a slice.
     pub(super) fn went(&mut self, began: Instant, now: Instant, simulated_s: f64, time_s: f64) {
         let took_s = (now - began).as_secs_f64().max(1e-6);
         self.able += 0.2 * (simulated_s / took_s - self.able);
@@ -128,7 +128,7 @@ mod tests {
 
     const SAMPLE_S: f64 = 0.01;
 
-    /// A string that computes `able` simulated seconds in one, on a clock that only this moves.
+    /// A string that computes `able` simulated seconds per second, on a simulated clock.
     fn reaches(pace: Pace, able: f64) -> f64 {
         let begin = Instant::now();
         let (mut clock_s, mut time_s) = (0.0, 0.0);
@@ -148,7 +148,8 @@ mod tests {
         pacer.reached()
     }
 
-    /// Kept where the machine is able to, to a slice in a second; else as fast as it is able to.
+    /// The pace is kept if the machine is able to, within a slice per second; otherwise it is the
+    /// machine's maximum.
     #[test]
     fn a_pace_is_kept_as_far_as_it_can_be() {
         for (pace, able, expected) in [

@@ -1,8 +1,8 @@
 //! Samples and frames as bytes, little-endian.
 //!
 //! A head of 24 bytes: kind (u32: 1 samples, 2 a frame), count of rows or nodes (u32), epoch (u32),
-//! nothing (u32), and the number of the first sample or the time of the frame in seconds (f64). Then
-//! the numbers (f32): of samples row after row, of a frame column after column.
+//! a reserved field (u32), and the number of the first sample or the time of the frame in seconds
+//! (f64). Then the numbers (f32): of samples by rows, of a frame by columns.
 
 use super::{
     channels::{FRAME_COLUMNS, SAMPLE_COLUMNS},

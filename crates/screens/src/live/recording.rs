@@ -1,27 +1,27 @@
-//! What was set, and when.
+//! Recorded set points, with their times.
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
 use super::set_points::SetPoints;
 
-/// What was set at a time.
+/// Set points at a time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RecordedEvent {
-    /// Simulated time, s: that of a sample.
+    /// Simulated time, s, at a sample.
     pub at_s: f64,
-    /// What was set.
+    /// The new set points.
     pub set: SetPoints,
-    /// Where the set points stood: one that was on its way is cut off there.
+    /// The set points before; a ramp in progress is cut off there.
     pub before: SetPoints,
 }
 
-/// Everything that was set, in the order of time.
+/// All recorded set points, in the order of time.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Recording(Vec<RecordedEvent>);
 
-/// Events that are kept: somebody who turns a knob for an hour makes fewer.
+/// Maximum number of events, more than an hour of continuous changes makes.
 pub(super) const MOST_EVENTS: usize = 20_000;
 
 impl Recording {
@@ -33,7 +33,7 @@ impl Recording {
         &self.0
     }
 
-    /// Adds what is set now. Of what is set at the same time, the later holds.
+    /// Adds an event. Of several at the same time, the later values apply.
     pub(super) fn add(&mut self, event: RecordedEvent) {
         match self.0.last_mut() {
             Some(last) if last.at_s == event.at_s => last.set.merge(event.set),
@@ -41,7 +41,7 @@ impl Recording {
         }
     }
 
-    /// Takes away what was set from a time on.
+    /// Removes the events from a time on.
     pub(super) fn split_from(&mut self, time_s: f64) -> Vec<RecordedEvent> {
         let place = self.0.partition_point(|event| event.at_s < time_s);
         self.0.split_off(place)
@@ -62,7 +62,7 @@ mod tests {
         let mut all = Recording::default();
         [event(1.0, 5.0), event(2.0, 6.0), event(2.0, 7.0), event(3.0, 8.0)]
             .into_iter()
-            .for_each(|of| all.add(of));
+            .for_each(|event| all.add(event));
         assert_eq!(all.events().len(), 3);
         let later = all.split_from(2.0);
         assert_eq!(later[0].set.rotary_speed_rad_per_s, Some(7.0));

@@ -1,4 +1,4 @@
-//! What is asked of live strings beside their sockets.
+//! Requests about live strings outside their sockets.
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
@@ -23,48 +23,48 @@ impl From<LiveError> for Refusal {
     }
 }
 
-/// A string that is to be live.
+/// A live string to start.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NewString {
     /// The id of its case.
     pub case: String,
-    /// The text, as it stands in the editor; that of the file where there is none.
+    /// The text in the editor; that of the file if there is none.
     pub text: Option<String>,
-    /// Name of the operation; the only one where none is named.
+    /// Name of the operation; may be omitted if there is only one.
     pub operation: Option<String>,
 }
 
-/// A string that is live.
+/// A live string.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct LiveId {
-    /// What requests call it.
+    /// Identifier in requests.
     pub id: String,
 }
 
 /// A live string in a list.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct LiveEntry {
-    /// What requests call it.
+    /// Identifier in requests.
     id: String,
     /// The id of its case.
     case: String,
-    /// What the case calls itself.
+    /// The name of the case.
     name: String,
     /// Name of the operation.
     operation: &'static str,
-    /// What it does.
+    /// Its state.
     state: LiveState,
-    /// Why, where that is to be said.
+    /// Reason of the state, if there is one.
     sentence: Option<String>,
     /// Simulated time, s.
     time_s: f64,
-    /// Pages that look at it.
+    /// Number of pages that view it.
     viewers: usize,
 }
 
 impl LiveEntry {
-    /// Of a string that is, or was, as this status says.
+    /// The entry of a present or former string with this status.
     pub fn of(id: &str, case: &str, name: &str, operation: &'static str, status: &Status) -> Self {
         Self {
             id: id.to_owned(),
@@ -78,20 +78,27 @@ impl LiveEntry {
         }
     }
 
-    /// Of a string that is live.
+    /// The entry of a live string.
     pub fn of_string(string: &LiveString) -> Self {
-        let of = &string.layout;
-        Self::of(&of.id, &of.case, &of.name, of.operation, &string.status().borrow())
+        let layout = &string.layout;
+        Self::of(
+            &layout.id,
+            &layout.case,
+            &layout.name,
+            layout.operation,
+            &string.status().borrow(),
+        )
     }
 }
 
-/// A checkpoint that a string is to be taken back to.
+/// A checkpoint to rewind to.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Back {
     /// Its number.
     pub checkpoint: u64,
-    /// Whether what was set after it is set again, each at its time. It is forgotten otherwise.
+    /// Whether the later set points are applied again, each at its time. Otherwise they are
+    /// discarded.
     #[serde(default)]
     pub replay: bool,
 }
@@ -100,11 +107,11 @@ pub struct Back {
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct At {
-    /// Number of a checkpoint; now where there is none.
+    /// Number of a checkpoint; the present state if there is none.
     pub checkpoint: Option<u64>,
 }
 
-/// A text that is to have what was done in its schedule.
+/// A text into whose schedule the recorded actions are written.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TextOfCase {
@@ -112,22 +119,22 @@ pub struct TextOfCase {
     pub text: String,
 }
 
-/// A text that has the schedule.
+/// A text with the schedule.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Scheduled {
     /// The text.
     text: String,
-    /// Lines that were added.
+    /// Number of added lines.
     lines: usize,
-    /// What no schedule can say, in sentences.
+    /// Actions that no schedule can express, in sentences.
     left_out: Vec<String>,
 }
 
-/// Writes what was done into `[[operation.schedule]]` of a text, which is in a file of this name
-/// beside these files.
+/// Writes the recorded actions into `[[operation.schedule]]` of a text, which is in a file of this
+/// name next to these files.
 ///
 /// # Errors
-/// A text that is no valid case, before or after it.
+/// A text that is no valid case, before or after the change.
 pub fn schedule(
     text: &str,
     events: &[RecordedEvent],
@@ -137,7 +144,7 @@ pub fn schedule(
     let case = parse(name, text.as_bytes(), files, &[])?;
     let made = schedule_text::with_schedule(text, &case, events);
     let made = made.map_err(|error| Refusal::bad_input(error.to_string()))?;
-    // What comes out is a valid case, or it is said why not.
+    // The resulting text is a valid case; otherwise the reason is returned.
     parse(name, made.text.as_bytes(), files, &[])?;
     Ok(Scheduled { text: made.text, lines: made.lines, left_out: made.left_out })
 }

@@ -1,4 +1,4 @@
-//! What was done at the driller's seat, as the schedule of a case.
+//! Recorded actions of the driller's seat as the schedule of a case.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use wholestring_units::number_text;
 
 use super::{recording::RecordedEvent, set_points::SetPoints};
 
-/// What a line sets: at most one of a channel at a time.
+/// A channel of a schedule line: at most one line sets each at a time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Channel {
     RotarySpeed,
@@ -17,7 +17,7 @@ enum Channel {
     Flow,
 }
 
-/// A line of the schedule that sets one thing.
+/// A line of the schedule that sets one value.
 #[derive(Debug, Clone, PartialEq)]
 struct Line {
     at_s: f64,
@@ -27,17 +27,17 @@ struct Line {
     value: Value,
 }
 
-/// A text that has the schedule.
+/// A text with the schedule.
 #[derive(Debug)]
 pub struct WithSchedule {
     pub text: String,
-    /// Lines that were added.
+    /// Number of added lines.
     pub lines: usize,
-    /// What no schedule can say, in sentences.
+    /// Actions that no schedule can express, in sentences.
     pub left_out: Vec<String>,
 }
 
-/// Nine digits: as many as a set point ever has.
+/// Rounds to nine digits, as many as a set point has.
 fn rounded(value: f64) -> f64 {
     format!("{value:.8e}").parse().unwrap_or(value)
 }
@@ -46,24 +46,24 @@ fn quantity(value: f64, unit: &str) -> Value {
     json!(format!("{} {unit}", rounded(value)))
 }
 
-/// What a set of set points says of each channel, as key and value.
-fn values(of: &SetPoints) -> impl Iterator<Item = (Channel, &'static str, Value)> {
-    let speed = of
+/// The values of set points, as channel, key and value.
+fn values(points: &SetPoints) -> impl Iterator<Item = (Channel, &'static str, Value)> {
+    let speed = points
         .rotary_speed_rad_per_s
         .map(|speed| (Channel::RotarySpeed, "rpm", json!(rounded(speed * 30.0 / PI))));
-    let block = of
+    let block = points
         .block_velocity_m_per_s
         .map(|speed| (Channel::Hoist, "block_velocity", quantity(speed, "m/s")));
     let weight =
-        of.weight_on_bit_N.map(|force| (Channel::Hoist, "wob", quantity(force / 1e3, "kN")));
-    let flow = of
+        points.weight_on_bit_N.map(|force| (Channel::Hoist, "wob", quantity(force / 1e3, "kN")));
+    let flow = points
         .flow_rate_m3_per_s
         .map(|flow| (Channel::Flow, "flow_rate", quantity(flow * 6e4, "L/min")));
     [speed, block, weight, flow].into_iter().flatten()
 }
 
-/// The lines that say what was done. A set point that was still on its way when the next came is
-/// there, where it was, when that begins.
+/// The lines of the recorded events. A set point that was still ramping at the next event reaches
+/// its value at that time when the event begins.
 fn lines(events: &[RecordedEvent]) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     for event in events {
@@ -85,7 +85,7 @@ fn lines(events: &[RecordedEvent]) -> Vec<Line> {
     lines
 }
 
-/// The key of the list in a text: an operation may stand in a table, or alone in a list.
+/// The key of the list in a text: an operation may be a table, or the only item of a list.
 fn list_key(text: &str) -> &'static str {
     let entries = node::parse_text(text, 0).ok();
     match entries.as_ref().and_then(|all| all.get("operation")).map(|found| &found.value) {
@@ -94,17 +94,17 @@ fn list_key(text: &str) -> &'static str {
     }
 }
 
-/// Writes what was done into the schedule of a text, between the lines that it has. `case` is the
-/// case that the text makes.
+/// Writes the recorded events into the schedule of a text, between its existing lines. `case` is
+/// the case of the text.
 ///
 /// # Errors
-/// A text that cannot be changed so.
+/// A text that cannot be changed in this way.
 pub fn with_schedule(
     text: &str,
     case: &Case,
     events: &[RecordedEvent],
 ) -> Result<WithSchedule, EditError> {
-    let mut there: Vec<f64> = case.dynamics.schedule.steps.iter().map(|of| of.at_s).collect();
+    let mut there: Vec<f64> = case.dynamics.schedule.steps.iter().map(|step| step.at_s).collect();
     let list = list_key(text);
     let lines = lines(events);
     let mut edits = Vec::new();
@@ -158,7 +158,7 @@ mod tests {
         parsed.unwrap_or_else(|report| panic!("{}\n{text}", report.render(false)))
     }
 
-    /// A case that drills, from one that stands for itself.
+    /// A drilling case, made from a self-contained one.
     fn text() -> String {
         let operation = TEXT.find("[operation]").or(TEXT.find("[[operation]]"));
         let head = &TEXT[..operation.expect("an operation")];
@@ -184,7 +184,7 @@ mod tests {
         assert!(made.text.contains("# the plan"));
         assert_eq!((made.lines, made.left_out.len()), (3, 1));
         let steps = case_of(&made.text).dynamics.schedule.steps;
-        let times: Vec<f64> = steps.iter().map(|of| of.at_s).collect();
+        let times: Vec<f64> = steps.iter().map(|step| step.at_s).collect();
         assert_eq!(times, [2.0, 5.0, 7.25, 7.25]);
         // Nine digits are written.
         let read = steps[0].rotary_speed_rad_per_s.expect("a speed");
@@ -192,8 +192,8 @@ mod tests {
         assert_eq!((steps[3].ramp_s, steps[2].ramp_s), (4.0, 4.0));
     }
 
-    /// Of two ramps the second of which begins before the first has ended, the first ends there, at
-    /// what the set point was then.
+    /// If the second of two ramps begins before the end of the first, the first ends there, at the
+    /// value of its set point at that time.
     #[test]
     fn a_ramp_that_was_taken_over_ends_there() {
         let speed = |speed, ramp_s| SetPoints {
@@ -213,30 +213,31 @@ mod tests {
         assert_eq!(case_of(&made.text).dynamics.schedule.steps.len(), 3);
     }
 
-    /// The bounds of the knobs are those of the schedule: at them a line is taken, beyond refused.
+    /// The bounds of the knobs are those of the schedule: a line is accepted at them and refused
+    /// beyond.
     #[test]
     fn the_bounds_of_the_knobs_are_those_of_the_schedule() {
         let text = text();
         for set in [
-            |of: f64| SetPoints {
-                rotary_speed_rad_per_s: Some(of * MAX_ROTARY_SPEED_RAD_PER_S),
+            |factor: f64| SetPoints {
+                rotary_speed_rad_per_s: Some(factor * MAX_ROTARY_SPEED_RAD_PER_S),
                 ..SetPoints::default()
             },
-            |of: f64| SetPoints {
-                block_velocity_m_per_s: Some(-of * MAX_BLOCK_VELOCITY_M_PER_S),
+            |factor: f64| SetPoints {
+                block_velocity_m_per_s: Some(-factor * MAX_BLOCK_VELOCITY_M_PER_S),
                 ..SetPoints::default()
             },
-            |of: f64| SetPoints {
-                weight_on_bit_N: Some(of * MAX_WEIGHT_ON_BIT_N),
+            |factor: f64| SetPoints {
+                weight_on_bit_N: Some(factor * MAX_WEIGHT_ON_BIT_N),
                 ..SetPoints::default()
             },
-            |of: f64| SetPoints {
-                flow_rate_m3_per_s: Some(of * MAX_FLOW_RATE_M3_PER_S),
+            |factor: f64| SetPoints {
+                flow_rate_m3_per_s: Some(factor * MAX_FLOW_RATE_M3_PER_S),
                 ..SetPoints::default()
             },
         ] {
-            for (of, is_sound) in [(1.0, true), (1.01, false)] {
-                let events = [event(6.0, set(of))];
+            for (factor, is_sound) in [(1.0, true), (1.01, false)] {
+                let events = [event(6.0, set(factor))];
                 let made = with_schedule(&text, &case_of(&text), &events).expect("a text");
                 let read = parse("case.toml", made.text.as_bytes(), &InMemory::default(), &[]);
                 assert_eq!(read.is_ok(), is_sound, "{}", made.text);

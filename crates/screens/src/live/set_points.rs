@@ -1,4 +1,4 @@
-//! What a driller sets.
+//! Set points of the driller.
 
 use std::f64::consts::PI;
 
@@ -10,23 +10,23 @@ use wholestring::{
 };
 use wholestring_case::MAX_FRICTION;
 
-/// What a driller sets; what is not named stays as it is.
+/// Set points of the driller; omitted ones stay unchanged.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct SetPoints {
     /// Rotary speed at surface.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rotary_speed_rad_per_s: Option<f64>,
-    /// Speed of the block, positive downwards: it takes over from the autodriller.
+    /// Speed of the block, positive downwards; replaces the autodriller.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub block_velocity_m_per_s: Option<f64>,
-    /// Weight that the autodriller holds: it takes over from a block that moves.
+    /// Weight held by the autodriller; replaces a moving block.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub weight_on_bit_N: Option<f64>,
-    /// What the pumps deliver.
+    /// Flow rate of the pumps.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flow_rate_m3_per_s: Option<f64>,
-    /// Kinetic coefficient of friction of the whole hole.
+    /// Kinetic friction coefficient of the whole hole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,
     /// The top drive's controller: `pi`, `soft-torque` or `z-torque`.
@@ -36,7 +36,7 @@ pub struct SetPoints {
     pub ramp_s: f64,
 }
 
-/// The same bounds as of a line of `[[operation.schedule]]`, so that what was done can be saved.
+/// The bounds of a line of `[[operation.schedule]]`, so that the actions can be saved.
 pub const MAX_ROTARY_SPEED_RAD_PER_S: f64 = 1000.0 * PI / 30.0;
 pub const MAX_BLOCK_VELOCITY_M_PER_S: f64 = 10.0;
 pub const MAX_WEIGHT_ON_BIT_N: f64 = 5e6;
@@ -49,7 +49,7 @@ impl SetPoints {
         *self == Self { ramp_s: self.ramp_s, ..Self::default() }
     }
 
-    /// Takes over what others set; block and autodriller replace each other.
+    /// Adds later set points; block and autodriller replace each other.
     pub(super) fn merge(&mut self, later: Self) {
         if later.block_velocity_m_per_s.is_some() || later.weight_on_bit_N.is_some() {
             self.block_velocity_m_per_s = later.block_velocity_m_per_s;
@@ -63,7 +63,7 @@ impl SetPoints {
         self.ramp_s = later.ramp_s;
     }
 
-    /// What cannot be set so of an operation, as a sentence.
+    /// The reason why an operation refuses these set points, as a sentence.
     pub(super) fn fault(&self, operation: &Operation) -> Option<String> {
         let ranges = [
             ("the rotary speed", self.rotary_speed_rad_per_s, [0.0, MAX_ROTARY_SPEED_RAD_PER_S]),
@@ -92,12 +92,12 @@ impl SetPoints {
             return Some(format!("the bit of `{}` is off bottom: it has no weight", kind.name()));
         }
         if self.weight_on_bit_N.is_some() && self.block_velocity_m_per_s.is_some() {
-            return Some("the hoist cannot hold a weight and a speed at once".to_owned());
+            return Some("the hoist cannot keep a weight and a speed at the same time".to_owned());
         }
         None
     }
 
-    /// The line of the schedule from now on; none where no line can say it.
+    /// The line of the schedule from now on; none if no line can express it.
     pub(super) fn line(&self, now_s: f64) -> Option<ScheduleStep> {
         let block = self.block_velocity_m_per_s.map(HoistSetPoint::BlockVelocity);
         let hoist = block.or(self.weight_on_bit_N.map(HoistSetPoint::WeightOnBit));

@@ -1,56 +1,56 @@
-//! How a live string is doing.
+//! Status of a live string.
 
 use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::{checkpoints::CheckpointEntry, lamps::Lamps, pace::Pace};
 
-/// What a live string does.
+/// State of a live string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LiveState {
-    /// It waits.
+    /// It is paused.
     #[default]
     Paused,
-    /// It goes on.
+    /// It is running.
     Running,
-    /// It cannot go on from here; it can be taken back to a checkpoint.
+    /// It cannot continue from here, but can be rewound to a checkpoint.
     Failed,
-    /// It is gone.
+    /// It has ended.
     Ended,
 }
 
-/// How a live string is doing: sent where something changes, and a few times a second.
+/// Status of a live string, sent at changes and a few times a second.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct Status {
-    /// What it does.
+    /// Its state.
     pub state: LiveState,
-    /// Why, where that is to be said; what could not be set, too.
+    /// Reason of the state, or of a refused set point, if there is one.
     pub sentence: Option<String>,
     /// Simulated time, s.
     pub time_s: f64,
-    /// The pace that is wanted.
+    /// The requested pace.
     pub pace: Pace,
-    /// Simulated seconds in one on the clock, over the last second.
+    /// Simulated seconds per wall-clock second, over the last second.
     pub reached: f64,
-    /// Moments that it can be taken back to.
+    /// Moments to rewind to.
     pub checkpoints: Vec<CheckpointEntry>,
-    /// How many times something was set.
+    /// Number of recorded events.
     pub events: usize,
-    /// How many of these are to be done again.
+    /// Number of events still to be replayed.
     pub replaying: usize,
-    /// Kinetic coefficient of friction of each section of the hole.
+    /// Kinetic friction coefficient of each hole section.
     pub friction: Vec<f64>,
-    /// The top drive's controller; null where it follows its set point whatever torque that takes.
+    /// The top drive's controller; null if it follows its set point at any torque.
     pub controller: Option<String>,
     /// Lamps.
     pub lamps: Lamps,
-    /// Pages that look at it.
+    /// Number of pages that view it.
     pub viewers: usize,
 }
 
 impl Status {
-    /// Of a string that is there and waits.
+    /// The status of a paused string.
     pub(super) fn new(pace: Pace, time_s: f64) -> Self {
         Self {
             state: LiveState::Paused,

@@ -1,4 +1,4 @@
-//! What a page and a live string say to each other.
+//! Messages between a page and a live string.
 
 use std::sync::Arc;
 
@@ -14,55 +14,56 @@ use super::{
     status::Status,
 };
 
-/// What a page is told, as text; samples and frames are binary.
+/// Text messages to a page; samples and frames are binary.
 #[derive(Debug, Serialize, ToSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum Told<'a> {
-    /// What a viewer has to know first.
+    /// The layout that a viewer needs first.
     Layout(&'a Layout),
-    /// How the string is doing.
+    /// The status of the string.
     Status(&'a Status),
-    /// What was asked cannot be.
+    /// A request was refused.
     Refused {
-        /// Why.
+        /// Reason.
         message: String,
     },
 }
 
 impl Told<'_> {
-    /// As it is sent.
+    /// The message as sent.
     pub fn text(&self) -> String {
-        // It is made of strings, numbers and lists; were it no JSON, its absence would show.
+        // It consists of strings, numbers and lists; if serialization failed, the empty text would
+        // reveal it.
         serde_json::to_string(self).unwrap_or_default()
     }
 }
 
-/// What a page asks, as text.
+/// Text messages from a page.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields, rename_all = "snake_case")]
 pub enum Said {
-    /// The samples that the page has already: those of this epoch up to this number. Said first, or
-    /// all that is kept is sent.
+    /// The samples that the page already has: those of this epoch up to this number. Unless this is
+    /// the first message, all samples of the ring are sent.
     Have {
         /// The epoch.
         epoch: u32,
         /// The number of the next sample.
         next: u64,
     },
-    /// Sets something.
+    /// Applies set points.
     Set(SetPoints),
-    /// Takes another pace.
+    /// Changes the pace.
     Pace(Pace),
-    /// Goes on, or waits.
+    /// Runs or pauses the string.
     Run(bool),
-    /// Goes on by so many seconds, and waits then.
+    /// Advances by this many seconds, and pauses then.
     Step(f64),
 }
 
-/// Samples in a message at most: the rest follows in the next.
+/// Maximum number of samples in a message; the others follow in the next one.
 const MOST_SAMPLES: usize = 4096;
 
-/// A page that looks at a live string, and what it has been given.
+/// A page that views a live string, and the state sent to it.
 pub struct Viewing {
     string: Arc<LiveString>,
     epoch: u32,
@@ -71,13 +72,12 @@ pub struct Viewing {
 }
 
 impl Viewing {
-    /// One that has been given nothing.
+    /// A page to which nothing was sent.
     pub fn of(string: &Arc<LiveString>) -> Self {
         Self { string: string.clone(), epoch: u32::MAX, next: 0, _viewer: string.view() }
     }
 
-    /// Samples that are new, as they are sent, and whether more of them wait; none where there are
-    /// no newer ones.
+    /// New samples, as sent, and whether more are waiting; none if there are no newer ones.
     pub fn samples(&mut self) -> Option<(Vec<u8>, bool)> {
         let samples = self.string.samples(self.epoch, self.next, MOST_SAMPLES)?;
         let more = samples.end() - samples.first == MOST_SAMPLES as u64;
@@ -85,14 +85,14 @@ impl Viewing {
         Some((samples_packet(&samples), more))
     }
 
-    /// Does what the page says; why not, where it cannot be.
+    /// Handles a message of the page; returns the reason if it is refused.
     pub fn hear(&mut self, text: &str) -> Option<String> {
-        let said: Said = match serde_json::from_str(text) {
-            Ok(said) => said,
+        let message: Said = match serde_json::from_str(text) {
+            Ok(message) => message,
             Err(error) => return Some(format!("this is not understood: {error}")),
         };
         let string = &self.string;
-        let done = match said {
+        let done = match message {
             Said::Have { epoch, next } => {
                 (self.epoch, self.next) = (epoch, next);
                 Ok(())

@@ -1,4 +1,4 @@
-//! What viewers want of a string, until its engine takes it.
+//! Requests of viewers, until the engine handles them.
 
 use std::{
     collections::VecDeque,
@@ -12,13 +12,14 @@ use super::{
     set_points::SetPoints,
 };
 
-/// Requests that wait for their answers.
+/// Maximum number of commands that wait for their responses.
 const MOST_COMMANDS: usize = 16;
 
-/// Simulated time that steps may ask for at once, s.
+/// Maximum simulated time of pending steps, s.
 const MOST_STEPS_S: f64 = 10.0;
 
-/// What viewers want. It takes no more memory however often they ask: the later holds.
+/// Pending requests of viewers, in constant memory however many there are: a later one replaces an
+/// earlier one.
 #[derive(Debug, Default)]
 pub struct Asked {
     pub(super) set: Option<SetPoints>,
@@ -26,16 +27,16 @@ pub struct Asked {
     pub(super) run: Option<bool>,
     pub(super) step_s: f64,
     pub(super) commands: VecDeque<Command>,
-    /// It is to end.
+    /// A request to end.
     pub end: Option<Ending>,
 }
 
-/// How a string is to end.
+/// Request to end a string.
 #[derive(Debug)]
 pub struct Ending {
-    /// Why.
+    /// Reason.
     pub sentence: String,
-    /// Whether it is kept, to be continued.
+    /// Whether it is saved, to be continued.
     pub keeps: bool,
 }
 
@@ -51,7 +52,7 @@ impl Asked {
     }
 }
 
-/// Where viewers leave what they want.
+/// Mailbox for the requests of viewers.
 #[derive(Debug, Default)]
 pub(super) struct Wanted {
     asked: Mutex<Asked>,
@@ -69,55 +70,55 @@ impl Wanted {
     }
 
     pub(super) fn set(&self, set: SetPoints) {
-        self.change(|asked| match &mut asked.set {
+        self.change(|requests| match &mut requests.set {
             Some(before) => before.merge(set),
             none => *none = Some(set),
         });
     }
 
     pub(super) fn pace(&self, pace: Pace) {
-        self.change(|asked| asked.pace = Some(pace));
+        self.change(|requests| requests.pace = Some(pace));
     }
 
     pub(super) fn run(&self, runs: bool) {
-        self.change(|asked| {
-            asked.run = Some(runs);
-            asked.step_s = 0.0;
+        self.change(|requests| {
+            requests.run = Some(runs);
+            requests.step_s = 0.0;
         });
     }
 
     pub(super) fn step(&self, seconds: f64) {
-        self.change(|asked| {
-            asked.run = Some(false);
-            asked.step_s = (asked.step_s + seconds).min(MOST_STEPS_S);
+        self.change(|requests| {
+            requests.run = Some(false);
+            requests.step_s = (requests.step_s + seconds).min(MOST_STEPS_S);
         });
     }
 
     pub(super) fn end(&self, end: Ending) {
-        self.change(|asked| asked.end = asked.end.take().or(Some(end)));
+        self.change(|requests| requests.end = requests.end.take().or(Some(end)));
     }
 
     pub(super) fn command(&self, command: Command) -> Result<(), LiveError> {
-        let mut asked = self.asked();
-        if asked.commands.len() == MOST_COMMANDS {
+        let mut requests = self.asked();
+        if requests.commands.len() == MOST_COMMANDS {
             let message = format!("{MOST_COMMANDS} requests wait for this string already");
             return Err(LiveError::TooMany(message));
         }
-        asked.commands.push_back(command);
+        requests.commands.push_back(command);
         self.news.notify_one();
         Ok(())
     }
 
-    /// What is wanted now.
+    /// Takes the pending requests.
     pub(super) fn take(&self) -> Asked {
         std::mem::take(&mut self.asked())
     }
 
-    /// What is wanted now, or comes to be within a time.
+    /// Takes the pending requests, after waiting for one at most this long.
     pub(super) fn take_within(&self, within: Duration) -> Asked {
-        let asked = self.asked();
-        let waited = self.news.wait_timeout_while(asked, within, |asked| asked.is_empty());
-        let (mut asked, _) = waited.unwrap_or_else(PoisonError::into_inner);
-        std::mem::take(&mut asked)
+        let requests = self.asked();
+        let waited = self.news.wait_timeout_while(requests, within, |requests| requests.is_empty());
+        let (mut requests, _) = waited.unwrap_or_else(PoisonError::into_inner);
+        std::mem::take(&mut requests)
     }
 }

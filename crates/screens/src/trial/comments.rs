@@ -1,10 +1,10 @@
-//! Comments about values that change: which they are, and how one that would be false becomes true
-//! again.
+//! Comments about changed values: their detection, and the correction of those that would become
+//! false.
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// Words that say where a value comes from: true of the old value, not of a new one.
+/// Words that give the source of a value: true for the old value, not for a new one.
 const ORIGINS: [&str; 13] = [
     "calibrat",
     "fitted",
@@ -21,25 +21,25 @@ const ORIGINS: [&str; 13] = [
     "+/-",
 ];
 
-/// A number in a comment that is within this factor of a value is about it.
+/// A number in a comment refers to a value if it is within this factor.
 const NEAR: f64 = 2.0;
 
-/// First words of a comment of its own lines that is of old values.
+/// First words of a comment block that refers to old values.
 const MARK: &str = "Before a change";
 
 /// Treatment of a comment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Fate {
-    /// It stays as it is.
+    /// Keeps it unchanged.
     Keep,
-    /// It says that it is of the old value.
+    /// Marks it as referring to the old value.
     Mark,
-    /// It goes.
+    /// Removes it.
     Remove,
 }
 
-/// A comment beside or above a value that changes.
+/// A comment after or above a changed value.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct Comment {
     /// Its first line in the text, from 1.
@@ -53,12 +53,12 @@ pub struct Comment {
     /// Number of its lines.
     #[serde(skip)]
     lines: usize,
-    /// Where it begins in its line, where it is behind a value.
+    /// Column of its start, if it follows a value on the line.
     #[serde(skip)]
     behind: Option<usize>,
 }
 
-/// A value as it is written, and where.
+/// A value as written, with its place.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Written<'a> {
     /// The last part of its key.
@@ -69,8 +69,8 @@ pub(crate) struct Written<'a> {
 }
 
 /// The comments that a change of these values of a text concerns, in the order of the text: those
-/// behind a value and above it that may be about it, those above its table, and those elsewhere
-/// that name it, where they say where it comes from.
+/// after a value or above it that may refer to it, those above its table, and those elsewhere that
+/// name it and give its source.
 pub(crate) fn comments(text: &str, values: &[Written<'_>]) -> Vec<Comment> {
     let lines: Vec<&str> = text.lines().collect();
     let line_of = |at: usize| text[..at].matches('\n').count();
@@ -123,7 +123,7 @@ pub(crate) fn comments(text: &str, values: &[Written<'_>]) -> Vec<Comment> {
     found
 }
 
-/// Adds a comment of its own lines, once, with the old value that it may be about.
+/// Adds a comment block, once, with the old value that it may refer to.
 fn add(found: &mut Vec<Comment>, block: Block, old: &str, is_about: bool) {
     let holds = |one: &&mut Comment| {
         one.behind.is_none() && (one.line..one.line + one.lines).contains(&(block.line + 1))
@@ -144,7 +144,7 @@ fn add(found: &mut Vec<Comment>, block: Block, old: &str, is_about: bool) {
 /// The text with its comments treated.
 pub(crate) fn treated(text: &str, comments: &[Comment]) -> String {
     let mut lines: Vec<String> = text.split('\n').map(str::to_owned).collect();
-    // From the last on, so that lines keep their numbers.
+    // From the last to the first, so that line numbers stay valid.
     for comment in comments.iter().rev() {
         let at = comment.line - 1;
         match (comment.fate, comment.behind) {
@@ -167,14 +167,14 @@ pub(crate) fn treated(text: &str, comments: &[Comment]) -> String {
     lines.join("\n")
 }
 
-/// Comment lines without a gap between them.
+/// Consecutive comment lines.
 struct Block {
     line: usize,
     lines: usize,
     text: String,
 }
 
-/// The comment right above a line; none where there is none.
+/// The comment directly above a line, if there is one.
 fn block_above(lines: &[&str], line: usize) -> Option<Block> {
     let is_comment = |at: &usize| lines[*at].trim_start().starts_with('#');
     let first = (0..line).rev().take_while(is_comment).last()?;
@@ -195,7 +195,7 @@ fn bare(line: &str) -> &str {
     line.trim().trim_start_matches('#').trim()
 }
 
-/// Where the comment of a line begins, behind a place; none where there is none.
+/// The start of the comment of a line, after this place, if there is one.
 fn comment_at(line: &str, from: usize) -> Option<usize> {
     let mut quote = None;
     for (at, letter) in line.char_indices().skip_while(|(at, _)| *at < from) {
@@ -220,7 +220,7 @@ fn says_origin(comment: &str) -> bool {
     ORIGINS.iter().any(|word| comment.contains(word))
 }
 
-/// Whether a comment may be about values: it says where they come from, or has a number like them.
+/// Whether a comment may refer to values: it gives their source, or has a number close to them.
 fn is_about(comment: &str, values: &[f64]) -> bool {
     let near = |number: f64| {
         values.iter().any(|value| {
@@ -270,9 +270,9 @@ low = 0.15  # cased # and open
             written("low", "0.15"),
         ];
         let found = comments(TEXT, &values);
-        let said: Vec<_> = found.iter().map(|one| (one.line, one.fate)).collect();
+        let fates: Vec<_> = found.iter().map(|one| (one.line, one.fate)).collect();
         use Fate::{Keep, Mark};
-        assert_eq!(said, [(1, Mark), (5, Mark), (9, Keep), (11, Mark), (12, Keep)]);
+        assert_eq!(fates, [(1, Mark), (5, Mark), (9, Keep), (11, Mark), (12, Keep)]);
         let text = treated(TEXT, &found);
         let line = "static = 0.52 }    # was kinetic 0.24, static 0.52: fitted on the record";
         assert!(text.contains(line), "{text}");

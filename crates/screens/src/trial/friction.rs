@@ -1,5 +1,4 @@
-//! Friction of a text: every coefficient that it gives, of hole sections and of the levels of its
-//! plan.
+//! Friction of a text: every coefficient of the hole sections and of the levels of its plan.
 
 use wholestring_case::MAX_FRICTION;
 use wholestring_config::node::{Entries, Node, Value};
@@ -31,11 +30,11 @@ enum Role {
     High,
 }
 
-/// Levels of a plan by their keys.
+/// Levels of a plan by key.
 const LEVELS: [(&str, Role); 3] =
     [("low", Role::Low), ("expected", Role::Expected), ("high", Role::High)];
 
-/// Coefficients that are written together: a number, or a table of several.
+/// Coefficients of one key: a number, or a table of several.
 #[derive(Debug)]
 struct Given {
     role: Role,
@@ -66,7 +65,7 @@ impl Given {
         self.around.unwrap_or_else(|| self.kinetic())
     }
 
-    /// Largest coefficient over the kinetic one.
+    /// Ratio of the largest coefficient to the kinetic one.
     fn largest_ratio(&self) -> f64 {
         let largest = self.numbers.iter().fold(0.0_f64, |largest, (_, value)| largest.max(*value));
         if self.kinetic() > 0.0 { largest / self.kinetic() } else { 1.0 }
@@ -85,25 +84,25 @@ fn number(node: &Node) -> Option<f64> {
     }
 }
 
-/// A range that a slider may take.
+/// Range of a slider.
 pub(crate) type Range = [f64; 2];
 
 /// All coefficients of a text.
 #[derive(Debug, Default)]
 pub(crate) struct Frictions(Vec<Given>);
 
-/// The least coefficient along the hole that one around it may be in a ratio to.
+/// Smallest axial coefficient to which a rotational one may be in a ratio.
 const LEAST: f64 = 1e-3;
 
-/// Digits of a coefficient that was scaled.
+/// Number of digits of a scaled coefficient.
 const SCALED_DIGITS: i32 = 4;
 
-/// Digits of a coefficient that keeps its ratio to another one, which may be at a bound of the
-/// plan.
+/// Number of digits of a coefficient that keeps its ratio to another one, which may be at a bound
+/// of the plan.
 const RATIO_DIGITS: i32 = 6;
 
 impl Frictions {
-    /// Those of a text; none of one that gives none.
+    /// The coefficients of a text; empty if it has none.
     pub(crate) fn of(root: &Entries) -> Self {
         let mut all = Vec::new();
         if let Some(Value::Table(well)) = root.get("well").map(|node| &node.value)
@@ -143,60 +142,60 @@ impl Frictions {
     }
 
     fn of_kind(&self, role: Role, kind: Kind) -> Option<&Given> {
-        self.0.iter().find(|given| given.role == role && given.kinds.contains(&kind))
+        self.0.iter().find(|group| group.role == role && group.kinds.contains(&kind))
     }
 
     /// Every coefficient times a factor, with its dotted key: sections, and low, expected and high
-    /// of the plan, which so stay in their order.
+    /// of the plan, which thus keep their order.
     pub(crate) fn scaled(&self, factor: f64) -> Vec<(String, f64)> {
-        let numbers = self.0.iter().flat_map(|given| &given.numbers);
+        let numbers = self.0.iter().flat_map(|group| &group.numbers);
         numbers.map(|(key, value)| (key.clone(), rounded(value * factor, SCALED_DIGITS))).collect()
     }
 
-    /// The same coefficient along the hole for all sections, and for what the plan expects where it
-    /// gives that; those at rest and around the hole stay in their ratio to it.
+    /// The same axial coefficient for all sections, and for the expected level of the plan if it
+    /// has one; static and rotational coefficients keep their ratio to it.
     pub(crate) fn uniform(&self, coefficient: f64) -> Vec<(String, f64)> {
         let set =
-            self.0.iter().filter(|given| matches!(given.role, Role::Section | Role::Expected));
-        let of_given = |given: &Given| -> Vec<(String, f64)> {
-            let kinetic = given.kinetic();
+            self.0.iter().filter(|group| matches!(group.role, Role::Section | Role::Expected));
+        let of_given = |group: &Given| -> Vec<(String, f64)> {
+            let kinetic = group.kinetic();
             let value = |(place, (key, old)): (usize, &(String, f64))| {
                 let ratio = if place > 0 && kinetic > 0.0 { old / kinetic } else { 1.0 };
                 let new = coefficient * ratio;
                 (key.clone(), if place == 0 { new } else { rounded(new, RATIO_DIGITS) })
             };
-            given.numbers.iter().enumerate().map(value).collect()
+            group.numbers.iter().enumerate().map(value).collect()
         };
         set.flat_map(of_given).collect()
     }
 
-    /// The factors that [`Self::scaled`] may be given.
+    /// The factors that [`Self::scaled`] accepts.
     pub(crate) fn scales(&self) -> Range {
-        let numbers = || self.0.iter().flat_map(|given| &given.numbers).map(|(_, value)| *value);
+        let numbers = || self.0.iter().flat_map(|group| &group.numbers).map(|(_, value)| *value);
         let largest = numbers().fold(0.0, f64::max);
         let most = if largest > 0.0 { (MAX_FRICTION / largest).min(2.0) } else { 2.0 };
-        let of_ratio = self.0.iter().filter(|given| given.has_own_around());
+        let of_ratio = self.0.iter().filter(|group| group.has_own_around());
         let smallest = of_ratio.map(Given::kinetic).fold(f64::INFINITY, f64::min);
         let least = if smallest.is_finite() { (1.01 * LEAST / smallest).max(0.1) } else { 0.0 };
         [least.min(1.0), most.max(1.0)]
     }
 
-    /// The coefficients that [`Self::uniform`] may be given, from nothing to a most: what low and
-    /// high of the plan allow; none where they allow nothing.
+    /// The coefficients that [`Self::uniform`] accepts, from zero to `most`, within the low and
+    /// high levels of the plan; none if these exclude all.
     pub(crate) fn uniforms(&self, most: f64) -> Option<Range> {
         let mut range = [0.0, most];
-        for given in &self.0 {
-            if !matches!(given.role, Role::Section | Role::Expected) {
+        for group in &self.0 {
+            if !matches!(group.role, Role::Section | Role::Expected) {
                 continue;
             }
-            range[1] = range[1].min(MAX_FRICTION / given.largest_ratio());
-            if given.has_own_around() {
+            range[1] = range[1].min(MAX_FRICTION / group.largest_ratio());
+            if group.has_own_around() {
                 range[0] = range[0].max(LEAST);
             }
-            let ratio = if given.kinetic() > 0.0 { given.around() / given.kinetic() } else { 1.0 };
-            for kind in &given.kinds {
-                // What a plan expects stands in place of the section's own.
-                if given.role == Role::Section && self.of_kind(Role::Expected, *kind).is_some() {
+            let ratio = if group.kinetic() > 0.0 { group.around() / group.kinetic() } else { 1.0 };
+            for kind in &group.kinds {
+                // The expected friction of a plan replaces the section's own.
+                if group.role == Role::Section && self.of_kind(Role::Expected, *kind).is_some() {
                     continue;
                 }
                 if let Some(low) = self.of_kind(Role::Low, *kind) {
@@ -212,7 +211,7 @@ impl Frictions {
     }
 }
 
-/// A coefficient in no more digits than anybody knows. Larger ones stay the larger.
+/// A coefficient rounded to sensible digits. Larger ones stay larger.
 fn rounded(value: f64, digits: i32) -> f64 {
     if value == 0.0 {
         return 0.0;

@@ -1,4 +1,5 @@
-//! Values that are tried in place of those of a text: what they change in it, and whether they may.
+//! Trial values in place of those of a text: the changes that they make, and whether they are
+//! valid.
 
 mod comments;
 mod friction;
@@ -18,20 +19,20 @@ pub(crate) use friction::Frictions;
 
 use crate::{diagnostic, refusal::Refusal};
 
-/// The key of the factor of every section's own friction.
+/// The key of the factor on every section's own friction.
 pub(crate) const MULTIPLIER: &str = "friction_multiplier";
 
 /// The key of one friction for all sections.
 pub(crate) const UNIFORM: &str = "friction";
 
-/// A key of the case and its new value, as `--set` has them.
+/// A key of the case and its new value, as in `--set`.
 pub(crate) type KeyValue = (String, String);
 
-/// The keys of a text that these values set: `friction_multiplier` and `friction` are those of
+/// The keys of a text that these values set: `friction_multiplier` and `friction` set those of
 /// every hole section and of the plan.
 ///
 /// # Errors
-/// A text that is no TOML, a friction that is no number, and both kinds of it at once.
+/// A text that is not TOML, a friction that is not a number, and both kinds of it at once.
 pub(crate) fn key_values(
     text: &str,
     set: &BTreeMap<String, String>,
@@ -80,30 +81,30 @@ pub(crate) fn overrides(
     key_values(text, set)?.into_iter().map(one).collect()
 }
 
-/// Values that were tried and are to be written into the text.
+/// Trial values to be written into the text.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Applying {
     /// The text.
     text: String,
-    /// Values by keys, as `--set KEY=VALUE` has them; `friction_multiplier` times every section's
-    /// own friction and what the plan gives of it, `friction` for all sections alike.
+    /// Values by key, as in `--set KEY=VALUE`; `friction_multiplier` scales every section's own
+    /// friction and that of the plan, `friction` applies to all sections alike.
     set: BTreeMap<String, String>,
-    /// Treatments of comments, by their first lines; of others it is what [`Applied`] proposes.
+    /// Treatments of comments, by their first lines; for others, the proposals of [`Applied`].
     #[serde(default)]
     comments: BTreeMap<usize, Fate>,
 }
 
-/// A key that changes.
+/// A changed key.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ChangedKey {
     /// The dotted key.
     key: String,
-    /// The same for people: `Friction, casing to 5110 ft`.
+    /// Its label for display: `Friction, casing to 5110 ft`.
     label: String,
-    /// Its value as it is written; null where the key is new.
+    /// Its written value; null if the key is new.
     old: Option<String>,
-    /// Its value as it will be written.
+    /// Its new written value.
     new: String,
 }
 
@@ -112,22 +113,22 @@ pub struct ChangedKey {
 pub struct Applied {
     /// The text.
     text: String,
-    /// The keys that change.
+    /// The changed keys.
     changes: Vec<ChangedKey>,
-    /// The comments that may be about what changes, with their treatments.
+    /// The comments that may refer to the changes, with their treatments.
     comments: Vec<Comment>,
     /// Warnings that the text did not have before.
     warnings: Vec<String>,
 }
 
 impl Applying {
-    /// The text with these values in it, and what changes; nothing is written. A text that would
-    /// be no valid case is refused.
+    /// The text with these values, and the changes; nothing is written. A text that would be no
+    /// valid case is refused.
     ///
     /// # Errors
     /// Values that the case cannot have, with the reasons.
     pub fn apply(self, name: &str, files: &dyn Files) -> Result<Applied, Refusal> {
-        let Self { text, set, comments: wanted } = self;
+        let Self { text, set, comments: fates } = self;
         let root = parse_text(&text, 0);
         let root = root.map_err(|_| Refusal::bad_input("the text is not TOML"))?;
         let before = parse(name, text.as_bytes(), files, &[])?;
@@ -158,7 +159,7 @@ impl Applying {
         }
         let mut found = comments::comments(&text, &places);
         for comment in &mut found {
-            comment.fate = wanted.get(&comment.line).copied().unwrap_or(comment.fate);
+            comment.fate = fates.get(&comment.line).copied().unwrap_or(comment.fate);
         }
         let treated = comments::treated(&text, &found);
         let edited = edit(&treated, &edits);
@@ -177,7 +178,7 @@ impl Applying {
     }
 }
 
-/// A value of `--set` as the file has it: a bare number is a number there, too.
+/// A value of `--set` as written in the file: a bare number is a number there, too.
 fn json(value: &str) -> Json {
     let number = value.parse::<f64>().ok().filter(|number| number.is_finite());
     match (value.parse::<i64>(), number) {
@@ -206,7 +207,7 @@ fn at<'a>(root: &'a Entries, key: &str) -> Option<&'a Node> {
     Some(node)
 }
 
-/// A key for people.
+/// The label of a key.
 fn label(case: &Case, key: &str) -> String {
     let parts: Vec<&str> = key.split('.').collect();
     match parts.as_slice() {
@@ -239,7 +240,7 @@ fn of_coefficient(rest: &[&str]) -> &'static str {
     }
 }
 
-/// A hole section for people, in the order of the file.
+/// The label of a hole section, in the order of the file.
 pub(crate) fn section(case: &Case, place: usize) -> Option<String> {
     let section = case.model.well.hole.sections().get(place)?;
     let kind = match section.kind {

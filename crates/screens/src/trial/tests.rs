@@ -24,7 +24,7 @@ fn applied(
 }
 
 /// A calibrated well: each section and each level of the plan keeps its own factor, and the
-/// comments that say what the factors were fitted on are of the old ones.
+/// comments on the data of the fit are marked as those of the old factors.
 #[test]
 fn sections_keep_their_own_factors_and_comments_become_true() {
     let text = shipped("forge-16a.toml");
@@ -69,7 +69,7 @@ fn a_factor_that_the_plan_forbids_is_refused_with_its_reason() {
     assert!(both.expect_err("a refusal").error.message.contains("exclude each other"));
 }
 
-/// Comments are treated as the reader decides, and a value that is what it was is no change.
+/// Comments are treated as the reader decides, and an unchanged value is no change.
 #[test]
 fn a_reader_decides_about_comments() {
     let text = shipped("np13-x1042.toml");
@@ -79,8 +79,8 @@ fn a_reader_decides_about_comments() {
         proposed.comments.iter().find(|comment| comment.text.starts_with("the article varies"));
     let (line, fate) = line.map(|comment| (comment.line, comment.fate)).expect("a comment");
     assert_eq!(fate, Fate::Mark);
-    let kept = applied(&text, &set, &[(line, Fate::Keep)]).expect("a valid case");
-    assert!(kept.text.contains("friction = 0.25                  # the article varies it"));
+    let result = applied(&text, &set, &[(line, Fate::Keep)]).expect("a valid case");
+    assert!(result.text.contains("friction = 0.25                  # the article varies it"));
     let unchanged = applied(&text, &[("friction", "0.3")], &[]).expect("a valid case");
     assert_eq!((unchanged.changes.len(), unchanged.text), (0, text));
 }

@@ -1,8 +1,8 @@
-//! The guard before new workbooks (`.xlsx`): a zip archive of parts in XML.
+//! Checks before new workbooks (`.xlsx`) are read: a zip archive of XML parts.
 //!
-//! What the directory of an archive says of sizes may be a lie, so that every part is unpacked once
-//! and counted, at most [`limits::UNPACKED_BYTES`] in all. The reader of workbooks makes room for
-//! as many shared strings as their part claims: a claim that its bytes cannot hold is refused.
+//! The sizes in the directory of an archive may be false, so that every part is unpacked once and
+//! counted, at most [`limits::UNPACKED_BYTES`] in all. The reader of workbooks allocates as many
+//! shared strings as their part claims, so that a claim which its bytes cannot hold is refused.
 
 use std::collections::HashMap;
 use std::io::{Cursor, Read};
@@ -12,18 +12,18 @@ use zip::ZipArchive;
 use crate::cells::limits::{self, too_much};
 use crate::error::TableErrorKind;
 
-/// What every entry of an archive's directory begins with.
+/// Beginning of every entry in an archive's directory.
 const ENTRY: &[u8] = b"PK\x01\x02";
 
-/// The parts of a workbook that its cells are read from: by their names in small letters.
+/// The parts of a workbook from which its cells are read, by their names in lower case.
 pub(crate) type Parts = HashMap<String, Vec<u8>>;
 
 /// The shortest shared string, `<si/>`, bytes.
 const SHORTEST_STRING: u64 = 5;
 
-/// Refuses a workbook that unpacks, or claims, to more than is read, and an archive of something else.
-/// One that is no archive at all is left to the reader, which says why. Parts of its sheets are
-/// returned.
+/// Refuses a workbook that unpacks to, or claims, more than the limits, and an archive of another
+/// kind. A file that is not an archive is passed to the reader for its error. Returns the parts of
+/// its sheets.
 pub(crate) fn check(bytes: &[u8]) -> Result<Parts, TableErrorKind> {
     let entries = bytes.windows(ENTRY.len()).filter(|four| *four == ENTRY);
     let parts = entries.count();
@@ -36,10 +36,10 @@ pub(crate) fn check(bytes: &[u8]) -> Result<Parts, TableErrorKind> {
     if let Some(reason) = other_kind(&mut archive) {
         return Err(TableErrorKind::NotAWorkbook { reason });
     }
-    let mut kept = Parts::new();
+    let mut parts = Parts::new();
     let mut left = limits::UNPACKED_BYTES;
     for index in 0..archive.len() {
-        // What cannot be unpacked takes no room; where it is needed the reader says so.
+        // A part that cannot be unpacked uses no memory; if it is needed, the reader reports it.
         let Ok(part) = archive.by_index(index) else {
             continue;
         };
@@ -67,15 +67,15 @@ pub(crate) fn check(bytes: &[u8]) -> Result<Parts, TableErrorKind> {
         let is_other = ["sharedstrings", "styles", "theme", "docprops"];
         let is_xml = name.ends_with(".xml") || name.ends_with(".rels");
         if is_xml && !is_other.iter().any(|other| name.contains(other)) {
-            kept.insert(name, content);
+            parts.insert(name, content);
         }
     }
-    Ok(kept)
+    Ok(parts)
 }
 
-/// What an archive is that is no workbook of this kind; none of one that is, or may be.
+/// Kind of an archive that is not a workbook of this kind; `None` if it is, or may be.
 fn other_kind(archive: &mut ZipArchive<Cursor<&[u8]>>) -> Option<String> {
-    /// Names that a sentence lists.
+    /// Maximum number of names in a sentence.
     const LISTED: usize = 5;
     let names: Vec<String> = (0..archive.len())
         .filter_map(|index| {
@@ -84,7 +84,7 @@ fn other_kind(archive: &mut ZipArchive<Cursor<&[u8]>>) -> Option<String> {
             (!name.ends_with('/')).then_some(name)
         })
         .collect();
-    let has = |wanted: &str| names.iter().any(|name| name.eq_ignore_ascii_case(wanted));
+    let has = |part: &str| names.iter().any(|name| name.eq_ignore_ascii_case(part));
     if has("xl/workbook.bin") {
         return Some("it is a binary workbook, .xlsb: save it as .xlsx".to_owned());
     }
@@ -106,8 +106,8 @@ fn other_kind(archive: &mut ZipArchive<Cursor<&[u8]>>) -> Option<String> {
     Some(format!("it is a zip archive of {}: unpack it first", listed.join(", ")))
 }
 
-/// Every number that an attribute named `uniqueCount` gives; one that is too large for 64 bits
-/// counts as the largest.
+/// Every number in an attribute named `uniqueCount`; one too large for 64 bits counts as the
+/// largest.
 fn claims(content: &[u8]) -> Vec<u64> {
     // Zeros and escapes: the text may be in UTF-16 or ISO 2022, whose letters are found between
     // them.

@@ -1,25 +1,25 @@
-//! Cutting a text report whose columns are parted by blanks.
+//! Cutting a text report whose columns are separated by blanks.
 
 use std::ops::Range;
 
 use crate::cells::number;
 use crate::cells::table::{Cell, Position, Row, Source, Table, line_starts};
 
-/// Lines above the numbers that may hold headings.
+/// Number of lines above the numbers that may contain headings.
 const HEADING_LINES: usize = 8;
 
-/// The fewest numbers that make a line of a survey.
+/// Minimum number of numbers in a line of a survey.
 const FEWEST: usize = 3;
 
 /// Cuts a text into cells at runs of blanks.
 ///
-/// The first line of numbers shows how many columns there are and where they stand; the headings
-/// above go to the column under which they stand.
+/// The first line of numbers determines the number of columns and their positions; each heading
+/// above belongs to the column below it.
 pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
     cut_from(source, text, 0)
 }
 
-/// The same of what stands behind a byte of the text, at which a line ends.
+/// Cuts the text from a byte on, at which a line ends.
 pub(crate) fn cut_from<'a>(source: Source<'a>, text: &'a str, from: usize) -> Table<'a> {
     let starts: Vec<usize> = line_starts(text).filter(|start| *start >= from).collect();
     let lines: Vec<Range<usize>> = starts
@@ -31,7 +31,7 @@ pub(crate) fn cut_from<'a>(source: Source<'a>, text: &'a str, from: usize) -> Ta
         })
         .collect();
 
-    // A remark may stand behind the numbers of every line.
+    // A remark may follow the numbers of every line.
     let all = |line: &Range<usize>| numbers(text, line).filter(|(_, rest)| !rest);
     let any = |line: &Range<usize>| numbers(text, line);
     let first = lines.iter().position(|line| all(line).is_some());
@@ -68,8 +68,8 @@ pub(crate) fn cut_from<'a>(source: Source<'a>, text: &'a str, from: usize) -> Ta
     let note = marks.first().map(|(at, mark)| {
         let line = source.row_name(*at);
         match marks.len() - 1 {
-            0 => format!("the mark '{mark}' in {line} is passed over"),
-            more => format!("the mark '{mark}' in {line} is passed over, and {more} more below"),
+            0 => format!("the mark '{mark}' in {line} is ignored"),
+            more => format!("the mark '{mark}' in {line} is ignored, and {more} more below"),
         }
     });
     let notes = note.into_iter().collect();
@@ -77,7 +77,7 @@ pub(crate) fn cut_from<'a>(source: Source<'a>, text: &'a str, from: usize) -> Ta
     Table { source, rows, parted_by: Some("blanks"), counted, notes }
 }
 
-/// The words of a line, with what stands in brackets as one word.
+/// The words of a line, with bracketed text as one word.
 fn words(text: &str, line: &Range<usize>) -> Vec<Range<usize>> {
     let mut words: Vec<Range<usize>> = Vec::new();
     let mut open = 0usize;
@@ -102,7 +102,7 @@ fn words(text: &str, line: &Range<usize>) -> Vec<Range<usize>> {
     words
 }
 
-/// The parts of a line between two blanks or more.
+/// The parts of a line separated by two or more blanks.
 fn phrases(text: &str, line: &Range<usize>) -> Vec<Range<usize>> {
     let mut phrases: Vec<Range<usize>> = Vec::new();
     for word in words(text, line) {
@@ -118,8 +118,8 @@ fn phrases(text: &str, line: &Range<usize>) -> Vec<Range<usize>> {
     phrases
 }
 
-/// The numbers with which a line begins, a mark before them aside, where they are three or more;
-/// and whether anything stands behind them.
+/// The numbers at the beginning of a line, after an optional mark, if there are three or more, and
+/// whether text follows them.
 fn numbers(text: &str, line: &Range<usize>) -> Option<(Vec<Range<usize>>, bool)> {
     let mut words = sides_joined(text, words(text, line));
     if words.first().is_some_and(|word| is_mark(&text[word.clone()])) {
@@ -131,13 +131,13 @@ fn numbers(text: &str, line: &Range<usize>) -> Option<(Vec<Range<usize>>, bool)>
     (count >= FEWEST).then_some((words, rest))
 }
 
-/// A number, or a distance with its side.
+/// Whether a word is a number, or a distance with its side.
 fn is_numeric(word: &str) -> bool {
-    number::is_number(word) || number::sided(word).is_some_and(|(of, _)| number::is_number(of))
+    number::is_number(word)
+        || number::sided(word).is_some_and(|(sided, _)| number::is_number(sided))
 }
 
-/// Words with the side of a distance joined to its number: `12.5 N`. What makes a station stands
-/// before them.
+/// Joins the side of a distance to its number: `12.5 N`. The values of a station precede them.
 fn sides_joined(text: &str, words: Vec<Range<usize>>) -> Vec<Range<usize>> {
     let mut joined: Vec<Range<usize>> = Vec::with_capacity(words.len());
     for word in words {
@@ -153,7 +153,7 @@ fn sides_joined(text: &str, words: Vec<Range<usize>>) -> Vec<Range<usize>> {
     joined
 }
 
-/// Words of the foot or the head of a page.
+/// Whether a word belongs to the head or foot of a page.
 fn is_of_page(word: &str) -> bool {
     let plain = word.trim_matches(|c: char| !c.is_alphanumeric()).to_lowercase();
     let is_clock = || {
@@ -164,14 +164,14 @@ fn is_of_page(word: &str) -> bool {
     matches!(plain.as_str(), "page" | "seite" | "pagina" | "compass" | "build") || is_clock()
 }
 
-/// A sign before a row, such as `!` or `*`, that is not part of its numbers.
+/// Whether a word is a mark before a row, such as `!` or `*`, which is not part of its numbers.
 fn is_mark(word: &str) -> bool {
     matches!(word, "!" | "*" | "**" | ">" | "+" | "@" | "&" | "x" | "P" | "T")
 }
 
 /// The cells of a line below the headings, and the mark before them.
 ///
-/// A line without a number is one cell: a remark. What follows the last column is a remark, too.
+/// A line without a number is one cell, a remark. Text after the last column is a remark, too.
 fn data<'a>(
     text: &'a str,
     line: &Range<usize>,
@@ -183,7 +183,7 @@ fn data<'a>(
     let numbers = words[..begins].iter().filter(|word| numeric(word)).count();
     let is_remark = match words.first() {
         _ if numbers == 0 => words.len() != columns,
-        // Numbers within a sentence; and a date, a page.
+        // Numbers within a sentence, in a date, or of a page.
         Some(first) => {
             let of_page = || words.iter().any(|word| is_of_page(&text[word.clone()]));
             let begins_so = numeric(first) || is_mark(&text[first.clone()]);
@@ -206,7 +206,7 @@ fn data<'a>(
 fn headings(text: &str, line: &Range<usize>, columns: &[Range<usize>]) -> Vec<Range<usize>> {
     let phrases = phrases(text, line);
     let mut words = words(text, line);
-    // Headings may stand in a comment.
+    // Headings may be in a comment.
     let is_sign = |word: &Range<usize>| matches!(&text[word.clone()], "#" | "%" | "//");
     if words.len() == columns.len() + 1 && is_sign(&words[0]) {
         words.remove(0);

@@ -1,8 +1,8 @@
-//! The file around old workbooks (`.xls`): a compound file of sectors, of which the stream of the
-//! workbook is taken out, and put into a new one that is valid.
+//! The container of old workbooks (`.xls`): a compound file of sectors, from which the workbook's
+//! stream is extracted and written to a new valid file.
 //!
-//! The reader of workbooks follows the chains of sectors without end and trusts their lengths. So
-//! it is given a file that was written here.
+//! The reader of workbooks follows chains of sectors without limit and trusts their lengths. It
+//! therefore receives a file written by this module.
 //!
 //! Format: \[MS-CFB\] Compound File Binary File Format.
 
@@ -11,11 +11,11 @@ use std::collections::HashSet;
 use crate::cells::limits::{self, too_much};
 use crate::error::TableErrorKind;
 
-/// Streams below this size stand in the mini stream, in sectors of [`MINI_SECTOR`] bytes.
+/// Size below which streams are stored in the mini stream, in sectors of [`MINI_SECTOR`] bytes.
 const MINI_STREAM: usize = 4096;
 const MINI_SECTOR: usize = 64;
 
-/// Ids from here on are marks and no sectors.
+/// First of the ids that are marks instead of sectors.
 const LAST_SECTOR: u32 = 0xffff_fffa;
 
 /// Marks: a sector of the table of sectors, the end of a chain, a free sector.
@@ -23,12 +23,12 @@ const TABLE: u32 = 0xffff_fffd;
 const END: u32 = 0xffff_fffe;
 const FREE: u32 = 0xffff_ffff;
 
-/// What every compound file begins with.
+/// Signature of a compound file.
 pub(crate) const MARK: &[u8; 8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
 
-/// The stream in a compound file that holds the workbook.
+/// Returns the stream of the workbook in a compound file.
 pub(crate) fn workbook_stream(bytes: &[u8]) -> Result<Vec<u8>, TableErrorKind> {
-    let file = File::open(bytes).ok_or_else(|| damaged("it is no compound file"))?;
+    let file = File::open(bytes).ok_or_else(|| damaged("it is not a compound file"))?;
     let directory = file.chain(u32_at(bytes, 48), &file.table)?;
     let entries: Vec<&[u8]> = directory.chunks_exact(128).collect();
     let entry = ["Workbook", "Book"]
@@ -71,7 +71,7 @@ fn damaged(reason: &str) -> TableErrorKind {
     TableErrorKind::NotAWorkbook { reason: reason.to_owned() }
 }
 
-/// A compound file and its table of sectors: which one follows each.
+/// A compound file and its sector table with the successor of each sector.
 struct File<'a> {
     bytes: &'a [u8],
     sector: usize,
@@ -92,7 +92,7 @@ impl<'a> File<'a> {
             },
             table: Vec::new(),
         };
-        // The header names the first 109 sectors of the table; a chain of sectors names the rest.
+        // The header lists the first 109 sectors of the table; a chain of sectors lists the rest.
         let mut named: Vec<u32> = (0..109).filter_map(|i| u32_at(bytes, 76 + 4 * i)).collect();
         let mut more = u32_at(bytes, 68)?;
         for _ in 0..bytes.len() / file.sector {
@@ -103,7 +103,7 @@ impl<'a> File<'a> {
             more = ids.pop()?;
             named.extend(ids);
         }
-        // A sector that is named twice would make the table larger than the file.
+        // A sector that is listed twice would make the table larger than the file.
         let mut seen = HashSet::new();
         for id in named.into_iter().filter(|id| *id < LAST_SECTOR) {
             if !seen.insert(id) {
@@ -127,7 +127,7 @@ impl<'a> File<'a> {
     }
 }
 
-/// The bytes of a chain of sectors, which ends with the file at the latest.
+/// The bytes of a chain of sectors, which ends at the end of the file at the latest.
 fn chain<'a>(
     start: Option<u32>,
     table: &[u32],
@@ -139,7 +139,7 @@ fn chain<'a>(
     while id < LAST_SECTOR {
         met += 1;
         if met > table.len() {
-            return Err(damaged("its sectors run in a circle"));
+            return Err(damaged("its chain of sectors is circular"));
         }
         let Some(sector) = sector(id) else { break };
         bytes.extend_from_slice(sector);
@@ -151,13 +151,13 @@ fn chain<'a>(
     Ok(bytes)
 }
 
-/// A compound file that holds nothing but this stream of a workbook.
+/// Returns a compound file with only this workbook stream.
 pub(crate) fn file_of(stream: &[u8]) -> Vec<u8> {
     const SECTOR: usize = 4096;
     const PER_SECTOR: usize = SECTOR / 4;
     let length = stream.len().max(MINI_STREAM);
     let sectors = length.div_ceil(SECTOR);
-    // One more for the directory, and those of the table itself: at most 109 would do for 450 MB.
+    // One more for the directory, and those of the table itself: 109 suffice for 450 MB.
     let tables = (sectors + 1).div_ceil(PER_SECTOR - 1);
     let [directory_at, stream_at] = [tables as u32, tables as u32 + 1];
 
@@ -229,7 +229,7 @@ pub(crate) fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
 mod tests {
     use super::*;
 
-    /// What is written is read back, however many sectors of the table it takes.
+    /// The stream is read back unchanged for any number of sectors of the table.
     #[test]
     fn a_stream_is_found_again() {
         for length in [4096, 5000, 4096 * 1022, 4096 * 1023 + 1, 5 << 20] {
@@ -238,17 +238,17 @@ mod tests {
         }
     }
 
-    /// A chain that runs in a circle was followed until memory ended.
+    /// A circular chain was followed until memory was exhausted.
     #[test]
     fn a_circle_of_sectors_is_refused() {
         let mut file = file_of(&[7; 20_000]);
         // The third sector of the stream is followed by the first.
         let table = 4096;
         file[table + 4 * 4..][..4].copy_from_slice(&2_u32.to_le_bytes());
-        assert_eq!(workbook_stream(&file), Err(damaged("its sectors run in a circle")));
-        // The directory by itself.
+        assert_eq!(workbook_stream(&file), Err(damaged("its chain of sectors is circular")));
+        // The directory as well.
         let mut file = file_of(&[7; 20_000]);
         file[table + 4..][..4].copy_from_slice(&1_u32.to_le_bytes());
-        assert_eq!(workbook_stream(&file), Err(damaged("its sectors run in a circle")));
+        assert_eq!(workbook_stream(&file), Err(damaged("its chain of sectors is circular")));
     }
 }

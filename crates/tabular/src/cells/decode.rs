@@ -1,7 +1,7 @@
 //! From bytes to text.
 
-/// The text of a file in UTF-8 or UTF-16 with a mark, UTF-8 without, Windows-1251 or Windows-1252 (of
-/// which Latin-1 is the part that matters here). `None` if the bytes are no text.
+/// Decodes a file in UTF-8 or UTF-16 with a byte order mark, UTF-8 without one, Windows-1251 or
+/// Windows-1252 (of which the part that matters here is Latin-1). `None` if the bytes are not text.
 pub(crate) fn text(bytes: &[u8]) -> Option<String> {
     let text = match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => std::str::from_utf8(rest).ok()?.to_owned(),
@@ -12,7 +12,7 @@ pub(crate) fn text(bytes: &[u8]) -> Option<String> {
             Err(_) => single_bytes(bytes),
         },
     };
-    // A form feed parts the pages of a report; an old end-of-file mark may close it.
+    // A form feed separates the pages of a report; an old end-of-file mark may end it.
     let binary = |c: char| c.is_control() && !"\t\n\r\u{c}\u{1a}\u{85}".contains(c);
     (!text.contains(binary)).then_some(text)
 }
@@ -23,11 +23,12 @@ fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Option<String> {
     if rest.is_empty() { String::from_utf16(&units).ok() } else { None }
 }
 
-/// The text of bytes that are a letter each: Windows-1251 where words are in Cyrillic letters alone, as
-/// `м` and `Забой` are, else Windows-1252, whose letters beyond ASCII stand within words.
+/// Decodes bytes of one letter each: as Windows-1251 if there are words in Cyrillic letters alone,
+/// such as `м` and `Забой`, otherwise as Windows-1252, whose letters beyond ASCII occur within
+/// words.
 pub fn single_bytes(bytes: &[u8]) -> String {
-    let of = if is_cyrillic(bytes) { cyrillic } else { western };
-    bytes.iter().map(|&byte| of(byte)).collect()
+    let decode = if is_cyrillic(bytes) { cyrillic } else { western };
+    bytes.iter().map(|&byte| decode(byte)).collect()
 }
 
 fn is_cyrillic(bytes: &[u8]) -> bool {
@@ -38,7 +39,7 @@ fn is_cyrillic(bytes: &[u8]) -> bool {
         if !word.iter().all(is_high) {
             return false;
         }
-        // Alone these are signs of the West: × ÷ Ø ø ß Å å à.
+        // Single letters of Western text: × ÷ Ø ø ß Å å à.
         has_words |= !matches!(word, [0xd7 | 0xf7 | 0xd8 | 0xf8 | 0xdf | 0xc5 | 0xe5 | 0xe0]);
     }
     has_words

@@ -1,12 +1,12 @@
-//! Cutting a text at a sign: comma, semicolon, tab.
+//! Cutting a text at a separator: comma, semicolon, tab.
 
 use crate::cells::table::{Cell, Position, Row, Source, Table};
 
-/// A quoted cell ends within this many bytes, or its quote is an inch sign.
+/// Maximum length of a quoted cell, bytes; beyond it the quote is an inch mark.
 const LONGEST_QUOTE: usize = 4096;
 
-/// Cuts a text into cells. A cell may stand in double quotes, and then hold the sign, the quote
-/// doubled, and ends of lines.
+/// Cuts a text into cells. A cell may be in double quotes, and then contain the separator, doubled
+/// quotes, and line ends.
 pub(crate) fn cut<'a>(
     source: Source<'a>,
     text: &'a str,
@@ -35,7 +35,7 @@ pub(crate) fn cut<'a>(
     Table { source, rows, parted_by: Some(parted_by), counted: None, notes: Vec::new() }
 }
 
-/// The cell from a byte on, and where it ends: at the sign, the end of the line or of the text.
+/// The cell from a byte on, and its end: at the separator, the end of the line or of the text.
 fn cell(text: &str, start: usize, sign: u8) -> (Cell, usize) {
     let blank = |byte: &u8| *byte == b' ' || (*byte == b'\t' && sign != b'\t');
     let bytes = text.as_bytes();
@@ -59,7 +59,7 @@ fn cell(text: &str, start: usize, sign: u8) -> (Cell, usize) {
     (Cell::new(trimmed.to_owned(), at), end)
 }
 
-/// The quote that closes a cell: not doubled, and nothing but blanks before the cell's end.
+/// The closing quote of a cell: not doubled, and followed only by blanks up to the cell's end.
 fn closing_quote(bytes: &[u8], from: usize, sign: u8) -> Option<usize> {
     let mut at = from;
     let limit = bytes.len().min(from + LONGEST_QUOTE);
@@ -92,7 +92,8 @@ mod tests {
             .iter()
             .map(|row| {
                 for cell in &row.cells {
-                    // Positions are what errors underline: they must cut the text.
+                    // Errors underline these positions, so that they must be valid ranges of the
+                    // text.
                     assert!(text.get(cell.at.0..cell.at.1).is_some());
                 }
                 row.cells.iter().map(|cell| cell.text.clone()).collect()

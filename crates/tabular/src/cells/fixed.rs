@@ -1,23 +1,23 @@
-//! Cutting a text whose columns stand one below the other, words and empty cells among them.
+//! Cutting a text in aligned columns, with words and empty cells among them.
 
 use std::ops::Range;
 
 use crate::cells::limits;
 use crate::cells::table::{Cell, Position, Row, Source, Table, line_starts};
 
-/// A line with so many phrases is one of the table's; fewer are a title or a remark.
+/// Minimum number of phrases in a line of a table; fewer are a title or a remark.
 const FEWEST: usize = 4;
 
-/// What parts the cells, in words.
+/// Separator of the cells, in words.
 const PARTED_BY: &str = "blanks above one another";
 
-/// Characters of a line that are looked at.
+/// Maximum number of characters of a line that are examined.
 const WIDEST: usize = 1000;
 
-/// Cuts a text into cells where all lines of its table have a blank, and a heading begins.
+/// Cuts a text into cells where all lines of its table have a blank and a heading begins.
 ///
-/// Lines of fewer phrases than a table has are one cell each, unless they begin at a column other
-/// than the first.
+/// A line with fewer phrases than a table has is one cell, unless it begins at a column other than
+/// the first.
 pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
     let starts: Vec<usize> = line_starts(text).collect();
     let lines: Vec<Range<usize>> = starts
@@ -51,13 +51,13 @@ pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
     Table { source, rows, parted_by: Some(PARTED_BY), counted: None, notes: Vec::new() }
 }
 
-/// How many parts of a line stand between two blanks or more.
+/// Number of parts of a line that are separated by two or more blanks.
 fn phrases(line: &str) -> usize {
     line.replace('\t', "  ").split("  ").filter(|part| !part.trim().is_empty()).count()
 }
 
-/// The columns, as characters of a line: where some line of the table has a letter. What stands
-/// under no heading, a word of a name in all rows, belongs to the column before it.
+/// The columns as characters of a line: where some line of the table has a letter. Text under no
+/// heading, such as a word of a name in all rows, belongs to the preceding column.
 fn columns(text: &str, lines: &[&Range<usize>]) -> Vec<Range<usize>> {
     let mut written = vec![false; WIDEST];
     for line in lines {
@@ -89,11 +89,11 @@ fn columns(text: &str, lines: &[&Range<usize>]) -> Vec<Range<usize>> {
         }
         at = end;
     }
-    // The last one takes what follows it.
+    // The last column includes the text after it.
     if let Some(last) = columns.last_mut() {
         last.end = usize::MAX;
     }
-    // Each runs to the next: a title above may stand between.
+    // Each column extends to the next, because a title above may be between them.
     for i in 1..columns.len() {
         columns[i - 1].end = columns[i].start;
     }

@@ -1,39 +1,40 @@
-//! How much of a file is read.
+//! Limits on the size of a file.
 //!
-//! A file of some kilobytes can claim, or unpack to, more than any machine has: what it holds is
-//! counted and refused before room is made for it. With these limits no survey takes more than a
-//! gigabyte.
+//! A file of some kilobytes can claim, or unpack to, more memory than any machine has. Its contents
+//! are therefore counted, and refused before memory is allocated. With these limits no survey uses
+//! more than a gigabyte.
 
 use crate::error::TableErrorKind;
 
-/// Rows of a table. No survey has so many stations.
+/// Maximum rows of a table. No survey has as many stations.
 pub(crate) const ROWS: usize = 200_000;
 
-/// Columns of a sheet. Cells further to the right are not read, which is said.
+/// Maximum columns of a sheet. Cells further to the right are not read, which is noted.
 pub(crate) const COLUMNS: u32 = 500;
 
-/// Cells of all sheets, or of a text, empty ones between others included.
+/// Maximum cells of all sheets, or of a text, including empty ones between others.
 pub(crate) const CELLS: usize = 1_000_000;
 
-/// Text in all cells, bytes.
+/// Maximum text in all cells, bytes.
 pub(crate) const TEXT_BYTES: usize = 64 << 20;
 
-/// What the parts of an `.xlsx` come to when they are unpacked, bytes.
+/// Maximum total size of the unpacked parts of an `.xlsx`, bytes.
 pub(crate) const UNPACKED_BYTES: u64 = 64 << 20;
 
-/// Parts of an `.xlsx`.
+/// Maximum number of parts of an `.xlsx`.
 pub(crate) const PARTS: usize = 10_000;
 
-/// Tags in the part of an `.xlsx` that holds its styles: Excel has at most 65 490 formats.
+/// Maximum number of tags in the part of an `.xlsx` with its styles: Excel has at most 65 490
+/// formats.
 pub(crate) const STYLE_TAGS: usize = 1_000_000;
 
-/// The stream of records of an `.xls`, bytes: 65 536 rows of 35 numbers.
+/// Maximum size of the stream of records of an `.xls`, bytes: 65 536 rows of 35 numbers.
 pub(crate) const STREAM_BYTES: usize = 32 << 20;
 
-/// Sheets of a workbook.
+/// Maximum number of sheets of a workbook.
 pub(crate) const SHEETS: usize = 100;
 
-/// The refusal of a file that holds more of something than is read.
+/// The error of a file that exceeds a limit.
 pub(crate) fn too_much(found: impl ToString, what: &str, most: impl ToString) -> TableErrorKind {
     TableErrorKind::TooMuch {
         found: format!("{} {what}", found.to_string()),
@@ -41,7 +42,7 @@ pub(crate) fn too_much(found: impl ToString, what: &str, most: impl ToString) ->
     }
 }
 
-/// Cells and text that have been read so far.
+/// Number of cells and bytes of text read so far.
 #[derive(Debug, Default)]
 pub(crate) struct Budget {
     cells: usize,
@@ -49,7 +50,7 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// Takes up so many more cells.
+    /// Adds this many cells.
     pub(crate) fn cells(&mut self, more: usize) -> Result<(), TableErrorKind> {
         self.cells = self.cells.saturating_add(more);
         if self.cells > CELLS {
@@ -58,7 +59,7 @@ impl Budget {
         Ok(())
     }
 
-    /// Takes up so many more bytes of text.
+    /// Adds this many bytes of text.
     pub(crate) fn text(&mut self, more: usize) -> Result<(), TableErrorKind> {
         self.text_bytes = self.text_bytes.saturating_add(more);
         if self.text_bytes > TEXT_BYTES {

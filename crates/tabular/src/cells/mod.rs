@@ -1,4 +1,4 @@
-//! A file as rows of cells: text that is cut at signs or at blanks, and workbooks.
+//! A file as rows of cells: text that is cut at separators or at blanks, and workbooks.
 
 pub(crate) mod archive;
 pub(crate) mod blanks;

@@ -1,6 +1,6 @@
-//! Numbers in cells: what their commas and points mean.
+//! Numbers in cells: meaning of their commas and points.
 
-/// What commas and points mean in the numbers of a table.
+/// Meaning of commas and points in the numbers of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Style {
     /// `1500.5`, or `1,500.5` with thousands.
@@ -9,17 +9,17 @@ pub(crate) enum Style {
     Comma,
 }
 
-/// Why a text is no number.
+/// Reason why a text is not a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Fault {
     NotANumber,
     NotFinite,
 }
 
-/// The style that numbers are written in; `Err` has the first one that nothing settles.
+/// Determines the style of numbers; `Err` contains the first number that remains ambiguous.
 ///
-/// A sign that parts groups of three digits may be either. One number that cannot be read both
-/// ways settles the whole table.
+/// A separator of groups of three digits may be either. One unambiguous number decides for the
+/// whole table.
 pub(crate) fn style<'a>(numbers: impl Iterator<Item = &'a str>) -> Result<Style, &'a str> {
     let (mut point, mut comma) = (false, false);
     let (mut point_or_thousands, mut comma_or_thousands) = (None, None);
@@ -39,10 +39,11 @@ pub(crate) fn style<'a>(numbers: impl Iterator<Item = &'a str>) -> Result<Style,
         }
     }
     match (point, comma) {
-        // Where both stand, the comma's numbers will be refused at their own place.
+        // If there are both, the numbers with commas are refused at their own places.
         (true, _) => Ok(Style::Point),
         (false, true) => Ok(Style::Comma),
-        // `1,500` beside `3.125`: no thousands are as small as angles, points are decimals.
+        // `1,500` and `3.125` in one table: angles are too small for thousands, so that points are
+        // decimals.
         (false, false) => match (point_or_thousands, comma_or_thousands) {
             (_, None) | (Some(_), Some(_)) => Ok(Style::Point),
             (None, Some(number)) => Err(number),
@@ -84,16 +85,16 @@ pub(crate) fn read(text: &str, style: Style) -> Result<f64, Fault> {
     }
 }
 
-/// Signs that reports put behind a number to point to a remark.
+/// Signs that reports put after a number to refer to a remark.
 const MARKS: [char; 5] = ['*', '!', '#', '†', '‡'];
 
-/// A cell's text without the marks behind its number.
+/// A cell's text without the marks after its number.
 pub(crate) fn without_marks(text: &str) -> &str {
     text.trim().trim_end_matches(MARKS).trim_end()
 }
 
-/// A distance with the side to which it goes, `12.5 N`, `3 W`: its number, and whether that is
-/// the other side of north or east.
+/// Parses a distance with its side, `12.5 N`, `3 W`: its number, and whether the side is opposite
+/// to north or east.
 pub(crate) fn sided(text: &str) -> Option<(&str, bool)> {
     let text = without_marks(text);
     let is_other = match text.chars().next_back()? {
@@ -104,7 +105,7 @@ pub(crate) fn sided(text: &str) -> Option<(&str, bool)> {
     Some((text[..text.len() - 1].trim_end(), is_other))
 }
 
-/// Reads a number in a style, or a proper fraction with a whole number before it or without:
+/// Reads a number in a style, or a proper fraction with or without a whole number before it:
 /// `8 1/2`, `8-1/2`, `8½`, `5/8`.
 pub(crate) fn read_or_fraction(text: &str, style: Style) -> Result<f64, Fault> {
     let fault = match read(text, style) {
@@ -112,7 +113,7 @@ pub(crate) fn read_or_fraction(text: &str, style: Style) -> Result<f64, Fault> {
         Err(fault) => fault,
     };
     let is_fraction = text.contains(['/', '⅛', '¼', '⅜', '½', '⅝', '¾', '⅞']);
-    // `8/1` is what is left of a date.
+    // `8/1` is the remainder of a date.
     let improper = text.split_once('/').is_some_and(|(top, bottom)| {
         let parsed = (top.trim().parse::<u32>(), bottom.trim().parse::<u32>());
         matches!(parsed, (Ok(top), Ok(bottom)) if top >= bottom)
@@ -120,12 +121,12 @@ pub(crate) fn read_or_fraction(text: &str, style: Style) -> Result<f64, Fault> {
     if !is_fraction || improper {
         return Err(fault);
     }
-    // Fractions are known where quantities are read.
+    // The reader of quantities parses fractions.
     let read = wholestring_units::Dimension::Length.read(&format!("{text} m"));
     read.map(|written| written.number).map_err(|_| fault)
 }
 
-/// It is a number in one style or the other.
+/// Whether it is a number in one style or the other.
 pub(crate) fn is_number(text: &str) -> bool {
     read(text, Style::Point).is_ok() || read(text, Style::Comma).is_ok()
 }

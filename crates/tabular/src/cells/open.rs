@@ -7,10 +7,11 @@ use super::{
 };
 use crate::error::{TableError, TableErrorKind};
 
-/// The signs that part cells, in the order in which they are tried.
+/// Separators of cells, in the order in which they are tried.
 const SIGNS: [(u8, &str); 3] = [(b'\t', "tabs"), (b';', "semicolons"), (b',', "commas")];
 
-/// A text under the name .xls is common; a workbook by its content is one under any name.
+/// A text with the extension .xls is common; a file with a workbook's content is one under any
+/// name.
 pub(crate) fn is_workbook(bytes: &[u8], name: &str) -> bool {
     let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
     let named_so = ["xlsx", "xlsm", "xlsb", "ods"]
@@ -19,11 +20,11 @@ pub(crate) fn is_workbook(bytes: &[u8], name: &str) -> bool {
     workbook::is_workbook(bytes) || (named_so && !bytes.is_empty())
 }
 
-/// What is made of the tables of a text, cut at each sign that may part its cells.
+/// Applies a function to the tables of a text, cut at each possible separator.
 pub(crate) fn of_text<R>(
     bytes: &[u8],
     name: &str,
-    of: impl FnOnce(&[Table], Source) -> R,
+    read: impl FnOnce(&[Table], Source) -> R,
 ) -> Result<R, TableError> {
     let Some(text) = decode::text(bytes) else {
         return Err(TableError::new(name, TableErrorKind::NotText, None, None));
@@ -40,14 +41,14 @@ pub(crate) fn of_text<R>(
         .map(|&(sign, parted_by)| delimited::cut(source, &text, sign, parted_by))
         .collect();
     tables.push(blanks::cut(source, &text));
-    Ok(of(&tables, source))
+    Ok(read(&tables, source))
 }
 
-/// Whether a text has no more rows and cells than are read, by whatever sign it is cut.
+/// Checks the number of rows and cells of a text against the limits, for any separator.
 fn fits(text: &str) -> Result<(), TableErrorKind> {
-    let count = |of: &dyn Fn(u8) -> bool| text.bytes().filter(|byte| of(*byte)).count();
+    let count = |counts: &dyn Fn(u8) -> bool| text.bytes().filter(|byte| counts(*byte)).count();
     let rows = count(&|byte| matches!(byte, b'\n' | b'\r')) + 1;
-    // Lines that end with two signs count twice.
+    // Lines that end with two characters count twice.
     let rows = rows - text.matches("\r\n").count();
     if rows > limits::ROWS {
         return Err(limits::too_much(rows, "lines", limits::ROWS));
@@ -67,15 +68,15 @@ fn fits(text: &str) -> Result<(), TableErrorKind> {
 pub(crate) struct Book {
     /// Names of its visible sheets.
     pub(crate) names: Vec<String>,
-    /// What of it is not read and might be missed, in words.
+    /// Contents that are not read and might be missed, in words.
     pub(crate) unread: String,
 }
 
-/// What is made of the visible sheets of a workbook.
+/// Applies a function to the visible sheets of a workbook.
 pub(crate) fn of_workbook<R>(
     bytes: &[u8],
     name: &str,
-    of: impl FnOnce(&[Table], &Book) -> R,
+    read: impl FnOnce(&[Table], &Book) -> R,
 ) -> Result<R, TableError> {
     let workbook::Workbook { sheets, hidden } = workbook::read(bytes, workbook::Dates::Named)
         .map_err(|kind| TableError::new(name, kind, None, None))?;
@@ -103,7 +104,7 @@ pub(crate) fn of_workbook<R>(
             notes: notes.into_iter().chain(own).chain(hidden.clone()).collect(),
         })
         .collect();
-    Ok(of(&tables, &book))
+    Ok(read(&tables, &book))
 }
 
 /// The part of a table above a row.
@@ -111,8 +112,8 @@ pub(crate) fn above<'a>(table: &Table<'a>, row: usize) -> Table<'a> {
     with_rows(table, &table.rows[..row.min(table.rows.len())])
 }
 
-/// The part of a table in a row and below it. Columns of blanks may stand elsewhere there, and are
-/// cut anew.
+/// The part of a table from a row on. Columns separated by blanks may have other positions there,
+/// and are cut again.
 pub(crate) fn below<'a>(table: &Table<'a>, row: usize) -> Table<'a> {
     match (table.source, row.checked_sub(1).and_then(|above| table.rows.get(above))) {
         (Source::Text { text, .. }, Some(above)) if table.counted.is_some() => {

@@ -1,9 +1,9 @@
-//! The guard before the records of old workbooks (`.xls`).
+//! Checks before the records of old workbooks (`.xls`) are read.
 //!
-//! The reader of workbooks makes a table of every sheet that is named, as large as its farthest
-//! cells and its own claim say, and copies a shared string into each cell that shows it. So all of
-//! this is counted first. Claims of extent, names and formulas, which are not needed, are taken
-//! out. What is hidden, and which formulas have no result, is seen on the way.
+//! The reader of workbooks allocates a table for every named sheet, as large as its farthest cells
+//! and its own claim, and copies a shared string into each cell that refers to it. All of this is
+//! therefore counted first. Claims of extent, names and formulas, which are not needed, are
+//! removed. Hidden contents and formulas without results are collected at the same time.
 //!
 //! Format: \[MS-XLS\] Excel Binary File Format.
 
@@ -29,19 +29,19 @@ const TEXT: u16 = 0x0207;
 const ROW_FORMAT: u16 = 0x0208;
 const BEGIN: u16 = 0x0809;
 
-/// A kind that no reader knows.
+/// A kind that readers ignore.
 const NOTHING: u16 = 0xffff;
 
 /// Bytes of a formula's record before its expression.
 const FORMULA_HEAD: usize = 20;
 
-/// Columns of a sheet; its rows are as many as 16 bits count.
+/// Maximum number of columns of a sheet; row numbers have 16 bits.
 const COLUMNS: u16 = 256;
 
-/// Refuses a workbook whose cells are more than are read or beyond the limits of the format, and
-/// takes out of its records what would make room for more than there is. What follows the last whole
-/// record goes: filled up to a sector it would be a record that was not looked at. Returns what each
-/// sheet shows, in the order in which the workbook names them.
+/// Refuses a workbook with more cells than the limits or beyond the format, and removes records
+/// that would cause excessive allocation. Bytes after the last whole record are cut off, because a
+/// padded sector would make them an unchecked record. Returns the visible contents of each sheet,
+/// in the order of the workbook.
 pub(crate) fn check(stream: &mut Vec<u8>) -> Result<Vec<Shown>, TableErrorKind> {
     let all: Vec<Record> = records(stream, 0).collect();
     let end = all.last().ok_or_else(|| damaged("its workbook holds no record"))?.to;
@@ -57,7 +57,7 @@ pub(crate) fn check(stream: &mut Vec<u8>) -> Result<Vec<Shown>, TableErrorKind> 
         return Err(too_much(sheets.len(), "sheets", limits::SHEETS));
     }
     let strings = string_lengths(head, stream);
-    // Where a sheet begins elsewhere, what is taken out below would change its cells.
+    // If a sheet began within a record, removing that record would change its cells.
     let begins: HashSet<usize> = all.iter().map(|record| record.from - 4).collect();
     let mut budget = Budget::default();
     let mut views = Vec::new();
@@ -68,16 +68,16 @@ pub(crate) fn check(stream: &mut Vec<u8>) -> Result<Vec<Shown>, TableErrorKind> 
         }
         views.push(count(stream, start, &strings, &mut budget)?);
     }
-    // Excel writes empty texts and zeros that are results. Where no formula of the workbook has
-    // another one, they are what a program wrote in place of results.
+    // Excel writes empty texts and zeros as results. If no formula of the workbook has another
+    // result, they are placeholders of a program that calculates none.
     let is_calculated = views.iter().any(|view| view.has_result);
-    let shown = views.into_iter().map(|mut view| {
+    let visible = views.into_iter().map(|mut view| {
         if !is_calculated {
             view.shown.uncalculated = view.placeholders;
         }
         view.shown
     });
-    let shown = shown.collect();
+    let visible = visible.collect();
     for record in all {
         let length = record.to - record.from;
         match record.kind {
@@ -92,14 +92,14 @@ pub(crate) fn check(stream: &mut Vec<u8>) -> Result<Vec<Shown>, TableErrorKind> 
             _ => {}
         }
     }
-    Ok(shown)
+    Ok(visible)
 }
 
-/// What is seen of a sheet while its cells are counted.
+/// Information collected on a sheet while its cells are counted.
 #[derive(Default)]
 struct View {
     shown: Shown,
-    /// Formulas whose result is an empty text, or a zero that is to be calculated anew.
+    /// Formulas whose result is an empty text, or a zero that is to be recalculated.
     placeholders: BTreeSet<(u32, u32)>,
     /// Whether a formula has another result.
     has_result: bool,
@@ -148,7 +148,7 @@ impl View {
     }
 }
 
-/// Counts the cells of a sheet, and sees what it shows.
+/// Counts the cells of a sheet, and collects its hidden contents.
 fn count(
     stream: &[u8],
     start: usize,
@@ -157,7 +157,7 @@ fn count(
 ) -> Result<View, TableErrorKind> {
     let mut view = View::default();
     let (mut cells, mut formulas) = (Extent::default(), Extent::default());
-    // Where a formula's text goes, which stands in a record of its own.
+    // Cell of the preceding formula, whose text is in a record of its own.
     let mut at = (0, 0);
     let mut depth = 0_usize;
     for record in records(stream, start) {
@@ -181,7 +181,7 @@ fn count(
             continue;
         };
         if last >= COLUMNS || last < first {
-            return Err(damaged("a cell stands beyond the format's last column"));
+            return Err(damaged("a cell is beyond the format's last column"));
         }
         budget.cells(usize::from(last - first) + 1)?;
         cells.take(row, first, last);
@@ -200,7 +200,7 @@ fn count(
     Ok(view)
 }
 
-/// Row, first and last column of the cells that a record holds, if it holds any.
+/// Row, first and last column of the cells in a record, if it has any.
 fn place(kind: u16, data: &[u8]) -> Option<(u16, u16, u16)> {
     let (row, first) = (u16_at(data, 0)?, u16_at(data, 2)?);
     match kind {
@@ -233,7 +233,7 @@ fn is_extent(data: &[u8]) -> bool {
         && columns.is_none_or(|columns| columns <= COLUMNS)
 }
 
-/// The least rectangle around cells: rows and columns, from and to.
+/// The smallest rectangle around cells: first and last row and column.
 #[derive(Default)]
 struct Extent(Option<[u16; 4]>);
 
@@ -251,9 +251,9 @@ impl Extent {
     }
 }
 
-/// The lengths of the shared strings, bytes at most; as far as they are valid.
+/// Lengths of the shared strings, upper limit in bytes, as far as they are valid.
 fn string_lengths(head: &[Record], stream: &[u8]) -> Vec<usize> {
-    // The last such record is the one that counts.
+    // The last such record counts.
     let Some(at) = head.iter().rposition(|record| record.kind == STRINGS) else {
         return Vec::new();
     };
@@ -269,7 +269,7 @@ fn string_lengths(head: &[Record], stream: &[u8]) -> Vec<usize> {
     lengths
 }
 
-/// Shared strings that are gone through one by one.
+/// Iterator over the shared strings.
 struct Strings<'a> {
     pieces: Vec<&'a [u8]>,
     piece: usize,
@@ -277,7 +277,7 @@ struct Strings<'a> {
 }
 
 impl Strings<'_> {
-    /// How many bytes the next string takes as text: at most three a letter.
+    /// Returns the number of bytes of the next string as text, at most three per letter.
     fn next_length(&mut self) -> Option<usize> {
         while self.at >= self.pieces.get(self.piece)?.len() {
             (self.piece, self.at) = (self.piece + 1, 0);
@@ -290,7 +290,7 @@ impl Strings<'_> {
         for (flag, size) in [(8, 2), (4, 4)] {
             if flags & flag != 0 {
                 let here = self.pieces[self.piece].get(self.at..)?;
-                // Runs of a format, four bytes each, and what belongs to phonetics.
+                // Formatting runs of four bytes each, and phonetic data.
                 after += match size {
                     2 => 4 * usize::from(u16_at(here, 0)?),
                     _ => u32_at(here, 0)? as usize,
@@ -306,7 +306,7 @@ impl Strings<'_> {
             self.at += taken * width;
             left -= taken;
             if left > 0 {
-                // Each piece shows anew how wide its letters are.
+                // Each continuation states the width of its letters.
                 self.piece += 1;
                 wide = *self.pieces.get(self.piece)?.first()? & 1 != 0;
                 self.at = 1;
@@ -325,7 +325,7 @@ impl Strings<'_> {
     }
 }
 
-/// A record: its kind, and where its data begin and end.
+/// A record: its kind, and the range of its data.
 #[derive(Clone, Copy)]
 struct Record {
     kind: u16,
@@ -339,7 +339,7 @@ impl Record {
     }
 }
 
-/// The records of a stream from a place on.
+/// The records of a stream from an offset on.
 fn records(stream: &[u8], from: usize) -> impl Iterator<Item = Record> + '_ {
     let mut at = from;
     std::iter::from_fn(move || {

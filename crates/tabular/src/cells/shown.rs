@@ -1,7 +1,7 @@
-//! What a workbook shows of its sheets: rows and columns that are hidden, and formulas whose results
-//! were never calculated. The reader of workbooks tells neither.
+//! Visible contents of the sheets of a workbook: hidden rows and columns, and formulas whose
+//! results were never calculated. The reader of workbooks reports neither.
 //!
-//! Programs that write workbooks leave results out (`<f>` without `<v>`), or write 0 and have them
+//! Some programs that write workbooks leave results out (`<f>` without `<v>`), or write 0 to be
 //! calculated when the workbook is opened (`fullCalcOnLoad`).
 //!
 //! Format: ECMA-376 part 1, 18.2 (workbook) and 18.3 (worksheets).
@@ -16,15 +16,15 @@ use quick_xml::{
 use crate::cells::{archive::Parts, limits};
 use crate::error::TableErrorKind;
 
-/// Array formulas of a sheet whose ranges are known.
+/// Maximum number of array formulas of a sheet whose ranges are stored.
 const ARRAYS: usize = 64;
 
-/// What a sheet shows.
+/// Visibility of the contents of a sheet.
 #[derive(Debug, Default)]
 pub(crate) struct Shown {
-    /// Rows that are hidden, from 0: by hand, by a filter, in a group that is closed, of no height.
+    /// Hidden rows, from 0: hidden by hand, by a filter, in a closed group, or of zero height.
     pub(crate) hidden_rows: BTreeSet<u32>,
-    /// Columns that are.
+    /// Hidden columns, from 0.
     pub(crate) hidden_columns: BTreeSet<u32>,
     /// Formulas without a result, by row and column.
     pub(crate) uncalculated: BTreeSet<(u32, u32)>,
@@ -35,12 +35,12 @@ impl Shown {
         self.hidden_rows.contains(&row) || self.hidden_columns.contains(&column)
     }
 
-    /// Columns from one to another are hidden.
+    /// Hides the columns of a range.
     pub(crate) fn hide_columns(&mut self, first: u32, last: u32) {
         self.hidden_columns.extend(first..=last.min(limits::COLUMNS));
     }
 
-    /// What is hidden of a sheet, in sentences. `seen` are the cells that hold something.
+    /// Notes on hidden contents of a sheet. `seen` are the cells that are not empty.
     pub(crate) fn notes(&self, sheet: &str, seen: &BTreeSet<(u32, u32)>) -> Vec<String> {
         let rows = self
             .hidden_rows
@@ -70,7 +70,7 @@ impl Shown {
     }
 }
 
-/// Numbers with those in a row as `3 to 5`.
+/// Lists numbers, consecutive ones as `3 to 5`.
 fn listed(numbers: &[u32], show: &dyn Fn(u32) -> String) -> String {
     const LISTED: usize = 10;
     let runs: Vec<&[u32]> = numbers.chunk_by(|one, next| next - one == 1).collect();
@@ -92,7 +92,8 @@ fn listed(numbers: &[u32], show: &dyn Fn(u32) -> String) -> String {
     }
 }
 
-/// What each of some sheets of an `.xlsx` shows, which are named by their places among all.
+/// Visibility of the contents of some sheets of an `.xlsx`, which are given by their indices among
+/// all.
 pub(crate) fn of_sheets(parts: &Parts, places: &[usize]) -> Result<Vec<Shown>, TableErrorKind> {
     let workbook = workbook_part(parts);
     let (folder, file) = workbook.rsplit_once('/').unwrap_or(("", &workbook));
@@ -108,25 +109,25 @@ pub(crate) fn of_sheets(parts: &Parts, places: &[usize]) -> Result<Vec<Shown>, T
     });
     let sheet = |place: usize| {
         let id = ids.get(place)?;
-        let (_, target) = relations.iter().find(|(of, _)| of == id)?;
+        let (_, target) = relations.iter().find(|(relation, _)| relation == id)?;
         let path = match target.strip_prefix('/') {
             Some(path) => path.to_owned(),
             None => format!("{folder}{target}"),
         };
         parts.get(&path.to_ascii_lowercase().replace('\\', "/"))
     };
-    let shown = |&place: &usize| {
+    let visible = |&place: &usize| {
         let content = sheet(place).ok_or_else(|| missing("the part of a sheet"))?;
         Ok(of_sheet(content, is_calculated_on_load))
     };
-    places.iter().map(shown).collect()
+    places.iter().map(visible).collect()
 }
 
 fn missing(what: &str) -> TableErrorKind {
     TableErrorKind::NotAWorkbook { reason: format!("{what} is missing") }
 }
 
-/// The name of the part that is the workbook.
+/// Name of the workbook's part.
 fn workbook_part(parts: &Parts) -> String {
     let mut found = None;
     if let Some(content) = parts.get("_rels/.rels") {
@@ -153,21 +154,22 @@ fn relations(parts: &Parts, name: &str) -> Vec<(String, String)> {
     relations
 }
 
-/// What is made of each element that begins. What is no XML ends it: the reader of workbooks says why.
-fn each(content: &[u8], mut of: impl FnMut(&BytesStart)) {
+/// Calls a function for each start tag. Malformed XML ends the iteration; the reader of workbooks
+/// reports it.
+fn each(content: &[u8], mut visit: impl FnMut(&BytesStart)) {
     let mut reader = reader(content);
     let mut buffer = Vec::new();
     loop {
         buffer.clear();
         match reader.read_event_into(&mut buffer) {
-            Ok(Event::Start(start)) => of(&start),
+            Ok(Event::Start(start)) => visit(&start),
             Ok(Event::Eof) | Err(_) => return,
             Ok(_) => {}
         }
     }
 }
 
-/// Set as that of the reader of workbooks.
+/// An XML reader with the settings of the reader of workbooks.
 fn reader(content: &[u8]) -> Reader<&[u8]> {
     let mut reader = Reader::from_reader(content);
     let config = reader.config_mut();
@@ -177,7 +179,7 @@ fn reader(content: &[u8]) -> Reader<&[u8]> {
     reader
 }
 
-/// An attribute by its local name; empty where it is not there.
+/// An attribute by its local name; empty if it is missing.
 fn attribute(start: &BytesStart, name: &str) -> String {
     let found = start
         .attributes()
@@ -199,7 +201,7 @@ fn is_zero(value: &str) -> bool {
     value.trim().parse::<f64>().is_ok_and(|value| value == 0.0)
 }
 
-/// A cell of which a part was read.
+/// A cell that is partly read.
 #[derive(Default)]
 struct Open {
     at: (u32, u32),
@@ -210,9 +212,9 @@ struct Open {
     value: String,
 }
 
-/// What a sheet shows.
+/// Visibility of the contents of a sheet.
 fn of_sheet(content: &[u8], is_calculated_on_load: bool) -> Shown {
-    let mut shown = Shown::default();
+    let mut visible = Shown::default();
     let mut arrays: Vec<[(u32, u32); 2]> = Vec::new();
     let mut reader = reader(content);
     let mut buffer = Vec::new();
@@ -228,7 +230,7 @@ fn of_sheet(content: &[u8], is_calculated_on_load: bool) -> Shown {
                     let (first, last) = (number("min"), number("max"));
                     let width = attribute(&start, "width");
                     if first > 0 && (is_true(&attribute(&start, "hidden")) || is_zero(&width)) {
-                        shown.hide_columns(first - 1, last.saturating_sub(1));
+                        visible.hide_columns(first - 1, last.saturating_sub(1));
                     }
                 }
                 "row" => {
@@ -238,7 +240,7 @@ fn of_sheet(content: &[u8], is_calculated_on_load: bool) -> Shown {
                     let is_flat = is_zero(&attribute(&start, "ht"));
                     let is_hidden = is_true(&attribute(&start, "hidden")) || is_flat;
                     if is_hidden && (row as usize) < limits::ROWS {
-                        shown.hidden_rows.insert(row);
+                        visible.hidden_rows.insert(row);
                     }
                 }
                 "c" => {
@@ -286,19 +288,19 @@ fn of_sheet(content: &[u8], is_calculated_on_load: bool) -> Shown {
                     if let Some(cell) = cell.take()
                         && is_uncalculated(&cell, &arrays, is_calculated_on_load)
                     {
-                        shown.uncalculated.insert(cell.at);
+                        visible.uncalculated.insert(cell.at);
                     }
                 }
-                "sheetData" => return shown,
+                "sheetData" => return visible,
                 _ => {}
             },
-            Ok(Event::Eof) | Err(_) => return shown,
+            Ok(Event::Eof) | Err(_) => return visible,
             Ok(_) => {}
         }
     }
 }
 
-/// Whether a cell holds a formula without its result.
+/// Whether a cell contains a formula without its result.
 fn is_uncalculated(cell: &Open, arrays: &[[(u32, u32); 2]], is_calculated_on_load: bool) -> bool {
     let is_in = |[from, to]: &[(u32, u32); 2]| {
         (from.0..=to.0).contains(&cell.at.0) && (from.1..=to.1).contains(&cell.at.1)

@@ -1,9 +1,9 @@
-//! A file as rows of cells, each of which knows where it stands.
+//! A file as rows of cells with their positions.
 
 use crate::error::{Place, TableError, TableErrorKind};
 
-/// Where a cell stands in its file: from and to which byte of a text, or in which row and column
-/// of a sheet, from 0. Its [`Source`] knows which of the two it is.
+/// Position of a cell in its file: the range of bytes of a text, or row and column of a sheet, from
+/// 0. Its [`Source`] determines which of the two it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Position(pub(crate) usize, pub(crate) usize);
 
@@ -12,10 +12,11 @@ pub(crate) struct Position(pub(crate) usize, pub(crate) usize);
 pub(crate) struct Cell {
     /// Its text, trimmed.
     pub(crate) text: String,
-    /// Its number, where the file holds one and not its text.
+    /// Its number, if the file contains one in place of a text.
     pub(crate) number: Option<f64>,
     pub(crate) at: Position,
-    /// A formula whose result was never calculated: empty to whoever reads values.
+    /// Whether it is a formula whose result was never calculated, which readers of values see as
+    /// empty.
     pub(crate) is_uncalculated: bool,
 }
 
@@ -34,7 +35,7 @@ impl Cell {
 #[derive(Debug, Clone)]
 pub(crate) struct Row {
     pub(crate) cells: Vec<Cell>,
-    /// Where a cell that the row lacks would stand.
+    /// Position of a cell that the row lacks.
     pub(crate) end: Position,
 }
 
@@ -47,42 +48,42 @@ impl Row {
         self.cells.get(index).map_or("", |cell| &cell.text)
     }
 
-    /// The texts of its cells that hold any.
+    /// The texts of its cells that are not empty.
     pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
         self.cells.iter().map(|cell| cell.text.as_str()).filter(|text| !text.is_empty())
     }
 
-    /// It begins with a sign of comments.
+    /// Whether it begins with a comment sign.
     pub(crate) fn is_comment(&self) -> bool {
         let first = self.texts().next().unwrap_or("");
         first.starts_with(['#', '%', '~']) || first.starts_with("//")
     }
 
-    /// A line drawn with signs, such as `-----`.
+    /// Whether it is a line drawn with signs, such as `-----`.
     pub(crate) fn is_rule(&self) -> bool {
-        let mut drawn = self.texts().flat_map(str::chars).filter(|c| !c.is_whitespace()).peekable();
-        drawn.peek().is_some() && drawn.all(|c| "-=_*+|".contains(c))
+        let mut signs = self.texts().flat_map(str::chars).filter(|c| !c.is_whitespace()).peekable();
+        signs.peek().is_some() && signs.all(|c| "-=_*+|".contains(c))
     }
 }
 
-/// A table and the file it comes from.
+/// A table and its file.
 #[derive(Debug, Clone)]
 pub(crate) struct Table<'a> {
     pub(crate) source: Source<'a>,
     pub(crate) rows: Vec<Row>,
-    /// What parts the cells of a text, in words.
+    /// Separator of the cells of a text, in words.
     pub(crate) parted_by: Option<&'static str>,
-    /// Every row must have as many values: cells are counted, not parted by a sign.
+    /// Number of values required in every row, if cells are counted and not separated by a sign.
     pub(crate) counted: Option<usize>,
-    /// What was passed over while the rows were cut.
+    /// Notes on text that was skipped when the rows were cut.
     pub(crate) notes: Vec<String>,
 }
 
 impl Table<'_> {
-    /// Whether the cells of columns, from a row on, are all calculated.
+    /// Checks that the cells of columns, from a row on, are all calculated.
     ///
     /// # Errors
-    /// The first that is not.
+    /// The first cell that is not.
     pub(crate) fn check_calculated(
         &self,
         columns: &[usize],
@@ -100,10 +101,10 @@ impl Table<'_> {
         }
     }
 
-    /// A note on a thing found, and on what parts the cells.
+    /// A note on an item found, and on the separator of cells.
     pub(crate) fn note(&self, found: &str) -> String {
         match self.parted_by {
-            Some(sign) => format!("{found}, columns parted by {sign}"),
+            Some(sign) => format!("{found}, columns separated by {sign}"),
             None => found.to_owned(),
         }
     }
@@ -116,7 +117,7 @@ pub(crate) enum Source<'a> {
         file: &'a str,
         text: &'a str,
     },
-    /// `unread`: what of the sheet is not read and might be missed, in words.
+    /// `unread`: contents of the sheet that are not read and might be missed, in words.
     Sheet {
         file: &'a str,
         sheet: &'a str,
@@ -179,7 +180,7 @@ impl Source<'_> {
     }
 }
 
-/// Where the lines of a text begin: after `\n`, `\r\n` or a lone `\r`.
+/// Beginnings of the lines of a text: after `\n`, `\r\n` or a lone `\r`.
 pub(crate) fn line_starts(text: &str) -> impl Iterator<Item = usize> {
     let bytes = text.as_bytes();
     let ends = bytes.iter().enumerate().filter_map(|(i, byte)| match byte {

@@ -20,31 +20,31 @@ pub(crate) struct Workbook {
     pub(crate) hidden: Vec<String>,
 }
 
-/// A sheet with its rows, empty ones above the last included, hidden ones left out.
+/// A sheet with its rows, including empty ones above the last and without hidden ones.
 #[derive(Debug)]
 pub(crate) struct Sheet {
     pub(crate) name: String,
     pub(crate) rows: Vec<Row>,
-    /// What of it is not read.
+    /// Notes on contents that are not read.
     pub(crate) notes: Vec<String>,
-    /// Of these, what is hidden.
+    /// Those of the notes that concern hidden contents.
     pub(crate) hidden: Vec<String>,
-    /// Where its first formula without a result is.
+    /// Place of its first formula without a result.
     pub(crate) uncalculated: Option<String>,
 }
 
-/// What becomes of a date.
+/// Treatment of dates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Dates {
-    /// `a date`, for no number of a survey or a tally is one.
+    /// As `a date`, because no number of a survey or a tally is one.
     Named,
-    /// As ISO 8601 has it: `2024-03-17T04:00:02.500`.
+    /// In ISO 8601: `2024-03-17T04:00:02.500`.
     Written,
 }
 
-/// Whether the bytes begin as a workbook does: a zip archive or a compound file.
+/// Whether the bytes begin as a workbook: a zip archive or a compound file.
 pub(crate) fn is_workbook(bytes: &[u8]) -> bool {
-    // A zip archive begins so with a part, without any, or where it is one of several.
+    // Signatures of a zip archive with parts, without any, or split over several files.
     let is_zip =
         [b"PK\x03\x04", b"PK\x05\x06", b"PK\x07\x08"].iter().any(|mark| bytes.starts_with(*mark));
     is_zip || bytes.starts_with(compound::MARK)
@@ -55,18 +55,18 @@ pub(crate) fn read(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKin
     if bytes.is_empty() {
         return Err(TableErrorKind::Empty);
     }
-    // A folder in a browser holds texts, and what a browser fetches is small: readers of workbooks
-    // would be a third of it.
+    // A folder in a browser contains texts, and a page should be small: readers of workbooks would
+    // be a third of it.
     if cfg!(all(target_family = "wasm", target_os = "unknown")) {
         return Err(unreadable("in a browser alone none can: save its sheet as CSV"));
     }
-    // The reader of workbooks is not ours, and a damaged file may make it panic.
+    // The reader of workbooks is a third-party library that a damaged file may make panic.
     let read =
         contain(|| if bytes.starts_with(b"PK") { xlsx(bytes, dates) } else { xls(bytes, dates) });
     read.unwrap_or_else(|_| Err(unreadable("it is damaged")))
 }
 
-/// What is said of hidden sheets.
+/// Note on hidden sheets.
 pub(crate) fn hidden_sheets(names: &[String]) -> Option<String> {
     const LISTED: usize = 5;
     let mut listed: Vec<String> =
@@ -94,19 +94,19 @@ fn xlsx(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKind> {
     let mut sheets = Vec::new();
     let mut budget = Budget::default();
     for (name, view) in visible.into_iter().zip(views) {
-        // Cell by cell: the whole range of a sheet is as large as its farthest cell says.
+        // Cells are read one by one, because the range of a sheet extends to its farthest cell.
         let mut reader = workbook.worksheet_cells_reader(&name).map_err(unreadable)?;
         let mut cells = BTreeMap::new();
         let mut far = Vec::new();
         while let Some(cell) = reader.next_cell().map_err(unreadable)? {
             budget.cells(1)?;
-            // Before it is copied: many cells may show one long text.
+            // Checked before copying, because many cells may refer to one long text.
             if let DataRef::SharedString(text) = cell.get_value() {
                 budget.text(text.len())?;
             }
             let (row, column) = cell.get_position();
             if is_far(row, column) {
-                // One is enough to say it.
+                // One such cell suffices for the note.
                 if far.is_empty() && !matches!(cell.get_value(), DataRef::Empty) {
                     far.push(far_note(row, column));
                 }
@@ -147,7 +147,7 @@ fn xls(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKind> {
     Ok(Workbook { sheets, hidden })
 }
 
-/// A sheet of cells without what is hidden of it.
+/// A sheet from its cells, without hidden ones.
 fn sheet(
     name: String,
     mut cells: BTreeMap<(u32, u32), Cell>,
@@ -176,10 +176,10 @@ fn sheet(
     Ok(Sheet { name, rows, notes, hidden, uncalculated })
 }
 
-/// The sheets that hold cells and not a chart.
+/// The sheets that contain cells and not a chart.
 struct Worksheets {
     visible: Vec<String>,
-    /// Places of the visible ones among all sheets.
+    /// Indices of the visible ones among all sheets.
     places: Vec<usize>,
     hidden: Vec<String>,
 }
@@ -202,13 +202,13 @@ fn worksheets(sheets: &[calamine::Sheet]) -> Result<Worksheets, TableErrorKind> 
     Ok(found)
 }
 
-/// Whether a cell is too far out to be read: a single one at the far corner would make a table of the
-/// whole sheet. Old workbooks have no such cells.
+/// Whether a cell is too far out to be read: a single one at the far corner would make a table of
+/// the whole sheet. Old workbooks have no such cells.
 fn is_far(row: u32, column: u32) -> bool {
     row as usize >= limits::ROWS || column >= limits::COLUMNS
 }
 
-/// What is said of the first such cell.
+/// Note on the first such cell.
 fn far_note(row: u32, column: u32) -> String {
     format!(
         "cells beyond row {} or column {} are not read; one is {}{}",
@@ -237,7 +237,7 @@ fn cell(data: &Data, row: u32, column: u32, dates: Dates) -> Option<Cell> {
     (!text.is_empty()).then(|| Cell { number, ..Cell::new(text, at) })
 }
 
-/// A date, a time of the day, or both, as ISO 8601 has them.
+/// A date, a time of day, or both, in ISO 8601.
 fn date_text(date: &ExcelDateTime) -> String {
     let serial = date.as_f64();
     let (year, month, day, hour, minute, second, milli) = date.to_ymd_hms_milli();
@@ -253,13 +253,13 @@ fn date_text(date: &ExcelDateTime) -> String {
     }
 }
 
-/// Cells as rows without gaps; hidden rows and columns are none.
+/// Arranges cells as rows without gaps; hidden rows and columns are left out.
 fn rows(
     cells: BTreeMap<(u32, u32), Cell>,
     view: &Shown,
     budget: &mut Budget,
 ) -> Result<Vec<Row>, TableErrorKind> {
-    // The columns in their order: one more than the farthest, where a missing cell would be.
+    // The columns in order, and one after the farthest as the place of a missing cell.
     let last = cells.keys().map(|(_, column)| column + 1).max().unwrap_or(0);
     let columns: Vec<usize> = (0..=last + view.hidden_columns.len() as u32)
         .filter(|column| !view.hidden_columns.contains(column))
@@ -275,7 +275,7 @@ fn rows(
             next += 1;
         }
         let Some(row) = rows.last_mut() else { continue };
-        let index = columns.partition_point(|of| *of < column as usize);
+        let index = columns.partition_point(|other| *other < column as usize);
         budget.cells(index - row.cells.len())?;
         while row.cells.len() < index {
             let at = Position(row.end.0, columns[row.cells.len()]);

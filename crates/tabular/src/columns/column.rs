@@ -4,7 +4,7 @@ use std::fmt;
 
 use wholestring_units::Dimension;
 
-/// What a column of a survey, of readings at the surface, or of a tally, holds.
+/// Column of a survey, of readings at the surface, or of a tally.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Column {
     /// Measured depth along the hole.
@@ -19,7 +19,7 @@ pub enum Column {
     North,
     /// Distance east; only the first station's is used.
     East,
-    /// Measured depth of the bit while something is read.
+    /// Measured depth of the bit at the time of reading.
     BitDepth,
     /// Hook load while the string is pulled out.
     PickUp,
@@ -31,15 +31,15 @@ pub enum Column {
     Torque,
     /// Torque at surface on bottom.
     TorqueOnBottom,
-    /// Density of the mud then.
+    /// Density of the mud at that time.
     MudDensity,
-    /// Which case it belongs to.
+    /// The case to which the row belongs.
     Case,
-    /// Whether something is to be found from it.
+    /// Whether a calibration uses the row.
     Use,
     /// Its number in the tally, or its position.
     Number,
-    /// What a component is.
+    /// Kind of component.
     Component,
     /// Outside diameter of the body.
     OutsideDiameter,
@@ -47,7 +47,7 @@ pub enum Column {
     InsideDiameter,
     /// Diameter of the bit, or over the blades of a stabiliser.
     Gauge,
-    /// How many joints.
+    /// Number of joints.
     Joints,
     /// Length of all of them.
     Length,
@@ -57,7 +57,7 @@ pub enum Column {
     CumulativeLength,
     /// Mass per length, tool joints included.
     Mass,
-    /// Nominal weight of a pipe: what it is called by, without tool joints.
+    /// Nominal weight in the name of a pipe, without tool joints.
     NominalMass,
     /// Mass of the whole component.
     TotalMass,
@@ -65,7 +65,7 @@ pub enum Column {
     JointOutsideDiameter,
     /// Inside diameter of the tool joints.
     JointInsideDiameter,
-    /// What the connections are called.
+    /// Name of the connections.
     Connection,
     /// Grade of the steel.
     Grade,
@@ -82,7 +82,7 @@ pub enum Column {
 }
 
 impl Column {
-    /// Every column of a survey, those that it cannot do without first.
+    /// Every column of a survey, the required ones first.
     pub const ALL: [Column; 6] = [
         Column::MeasuredDepth,
         Column::Inclination,
@@ -92,7 +92,7 @@ impl Column {
         Column::East,
     ];
 
-    /// The columns that a survey cannot do without.
+    /// The columns that a survey requires.
     pub const NEEDED: [Column; 3] = [Column::MeasuredDepth, Column::Inclination, Column::Azimuth];
 
     /// Every column of readings.
@@ -133,7 +133,7 @@ impl Column {
         Column::Number,
     ];
 
-    /// Whether it holds words, or counts: nothing that has a unit.
+    /// Whether it contains words or counts, which have no unit.
     pub fn is_words(self) -> bool {
         matches!(
             self,
@@ -147,12 +147,12 @@ impl Column {
         )
     }
 
-    /// Whether it is of readings.
+    /// Whether it is a column of readings.
     pub(crate) fn is_read(self) -> bool {
         Self::READINGS.contains(&self)
     }
 
-    /// What its numbers measure.
+    /// Dimension of its numbers.
     pub fn dimension(self) -> Dimension {
         match self {
             Column::Inclination | Column::Azimuth => Dimension::Angle,
@@ -173,7 +173,7 @@ impl Column {
         }
     }
 
-    /// A heading that is understood, for advice.
+    /// A recognised heading, for advice.
     pub fn example(self) -> &'static str {
         match self {
             Column::MeasuredDepth => "MD (m)",

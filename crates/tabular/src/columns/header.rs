@@ -1,4 +1,4 @@
-//! The header: the row, or the rows, that name the columns.
+//! The header: the row or rows that name the columns.
 
 use crate::cells::number;
 use crate::cells::table::{Position, Table};
@@ -7,22 +7,23 @@ use crate::columns::heading::{self, Heading};
 use crate::columns::sort::Sort;
 use crate::error::{TableError, TableErrorKind};
 
-/// A header stands within this many rows.
+/// Number of rows searched for a header.
 const HEADER_ROWS: usize = 200;
 
-/// A column of a survey stands within this many columns.
+/// Number of columns searched for those of a survey.
 const HEADER_COLUMNS: usize = 500;
 
-/// A heading is spread over at most this many rows.
+/// Maximum number of rows of a heading.
 const STACKED: usize = 4;
 
-/// A row with fewer headings is a title that has a word of one.
+/// Minimum number of headings in a header; a row with fewer is a title that contains the word of
+/// one.
 const FEWEST_HEADINGS: usize = 3;
 
-/// A heading this near to a column's name is offered for it.
+/// Similarity from which a heading is suggested for a column.
 const NEAR: f64 = 0.6;
 
-/// A column's heading: the cell's index, its text and what it says.
+/// A column's heading: the cell's index, its text and its meaning.
 pub(crate) type Taken = (usize, String, Heading);
 
 /// A header row with the needed columns.
@@ -31,7 +32,7 @@ pub(crate) struct Header {
     /// Its last row.
     pub(crate) row: usize,
     pub(crate) headings: Vec<Taken>,
-    /// Headings of columns that another was taken for.
+    /// Further headings of columns for which another heading is used.
     pub(crate) passed_over: Vec<String>,
     pub(crate) texts: Vec<String>,
 }
@@ -39,14 +40,14 @@ pub(crate) struct Header {
 /// A row that names some of the columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Partial {
-    /// How many columns it names.
+    /// Number of columns that it names.
     pub(crate) count: usize,
     row: usize,
     texts: Vec<String>,
     fault: Fault,
 }
 
-/// What a header lacks. Which heading comes near to a missing one is asked of the best row alone.
+/// Deficiency of a header. Headings similar to a missing one are searched for in the best row only.
 #[derive(Debug, Clone, Copy)]
 enum Fault {
     Missing(Column),
@@ -54,12 +55,12 @@ enum Fault {
 }
 
 impl Partial {
-    /// It is more than a title with a word that also heads columns.
+    /// Whether it is more than a title that contains the word of a heading.
     pub(crate) fn is_header(&self) -> bool {
         self.count >= 2 || (self.count == 1 && self.headings() >= FEWEST_HEADINGS)
     }
 
-    /// How many cells of it hold something.
+    /// Number of its cells that are not empty.
     fn headings(&self) -> usize {
         self.texts.iter().filter(|text| !text.is_empty()).count()
     }
@@ -87,7 +88,7 @@ impl Partial {
     }
 }
 
-/// Finds the header; `Err` has the row that comes nearest to one, if any names a column.
+/// Finds the header; `Err` contains the row that resembles one most, if any names a column.
 pub(crate) fn find(table: &Table, sort: &Sort) -> Result<Header, Option<Partial>> {
     let mut best: Option<Partial> = None;
     for row in 0..table.rows.len().min(HEADER_ROWS) {
@@ -101,8 +102,8 @@ pub(crate) fn find(table: &Table, sort: &Sort) -> Result<Header, Option<Partial>
             }
             match named(table, top, row, sort) {
                 Ok(header) => return Ok(header),
-                // A duplicate is reported only if nothing else is: more rows may distinguish the
-                // two.
+                // A duplicate is reported only if there is no other error, because more rows may
+                // distinguish the two.
                 Err(partial) if stacked == 1 && !table.rows[row].is_comment() => {
                     let better = best.as_ref().is_none_or(|best| partial.count >= best.count);
                     if partial.headings() > 1 && better {
@@ -138,8 +139,8 @@ fn named(table: &Table, top: usize, row: usize, sort: &Sort) -> Result<Header, P
     let mut passed_over = Vec::new();
     let mut fault = None;
     for &column in sort.columns {
-        let of = |(_, heading): &&(usize, Heading)| heading.column == column;
-        let mut candidates: Vec<&(usize, Heading)> = headings.iter().filter(of).collect();
+        let is_of_column = |(_, heading): &&(usize, Heading)| heading.column == column;
+        let mut candidates: Vec<&(usize, Heading)> = headings.iter().filter(is_of_column).collect();
         candidates.sort_by_key(|(_, heading)| heading.rank);
         match candidates[..] {
             [] if sort.needed.contains(&column) => {
@@ -155,7 +156,7 @@ fn named(table: &Table, top: usize, row: usize, sort: &Sort) -> Result<Header, P
             }
         }
     }
-    // One alone is no position: "N" may as well number the rows.
+    // One alone is not a position: "N" may also be the number of a row.
     let is_plan = |column| matches!(column, Column::North | Column::East);
     if taken.iter().filter(|(_, _, heading): &&Taken| is_plan(heading.column)).count() == 1 {
         let alone = taken.extract_if(.., |(_, _, heading)| is_plan(heading.column));
@@ -174,7 +175,7 @@ fn named(table: &Table, top: usize, row: usize, sort: &Sort) -> Result<Header, P
     }
 }
 
-/// The error of a header without that column: what it has, and what comes near.
+/// The error of a header without that column: its headings and similar ones.
 fn missing(column: Column, texts: Vec<String>, sort: &Sort) -> TableErrorKind {
     let headers: Vec<String> = texts.into_iter().filter(|text| !text.is_empty()).collect();
     let nearest = headers
@@ -190,7 +191,7 @@ fn missing(column: Column, texts: Vec<String>, sort: &Sort) -> TableErrorKind {
 /// A header among tables.
 pub(crate) enum Headed<'a> {
     Found(&'a Table<'a>, Header),
-    /// The one that comes nearest.
+    /// The most similar one.
     Nearest(Partial, &'a Table<'a>),
     None,
 }

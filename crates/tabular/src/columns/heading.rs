@@ -1,4 +1,4 @@
-//! What a heading says: which column it stands over, and in which unit.
+//! Meaning of a heading: its column and unit.
 
 use wholestring_units::{Dimension, Unit};
 
@@ -11,7 +11,7 @@ use crate::columns::words::Words;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Heading {
     pub(crate) column: Column,
-    /// Of two headings for one column the lower rank is taken.
+    /// Rank: of two headings for one column the lower is used.
     pub(crate) rank: u8,
     pub(crate) unit: HeadingUnit,
 }
@@ -21,22 +21,22 @@ pub(crate) struct Heading {
 pub(crate) enum HeadingUnit {
     None,
     Unit(&'static Unit),
-    /// Something in brackets that is no unit of the column's dimension.
+    /// A text in brackets that is not a unit of the column's dimension.
     Wrong {
         found: String,
         is: Option<Dimension>,
     },
 }
 
-/// Headings longer than this, in bytes, are sentences.
+/// Maximum length of a heading, bytes; longer texts are sentences.
 const LONGEST: usize = 80;
 
-/// A unit is written in at most this many words, such as `ft MD KB`.
+/// Maximum number of words of a unit, such as `ft MD KB`.
 const UNIT_WORDS: usize = 3;
 
-/// What a heading says, if it names a column of this sort of table.
+/// Parses a heading that names a column of this sort of table.
 pub(crate) fn recognise(text: &str, sort: &Sort) -> Option<Heading> {
-    // Most cells are numbers, which name nothing.
+    // Most cells are numbers, which do not name a column.
     if text.len() > LONGEST || !text.contains(char::is_alphabetic) {
         return None;
     }
@@ -83,7 +83,7 @@ pub(crate) fn dimension_of(text: &str) -> Option<Dimension> {
     Dimension::ALL.iter().copied().find(|dimension| dimension.find_unit(text).is_some())
 }
 
-/// The column whose name comes nearest to a heading, with how near, from 0 to 1.
+/// Returns how similar the column's name is to a heading, from 0 to 1.
 pub(crate) fn nearness(column: Column, text: &str) -> f64 {
     let (name, _) = part_brackets(text);
     let words = Words::of(&name);
@@ -93,13 +93,13 @@ pub(crate) fn nearness(column: Column, text: &str) -> f64 {
     }
     NAMES
         .iter()
-        .filter(|(of, _, _)| *of == column)
+        .filter(|(named, _, _)| *named == column)
         .flat_map(|(_, _, names)| names.split(' '))
         .map(|name| strsim::normalized_damerau_levenshtein(name, written))
         .fold(0.0, f64::max)
 }
 
-/// The column that the first so many words name.
+/// The column named by the first `count` words.
 fn named(words: &Words, count: usize, sort: &Sort) -> Option<(Column, u8)> {
     let find = |joined: &str| {
         columns_named(joined).iter().find(|(column, _)| sort.columns.contains(column)).copied()
@@ -107,13 +107,13 @@ fn named(words: &Words, count: usize, sort: &Sort) -> Option<(Column, u8)> {
     find(words.first(count))
         .or_else(|| {
             let first = || words.lower().take(count);
-            // Without them there is nothing else to look for.
+            // Without such a word there are no other candidates.
             first().any(is_beside).then_some(())?;
             let core: String = first().filter(|word| !is_beside(word)).collect();
             find(&core)
         })
         .or_else(|| {
-            // "Tq off btm": of readings only, where no other column is called so.
+            // "Tq off btm": only in readings, where no other column has this name.
             let is_read = sort.columns.contains(&Column::BitDepth);
             let first = || words.lower().take(count);
             (is_read && first().any(|word| written_out(word) != word)).then_some(())?;
@@ -122,13 +122,13 @@ fn named(words: &Words, count: usize, sort: &Sort) -> Option<(Column, u8)> {
         })
 }
 
-/// The unit among the bracketed parts of a heading.
+/// The unit in the bracketed parts of a heading.
 fn unit_in(column: Column, brackets: &[String], sort: &Sort) -> HeadingUnit {
     let dimension = column.dimension();
     if let Some(unit) = brackets.iter().find_map(|bracket| dimension.find_unit(bracket)) {
         return HeadingUnit::Unit(unit);
     }
-    // "Measured Depth (MD)", "Azimuth (T)", "MD (RKB)", "N(+)/S(-)": not meant as units.
+    // "Measured Depth (MD)", "Azimuth (T)", "MD (RKB)", "N(+)/S(-)": brackets without units.
     let meant_otherwise = |bracket: &String| {
         let words = Words::of(bracket);
         let beside =
@@ -141,7 +141,7 @@ fn unit_in(column: Column, brackets: &[String], sort: &Sort) -> HeadingUnit {
     }
 }
 
-/// A heading without its bracketed parts, and these.
+/// A heading without its bracketed parts, and these parts.
 pub(crate) fn part_brackets(text: &str) -> (String, Vec<String>) {
     let mut name = String::new();
     let mut brackets = Vec::new();

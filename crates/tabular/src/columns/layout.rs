@@ -1,4 +1,4 @@
-//! Where a table's columns stand: their units, and the first row of numbers.
+//! Positions of a table's columns, their units, and the first row of numbers.
 
 use wholestring_units::Unit;
 
@@ -13,18 +13,18 @@ use crate::{columns::column::Column, survey::said::Said};
 #[derive(Debug, Clone)]
 pub(crate) struct Found {
     pub(crate) column: Column,
-    /// Which cell of each row.
+    /// Index of its cell in each row.
     pub(crate) index: usize,
     pub(crate) unit: &'static Unit,
 }
 
-/// Where everything is.
+/// Positions of the columns and of the data.
 #[derive(Debug, Clone)]
 pub(crate) struct Layout {
     pub(crate) columns: Vec<Found>,
     /// The first row below the header and the units.
     pub(crate) data: usize,
-    /// The header's texts, by which a header repeated further down is known.
+    /// The header's texts, by which a header repeated further down is recognised.
     pub(crate) header: Vec<String>,
     pub(crate) notes: Vec<String>,
 }
@@ -35,7 +35,7 @@ impl Layout {
     }
 }
 
-/// The layout below a header: its units, and where the numbers begin.
+/// Determines the layout below a header: its units, and the beginning of the numbers.
 pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout, TableError> {
     let row = table.source.row_name(table.rows[header.row].end);
     let mut notes = vec![table.note(&format!("header in {row}"))];
@@ -70,8 +70,8 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
             (HeadingUnit::Unit(unit), _) => *unit,
             (HeadingUnit::None, Some((unit, _))) => unit,
             (HeadingUnit::None, None) => match column {
-                of if of.is_words() => named_unit(column, ""),
-                of if of.is_read() => {
+                _ if column.is_words() => named_unit(column, ""),
+                _ if column.is_read() => {
                     let kind = TableErrorKind::MissingReadingUnit { column, header: text.clone() };
                     return Err(table.source.error(kind, Some(header_at)));
                 }
@@ -91,11 +91,11 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
                 },
             },
         };
-        if let Some(said) = said.length_unit
+        if let Some(chosen) = said.length_unit
             && column == Column::MeasuredDepth
-            && said != unit
+            && chosen != unit
         {
-            let kind = TableErrorKind::OtherUnit { column, file: unit.symbol, said: said.symbol };
+            let kind = TableErrorKind::OtherUnit { column, file: unit.symbol, said: chosen.symbol };
             return Err(table.source.error(kind, Some(header_at)));
         }
         notes.push(match column.is_words() {
@@ -107,7 +107,7 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
     for units in as_said.chunk_by(|one, next| one.1 == next.1) {
         let columns: Vec<&str> = units.iter().map(|(column, _)| column.as_str()).collect();
         let unit = units[0].1.symbol;
-        notes.push(format!("no unit for {}: read in {unit} as was said", columns.join(" and ")));
+        notes.push(format!("no unit for {}: read in {unit} as given", columns.join(" and ")));
     }
     if !in_degrees.is_empty() {
         notes.push(format!("no unit for {}: read in degrees", in_degrees.join(" and ")));
@@ -117,9 +117,9 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
     Ok(Layout { columns, data, header: header.texts, notes })
 }
 
-/// Three columns of numbers without a header, from the first row that is such; none if the
-/// numbers stand in more columns, or under a header that names none of them. It is an error where
-/// the unit of the depths was not said.
+/// Returns the layout of three columns of numbers without a header, from their first row on; `None`
+/// if there are more columns, or a header that names none of them. A missing unit of the depths is
+/// an error.
 pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout, TableError>> {
     let first = table.rows.iter().position(|row| {
         !row.is_empty() && row.texts().count() > 1 && row.texts().all(number::is_number)
@@ -152,8 +152,8 @@ pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout
     let notes = vec![
         table.note("no header"),
         format!(
-            "three columns read as measured depth in {} as was said, inclination in deg, azimuth \
-             in deg",
+            "three columns read as measured depth in {} as given, inclination in deg, azimuth in \
+             deg",
             length_unit.symbol
         ),
     ];
@@ -163,8 +163,8 @@ pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout
 /// The row of units below a header, if there is one, and the row after it.
 fn units_row(table: &Table, header: &Header) -> (Option<usize>, usize) {
     let below = header.row + 1;
-    let drawn = |row: usize| table.rows[row].is_empty() || table.rows[row].is_rule();
-    let Some(row) = (below..table.rows.len()).find(|&row| !drawn(row)) else {
+    let is_blank = |row: usize| table.rows[row].is_empty() || table.rows[row].is_rule();
+    let Some(row) = (below..table.rows.len()).find(|&row| !is_blank(row)) else {
         return (None, below);
     };
     let mut cells = header
@@ -184,7 +184,7 @@ fn units_row(table: &Table, header: &Header) -> (Option<usize>, usize) {
     if names_unit && !names_number { (Some(row), row + 1) } else { (None, below) }
 }
 
-/// The unit in a row of units, and where it stands.
+/// The unit in a row of units, and its place.
 fn unit_in_row(
     table: &Table,
     row: usize,
@@ -213,7 +213,7 @@ fn header_position(table: &Table, row: usize, index: usize) -> Position {
     row.cells.get(index).map_or(row.end, |cell| cell.at)
 }
 
-/// A unit of the column by its symbol; the dimension's first if the symbol were not its.
+/// A unit of the column by its symbol; for a foreign symbol, the dimension's first unit.
 fn named_unit(column: Column, symbol: &str) -> &'static Unit {
     let dimension = column.dimension();
     dimension.find_unit(symbol).unwrap_or(&dimension.units()[0])

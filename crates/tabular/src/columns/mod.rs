@@ -1,4 +1,4 @@
-//! The columns of a table: what their headings and units say.
+//! Columns of a table: meaning of their headings and units.
 
 pub(crate) mod column;
 pub(crate) mod header;

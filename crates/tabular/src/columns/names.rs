@@ -7,7 +7,7 @@ use std::{
 
 use crate::columns::column::Column;
 
-/// Names of columns, in small letters without blanks, with their rank.
+/// Names of columns, in lower case without blanks, with their rank.
 pub(crate) const NAMES: &[(Column, u8, &str)] = &[
     (
         Column::MeasuredDepth,
@@ -203,8 +203,8 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
     (Column::ShearModulus, 0, "shearmodulus gmodulus modulusofrigidity"),
 ];
 
-/// What each name may head, in the order of [`NAMES`]: a table of numbers with a hundred columns asks
-/// for a million names.
+/// Columns by name, in the order of [`NAMES`]: a table of numbers with a hundred columns needs a
+/// million look-ups.
 static COLUMNS: LazyLock<HashMap<&'static str, Vec<(Column, u8)>>> = LazyLock::new(|| {
     let mut columns: HashMap<&str, Vec<(Column, u8)>> = HashMap::new();
     for &(column, rank, names) in NAMES {
@@ -219,7 +219,7 @@ static COLUMNS: LazyLock<HashMap<&'static str, Vec<(Column, u8)>>> = LazyLock::n
 static LONGEST: LazyLock<usize> =
     LazyLock::new(|| COLUMNS.keys().map(|name| name.len()).max().unwrap_or(0));
 
-/// What a name in small letters without blanks may head, the first one meant.
+/// Columns that a name in lower case without blanks may denote, the most likely first.
 pub(crate) fn columns_named(name: &str) -> &'static [(Column, u8)] {
     if name.len() > *LONGEST {
         return &[];
@@ -227,7 +227,7 @@ pub(crate) fn columns_named(name: &str) -> &'static [(Column, u8)] {
     COLUMNS.get(name).map_or(&[], Vec::as_slice)
 }
 
-/// Words that a heading may have beside its name.
+/// Words that a heading may contain in addition to its name.
 static BESIDE: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     let words = "the of from at in survey station hole well wellbore borehole rkb kb rt rte brt ref \
                  reference grid true mag magnetic corr corrected map local gyro mwd value data calc \
@@ -235,12 +235,12 @@ static BESIDE: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     words.split(' ').collect()
 });
 
-/// Whether a word in small letters may stand beside a name.
+/// Whether a word in lower case may accompany a name.
 pub(crate) fn is_beside(word: &str) -> bool {
     BESIDE.contains(word)
 }
 
-/// A word of a heading of readings, in small letters, in place of its abbreviation.
+/// The full form of an abbreviated word in a heading of readings, in lower case.
 pub(crate) fn written_out(word: &str) -> &str {
     match word {
         "tq" | "trq" | "trque" | "torq" | "tor" => "torque",
@@ -256,8 +256,8 @@ pub(crate) fn written_out(word: &str) -> &str {
     }
 }
 
-/// Whether a word in small letters says that depths are below the sea and not below the rig floor:
-/// another column altogether.
+/// Whether a word in lower case means that depths are below the sea instead of the rig floor, which
+/// is another column.
 pub(crate) fn is_subsea(word: &str) -> bool {
     matches!(word, "ss" | "subsea" | "msl" | "sea" | "tvdss" | "sstvd")
 }

@@ -2,12 +2,12 @@
 
 use crate::columns::column::Column;
 
-/// A sort of table: which columns are looked for.
+/// A sort of table: its possible columns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sort {
-    /// Every column, those that it cannot do without first.
+    /// Every column, the required ones first.
     pub(crate) columns: &'static [Column],
-    /// The columns that it cannot do without.
+    /// The required columns.
     pub(crate) needed: &'static [Column],
 }
 

@@ -1,31 +1,31 @@
 //! The words of a heading.
 
-/// Words one after the other without blanks, as they were written and in small letters: what names
-/// a column is asked for several beginnings of a heading, of some hundred thousand cells a file.
+/// Consecutive words without blanks, as written and in lower case. Column names are looked up for
+/// several beginnings of a heading, for some hundred thousand cells of a file.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Words {
     written: String,
     lower: String,
-    /// Where each word ends in `written` and in `lower`.
+    /// End of each word in `written` and in `lower`.
     ends: Vec<(usize, usize)>,
 }
 
 impl Words {
-    /// Those of a name: runs of letters and digits, and `MeasuredDepth` is two.
+    /// Words of a name: runs of letters and digits; `MeasuredDepth` has two.
     pub(crate) fn of(name: &str) -> Self {
         let mut words = Self::default();
         words.add(name);
         words
     }
 
-    /// Adds those of another name.
+    /// Adds the words of another name.
     pub(crate) fn add(&mut self, name: &str) {
         let mut before = ' ';
         for c in name.chars() {
             if matches!(c, '°' | 'º' | '˚') {
                 self.begin();
                 "deg".chars().for_each(|c| self.push(c));
-                // Whatever follows is another word.
+                // The next text starts another word.
                 before = ' ';
                 continue;
             }
@@ -55,22 +55,22 @@ impl Words {
         }
     }
 
-    /// How many.
+    /// Number of words.
     pub(crate) fn len(&self) -> usize {
         self.ends.len()
     }
 
-    /// The first so many without blanks, in small letters.
+    /// The first `count` words without blanks, in lower case.
     pub(crate) fn first(&self, count: usize) -> &str {
         &self.lower[..self.end(count).1]
     }
 
-    /// Those after the first so many without blanks, as they were written.
+    /// The words after the first `count` without blanks, as written.
     pub(crate) fn written_after(&self, count: usize) -> &str {
         &self.written[self.end(count).0..]
     }
 
-    /// Each in small letters.
+    /// Each word in lower case.
     pub(crate) fn lower(&self) -> impl Iterator<Item = &str> {
         (0..self.len()).map(|word| &self.lower[self.end(word).1..self.end(word + 1).1])
     }

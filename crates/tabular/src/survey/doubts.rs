@@ -1,28 +1,28 @@
-//! Sentences on turns of a survey that are hardly the hole's.
+//! Sentences on implausible turns of a survey.
 
 use wholestring::well::{DoubtfulTurn, Station, doubtful_turns};
 use wholestring_units::UnitSet;
 
 use super::quantities::{degrees, depth, severity};
 
-/// An angle that differs from the expected one by less is the one that was meant, deg.
+/// Difference from the expected angle below which a candidate is accepted as the intended one, deg.
 const MEANT_DEG: f64 = 3.0;
 
-/// A turn that is hardly the hole's, in words.
+/// An implausible turn, in words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StationDoubt {
-    /// The station at which it is pointed out, counted from 0.
+    /// The station of the turn, counted from 0.
     pub index: usize,
-    /// What the hole does there.
+    /// Description of the turn.
     pub sentence: String,
     /// The station's angles.
     pub label: String,
-    /// What may explain it.
+    /// Possible explanation.
     pub help: String,
 }
 
-/// The turns of a survey that are hardly the hole's, in words: sharper than `endured_rad_per_m`, or there and back at one
-/// station.
+/// Returns the implausible turns of a survey, in words: sharper than `endured_rad_per_m`, or there
+/// and back at one station.
 pub fn station_doubts(
     stations: &[Station],
     endured_rad_per_m: f64,
@@ -47,7 +47,8 @@ fn in_words(
     let (sentence, help) = match turn {
         DoubtfulTurn::Slip { above_rad_per_m, below_rad_per_m, expected, .. } => (
             format!(
-                "the hole turns by {} above the station at {} and back by {} below it: probably a slip",
+                "the hole turns by {} above the station at {} and back by {} below it: probably a \
+                 typing error",
                 severity(above_rad_per_m, set),
                 depth(station.md_m, set),
                 severity(below_rad_per_m, set)
@@ -62,7 +63,7 @@ fn in_words(
         ),
         DoubtfulTurn::Sharp { first, last, severity_rad_per_m, .. } => (
             format!(
-                "the hole turns by {} between {} and {}: pipe that turns there endures {}",
+                "the hole turns by {} between {} and {}: pipe that rotates there endures {}",
                 severity(severity_rad_per_m, set),
                 depth(stations.get(first)?.md_m, set),
                 depth(stations.get(last)?.md_m, set),
@@ -74,7 +75,7 @@ fn in_words(
     Some(StationDoubt { index: turn.index(), sentence, label, help })
 }
 
-/// What was probably meant: the same digits with another decimal point, or two of them exchanged.
+/// Probable intended value: the same digits with another decimal point, or two of them exchanged.
 fn meant(station: &Station, expected: &Station) -> String {
     let inclination = (station.inclination_rad, expected.inclination_rad);
     let azimuth = (station.azimuth_rad, expected.azimuth_rad);
@@ -90,13 +91,13 @@ fn meant(station: &Station, expected: &Station) -> String {
             let is_near = (meant - expected.to_degrees()).abs() <= MEANT_DEG;
             is_near.then(|| {
                 let meant = wholestring_units::number_text(meant);
-                format!(": is {written} a slip of {meant}?")
+                format!(": is {written} a typing error for {meant}?")
             })
         })
         .unwrap_or_default()
 }
 
-/// Numbers that a slip of the pen makes this one of.
+/// Numbers that a typing error may have changed into this one.
 fn candidates(written: &str) -> Vec<f64> {
     let digits: Vec<char> = written.chars().collect();
     let exchanged = (1..digits.len()).map(|at| {

@@ -1,4 +1,4 @@
-//! What a survey file gives.
+//! Contents of a survey file.
 
 use wholestring::well::{Station, TieIn};
 
@@ -9,31 +9,32 @@ use crate::{
     survey::{places::StationPlaces, preamble::Stated},
 };
 
-/// A survey and how it was understood.
+/// A survey and notes on its interpretation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImportedSurvey {
-    /// Two stations or more, by growing measured depth. Azimuths are as written, between -360 and
-    /// 720 degrees: they are not wrapped.
+    /// Two or more stations in order of increasing measured depth. Azimuths are as written, between
+    /// -360 and 720 degrees: they are not wrapped.
     pub stations: Vec<Station>,
-    /// Where the first station lies, if the file says so: its true vertical depth, north and east.
+    /// Position of the first station, if given in the file: its true vertical depth, north and
+    /// east.
     pub tie_in: Option<TieIn>,
-    /// Where its rows stand: `lines 13 to 165`, `rows 5 to 20 of sheet 'Survey'`.
+    /// Place of its rows: `lines 13 to 165`, `rows 5 to 20 of sheet 'Survey'`.
     pub place: String,
     /// The row of each station.
     pub places: StationPlaces,
     /// Symbols of the units of measured depth, inclination and azimuth.
     pub units: [&'static str; 3],
-    /// What the file says of each station beside, by which its reading can be checked.
+    /// Further values of each station in the file, with which the reading can be checked.
     pub stated: Vec<StatedPosition>,
     /// Headings of the columns that are not read.
     pub unread: Vec<String>,
-    /// What stands above the table: the well, where north is.
+    /// Information above the table: the well, the north reference.
     pub preamble: Vec<Stated>,
-    /// What was recognised, assumed and passed over, in sentences for people.
+    /// Notes on what was recognised, assumed and skipped.
     pub notes: Vec<String>,
 }
 
-/// Where a file says that a station lies, and how the hole turns there; none where it does not.
+/// Position and dogleg severity of a station as the file states them; `None` where it does not.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StatedPosition {
     /// True vertical depth, m.
@@ -49,29 +50,29 @@ pub struct StatedPosition {
 /// One of the surveys of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurveyTable {
-    /// What it is called: its sheet, its design, the title above it, or the place of its header.
+    /// Its name: its sheet, its design, the title above it, or the place of its header.
     pub name: String,
     /// Its sheet, in a workbook.
     pub sheet: Option<String>,
-    /// The survey, or why it is none.
+    /// The survey, or the error in it.
     pub survey: Result<ImportedSurvey, TableError>,
 }
 
 impl ImportedSurvey {
-    /// Where the first station lies: as the file says, or else on the vertical under the origin, as
-    /// deep as its measured depth.
+    /// Position of the first station as the file states it, or else on the vertical below the
+    /// origin at its measured depth.
     pub fn start(&self) -> TieIn {
         self.tie_in.unwrap_or_else(|| under_origin(&self.stations))
     }
 
-    /// The units that sentences on it are in: a survey in feet has the field's.
+    /// Units of sentences on it: field units for a survey in feet.
     pub fn unit_set(&self) -> UnitSet {
         let feet = Dimension::Length.unit_in(UnitSet::Field).symbol;
         if self.units[0] == feet { UnitSet::Field } else { UnitSet::Si }
     }
 }
 
-/// The first station on the vertical under the origin, as deep as its measured depth.
+/// Puts the first station on the vertical below the origin at its measured depth.
 pub fn under_origin(stations: &[Station]) -> TieIn {
     TieIn { tvd_m: stations.first().map_or(0.0, |first| first.md_m), ..TieIn::default() }
 }

@@ -1,4 +1,4 @@
-//! Where the stations of a survey are in its file.
+//! Places of the stations of a survey in its file.
 
 use crate::{
     cells::table::{Position, Row, Source, Table},
@@ -9,7 +9,7 @@ use crate::{
 /// The row of each station in its file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StationPlaces {
-    /// The file, where it is a text.
+    /// The file, if it is a text.
     text: Option<String>,
     /// The sheet, in a workbook.
     sheet: String,
@@ -17,7 +17,7 @@ pub struct StationPlaces {
 }
 
 impl StationPlaces {
-    /// Those of the stations of these rows.
+    /// Places of the stations in these rows.
     pub(crate) fn new(table: &Table, rows: &[usize]) -> Self {
         let (text, sheet) = match table.source {
             Source::Text { text, .. } => (Some(text.to_owned()), String::new()),
@@ -39,7 +39,7 @@ impl StationPlaces {
         }
     }
 
-    /// The row of a station; `None` where there is no such station.
+    /// The row of a station; `None` if there is no such station.
     pub fn place(&self, index: usize) -> Option<Place> {
         Some(self.source().place(*self.rows.get(index)?))
     }
@@ -49,7 +49,7 @@ impl StationPlaces {
         self.rows.get(index).map_or_else(String::new, |row| self.source().row_name(*row))
     }
 
-    /// The file as text, in which a [`Place::Text`] counts; `None` of a workbook.
+    /// The file as text, to which a [`Place::Text`] refers; `None` for a workbook.
     pub fn text(&self) -> Option<&str> {
         self.text.as_deref()
     }

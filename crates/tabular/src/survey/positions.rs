@@ -1,4 +1,4 @@
-//! The positions of a file against those that follow from its angles.
+//! Comparison of the positions in a file with those computed from its angles.
 
 use wholestring::well::{Interpolation, Path, PathPoint, Station};
 use wholestring_units::{Dimension, UnitSet};
@@ -8,34 +8,38 @@ use super::{
     quantities::{depth, difference},
 };
 
-/// Angles are written to 0.01 deg: half of that in inclination and in azimuth, were it all to one side,
-/// turns the hole by 1.23e-4; and positions are written to a tenth. Rounding cannot do more.
+/// Maximum difference of positions from rounding per length. Angles are written to 0.01 deg: half
+/// of that in inclination and in azimuth, always to the same side, turns the hole by 1.23e-4; and
+/// positions are written to a tenth.
 const ROUNDED_M_PER_M: f64 = 1.25e-4;
 const ROUNDED_M: f64 = 0.1;
 
-/// What two rounded angles of 0.01 deg make of a turn, rad, and a severity written to 0.01 deg/30 m.
+/// Error of a turn from two angles rounded to 0.01 deg, rad, and of a severity written to 0.01
+/// deg/30 m.
 const ROUNDED_TURN_RAD: f64 = 0.015 * std::f64::consts::PI / 180.0;
 const ROUNDED_SEVERITY_RAD_PER_M: f64 = 0.01 * std::f64::consts::PI / 180.0 / 30.0;
 
-/// A foot, m, and how near a ratio comes to it that is its.
+/// A foot, m, and the relative tolerance within which a ratio is taken to be that of feet and
+/// metres.
 const FOOT_M: f64 = 0.3048;
 const NEAR: f64 = 0.01;
 
 /// A column of positions or doglegs of a file, compared with the computed ones.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PositionCheck {
-    /// Whether they differ by no more than rounding explains.
+    /// Whether they differ by no more than rounding.
     pub agrees: bool,
-    /// The station at which rounding explains least, counted from 0.
+    /// The station with the largest excess over rounding, counted from 0.
     pub index: usize,
-    /// By how much they differ, in one sentence.
+    /// Their difference, in one sentence.
     pub sentence: String,
-    /// What may explain it; empty where rounding does.
+    /// Possible reason; empty if rounding explains the difference.
     pub reason: String,
 }
 
-/// The positions of a file against those of a path through its stations, and its doglegs; nothing of what the file does not
-/// have. `stated` has what the file says of each station; `set` has the units of the sentences.
+/// Compares the positions of a file with those of a path through its stations, and its doglegs;
+/// columns that the file lacks are skipped. `stated` has the positions in the file for each
+/// station; `set` has the units of the sentences.
 pub fn position_checks(
     stations: &[Station],
     stated: &[StatedPosition],
@@ -64,7 +68,7 @@ pub fn position_checks(
                 Some(Row { index, md_m: station.md_m, stated_m, computed_m })
             })
             .collect();
-        // Positions are compared from the first on: one alone is no comparison.
+        // Positions are compared relative to the first, so that one alone cannot be compared.
         let Some(worst) = worst(&rows).filter(|_| rows.len() > 1) else { continue };
         if worst.difference_m.abs() <= worst.rounding_m {
             within.push(format!("{name} by {}", difference(largest(&rows), set)));
@@ -74,8 +78,8 @@ pub fn position_checks(
             agrees: false,
             index: worst.index,
             sentence: format!(
-                "{name} of the file is {} {} than what follows from its angles by {curve}, at {}: \
-                 rounding makes {} at most",
+                "{name} of the file is {} {} than computed from its angles by {curve}, at {}: \
+                 rounding explains at most {}",
                 difference(worst.difference_m.abs(), set),
                 if worst.difference_m > 0.0 { "more" } else { "less" },
                 depth(worst.md_m, set),
@@ -86,7 +90,7 @@ pub fn position_checks(
     }
     if !within.is_empty() {
         let sentence = format!(
-            "positions by {curve} differ from those of the file as rounding makes them: {} at most",
+            "positions by {curve} agree with those of the file within rounding: {} at most",
             within.join(", ")
         );
         checks.insert(0, PositionCheck { agrees: true, index: 0, sentence, reason: String::new() });
@@ -95,7 +99,7 @@ pub fn position_checks(
     checks
 }
 
-/// A position as the file has it and as it is computed.
+/// A position in the file and the computed one.
 struct Row {
     index: usize,
     md_m: f64,
@@ -103,15 +107,15 @@ struct Row {
     computed_m: f64,
 }
 
-/// Where a column differs most.
+/// The row of the largest difference of a column.
 struct Worst {
     index: usize,
     md_m: f64,
-    /// What the file has more, from its first station on.
+    /// Difference, file minus computed, relative to the first station.
     difference_m: f64,
-    /// How much rounding makes there.
+    /// Allowance for rounding there.
     rounding_m: f64,
-    /// The file's way over the computed one.
+    /// Ratio of the file's distance to the computed one.
     ratio: f64,
 }
 
@@ -119,15 +123,15 @@ impl Worst {
     fn reason(&self) -> &'static str {
         let near = |value: f64| (self.ratio / value - 1.0).abs() < NEAR;
         if near(FOOT_M) || near(1.0 / FOOT_M) {
-            "they are to each other as feet to metres: is a unit wrong?"
+            "their ratio is that of feet to metres: is a unit wrong?"
         } else {
-            "another unit, another method, or stations that are missing? The case takes measured \
-             depth, inclination and azimuth"
+            "another unit, another method, or missing stations? The case uses measured depth, \
+             inclination and azimuth"
         }
     }
 }
 
-/// The row in which rounding explains least of the difference.
+/// Returns the row whose difference exceeds rounding the most.
 fn worst(rows: &[Row]) -> Option<Worst> {
     let first = rows.first()?;
     let rows = rows.iter().map(|row| {
@@ -146,7 +150,7 @@ fn worst(rows: &[Row]) -> Option<Worst> {
     rows.max_by(|a, b| excess(a).total_cmp(&excess(b)))
 }
 
-/// The largest difference, whatever explains it, m.
+/// Largest difference, including rounding, m.
 fn largest(rows: &[Row]) -> f64 {
     let Some(first) = rows.first() else { return 0.0 };
     let difference =
@@ -154,7 +158,7 @@ fn largest(rows: &[Row]) -> f64 {
     rows.iter().map(|row| difference(row).abs()).fold(0.0, f64::max)
 }
 
-/// The largest difference of dogleg severities.
+/// Largest difference of dogleg severities.
 fn severity(
     stations: &[Station],
     stated: &[StatedPosition],
@@ -163,11 +167,11 @@ fn severity(
 ) -> Option<PositionCheck> {
     let rows = stations.windows(2).zip(points.windows(2)).zip(stated.iter().skip(1));
     let differences = rows.enumerate().filter_map(|(above, ((stations, points), stated))| {
-        let said = stated.dogleg_severity_rad_per_m?;
+        let stated_severity = stated.dogleg_severity_rad_per_m?;
         let length_m = stations[1].md_m - stations[0].md_m;
         let computed = points[0].dogleg_rad(&points[1]) / length_m;
         let rounding = ROUNDED_TURN_RAD / length_m + ROUNDED_SEVERITY_RAD_PER_M;
-        Some((above + 1, (said - computed).abs(), rounding))
+        Some((above + 1, (stated_severity - computed).abs(), rounding))
     });
     let excess = |row: &(usize, f64, f64)| row.1 / row.2;
     let (index, off, rounding) = differences.max_by(|a, b| excess(a).total_cmp(&excess(b)))?;
@@ -183,12 +187,12 @@ fn severity(
         agrees,
         index,
         sentence: match agrees {
-            true => format!("{text}, as rounding makes it"),
-            false => format!("{text}, which is more than rounding makes"),
+            true => format!("{text}, within rounding"),
+            false => format!("{text}, which exceeds rounding"),
         },
         reason: match agrees {
             true => String::new(),
-            false => "another unit, another method, or stations that are missing?".to_owned(),
+            false => "another unit, another method, or missing stations?".to_owned(),
         },
     })
 }

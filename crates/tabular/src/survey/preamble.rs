@@ -1,8 +1,8 @@
-//! What a report says above its table.
+//! Information in a report above its table.
 
 use crate::cells::table::{Position, Source, Table};
 
-/// A label of a report, with the ways to write it, in small letters without blanks.
+/// A label of a report, with its spellings in lower case without blanks.
 const LABELS: &[(About, &str)] = &[
     (About::Well, "well wellname nameofwell"),
     (About::Wellbore, "wellbore wellborename borehole boreholename"),
@@ -17,13 +17,13 @@ const LABELS: &[(About, &str)] = &[
     (About::Convergence, "gridconvergence convergence gridconv"),
 ];
 
-/// Lines above a table in which labels are looked for.
+/// Number of lines above a table that are searched for labels.
 const LINES: usize = 200;
 
-/// A label and its value are no longer than this, bytes.
+/// Maximum length of a label or its value, bytes.
 const LONGEST: usize = 200;
 
-/// What is said above a table.
+/// Kind of information above a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum About {
     /// Name of the well.
@@ -32,34 +32,34 @@ pub enum About {
     Wellbore,
     /// Name of the design or of the survey.
     Design,
-    /// What azimuths are counted from.
+    /// Reference of azimuths.
     NorthReference,
-    /// What depths are counted from.
+    /// Reference of depths.
     DepthReference,
-    /// How positions were computed.
+    /// Method by which positions were computed.
     Method,
     /// Magnetic declination.
     Declination,
-    /// Convergence of the grid.
+    /// Grid convergence.
     Convergence,
 }
 
-/// Something that is said above a table.
+/// Information above a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Stated {
-    /// What it is about.
+    /// Its kind.
     pub about: About,
-    /// As it is written.
+    /// The text as written.
     pub value: String,
-    /// Where: `line 5`, `row 2 of sheet 'Survey'`.
+    /// Its place: `line 5`, `row 2 of sheet 'Survey'`.
     pub place: String,
 }
 
-/// What stands above a row of a table; of each the first.
+/// Information above a row of a table; the first of each kind.
 pub(crate) fn above(table: &Table, row: usize) -> Vec<Stated> {
     let mut found: Vec<Stated> = Vec::new();
     for row in &table.rows[row.saturating_sub(LINES)..row] {
-        // What is cut under columns of numbers is cut again where the line itself parts it.
+        // A line that was cut under columns of numbers is cut again at its own separators.
         let parts: Vec<&str> = match (table.source, table.parted_by) {
             (Source::Text { text, .. }, Some("blanks")) => {
                 let line = text[..row.end.0].rfind(['\n', '\r']).map_or(0, |end| end + 1);
@@ -79,8 +79,8 @@ pub(crate) fn above(table: &Table, row: usize) -> Vec<Stated> {
     found
 }
 
-/// Labels and values in the parts of a line: `Well: S-1`, or a label and in the next part its value.
-/// In a cell of its own a label needs no colon.
+/// Labels and values in the parts of a line: `Well: S-1`, or a label with its value in the next
+/// part. A label in its own cell needs no colon.
 fn pairs<'a>(parts: &[&'a str], are_cells: bool) -> Vec<(About, &'a str)> {
     let mut pairs = Vec::new();
     for (at, part) in parts.iter().enumerate() {
@@ -113,9 +113,10 @@ fn label_of(label: &str) -> Option<About> {
     LABELS.iter().find(is).map(|(about, _)| *about)
 }
 
-/// The title above a row: the nearest line of one phrase, close to it.
+/// The title above a row: the nearest line of one phrase within a few lines.
 pub(crate) fn title(table: &Table, row: usize) -> Option<String> {
-    /// Lines between a title and the header under it, its other lines included.
+    /// Maximum number of lines between a title and the header below it, including the header's
+    /// other lines.
     const NEAR: usize = 6;
     table.rows[row.saturating_sub(NEAR)..row].iter().rev().find_map(|row| {
         let mut texts = row.texts();

@@ -1,4 +1,4 @@
-//! Reading the cells of one table.
+//! Reader of the cells of one table.
 
 use wholestring::well::TieIn;
 use wholestring_units::Unit;
@@ -52,7 +52,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The number of a cell as it is written, in the unit of its column.
+    /// The number of a cell as written, in the unit of its column.
     pub(crate) fn read(&self, cell: &Cell, column: Column) -> Result<f64, Fault> {
         if let Some(number) = cell.number {
             return Ok(number);
@@ -83,7 +83,7 @@ impl Reader<'_> {
         self.table.source.error(kind, Some(position(row, found)))
     }
 
-    /// Where the first station lies, by its row.
+    /// Position of the first station, from its row.
     pub(crate) fn tie_in(
         &self,
         layout: &Layout,
@@ -103,8 +103,8 @@ impl Reader<'_> {
         }
         let Some(tvd_m) = tvd_m.or((md_m == 0.0).then_some(0.0)) else {
             notes.push(
-                "north and east are not used: the first station lies below 0 \
-                 and has no true vertical depth"
+                "north and east are not used: the first station is below 0 and has no true \
+                 vertical depth"
                     .to_owned(),
             );
             return Ok(None);
@@ -117,13 +117,13 @@ impl Reader<'_> {
         let tie_in =
             TieIn { north_m: north_m.unwrap_or(0.0), east_m: east_m.unwrap_or(0.0), tvd_m };
         notes.push(format!(
-            "the first station lies at true vertical depth {} m, north {} m, east {} m",
+            "the first station is at true vertical depth {} m, north {} m, east {} m",
             tie_in.tvd_m, tie_in.north_m, tie_in.east_m
         ));
         if tie_in.is_on_map() {
             notes.push(
-                "north and east are coordinates of a map, farther than 100 km from their origin: loads \
-                 do not depend on them, and drawings count from the first station"
+                "north and east are coordinates of a map, farther than 100 km from their origin: \
+                 loads do not depend on them, and drawings are relative to the first station"
                     .to_owned(),
             );
         }
@@ -136,7 +136,7 @@ pub(crate) fn position(row: &Row, found: &Found) -> Position {
     row.cells.get(found.index).map_or(row.end, |cell| cell.at)
 }
 
-/// The place of a whole row: its first cell that holds anything.
+/// The place of a whole row: its first cell that is not empty.
 pub(crate) fn whole(row: &Row) -> Position {
     row.cells.iter().find(|cell| !cell.is_empty()).map_or(row.end, |cell| cell.at)
 }

@@ -1,20 +1,21 @@
-//! What a caller knows of a file.
+//! Information from the caller on a file.
 
 use wholestring_units::Unit;
 
 use crate::columns::column::Column;
 
-/// What is said of a survey beside its file.
+/// Information on a survey in addition to its file.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Said {
-    /// Unit of the lengths whose unit the file does not tell.
+    /// Unit of the lengths for which the file gives none.
     pub length_unit: Option<&'static Unit>,
-    /// Unit of true vertical depth, north and east without one, where it is not that of the lengths.
+    /// Unit of true vertical depth, north and east without one, if it differs from that of the
+    /// lengths.
     pub position_unit: Option<&'static Unit>,
 }
 
 impl Said {
-    /// The unit of a length that has none in the file.
+    /// Unit of a length that has none in the file.
     pub(crate) fn length_unit_of(&self, column: Column) -> Option<&'static Unit> {
         let is_position =
             matches!(column, Column::TrueVerticalDepth | Column::North | Column::East);

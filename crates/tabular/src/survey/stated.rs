@@ -1,4 +1,5 @@
-//! What a file says of its stations beside what makes them: columns that a reading is checked with.
+//! Values of stations in a file that are not needed to compute the path: columns with which a
+//! reading is checked.
 
 use wholestring_units::{Dimension, Unit};
 
@@ -8,14 +9,14 @@ use crate::{
     columns::{column::Column, heading, layout::Layout},
 };
 
-/// Where dogleg severities stand, and in which unit.
+/// The column of dogleg severities and its unit.
 pub(crate) struct Dogleg {
     index: usize,
     unit: &'static Unit,
 }
 
 impl Dogleg {
-    /// The column, if there is one whose unit is told.
+    /// Returns the column, if there is one with a unit.
     pub(crate) fn of(table: &Table, layout: &Layout) -> Option<Self> {
         let is_dogleg = |text: &String| {
             let plain: String = text.chars().filter(|c| c.is_alphabetic()).collect();
@@ -34,7 +35,7 @@ impl Dogleg {
     }
 }
 
-/// What a row says of its station; none of what is no number.
+/// Values of a station in a row; `None` for those that are not numbers.
 pub(crate) fn position(
     reader: &Reader,
     layout: &Layout,
@@ -45,8 +46,9 @@ pub(crate) fn position(
         let found = layout.column(column)?;
         reader.number(row.cells.get(found.index)?, column, found.unit)
     };
-    let dogleg_severity_rad_per_m =
-        dogleg.and_then(|of| reader.number(row.cells.get(of.index)?, Column::Inclination, of.unit));
+    let dogleg_severity_rad_per_m = dogleg.and_then(|dogleg| {
+        reader.number(row.cells.get(dogleg.index)?, Column::Inclination, dogleg.unit)
+    });
     StatedPosition {
         tvd_m: length_m(Column::TrueVerticalDepth),
         north_m: length_m(Column::North),

@@ -1,4 +1,4 @@
-//! From rows of numbers to stations.
+//! Converts rows of numbers to stations.
 
 use std::collections::HashSet;
 
@@ -23,17 +23,17 @@ use crate::{
     },
 };
 
-/// No hole is deeper along its axis, m.
+/// Maximum measured depth of a hole, m.
 const DEEPEST_M: f64 = 1e5;
 
-/// Notes about rows that were passed over, before they are only counted.
+/// Maximum number of notes about skipped rows; further ones are counted.
 const NOTED_ROWS: usize = 5;
 
-/// Why the rows of a table are no survey.
+/// Reason why the rows of a table are not a survey.
 pub(crate) struct Broken {
     pub(crate) error: TableError,
-    /// The row behind the last sound station, where something stands between it and what is wrong:
-    /// another table may begin there.
+    /// The row after the last valid station, if there is text between it and the error: another
+    /// table may begin there.
     pub(crate) behind: Option<usize>,
 }
 
@@ -51,20 +51,20 @@ pub(crate) fn read(table: &Table, layout: &Layout) -> Result<ImportedSurvey, Bro
     let is_turned = is_deepest_first(&reader, layout, &rows);
     if is_turned {
         rows.reverse();
-        notes.push("the deepest station is listed first: the list is turned over".to_owned());
+        notes.push("the deepest station is listed first: the list is reversed".to_owned());
     }
     if reader.style == Style::Comma {
         notes.push("a comma is read as the decimal sign".to_owned());
     }
     notes.extend(marks(table, layout, &rows));
     let mut stations = Vec::with_capacity(rows.len());
-    let mut kept = Vec::with_capacity(rows.len());
+    let mut station_rows = Vec::with_capacity(rows.len());
     let (mut alike, mut vertical) = (Vec::new(), Vec::new());
     for (place, &row) in rows.iter().enumerate() {
         let above = place.checked_sub(1).map(|above| &table.rows[rows[above]]);
         let found = station(&reader, layout, &table.rows[row], &stations, above);
         let found = found.map_err(|error| {
-            // A station that starts anew, or words where it should stand.
+            // A station with a smaller depth, or words in its place.
             let behind = place.checked_sub(1).map(|above| rows[above] + 1);
             let words = !table.rows[row].texts().any(number::is_number);
             let behind = behind.filter(|&behind| !is_turned && (behind < row || words));
@@ -73,7 +73,7 @@ pub(crate) fn read(table: &Table, layout: &Layout) -> Result<ImportedSurvey, Bro
         match found {
             Found::Station { station, has_azimuth } => {
                 stations.push(station);
-                kept.push(row);
+                station_rows.push(row);
                 if !has_azimuth {
                     vertical.push(row);
                 }
@@ -85,12 +85,12 @@ pub(crate) fn read(table: &Table, layout: &Layout) -> Result<ImportedSurvey, Bro
         format!("the azimuth of {stations}, vertical and without one, is taken as 0")
     }));
     notes.extend(counted(table, &alike, |stations| {
-        format!("{stations} of a depth that another has, alike, is left out")
+        format!("{stations} of the same depth as another and identical is left out")
     }));
-    finish(&reader, layout, &kept, stations, notes).map_err(Broken::from)
+    finish(&reader, layout, &station_rows, stations, notes).map_err(Broken::from)
 }
 
-/// A note on some rows: how many, and where the first is.
+/// A note on some rows: their number, and the place of the first.
 fn counted(table: &Table, rows: &[usize], note: impl Fn(&str) -> String) -> Option<String> {
     let first = table.source.row_name(whole(&table.rows[*rows.first()?]));
     Some(match rows.len() {
@@ -99,8 +99,8 @@ fn counted(table: &Table, rows: &[usize], note: impl Fn(&str) -> String) -> Opti
     })
 }
 
-/// Whether every depth is less than the one above it, or the same: the deepest station is listed first. Two rows are too few
-/// to be sure.
+/// Whether every depth is less than or equal to the one above it, so that the deepest station is
+/// first. Two rows do not suffice to decide.
 fn is_deepest_first(reader: &Reader, layout: &Layout, rows: &[usize]) -> bool {
     let Some(depth) = layout.column(Column::MeasuredDepth).filter(|_| rows.len() > 2) else {
         return false;
@@ -114,7 +114,7 @@ fn is_deepest_first(reader: &Reader, layout: &Layout, rows: &[usize]) -> bool {
         .is_some_and(|depths| depths.is_sorted_by(|a, b| a >= b) && depths.first() > depths.last())
 }
 
-/// Whether a cell holds nothing, or a sign that stands for nothing.
+/// Whether a cell is empty, or contains a sign for a missing value.
 fn is_blank(text: &str) -> bool {
     const SIGNS: [&str; 10] =
         ["n/a", "na", "nan", "null", "none", "-999.25", "-999", "-9999", "-999.2500", "-9999.25"];
@@ -123,17 +123,17 @@ fn is_blank(text: &str) -> bool {
         || SIGNS.iter().any(|sign| text.eq_ignore_ascii_case(sign))
 }
 
-/// What a row has.
+/// Contents of a row.
 enum Found {
     Station {
         station: Station,
         has_azimuth: bool,
     },
-    /// The station of the row above once more.
+    /// A duplicate of the station in the row above.
     Alike,
 }
 
-/// The station of a row, below those above it.
+/// Reads the station of a row after those above it.
 fn station(
     reader: &Reader,
     layout: &Layout,
@@ -187,7 +187,7 @@ fn station(
     Ok(Found::Station { station, has_azimuth })
 }
 
-/// What else is to be known of stations that were read.
+/// Adds the further information on the stations.
 fn finish(
     reader: &Reader,
     layout: &Layout,
@@ -205,9 +205,8 @@ fn finish(
     let tie_in = reader.tie_in(layout, &table.rows[first], stations[0].md_m, &mut notes)?;
     if tie_in.is_none() && stations[0].md_m != 0.0 {
         notes.push(format!(
-            "the first station is at {} m and the file does not say where it lies: taken to be as \
-             deep, \
-             vertically under the origin",
+            "the first station is at {} m and the file does not give its position: assumed at a \
+             true vertical depth equal to its measured depth, vertically below the origin",
             number_text(stations[0].md_m)
         ));
     }
@@ -234,7 +233,7 @@ fn finish(
     })
 }
 
-/// A note on marks behind numbers, if there are any.
+/// A note on marks after numbers, if there are any.
 fn marks(table: &Table, layout: &Layout, rows: &[usize]) -> Option<String> {
     let cells = rows.iter().flat_map(|&row| {
         let found = layout.columns.iter();
@@ -248,15 +247,15 @@ fn marks(table: &Table, layout: &Layout, rows: &[usize]) -> Option<String> {
     let mark = &first.text.trim()[number::without_marks(&first.text).len()..];
     let row = table.source.row_name(first.at);
     Some(match marked.count() {
-        0 => format!("the mark '{}' behind a number in {row} is passed over", mark.trim()),
+        0 => format!("the mark '{}' after a number in {row} is ignored", mark.trim()),
         more => {
             let mark = mark.trim();
-            format!("the mark '{mark}' behind a number in {row} is passed over, and {more} more")
+            format!("the mark '{mark}' after a number in {row} is ignored, and {more} more")
         }
     })
 }
 
-/// The rows that hold data: not empty, no comment, rule, remark or repeated header.
+/// Rows of data, other than empty rows, comments, rules, remarks and repeated headers.
 pub(crate) fn data_rows(
     table: &Table,
     layout: &Layout,
@@ -267,7 +266,7 @@ pub(crate) fn data_rows(
     let mut passed_over = 0;
     let words: HashSet<&str> =
         layout.header.iter().flat_map(|heading| heading.split_whitespace()).collect();
-    // A line of a header of several, or of its units, on another page.
+    // A line of a header of several lines, or of its units, on another page.
     let of_header = |text: &str| {
         text.split_whitespace().all(|word| words.contains(word))
             || heading::dimension_of(heading::bare_unit(text)).is_some()
@@ -282,7 +281,7 @@ pub(crate) fn data_rows(
             .filter_map(|&column| layout.column(column))
             .map(|found| row.text(found.index))
             .collect();
-        // A remark stands in one cell; a row that lacks a number beside others is no remark.
+        // A remark is in one cell; a row with some numbers is not a remark.
         let remark = needed.iter().filter(|text| !text.is_empty()).count() <= 1
             && !row.texts().any(number::is_number);
         let header = !layout.header.is_empty()
@@ -294,14 +293,14 @@ pub(crate) fn data_rows(
             if passed_over <= NOTED_ROWS {
                 let name = table.source.row_name(whole(row));
                 let text: String = row.texts().next().unwrap_or("").chars().take(40).collect();
-                notes.push(format!("{name} is passed over: '{text}'"));
+                notes.push(format!("{name} is skipped: '{text}'"));
             }
         } else {
             rows.push(index);
         }
     }
     if passed_over > NOTED_ROWS {
-        notes.push(format!("{passed_over} such rows in all are passed over"));
+        notes.push(format!("{passed_over} such rows in all are skipped"));
     }
     rows
 }

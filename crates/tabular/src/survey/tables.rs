@@ -18,7 +18,7 @@ use crate::{
     },
 };
 
-/// Surveys one below the other that are told apart: each is looked for behind the one before.
+/// Maximum number of surveys one below the other; each is searched for after the previous one.
 const MOST: usize = 20;
 
 /// The surveys of a table with a header, one below the other.
@@ -58,7 +58,7 @@ fn read(table: &Table, header: Header, said: &Said) -> Result<ImportedSurvey, Br
     stations::read(table, &layout::below(table, header, said)?)
 }
 
-/// What a table is called.
+/// Name of a table.
 fn name(table: &Table, header: &Header) -> String {
     let design = || {
         let stated = preamble::above(table, header.row).into_iter();
@@ -73,7 +73,7 @@ fn name(table: &Table, header: &Header) -> String {
     }
 }
 
-/// Gives tables of the same name the places of their rows.
+/// Adds the places of their rows to the names of tables of the same name.
 pub(crate) fn told_apart(mut tables: Vec<SurveyTable>) -> Vec<SurveyTable> {
     let names: Vec<String> = tables.iter().map(|table| table.name.clone()).collect();
     for (at, table) in tables.iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! What the cell of a tally says.
+//! Value of a tally's cell.
 
 use super::{
     header::{OfUnit, unit_of},
@@ -14,7 +14,7 @@ use crate::{
     error::TableErrorKind,
 };
 
-/// What a cell of a column says; nothing where it is blank or a dash stands in it.
+/// Returns the value of a cell; `None` if it is blank or a dash.
 pub(crate) fn holds(
     cell: &Cell,
     laid: &Laid,
@@ -48,7 +48,7 @@ pub(crate) fn holds(
         }
     };
     if let Some(number) = cell.number {
-        // Neither blades nor joints: no unit is needed for none.
+        // Neither blades nor joints: without them no unit is needed.
         return match laid.unit {
             Some(unit) => quantity(number, unit),
             None if number == 0.0 => Ok(None),
@@ -71,7 +71,7 @@ pub(crate) fn holds(
         };
     }
     match unit_of(column, rest) {
-        Some((of, unit)) if of == column => quantity(number, unit),
+        Some((actual, unit)) if actual == column => quantity(number, unit),
         _ => Err(TableErrorKind::WrongUnit {
             column,
             found: rest.to_owned(),
@@ -80,17 +80,17 @@ pub(crate) fn holds(
     }
 }
 
-/// A number, and what stands behind its last digit.
+/// Splits a number from the text after its last digit.
 pub(crate) fn part(text: &str) -> (&str, &str) {
     let is_digit = |c: char| c.is_ascii_digit() || "⅛¼⅜½⅝¾⅞".contains(c);
     let end = text.char_indices().rev().find(|(_, c)| is_digit(*c));
     let end = end.map_or(text.len(), |(at, c)| at + c.len_utf8());
-    // The point of `5.` is the number's.
+    // The point of `5.` belongs to the number.
     let end = if text[end..].starts_with('.') { end + 1 } else { end };
     (text[..end].trim(), text[end..].trim())
 }
 
-/// How many joints: `9`, `9 jts`.
+/// Parses a number of joints: `9`, `9 jts`.
 fn joints(cell: &Cell, style: Style) -> Result<Option<Holds>, TableErrorKind> {
     let column = Column::Joints;
     if is_to_surface(&cell.text) {
@@ -110,13 +110,15 @@ fn joints(cell: &Cell, style: Style) -> Result<Option<Holds>, TableErrorKind> {
     }
 }
 
-/// An empty cell, or what stands in place of a number.
+/// Whether a cell is empty, or contains a sign for a missing number.
 pub(crate) fn is_blank(text: &str) -> bool {
     text.chars().all(|c| "-–— .".contains(c))
-        || ["n/a", "na", "none", "nil", "tbc", "tba"].iter().any(|of| text.eq_ignore_ascii_case(of))
+        || ["n/a", "na", "none", "nil", "tbc", "tba"]
+            .iter()
+            .any(|blank| text.eq_ignore_ascii_case(blank))
 }
 
-/// The component fills the rest of the string.
+/// Whether the component fills the string to the surface.
 pub(crate) fn is_to_surface(text: &str) -> bool {
     let lower = text.to_lowercase();
     let mut words = lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
@@ -129,7 +131,8 @@ pub(crate) fn is_to_surface(text: &str) -> bool {
 const MONTHS: [&str; 12] =
     ["jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec"];
 
-/// What a spreadsheet makes of `8-1/2`: a cell that is a date, or its text `08-Jan`, `1/8/2026`.
+/// Whether a cell is a date that a spreadsheet made of `8-1/2`: a cell with a date, or its text
+/// `08-Jan`, `1/8/2026`.
 fn is_date(text: &str) -> bool {
     if text == "a date" {
         return true;

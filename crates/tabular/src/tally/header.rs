@@ -1,4 +1,4 @@
-//! The headings of a tally: in one row or stacked in several, some over more than one column.
+//! Headings of a tally: in one row or stacked in several, some over more than one column.
 
 use wholestring_units::{Dimension, Unit};
 
@@ -14,19 +14,19 @@ use crate::{
     },
 };
 
-/// A header stands within this many rows.
+/// Number of rows searched for a header.
 const HEADER_ROWS: usize = 200;
 
-/// A column of a tally stands within this many columns.
+/// Number of columns searched for those of a tally.
 const HEADER_COLUMNS: usize = 100;
 
-/// A heading is spread over at most this many rows.
+/// Maximum number of rows of a heading.
 const STACKED: usize = 4;
 
-/// A unit in a heading has at most so many words: `lb / ft`.
+/// Maximum number of words of a unit in a heading: `lb / ft`.
 const UNIT_WORDS: usize = 3;
 
-/// A unit, and what it measures: a weight per length may be given as a force.
+/// A unit and its dimension: a weight per length may be given as a force.
 pub(crate) type OfUnit = (&'static Unit, Dimension);
 
 /// A column with its heading.
@@ -36,26 +36,26 @@ pub(crate) struct Headed {
     pub(crate) index: usize,
     pub(crate) text: String,
     pub(crate) unit: Option<OfUnit>,
-    /// Something in brackets that is no unit of it.
+    /// A text in brackets that is not one of its units.
     pub(crate) wrong: Option<String>,
     rank: u8,
 }
 
-/// A header that names what a tally cannot do without.
+/// A header with the columns that a tally requires.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Header {
     pub(crate) row: usize,
     pub(crate) columns: Vec<Headed>,
-    /// Headings that nothing is made of.
+    /// Headings that are not used.
     pub(crate) unused: Vec<String>,
     pub(crate) texts: Vec<String>,
 }
 
-/// What was found in a table.
+/// Header of a table, or the closest match.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Found {
     Header(Header),
-    /// Some of the headings, in a row: how many, which column is missing, and all of them.
+    /// Some of the headings, in a row: their number, the missing column, and all of them.
     Nearest {
         count: usize,
         row: usize,
@@ -114,8 +114,8 @@ pub(crate) fn find(table: &Table) -> Found {
     nearest
 }
 
-/// The columns that rows name together. Filled, a heading of an upper row stands over the empty
-/// cells to its right too, as one over several columns does in a spreadsheet.
+/// The columns that rows name together. If filled, a heading of an upper row also extends over the
+/// empty cells to its right, as a heading over several columns does in a spreadsheet.
 fn named_by(
     rows: &[Row],
     row: usize,
@@ -145,7 +145,7 @@ fn named_by(
             }
         }
         let text = parts.join(" ");
-        // `Tool joint` over all that follows: the heading below may say enough.
+        // `Tool joint` over all following columns: the heading below may be sufficient.
         let found = recognise(&text, index).or_else(|| match is_filled {
             true => recognise(own, index),
             false => None,
@@ -157,19 +157,20 @@ fn named_by(
         }
         texts.push(text);
     }
-    let count = TALLY.columns.iter().filter(|of| headed.iter().any(|h| h.column == **of)).count();
+    let count =
+        TALLY.columns.iter().filter(|column| headed.iter().any(|h| h.column == **column)).count();
     let mut columns = Vec::new();
     for &column in TALLY.columns {
-        let mut of: Vec<Headed> = headed.iter().filter(|h| h.column == column).cloned().collect();
-        of.sort_by_key(|headed| headed.rank);
-        if of.len() > 1 && of[0].rank == of[1].rank && !column.is_words() {
+        let mut own: Vec<Headed> = headed.iter().filter(|h| h.column == column).cloned().collect();
+        own.sort_by_key(|headed| headed.rank);
+        if own.len() > 1 && own[0].rank == own[1].rank && !column.is_words() {
             return Err((count.saturating_sub(1), column, texts));
         }
-        let mut of = of.into_iter();
-        columns.extend(of.next());
-        unused.extend(of.map(|headed| headed.text));
+        let mut own = own.into_iter();
+        columns.extend(own.next());
+        unused.extend(own.map(|headed| headed.text));
     }
-    // "Item" numbers the rows, or is what they are.
+    // "Item" may be the number of a row, or the component.
     if !columns.iter().any(|headed| headed.column == Column::Component)
         && let Some(number) = columns.iter_mut().find(|headed| headed.column == Column::Number)
         && number.text.eq_ignore_ascii_case("item")
@@ -189,7 +190,7 @@ fn named_by(
     Ok(Header { row, columns, unused, texts })
 }
 
-/// What a heading says: its column, and its unit in brackets or behind it.
+/// Parses a heading: its column, and its unit in brackets or after it.
 fn recognise(text: &str, index: usize) -> Option<Headed> {
     let headed = |column, rank, unit, wrong| Headed {
         column,
@@ -206,31 +207,31 @@ fn recognise(text: &str, index: usize) -> Option<Headed> {
     let words: Vec<&str> = text.split([' ', ',', '_']).filter(|word| !word.is_empty()).collect();
     for count in 1..=UNIT_WORDS.min(words.len().saturating_sub(1)) {
         let (name, unit) = words.split_at(words.len() - count);
-        let Some(of) = heading::recognise(&name.join(" "), &TALLY) else { continue };
-        if of.unit == HeadingUnit::None
-            && !of.column.is_words()
-            && let Some((column, unit)) = unit_of(of.column, &unit.join(" "))
+        let Some(named) = heading::recognise(&name.join(" "), &TALLY) else { continue };
+        if named.unit == HeadingUnit::None
+            && !named.column.is_words()
+            && let Some((column, unit)) = unit_of(named.column, &unit.join(" "))
         {
-            return Some(headed(column, of.rank, Some(unit), None));
+            return Some(headed(column, named.rank, Some(unit), None));
         }
     }
-    let of = heading::recognise(text, &TALLY)?;
-    match of.unit {
-        _ if of.column.is_words() => Some(headed(of.column, of.rank, None, None)),
-        HeadingUnit::None => Some(headed(of.column, of.rank, None, None)),
+    let heading = heading::recognise(text, &TALLY)?;
+    match heading.unit {
+        _ if heading.column.is_words() => Some(headed(heading.column, heading.rank, None, None)),
+        HeadingUnit::None => Some(headed(heading.column, heading.rank, None, None)),
         HeadingUnit::Unit(unit) => {
-            let unit = (unit, of.column.dimension());
-            Some(headed(of.column, of.rank, Some(unit), None))
+            let unit = (unit, heading.column.dimension());
+            Some(headed(heading.column, heading.rank, Some(unit), None))
         }
-        HeadingUnit::Wrong { found, .. } => match unit_of(of.column, &found) {
-            Some((column, unit)) => Some(headed(column, of.rank, Some(unit), None)),
-            None => Some(headed(of.column, of.rank, None, Some(found))),
+        HeadingUnit::Wrong { found, .. } => match unit_of(heading.column, &found) {
+            Some((column, unit)) => Some(headed(column, heading.rank, Some(unit), None)),
+            None => Some(headed(heading.column, heading.rank, None, Some(found))),
         },
     }
 }
 
-/// The unit of a column, and the column that it makes of it: a weight in pounds is the whole
-/// component's.
+/// Returns the unit of a column, and the column that results from it: a weight in pounds is that of
+/// the whole component.
 pub(crate) fn unit_of(column: Column, text: &str) -> Option<(Column, OfUnit)> {
     let find = |dimension: Dimension| Some((dimension.find_unit(text)?, dimension));
     let own = column.dimension();

@@ -1,4 +1,4 @@
-//! What a tally gives.
+//! Contents of a tally.
 
 use wholestring_units::{Dimension, Unit};
 
@@ -7,13 +7,13 @@ use crate::columns::column::Column;
 /// The components of a string as a table lists them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImportedTally {
-    /// Name of the sheet; none of a text.
+    /// Name of the sheet; `None` for a text.
     pub sheet: Option<String>,
-    /// The rows that hold a component, in the order of the table.
+    /// The rows of components, in the order of the table.
     pub rows: Vec<TallyRow>,
-    /// The rows that add up others.
+    /// The rows of sums.
     pub totals: Vec<TallyTotal>,
-    /// How it was understood, in sentences for people.
+    /// Notes on its interpretation.
     pub notes: Vec<String>,
     /// Columns and rows that are not used, in words.
     pub left_out: Vec<String>,
@@ -22,14 +22,14 @@ pub struct ImportedTally {
 /// A row of a tally: a component.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TallyRow {
-    /// Where it stands: `line 5`, `row 5 of sheet 'BHA'`.
+    /// Its place: `line 5`, `row 5 of sheet 'BHA'`.
     pub place: String,
-    /// Its cells that hold anything.
+    /// Its cells that are not empty.
     pub cells: Vec<TallyCell>,
 }
 
 impl TallyRow {
-    /// The cell of a column, if it holds anything.
+    /// The cell of a column, if it is not empty.
     pub fn get(&self, column: Column) -> Option<&TallyCell> {
         self.cells.iter().find(|cell| cell.column == column)
     }
@@ -38,38 +38,38 @@ impl TallyRow {
 /// A cell of a tally.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TallyCell {
-    /// What it is.
+    /// Its column.
     pub column: Column,
-    /// Where it stands: `line 5, column 'OD'`, `sheet 'BHA', cell C5`.
+    /// Its place: `line 5, column 'OD'`, `sheet 'BHA', cell C5`.
     pub place: String,
-    /// As it is written.
+    /// The text as written.
     pub written: String,
-    /// What it says.
+    /// Its value.
     pub holds: Holds,
 }
 
-/// What a cell of a tally says.
+/// Value of a cell of a tally.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Holds {
-    /// A quantity in the unit that it was found in.
+    /// A quantity in the unit of the file.
     Quantity {
         /// The number.
         number: f64,
         /// Its unit.
         unit: &'static Unit,
-        /// What the unit measures: a weight per length may be a force.
+        /// Dimension of the unit: a weight per length may be a force.
         dimension: Dimension,
     },
     /// A count.
     Count(f64),
-    /// Words, as they are written.
+    /// Words, as written.
     Words,
-    /// The component fills the rest of the string.
+    /// The component fills the string to the surface.
     ToSurface,
 }
 
 impl TallyCell {
-    /// The quantity in SI; none of words and counts.
+    /// The quantity in SI; `None` for words and counts.
     pub fn si(&self) -> Option<f64> {
         match self.holds {
             Holds::Quantity { number, unit, .. } => Some(unit.to_si(number)),
@@ -77,7 +77,7 @@ impl TallyCell {
         }
     }
 
-    /// The count; none of others.
+    /// The count; `None` for other values.
     pub fn count(&self) -> Option<f64> {
         match self.holds {
             Holds::Count(count) => Some(count),
@@ -86,10 +86,10 @@ impl TallyCell {
     }
 }
 
-/// A row that adds up others.
+/// A row of sums.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TallyTotal {
-    /// How many rows with components stand above it.
+    /// Number of rows with components above it.
     pub rows_above: usize,
     /// The length that it states.
     pub length: TallyCell,

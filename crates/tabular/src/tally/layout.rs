@@ -1,4 +1,4 @@
-//! The units of a tally's columns: in the headings, in a row below them, or said.
+//! Units of a tally's columns: in the headings, in a row below them, or given by the user.
 
 use wholestring_units::Unit;
 
@@ -12,7 +12,7 @@ use crate::{
     error::{TableError, TableErrorKind},
 };
 
-/// A column with its unit, if anything tells it.
+/// A column with its unit, if it is known.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Laid {
     pub(crate) column: Column,
@@ -21,7 +21,7 @@ pub(crate) struct Laid {
     pub(crate) unit: Option<OfUnit>,
 }
 
-/// Where everything is.
+/// Positions of the columns and of the data.
 pub(crate) struct Layout {
     pub(crate) columns: Vec<Laid>,
     /// The first row below the header and the units.
@@ -29,7 +29,7 @@ pub(crate) struct Layout {
     pub(crate) notes: Vec<String>,
 }
 
-/// The layout below a header. `said` gives the unit that is said of a column.
+/// Determines the layout below a header. `said` returns the unit given by the user for a column.
 pub(crate) fn below(
     table: &Table,
     header: &Header,
@@ -58,13 +58,13 @@ pub(crate) fn below(
             let text = heading::bare_unit(&cell.text);
             let is_drawn = text.chars().all(|c| "-=_–".contains(c));
             match unit_of(column, text) {
-                Some((of, in_row)) => {
+                Some((actual, in_row)) => {
                     if let Some((in_header, _)) = unit.filter(|unit| *unit != in_row) {
                         let (header, row) = (in_header.symbol, in_row.0.symbol);
                         let kind = TableErrorKind::UnitConflict { column, header, row };
                         return error(kind, Some(cell.at));
                     }
-                    (column, unit) = (of, Some(in_row));
+                    (column, unit) = (actual, Some(in_row));
                 }
                 None if is_drawn => {}
                 None => {
@@ -75,15 +75,18 @@ pub(crate) fn below(
             }
         }
         if !column.is_words()
-            && let Some(said) = said(column)
+            && let Some(chosen) = said(column)
         {
             match unit {
-                Some((file, _)) if file != said => {
-                    let kind =
-                        TableErrorKind::OtherUnit { column, file: file.symbol, said: said.symbol };
+                Some((file, _)) if file != chosen => {
+                    let kind = TableErrorKind::OtherUnit {
+                        column,
+                        file: file.symbol,
+                        said: chosen.symbol,
+                    };
                     return error(kind, at);
                 }
-                _ => unit = Some((said, column.dimension())),
+                _ => unit = Some((chosen, column.dimension())),
             }
         }
         let heading = headed.text.clone();
@@ -100,7 +103,7 @@ pub(crate) fn below(
     Ok(Layout { columns, data, notes })
 }
 
-/// A row of units: one at least, and no number.
+/// Whether a row is one of units: at least one, and no number.
 pub(crate) fn is_units(row: &Row, columns: &[Headed]) -> bool {
     let cells = || {
         let numbers = columns.iter().filter(|headed| !headed.column.is_words());

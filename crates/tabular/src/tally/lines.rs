@@ -1,8 +1,8 @@
-//! Where cells of a table stand, in words.
+//! Places of the cells of a table, in words.
 
 use crate::cells::table::{Position, Source, line_starts};
 
-/// Finds the line of a position without going through the text for each.
+/// Finds the line of a position without scanning the text each time.
 pub(crate) struct Lines<'a> {
     source: Source<'a>,
     starts: Vec<usize>,

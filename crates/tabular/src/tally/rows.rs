@@ -1,4 +1,4 @@
-//! From rows of cells to components and totals.
+//! Converts rows of cells to components and totals.
 
 use wholestring_units::Unit;
 
@@ -20,13 +20,13 @@ use crate::{
     survey::reader::whole,
 };
 
-/// Rows of a tally: a thousand stands of joints.
+/// Maximum number of rows of a tally: a thousand stands of joints.
 const MOST_ROWS: usize = 5000;
 
-/// Rows that are named among those passed over.
+/// Maximum number of skipped rows that are listed.
 const NAMED: usize = 5;
 
-/// Reads the tally of a table, which has one.
+/// Reads the tally of a table.
 pub(crate) fn read(
     table: &Table,
     said: &mut dyn FnMut(Column) -> Option<&'static Unit>,
@@ -63,9 +63,9 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
         }
         let mut cells = Vec::new();
         for laid in &layout.columns {
-            // Of a sum only the length is wanted, and it may have other columns than the rows.
-            let wanted = matches!(laid.column, Column::Length | Column::CumulativeLength);
-            if kind == Kind::Total && !wanted {
+            // Only the length of a sum is used, and it may have other columns than the rows.
+            let is_summed = matches!(laid.column, Column::Length | Column::CumulativeLength);
+            if kind == Kind::Total && !is_summed {
                 continue;
             }
             let Some(found) = row.cells.get(laid.index) else { continue };
@@ -98,7 +98,7 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
         rows.push(TallyRow { place, cells });
     }
     if passed_over > NAMED {
-        left_out.push(format!("{} more rows that hold no component", passed_over - NAMED));
+        left_out.push(format!("{} more rows without a component", passed_over - NAMED));
     }
     if rows.is_empty() {
         let kind = TableErrorKind::NoTally { found: "no component follows the header" };
@@ -112,12 +112,12 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
     Ok(ImportedTally { sheet, rows, totals, notes, left_out })
 }
 
-/// What a row is.
+/// Kind of row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Component,
     Total,
-    /// A title, a footnote, the header or its units again.
+    /// A title, a footnote, or the repeated header or units.
     Remark,
 }
 
@@ -135,7 +135,7 @@ fn kind(row: &Row, header: &Header, layout: &Layout) -> Kind {
         let is_measure = !laid.column.is_words() || laid.column == Column::Joints;
         is_measure && !cell::is_blank(text)
     };
-    // A remark that begins in a column of numbers has nothing but words.
+    // A remark that begins in a column of numbers contains only words.
     let has_digit = |text: &str| text.chars().any(|c| c.is_ascii_digit());
     let measures: Vec<&str> =
         layout.columns.iter().filter(says).map(|laid| row.text(laid.index)).collect();
@@ -149,7 +149,7 @@ fn kind(row: &Row, header: &Header, layout: &Layout) -> Kind {
     Kind::Component
 }
 
-/// A label of a row that adds up others: `TOTAL`, `Sub-total`, `BHA total length`.
+/// Whether a text is the label of a row of sums: `TOTAL`, `Sub-total`, `BHA total length`.
 fn is_total(text: &str) -> bool {
     let lower = text.to_lowercase();
     let mut words = lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());

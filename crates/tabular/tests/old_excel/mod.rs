@@ -1,14 +1,15 @@
-//! Writes the least `.xls` that is one: a compound file with a workbook of one sheet.
+//! Writes a minimal `.xls`: a compound file with a workbook of one sheet.
 
 #![allow(dead_code, reason = "not every test that includes this needs all of it")]
 
-/// What a cell holds.
+/// Value of a cell.
 pub(crate) enum Value<'a> {
     Number(f64),
     Text(&'a str),
-    /// A text that stands once in the workbook, however many cells show it. Excel writes texts so.
+    /// A text that is stored once in the workbook for all cells that refer to it, as Excel writes
+    /// texts.
     Shared(&'a str),
-    /// A number of hundredths in four bytes. Excel writes numbers so where they fit.
+    /// A number of hundredths in four bytes, as Excel writes numbers that fit.
     Short(f64),
     /// Several of them in a row, from this cell on.
     Shorts(&'a [f64]),
@@ -20,12 +21,12 @@ pub(crate) enum Value<'a> {
     ZeroFormula,
 }
 
-/// A workbook whose sheet "Survey" holds these cells at row and column.
+/// A workbook whose sheet "Survey" has these cells at row and column.
 pub(crate) fn workbook(cells: &[(u16, u16, Value)]) -> Vec<u8> {
     whole(cells, 1, &[])
 }
 
-/// A workbook that names the sheet so many times.
+/// A workbook that lists the sheet this many times.
 pub(crate) fn workbook_of(cells: &[(u16, u16, Value)], times: usize) -> Vec<u8> {
     whole(cells, times, &[])
 }
@@ -35,7 +36,7 @@ pub(crate) fn workbook_merged(cells: &[(u16, u16, Value)], merged: &[[u16; 4]]) 
     whole(cells, 1, merged)
 }
 
-/// A workbook with a row that is hidden, and a column.
+/// A workbook with a hidden row and a hidden column.
 pub(crate) fn workbook_hidden(
     cells: &[(u16, u16, Value)],
     row: u16,
@@ -88,7 +89,7 @@ fn of_records(
                 record(0x0204, &[&at[..], &length, &[0], text.as_bytes()].concat())
             }
             Value::Shared(text) => {
-                let known = shared.iter().position(|of| of == text);
+                let known = shared.iter().position(|shared| shared == text);
                 let index = known.unwrap_or(shared.len()) as u32;
                 if known.is_none() {
                     shared.push(text);
@@ -105,13 +106,14 @@ fn of_records(
             Value::Short(number) => record(0x027e, &[&at[..], &short(*number)].concat()),
             Value::Shorts(numbers) => {
                 let last = (column + numbers.len() as u16 - 1).to_le_bytes();
-                let numbers = numbers.iter().flat_map(|of| [&[0, 0], &short(*of)[..]].concat());
+                let numbers =
+                    numbers.iter().flat_map(|number| [&[0, 0], &short(*number)[..]].concat());
                 record(0x00bd, &[&place[..], &numbers.collect::<Vec<u8>>(), &last].concat())
             }
         });
     }
     if !merged.is_empty() {
-        let ranges = merged.iter().flatten().flat_map(|of| of.to_le_bytes());
+        let ranges = merged.iter().flatten().flat_map(|range| range.to_le_bytes());
         let count = (merged.len() as u16).to_le_bytes();
         sheet.extend(record(0x00e5, &[&count[..], &ranges.collect::<Vec<u8>>()].concat()));
     }
@@ -141,22 +143,22 @@ fn short(number: f64) -> [u8; 4] {
     ((hundredths << 2) | 3).to_le_bytes()
 }
 
-/// The format of a date, and the two forms of cells: plain, and that of dates.
+/// The format of a date, and the two formats of cells: plain, and that of dates.
 fn formats() -> Vec<u8> {
     const DATE: u16 = 164;
-    let shown = b"d\\-mmm";
-    let length = (shown.len() as u16).to_le_bytes();
-    let format = [&DATE.to_le_bytes()[..], &length, &[0], shown].concat();
+    let pattern = b"d\\-mmm";
+    let length = (pattern.len() as u16).to_le_bytes();
+    let format = [&DATE.to_le_bytes()[..], &length, &[0], pattern].concat();
     let form = |format: u16| [&[0, 0][..], &format.to_le_bytes(), &[0; 16]].concat();
     [record(0x041e, &format), record(0x00e0, &form(0)), record(0x00e0, &form(DATE))].concat()
 }
 
-/// Texts that stand once, if there are any.
-fn strings(shared: &[&str], shown: usize) -> Vec<u8> {
+/// Shared texts, if there are any.
+fn strings(shared: &[&str], uses: usize) -> Vec<u8> {
     if shared.is_empty() {
         return Vec::new();
     }
-    let counts = [(shown as u32).to_le_bytes(), (shared.len() as u32).to_le_bytes()].concat();
+    let counts = [(uses as u32).to_le_bytes(), (shared.len() as u32).to_le_bytes()].concat();
     let texts = shared
         .iter()
         .flat_map(|text| [&(text.len() as u16).to_le_bytes()[..], &[0], text.as_bytes()].concat());
@@ -172,7 +174,7 @@ fn compound(mut stream: Vec<u8>) -> Vec<u8> {
     const SECTOR: usize = 512;
     const END: u32 = 0xffff_fffe;
     const FREE: u32 = 0xffff_ffff;
-    // Shorter streams would stand elsewhere.
+    // Shorter streams are stored in the mini stream.
     stream.resize(stream.len().max(4096).next_multiple_of(SECTOR), 0);
     let sectors = stream.len() / SECTOR;
     assert!(sectors + 2 <= SECTOR / 4, "one sector of the table holds 128 entries");

@@ -103,7 +103,7 @@ export async function list(): Promise<LiveEntry[]> {
 }
 
 export function end(id: string): void {
-  finish(stringOf(id), "somebody has ended this string");
+  finish(stringOf(id), "this string was ended by a user");
 }
 
 /** Asks a string something. */

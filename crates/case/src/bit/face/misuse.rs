@@ -1,4 +1,4 @@
-//! Keys that do not suit the kind of bit, and cutters that suit none.
+//! Keys that do not suit the kind of bit, and cutters that do not suit any bit.
 
 use wholestring_units::Dimension;
 
@@ -7,22 +7,23 @@ use wholestring_config::{diagnostic::Diagnostic, names::any_of, reader::Reader, 
 use super::table::{FaceTable, Tip};
 use crate::bit::kind::Kind;
 
-/// Finer cutters than this part of the bit's diameter are no bit's.
+/// Smallest width of a cutter, as a part of the bit's diameter.
 const FINEST: f64 = 0.02;
 
 impl FaceTable {
-    /// Finer ones than any bit has are looked for as long as they are found.
+    /// Refuses cutters that are finer than those of any bit, because the search for a layout grows
+    /// with their number.
     pub(super) fn check_width(&self, diameter_m: f64, reader: &mut Reader) -> Option<()> {
         let min_m = FINEST * diameter_m;
         let fine = [(&self.cutter_diameter, "cutters"), (&self.insert_diameter, "inserts")]
             .into_iter()
             .find_map(|(field, what)| Some((field.given().filter(|at| at.value < min_m)?, what)));
-        let Some((given, what)) = fine else {
+        let Some((entry, what)) = fine else {
             return Some(());
         };
         let least = reader.at_least(Dimension::Diameter, min_m);
         Diagnostic::error(format!("the {what} are too fine for this bit"))
-            .at(given.place, format!("expected at least {least}, a fiftieth of its diameter"))
+            .at(entry.place, format!("expected at least {least}, a fiftieth of its diameter"))
             .refuse(reader)
     }
 

@@ -10,12 +10,12 @@ use wholestring_config::{reader::Reader, table::Field};
 use super::table::{DEGREE, FaceTable, Tip};
 use crate::bit::kind::Kind;
 
-/// Cones of inserts where the case does not say: between side and axis, and the tip's radius over
-/// the insert's diameter.
+/// Defaults of cones of inserts: angle between side and axis, and the tip's radius over the
+/// insert's diameter.
 const HALF_ANGLE_RAD: f64 = 35.0 * DEGREE;
 const TIP: f64 = 0.25;
 
-/// A number that the case has, in place of a default.
+/// Sets a number from the case in place of a default.
 fn set(number: &mut f64, field: &Field<f64>) -> Option<()> {
     if let Some(at) = field.optional()? {
         *number = at.value;
@@ -23,17 +23,17 @@ fn set(number: &mut f64, field: &Field<f64>) -> Option<()> {
     Some(())
 }
 
-/// A count that the case has; whether it has one.
+/// Sets a count from the case and returns whether the case has it.
 fn set_count(count: &mut usize, field: &Field<u64>) -> Option<bool> {
-    let given = field.optional()?;
-    if let Some(at) = given {
+    let entry = field.optional()?;
+    if let Some(at) = entry {
         *count = usize::try_from(at.value).ok()?;
     }
-    Some(given.is_some())
+    Some(entry.is_some())
 }
 
 impl FaceTable {
-    /// The numbers of the bit, those that the case does not have by default.
+    /// Returns the numbers of the bit, with defaults for those that the case does not have.
     pub(crate) fn shape(
         &self,
         kind: Kind,

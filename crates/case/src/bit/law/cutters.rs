@@ -1,12 +1,11 @@
-//! Cutters and wear flats, for the laws of Detournay and Defourny's kind.
+//! Cutters and wear flats, for laws of the Detournay and Defourny type.
 
 use wholestring::dynamics::Cutters;
 use wholestring_config::prelude::*;
 
 use crate::bit::kind::{Kind, KindKeys};
 
-/// Where the case does not say: the rock and the cutters of Richard, Germay and Detournay's
-/// examples, somewhat worn.
+/// Defaults: the rock and the cutters of Richard, Germay and Detournay's examples, somewhat worn.
 const SPECIFIC_ENERGY_PA: f64 = 60e6;
 const WEAR_FLAT_M: f64 = 5e-3;
 const CONTACT_STRENGTH_PA: f64 = 60e6;
@@ -16,31 +15,31 @@ keys! {
     /// Cutters and wear flats.
     CuttersKeys {
         ..kind: KindKeys;
-        /// Work that cutting takes per volume of rock. Raising it lowers the rate of penetration
-        /// and stiffens the rock.
+        /// Work of cutting per volume of rock. Raising it lowers the rate of penetration and
+        /// stiffens the rock.
         intrinsic_specific_energy: f64 = default(
             Quantity::si(Dimension::Pressure, Range::from_to(1e5, 1e10).usual(1e6, 2e9), "60 MPa"),
             SPECIFIC_ENERGY_PA,
         );
-        /// The cutting force along the hole over that around. Raising it takes more weight for the
-        /// same torque. Default: 0.6, of a roller cone 3.
+        /// Ratio of the axial to the tangential cutting force. Raising it requires more weight for
+        /// the same torque. Default: 0.6, of a roller cone 3.
         cutter_inclination: f64 = optional(
             Number { unit: "", range: Range::from_to(0.01, 10.0) },
         );
-        /// Length of the wear flats of all blades together. Raising it lets more weight rest on
-        /// them, which cuts nothing and damps axial motion.
+        /// Length of the wear flats of all blades together. Raising it puts more weight on the
+        /// flats, which does not cut and which damps axial motion.
         wear_flat: f64 = default(
             Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.1).usual(1e-5, 0.05), "5 mm"),
             WEAR_FLAT_M,
         );
-        /// Strength of the contact between wear flats and rock. Raising it does what longer wear
-        /// flats do.
+        /// Strength of the contact between wear flats and rock. Raising it has the same effect as
+        /// longer wear flats.
         contact_strength: f64 = default(
             Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e10).usual(1e6, 2e9), "60 MPa"),
             CONTACT_STRENGTH_PA,
         );
-        /// Where the wear flats lie; 1 for evenly over the radius, 4/3 for evenly over the face.
-        /// Raising it raises their torque.
+        /// Distribution of the wear flats; 1 for evenly over the radius, 4/3 for evenly over the
+        /// face. Raising it raises their torque.
         bit_geometry: f64 = default(Number::up_to(2.0), GEOMETRY);
         /// Friction of the wear flats on rock. Raising it raises their torque. Default: 0.6, of a
         /// roller cone 0.3.
@@ -49,13 +48,13 @@ keys! {
 }
 
 impl CuttersKeys {
-    /// The cutters of a bit, `radius_m` wide at the gauge.
+    /// Returns the cutters of a bit, `radius_m` wide at the gauge.
     pub(super) fn build(&self, radius_m: f64, reader: &mut Reader) -> Option<Cutters> {
         let kind = self.kind.kind.at()?;
         if kind.value == Kind::Inserts {
             return Diagnostic::error("the laws of cutters know no inserts")
                 .at(kind.place, "expected \"pdc\", \"roller cone\" or \"core\"")
-                .help("law = \"rock\" takes inserts")
+                .help("law = \"rock\" supports inserts")
                 .refuse(reader);
         }
         let or = |field: &Field<f64>, default: f64| {

@@ -6,7 +6,7 @@ use wholestring_config::prelude::*;
 use super::{cutters::CuttersKeys, front::FrontKeys, law_keys::LawKeys};
 use crate::bit::around::Around;
 
-/// Where the case does not say.
+/// Defaults.
 const FULL_CONTACT_M: f64 = 0.3e-3;
 
 keys! {
@@ -14,13 +14,13 @@ keys! {
     DetournayDefournyKeys {
         ..cutters: CuttersKeys;
         /// Depth of cut per revolution from which the wear flats are in full contact. Raising it
-        /// lets a light weight cut more.
+        /// raises the depth of cut under a light weight.
         full_contact_depth: f64 = default(
             Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.1).usual(1e-5, 0.02), "0.3 mm"),
             FULL_CONTACT_M,
         );
-        /// Largest depth of cut per revolution that the mud keeps clean; what weight is beyond rubs
-        /// and does not cut. Raising it lets the bit drill faster. Default: none.
+        /// Largest depth of cut per revolution that the mud keeps clean; weight above that causes
+        /// rubbing without cutting. Raising it lets the bit drill faster. Default: none.
         cleaning_limit: f64 = optional(Quantity::si(
             Dimension::Diameter,
             Range::positive_to(0.1).usual(1e-4, 0.03),

@@ -23,13 +23,13 @@ use super::kind::KindKeys;
 
 pub(crate) use self::law_keys::LawKeys;
 
-/// The law whose keys a bit test takes with any law.
+/// The law whose keys a bit test uses with any law.
 pub(crate) const ROCK: &str = <RockKeys as Variant>::WORD;
 
 tagged! {
     /// The law of the bit and the keys of all laws.
     Laws as dyn LawKeys {
-        /// Only the dynamic model lets the bit move; the soft string takes the law's steady torque.
+        /// Only the dynamic model lets the bit move; the soft string uses the law's steady torque.
         law: Law = default(Choice { noun: "a bit law", words: Law::WORDS }, Law::Rate);
         ..kind: KindKeys;
         Rate => rate: RateKeys;

@@ -10,7 +10,7 @@ keys! {
     /// The rate law.
     RateKeys {
         /// Torque of the bit at the operation's weight on bit. Where an operation drills or slides
-        /// and it is not given, the bit is taken to turn freely, and a warning says so.
+        /// and the torque is missing, the bit turns without torque, with a warning.
         torque: f64 = optional(Quantity::si(
             Dimension::Torque,
             Range::from_to(0.0, 1e6).usual(50.0, 1e5),

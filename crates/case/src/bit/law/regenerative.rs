@@ -6,7 +6,7 @@ use wholestring_config::prelude::*;
 use super::{cutters::CuttersKeys, law_keys::LawKeys};
 use crate::bit::{around::Around, kind::Kind};
 
-/// Where the case does not say: the bit of Richard, Germay and Detournay's examples.
+/// Default: the bit of Richard, Germay and Detournay's examples.
 const BLADES: u64 = 4;
 
 keys! {
@@ -33,7 +33,7 @@ impl LawKeys for RegenerativeKeys {
                 "the regenerative law is that of blades, which a roller cone has not",
             )
             .at(kind.place, "expected \"pdc\" or \"core\"")
-            .help("law = \"detournay-defourny\" takes a roller cone")
+            .help("law = \"detournay-defourny\" supports a roller cone")
             .refuse(reader);
         }
         Some(BitLaw::Regenerative(RegenerativeLaw {
@@ -51,10 +51,10 @@ impl LawKeys for RegenerativeKeys {
         let bearing_N = law.cutters.wear_flat_weight_N();
         if wob.value <= bearing_N {
             reader.report(
-                Diagnostic::warning("the wear flats bear all weight: the bit does not cut")
+                Diagnostic::warning("the wear flats carry all weight: the bit does not cut")
                     .at(
                         wob.place,
-                        format!("they bear {}", reader.shown(Dimension::Force, bearing_N)),
+                        format!("they carry {}", reader.shown(Dimension::Force, bearing_N)),
                     )
                     .help("raise wob, or lower wear_flat or contact_strength under [bit]"),
             );

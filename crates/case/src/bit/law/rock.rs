@@ -14,10 +14,10 @@ use crate::bit::{
 };
 
 keys! {
-    /// Solid rock. A bit test takes these keys with any law.
+    /// Solid rock. A bit test uses these keys with any law.
     RockKeys {
         ..kind: KindKeys;
-        /// The shape of the bit; a bit test takes it with any law.
+        /// The shape of the bit; a bit test uses it with any law.
         face: FaceTable = optional(Section::<FaceTable>::RULE);
     }
 }
@@ -38,17 +38,17 @@ impl LawKeys for RockKeys {
 }
 
 impl RockKeys {
-    /// The numbers of the bit's face, `radius_m` wide at the gauge.
+    /// Returns the numbers of the bit's face, `radius_m` wide at the gauge.
     pub(crate) fn shape(&self, radius_m: f64, reader: &mut Reader) -> Option<BitShape> {
         let kind = self.kind.kind.at()?;
         if kind.value == Kind::RollerCone {
             return Diagnostic::error("against solid rock, cones that roll are not modelled")
                 .at(kind.place, "expected \"pdc\", \"core\" or \"inserts\"")
                 .help(
-                    "\"inserts\" holds their teeth still: these crush and scrape, and their \
-                           torque is not that of rolling",
+                    "\"inserts\" has fixed teeth: these crush and scrape, and their torque is not \
+                     that of rolling ones",
                 )
-                .help("the laws \"detournay-defourny\" and \"table\" take a roller cone")
+                .help("the laws \"detournay-defourny\" and \"table\" support a roller cone")
                 .refuse(reader);
         }
         let core_radius_m = self.kind.core_radius_m(radius_m, reader)?;

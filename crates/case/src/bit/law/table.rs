@@ -1,4 +1,4 @@
-//! A law that was measured.
+//! A measured law.
 
 use std::f64::consts::PI;
 
@@ -12,9 +12,9 @@ use super::{front::FrontKeys, law_keys::LawKeys};
 use crate::bit::{around::Around, given::Given, points::PointsTable};
 
 keys! {
-    /// A law that was measured.
+    /// A measured law.
     TableKeys {
-        /// What was measured.
+        /// The measured points.
         table: PointsTable = optional(Section::<PointsTable>::RULE);
         ..front: FrontKeys;
     }
@@ -40,7 +40,7 @@ impl LawKeys for TableKeys {
         &self,
         bit: &BitSettings,
         operation: &Operation,
-        given: &Given<'_>,
+        set_points: &Given<'_>,
         reader: &mut Reader,
     ) -> Option<()> {
         let BitLaw::Table(law) = &bit.law else {
@@ -61,10 +61,10 @@ impl LawKeys for TableKeys {
         ));
         let weight = format!("the table has {least} to {largest}");
         let turning = format!("the table has {slowest} to {fastest} rev/min of the bit");
-        if let Some(wob) = given.wob {
+        if let Some(wob) = set_points.wob {
             diagnostic = diagnostic.at(wob.place, weight);
         }
-        if let Some(rpm) = given.rpm.filter(|_| operation.kind.rotates()) {
+        if let Some(rpm) = set_points.rpm.filter(|_| operation.kind.rotates()) {
             diagnostic = diagnostic.at(rpm.place, turning);
         } else {
             diagnostic = diagnostic.help(turning);
@@ -81,7 +81,7 @@ impl TableKeys {
         files: &dyn Files,
         reader: &mut Reader,
     ) -> Option<wholestring::dynamics::BitTable> {
-        let Some(given) = self.table.given() else {
+        let Some(entry) = self.table.given() else {
             if !matches!(self.table, Field::Bad) {
                 reader.report(
                     Diagnostic::error("the law \"table\" needs a table")
@@ -91,7 +91,7 @@ impl TableKeys {
             }
             return None;
         };
-        given.value.build(given.place, files, reader)
+        entry.value.build(entry.place, files, reader)
     }
 }
 

@@ -38,8 +38,9 @@ pub struct HoleFriction {
 impl HoleFriction {
     /// The coefficients that a hole has.
     pub fn of(hole: &Hole) -> Self {
-        let now: Vec<f64> = hole.sections().iter().map(|of| of.friction.kinetic).collect();
-        Self { ramps: now.iter().map(|of| Ramp::resting(*of)).collect(), now }
+        let now: Vec<f64> =
+            hole.sections().iter().map(|section| section.friction.kinetic).collect();
+        Self { ramps: now.iter().map(|now| Ramp::resting(*now)).collect(), now }
     }
 
     /// Sets the sections' coefficients, which they reach in proportion to time within `ramp_s`.

@@ -197,8 +197,9 @@ impl TopDrive {
     pub fn change(&mut self, gains: Gains, chain: &Chain<impl Real>, set_rad_per_s: f64) {
         let Kind::Tuned(drive) = &mut self.drive else { return };
         let string = -element!(chain, 0, torsion) * element!(chain, 0, twist);
-        let missing = |of: &Gains, slow_N_m: f64| {
-            let heard = of.shown.map_or(0.0, |shown| (string - slow_N_m) / shown.impedance_N_m_s);
+        let missing = |gains: &Gains, slow_N_m: f64| {
+            let heard =
+                gains.shown.map_or(0.0, |shown| (string - slow_N_m) / shown.impedance_N_m_s);
             set_rad_per_s - heard - node!(chain, 0, spin)
         };
         let before = drive.gains.proportional_N_m_s * missing(&drive.gains, drive.slow_N_m);

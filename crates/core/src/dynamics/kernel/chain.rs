@@ -194,11 +194,11 @@ impl<R: Real> Chain<R> {
     /// Effective tension of each element at the last step, from the first of a piece down, N, and
     /// its index.
     pub fn tensions_N(&self, lane: usize) -> impl Iterator<Item = (usize, f64)> {
-        let of = |row: usize, lane: usize| self.element_blocks[row].tension.0[lane].to_f64();
+        let to_f64 = |row: usize, lane: usize| self.element_blocks[row].tension.0[lane].to_f64();
         let upper = self.places.nodes_of(0, self.elements()).end;
         let first = (lane * self.places.rows_of(0).len()).min(upper);
-        let above = (first..upper).zip(self.along(0, lane, of));
-        above.chain((upper..self.elements()).zip(self.along(1, 0, of).skip(1)))
+        let above = (first..upper).zip(self.along(0, lane, to_f64));
+        above.chain((upper..self.elements()).zip(self.along(1, 0, to_f64).skip(1)))
     }
 
     /// Number of nodes.

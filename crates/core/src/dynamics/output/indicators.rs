@@ -114,8 +114,8 @@ impl StickSlip {
     }
 }
 
-fn severity(of: &Moments) -> Option<f64> {
-    (of.mean > 0.0).then(|| (of.max - of.min) / (2.0 * of.mean))
+fn severity(moments: &Moments) -> Option<f64> {
+    (moments.mean > 0.0).then(|| (moments.max - moments.min) / (2.0 * moments.mean))
 }
 
 /// Mean time between rises through the mean, each after a fall below it.

@@ -83,7 +83,10 @@ impl DynamicOutcome {
 
     /// The statistic of one of [`Self::quantities`].
     pub fn statistic(&self, name: &str) -> Option<&Statistic> {
-        self.statistics.iter().find(|(of, _)| *of == name).map(|(_, statistic)| statistic)
+        self.statistics
+            .iter()
+            .find(|(statistic, _)| *statistic == name)
+            .map(|(_, statistic)| statistic)
     }
 }
 

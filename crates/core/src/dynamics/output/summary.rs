@@ -68,7 +68,7 @@ const WEIGHT_ON_BIT: &Column<TimeSeries> = Column::named(TIME_SERIES, "weight_on
 macro_rules! window_mean {
     ($statistics:ident, $scalar:ident) => {{
         const PLACE: usize = varying_place(stringify!($scalar));
-        $statistics.get(PLACE).map_or(0.0, |(_, of)| of.mean)
+        $statistics.get(PLACE).map_or(0.0, |(_, statistic)| statistic.mean)
     }};
 }
 
@@ -193,8 +193,8 @@ fn profile(s: &Sources<'_>) -> Profile {
     let record = s.record;
     // Tension and torque live in elements, everything else at nodes.
     let ends = |i: usize| [i.saturating_sub(1), i.min(n - 2)];
-    let at_node = |i: usize, of: &dyn Fn(usize) -> Spread| {
-        let [above, below] = ends(i).map(of);
+    let at_node = |i: usize, spread: &dyn Fn(usize) -> Spread| {
+        let [above, below] = ends(i).map(spread);
         (0.5 * (above.mean + below.mean), 0.5 * (above.std + below.std))
     };
     let percentiles = |of_elements: &[[f64; 3]], i: usize| {
@@ -295,7 +295,8 @@ fn deformed(s: &Sources<'_>) -> (Vec<f64>, Vec<f64>) {
     for element in (0..nodes - 1).rev() {
         // The chain's twist has the other sign.
         twist_rad[element] = twist_rad[element + 1] - s.record.twist(element);
-        let by_flow_m = s.flow_stretches_m.as_ref().map_or(0.0, |of| of[element]);
+        let by_flow_m =
+            s.flow_stretches_m.as_ref().map_or(0.0, |flow_stretches_m| flow_stretches_m[element]);
         stretch_m[element] = stretch_m[element + 1] + s.record.longer_m(element) + by_flow_m;
     }
     (twist_rad, stretch_m)

@@ -233,7 +233,7 @@ impl SetPoints {
     /// Whether stored set points are those of this schedule, with the lines that were added.
     pub(in crate::dynamics) fn check(&self, schedule: &Schedule) -> Result<(), Damaged> {
         let mut stored = self.steps.iter();
-        let holds_all = schedule.steps.iter().all(|line| stored.any(|of| of == line));
+        let holds_all = schedule.steps.iter().all(|line| stored.any(|stored| stored == line));
         ensure(holds_all && self.next <= self.steps.len(), "the schedule")
     }
 
@@ -246,7 +246,7 @@ impl SetPoints {
         if let Some((_, fault)) = (Schedule { steps: vec![line.clone()] }).fault() {
             return Err(fault);
         }
-        let later = self.steps[self.next..].iter().position(|of| of.at_s > line.at_s);
+        let later = self.steps[self.next..].iter().position(|step| step.at_s > line.at_s);
         let place = later.map_or(self.steps.len(), |later| self.next + later);
         self.steps.insert(place, line);
         Ok(())

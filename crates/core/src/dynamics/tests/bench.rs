@@ -193,10 +193,10 @@ impl Bench {
 
     /// Moment of inertia of a node across its director, kg·m².
     pub fn rotary_kg_m2(&self, index: usize) -> f64 {
-        let of =
+        let inertia =
             |element: Option<&stability::ElementInertia>| element.map_or(0.0, |e| e.rotary_kg_m2);
         let above = index.checked_sub(1).and_then(|i| self.plan.inertia.get(i));
-        of(above) + of(self.plan.inertia.get(index))
+        inertia(above) + inertia(self.plan.inertia.get(index))
     }
 
     /// Lets a node move so and not otherwise.

@@ -35,7 +35,9 @@ impl DrillingResponse {
     pub fn of(outcomes: &[TrialOutcome], bit: &BitShape, strength_Pa: f64) -> Self {
         let radius_m = 0.5 * bit.diameter_m();
         let count = outcomes.len() as f64;
-        let mean = |of: &dyn Fn(&TrialOutcome) -> f64| outcomes.iter().map(of).sum::<f64>() / count;
+        let mean = |outcome: &dyn Fn(&TrialOutcome) -> f64| {
+            outcomes.iter().map(outcome).sum::<f64>() / count
+        };
         let [weight, torque] = [mean(&|one| one.weight_borne_N), mean(&|one| one.torque_N_m)];
         let spread = mean(&|one| (one.weight_borne_N - weight).powi(2));
         let together = mean(&|one| (one.weight_borne_N - weight) * (one.torque_N_m - torque));

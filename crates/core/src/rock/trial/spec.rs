@@ -126,9 +126,9 @@ impl TrialSpec {
 
     /// Steps before counting begins, and steps of all: of whole averages.
     pub(super) fn steps(&self) -> [u64; 2] {
-        let of = |revolutions: f64| (revolutions * self.means_per_turn() as f64).round() as u64;
-        let settle = of(self.settle_revolutions);
-        let all = settle + of(self.revolutions).max(1);
+        let u64 = |revolutions: f64| (revolutions * self.means_per_turn() as f64).round() as u64;
+        let settle = u64(self.settle_revolutions);
+        let all = settle + u64(self.revolutions).max(1);
         [settle, all].map(|means| means * self.steps_per_mean())
     }
 

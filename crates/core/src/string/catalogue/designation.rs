@@ -80,8 +80,8 @@ fn unknown(
         })
         .collect();
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let of_pipe = requested.filter(|of| of.kind == TubularKind::DrillPipe);
-    let suffix = of_pipe.map_or("", |of| of.class.suffix());
+    let of_pipe = requested.filter(|requested| requested.kind == TubularKind::DrillPipe);
+    let suffix = of_pipe.map_or("", |of_pipe| of_pipe.class.suffix());
     CatalogueError::Unknown {
         designation: designation.to_owned(),
         nearest: ranked.into_iter().take(NEAREST).map(|(_, name)| name.clone() + suffix).collect(),

@@ -152,7 +152,10 @@ impl CatalogueEntry {
             lateral_force: None,
             yield_strength_Pa: Some(self.yield_strength_Pa),
             class: self.class,
-            connection: self.connection.as_ref().map_or_else(Default::default, |of| of.strength),
+            connection: self
+                .connection
+                .as_ref()
+                .map_or_else(Default::default, |connection| connection.strength),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The headings of a log in text, and the units in them or below them.
+//! Headings of a log in text, with the units in them or below them.
 
 use wholestring_units::Dimension;
 
@@ -13,27 +13,27 @@ use super::super::{
 };
 use crate::error::{ImportError, ImportErrorKind};
 
-/// Lines in which the headings are looked for.
+/// Number of lines searched for the headings.
 const AHEAD: usize = 60;
 
-/// What may part cells.
+/// Possible separators of cells.
 const SIGNS: [u8; 4] = [b',', b';', b'\t', b'|'];
 
-/// Where the head is, and what it says.
+/// Position and contents of the head.
 #[derive(Debug)]
 pub(super) struct Found {
     pub(super) sign: u8,
-    /// Its place among the first lines.
+    /// Index of the heading line among the first lines.
     pub(super) headings: usize,
-    /// The first line of data, or behind the last.
+    /// Index of the first line of data, or one past the last line.
     pub(super) data: usize,
     pub(super) columns: Vec<Column>,
-    /// Lines between the headings and the data that are no units.
+    /// Lines between the headings and the data that are not units.
     pub(super) passed_over: Vec<usize>,
     has_readings: bool,
 }
 
-/// The first lines.
+/// Reads the first lines.
 pub(super) fn ahead(lines: &mut Lines, ahead: &mut Vec<Vec<u8>>) -> Result<(), ImportError> {
     while ahead.len() < AHEAD {
         let mut line = Vec::new();
@@ -50,7 +50,7 @@ pub(super) fn ahead(lines: &mut Lines, ahead: &mut Vec<Vec<u8>>) -> Result<(), I
     Ok(())
 }
 
-/// Finds the headings: the line and the sign with which most cells name a quantity.
+/// Finds the headings: the line and the separator for which most cells name a quantity.
 pub(super) fn find(ahead: &[Vec<u8>]) -> Option<Found> {
     let mut best: Option<(usize, usize, u8)> = None;
     for (at, line) in ahead.iter().enumerate() {
@@ -100,9 +100,9 @@ pub(super) fn find(ahead: &[Vec<u8>]) -> Option<Found> {
 }
 
 impl Found {
-    /// Whether these are the headings of a log, and not those of a survey, a tally or of readings.
+    /// Whether these are the headings of a log, as opposed to a survey, a tally or readings.
     pub(super) fn is_log(&self) -> bool {
-        let has = |wanted| self.columns.iter().any(|column| quantity(column) == Some(wanted));
+        let has = |other| self.columns.iter().any(|column| quantity(column) == Some(other));
         let has_time = has(Quantity::Time)
             || self.columns.iter().any(|column| mnemonics::is_date(&column.mnemonic));
         let has_depth = has(Quantity::BitDepth) || has(Quantity::HoleDepth);
@@ -123,13 +123,13 @@ impl Found {
     }
 }
 
-/// Whether a row names channels: three at least, and no number.
+/// Whether a row names channels: at least three, and no number.
 pub(super) fn is_heading(row: &Row) -> bool {
     let named = (0..row.cells.len()).filter(|&at| names(&heading(&cell(row, at)))).count();
     named >= 3 && !is_data(row)
 }
 
-/// A line parted at a sign.
+/// Splits a line at a separator.
 pub(super) fn parted(line: &[u8], sign: u8) -> Row {
     let mut row = Row { bytes: line.to_vec(), ..Row::default() };
     row.part_at(sign, 0);
@@ -148,7 +148,7 @@ fn names(column: &Column) -> bool {
     quantity(column).is_some() || mnemonics::is_date(&column.mnemonic)
 }
 
-/// Whether a row is one of data: something in it is a number or begins as dates do.
+/// Whether a row is data: a cell is a number or begins like a date.
 fn is_data(row: &Row) -> bool {
     let filled = (0..row.cells.len()).map(|at| row.cell(at)).filter(|cell| !is_nothing(cell));
     let mut numbers = 0;
@@ -164,7 +164,7 @@ fn is_data(row: &Row) -> bool {
     numbers > 0 && 2 * numbers >= cells.min(4)
 }
 
-/// What a heading says: `Hook Load (klbs)`, `HKLA[klbf]`, `HKLA, klbf`, `bit_depth_m`.
+/// Parses a heading: `Hook Load (klbs)`, `HKLA[klbf]`, `HKLA, klbf`, `bit_depth_m`.
 fn heading(written: &str) -> Column {
     let written = written.trim().trim_matches('"').trim();
     let column = |name: &str, unit: &str| Column {
@@ -193,7 +193,7 @@ fn heading(written: &str) -> Column {
     {
         return column(name, unit);
     }
-    // The unit is the last words: "Hook Load klbf", "bit_depth_m", "flow_gal_per_min".
+    // The unit is the last word or words: "Hook Load klbf", "bit_depth_m", "flow_gal_per_min".
     for (at, sign) in written.match_indices([' ', '_']) {
         let (name, rest) = (&written[..at], &written[at + sign.len()..]);
         if let Some((quantity, _)) = mnemonics::quantity(name)
@@ -210,7 +210,7 @@ fn is_unit(written: &str) -> bool {
         || Dimension::ALL.iter().any(|dimension| unit(*dimension, written).is_some())
 }
 
-/// A unit in a row of units: `(ft)`, `[ft]`.
+/// Unit from a row of units without brackets: `(ft)`, `[ft]`.
 fn bare(written: &str) -> String {
     written.trim().trim_matches(['(', ')', '[', ']', '{', '}', '"']).trim().to_owned()
 }

@@ -1,7 +1,7 @@
 //! Logs as delimited text, as electronic drilling recorders (EDR) write them.
 //!
-//! The tables of surveys and tallies are read whole; a log is read row by row, and its head is found
-//! in its first lines.
+//! Tables of surveys and tallies are read whole; a log is read row by row, and its head is found in
+//! its first lines.
 
 mod head;
 mod rows;
@@ -12,12 +12,12 @@ use crate::{
     input::Input,
 };
 
-/// Whether a delimited text begins as a log of a rig does: a line of headings that name a time and
-/// what a rig measures, or depths with hook load and block position.
+/// Whether a delimited text begins as a log of a rig: a line of headings that include a time and a
+/// rig measurement, or depths with hook load and block position.
 pub(crate) fn is_log(head: &[u8]) -> bool {
     let Ok(mut lines) = Lines::new(Input::of_bytes("", head)) else { return false };
     let mut ahead = Vec::new();
-    // What is too long is refused when it is read.
+    // Overlong lines are refused when the file is read.
     let _ = head::ahead(&mut lines, &mut ahead);
     head::find(&ahead).is_some_and(|found| found.is_log())
 }

@@ -1,4 +1,4 @@
-//! The rows of a log in text.
+//! Rows of a log in text.
 
 use std::collections::VecDeque;
 
@@ -16,7 +16,7 @@ use crate::{
     fragment::Note,
 };
 
-/// Lines of a remark in quotation marks.
+/// Maximum number of lines of a remark in quotation marks.
 const QUOTED_LINES: usize = 100;
 
 struct CsvRows<'a> {
@@ -26,14 +26,14 @@ struct CsvRows<'a> {
     line: u64,
     sign: u8,
     columns: usize,
-    /// The cells of the headings and of the units below them, and where they came again.
+    /// Cells of the headings and of the units below them, and the lines where they are repeated.
     headings: Vec<Vec<Vec<u8>>>,
     /// Whether a heading begins with a digit, as `0108` does.
     has_items: bool,
     repeated: (u64, u64),
 }
 
-/// The log below its headings.
+/// Opens the log below its headings.
 pub(super) fn open<'a>(
     lines: Lines<'a>,
     ahead: Vec<Vec<u8>>,
@@ -48,11 +48,11 @@ pub(super) fn open<'a>(
     };
     let mut notes = Vec::new();
     if headings > 0 {
-        notes.push(Note::Read(format!("the headings stand in line {}", headings + 1)));
+        notes.push(Note::Read(format!("the headings are in line {}", headings + 1)));
     }
     for at in passed_over {
         let line = short(text(&ahead[at]).trim().as_bytes());
-        notes.push(Note::LeftOut(format!("line {}, which is no row: '{line}'", at + 1)));
+        notes.push(Note::LeftOut(format!("line {}, which is not a row: '{line}'", at + 1)));
     }
     let columns_of_head = columns.len();
     let above = headings..data.min(ahead.len());
@@ -73,7 +73,7 @@ pub(super) fn open<'a>(
     };
     Ok(Opened {
         file: rows.lines.file().to_owned(),
-        what: format!("a log of a rig as text, parted by {name}"),
+        what: format!("a log of a rig as text, separated by {name}"),
         well: None,
         columns,
         null: None,
@@ -84,7 +84,7 @@ pub(super) fn open<'a>(
     })
 }
 
-/// The cells of a row, empty ones at its end left out.
+/// Cells of a row without empty ones at its end.
 fn cells(row: &Row) -> Vec<Vec<u8>> {
     let mut cells: Vec<Vec<u8>> =
         (0..row.cells.len()).map(|at| row.cell(at).to_ascii_lowercase()).collect();
@@ -95,13 +95,13 @@ fn cells(row: &Row) -> Vec<Vec<u8>> {
 }
 
 impl CsvRows<'_> {
-    /// Whether a row has the headings again, or the units below them: of a log that was joined of
+    /// Whether a row repeats the headings, or the units below them, as in a log joined from
     /// several.
     ///
     /// # Errors
-    /// It has other headings.
+    /// It has different headings.
     fn is_heading(&mut self, row: &Row) -> Result<bool, ImportError> {
-        // Rows of data have numbers or dates; no row of headings but one of WITS items does.
+        // Rows of data contain numbers or dates; of rows of headings only those of WITS items do.
         let is_number = |&(from, to): &(u32, u32)| {
             let byte = row.bytes[from as usize..to as usize].first();
             byte.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'-' | b'+' | b'.'))
@@ -126,7 +126,7 @@ impl CsvRows<'_> {
         Ok(false)
     }
 
-    /// Says what was passed over.
+    /// Adds notes on the skipped lines.
     fn finish(&self, notes: &mut Vec<Note>) {
         let (count, line) = self.repeated;
         if count > 0 {
@@ -158,7 +158,7 @@ impl Rows for CsvRows<'_> {
                 return Ok(false);
             }
             row.line = self.line;
-            // Remarks in quotation marks may have line ends.
+            // Remarks in quotation marks may contain line ends.
             let mut lines = 1;
             while !row.part_at(self.sign, 0) {
                 row.bytes.push(b'\n');
@@ -194,7 +194,7 @@ impl Rows for CsvRows<'_> {
             let kind = ImportErrorKind::Refused(sentence);
             return Err(ImportError::new(self.lines.file(), place, kind));
         }
-        // A file that was copied while it grew ends within a row.
+        // A file that was copied while it grew may end within a row.
         let is_last = self.ahead.is_empty() && self.lines.cut();
         if is_last && row.cells.len() < self.columns {
             notes.push(Note::LeftOut(format!(

@@ -19,17 +19,17 @@ use crate::{
     fragment::Note,
 };
 
-/// Lines before the data: parameters and remarks included.
+/// Maximum number of lines before the data, including parameters and remarks.
 const LINES: u64 = 200_000;
 
-/// What parts the cells of a row.
+/// Separator of the cells of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Parted {
     Blanks,
     By(u8),
 }
 
-/// What the sections before the data say.
+/// Contents of the sections before the data.
 #[derive(Debug, Default)]
 pub(super) struct Head {
     pub(super) version: String,
@@ -101,18 +101,18 @@ pub(super) fn read(lines: &mut Lines) -> Result<Head, ImportError> {
     }
     if head.columns.is_empty() {
         let sentence =
-            "no section ~Curve stands before the data, and the line ~A names no curves; \
-                        expected one of them"
+            "there is no section ~Curve before the data, and the line ~A names no curves; \
+             expected one of them"
                 .to_owned();
         return Err(lines.error(ImportErrorKind::Refused(sentence)));
     }
     if !passed_over.is_empty() {
-        let text = format!("the sections {}, which are no log", passed_over.join(", "));
+        let text = format!("the sections {}, which are not the log", passed_over.join(", "));
         head.notes.push(Note::LeftOut(text));
     }
     if !without_point.is_empty() {
         head.notes.push(Note::Read(format!(
-            "lines of curves without a point behind the name, and so without a unit: {}",
+            "lines of curves without a point after the name, and so without a unit: {}",
             without_point[..without_point.len().min(20)].join(", ")
         )));
     }
@@ -137,7 +137,7 @@ fn section_of(title: &str) -> Section {
     }
 }
 
-/// The names behind `~A`, where no section has named curves.
+/// Names after `~A`, if no section declares curves.
 fn named_in_title(title: &str, head: &mut Head) {
     let mut words = title.split_ascii_whitespace();
     let is_own = |word: &str| {
@@ -149,7 +149,7 @@ fn named_in_title(title: &str, head: &mut Head) {
     if head.columns.is_empty() && names.len() >= 2 {
         let column = |name: &&str| Column { mnemonic: (*name).to_owned(), ..Column::default() };
         head.columns = names.iter().map(column).collect();
-        let text = "no section ~Curve: the names behind ~A are taken for the curves'".to_owned();
+        let text = "no section ~Curve: the names after ~A are used as the curves'".to_owned();
         head.notes.push(Note::Assumed(text));
     }
 }
@@ -157,9 +157,9 @@ fn named_in_title(title: &str, head: &mut Head) {
 impl Head {
     fn said(&mut self, item: &Item) {
         let Item { mnemonic, unit, data, description, .. } = item;
-        // "WRAP.NO" has no blank behind its point.
+        // "WRAP.NO" has no blank after its point.
         let fixed = if data.is_empty() { unit } else { data };
-        // LAS 1.2 has names behind the colon.
+        // LAS 1.2 has names after the colon.
         let name = || {
             let old = self.version.starts_with("1.") || data.is_empty();
             let name = if old && !description.is_empty() { description } else { data };
@@ -181,7 +181,7 @@ impl Head {
             "WELL" => self.well = name(),
             "DATE" => {
                 let date = name().unwrap_or_default();
-                // A day alone is that of the logging, not the first row's.
+                // A date without a time is that of the logging, not of the first row.
                 let is_time = date.contains(':');
                 let read = moment(date.as_bytes(), Order::DayFirst);
                 let zone = if has_zone(date.as_bytes()) { " UTC" } else { "" };
@@ -199,10 +199,10 @@ impl Head {
             return Err(lines.error(ImportErrorKind::TooMuch { found, most }));
         }
         let Item { mnemonic, unit, description, .. } = item;
-        // LAS 3.0 has the format and an association behind the description.
+        // LAS 3.0 has the format and an association after the description.
         let end = description.find(['{', '|']).unwrap_or(description.len());
         let mut description = description[..end].trim();
-        // Others begin it with the curve's number, which its place tells.
+        // Some descriptions begin with the curve's number, which is redundant.
         let number = (self.columns.len() + 1).to_string();
         if let Some(rest) = description.strip_prefix(&number)
             && (rest.is_empty() || rest.starts_with(char::is_whitespace))

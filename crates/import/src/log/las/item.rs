@@ -1,18 +1,18 @@
-//! A line of a head: `MNEM.UNIT  DATA : DESCRIPTION`.
+//! A line of a LAS head: `MNEM.UNIT  DATA : DESCRIPTION`.
 
-/// The parts of such a line, trimmed.
+/// Parts of such a line, trimmed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Item {
     pub(super) mnemonic: String,
     pub(super) unit: String,
     pub(super) data: String,
     pub(super) description: String,
-    /// Whether the point behind the mnemonic is missing.
+    /// Whether the point after the mnemonic is missing.
     pub(super) without_point: bool,
 }
 
-/// Parts a line. That of a curve has no colon before its description's; any other may have times
-/// in its data, so that there the last colon counts that stands alone.
+/// Splits a line. In the line of a curve the first colon begins the description. Other lines may
+/// have times in their data, so that the last colon outside digits counts.
 pub(super) fn item(line: &str, is_curve: bool) -> Item {
     let line = line.trim();
     let colon = line.find(':').unwrap_or(line.len());
@@ -25,7 +25,7 @@ pub(super) fn item(line: &str, is_curve: bool) -> Item {
         return Item { mnemonic, unit: String::new(), data, description, without_point: true };
     };
     let mnemonic = line[..point].trim().to_owned();
-    // A second point belongs to the mnemonic's padding: `TIME..s`.
+    // A second point is padding of the mnemonic: `TIME..s`.
     let rest = line[point + 1..].trim_start_matches('.');
     let (unit, rest) = unit_and_rest(rest);
     let split = if is_curve { rest.find(':') } else { lonely_colon(rest) };
@@ -42,11 +42,11 @@ pub(super) fn item(line: &str, is_curve: bool) -> Item {
     }
 }
 
-/// The unit directly behind the point, up to a blank; `1000 lbf` has one within.
+/// Splits off the unit directly after the point, up to a blank; `1000 lbf` contains one.
 fn unit_and_rest(rest: &str) -> (&str, &str) {
     let end = rest.find(char::is_whitespace).unwrap_or(rest.len());
     let token = &rest[..end];
-    // `hh:mm:ss` is a unit; `M:` ends with the description's colon.
+    // `hh:mm:ss` is a unit; the colon of `M:` begins the description.
     let is_time = token.to_ascii_lowercase().starts_with("hh:");
     let end = match token.find(':') {
         Some(colon) if !is_time => colon,
@@ -66,13 +66,13 @@ fn unit_and_rest(rest: &str) -> (&str, &str) {
     (unit, behind)
 }
 
-/// The last colon that no digits enclose, else the last.
+/// The last colon that is not between digits, else the last.
 fn lonely_colon(text: &str) -> Option<usize> {
     let bytes = text.as_bytes();
     let digit = |at: Option<usize>| at.and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_digit);
     let lonely = |&at: &usize| !(digit(at.checked_sub(1)) && digit(Some(at + 1)));
     let colons: Vec<usize> = text.match_indices(':').map(|(at, _)| at).collect();
-    // Blanks before it tell it from one within the description.
+    // Blanks before it distinguish it from one within the description.
     let apart = colons.iter().copied().find(|&at| at > 0 && bytes[at - 1].is_ascii_whitespace());
     apart.or_else(|| colons.iter().copied().find(lonely)).or(colons.last().copied())
 }

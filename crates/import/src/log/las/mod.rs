@@ -1,8 +1,8 @@
 //! LAS 1.2, 2.0 and 3.0 of the Canadian Well Logging Society.
 //!
-//! The crates that read LAS (`las_rs`, `liblas`) take the whole file into memory as columns; a time
-//! log of a rig may be longer than that. Here the head is read and then row after row, and a row
-//! that is not what the head says is refused with its line, not repaired.
+//! The crates that read LAS (`las_rs`, `liblas`) load the whole file into memory as columns; a time
+//! log of a rig may exceed that. This module reads the head and then row after row. A row that
+//! contradicts the head is refused with its line and is not repaired.
 
 mod head;
 mod item;

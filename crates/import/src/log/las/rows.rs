@@ -15,22 +15,22 @@ use crate::{
     fragment::Note,
 };
 
-/// The rows, and how their cells are parted.
+/// Rows of a LAS file with their separator.
 struct LasRows<'a> {
     lines: Lines<'a>,
-    /// The first line of data, which told how cells are parted.
+    /// The first line of data, from which the separator was determined.
     first: Option<Vec<u8>>,
     parted: Parted,
     wrapped: bool,
     columns: usize,
-    /// Whether the index of a wrapped row stands alone in its first line, as the standard has it.
+    /// Whether the first line of a wrapped row contains only the index, as in the standard.
     alone: Option<bool>,
-    /// A date whose time stands behind a blank.
+    /// A date column whose time follows after a blank.
     joined: Option<usize>,
     ended: bool,
 }
 
-/// Looks at the first line of data.
+/// Examines the first line of data.
 pub(super) fn open<'a>(mut lines: Lines<'a>, head: Head) -> Result<Opened<'a>, ImportError> {
     let Head { version, wrapped, parted, null, well, start, columns, mut notes, .. } = head;
     let mut first = Vec::new();
@@ -80,7 +80,7 @@ fn data_line(
         }
         let line = into[from..].trim_ascii();
         match line.first() {
-            // Some end with the sign of an old end of file.
+            // Some files end with an old end-of-file character.
             None | Some(b'#' | 0x1a | 0) => {}
             Some(b'~') => {
                 let text = format!("what follows from line {}: {}", lines.line(), short(line));
@@ -93,8 +93,9 @@ fn data_line(
 }
 
 impl LasRows<'_> {
-    /// Finds by the first row what parts cells, where the head does not tell or does not hold.
-    fn look(&mut self, mut line: Row, told: Option<Parted>, notes: &mut Vec<Note>) {
+    /// Determines the separator of cells from the first row, if the head does not give it or is
+    /// wrong.
+    fn look(&mut self, mut line: Row, declared: Option<Parted>, notes: &mut Vec<Note>) {
         match self.parted {
             Parted::Blanks => line.part_at_blanks(0),
             Parted::By(sign) => {
@@ -134,8 +135,8 @@ impl LasRows<'_> {
             .find(|(sign, _)| cells(*sign) == self.columns)
         {
             self.parted = Parted::By(sign);
-            let but = if told.is_some() { "; the head says otherwise" } else { "" };
-            notes.push(Note::Read(format!("{name} part the cells of the rows{but}")));
+            let but = if declared.is_some() { "; the head declares another separator" } else { "" };
+            notes.push(Note::Read(format!("{name} separate the cells of the rows{but}")));
         }
     }
 
@@ -154,7 +155,7 @@ impl LasRows<'_> {
         }
     }
 
-    /// A row whose cells are not the curves'.
+    /// The error of a row whose number of cells differs from that of the curves.
     fn uneven(&self, row: &Row) -> ImportError {
         let (found, expected) = (row.cells.len(), self.columns);
         let run_on = (0..found).map(|at| row.cell(at)).find(|cell| has_run_on(cell));
@@ -186,8 +187,8 @@ impl Rows for LasRows<'_> {
         let alone = row.cells.len() == 1;
         if self.wrapped && alone != *self.alone.get_or_insert(alone) {
             let sentence =
-                "this wrapped row does not begin as the first did, with its index alone in \
-                            a line or not; a value may be missing above"
+                "this wrapped row begins differently from the first, with or without its index \
+                 alone in a line; a value may be missing above"
                     .to_owned();
             return Err(self.lines.error(ImportErrorKind::Refused(sentence)));
         }
@@ -209,7 +210,7 @@ impl Rows for LasRows<'_> {
         if row.cells.len() == self.columns {
             return Ok(true);
         }
-        // A comma behind the last value parts nothing.
+        // A comma after the last value separates nothing.
         if row.cells.len() == self.columns + 1 && row.cell(self.columns).is_empty() {
             row.cells.pop();
             return Ok(true);
@@ -223,7 +224,7 @@ impl Rows for LasRows<'_> {
     }
 }
 
-/// A file that was copied while it grew ends within a row.
+/// Note on a last row that is incomplete because the file was copied while it grew.
 fn cut(row: &Row) -> Note {
     Note::LeftOut(format!("the last row, line {}: the file ends within it", row.line))
 }

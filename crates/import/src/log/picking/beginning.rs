@@ -1,35 +1,35 @@
-//! What the beginning of a log tells of all of it.
+//! Properties of a log derived from its beginning.
 
 use super::{
     estimate::{median, quantile, spread},
     row::Row,
 };
 
-/// The hook load where the string hangs in slips: what is left on the hook.
+/// Hook load while the string hangs in slips, from the remaining weight on the hook.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Level {
     pub(super) median_N: f64,
     pub(super) spread_N: f64,
 }
 
-/// What the beginning of a log tells of all of it.
+/// Properties of a log derived from its beginning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Beginning {
     /// Time between two rows, s.
     pub(super) step_s: f64,
-    /// None where the log does not show it.
+    /// Level in slips; `None` if the log does not show it.
     pub(super) slips: Option<Level>,
-    /// Hook load above which one row in twenty lies, N.
+    /// Hook load exceeded by one row in twenty, N.
     pub(super) heavy_N: f64,
-    /// Torque below which a string without a sensor of its speed does not turn, N·m; none where
-    /// there is no torque.
+    /// Torque below which a string without a rotary speed sensor is taken as not turning, N·m;
+    /// `None` without torque.
     pub(super) idle_torque_N_m: Option<f64>,
     pub(super) has: Channels,
-    /// Whether anything tells that the bit is off bottom.
+    /// Whether any channel shows that the bit is off bottom.
     pub(super) tells_bottom: bool,
 }
 
-/// Which sensors say anything.
+/// Channels with values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Channels {
     pub(super) time: bool,
@@ -41,16 +41,16 @@ pub(super) struct Channels {
     pub(super) rotary: bool,
 }
 
-/// Least rows by which the level in slips is known.
+/// Minimum number of rows that determine the level in slips.
 const ROWS: usize = 20;
 
-/// Over this part of a torque that only one row in twenty reaches, a string turns.
+/// Fraction of the torque exceeded by one row in twenty above which a string turns.
 const IDLE: f64 = 0.1;
 
 impl Beginning {
     pub(super) fn of(rows: &[Row]) -> Self {
-        let has = |of: fn(&Row) -> f64| rows.iter().any(|row| of(row).is_finite());
-        let all = |of: fn(&Row) -> f64| rows.iter().map(of).collect::<Vec<f64>>();
+        let has = |value: fn(&Row) -> f64| rows.iter().any(|row| value(row).is_finite());
+        let all = |value: fn(&Row) -> f64| rows.iter().map(value).collect::<Vec<f64>>();
         let steps = rows.windows(2).map(|pair| pair[1].time_s - pair[0].time_s);
         let heavy_N = quantile(&mut all(|row| row.hook_load_N), 0.95).unwrap_or(f64::NAN);
         let torque = quantile(&mut all(|row| row.torque_N_m), 0.95);
@@ -74,13 +74,13 @@ impl Beginning {
     }
 }
 
-/// The hook load where the block moves and the bit does not.
+/// Returns the hook load while the block moves and the bit does not.
 fn still_bit(rows: &[Row], heavy_N: f64) -> Option<Level> {
-    /// Over so much time a motion is seen through the noise, s.
+    /// Time over which a motion is visible through the noise, s.
     const OVER_S: f64 = 4.0;
     /// 3 m/min.
     const MOVES_M_PER_S: f64 = 0.05;
-    /// Of the block's way that the bit's may be where it stands.
+    /// Maximum travel of the bit, over that of the block, at which the bit is stationary.
     const STANDS: f64 = 0.1;
     let mut loads = Vec::new();
     let mut last = 0;
@@ -99,16 +99,16 @@ fn still_bit(rows: &[Row], heavy_N: f64) -> Option<Level> {
     loads.retain(|load| load.is_finite());
     let median_N = median(&mut loads)?;
     let spread_N = spread(&loads, median_N);
-    let told = loads.len() >= ROWS && spread_N < 0.1 * (heavy_N - median_N);
-    told.then_some(Level { median_N, spread_N })
+    let is_clear = loads.len() >= ROWS && spread_N < 0.1 * (heavy_N - median_N);
+    is_clear.then_some(Level { median_N, spread_N })
 }
 
-/// The lowest peak of the hook loads, where a valley parts it from the others.
+/// Returns the lowest peak of the hook loads that a valley separates from the others.
 fn lowest_peak(rows: &[Row]) -> Option<Level> {
     const BINS: usize = 200;
-    /// Part of the rows that a peak has.
+    /// Minimum fraction of the rows in a peak.
     const PEAK: f64 = 0.02;
-    /// Part of the peak to which the valley goes down.
+    /// Height of the valley over that of the peak.
     const VALLEY: f64 = 0.2;
     let mut loads: Vec<f64> = rows.iter().map(|row| row.hook_load_N).collect();
     let low_N = quantile(&mut loads, 0.001)?;
@@ -121,7 +121,7 @@ fn lowest_peak(rows: &[Row]) -> Option<Level> {
     for &load in &loads {
         bins[bin_of(load).min(BINS)] += 1;
     }
-    // Each with its neighbours, which a peak is spread over.
+    // Each bin with its neighbours, over which a peak is spread.
     let near = |bin: usize| bins[bin.saturating_sub(1)..(bin + 2).min(BINS)].iter().sum::<usize>();
     let least = ((PEAK * loads.len() as f64) as usize).max(ROWS);
     let first = (0..BINS).find(|&bin| near(bin) >= least)?;

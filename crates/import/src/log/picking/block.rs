@@ -1,4 +1,4 @@
-//! The weight of the block, which a log does not tell apart from the string's.
+//! Weight of the block, which a log does not separate from that of the string.
 
 use wholestring_units::{Dimension, Unit, number_text};
 
@@ -9,37 +9,37 @@ use crate::{
     fragment::{Note, Value},
 };
 
-/// The weight of block and top drive, and whether the logged hook loads hold it.
+/// Weight of block and top drive, and whether the logged hook loads include it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BlockWeight {
-    /// As it was said.
+    /// The value as the user gave it.
     pub said: Value,
-    /// The same, N.
+    /// The same value, N.
     pub weight_N: f64,
-    /// Median hook load in slips, N; none where the log shows no slips.
+    /// Median hook load in slips, N; `None` if the log shows no slips.
     pub slips_N: Option<f64>,
-    /// Whether it is in the hook loads of the log; where it is not, the sensor was set to zero with
-    /// the block on it, and the picked weights have it added.
+    /// Whether the hook loads of the log include it. Otherwise the sensor was zeroed with the block
+    /// on it, and the weight is added to the picked weights.
     pub in_log: bool,
 }
 
 /// Its name in `--value`.
 const NAME: &str = "block-weight";
 
-/// How much hook load in slips and the block's weight may differ, over the weight: a weight indicator
-/// errs by some per cent of the load, by the friction in the sheaves and by elevators and hoses that
-/// hang on the hook.
+/// Allowed difference between hook load in slips and block weight, over the weight: a weight
+/// indicator errs by some per cent of the load, by friction in the sheaves and by elevators and
+/// hoses that hang on the hook.
 const AGREES: f64 = 0.15;
 
-/// How much of the block's weight a weight indicator shows another one in slips without being
-/// corrected: as much as its scale is read to.
+/// Difference between the hook load in slips and the block's weight below which no correction is
+/// made, over the weight: the resolution to which the scale is read.
 const SAME: f64 = 0.01;
 
 impl BlockWeight {
-    /// The weight that is said, held against the hook load in slips.
+    /// Reads the given weight and compares it with the hook load in slips.
     ///
     /// # Errors
-    /// It is not said, or neither the hook load in slips nor nothing.
+    /// The weight is not given, or the hook load in slips is neither that weight nor zero.
     pub(super) fn of(
         choices: &Choices,
         beginning: &Beginning,
@@ -61,14 +61,14 @@ impl BlockWeight {
         let in_log = match slips_N {
             None => true,
             Some(slips_N) if (slips_N - weight_N).abs() <= AGREES * weight_N => true,
-            // Nothing weighs less than nothing: below it the sensor's zero is off.
+            // No weight is negative: below zero the sensor's zero is off.
             Some(slips_N) if slips_N <= AGREES * weight_N => false,
             Some(slips_N) => {
                 let slips = self::shown(slips_N, unit);
                 return Err(ImportErrorKind::Refused(format!(
-                    "in slips the hook load is {slips} at the median, and the block was said to \
-                     weigh {shown}; expected about {shown}, or about 0 where the sensor was set to \
-                     zero with the block on it; say the weight that hangs on the sensor: --value \
+                    "the median hook load in slips is {slips}, and the given block weight is \
+                     {shown}; expected about {shown}, or about 0 if the sensor was zeroed with \
+                     the block on it; give the weight on the sensor with --value \
                      {NAME}=\"{slips}\""
                 )));
             }
@@ -76,14 +76,14 @@ impl BlockWeight {
         Ok(Self { said, weight_N, slips_N, in_log })
     }
 
-    /// What is added to a hook load of the log so that it is what a weight indicator shows whose zero
-    /// is right, N: below the block hangs what is logged less what is logged in slips.
+    /// Correction added to a logged hook load to give the reading of a weight indicator with a
+    /// correct zero, N: the load below the block is the logged value minus the one logged in slips.
     pub fn added_N(&self) -> f64 {
         let off_N = self.slips_N.map_or(0.0, |slips_N| self.weight_N - slips_N);
         if self.in_log && off_N.abs() <= SAME * self.weight_N { 0.0 } else { off_N }
     }
 
-    /// What hangs on the sensor besides the string, N.
+    /// Weight on the sensor in addition to the string, N.
     pub(super) fn on_sensor_N(&self) -> f64 {
         self.slips_N.unwrap_or(self.weight_N)
     }
@@ -92,37 +92,38 @@ impl BlockWeight {
         shown(self.added_N(), unit)
     }
 
-    /// How hook loads and the block's weight belong together.
+    /// Note on the relation of hook loads and block weight.
     pub(super) fn note(&self, unit: &Unit) -> Note {
         let said = shown(self.weight_N, unit);
         match self.slips_N.map(|slips| shown(slips, unit)) {
             None => Note::Assumed(format!(
-                "the hook loads hold the block's {said}, for no slips show what is left on the hook"
+                "the hook loads include the block's {said}, because no slips show the remaining \
+                 load on the hook"
             )),
             Some(slips) if self.in_log && self.added_N() == 0.0 => Note::Checked(format!(
-                "in slips the hook load is {slips} at the median, and the block was said to weigh \
-                 {said}: the weights are as they were logged, with the block; `block_weight` of \
-                 [rig] takes it off"
+                "the median hook load in slips is {slips}, and the given block weight is {said}: \
+                 the weights are as logged, including the block; `block_weight` of [rig] is \
+                 subtracted from them"
             )),
             Some(slips) if self.in_log => Note::Assumed(format!(
-                "in slips the hook load is {slips} at the median, and the block was said to weigh \
-                 {said}: the zero of the weight indicator is off, and {} were added to the weights, \
-                 so that `block_weight` of [rig] leaves what hangs below the block",
+                "the median hook load in slips is {slips}, and the given block weight is {said}: \
+                 the zero of the weight indicator is off, and {} were added to the weights, so \
+                 that subtracting `block_weight` of [rig] gives the load below the block",
                 self.shown_added(unit)
             )),
             Some(slips) if self.slips_N.is_some_and(|off| off.abs() > SAME * self.weight_N) => {
                 Note::Assumed(format!(
-                    "in slips the hook load is {slips} at the median, so the sensor was set to zero \
-                     with the block on it, and its zero is off by {slips}: {} were added to the \
-                     weights, the block's {said} less that, which are those of a weight indicator; \
-                     `block_weight` of [rig] takes it off again",
+                    "the median hook load in slips is {slips}, so the sensor was zeroed with the \
+                     block on it, with an offset of {slips}: {} were added to the weights, the \
+                     block's {said} minus the offset, which makes them those of a weight \
+                     indicator; `block_weight` of [rig] is subtracted again",
                     self.shown_added(unit)
                 ))
             }
             Some(slips) => Note::Assumed(format!(
-                "in slips the hook load is {slips} at the median, so the sensor was set to zero with \
-                 the block on it: its {said} were added to the weights, which are those of a weight \
-                 indicator; `block_weight` of [rig] takes it off again"
+                "the median hook load in slips is {slips}, so the sensor was zeroed with the \
+                 block on it: its {said} were added to the weights, which makes them those of a \
+                 weight indicator; `block_weight` of [rig] is subtracted again"
             )),
         }
     }
@@ -131,8 +132,8 @@ impl BlockWeight {
 fn not_said(slips_N: Option<f64>, unit: &Unit) -> ImportErrorKind {
     let hint = match slips_N.map(|slips| shown(slips, unit)) {
         Some(slips) => format!(
-            "; in slips the hook load is {slips} at the median, which is the weight of block and top \
-             drive if the sensor was not set to zero with them"
+            "; the median hook load in slips is {slips}, which is the weight of block and top \
+             drive if the sensor was not zeroed with them"
         ),
         None => String::new(),
     };
@@ -144,7 +145,7 @@ fn not_said(slips_N: Option<f64>, unit: &Unit) -> ImportErrorKind {
     }
 }
 
-/// A weight in the log's unit, in three digits.
+/// Formats a weight in the log's unit with three digits.
 pub(super) fn shown(newtons: f64, unit: &Unit) -> String {
     let value = unit.from_si(newtons);
     let size = if value == 0.0 { 0.0 } else { libm::log10(value.abs()).floor() };

@@ -1,4 +1,4 @@
-//! What a log holds, counted.
+//! Counts of the contents of a log.
 
 use std::collections::BTreeMap;
 
@@ -7,68 +7,68 @@ use super::{
     window::{Kind, Refusal},
 };
 
-/// What was done with a stand.
+/// Work done with a stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Work {
     /// The hole got deeper.
     Drilled,
-    /// It was pulled out.
+    /// The string was pulled out.
     TrippedOut,
-    /// It was run in.
+    /// The string was run in.
     TrippedIn,
     /// None of these.
     Other,
 }
 
-/// A run of stands that all went the same way.
+/// Consecutive stands with the same direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trip {
-    /// Whether it went out of the hole.
+    /// Whether the direction is out of the hole.
     pub out: bool,
-    /// Depth of the bit where it began, m.
+    /// Bit depth at the start, m.
     pub from_m: f64,
-    /// Depth of the bit where it ended, m.
+    /// Bit depth at the end, m.
     pub to_m: f64,
-    /// Stands that it took.
+    /// Number of stands.
     pub stands: usize,
 }
 
-/// What a log holds, counted.
+/// Counts of the contents of a log.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Counts {
     /// Rows with a time.
     pub rows: usize,
-    /// Rows without one, or of one that was there already.
+    /// Rows without a time, or with one that occurred before.
     pub rows_without_time: usize,
-    /// Silences of the log that part two stands.
+    /// Gaps in the log that separate two stands.
     pub gaps: usize,
     /// Stands: from slips to slips.
     pub stands: usize,
-    /// Those in which the hole got deeper.
+    /// Stands in which the hole got deeper.
     pub drilled: usize,
     /// Connections.
     pub connections: usize,
-    /// Times in slips in which the block stayed about where it was.
+    /// Periods in slips in which the block stayed at about the same height.
     pub slips_alone: usize,
     /// Time in connections, s.
     pub connections_s: f64,
-    /// Time in slips, connections apart, s.
+    /// Time in slips without connections, s.
     pub slips_alone_s: f64,
     /// Trips of several stands.
     pub trips: Vec<Trip>,
     /// Time of each motion on the hook, s.
     pub motions_s: BTreeMap<Motion, f64>,
-    /// Windows that were told, by what they are for.
-    pub told: BTreeMap<Kind, usize>,
-    /// Windows that were refused, by what they were for and why.
+    /// Accepted windows, by kind.
+    pub accepted: BTreeMap<Kind, usize>,
+    /// Refused windows, by kind and reason.
     pub refused: BTreeMap<(Kind, Refusal), usize>,
 }
 
-/// Stands that make a trip: two are a wiper stroke.
+/// Minimum number of stands of a trip: two are a wiper stroke.
 const TRIP: usize = 3;
 
 impl Counts {
-    /// Takes a stand that moved the bit from one depth to the other.
+    /// Adds a stand that moved the bit between two depths.
     pub(super) fn stand(&mut self, work: Work, from_m: f64, to_m: f64, trip: &mut Option<Trip>) {
         self.stands += 1;
         self.drilled += usize::from(work == Work::Drilled);
@@ -76,7 +76,7 @@ impl Counts {
             Work::TrippedOut => Some(true),
             Work::TrippedIn => Some(false),
             Work::Drilled => None,
-            // It neither begins nor ends a trip: some wait on the way.
+            // Other work neither begins nor ends a trip, since some trips have pauses.
             Work::Other => return,
         };
         match (trip.as_mut(), out) {
@@ -91,7 +91,7 @@ impl Counts {
         }
     }
 
-    /// Takes the trip that ends.
+    /// Adds the trip that ends.
     pub(super) fn end_trip(&mut self, trip: &mut Option<Trip>) {
         self.trips.extend(trip.take().filter(|trip| trip.stands >= TRIP));
     }

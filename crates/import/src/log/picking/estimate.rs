@@ -1,27 +1,27 @@
-//! A value of a window, and how well the window tells it.
+//! A value of a window and its standard error.
 
-/// A value that was picked of a window.
+/// A value picked from a window.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
     /// The value, SI.
     pub value: f64,
-    /// How far single rows lie off it: 1.4826 times the median distance, which is the standard
+    /// Spread of single rows about it: 1.4826 times the median distance, which is the standard
     /// deviation of normal noise.
     pub spread: f64,
-    /// Its standard error, by spread and the number of rows that count as independent.
+    /// Its standard error, from the spread and the number of independent rows.
     pub standard_error: f64,
-    /// Rows that it is of.
+    /// Number of rows used.
     pub rows: usize,
 }
 
-/// Standard deviation of normal noise over its median distance from the middle.
+/// Standard deviation of normal noise over its median distance from the median.
 const OF_MEDIAN_DISTANCE: f64 = 1.4826;
 
-/// Standard error of a median over that of a mean, of normal noise: √(π/2).
+/// Standard error of a median over that of a mean, for normal noise: √(π/2).
 const OF_MEDIAN: f64 = 1.2533;
 
 impl Estimate {
-    /// The median: single spikes and what was not cut off of a transient leave it where it is.
+    /// Estimates by the median, which is insensitive to single spikes and remains of a transient.
     pub(super) fn by_median(values: &[f64]) -> Option<Self> {
         let value = median(&mut values.to_vec())?;
         let spread = spread(values, value).max(rounding(values));
@@ -30,23 +30,24 @@ impl Estimate {
         Some(Self { value, spread, standard_error, rows: values.len() })
     }
 
-    /// The mean of what lies within three spreads of the median: the swings of a string that sticks
-    /// and slips are longer on one side of it than on the other, and friction works by their mean.
+    /// Estimates by the mean of the values within three spreads of the median: the swings of a
+    /// string in stick-slip are longer on one side of it than on the other, and friction acts by
+    /// their mean.
     pub(super) fn by_mean(values: &[f64]) -> Option<Self> {
         let middle = median(&mut values.to_vec())?;
         let reach = 3.0 * spread(values, middle);
-        let kept: Vec<f64> =
+        let inliers: Vec<f64> =
             values.iter().copied().filter(|value| (value - middle).abs() <= reach).collect();
-        let rows = kept.len() as f64;
-        let value = kept.iter().sum::<f64>() / rows;
-        let squares = kept.iter().map(|kept| (kept - value).powi(2)).sum::<f64>();
+        let rows = inliers.len() as f64;
+        let value = inliers.iter().sum::<f64>() / rows;
+        let squares = inliers.iter().map(|inlier| (inlier - value).powi(2)).sum::<f64>();
         let spread = (squares / rows).sqrt().max(rounding(values));
-        let standard_error = spread / independent(&kept, value).sqrt();
-        Some(Self { value, spread, standard_error, rows: kept.len() })
+        let standard_error = spread / independent(&inliers, value).sqrt();
+        Some(Self { value, spread, standard_error, rows: inliers.len() })
     }
 }
 
-/// The middle value of those that are there; puts them in order.
+/// Returns the median of the finite values; reorders them.
 pub(super) fn median(values: &mut Vec<f64>) -> Option<f64> {
     values.retain(|value| value.is_finite());
     let middle = values.len() / 2;
@@ -63,7 +64,7 @@ pub(super) fn median(values: &mut Vec<f64>) -> Option<f64> {
     Some(0.5 * (below + at))
 }
 
-/// The value below which this part of them lies.
+/// Returns the value below which this fraction of them is.
 pub(super) fn quantile(values: &mut Vec<f64>, part: f64) -> Option<f64> {
     values.retain(|value| value.is_finite());
     let last = values.len().checked_sub(1)?;
@@ -71,13 +72,13 @@ pub(super) fn quantile(values: &mut Vec<f64>, part: f64) -> Option<f64> {
     Some(*values.select_nth_unstable_by(place.min(last), f64::total_cmp).1)
 }
 
-/// How far values lie off their middle, as the standard deviation of normal noise.
+/// Distance of values from their median, as the standard deviation of normal noise.
 pub(super) fn spread(values: &[f64], middle: f64) -> f64 {
     let mut distances: Vec<f64> = values.iter().map(|value| (value - middle).abs()).collect();
     OF_MEDIAN_DISTANCE * median(&mut distances).unwrap_or(0.0)
 }
 
-/// What is unknown of values that are written in steps: the standard deviation within a step.
+/// Uncertainty of values written in steps: the standard deviation within a step.
 fn rounding(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -86,17 +87,16 @@ fn rounding(values: &[f64]) -> f64 {
     if step.is_finite() { step / 12f64.sqrt() } else { 0.0 }
 }
 
-/// The noise from row to row, whatever trend lies below it.
+/// Noise from row to row, independent of any trend.
 pub(super) fn noise(values: &[f64]) -> f64 {
     let steps: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
     spread(&steps, 0.0) / std::f64::consts::SQRT_2
 }
 
-/// How many of the rows count as independent, by the correlation of neighbours (a first-order
-/// autoregression).
+/// Number of independent rows, by the correlation of neighbours (a first-order autoregression).
 fn independent(values: &[f64], middle: f64) -> f64 {
     let rows = values.len() as f64;
-    // A spike is no part of what correlates.
+    // Spikes are excluded from the correlation.
     let reach = 3.0 * spread(values, middle);
     let off = |value: &f64| (value - middle).clamp(-reach, reach);
     let squares: f64 = values.iter().map(|value| off(value).powi(2)).sum();
@@ -120,7 +120,8 @@ mod tests {
         assert_eq!(quantile(&mut (0..=100).map(f64::from).collect(), 0.95), Some(95.0));
     }
 
-    /// A sine about a middle and spikes: the mean of whole swings is the middle, the spikes are out.
+    /// Sine about a mean with spikes: the mean of whole swings is that of the sine, because the
+    /// spikes are excluded.
     #[test]
     fn the_mean_holds_whole_swings_and_no_spike() {
         let swing = |row: i32| 10.0 + 3.0 * (f64::from(row) * std::f64::consts::TAU / 20.0).sin();
@@ -128,13 +129,13 @@ mod tests {
         values[7] = 500.0;
         values[90] = -80.0;
         let found = Estimate::by_mean(&values).unwrap();
-        // Two rows of 400 are missing in it, each at most 3 off the middle.
+        // Two rows of 400 are missing in it, each at most 3 from the mean.
         assert!((found.value - 10.0).abs() <= 2.0 * 3.0 / 398.0, "{found:?}");
         assert!((found.spread - 3.0 / 2f64.sqrt()).abs() < 0.02, "{found:?}");
         assert_eq!(found.rows, 398);
     }
 
-    /// A sensor that is written in steps does not tell more than they do.
+    /// A sensor with discrete steps has at least the error of a step.
     #[test]
     fn steps_of_a_sensor_are_in_the_error() {
         let values: Vec<f64> = (0..90).map(|row| if row % 9 == 0 { 20.0 } else { 10.0 }).collect();
@@ -143,7 +144,7 @@ mod tests {
         assert!(found.standard_error > 0.3, "{found:?}");
     }
 
-    /// Alike rows tell as one where each repeats its neighbour.
+    /// Rows that repeat their neighbours count as one.
     #[test]
     fn rows_that_repeat_count_less() {
         let wave = |row: u32| if row % 40 < 20 { 1.0 } else { -1.0 };

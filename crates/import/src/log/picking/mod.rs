@@ -1,9 +1,10 @@
 //! Weights and torques picked from a log against time.
 //!
-//! Rows come one after the other and are let go with their stand: from slips to slips. What hook
-//! loads, sensors and time steps are like, the first rows tell. Of each stand that ends,
-//! [`motion`] tells what the string did, [`steady`] where it did so steadily and what sensors said
-//! there. How it is done, and what the numbers mean, stands in the book: "How weights are picked".
+//! Rows arrive one after the other and are released with their stand, from slips to slips. The
+//! first rows determine the ranges of hook loads, sensors and time steps. For each stand that ends,
+//! [`motion`] determines the motion of the string, and [`steady`] the intervals of steady motion
+//! with their sensor values. The method and the meaning of the numbers are described in the book:
+//! "How weights are picked".
 
 mod beginning;
 mod block;
@@ -40,21 +41,21 @@ use crate::{
     fragment::Note,
 };
 
-/// Rows by which the rest is understood: two days of a row a second.
+/// Rows from which the log's properties are determined: two days at one row per second.
 const BEGINNING: usize = 200_000;
 
-/// Over the level in slips so much of the heaviest string is not yet a string on the hook, nor so
-/// many spreads of the level, nor so much, N.
+/// Margin above the level in slips below which the string is not yet on the hook: the largest of a
+/// fraction of the heaviest string, a number of spreads of the level, and a force, N.
 const ON_HOOK: (f64, f64, f64) = (0.05, 6.0, 1e4);
 
-/// Picks weights and torques of the rows of a log against time; `unit` is that of its hook loads, for
-/// sentences.
+/// Picks weights and torques from the rows of a log against time; `unit` is that of its hook loads,
+/// for sentences.
 ///
-/// It asks `choices` for the weight of block and top drive: `--value block-weight="25 tf"`.
+/// It requires the weight of block and top drive in `choices`: `--value block-weight="25 tf"`.
 ///
 /// # Errors
-/// A row cannot be read, a sensor without which nothing is told is missing, the log is against depth
-/// or too slow, or the block's weight is not said or cannot be.
+/// A row cannot be read, an indispensable sensor is missing, the log is against depth or too slow,
+/// or the block's weight is missing or impossible.
 pub fn pick(
     records: impl IntoIterator<Item = Result<Record, ImportError>>,
     file: &str,
@@ -70,7 +71,7 @@ pub fn pick(
     for record in records.by_ref() {
         taken += 1;
         first.extend(clock.row(&record?));
-        // Of a log against depth, too, so many are enough.
+        // For a log against depth, this many rows are enough, too.
         if first.len() == BEGINNING || taken == 2 * BEGINNING {
             break;
         }
@@ -87,8 +88,8 @@ pub fn pick(
     let hook_from_N = on_sensor_N + over_N;
     if log.heavy_N <= hook_from_N {
         let kind = ImportErrorKind::Refused(format!(
-            "the hook load shows no string: nineteen rows in twenty stay below {}, where {} hang on \
-             the sensor without one",
+            "the hook load shows no string: nineteen rows in twenty stay below {}, and {} are on \
+             the sensor without a string",
             block::shown(log.heavy_N, unit),
             block::shown(on_sensor_N, unit),
         ));
@@ -127,7 +128,7 @@ pub fn pick(
     })
 }
 
-/// Lets rows pass whose time grows.
+/// Passes rows whose time increases.
 struct Clock {
     last_s: f64,
     without: usize,
@@ -144,7 +145,7 @@ impl Clock {
     }
 }
 
-/// Whether weights can be picked of a log at all.
+/// Whether weights can be picked from a log at all.
 fn check(log: &Beginning, limits: &Thresholds) -> Result<(), ImportErrorKind> {
     if !log.has.time {
         return Err(ImportErrorKind::Refused(
@@ -160,7 +161,7 @@ fn check(log: &Beginning, limits: &Thresholds) -> Result<(), ImportErrorKind> {
     ];
     if let Some((_, what, name)) = needed.into_iter().find(|(has, ..)| !has) {
         return Err(ImportErrorKind::Refused(format!(
-            "{what} is missing; if a channel has it, say which: --pick {name}=CHANNEL"
+            "{what} is missing; if a channel has it, choose it with --pick {name}=CHANNEL"
         )));
     }
     if log.step_s.is_nan() {
@@ -175,40 +176,38 @@ fn check(log: &Beginning, limits: &Thresholds) -> Result<(), ImportErrorKind> {
     Ok(())
 }
 
-/// What was assumed and left out.
+/// Notes on assumptions and omissions.
 fn notes(log: &Beginning, counts: &Counts, hook_from_N: f64, unit: &Unit) -> Vec<Note> {
     let mut notes = vec![Note::Read(format!(
         "the string is on the hook where the hook load is over {}",
         block::shown(hook_from_N, unit)
     ))];
     if !log.has.block {
-        let text = "no sensor tells where the block is; it moves as the depth of the bit does";
+        let text = "no sensor gives the position of the block; it is assumed to move with the \
+             depth of the bit";
         notes.push(Note::Assumed(text.to_owned()));
     }
     match (log.has.rotary, log.idle_torque_N_m) {
         (true, _) => {}
         (false, Some(idle)) => notes.push(Note::Assumed(format!(
-            "no sensor tells the rotary speed; the string turns where the torque is over {:.2} kN.m, \
-             a tenth of what one row in twenty reaches",
+            "no sensor gives the rotary speed; the string is assumed to turn where the torque \
+             exceeds {:.2} kN.m, a tenth of the value that one row in twenty exceeds",
             1e-3 * idle
         ))),
         (false, None) => notes.push(Note::LeftOut(
-            "all windows, for neither rotary speed nor torque tells whether the string turns"
+            "all windows, because neither rotary speed nor torque shows whether the string turns"
                 .to_owned(),
         )),
     }
     if !log.has.torque {
-        notes.push(Note::LeftOut("torques, for there is none in the log".to_owned()));
+        notes.push(Note::LeftOut("torques, because the log has none".to_owned()));
     }
     if counts.rows_without_time > 0 {
-        let text = "rows without a time, or with one that does not come after the row before";
+        let text = "rows without a time, or with one that is not after that of the row before";
         notes.push(Note::LeftOut(format!("{} {text}", counts.rows_without_time)));
     }
     if counts.gaps > 0 {
-        notes.push(Note::Read(format!(
-            "the log is silent {} times; a stand does not go on over a silence",
-            counts.gaps
-        )));
+        notes.push(Note::Read(format!("gaps in the log: {}; a stand ends at a gap", counts.gaps)));
     }
     notes
 }

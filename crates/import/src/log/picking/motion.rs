@@ -1,30 +1,30 @@
-//! What the string does, row by row.
+//! Motion of the string, row by row.
 
 use super::{beginning::Beginning, row::Row, thresholds::Thresholds};
 
-/// What the string does.
+/// Motion of the string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Motion {
-    /// Up, off bottom, without rotation.
+    /// Moves up, off bottom, without rotation.
     PickUp,
-    /// Down, off bottom, without rotation.
+    /// Moves down, off bottom, without rotation.
     SlackOff,
-    /// It turns off bottom and does not move along.
+    /// Turns off bottom without axial motion.
     Rotating,
-    /// It turns on bottom.
+    /// Turns on bottom.
     Drilling,
-    /// It is on bottom and does not turn.
+    /// Is on bottom and does not turn.
     OnBottom,
-    /// It turns off bottom and moves.
+    /// Turns off bottom and moves.
     Reaming,
-    /// It stands still off bottom.
+    /// Is stationary off bottom.
     Still,
-    /// It changes from one to the other, or sensors do not tell.
+    /// Changes from one motion to another, or the sensors do not determine it.
     Between,
 }
 
 impl Motion {
-    /// Every one, in the order of a table.
+    /// Every motion, in the order of a table.
     pub const ALL: [Motion; 8] = [
         Motion::PickUp,
         Motion::SlackOff,
@@ -46,25 +46,25 @@ impl Motion {
             Motion::OnBottom => "on bottom without rotation",
             Motion::Reaming => "moving with rotation",
             Motion::Still => "still off bottom",
-            Motion::Between => "changing, or not told",
+            Motion::Between => "changing, or unknown",
         }
     }
 }
 
-/// The rows of a stand, with single spikes of positions out of them, their speeds and motions.
+/// The rows of a stand with single spikes of positions removed, and their speeds and motions.
 pub(super) struct Moving<'a> {
     pub(super) rows: &'a [Row],
     /// Speed of the block, positive upwards, m/s.
     pub(super) speed: Vec<f64>,
     pub(super) motion: Vec<Motion>,
-    /// Height of the block, or the way of the bit where no sensor tells that, m.
+    /// Height of the block, or the travel of the bit where no sensor gives the height, m.
     pub(super) height: Vec<f64>,
 }
 
-/// Half the span over which a speed is taken, s.
+/// Half of the time span over which a speed is computed, s.
 const HALF_SPAN_S: f64 = 2.0;
 
-/// Rows on either side over which a speed is taken.
+/// Number of rows on either side over which a speed is computed.
 pub(super) fn half_span(step_s: f64) -> usize {
     (HALF_SPAN_S / step_s).round().clamp(1.0, 100.0) as usize
 }
@@ -103,7 +103,7 @@ impl<'a> Moving<'a> {
         Self { rows, speed, motion, height }
     }
 
-    /// Stretches of one motion: what it is, first row, and the row after the last.
+    /// Stretches of one motion: the motion, its first row, and the row after its last.
     pub(super) fn runs(&self) -> Vec<(Motion, usize, usize)> {
         let mut runs = Vec::new();
         let mut first = 0;
@@ -115,15 +115,15 @@ impl<'a> Moving<'a> {
     }
 }
 
-/// The middle of each three: a single spike is out, what grows or falls stays as it is.
-fn smooth(rows: &[Row], of: impl Fn(&Row) -> f64) -> Vec<f64> {
-    let values: Vec<f64> = rows.iter().map(of).collect();
+/// Running median of three: removes single spikes and keeps trends.
+fn smooth(rows: &[Row], value: impl Fn(&Row) -> f64) -> Vec<f64> {
+    let values: Vec<f64> = rows.iter().map(value).collect();
     let middle = |at: usize| {
         if at == 0 || at + 1 >= values.len() {
             return values[at];
         }
         let [a, b, c] = [values[at - 1], values[at], values[at + 1]];
-        // A row that is missing between two that agree is theirs.
+        // A missing row between two equal ones takes their value.
         if b.is_nan() {
             0.5 * (a + c)
         } else if (a + c).is_nan() {
@@ -135,7 +135,7 @@ fn smooth(rows: &[Row], of: impl Fn(&Row) -> f64) -> Vec<f64> {
     (0..values.len()).map(middle).collect()
 }
 
-/// Speeds over a few seconds; none over a gap.
+/// Speeds over a few seconds; NaN across a gap.
 fn speeds(rows: &[Row], height: &[f64], step_s: f64) -> Vec<f64> {
     let half = half_span(step_s);
     let last = rows.len().saturating_sub(1);
@@ -148,15 +148,15 @@ fn speeds(rows: &[Row], height: &[f64], step_s: f64) -> Vec<f64> {
     (0..rows.len()).map(speed).collect()
 }
 
-/// Gives a few odd rows between two alike the motion of those.
+/// Assigns a few differing rows between two runs of one motion to that motion.
 fn bridge(motion: &mut [Motion], most: usize) {
     let mut at = 0;
     while at < motion.len() {
-        let end = at + motion[at..].iter().take_while(|of| **of == motion[at]).count();
+        let end = at + motion[at..].iter().take_while(|other| **other == motion[at]).count();
         let before = at.checked_sub(1).map(|before| motion[before]);
         if end - at <= most && before.is_some() && before == motion.get(end).copied() {
-            let of = motion[end];
-            motion[at..end].fill(of);
+            let neighbour = motion[end];
+            motion[at..end].fill(neighbour);
         }
         at = end;
     }

@@ -1,10 +1,10 @@
-//! What picked weights give to a case.
+//! Contribution of picked weights to a case.
 
 use super::picks::Picks;
 use crate::fragment::{Block, Fragment, Origin};
 
 impl Picks {
-    /// What they give to a case.
+    /// Returns their contribution to a case.
     pub fn fragment(self) -> Fragment {
         let mut rig = Block::default();
         let because = "--value block-weight".to_owned();

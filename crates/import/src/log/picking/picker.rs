@@ -1,4 +1,4 @@
-//! Takes a log row by row, and picks of each stand as it ends.
+//! Processes a log row by row, and picks windows from each stand as it ends.
 
 use super::{
     beginning::Beginning,
@@ -14,25 +14,25 @@ use super::{
     window::{Kind, Refused, Window},
 };
 
-/// Points of the whole log as it is drawn.
+/// Maximum number of points of the drawn log.
 const OVERVIEW: usize = 4096;
 
-/// Points of a stand as it is drawn.
+/// Maximum number of points of a drawn stand.
 const STAND: usize = 256;
 
-/// Stands that are drawn at most.
+/// Maximum number of stands that are drawn.
 const DRAWN: usize = 12;
 
-/// Stands of a log at most: no well has had so many.
+/// Maximum number of stands of a log: no well has had as many.
 pub(super) const STANDS: usize = 100_000;
 
-/// Least way of the bit in a stand that is tripped, m: half a joint.
+/// Minimum travel of the bit in a tripped stand, m: half a joint.
 const TRIPPED_M: f64 = 4.5;
 
-/// Least way of the bottom in a stand that is drilled, m.
+/// Minimum advance of the bottom in a drilled stand, m.
 const DRILLED_M: f64 = 0.5;
 
-/// Takes a log row by row.
+/// Processes a log row by row.
 pub(super) struct Picker<'a> {
     limits: &'a Thresholds,
     log: &'a Beginning,
@@ -41,16 +41,16 @@ pub(super) struct Picker<'a> {
     pub(super) done: Done,
 }
 
-/// What was found so far.
+/// Results so far.
 pub(super) struct Done {
     pub(super) windows: Vec<Window>,
     pub(super) counts: Counts,
     pub(super) overview: Trace,
     pub(super) details: Vec<Detail>,
-    /// Every so many stands that were picked of is drawn.
+    /// Interval between drawn stands, counted over stands with windows.
     every: usize,
-    /// Stands that were picked of.
-    told: usize,
+    /// Number of stands with windows.
+    picked: usize,
     trip: Option<Trip>,
 }
 
@@ -74,7 +74,7 @@ impl<'a> Picker<'a> {
                 overview: Trace::new(OVERVIEW),
                 details: Vec::new(),
                 every: 1,
-                told: 0,
+                picked: 0,
                 trip: None,
             },
         }
@@ -125,18 +125,18 @@ impl Done {
         self.counts.stand(work, from_m, to_m, &mut self.trip);
         let stand = self.counts.stands;
         let found = judge.windows(&moving, stand);
-        let refused: Vec<Refused> = found.iter().filter_map(|of| of.err()).collect();
-        for of in &refused {
-            *self.counts.refused.entry((of.kind, of.why)).or_default() += 1;
+        let refused: Vec<Refused> = found.iter().filter_map(|window| window.err()).collect();
+        for refusal in &refused {
+            *self.counts.refused.entry((refusal.kind, refusal.why)).or_default() += 1;
         }
         let windows = best(&found);
         if windows.is_empty() {
             return;
         }
-        for of in &windows {
-            *self.counts.told.entry(of.kind).or_default() += 1;
+        for window in &windows {
+            *self.counts.accepted.entry(window.kind).or_default() += 1;
         }
-        if self.told.is_multiple_of(self.every) {
+        if self.picked.is_multiple_of(self.every) {
             if self.details.len() == DRAWN {
                 let mut place = 0;
                 self.details.retain(|_| {
@@ -145,22 +145,22 @@ impl Done {
                 });
                 self.every *= 2;
             }
-            if self.told.is_multiple_of(self.every) {
+            if self.picked.is_multiple_of(self.every) {
                 let mut trace = Trace::new(STAND);
                 rows.iter().for_each(|row| trace.push(row));
                 let windows = windows.clone();
                 self.details.push(Detail { stand, work, trace, windows, refused });
             }
         }
-        self.told += 1;
+        self.picked += 1;
         self.windows.extend(windows);
     }
 }
 
-/// The window of each kind that tells best.
+/// The window of each kind with the smallest error.
 fn best(found: &[Found]) -> Vec<Window> {
     let best = Kind::ALL.into_iter().filter_map(|kind| {
-        let own = found.iter().flatten().filter(|of| of.kind == kind);
+        let own = found.iter().flatten().filter(|pick| pick.kind == kind);
         own.min_by(|a, b| a.error().total_cmp(&b.error())).copied()
     });
     let mut best: Vec<Window> = best.collect();
@@ -168,11 +168,11 @@ fn best(found: &[Found]) -> Vec<Window> {
     best
 }
 
-/// What was done with a stand, and where the bit was before and after.
+/// Work done with a stand, and the bit depth before and after.
 fn work(rows: &[Row]) -> (Work, f64, f64) {
-    let ends = |of: fn(&Row) -> f64| {
-        let first = rows.iter().map(of).find(|value| value.is_finite());
-        let last = rows.iter().rev().map(of).find(|value| value.is_finite());
+    let ends = |depth: fn(&Row) -> f64| {
+        let first = rows.iter().map(depth).find(|depth_m| depth_m.is_finite());
+        let last = rows.iter().rev().map(depth).find(|depth_m| depth_m.is_finite());
         (first.unwrap_or(f64::NAN), last.unwrap_or(f64::NAN))
     };
     let (from_m, to_m) = ends(|row| row.bit_depth_m);

@@ -1,4 +1,4 @@
-//! What was picked of a log.
+//! Values picked from a log.
 
 use wholestring_tabular::ImportedReading;
 use wholestring_units::{Unit, number_text};
@@ -12,49 +12,48 @@ use super::{
 };
 use crate::fragment::Note;
 
-/// What was picked of a log, and what shows that it was picked well.
+/// Values picked from a log, and the evidence of their quality.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picks {
     /// Name of the log's file.
     pub file: String,
-    /// The block's weight, and whether it is in the logged hook loads. In those of the windows it
-    /// always is.
+    /// The block's weight, and whether the logged hook loads include it. Those of the windows
+    /// always do.
     pub block: BlockWeight,
     /// Time between two rows, s.
     pub step_s: f64,
-    /// The best window of each kind of each stand, in the order of the log.
+    /// The best window of each kind of each stand, in log order.
     pub windows: Vec<Window>,
-    /// What the log holds, counted.
+    /// Counts of rows, stands and windows of the log.
     pub counts: Counts,
-    /// All of the log.
+    /// Trace of the whole log.
     pub overview: Trace,
-    /// Some stands, evenly over the log.
+    /// Some stands, evenly spaced over the log.
     pub details: Vec<Detail>,
-    /// Depths within which picks of a stand share a row, m.
+    /// Depth difference within which picks of a stand share a row, m.
     pub(super) same_depth_m: f64,
     /// Unit of the log's hook loads.
     pub(super) unit: &'static Unit,
     pub(super) notes: Vec<Note>,
 }
 
-/// A stand from slips to slips.
+/// A stand: the string on the hook from slips to slips.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Detail {
-    /// Counted from 1 as the log goes on.
+    /// Number of the stand in the log, from 1.
     pub stand: usize,
-    /// What was done with it.
+    /// Work done with the stand.
     pub work: Work,
-    /// Its log.
+    /// Trace of the stand.
     pub trace: Trace,
-    /// What was picked of it.
+    /// Accepted windows of the stand.
     pub windows: Vec<Window>,
-    /// What was not, and why.
+    /// Refused windows of the stand, with reasons.
     pub refused: Vec<Refused>,
 }
 
 impl Picks {
-    /// Weights and torques by the depth of the bit, as `calibrate` takes them: weights with the
-    /// block.
+    /// Weights and torques by bit depth, as `calibrate` reads them: weights include the block.
     pub fn readings(&self) -> Vec<ImportedReading> {
         let mut readings = Vec::new();
         for stand in self.windows.chunk_by(|a, b| a.stand == b.stand) {
@@ -62,7 +61,8 @@ impl Picks {
             windows.sort_by(|a, b| a.bit_depth_m.total_cmp(&b.bit_depth_m));
             let mut rest = windows.as_slice();
             while let [first, ..] = rest {
-                let near = |of: &&&Window| of.bit_depth_m - first.bit_depth_m <= self.same_depth_m;
+                let near =
+                    |window: &&&Window| window.bit_depth_m - first.bit_depth_m <= self.same_depth_m;
                 let count = rest.iter().take_while(near).count().max(1);
                 let (own, others) = rest.split_at(count);
                 rest = others;
@@ -72,7 +72,7 @@ impl Picks {
         readings
     }
 
-    /// How the log was understood, what was assumed and left out.
+    /// Notes on the interpretation of the log, assumptions and omissions.
     pub fn notes(&self) -> Vec<Note> {
         let mut notes = vec![self.said_of_log()];
         notes.extend(self.said_of_trips());
@@ -92,7 +92,7 @@ impl Picks {
             format!("{stands} stands, {drilled} of them drilled; {connections} connections");
         if connections > 0 {
             let mean = connections_s / connections as f64 / 60.0;
-            text += &format!(" of {mean:.1} min in the mean");
+            text += &format!(" of {mean:.1} min on average");
         }
         if slips_alone > 0 {
             text += &format!(", and {slips_alone} times in slips without one");
@@ -101,36 +101,38 @@ impl Picks {
     }
 
     fn said_of_trips(&self) -> Option<Note> {
-        /// More are not told one by one.
-        const TOLD: usize = 8;
+        /// Maximum number of trips that are listed one by one.
+        const MAX_LISTED: usize = 8;
         let trips = &self.counts.trips;
-        let told = trips.iter().take(TOLD).map(|trip| {
+        let texts = trips.iter().take(MAX_LISTED).map(|trip| {
             let way = if trip.out { "out" } else { "in" };
             format!(
                 "{way} from {:.0} m to {:.0} m in {} stands",
                 trip.from_m, trip.to_m, trip.stands
             )
         });
-        let mut told: Vec<String> = told.collect();
-        if trips.len() > TOLD {
-            told.push(format!("and {} more", trips.len() - TOLD));
+        let mut texts: Vec<String> = texts.collect();
+        if trips.len() > MAX_LISTED {
+            texts.push(format!("and {} more", trips.len() - MAX_LISTED));
         }
-        (!told.is_empty())
-            .then(|| Note::Read(format!("{} trips: {}", trips.len(), told.join("; "))))
+        (!texts.is_empty())
+            .then(|| Note::Read(format!("{} trips: {}", trips.len(), texts.join("; "))))
     }
 
     fn said_of_windows(&self) -> Vec<Note> {
         let picked = Kind::ALL.map(|kind| {
-            let count = self.windows.iter().filter(|of| of.kind == kind).count();
+            let count = self.windows.iter().filter(|window| window.kind == kind).count();
             format!("{count} of {}", kind.words())
         });
         let mut text = format!("windows picked, the best of each stand: {}", picked.join(", "));
-        let errors = |of: fn(&Window) -> Option<Estimate>| {
-            let errors = self.windows.iter().filter_map(of).map(|of| of.standard_error);
+        let errors = |estimate: fn(&Window) -> Option<Estimate>| {
+            let estimates = self.windows.iter().filter_map(estimate);
+            let errors = estimates.map(|estimate| estimate.standard_error);
             median(&mut errors.collect())
         };
-        let weight = errors(|of| of.weight_N).map(|error| shown(error, self.unit));
-        let torque = errors(|of| of.torque_N_m).map(|error| format!("{:.3} kN.m", 1e-3 * error));
+        let weight = errors(|window| window.weight_N).map(|error| shown(error, self.unit));
+        let torque =
+            errors(|window| window.torque_N_m).map(|error| format!("{:.3} kN.m", 1e-3 * error));
         let known: Vec<String> = [("weight", weight), ("torque", torque)]
             .into_iter()
             .filter_map(|(what, error)| Some(format!("{} of a {what}", error?)))
@@ -150,14 +152,15 @@ impl Picks {
     }
 }
 
-/// A row of windows at about one depth; none where they tell nothing.
+/// Combines windows at about one depth into a row; `None` if they have no values.
 fn reading(windows: &[&Window]) -> Option<ImportedReading> {
-    let of = |kind: Kind| windows.iter().find(|of| of.kind == kind);
-    let weight = |kind| Some(of(kind)?.weight_N?.value);
-    let torque = |kind| Some(of(kind)?.torque_N_m?.value);
-    let depth_m = windows.iter().map(|of| of.bit_depth_m).sum::<f64>() / windows.len() as f64;
-    let from_s = windows.iter().map(|of| of.from_s).fold(f64::INFINITY, f64::min);
-    let to_s = windows.iter().map(|of| of.to_s).fold(f64::NEG_INFINITY, f64::max);
+    let first = |kind: Kind| windows.iter().find(|window| window.kind == kind);
+    let weight = |kind| Some(first(kind)?.weight_N?.value);
+    let torque = |kind| Some(first(kind)?.torque_N_m?.value);
+    let depth_m =
+        windows.iter().map(|window| window.bit_depth_m).sum::<f64>() / windows.len() as f64;
+    let from_s = windows.iter().map(|window| window.from_s).fold(f64::INFINITY, f64::min);
+    let to_s = windows.iter().map(|window| window.to_s).fold(f64::NEG_INFINITY, f64::max);
     let [from, to] = [from_s, to_s].map(|at_s| at_s / 3600.0);
     let place = format!("stand {}, {from:.3} h to {to:.3} h", windows.first()?.stand);
     (depth_m > 0.0).then_some(ImportedReading {

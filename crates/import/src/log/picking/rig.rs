@@ -1,14 +1,14 @@
-//! From rows to stands: when the string hangs in slips, and when on the hook.
+//! From rows to stands: times when the string hangs in slips, and times on the hook.
 
 use super::{estimate::median, row::Row, thresholds::Thresholds};
 
-/// What a log is in parts.
+/// A part of a log.
 pub(super) enum Part {
     /// The string on the hook, from slips to slips.
     Stand(Vec<Row>),
     /// The string in slips.
     Slips(Slips),
-    /// The log says nothing for a while.
+    /// A period of the log without values.
     Gap,
 }
 
@@ -17,30 +17,31 @@ pub(super) enum Part {
 pub(super) struct Slips {
     pub(super) from_s: f64,
     pub(super) to_s: f64,
-    /// Way between the lowest and the highest place of the block, m.
+    /// Travel of the block between its lowest and highest position, m.
     pub(super) way_m: f64,
     /// Median hook load, N.
     pub(super) hook_load_N: f64,
 }
 
-/// Rows of a stand: some days at a row a second. What lasts longer is read in parts.
+/// Maximum number of rows of a stand: some days at one row per second. A longer stand is read in
+/// parts.
 const LONGEST_STAND: usize = 200_000;
 
-/// Hook loads in slips of which the median is taken.
+/// Maximum number of hook loads in slips for the median.
 const LOADS: usize = 512;
 
-/// Time of hook loads over the level that ends slips, s: a spike is shorter.
+/// Time of hook loads above the level that ends slips, s: a spike is shorter.
 const LIFTED_S: f64 = 3.0;
 
-/// Tells rows in slips from rows on the hook.
+/// Separates rows in slips from rows on the hook.
 pub(super) struct Rig {
     limits: Thresholds,
-    /// Hook load over which the string hangs on the hook, N.
+    /// Hook load above which the string hangs on the hook, N.
     hook_from_N: f64,
-    /// Silence after which a stand is another one, s.
+    /// Gap after which a new stand begins, s.
     gap_s: f64,
     state: State,
-    /// Rows that speak for the other state, and may be a spike.
+    /// Rows that indicate the other state, but may be a spike.
     pending: Vec<Row>,
     last_s: f64,
 }
@@ -62,7 +63,7 @@ impl Rig {
         }
     }
 
-    /// Takes a row, and tells the parts that end with it.
+    /// Adds a row, and passes on the parts that end with it.
     pub(super) fn push(&mut self, row: Row, mut part: impl FnMut(Part)) {
         if row.time_s - self.last_s > self.gap_s && self.last_s.is_finite() {
             self.finish(&mut part);
@@ -83,7 +84,7 @@ impl Rig {
                 }
             }
             State::Hook(rows) => {
-                // A sensor that dropped out.
+                // A sensor dropout.
                 rows.extend(self.pending.drain(..).map(|low| Row { hook_load_N: f64::NAN, ..low }));
                 rows.push(row);
                 if rows.len() >= LONGEST_STAND {
@@ -108,14 +109,14 @@ impl Rig {
         }
     }
 
-    /// The part in which the log ends.
+    /// Passes on the part in which the log ends.
     pub(super) fn finish(&mut self, mut part: impl FnMut(Part)) {
         self.pending.clear();
         std::mem::replace(&mut self.state, State::Hook(Vec::new())).end(&mut part);
     }
 }
 
-/// Whether rows last so long, and are more than one.
+/// Whether rows last this long, and are more than one.
 fn lasts(rows: &[Row], time_s: f64) -> bool {
     matches!(rows, [first, .., last] if last.time_s - first.time_s >= time_s)
 }
@@ -138,11 +139,11 @@ impl State {
     fn add(&mut self, row: &Row) {
         let State::Slips { to_s, low_m, high_m, loads, seen, .. } = self else { return };
         *to_s = row.time_s;
-        // Neither takes what is not a number.
+        // `min` and `max` ignore NaN.
         *low_m = low_m.min(row.block_m);
         *high_m = high_m.max(row.block_m);
         if row.hook_load_N.is_finite() {
-            // Of long ones the latest.
+            // Of long periods the latest values are kept.
             if loads.len() < LOADS {
                 loads.push(row.hook_load_N);
             } else {

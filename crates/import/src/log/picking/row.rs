@@ -1,8 +1,8 @@
-//! A row of a log, with what no sensor can say taken out.
+//! A row of a log without values that no sensor can give.
 
 use crate::log::Record;
 
-/// What is picked from: a row with a time. NaN where a sensor said nothing, or what cannot be.
+/// Input of the picking: a row with a time. NaN where a sensor has no value or an impossible one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Row {
     pub(super) time_s: f64,
@@ -15,17 +15,17 @@ pub(super) struct Row {
     pub(super) weight_on_bit_N: f64,
 }
 
-/// What sensors of a rig can say: numbers such as -999.25 that stand for nothing lie outside, in any
-/// unit that is logged, or are short falls of the hook load.
+/// Ranges of sensors of a rig: null values such as -999.25 are outside them in any logged unit, or
+/// are short drops of the hook load.
 mod can_be {
     use std::ops::RangeInclusive;
-    /// The deepest wells have 15 km.
+    /// The deepest wells reach 15 km.
     pub(super) const DEPTH_M: RangeInclusive<f64> = 0.0..=2e4;
     /// Derricks lift 45 m; the zero is somewhere near the floor.
     pub(super) const BLOCK_M: RangeInclusive<f64> = -10.0..=100.0;
     /// The largest hoists carry 1250 tf.
     pub(super) const HOOK_LOAD_N: RangeInclusive<f64> = -5e5..=2e7;
-    /// The largest top drives give 150 kN·m.
+    /// The largest top drives deliver 150 kN·m.
     pub(super) const TORQUE_N_M: RangeInclusive<f64> = -5e5..=5e5;
     /// 600 rev/min.
     pub(super) const ROTARY_RAD_PER_S: RangeInclusive<f64> = -63.0..=63.0;
@@ -33,7 +33,7 @@ mod can_be {
 }
 
 impl Row {
-    /// A row of what a record says that can be.
+    /// Converts a record to a row, without its impossible values.
     pub(super) fn of(record: &Record) -> Self {
         let within = |value: f64, range: std::ops::RangeInclusive<f64>| {
             if range.contains(&value) { value } else { f64::NAN }
@@ -50,7 +50,7 @@ impl Row {
         }
     }
 
-    /// How high the bit is over the bottom, m.
+    /// Height of the bit above bottom, m.
     pub(super) fn height_m(&self) -> f64 {
         self.hole_depth_m - self.bit_depth_m
     }

@@ -9,18 +9,18 @@ use super::{
     window::{Kind, Refusal, Refused, Window},
 };
 
-/// What windows are judged by.
+/// Parameters by which windows are accepted.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Judge<'a> {
     pub(super) limits: &'a Thresholds,
     pub(super) log: &'a Beginning,
-    /// What hangs on the sensor besides the string, N.
+    /// Weight on the sensor in addition to the string, N.
     pub(super) on_sensor_N: f64,
-    /// What is added to a logged weight, N.
+    /// Correction added to a logged weight, N.
     pub(super) added_N: f64,
 }
 
-/// A window that was found, or why there is none.
+/// An accepted window, or the reason for a refusal.
 pub(super) type Found = Result<Window, Refused>;
 
 impl Judge<'_> {
@@ -47,8 +47,8 @@ impl Judge<'_> {
                 continue;
             };
             for piece in self.pieces(moving.rows, cut) {
-                let of = self.pick(moving, kind, piece, stand);
-                found.push(of.map_err(|why| refused(piece, why)));
+                let pick = self.pick(moving, kind, piece, stand);
+                found.push(pick.map_err(|why| refused(piece, why)));
             }
         }
         found
@@ -62,14 +62,14 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether rows last long enough and are enough.
+    /// Whether the rows last long enough and are numerous enough.
     fn is_enough(&self, rows: &[Row], kind: Kind) -> bool {
-        // So many rows stand for so many steps.
+        // n rows cover n time steps.
         let lasts_s = duration_s(rows) + self.log.step_s;
         rows.len() >= self.limits.rows && lasts_s >= self.shortest_s(kind)
     }
 
-    /// A stretch of motion without its transients; none where too little is left.
+    /// Cuts the transients off a stretch of motion; `None` if too little remains.
     fn cut(
         &self,
         moving: &Moving<'_>,
@@ -101,8 +101,8 @@ impl Judge<'_> {
         (from < to && self.is_enough(&rows[from..to], kind)).then_some((from, to))
     }
 
-    /// The longest part of a stretch in which the speed stays near its median; an odd row is let
-    /// pass.
+    /// The longest part of a stretch in which the speed stays near its median; a single outlier is
+    /// tolerated.
     fn steady(&self, speed: &[f64], (first, end): (usize, usize)) -> (usize, usize) {
         let usual = median(&mut speed[first..end].to_vec()).unwrap_or(0.0);
         let most = self.limits.steady_m_per_s.max(self.limits.steady_part * usual.abs());
@@ -121,7 +121,7 @@ impl Judge<'_> {
         best
     }
 
-    /// A long stretch in pieces that belong to one depth each.
+    /// Divides a long stretch into pieces of one depth each.
     fn pieces(&self, rows: &[Row], (from, to): (usize, usize)) -> Vec<(usize, usize)> {
         let lasts_s = duration_s(&rows[from..to]);
         let count = (lasts_s / self.limits.longest_s).ceil().max(1.0) as usize;
@@ -129,7 +129,7 @@ impl Judge<'_> {
         (from..to).step_by(size).map(|at| (at, (at + size).min(to))).collect()
     }
 
-    /// What a window tells, or why it tells nothing.
+    /// Picks the values of a window, or returns the reason for refusing it.
     fn pick(
         &self,
         moving: &Moving<'_>,
@@ -156,21 +156,21 @@ impl Judge<'_> {
             Kind::Drilling => return Err(Refusal::NotDeeper),
         };
         let middle = |values: &mut Vec<f64>| median(values).unwrap_or(f64::NAN);
-        let of = |of: fn(&Row) -> f64| middle(&mut rows.iter().map(of).collect());
+        let median_of = |value: fn(&Row) -> f64| middle(&mut rows.iter().map(value).collect());
         Ok(Window {
             kind,
             stand,
             from_s: rows[0].time_s,
             to_s: rows[rows.len() - 1].time_s,
-            bit_depth_m: of(|row| row.bit_depth_m),
+            bit_depth_m: median_of(|row| row.bit_depth_m),
             speed_m_per_s: middle(&mut moving.speed[from..to].to_vec()),
-            rotary_rad_per_s: of(|row| row.rotary_rad_per_s),
+            rotary_rad_per_s: median_of(|row| row.rotary_rad_per_s),
             weight_N,
             torque_N_m,
         })
     }
 
-    /// The weight of a window, and where it has settled.
+    /// Weight of a window from the row where it has settled.
     fn weight(
         &self,
         rows: &[Row],
@@ -205,7 +205,7 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether the weight at the end of a window is another one than at its beginning.
+    /// Whether the weight at the end of a window differs from that at its beginning.
     fn changes(&self, rows: &[Row], loads: &[f64], string_N: f64) -> bool {
         let third = loads.len() / 3;
         let part = |part: &[f64]| median(&mut part.to_vec());
@@ -235,8 +235,8 @@ impl Judge<'_> {
     }
 }
 
-fn there(rows: &[Row], of: impl Fn(&Row) -> f64) -> Vec<f64> {
-    rows.iter().map(of).filter(|value| value.is_finite()).collect()
+fn there(rows: &[Row], value: impl Fn(&Row) -> f64) -> Vec<f64> {
+    rows.iter().map(value).filter(|value| value.is_finite()).collect()
 }
 
 fn duration_s(rows: &[Row]) -> f64 {

@@ -1,79 +1,82 @@
-//! What counts as steady, still, turning and off bottom.
+//! Thresholds for steady, still, turning and off-bottom states.
 
-/// What the state of the rig and the windows are told by.
+/// Thresholds of rig states and windows.
 ///
-/// Rig states are told from block, bit and hole depth, hook load and rotary speed by thresholds, as
-/// programs at the rig do it (Innova Drilling, *Rig States Guide*). The hook load in slips is no
-/// threshold: it is found in the log.
+/// Rig states follow from block position, bit and hole depth, hook load and rotary speed by
+/// thresholds, as in programs at the rig (Innova Drilling, *Rig States Guide*). The hook load in
+/// slips is not a threshold: it is determined from the log.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Thresholds {
-    /// Shortest time in slips, s: setting, breaking out and making up take longer; a shorter fall of
-    /// the hook load is a sensor that drops out.
+    /// Minimum time in slips, s: setting, breaking out and making up take longer; a shorter drop of
+    /// the hook load is a sensor dropout.
     pub slips_s: f64,
-    /// Least way of the block in slips that makes a connection of it, m: a joint has 9 m, and the
-    /// block goes to its top or comes from there.
+    /// Minimum travel of the block in slips that makes a connection, m: a joint has 9 m, and the
+    /// block moves to or from its top position.
     pub connection_m: f64,
-    /// Beside slips so much of the log is passed over, s: the load goes over from slips to hook.
+    /// Time excluded before and after slips, s: the load transfers between slips and hook.
     pub beside_slips_s: f64,
-    /// From this speed the block moves, m/s: 3 m/min, slower than anybody trips.
+    /// Minimum speed of a moving block, m/s: 3 m/min, slower than anybody trips.
     pub moves_m_per_s: f64,
-    /// To this speed it stands, m/s: a pipe of 5 in that turns at 60 rev/min slides 0.4 m/s around,
-    /// so that 0.01 m/s along takes 2.5 % of the friction.
+    /// Maximum speed of a stationary block, m/s: a 5 in pipe that turns at 60 rev/min slides at 0.4
+    /// m/s around, so that 0.01 m/s along takes 2.5 % of the friction.
     pub stands_m_per_s: f64,
-    /// Part of the speed by which it may vary where it is steady.
+    /// Relative variation of the speed within which it is steady.
     pub steady_part: f64,
-    /// Speed by which it may always vary, m/s: what a position in centimetres leaves.
+    /// Variation of the speed that is always allowed, m/s: the resolution of a position in
+    /// centimetres.
     pub steady_m_per_s: f64,
-    /// From this speed the string turns, rad/s: 10 rev/min.
+    /// Minimum speed of a turning string, rad/s: 10 rev/min.
     pub turns_rad_per_s: f64,
-    /// To this speed it does not, rad/s: 3 rev/min, for an encoder that is never quite at zero.
+    /// Maximum speed of a string that does not turn, rad/s: 3 rev/min, for an encoder that never
+    /// reads exactly zero.
     pub still_rad_per_s: f64,
-    /// From this height over the bottom the bit is off bottom, m: the depth of the bit is reckoned
-    /// from the block, as if the string did not stretch.
+    /// Minimum height of the bit above bottom that is off bottom, m: bit depth is computed from the
+    /// block position as if the string did not stretch.
     pub off_bottom_m: f64,
-    /// To this height it is on bottom, m.
+    /// Maximum height above bottom that is on bottom, m.
     pub on_bottom_m: f64,
-    /// Time cut off where the string begins to move, s: acceleration.
+    /// Time excluded after the string begins to move, s: acceleration.
     pub settle_s: f64,
-    /// Way of the block cut off there, m: it stretches the string before the bit moves, and breaks
-    /// static friction.
+    /// Travel of the block excluded there, m: it stretches the string before the bit moves and
+    /// breaks static friction.
     pub settle_m: f64,
-    /// Time cut off where the string begins to turn off bottom, s: some turns, which take the
-    /// axial friction away.
+    /// Time excluded after the string begins to turn off bottom, s: some turns, which remove the
+    /// axial friction.
     pub settle_turning_s: f64,
-    /// Time cut off where the bit comes on bottom, s: the weight is brought up.
+    /// Time excluded after the bit reaches bottom, s: the weight is applied.
     pub settle_drilling_s: f64,
-    /// Time cut off at the end of a window, s.
+    /// Time excluded at the end of a window, s.
     pub end_s: f64,
-    /// Shortest window of pick-up or slack-off, s.
+    /// Minimum duration of a window of pick-up or slack-off, s.
     pub moving_s: f64,
-    /// Shortest window of rotation off bottom, s: three swings of a string that sticks and slips,
-    /// which last some 5 s each.
+    /// Minimum duration of a window of rotation off bottom, s: three swings of a string in
+    /// stick-slip, which last about 5 s each.
     pub turning_s: f64,
-    /// Shortest window of drilling, s.
+    /// Minimum duration of a window of drilling, s.
     pub drilling_s: f64,
-    /// Longest window, s: what lasts longer makes several, so that each belongs to a depth.
+    /// Maximum duration of a window, s; longer stretches are divided so that each belongs to one
+    /// depth.
     pub longest_s: f64,
-    /// Least rows of a window.
+    /// Minimum number of rows of a window.
     pub rows: usize,
-    /// Largest spread of the weights in a window, over the weight of the string.
+    /// Maximum spread of the weights in a window, over the weight of the string.
     pub spread: f64,
-    /// Part of the string's weight by which a weight may change from the first third of its window to
-    /// the last, beyond what the string gained or lost in length: more is a string that still
-    /// settles.
+    /// Maximum change of the weight from the first third of its window to the last, over the
+    /// string's weight and beyond the change from string length: a larger change means that the
+    /// string is still settling.
     pub change: f64,
-    /// Largest swing of the torque in a window, over its mean: more is a string that stands still at
-    /// times, whose torque is no friction of a turning one.
+    /// Maximum swing of the torque in a window, over its mean: a larger swing means that the string
+    /// stops at times, so that its torque is not the friction of a turning string.
     pub swing: f64,
-    /// Weight on bit, over the weight of the string, beyond which a string is not off bottom.
+    /// Weight on bit, over the weight of the string, above which a string is not off bottom.
     pub weight_on_bit: f64,
-    /// Picks of a stand whose depths differ by less share a row, m: 3 m of pipe weigh about 1 kN.
+    /// Depth difference within which picks of a stand share a row, m: 3 m of pipe weigh about 1 kN.
     pub same_depth_m: f64,
-    /// Slowest log from which weights are picked: time between rows, s.
+    /// Maximum time between rows of a log from which weights are picked, s.
     pub slowest_s: f64,
 }
 
-/// One revolution a minute, rad/s.
+/// One revolution per minute, rad/s.
 const RPM: f64 = std::f64::consts::TAU / 60.0;
 
 impl Default for Thresholds {

@@ -1,8 +1,8 @@
-//! The log as it is drawn: its smallest and largest values.
+//! A log reduced for drawing to its smallest and largest values.
 
 use super::row::Row;
 
-/// What is drawn of a log.
+/// A channel of a drawn log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
     /// Height of the block, m.
@@ -17,11 +17,10 @@ pub enum Channel {
     Rotary,
 }
 
-/// Channels of a trace.
+/// Number of channels of a trace.
 const CHANNELS: usize = 5;
 
-/// Some rows of a log, one after the other, in which a channel goes from the smallest value to the
-/// largest.
+/// Consecutive rows of a log, with the smallest and largest value of each channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Bucket {
     from_s: f64,
@@ -29,20 +28,21 @@ struct Bucket {
     ends: [[f32; 2]; CHANNELS],
 }
 
-/// A log as it is drawn: so many of its rows in one that every peak stays and the whole stays small.
+/// A log reduced for drawing: consecutive rows are combined so that every peak remains and the size
+/// is bounded.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace {
     buckets: Vec<Bucket>,
-    /// Most buckets.
+    /// Maximum number of buckets.
     most: usize,
-    /// Rows of a bucket.
+    /// Number of rows of a bucket.
     size: usize,
-    /// Rows of the last one.
+    /// Number of rows in the last bucket.
     filled: usize,
 }
 
 impl Trace {
-    /// An empty one of so many points at most.
+    /// Returns an empty trace of at most this many points.
     pub(super) fn new(most: usize) -> Self {
         Self { buckets: Vec::new(), most: most.max(2), size: 1, filled: 0 }
     }
@@ -78,12 +78,12 @@ impl Trace {
         self.size *= 2;
     }
 
-    /// Times and values of a channel, s and SI, in their order: the smallest and the largest value of
-    /// each few rows.
+    /// Times and values of a channel, s and SI, in order: the smallest and the largest value of
+    /// each bucket.
     pub fn points(&self, channel: Channel) -> Vec<(f64, f64)> {
-        let of = channel as usize;
+        let index = channel as usize;
         let ends = self.buckets.iter().flat_map(|bucket| {
-            let [low, high] = bucket.ends[of].map(f64::from);
+            let [low, high] = bucket.ends[index].map(f64::from);
             [(bucket.from_s, low), (0.5 * (bucket.from_s + bucket.to_s), high)]
         });
         let mut points: Vec<(f64, f64)> = ends.collect();
@@ -96,7 +96,7 @@ impl Bucket {
     fn join(&mut self, other: &Bucket) {
         self.to_s = other.to_s;
         for (own, other) in self.ends.iter_mut().zip(&other.ends) {
-            // Of a number and none, the number.
+            // Of a number and NaN, the number remains.
             *own = [own[0].min(other[0]), own[1].max(other[1])];
         }
     }

@@ -1,22 +1,22 @@
-//! A stretch of steady motion, and what is picked of it.
+//! A stretch of steady motion and the values picked from it.
 
 use super::{estimate::Estimate, motion::Motion};
 
-/// What a window is picked for.
+/// Purpose of a window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
-    /// The hook load while the string is pulled out without rotation.
+    /// Hook load while the string is pulled out without rotation.
     PickUp,
-    /// The hook load while it is run in without rotation.
+    /// Hook load while the string is run in without rotation.
     SlackOff,
-    /// Hook load and torque while it turns off bottom.
+    /// Hook load and torque while the string turns off bottom.
     Rotating,
-    /// The torque while it drills.
+    /// Torque while drilling.
     Drilling,
 }
 
 impl Kind {
-    /// Every one, in the order of a table.
+    /// Every kind, in the order of a table.
     pub const ALL: [Kind; 4] = [Kind::PickUp, Kind::SlackOff, Kind::Rotating, Kind::Drilling];
 
     /// In words.
@@ -29,7 +29,7 @@ impl Kind {
         }
     }
 
-    /// What a motion is picked for; nothing of most.
+    /// Kind of window for a motion; `None` for most motions.
     pub(super) fn of(motion: Motion) -> Option<Self> {
         match motion {
             Motion::PickUp => Some(Kind::PickUp),
@@ -41,53 +41,53 @@ impl Kind {
     }
 }
 
-/// A stretch of steady motion, and what was picked of it.
+/// A stretch of steady motion and the values picked from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Window {
-    /// What it was picked for.
+    /// Kind of the window.
     pub kind: Kind,
-    /// The stand, counted from 1 as the log goes on.
+    /// Number of the stand in the log, from 1.
     pub stand: usize,
-    /// Where it begins, s.
+    /// Start time, s.
     pub from_s: f64,
-    /// Where it ends, s.
+    /// End time, s.
     pub to_s: f64,
-    /// Measured depth of the bit in its middle, m.
+    /// Measured depth of the bit at the middle of the window, m.
     pub bit_depth_m: f64,
     /// Median speed of the block, positive upwards, m/s.
     pub speed_m_per_s: f64,
-    /// Median rotary speed, rad/s; NaN where none was logged.
+    /// Median rotary speed, rad/s; NaN if none was logged.
     pub rotary_rad_per_s: f64,
-    /// Hook load with the block, N; none of drilling.
+    /// Hook load including the block, N; `None` for drilling.
     pub weight_N: Option<Estimate>,
-    /// Torque, N·m; none without rotation.
+    /// Torque, N·m; `None` without rotation.
     pub torque_N_m: Option<Estimate>,
 }
 
 impl Window {
-    /// How well it tells what it is picked for, against others of its kind: less is better.
+    /// Standard error of its value, for comparison with windows of the same kind; less is better.
     pub(super) fn error(&self) -> f64 {
-        let of = if self.kind == Kind::Drilling { self.torque_N_m } else { self.weight_N };
-        of.or(self.torque_N_m).map_or(f64::INFINITY, |of| of.standard_error)
+        let picked = if self.kind == Kind::Drilling { self.torque_N_m } else { self.weight_N };
+        picked.or(self.torque_N_m).map_or(f64::INFINITY, |estimate| estimate.standard_error)
     }
 }
 
-/// Why a stretch of steady motion was not picked.
+/// Reason why a stretch of steady motion was not picked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Refusal {
-    /// Too little is left when its beginning and its end are cut off.
+    /// Too little remains when its beginning and end are cut off.
     Short,
-    /// The weight changes all along it.
+    /// The weight changes throughout.
     Settling,
-    /// The weights spread too far.
+    /// The spread of the weights is too large.
     Unsteady,
-    /// The sensor was silent for most of it.
+    /// The sensor had no value for most of it.
     Silent,
     /// The rig shows weight on bit.
     OnBit,
     /// The hole does not get deeper.
     NotDeeper,
-    /// The torque goes down to nothing at times.
+    /// The torque drops to zero at times.
     Swinging,
 }
 
@@ -97,11 +97,11 @@ impl Refusal {
         match self {
             Refusal::Short => "too short once transients are cut off",
             Refusal::Settling => "the weight still changes",
-            Refusal::Unsteady => "the weights spread too far",
-            Refusal::Silent => "the sensor says nothing for most of it",
+            Refusal::Unsteady => "the spread of the weights is too large",
+            Refusal::Silent => "the sensor has no values for most of it",
             Refusal::OnBit => "the rig shows weight on bit",
-            Refusal::NotDeeper => "the hole gets no deeper",
-            Refusal::Swinging => "the torque goes down to nothing at times",
+            Refusal::NotDeeper => "the hole does not get deeper",
+            Refusal::Swinging => "the torque drops to zero at times",
         }
     }
 }
@@ -109,12 +109,12 @@ impl Refusal {
 /// A stretch that was not picked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Refused {
-    /// What it would have been picked for.
+    /// Kind of window that it would have been.
     pub kind: Kind,
-    /// Where it begins, s.
+    /// Start time, s.
     pub from_s: f64,
-    /// Where it ends, s.
+    /// End time, s.
     pub to_s: f64,
-    /// Why not.
+    /// The reason.
     pub why: Refusal,
 }

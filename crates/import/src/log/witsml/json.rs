@@ -2,7 +2,7 @@
 
 use super::super::row::Row;
 
-/// Arrays in arrays: an array channel with attributes has five.
+/// Maximum nesting of arrays: an array channel with attributes has five levels.
 const DEEPEST: usize = 16;
 
 /// Reads rows out of a text.
@@ -17,12 +17,12 @@ impl Json {
         Self { text: text.into_bytes(), at: 0, begun: false }
     }
 
-    /// Lines passed so far.
+    /// Number of lines passed so far.
     pub(super) fn lines(&self, from: usize) -> u64 {
         self.text[from..self.at].iter().filter(|b| **b == b'\n').count() as u64
     }
 
-    /// Where it stands.
+    /// Current offset in the text, bytes.
     pub(super) fn at(&self) -> usize {
         self.at
     }
@@ -30,7 +30,7 @@ impl Json {
     /// Reads the next row: the values of the index, then those of the channels.
     ///
     /// # Errors
-    /// What was expected.
+    /// The text that was expected.
     pub(super) fn row(&mut self, row: &mut Row) -> Result<Option<usize>, &'static str> {
         if !self.begun {
             self.begun = true;
@@ -47,11 +47,11 @@ impl Json {
                 self.at += 1;
                 return match self.peek() {
                     None => Ok(None),
-                    Some(_) => Err("nothing behind the rows was expected"),
+                    Some(_) => Err("nothing after the rows was expected"),
                 };
             }
             Some(b'[') => self.at += 1,
-            _ => return Err("'[' before a row or ']' behind the rows was expected"),
+            _ => return Err("'[' before a row or ']' after the rows was expected"),
         }
         self.list(row)?;
         let index = row.cells.len();
@@ -60,13 +60,13 @@ impl Json {
             self.list(row)?;
         }
         if self.peek() != Some(b']') {
-            return Err("']' behind a row was expected");
+            return Err("']' after a row was expected");
         }
         self.at += 1;
         Ok(Some(index))
     }
 
-    /// `[value, ...]`, a cell each.
+    /// Reads `[value, ...]`, one cell each.
     fn list(&mut self, row: &mut Row) -> Result<(), &'static str> {
         if self.peek() != Some(b'[') {
             return Err("'[' before values was expected");
@@ -84,12 +84,12 @@ impl Json {
                     self.at += 1;
                     return Ok(());
                 }
-                _ => return Err("',' or ']' behind a value was expected"),
+                _ => return Err("',' or ']' after a value was expected"),
             }
         }
     }
 
-    /// A value; of an array the first, which its attributes follow.
+    /// Reads a value; of an array only the first element, which its attributes follow.
     fn cell(&mut self, row: &mut Row) -> Result<(), &'static str> {
         let cells = row.cells.len();
         self.value(row, 0)?;
@@ -110,7 +110,7 @@ impl Json {
                 while self.peek() != Some(b']') {
                     if !std::mem::take(&mut first) {
                         if self.peek() != Some(b',') {
-                            return Err("',' or ']' behind a value was expected");
+                            return Err("',' or ']' after a value was expected");
                         }
                         self.at += 1;
                     }
@@ -124,7 +124,7 @@ impl Json {
                 self.at += 1;
                 return Ok(());
             }
-            Some(b'[') => return Err("fewer arrays in each other were expected"),
+            Some(b'[') => return Err("fewer nested arrays were expected"),
             Some(b'"') => {
                 self.at += 1;
                 loop {
@@ -138,7 +138,7 @@ impl Json {
                             row.bytes.push(byte);
                             self.at += 1;
                         }
-                        None => return Err("'\"' behind a text was expected"),
+                        None => return Err("'\"' after a text was expected"),
                     }
                 }
                 self.at += 1;

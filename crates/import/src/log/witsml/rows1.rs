@@ -7,25 +7,25 @@ use crate::{
     xml::{Event, Xml},
 };
 
-/// Logs of a file whose names are kept.
+/// Maximum number of logs in a file whose names are kept.
 pub(super) const LOGS: usize = 1000;
 
-/// What lies behind the head of a log: its first row, or nothing.
+/// Content after the head of a log: its first row, or nothing.
 pub(super) enum First {
     Row(String, u64),
     NoRows { in_log: bool },
 }
 
-/// The rows of a log, and the names of the logs behind it.
+/// Rows of a log, and the names of the logs after it.
 pub(super) struct DataRows<'a> {
     xml: Xml<'a>,
     sign: u8,
     columns: usize,
-    /// The rows' log, and others that were found.
+    /// Name of this log, and those of others found in the file.
     names: Vec<String>,
     picked: bool,
     first: Option<(String, u64)>,
-    /// Whether the element `logData` is open, and the log.
+    /// Whether the elements `logData` and `log` are open.
     in_data: bool,
     in_log: bool,
     ended: bool,
@@ -81,7 +81,7 @@ impl<'a> DataRows<'a> {
         Ok(None)
     }
 
-    /// Looks for other logs behind the one that was read.
+    /// Searches for further logs after the one that was read.
     fn others(&mut self, notes: &mut Vec<Note>) -> Result<(), ImportError> {
         loop {
             match self.xml.next()? {
@@ -103,7 +103,7 @@ impl<'a> DataRows<'a> {
         let names = std::mem::take(&mut self.names);
         if self.picked {
             let others = names[1..].join(", ");
-            notes.push(Note::LeftOut(format!("the logs behind '{}': {others}", names[0])));
+            notes.push(Note::LeftOut(format!("the logs after '{}': {others}", names[0])));
             return Ok(());
         }
         let what = "log".to_owned();
@@ -111,7 +111,7 @@ impl<'a> DataRows<'a> {
     }
 }
 
-/// The name of the log that has begun, which is passed over.
+/// Name of the log that has begun, which is skipped.
 fn name(xml: &mut Xml) -> Result<String, ImportError> {
     let mut name = String::new();
     loop {

@@ -21,7 +21,7 @@ use crate::{
     xml::{Element, Event, Xml},
 };
 
-/// What a log says before its rows.
+/// Head of a log: its content before the rows.
 #[derive(Debug, Default)]
 struct Head {
     name: String,
@@ -36,7 +36,7 @@ struct Head {
     units: Vec<String>,
 }
 
-/// Reads up to the first row of the log that is picked, or of the first.
+/// Reads up to the first row of the picked log, or of the first one.
 pub(super) fn open<'a>(
     mut xml: Xml<'a>,
     root: &Element,
@@ -81,7 +81,7 @@ pub(super) fn open<'a>(
     }
 }
 
-/// Reads a log up to its first row; none of a log that is not picked, which is passed over.
+/// Reads a log up to its first row; returns `None` for a log that is not picked, which is skipped.
 fn read(
     xml: &mut Xml,
     head: &mut Head,
@@ -121,7 +121,7 @@ fn read(
     }
 }
 
-/// The lists at the beginning of `logData`, and the first row.
+/// Reads the lists at the beginning of `logData` and the first row.
 fn data(xml: &mut Xml, head: &mut Head) -> Result<First, ImportError> {
     loop {
         match xml.next()? {
@@ -164,7 +164,7 @@ impl Head {
         if self.name.is_empty() { self.uid.clone() } else { self.name.clone() }
     }
 
-    /// The columns of the rows, in their order: those of the list, with what the curves say.
+    /// Columns of the rows in order: those of the list, completed by the curve descriptions.
     fn columns(&mut self, notes: &mut Vec<Note>) -> Vec<Column> {
         let mut columns = if self.mnemonics.is_empty() {
             std::mem::take(&mut self.curves)
@@ -178,7 +178,7 @@ impl Head {
                 let known = by_name.get_mut(mnemonic.as_str()).and_then(Vec::pop);
                 let mut column = known.cloned().unwrap_or_default();
                 column.mnemonic.clone_from(mnemonic);
-                // The list beside the rows is nearer to them than the curve's own.
+                // The list next to the rows takes precedence over the curve's own unit.
                 if let Some(unit) = self.units.get(at).filter(|unit| !unit.is_empty()) {
                     if !column.unit.is_empty() && column.unit != *unit {
                         notes.push(Note::Checked(format!(
@@ -199,7 +199,7 @@ impl Head {
             index.index = match self.index_type.as_str() {
                 "date time" | "elapsed time" => Some(Quantity::Time),
                 "measured depth" => {
-                    let named = mnemonics::quantity(&index.mnemonic).map(|(of, _)| of);
+                    let named = mnemonics::quantity(&index.mnemonic).map(|(quantity, _)| quantity);
                     Some(if named == Some(Quantity::BitDepth) {
                         Quantity::BitDepth
                     } else {

@@ -19,10 +19,10 @@ use crate::{
     xml::{Element, Event, Xml},
 };
 
-/// Bytes of the rows of a set. They stand in one text of XML, which is read whole.
+/// Maximum bytes of the rows of a set. They form one XML text, which is read whole.
 const LARGEST: usize = 64 << 20;
 
-/// Sets of channels of a log.
+/// Maximum number of channel sets in a log.
 const SETS: usize = 1000;
 
 /// A set of channels.
@@ -38,7 +38,7 @@ struct Set {
 struct JsonRows {
     file: String,
     json: Json,
-    /// Line in which the rows begin, then that of the next.
+    /// Line on which the rows begin, then that of the next row.
     line: u64,
     columns: usize,
     indexes: usize,
@@ -70,9 +70,9 @@ pub(super) fn open<'a>(
                         let (found, most) = (format!("more than {SETS} sets"), SETS.to_string());
                         return Err(xml.error(ImportErrorKind::TooMuch { found, most }));
                     }
-                    // The rows of one set are kept: of the first, or of that which is picked.
-                    let kept = picked.is_some() || sets.is_empty();
-                    let mut set = set(&mut xml, kept)?;
+                    // The rows of one set are kept: the first, or the picked one.
+                    let with_rows = picked.is_some() || sets.is_empty();
+                    let mut set = set(&mut xml, with_rows)?;
                     if !is_picked(picked.as_deref(), &[&set.title]) {
                         set.data = String::new();
                     }
@@ -137,7 +137,7 @@ fn title(xml: &mut Xml) -> Result<String, ImportError> {
     }
 }
 
-fn set(xml: &mut Xml, kept: bool) -> Result<Set, ImportError> {
+fn set(xml: &mut Xml, with_rows: bool) -> Result<Set, ImportError> {
     let mut set = Set::default();
     loop {
         let element = match xml.next()? {
@@ -149,7 +149,7 @@ fn set(xml: &mut Xml, kept: bool) -> Result<Set, ImportError> {
             "Citation" => set.title = title(xml)?,
             "Index" => set.indexes.push(channel(xml, true)?),
             "Channel" => set.channels.push(channel(xml, false)?),
-            "Data" if kept => data(xml, &mut set)?,
+            "Data" if with_rows => data(xml, &mut set)?,
             _ => xml.skip()?,
         }
         if set.indexes.len() + set.channels.len() > COLUMNS {
@@ -159,7 +159,7 @@ fn set(xml: &mut Xml, kept: bool) -> Result<Set, ImportError> {
     }
 }
 
-/// The rows: text of `Data` within `Data`, or of the outer one.
+/// Reads the rows: text of `Data` within `Data`, or of the outer one.
 fn data(xml: &mut Xml, set: &mut Set) -> Result<(), ImportError> {
     let mut depth = 1;
     while depth > 0 {
@@ -192,12 +192,12 @@ fn data(xml: &mut Xml, set: &mut Set) -> Result<(), ImportError> {
     Ok(())
 }
 
-/// The error of rows that are too many, which says what to do.
+/// The error of a set with too many rows, with the remedy.
 fn too_long(xml: &Xml) -> ImportError {
     xml.error(ImportErrorKind::Refused(format!(
-        "a ChannelSet has rows of more than {} MB, and in WITSML 2 they stand in one text, which is \
-         read whole; save the log as WITSML 1.4.1.1, LAS or CSV, which may be of any length, or in \
-         parts",
+        "a ChannelSet has rows of more than {} MB, and WITSML 2 stores them in one text, which is \
+         read whole; save the log as WITSML 1.4.1.1, LAS or CSV, which may be of any length, or \
+         in parts",
         LARGEST >> 20
     )))
 }
@@ -219,7 +219,7 @@ fn channel(xml: &mut Xml, is_index: bool) -> Result<Column, ImportError> {
         }
     }
     if is_index {
-        let named = mnemonics::quantity(&column.mnemonic).map(|(of, _)| of);
+        let named = mnemonics::quantity(&column.mnemonic).map(|(quantity, _)| quantity);
         column.index = match kind.to_ascii_lowercase().as_str() {
             "date time" | "datetime" | "elapsed time" | "time" => Some(Quantity::Time),
             "measured depth" | "depth" if named == Some(Quantity::BitDepth) => named,
@@ -245,7 +245,7 @@ impl Rows for JsonRows {
             Ok(Some(index)) => index,
             Ok(None) => return Ok(false),
             Err(expected) => {
-                let sentence = format!("the rows are not JSON as WITSML has it: {expected}");
+                let sentence = format!("the rows are not JSON as WITSML defines it: {expected}");
                 return Err(refused(sentence, self.line));
             }
         };

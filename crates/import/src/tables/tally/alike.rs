@@ -5,10 +5,10 @@ use wholestring_tabular::{Column, TallyRow};
 use super::{length::Length, part::Part};
 use crate::fragment::{Note, Origin};
 
-/// From so many rows alike, one above the other, they are joints of one component.
+/// Number of identical consecutive rows from which they are joints of one component.
 const FEWEST: usize = 5;
 
-/// Makes one component of joints that differ in nothing but their length.
+/// Combines joints that differ only in length into one component.
 pub(crate) fn join<'a>(parts: Vec<Part<'a>>, notes: &mut Vec<Note>) -> Vec<Part<'a>> {
     let mut joined: Vec<Part> = Vec::new();
     for run in parts.chunk_by(is_alike) {
@@ -28,7 +28,7 @@ pub(crate) fn join<'a>(parts: Vec<Part<'a>>, notes: &mut Vec<Note>) -> Vec<Part<
         let count = run.len();
         let from = format!("{count} joints, {} to {}", first.row().place, last.row().place);
         notes.push(Note::Read(format!("'{}': {from}, are one component", first.name)));
-        // Twelve digits: without the last bits of a sum.
+        // Twelve digits, without the rounding error of a sum.
         let number = format!("{:.11e}", unit.from_si(length_m)).parse().unwrap_or_default();
         let length = Length::Of {
             number,

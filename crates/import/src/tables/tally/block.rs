@@ -1,4 +1,4 @@
-//! A component as the keys of `[[string]]`.
+//! A component as keys of `[[string]]`.
 
 use wholestring::string::catalogue::CatalogueEntry;
 use wholestring_tabular::{Column, Holds, TallyCell};
@@ -26,7 +26,7 @@ const YIELDS_PA: [f64; 2] = [1e7, 1e10];
 /// Diameters that a case accepts, m.
 const DIAMETERS_M: [f64; 2] = [0.005, 2.0];
 
-/// The keys of a component. `is_lowest`: it may be the bit.
+/// Returns the keys of a component. `is_lowest`: it may be the bit.
 pub(crate) fn of(
     part: &Part,
     is_lowest: bool,
@@ -49,7 +49,7 @@ pub(crate) fn of(
     let id = inside(part)?;
     let gauge = diameter(part, Column::Gauge)?;
     let joint_od = diameter(part, Column::JointOutsideDiameter)?;
-    // The widest of a pipe are its tool joints.
+    // The largest diameter of a pipe is that of its tool joints.
     let (gauge, joint_od) = match is_pipe(&part.name) && !is_bit {
         true => (None, joint_od.or(gauge)),
         false => (gauge, joint_od),
@@ -144,7 +144,7 @@ pub(crate) fn of(
         is_pipe: is_pipe(&part.name),
     };
     metal::of(part, &mut block)?;
-    // A bit is no ring of steel: its mass is whatever it is.
+    // A bit is not a ring of steel, so that any mass is accepted.
     let bit_mass =
         is_bit.then(|| row.get(Column::Mass).is_none() && row.get(Column::TotalMass).is_none());
     if bit_mass != Some(true)
@@ -177,7 +177,7 @@ pub(crate) fn of(
     Ok(block)
 }
 
-/// The cell of a column that holds a quantity above zero.
+/// The cell of a column with a quantity above zero.
 fn given<'a>(part: &Part<'a>, column: Column) -> Option<&'a TallyCell> {
     part.row().get(column).filter(|cell| cell.si() > Some(0.0))
 }
@@ -189,7 +189,7 @@ fn has_blades_by_name(name: &str) -> bool {
     words.any(|word| word == "stab" || word.starts_with("stabili") || word.ends_with("reamer"))
 }
 
-/// The cell of a diameter, if it is more than nothing.
+/// The cell of a diameter above zero.
 fn diameter<'a>(part: &Part<'a>, column: Column) -> Result<Option<&'a TallyCell>, Refusal> {
     let Some(cell) = part.row().get(column) else { return Ok(None) };
     let Some(si_m) = cell.si().filter(|&si_m| si_m != 0.0) else { return Ok(None) };
@@ -221,7 +221,7 @@ fn narrower(part: &Part, gauge: &TallyCell, od: &TallyCell) -> Refusal {
     (Some(gauge.place.clone()), kind)
 }
 
-/// The entry of the catalogue that the row designates, if its diameters agree.
+/// The catalogue entry that the row designates, if its diameters agree.
 fn listed(
     part: &Part,
     od: &TallyCell,
@@ -246,29 +246,30 @@ fn listed(
     })?;
     let Some((which, own_m, here_m)) = designation::differs(&entry, od_m, id_m) else {
         notes.push(Note::Read(format!(
-            "'{}' is the catalogue's '{}': od and id agree, and the case leaves them to it",
+            "'{}' is the catalogue's '{}': od and id agree, and the case uses the catalogue's",
             part.name, entry.designation
         )));
         return Some(entry);
     };
-    let of = match od.holds {
+    let od_unit = match od.holds {
         Holds::Quantity { unit, .. } => unit,
         _ => unit(Dimension::Diameter, "mm"),
     };
-    let said =
-        |m: f64| format!("{} {}", number_text((of.from_si(m) * 1e3).round() / 1e3), of.symbol);
+    let length = |m: f64| {
+        format!("{} {}", number_text((od_unit.from_si(m) * 1e3).round() / 1e3), od_unit.symbol)
+    };
     notes.push(Note::Checked(format!(
         "'{}' is called like the catalogue's '{}', but its {which} is {} and not {}: the tally's \
-         diameters are taken",
+         diameters are used",
         part.name,
         entry.designation,
-        said(here_m),
-        said(own_m)
+        length(here_m),
+        length(own_m)
     )));
     None
 }
 
-/// Yield strength by the grade.
+/// Yield strength from the grade.
 fn strength(part: &Part, block: &mut Block, said: &mut Said) {
     let cell = part.row().get(Column::Grade);
     let of_name = grade::in_name(&part.name);
@@ -288,7 +289,7 @@ fn strength(part: &Part, block: &mut Block, said: &mut Said) {
     }
 }
 
-/// Says where the catalogue's connection is another than the row's.
+/// Adds a note if the catalogue's connection differs from the row's.
 fn connection(part: &Part, entry: &CatalogueEntry, notes: &mut Vec<Note>) {
     let Some(listed) = &entry.connection else { return };
     let plain = |text: &str| -> String {

@@ -1,22 +1,24 @@
-//! Entries of the catalogue that a tally's words designate.
+//! Catalogue entries that the words of a tally designate.
 
 use wholestring::string::catalogue::{CatalogueEntry, find};
 
-/// Diameters that differ by less are the same, m: sheets round 4.778 in to 4.78 in, 121.36 mm to
-/// 121.4 mm.
+/// Tolerance of diameters, m: sheets round 4.778 in to 4.78 in, 121.36 mm to 121.4 mm.
 const DIAMETER_TOLERANCE_M: f64 = 0.0003;
 
-/// Names of pipe are shorter, in bytes.
+/// Maximum length of names of pipe, bytes.
 const LONGEST: usize = 100;
 
-/// The entry that a description plainly designates: its own words, without those of a connection.
+/// The entry that a description plainly designates by its own words, without those of a connection.
 pub(crate) fn designated(name: &str, connection: Option<&str>) -> Option<CatalogueEntry> {
     if name.len() > LONGEST || !name.bytes().any(|byte| byte.is_ascii_digit()) {
         return None;
     }
     let lower = name.to_lowercase();
-    // Not of the steel that the catalogue's collars are of.
-    if ["nmdc", "nm ", "non-mag", "nonmag", "monel", "spiral"].iter().any(|of| lower.contains(of)) {
+    // The catalogue's collars are not of these materials.
+    if ["nmdc", "nm ", "non-mag", "nonmag", "monel", "spiral"]
+        .iter()
+        .any(|word| lower.contains(word))
+    {
         return None;
     }
     let words: Vec<&str> = name.split_whitespace().filter(|word| !is_connection(word)).collect();
@@ -24,25 +26,26 @@ pub(crate) fn designated(name: &str, connection: Option<&str>) -> Option<Catalog
     let without = connection.map_or(plain.clone(), |connection| plain.replace(connection, " "));
     let without = ["to surface", "TO SURFACE", "to Surface", "To Surface", "joints", "jts"]
         .iter()
-        .fold(without, |text, of| text.replace(of, " "));
+        .fold(without, |text, phrase| text.replace(phrase, " "));
     find(&without).ok().or_else(|| find(after_count(&without)?).ok())
 }
 
-/// What follows a number of joints: `12 x 5" HWDP`, `12 jts 5" HWDP`.
+/// Text after a number of joints: `12 x 5" HWDP`, `12 jts 5" HWDP`.
 fn after_count(name: &str) -> Option<&str> {
     let mut words = name.trim().splitn(3, ' ');
     let (count, sign, rest) = (words.next()?, words.next()?, words.next()?);
     let is_count = !count.is_empty() && count.bytes().all(|byte| byte.is_ascii_digit());
-    let is_sign = ["x", "×", "jt", "stands", ""].iter().any(|of| sign.eq_ignore_ascii_case(of));
+    let is_sign =
+        ["x", "×", "jt", "stands", ""].iter().any(|known| sign.eq_ignore_ascii_case(known));
     (is_count && is_sign).then_some(rest)
 }
 
-/// The connection that a name has as a word.
+/// The connection that a name contains as a word.
 pub(crate) fn connection_of(name: &str) -> Option<&str> {
     name.split_whitespace().find(|word| is_connection(word) && word.len() > 2)
 }
 
-/// Threads: `NC50`, `HT55`, `XT-57`, `5-1/2FH`, `GPDS50`.
+/// Whether a word is a thread: `NC50`, `HT55`, `XT-57`, `5-1/2FH`, `GPDS50`.
 fn is_connection(word: &str) -> bool {
     let word: String =
         word.chars().filter(|c| c.is_alphanumeric()).collect::<String>().to_uppercase();
@@ -54,15 +57,16 @@ fn is_connection(word: &str) -> bool {
     (is_numbered && numbered.contains(&letters)) || plain.contains(&word.as_str())
 }
 
-/// How an entry and the diameters of a row differ: in which diameter, in m by both; nothing where
-/// they agree.
+/// Difference between an entry and the diameters of a row: which diameter, and both values in m;
+/// `None` if they agree.
 pub(crate) fn differs(
     entry: &CatalogueEntry,
     od_m: f64,
     id_m: Option<f64>,
 ) -> Option<(&'static str, f64, f64)> {
-    // A sheet calls worn pipe by its nominal diameter.
-    let nominal = entry.designation.strip_suffix(entry.class.suffix()).and_then(|of| find(of).ok());
+    // A sheet gives worn pipe with its nominal diameter.
+    let nominal =
+        entry.designation.strip_suffix(entry.class.suffix()).and_then(|stem| find(stem).ok());
     let entry = nominal.as_ref().unwrap_or(entry);
     let far = |one: f64, other: f64| (one - other).abs() > DIAMETER_TOLERANCE_M;
     if far(entry.od_m, od_m) {

@@ -17,7 +17,7 @@ const SPACINGS_M: [f64; 2] = [4.0, 16.0];
 /// Distance between the joints of range 2 pipe (API Spec 5DP: 8.84 to 9.75 m), m.
 const RANGE_2_M: f64 = 9.6;
 
-/// Tool joints; gives the diameter of those that the component then has.
+/// Adds tool joints; returns their diameter if the component has any.
 pub(super) fn of(
     part: &Part,
     od_m: f64,

@@ -9,7 +9,7 @@ use crate::fragment::Origin;
 pub(crate) enum Length {
     /// It fills the rest of the string.
     ToSurface,
-    /// So long.
+    /// A given length.
     Of { number: f64, unit: &'static Unit, origin: Origin, joints: Option<f64> },
 }
 

@@ -1,4 +1,4 @@
-//! How long the components of a tally are.
+//! Lengths of the components of a tally.
 
 use wholestring_tabular::{Column, Holds, TallyCell, TallyRow};
 use wholestring_units::number_text;
@@ -10,21 +10,21 @@ use crate::{
     fragment::{Note, Origin},
 };
 
-/// A joint of pipe or collar is as long, m: range 1 begins at 5.5 m (18 ft), range 3 ends at
-/// 14.6 m (48 ft) (API Spec 5DP), and pup joints and casing lie a little beyond.
+/// Length of a joint of pipe or collar, m: range 1 begins at 5.5 m (18 ft), range 3 ends at 14.6 m
+/// (48 ft) (API Spec 5DP), and pup joints and casing slightly exceed this range.
 const JOINT_M: [f64; 2] = [5.0, 16.0];
 
-/// Lengths of a component, m, that a case accepts.
+/// Lengths of a component that a case accepts, m.
 const LENGTHS_M: [f64; 2] = [0.01, 20_000.0];
 
-/// What the column of lengths means where there are several joints.
+/// Meaning of the column of lengths for rows of several joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Meaning {
     Total,
     Each,
 }
 
-/// The lengths of all rows.
+/// Returns the lengths of all rows.
 pub(crate) fn of(
     rows: &[TallyRow],
     names: &[String],
@@ -36,15 +36,15 @@ pub(crate) fn of(
     rows.iter().zip(names).map(|(row, name)| length(row, name, meaning)).collect()
 }
 
-/// Joints and length of a row of several whose length may be that of each.
+/// Number of joints and length of a row of several joints whose length may be that of each.
 fn counted(row: &TallyRow) -> Option<(f64, &TallyCell)> {
     let joints = row.get(Column::Joints)?.count().filter(|&joints| joints > 1.0)?;
     let length = row.get(Column::Length)?;
     (row.get(Column::JointLength).is_none() && length.si().is_some()).then_some((joints, length))
 }
 
-/// Whether lengths are those of all joints or of each: by what is picked, the cumulative length, or
-/// what joints are like.
+/// Determines whether lengths are those of all joints or of each: from the user's choice, the
+/// cumulative length, or typical joint lengths.
 fn meaning(
     rows: &[TallyRow],
     names: &[String],
@@ -64,7 +64,7 @@ fn meaning(
         }
         None => {}
     }
-    // What cannot be read is refused later, as it is meant.
+    // An unreadable length is refused later.
     let as_meant = |meaning| {
         let lengths = rows.iter().zip(names).map(|(row, name)| length(row, name, meaning));
         let lengths: Result<Vec<Length>, Refusal> = lengths.collect();
@@ -73,13 +73,13 @@ fn meaning(
     };
     let (total, each) = (as_meant(Meaning::Total), as_meant(Meaning::Each));
     let column = counted_heading(rows);
-    let say = |of: &str, why: &str| format!("{column} is that of {of}: {why}");
+    let sentence = |joints: &str, why: &str| format!("{column} is that of {joints}: {why}");
     if total > each {
-        notes.push(Note::Checked(say("all joints", "the cumulative lengths add up so")));
+        notes.push(Note::Checked(sentence("all joints", "the cumulative lengths confirm it")));
         return Ok(Meaning::Total);
     }
     if each > total {
-        notes.push(Note::Checked(say("each joint", "the cumulative lengths add up so")));
+        notes.push(Note::Checked(sentence("each joint", "the cumulative lengths confirm it")));
         return Ok(Meaning::Each);
     }
     let is_joint = |length_m: f64| (JOINT_M[0]..=JOINT_M[1]).contains(&length_m);
@@ -88,14 +88,18 @@ fn meaning(
         if !is_joint(length_m / joints) && is_joint(length_m) {
             let sentence = format!(
                 "the length '{}' of {} joints may be that of all or of each, and no cumulative \
-                 length tells; say it: --pick length=total, or --pick length=each",
+                 length decides; choose with --pick length=total or --pick length=each",
                 length.written,
                 number_text(joints)
             );
             return Err((Some(row.place.clone()), ImportErrorKind::Refused(sentence)));
         }
     }
-    notes.push(Note::Assumed(say("all joints", "divided by their number it is a joint's")));
+    notes.push(Note::Assumed(sentence(
+        "all joints",
+        "divided by their number it is the length of \
+         a joint",
+    )));
     Ok(Meaning::Total)
 }
 
@@ -104,7 +108,7 @@ fn counted_heading(rows: &[TallyRow]) -> String {
     cell.map_or_else(|| "the length".to_owned(), |place| format!("the length ({place})"))
 }
 
-/// The length of a row.
+/// Returns the length of a row.
 fn length(row: &TallyRow, name: &str, meaning: Meaning) -> Result<Length, Refusal> {
     let is_open = row.cells.iter().any(|cell| cell.holds == Holds::ToSurface);
     let lower = name.to_lowercase();

@@ -1,4 +1,4 @@
-//! What a component of a tally weighs.
+//! Mass of a component of a tally.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -20,35 +20,35 @@ use crate::{
     fragment::{Note, Origin, Value},
 };
 
-/// Standard gravity, m/s²: a weight as a force stands for a mass.
+/// Standard gravity, m/s²; converts a weight as a force to a mass.
 const GRAVITY_M_PER_S2: f64 = 9.80665;
 
-/// A component lighter than so much of its body is not one of steel.
+/// Mass over that of a steel body below which a component is not steel.
 const LIGHTEST: f64 = 0.9;
 
-/// Below so much of its body something else was meant.
+/// Mass over that of a steel body below which the value has another meaning.
 const LEAST: f64 = 0.4;
 
-/// Two weights of one component that differ by less agree.
+/// Relative difference below which two weights of one component agree.
 const AGREES: f64 = 0.02;
 
-/// The diameters that a mass is held against, m.
+/// Diameters with which a mass is compared, m.
 pub(crate) struct Body<'a> {
     pub(crate) od_m: f64,
     pub(crate) id_m: f64,
-    /// Of the tool joints, if it has any.
+    /// Diameter of the tool joints, if any.
     pub(crate) joint_od_m: Option<f64>,
-    /// Over the blades.
+    /// Whether the diameter is that over the blades.
     pub(crate) has_blades: bool,
-    /// Density of its metal, where the table has it.
+    /// Density of its metal, if the table has it.
     pub(crate) density_kg_per_m3: Option<f64>,
-    /// The entry of the catalogue that knows its mass.
+    /// Catalogue entry with its mass.
     pub(crate) entry: Option<&'a CatalogueEntry>,
-    /// It is called pipe.
+    /// Whether its name is that of pipe.
     pub(crate) is_pipe: bool,
 }
 
-/// The mass per length of a component and where it comes from; none where the table has none.
+/// Returns the mass per length of a component and its origin; `None` if the table has none.
 pub(crate) fn of(
     part: &Part,
     body: &Body<'_>,
@@ -74,7 +74,7 @@ pub(crate) fn of(
             {
                 notes.push(Note::Checked(format!(
                     "THE WEIGHTS of '{}' DIFFER: {} per length against {} kg/m by its total \
-                     weight; the first is taken",
+                     weight; the first is used",
                     part.name,
                     shown(&value),
                     number_text((other * 100.0).round() / 100.0)
@@ -106,19 +106,23 @@ pub(crate) fn of(
     let steel = ring(body.od_m, body.id_m);
     let solid = ring(body.joint_od_m.unwrap_or(body.od_m), 0.0);
     let found = format!("{} of '{}'", shown(&value), part.name);
-    let of = match &value {
+    let mass_unit = match &value {
         Value::Quantity { unit, .. } => unit,
         _ => unit(Dimension::MassPerLength, "kg/m"),
     };
     let kg = |mass: f64| {
-        format!("{} {}", number_text((of.from_si(mass) * 10.0).round() / 10.0), of.symbol)
+        format!(
+            "{} {}",
+            number_text((mass_unit.from_si(mass) * 10.0).round() / 10.0),
+            mass_unit.symbol
+        )
     };
     let refused = |expected: String| {
         let what = "weight per length".to_owned();
         let kind = ImportErrorKind::OutOfRange { what, found: found.clone(), expected };
         Err((Some(place.clone()), kind))
     };
-    // The case holds a component to this too.
+    // The case applies the same limit.
     if mass > solid * 1.001 {
         let blades = if body.has_blades { ", its blades not counted" } else { "" };
         return refused(format!(
@@ -145,8 +149,8 @@ pub(crate) fn of(
     Ok(Some((value, from)))
 }
 
-/// A note on a weight that is the nominal one of drill pipe, which leaves tool joints out: that of the catalogue's entry, or
-/// of a pipe of these diameters.
+/// Note on a weight that is the nominal one of drill pipe, which excludes tool joints: that of the
+/// catalogue entry, or of a pipe of these diameters.
 fn nominal_weight(part: &Part, body: &Body, value: &Value, cell: &TallyCell) -> Option<Note> {
     let mass = value.si()?;
     if !body.is_pipe && body.entry.is_none() {
@@ -165,14 +169,14 @@ fn nominal_weight(part: &Part, body: &Body, value: &Value, cell: &TallyCell) -> 
         found.designation,
         pounds(with_joints),
         match body.entry {
-            Some(_) => ", which the case leaves to the catalogue",
+            Some(_) => ", and the case uses that of the catalogue",
             None =>
                 "; the case has the tally's: give catalogue, or mass_per_length with tool joints",
         }
     )))
 }
 
-/// The mass per length of a cell, in its unit; of a force, in kg/m.
+/// Mass per length from a cell, in its unit; from a force, in kg/m.
 fn per_metre(cell: &TallyCell) -> (Value, Origin) {
     match cell.holds {
         Holds::Quantity { number, unit, dimension: Dimension::MassPerLength } => {
@@ -196,7 +200,7 @@ fn kg_per_m(mass: f64) -> Value {
     Value::quantity(mass, unit(Dimension::MassPerLength, "kg/m"))
 }
 
-/// The mass per length by the total weight of its rows, with the place of the first.
+/// Mass per length from the total weight of its rows, with the place of the first.
 fn whole(part: &Part) -> Option<(String, Value)> {
     let length_m = part.length.si_m()?;
     let cells: Option<Vec<&TallyCell>> =

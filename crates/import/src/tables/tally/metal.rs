@@ -1,4 +1,4 @@
-//! What a component of a tally is made of, where that is not the usual steel.
+//! Material of a component of a tally, other than the usual steel.
 
 use wholestring_tabular::{Column, TallyCell};
 
@@ -8,8 +8,8 @@ use super::{
 };
 use crate::{error::ImportErrorKind, fragment::Block};
 
-/// A column of the metal: what a case calls it, the least and the most that a case accepts, in
-/// SI, and these in words.
+/// A material column: its key in the case, the minimum and maximum that a case accepts, in SI, and
+/// this range in words.
 type Kind = (Column, &'static str, [f64; 2], &'static str);
 
 const DENSITY: Kind = (Column::MetalDensity, "density", [1000.0, 25_000.0], "1000 to 25000 kg/m3");
@@ -18,12 +18,12 @@ const MODULI: [Kind; 2] = [
     (Column::ShearModulus, "shear_modulus", [1e9, 1e12], "1 to 1000 GPa"),
 ];
 
-/// Density of the metal, kg/m³, and its cell; none where the table has none.
+/// Density of the metal, kg/m³, and its cell; `None` if the table has none.
 pub(super) fn density<'a>(part: &Part<'a>) -> Result<Option<(&'a TallyCell, f64)>, Refusal> {
     cell(part, &DENSITY)
 }
 
-/// The keys of the metal that the row has.
+/// Adds the material keys of the row.
 pub(super) fn of(part: &Part, block: &mut Block) -> Result<(), Refusal> {
     for kind in [&DENSITY, &MODULI[0], &MODULI[1]] {
         if let Some((cell, _)) = cell(part, kind)? {

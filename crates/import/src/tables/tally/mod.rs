@@ -29,11 +29,11 @@ use part::{Part, Refusal};
 use quote::shown;
 use said::Said;
 
-/// No string has so many components, joints that are alike counted as one; each is looked for in
+/// Maximum number of components of a string, identical joints counted once; each is looked up in
 /// the catalogue, which takes milliseconds.
 const MOST_COMPONENTS: usize = 500;
 
-/// The tally of a file, or of a sheet.
+/// Reads the tally of a file, or of a sheet.
 pub(crate) fn read(
     bytes: &[u8],
     name: &str,
@@ -57,10 +57,11 @@ pub(crate) fn read(
     let string = blocks(&tally, choices, &mut notes)
         .map_err(|(place, kind)| ImportError::new(name, place, kind))?;
     let count = string.len();
-    let of = tally.sheet.map_or(String::new(), |sheet| format!(" in sheet '{sheet}'"));
+    let in_sheet = tally.sheet.map_or(String::new(), |sheet| format!(" in sheet '{sheet}'"));
     notes.extend(tally.notes.into_iter().map(note::of));
     notes.extend(tally.left_out.into_iter().map(Note::LeftOut));
-    let what = format!("a tally of {count} component{}{of}", if count == 1 { "" } else { "s" });
+    let what =
+        format!("a tally of {count} component{}{in_sheet}", if count == 1 { "" } else { "s" });
     Ok(Fragment { what, string, notes, ..Fragment::default() })
 }
 
@@ -92,7 +93,7 @@ fn blocks(
     let below_top = parts[..top].iter().find(|part| part.length == Length::ToSurface);
     if let Some(part) = below_top {
         let sentence = format!(
-            "'{}' reaches to the surface, and '{}' stands above it; only the topmost component can",
+            "'{}' reaches to the surface, and '{}' is above it; only the topmost component can",
             part.name, parts[top].name
         );
         return Err((Some(part.row().place.clone()), ImportErrorKind::Refused(sentence)));
@@ -107,21 +108,21 @@ fn blocks(
     Ok(blocks)
 }
 
-/// A note on casings of which one goes into another: they are a casing programme, and no string.
+/// Note on casings that fit into each other: they are a casing programme, not a string.
 fn programme(blocks: &[Block]) -> Option<Note> {
     let si = |block: &Block, key: &str| block.get(key).and_then(Value::si);
     let tubulars: Vec<(f64, f64)> =
         blocks.iter().filter_map(|block| Some((si(block, "od")?, si(block, "id")?))).collect();
     nested_casings(&tubulars).then(|| {
         Note::Checked(
-            "THE CASINGS GO INTO EACH OTHER: this is a casing programme, and the case makes one string of \
-             it; casings that are in the hole belong under [[well.hole]]"
+            "THE CASINGS FIT INTO EACH OTHER: this is a casing programme, and the case makes one \
+             string of it; casings that are in the hole belong under [[well.hole]]"
                 .to_owned(),
         )
     })
 }
 
-/// What the components are called.
+/// Names of the components.
 fn names(rows: &[TallyRow], notes: &mut Vec<Note>) -> Result<Vec<String>, Refusal> {
     let mut names: Vec<String> = Vec::with_capacity(rows.len());
     let mut unnamed = Vec::new();
@@ -150,7 +151,7 @@ fn names(rows: &[TallyRow], notes: &mut Vec<Note>) -> Result<Vec<String>, Refusa
     Ok(names)
 }
 
-/// The name of a column in `--unit`, and another that it goes by.
+/// Name of a column in `--unit`, and an alternative.
 fn unit_names(column: Column) -> &'static [&'static str] {
     match column {
         Column::OutsideDiameter => &["od", "diameter"],
@@ -172,7 +173,7 @@ fn unit_said(column: Column, choices: &Choices) -> Result<Option<&'static Unit>,
     choices.unit_of(unit_names(column), column.dimension())
 }
 
-/// A missing unit as an error that names the option.
+/// Converts the error of a missing unit to one that names the option.
 fn asking(error: ImportError) -> ImportError {
     let ImportErrorKind::Table(table) = error.kind() else { return error };
     let TableErrorKind::MissingReadingUnit { column, header } = table.kind() else { return error };
@@ -184,12 +185,12 @@ fn asking(error: ImportError) -> ImportError {
     ImportError::new(error.file(), error.place().map(str::to_owned), kind)
 }
 
-/// A component in a line.
+/// Formats a component as a line.
 pub(crate) fn line(block: &Block) -> String {
-    let of = |key: &str| block.get(key).map(shown);
-    let mut text = of("component").unwrap_or_default();
+    let shown_value = |key: &str| block.get(key).map(shown);
+    let mut text = shown_value("component").unwrap_or_default();
     for key in ["catalogue", "od", "id", "blade_od", "mass_per_length", "length"] {
-        if let Some(value) = of(key) {
+        if let Some(value) = shown_value(key) {
             text += &match key {
                 "catalogue" => format!(", {value}"),
                 key => format!(", {} {value}", key.replace('_', " ")),

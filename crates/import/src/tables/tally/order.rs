@@ -1,4 +1,4 @@
-//! Which end of a tally is the bit's.
+//! Direction of a tally.
 
 use wholestring_tabular::{Column, TallyRow};
 
@@ -16,7 +16,8 @@ pub(crate) enum Order {
 
 const NAMES: [(&str, Order); 2] = [("bit-first", Order::BitFirst), ("bit-last", Order::BitLast)];
 
-/// Finds the order: by what is picked, the row of the bit, the cumulative length, the numbers.
+/// Determines the order from the user's choice, the row of the bit, the cumulative length, or the
+/// numbers.
 pub(crate) fn find(
     rows: &[TallyRow],
     names: &[String],
@@ -30,7 +31,7 @@ pub(crate) fn find(
     let say = |order: Order, why: &str| {
         let how = match order {
             Order::BitFirst => "read as listed, from the bit up",
-            Order::BitLast => "listed from the surface down, and turned over",
+            Order::BitLast => "listed from the surface down, and reversed",
         };
         format!("the tally is {how}: {why}")
     };
@@ -43,7 +44,7 @@ pub(crate) fn find(
             };
             return Err((None, kind));
         };
-        notes.push(Note::Read(say(*order, "as was said")));
+        notes.push(Note::Read(say(*order, "as given")));
         return Ok(*order);
     }
     let bits: Vec<usize> = (0..rows.len()).filter(|&row| is_bit(&names[row])).collect();
@@ -64,21 +65,21 @@ pub(crate) fn find(
         && !bits.contains(&last)
     {
         let sentence = format!(
-            "the bit, '{}', stands neither first nor last; expected the components of one string, \
+            "the bit, '{}', is neither first nor last; expected the components of one string, \
              from the bit up or from the surface down (--pick order=bit-first or bit-last if it \
-             is no bit)",
+             is not a bit)",
             names[bit]
         );
         return Err((Some(rows[bit].place.clone()), ImportErrorKind::Refused(sentence)));
     }
     match (steps.grow, steps.fall) {
         (grow, fall) if grow > fall && grow >= 2 => {
-            let why = "the cumulative length grows down the table, and counts from the bit";
+            let why = "the cumulative length increases down the table, and counts from the bit";
             notes.push(Note::Assumed(say(Order::BitFirst, why)));
             return Ok(Order::BitFirst);
         }
         (grow, fall) if fall > grow && fall >= 2 => {
-            let why = "the cumulative length falls down the table, and counts from the bit";
+            let why = "the cumulative length decreases down the table, and counts from the bit";
             notes.push(Note::Assumed(say(Order::BitLast, why)));
             return Ok(Order::BitLast);
         }
@@ -102,13 +103,13 @@ pub(crate) fn find(
             return Ok(order);
         }
     }
-    let sentence = "nothing tells which end of the tally is the bit's: no row is a bit, and neither \
-                    a cumulative length nor numbers count from it; say it: --pick order=bit-first, \
-                    or --pick order=bit-last";
+    let sentence = "it is unknown which end of the tally is the bit's: no row is a bit, and \
+         neither a cumulative length nor numbers count from it; choose with --pick \
+         order=bit-first or --pick order=bit-last";
     Err((None, ImportErrorKind::Refused(sentence.to_owned())))
 }
 
-/// Words behind `bit` of what is none.
+/// Words after `bit` in names that are not bits.
 const NO_BITS: [&str; 12] = [
     "sub",
     "subs",
@@ -138,7 +139,7 @@ pub(crate) fn is_bit(name: &str) -> bool {
     !is_near && !words.iter().any(|word| NO_BITS.contains(word))
 }
 
-/// Whether the case knows a name as that of a bit: its last word says so.
+/// Whether the case recognises a name as that of a bit: its last word is `bit`.
 pub(crate) fn ends_with_bit(name: &str) -> bool {
     let last = name.split(|c: char| !c.is_alphanumeric()).rfind(|word| !word.is_empty());
     last.is_some_and(|word| word.eq_ignore_ascii_case("bit"))

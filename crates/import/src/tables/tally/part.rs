@@ -1,14 +1,14 @@
-//! A component of a tally on its way to a case.
+//! A component of a tally before it is written to a case.
 
 use wholestring_tabular::TallyRow;
 
 use super::length::Length;
 use crate::error::ImportErrorKind;
 
-/// Why a tally cannot be made a string, and where.
+/// Reason why a tally cannot be converted to a string, and the place.
 pub(crate) type Refusal = (Option<String>, ImportErrorKind);
 
-/// A component: a row, or several alike, one joint each.
+/// A component: a row, or several identical rows of one joint each.
 #[derive(Debug, Clone)]
 pub(crate) struct Part<'a> {
     pub(crate) rows: Vec<&'a TallyRow>,
@@ -17,7 +17,7 @@ pub(crate) struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// The first of its rows, which says what all of them are.
+    /// The first of its rows, which represents all of them.
     pub(crate) fn row(&self) -> &'a TallyRow {
         self.rows[0]
     }

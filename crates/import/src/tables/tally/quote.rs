@@ -1,16 +1,16 @@
-//! Cells and values, for a case and for people.
+//! Text of cells and values, for a case and for messages.
 
 use wholestring_tabular::{Holds, TallyCell};
 use wholestring_units::{Dimension, Unit, number_text};
 
 use crate::fragment::{Origin, Value};
 
-/// A unit by its symbol.
+/// Returns a unit by its symbol.
 pub(crate) fn unit(dimension: Dimension, symbol: &str) -> &'static Unit {
     dimension.find_unit(symbol).unwrap_or(&dimension.units()[0])
 }
 
-/// Where a cell's value comes from, with what is written there if the value does not show it.
+/// Origin of a cell's value, with the written text if the value differs from it.
 pub(crate) fn origin(cell: &TallyCell) -> Origin {
     let shows = match cell.holds {
         Holds::Quantity { number, .. } | Holds::Count(number) => {
@@ -22,7 +22,7 @@ pub(crate) fn origin(cell: &TallyCell) -> Origin {
     if shows { Origin::at(&cell.place) } else { Origin::written(&cell.place, &cell.written) }
 }
 
-/// What a cell says, as a value of a case.
+/// The cell as a value of a case.
 pub(crate) fn quantity(cell: &TallyCell) -> Value {
     match cell.holds {
         Holds::Quantity { number, unit, .. } => Value::quantity(number, unit),
@@ -31,12 +31,12 @@ pub(crate) fn quantity(cell: &TallyCell) -> Value {
     }
 }
 
-/// A cell with its unit, for people.
+/// The cell with its unit, for messages.
 pub(crate) fn written(cell: &TallyCell) -> String {
     shown(&quantity(cell))
 }
 
-/// A value as people read it.
+/// A value, for messages.
 pub(crate) fn shown(value: &Value) -> String {
     match value {
         Value::Quantity { number, unit } => {

@@ -1,21 +1,21 @@
-//! What is said once for several components.
+//! Notes that combine several components.
 
 use crate::fragment::Note;
 
-/// What is said once for several components.
+/// Notes that combine several components.
 #[derive(Debug, Default)]
 pub(crate) struct Said {
     /// Blades without a length.
     pub(crate) bladed: Vec<String>,
-    /// Called stabilisers, without a gauge.
+    /// Components called stabilisers, without a gauge.
     pub(crate) bladeless: Vec<String>,
     /// Pipe without a weight.
     pub(crate) unweighed_pipe: Vec<String>,
-    /// Without a weight.
+    /// Components without a weight.
     pub(crate) unweighed: Vec<String>,
-    /// With a nominal weight alone.
+    /// Components with a nominal weight only.
     pub(crate) nominal: Vec<String>,
-    /// Grades whose yield strength is not known, each with a component and its place.
+    /// Grades with unknown yield strength, each with a component and its place.
     pub(crate) grades: Vec<(String, String)>,
 }
 
@@ -30,8 +30,8 @@ impl Said {
         };
         tell(
             self.bladed,
-            "the gauge is that of blades all along the component; give blade_length where they are \
-             shorter",
+            "the gauge is assumed for blades along the whole component; give blade_length if they \
+             are shorter",
         );
         tell(
             self.bladeless,
@@ -44,7 +44,7 @@ impl Said {
              tenth heavier or more: give mass_per_length, or catalogue",
         );
         tell(self.unweighed, "no weight; computed from the diameters as steel");
-        tell(self.nominal, "the nominal weight is taken for the weight, without tool joints");
+        tell(self.nominal, "the nominal weight is used as the weight, without tool joints");
         for (grade, first, count) in counted(&self.grades) {
             let others = match count {
                 1 => String::new(),
@@ -58,7 +58,7 @@ impl Said {
     }
 }
 
-/// Each grade once, with the first component that has it and how many do.
+/// Each grade once, with the first component that has it and the number of components.
 fn counted(grades: &[(String, String)]) -> Vec<(&str, &str, usize)> {
     let mut counted: Vec<(&str, &str, usize)> = Vec::new();
     for (grade, component) in grades {

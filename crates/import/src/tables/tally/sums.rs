@@ -1,4 +1,4 @@
-//! Cumulative lengths and totals, held against the lengths.
+//! Comparison of cumulative lengths and totals with the lengths.
 
 use wholestring_tabular::{Column, Holds, ImportedTally, TallyCell, TallyRow};
 use wholestring_units::number_text;
@@ -6,10 +6,10 @@ use wholestring_units::number_text;
 use super::length::Length;
 use crate::fragment::{Note, Origin};
 
-/// Decimals of a length that are counted: finer ones are of a computer's rounding.
+/// Maximum number of decimals of a length; further ones are rounding errors.
 const MOST_DECIMALS: i32 = 3;
 
-/// How many cumulative lengths follow from the one before and the length of a row.
+/// Number of cumulative lengths that follow from the previous one and the length of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Steps {
     /// Down the table.
@@ -18,7 +18,7 @@ pub(crate) struct Steps {
     pub(crate) fall: usize,
 }
 
-/// Counts the steps of the cumulative length that are the lengths of their rows.
+/// Counts the steps of the cumulative length that equal the lengths of their rows.
 pub(crate) fn steps(rows: &[TallyRow], lengths: &[Length]) -> Steps {
     let cumulative: Vec<Option<f64>> = rows.iter().map(cumulative_m).collect();
     let tolerance_m = rounding_m(rows) * 3.0;
@@ -42,16 +42,16 @@ fn cumulative_m(row: &TallyRow) -> Option<f64> {
     row.get(Column::CumulativeLength)?.si()
 }
 
-/// Half of the last digit to which lengths are written, m.
+/// Half of the last digit of written lengths, m.
 fn rounding_m(rows: &[TallyRow]) -> f64 {
     let columns = [Column::Length, Column::JointLength, Column::CumulativeLength];
-    let cells = || rows.iter().flat_map(|row| columns.iter().filter_map(|&of| row.get(of)));
+    let cells = || rows.iter().flat_map(|row| columns.iter().filter_map(|&column| row.get(column)));
     let decimals = cells().map(|cell| decimals(&cell.written)).max().unwrap_or(0);
     let unit = cells().find_map(|cell| match cell.holds {
         Holds::Quantity { unit, .. } => Some(unit),
         _ => None,
     });
-    // A little more, for halves that rounding made.
+    // Slightly more than a half, because of values rounded at a half.
     unit.map_or(0.0, |unit| unit.to_si(0.501 * 10f64.powi(-decimals)))
 }
 
@@ -61,7 +61,7 @@ fn decimals(written: &str) -> i32 {
     if written.contains('/') { MOST_DECIMALS } else { count.min(MOST_DECIMALS) }
 }
 
-/// Says whether cumulative lengths and totals agree with the lengths.
+/// Adds notes on whether cumulative lengths and totals agree with the lengths.
 pub(crate) fn check(
     tally: &ImportedTally,
     lengths: &[Length],
@@ -84,7 +84,7 @@ pub(crate) fn check(
         compared += 1;
         if (stated_m - sum_m).abs() > rounding_m * (joints_up_to(lengths, &order[..=place]) + 2.0) {
             differ.push(format!("{} against {}", said(cell), in_unit(sum_m, cell)));
-            // What follows is held against what the table says.
+            // Later sums are compared with those of the table.
             sum_m = stated_m;
         }
     }
@@ -98,8 +98,8 @@ pub(crate) fn check(
             count => format!(", and in {} rows more", count - 1),
         };
         notes.push(Note::Checked(format!(
-            "THE CUMULATIVE LENGTH DIFFERS from the sum of the lengths: {first}{more}; the lengths \
-             are taken"
+            "THE CUMULATIVE LENGTH DIFFERS from the sum of the lengths: {first}{more}; the \
+             lengths are used"
         )));
     }
     let mut before = 0;
@@ -131,7 +131,7 @@ pub(crate) fn check(
     }
 }
 
-/// Roundings in a sum of lengths: one for each joint whose length was multiplied.
+/// Number of roundings in a sum of lengths: one for each joint whose length was multiplied.
 fn joints_up_to(lengths: &[Length], rows: &[usize]) -> f64 {
     let roundings = rows.iter().map(|&row| match &lengths[row] {
         Length::Of { joints: Some(joints), origin: Origin::Derived { .. }, .. } => joints.max(1.0),

@@ -1,4 +1,4 @@
-//! How far apart two colours are to eyes of every kind, and how much light they differ by.
+//! Difference of two colours to eyes of every kind, and their contrast.
 
 use std::f64::consts::{PI, TAU};
 
@@ -131,8 +131,8 @@ fn the_difference_is_that_of_its_authors() {
     }
 }
 
-/// Black on white is 21 to 1 by definition; a grey is a grey to every eye, for each row of a matrix
-/// sums to one.
+/// Black on white is 21 to 1 by definition; a grey is a grey to every eye, because each row of a
+/// matrix sums to one.
 #[test]
 fn white_and_grey_are_the_same_to_every_eye() {
     assert!((contrast([0; 3], [255; 3]) - 21.0).abs() < 1e-12);

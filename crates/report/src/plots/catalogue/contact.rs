@@ -1,4 +1,4 @@
-//! What maps of contact over depth and time show.
+//! Quantities of maps of contact over depth and time.
 
 use serde::Serialize;
 use wholestring::outcome::CONTACT_MAP;
@@ -15,11 +15,11 @@ pub(crate) struct ContactPlot {
     pub(crate) shows: Shows,
     /// Whether its sign is a side of the hole.
     pub(crate) sides: bool,
-    /// What the axis of the history at one depth spans at least, SI.
+    /// Minimum span of the axis of the history at one depth, SI.
     pub(crate) min_span: f64,
 }
 
-/// The maps, in the order of the choice; the first is shown.
+/// The maps, in the order of the choice; the first is initially shown.
 pub(crate) fn contact_plots() -> [ContactPlot; 2] {
     let map = |name, quantity, sides| ContactPlot {
         name,

@@ -1,22 +1,22 @@
-//! What is drawn against the weight on bit.
+//! Quantities drawn against the weight on bit.
 
 use serde::Serialize;
 use wholestring::outcome::{Quantity, TIME_SERIES};
 
 use super::{Shows, declared};
 
-/// What the bit gives for the weight on it.
+/// A quantity of the bit against its weight.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct DrillOffPlot {
     #[serde(flatten)]
     pub(crate) shows: Shows,
-    /// What stands above it on a page.
+    /// Heading on a page.
     pub(crate) heading: String,
-    /// What the axis spans at least, SI.
+    /// Minimum span of the axis, SI.
     pub(crate) min_span: f64,
 }
 
-/// The weight, then what is drawn against it.
+/// The weight, then the quantities drawn against it.
 pub(crate) fn drill_off_plots() -> [DrillOffPlot; 3] {
     let plot = |quantity: &'static Quantity, min_span| DrillOffPlot {
         heading: format!("{} against weight", quantity.label()),

@@ -1,5 +1,5 @@
-//! What is drawn of a run: one list for the page and for the files. Which quantities, in which
-//! order and how is chosen here; what each is called and what it measures, its declaration says.
+//! Drawn quantities of a run: one list for the page and for the files. The selection, order and
+//! form are chosen here; name and unit of each are in its declaration.
 
 mod contact;
 mod drill_off;
@@ -20,14 +20,15 @@ pub(crate) use self::{
 use super::near::JOINT_REACH_M;
 use crate::figure::{OUTLIERS, Outliers};
 
-/// How tracks are drawn, on the page and in files alike.
+/// Rules for drawing tracks, on the page and in files alike.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(crate) struct Rules {
-    /// Where more of the string than this is in view, joints are too many to distinguish, m.
+    /// Length of string in view, m, above which joints are too many to distinguish.
     pub(crate) far_m: f64,
     /// Half of the distance between joints, and a little, m.
     pub(crate) joint_reach_m: f64,
-    /// A curve is seen beside another where it is this part of the largest value from it somewhere.
+    /// A curve is distinguishable from another where they differ by this part of the largest value
+    /// somewhere.
     pub(crate) min_difference: f64,
     /// Values that no axis reaches.
     pub(crate) outliers: Outliers,
@@ -36,7 +37,7 @@ pub(crate) struct Rules {
 pub(crate) const RULES: Rules =
     Rules { far_m: 400.0, joint_reach_m: JOINT_REACH_M, min_difference: 0.01, outliers: OUTLIERS };
 
-/// The declaration of a column; the compiler names one that there is not.
+/// The declaration of a column; a column that does not exist is a compile error.
 macro_rules! declared {
     ($list:ident, $column:ident) => {{
         const DECLARED: &wholestring::outcome::Quantity =
@@ -46,8 +47,8 @@ macro_rules! declared {
 }
 use declared;
 
-/// The dimension in which pages and pictures show a kind of quantity: shares in percent, lengths
-/// across the hole as diameters are.
+/// The dimension in which pages and pictures show a kind of quantity: shares in percent, radial
+/// lengths as diameters.
 pub fn shown_dimension(kind: QuantityKind) -> &'static str {
     match kind {
         QuantityKind::Ratio => "percent",
@@ -56,7 +57,7 @@ pub fn shown_dimension(kind: QuantityKind) -> &'static str {
     }
 }
 
-/// What a picture takes from the declaration of its quantity.
+/// Data that a picture takes from the declaration of its quantity.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct Shows {
     /// Name of the column.
@@ -74,7 +75,7 @@ impl Shows {
         }
     }
 
-    /// The same under a title that says more of the picture.
+    /// The same with a title that is more specific to the picture.
     fn titled(self, title: &str) -> Self {
         Self { title: title.into(), ..self }
     }

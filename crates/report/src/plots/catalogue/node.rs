@@ -1,4 +1,4 @@
-//! What is shown of single nodes, and what colours the string in space.
+//! Quantities of single nodes, and quantities that colour the string in space.
 
 use serde::Serialize;
 use wholestring::{
@@ -13,12 +13,12 @@ use super::{Shows, declared};
 pub(crate) struct NodeChannel {
     #[serde(flatten)]
     pub(crate) shows: Shows,
-    /// What the axis spans at least, SI.
+    /// Minimum span of the axis, SI.
     pub(crate) min_span: f64,
 }
 
-/// What the history of a node can show, in the order of the choice. A page holds these columns of
-/// the frames.
+/// Quantities of a node's history, in the order of the choice. A page includes these columns of the
+/// frames.
 pub(crate) fn node_channels() -> Vec<NodeChannel> {
     [
         (declared!(FRAME, contact_force_N), 1000.0),
@@ -42,12 +42,13 @@ pub(crate) struct StringColour {
     pub(crate) signed: bool,
 }
 
-/// What can colour the string, in the order of the choice.
+/// Quantities that can colour the string, in the order of the choice.
 pub(crate) fn string_colours() -> Vec<StringColour> {
     let side =
         |quantity: &'static Quantity| StringColour { shows: Shows::of(quantity), signed: true };
     let amount = |quantity| StringColour { signed: false, ..side(quantity) };
-    let titled = |of: StringColour, title| StringColour { shows: of.shows.titled(title), ..of };
+    let titled =
+        |colour: StringColour, title| StringColour { shows: colour.shows.titled(title), ..colour };
     vec![
         titled(side(declared!(PROFILE, side_force_N_per_m)), "Side force, by side"),
         side(declared!(FRAME, contact_force_N)),

@@ -1,4 +1,4 @@
-//! What is drawn against time.
+//! Quantities drawn against time.
 
 use serde::Serialize;
 use wholestring::outcome::{PROFILE, Quantity, Scalar, TIME_SERIES};
@@ -13,21 +13,21 @@ pub(crate) struct TimePlot {
     pub(crate) name: &'static str,
     pub(crate) title: String,
     pub(crate) dimension: &'static str,
-    /// What the axis spans at least, SI: less than that is no difference to an engineer.
+    /// Minimum span of the axis, SI: smaller changes do not matter to an engineer.
     pub(crate) min_span: f64,
-    /// Columns of the history, and what each is called.
+    /// Columns of the history, with the name of each.
     pub(crate) columns: Vec<(&'static str, String)>,
-    /// Column of a profile in equilibrium whose value at the surface stands beside them.
+    /// Column of a profile in equilibrium whose value at the surface is drawn with them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) at_surface: Option<&'static str>,
     /// Whether it is single points, on an axis that grows down: depths.
     pub(crate) points: bool,
 }
 
-/// A column against time, and what its curve is called where that is not its name.
+/// A column against time, and the name of its curve where that differs from its own.
 type Curve = (&'static Quantity, Option<&'static str>);
 
-/// A curve that is called as its column is.
+/// A curve with the name of its column.
 const fn own(quantity: &'static Quantity) -> Curve {
     (quantity, None)
 }
@@ -38,7 +38,7 @@ const fn called(quantity: &'static Quantity, word: &'static str) -> Curve {
 }
 
 impl TimePlot {
-    /// A plot of columns alike, titled as the first is called.
+    /// A plot of related columns, titled as the first.
     fn of(name: &'static str, min_span: f64, curves: &[Curve]) -> Self {
         let (first, _) = curves[0];
         let named = |(quantity, word): &Curve| {
@@ -124,7 +124,7 @@ pub(crate) fn time_plots() -> Vec<TimePlot> {
     ]
 }
 
-/// What the bit does, of a run that drills.
+/// Quantities of the bit, for a run that drills.
 pub(crate) fn bit_plots() -> Vec<TimePlot> {
     vec![
         TimePlot::of("bit-rate-of-penetration", 5e-4, &[own(series!(rate_of_penetration_m_per_s))]),
@@ -179,13 +179,14 @@ pub(crate) fn bit_plots() -> Vec<TimePlot> {
 mod tests {
     use super::*;
 
-    /// What stands on one axis is of one kind.
+    /// All quantities on one axis have one dimension.
     #[test]
     fn a_plot_shows_one_dimension() {
         let kind = |name: &str| {
-            let all = TIME_SERIES.iter().map(|of| of.quantity);
-            let mut all = all.chain(PROFILE.iter().map(|of| of.quantity));
-            all.find(|of| of.name == name).map(|of| shown_dimension(of.kind))
+            let all = TIME_SERIES.iter().map(|series| series.quantity);
+            let mut all = all.chain(PROFILE.iter().map(|column| column.quantity));
+            all.find(|quantity| quantity.name == name)
+                .map(|quantity| shown_dimension(quantity.kind))
         };
         for plot in [time_plots(), bit_plots()].concat() {
             assert_ne!(plot.title, "", "{}", plot.name);

@@ -1,4 +1,4 @@
-//! What is drawn against measured depth.
+//! Quantities drawn against measured depth.
 
 use serde::Serialize;
 use wholestring::outcome::{HOLE_WEAR, PROFILE, Quantity, WELL_PATH};
@@ -20,21 +20,21 @@ pub(crate) struct Track {
     #[serde(skip)]
     pub(crate) buckles: Option<[&'static str; 2]>,
     pub(crate) from: Source,
-    /// What the axis spans at least, SI: less than that is no difference to an engineer.
+    /// Minimum span of the axis, SI: smaller changes do not matter to an engineer.
     pub(crate) min_span: f64,
-    /// Whether the axis goes to zero.
+    /// Whether the axis includes zero.
     pub(crate) zero: bool,
     /// Whether its sign is a side of the hole.
     pub(crate) sides: bool,
-    /// Whether joints touch and what lies between them does not.
+    /// Whether it is a contact of joints, which the pipe between them does not have.
     pub(crate) touches: bool,
-    /// Whether it swings from joint to joint.
+    /// Whether it alternates from joint to joint.
     pub(crate) swings: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) range: Option<[f64; 2]>,
 }
 
-/// The table that a track is a column of.
+/// The table that has the column of a track.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Source {

@@ -1,4 +1,4 @@
-//! Weights against those of the block and of the string.
+//! Checks of weights against the block and the string.
 
 use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::Channel;
@@ -12,26 +12,26 @@ use super::{
 };
 use crate::readings::Readings;
 
-/// Weights that a block held as the case has it misses by more than this part, and by so many times what one
-/// that is looked for misses them by, are those of another block.
+/// A block held at the case's weight is reported as wrong if the misfit exceeds this fraction of
+/// the weights and also this multiple of the misfit with a fitted block.
 const OFF: f64 = 0.03;
 const WORSE: f64 = 2.5;
 
-/// Fewest weights that tell a block.
+/// Smallest number of weights from which a block is identified.
 const FEWEST: usize = 4;
 
-/// A pick-up or rotating weight below this part of what the string weighs in the mud is no reading.
+/// A pick-up or rotating weight below this fraction of the string's buoyed weight is no reading.
 const LIGHT: f64 = 0.5;
 
-/// Readings that less than half of a column are: more of them are another matter.
+/// Readings are left out only if they are less than this fraction of their column.
 const FEW: f64 = 0.5;
 
-/// Friction that changes no weight by more than this part, and asks for less than this part of the torques, is
-/// told by none of them.
+/// Friction that changes no weight by more than this fraction, and that causes less than this
+/// fraction of the torques, is not identified by either.
 const WEIGHT_CHANGE: f64 = 0.003;
 const TORQUE_CHANGE: f64 = 0.2;
 
-/// The block of the case against that in the weights.
+/// Compares the block weight of the case with that in the readings.
 pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<ReadingCheck> {
     let Block::Held(held_N) = trial.block else { return None };
     let rows = weight_rows(data);
@@ -44,15 +44,16 @@ pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<
         return None;
     }
     let size_N = median(rows.iter().map(|&row| data.readings[row].value.abs()).collect());
-    let force = |of: f64| shown(of, Dimension::Force, units);
+    let force = |force_N: f64| shown(force_N, Dimension::Force, units);
     let off_N = free.block_N - held_N;
     let without = free.block_N.abs() < (0.2 * held_N).max(0.02 * size_N);
     let (kind, sentence) = match without {
         true => (
             CheckKind::BlockNotInReadings,
             format!(
-                "the weights lie {} below what is expected, about the weight of the block, {}: they seem not to \
-                 hold the block. Add it to them, or look for it (`--block-weight`)",
+                "the weights are {} below the expected values, about the weight of the block, {}: \
+                 they seem to exclude the block. Add it to the readings, or fit the block weight \
+                 (`--block-weight`)",
                 force(-off_N),
                 force(held_N),
             ),
@@ -60,9 +61,9 @@ pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<
         false => (
             CheckKind::BlockWeight,
             format!(
-                "the weights lie {} {} what is expected with the case's block of {}; a block of {} would bring \
-                 them into line: is `block_weight` right, is the weight indicator off, or the mud or the string \
-                 another? `--block-weight` looks for it",
+                "the weights are {} {} the expected values with the case's block of {}; a block \
+                 of {} would match them. Check `block_weight`, the weight indicator, the mud and \
+                 the string, or fit the block weight (`--block-weight`)",
                 force(off_N.abs()),
                 if off_N > 0.0 { "above" } else { "below" },
                 force(held_N),
@@ -76,12 +77,12 @@ pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<
     )
 }
 
-/// Hook loads below the block's weight, or far below the string's, which are taken out where they are few.
+/// Leaves out hook loads below the block's weight or far below the string's, if they are few.
 pub(super) fn below(data: &mut Readings, trial: &Trial, units: UnitSet) -> Vec<ReadingCheck> {
     let mut checks = Vec::new();
     let mut out = vec![false; data.readings.len()];
     for channel in [Channel::PickUp, Channel::SlackOff, Channel::Rotating] {
-        let own = rows(data, |of| of == channel);
+        let own = rows(data, |row_channel| row_channel == channel);
         let least_N = |row: usize| match trial.block {
             Block::Held(block_N) if block_N > 0.0 => block_N,
             _ if channel == Channel::SlackOff => 0.0,
@@ -95,13 +96,13 @@ pub(super) fn below(data: &mut Readings, trial: &Trial, units: UnitSet) -> Vec<R
         };
         low.iter().for_each(|&row| out[row] = true);
         let places: Vec<String> = low.iter().map(|&row| data.places[row].clone()).collect();
-        let force = |of: f64| shown(of, Dimension::Force, units);
+        let force = |force_N: f64| shown(force_N, Dimension::Force, units);
         let why = match is_free(trial.block) {
             true => format!("the string weighs {} in the mud", force(trial.weights_N[first])),
             false => format!("the block alone weighs {}", force(least_N(first))),
         };
         let sentence = format!(
-            "the {} is {} in {}, where {why}: no reading; left out",
+            "the {} is {} in {}, although {why}: it is no valid reading and is left out",
             words(channel),
             force(data.readings[first].value),
             row_names(&places),
@@ -110,14 +111,14 @@ pub(super) fn below(data: &mut Readings, trial: &Trial, units: UnitSet) -> Vec<R
         let numbers = [data.readings[first].value, least_N(first)].map(Some);
         checks.push(check.numbers(numbers).on(places));
     }
-    let mut kept = out.iter().map(|out| !out);
-    data.readings.retain(|_| kept.next().unwrap_or(true));
-    let mut kept = out.iter().map(|out| !out);
-    data.places.retain(|_| kept.next().unwrap_or(true));
+    let mut keep = out.iter().map(|out| !out);
+    data.readings.retain(|_| keep.next().unwrap_or(true));
+    let mut keep = out.iter().map(|out| !out);
+    data.places.retain(|_| keep.next().unwrap_or(true));
     checks
 }
 
-/// A hole that hardly presses the string to its wall: no friction shows in what was read.
+/// Reports a hole with so little side force that friction has no effect on the readings.
 pub(super) fn no_friction(data: &Readings, trial: &Trial, units: UnitSet) -> Option<ReadingCheck> {
     let change = |row: usize| {
         let reading = &data.readings[row];
@@ -131,11 +132,11 @@ pub(super) fn no_friction(data: &Readings, trial: &Trial, units: UnitSet) -> Opt
         return None;
     }
     let reading = &data.readings[row];
-    let quantity = |of: f64| shown(of, dimension(reading.channel), units);
+    let quantity = |value: f64| shown(value, dimension(reading.channel), units);
     let sentence = format!(
-        "friction shows in none of the readings: a factor of {MOST} would change the {} of {} ({}) by {:.1} %, and \
-         the others by less; the hole is so straight that the string hardly touches it. Readings with the bit \
-         in a bend or an inclined part tell it",
+        "friction has no effect on the readings: a factor of {MOST} would change the {} of {} \
+         ({}) by {:.1} %, and the others by less, because the hole is so straight that the string \
+         hardly touches it. Read with the bit in a curved or inclined part to find the friction",
         words(reading.channel),
         quantity(reading.value),
         data.places[row],

@@ -1,8 +1,9 @@
-//! Every check of readings and of what was found from them, in one list.
+//! Checks of readings and of the fit to them, in one list.
 //!
-//! What no reading can be, whatever the string, is checked where the file is read
-//! ([`ImportedReadings::measured`](wholestring_tabular::ImportedReadings::measured)); what the string in this
-//! hole cannot give is checked before the fit (`units`, `block`), and the fit after it (`found`).
+//! Values that are impossible for any string are checked where the file is read
+//! ([`ImportedReadings::measured`](wholestring_tabular::ImportedReadings::measured)); values that
+//! the string in this hole cannot give are checked before the fit (`units`, `block`), and the
+//! result after it (`found`).
 
 mod block;
 mod found;
@@ -24,11 +25,11 @@ use crate::{
 };
 use trial::Trial;
 
-/// Checks of readings against what the string in this hole gives with any friction. Readings that it cannot give
-/// are left out; the others are refused where a whole column is none.
+/// Checks readings against the loads of the string in this hole with any friction. Impossible
+/// readings are left out; if a whole column is impossible, the readings are refused.
 ///
 /// # Errors
-/// Columns in another unit, or a hole in which friction changes nothing that was read.
+/// Columns in another unit, or a hole in which friction does not change any reading.
 pub(super) fn by_string(
     name: &str,
     data: &mut Readings,
@@ -39,20 +40,20 @@ pub(super) fn by_string(
     let Some(trial) = Trial::of(data, settings, cancellation)? else { return Ok(()) };
     let mut checks: Vec<ReadingCheck> = units::weights(data, &trial, units);
     checks.extend(units::torques(data, &trial, units));
-    let wants_friction = settings.parameters.iter().any(|of| of.is_factor());
-    if wants_friction && !checks.iter().any(|of| of.check.severity == Severity::Error) {
+    let wants_friction = settings.parameters.iter().any(|parameter| parameter.is_factor());
+    if wants_friction && !checks.iter().any(|check| check.check.severity == Severity::Error) {
         checks.extend(block::no_friction(data, &trial, units));
     }
     refused(name, &checks)?;
     checks.extend(block::of_case(data, &trial, units));
-    if !checks.iter().any(|of| of.check.kind == CheckKind::BlockNotInReadings) {
+    if !checks.iter().any(|check| check.check.kind == CheckKind::BlockNotInReadings) {
         checks.extend(block::below(data, &trial, units));
     }
     data.checks.extend(checks);
     Ok(())
 }
 
-/// The list as `summary.json` has it, warnings first.
+/// The checks as in `summary.json`, warnings first.
 pub(super) fn recorded(checks: &[ReadingCheck]) -> Vec<ReadingCheck> {
     let mut sorted = checks.to_vec();
     sorted.sort_by_key(|found| std::cmp::Reverse(found.check.severity));
@@ -61,6 +62,6 @@ pub(super) fn recorded(checks: &[ReadingCheck]) -> Vec<ReadingCheck> {
 
 /// The sentences of one severity.
 pub(super) fn sentences(checks: &[ReadingCheck], severity: Severity) -> Vec<String> {
-    let of = checks.iter().filter(|of| of.check.severity == severity);
-    of.map(|of| of.check.sentence.clone()).collect()
+    let checks = checks.iter().filter(|check| check.check.severity == severity);
+    checks.map(|check| check.check.sentence.clone()).collect()
 }

@@ -1,5 +1,4 @@
-//! Channels, numbers and depths in the sentences of checks, and the value in the middle of
-//! readings.
+//! Channels, numbers and depths in the sentences of checks, and the median.
 
 use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::Channel;
@@ -7,17 +6,17 @@ use wholestring_tabular::CHANNEL_WORDS;
 
 use wholestring_units::{Dimension, UnitSet};
 
-/// A warning that is not a matter of single readings.
+/// A warning that does not concern single readings.
 pub(in crate::calibrate) fn warning(kind: CheckKind, sentence: String) -> ReadingCheck {
     ReadingCheck::new(kind, Severity::Warning, sentence)
 }
 
-/// What a channel's readings measure.
+/// Dimension of a channel's readings.
 pub(in crate::calibrate) fn dimension(channel: Channel) -> Dimension {
     if channel.is_torque() { Dimension::Torque } else { Dimension::Force }
 }
 
-/// A channel in a sentence.
+/// A channel in words.
 pub(in crate::calibrate) fn words(channel: Channel) -> &'static str {
     CHANNEL_WORDS[channel as usize]
 }
@@ -36,7 +35,7 @@ pub(in crate::calibrate) fn whole(depth_m: f64, units: UnitSet) -> String {
     format!("{:.0} {}", unit.from_si(depth_m), unit.symbol)
 }
 
-/// The value in the middle; zero of none.
+/// The median; zero for no values.
 pub(in crate::calibrate) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     match values.len() {

@@ -1,4 +1,4 @@
-//! What the readings would be with one friction factor everywhere, from none to more than any hole has.
+//! Predicted readings with one friction factor everywhere, from zero to more than in any hole.
 
 use wholestring_plan::calibration::{
     Asked, CalibrationError, Channel, Factors, Motion, Parameter, Predict, Settings,
@@ -10,61 +10,61 @@ use crate::{cancellation::CancellationToken, error::Error, observer::Silent, rea
 /// Friction factors with which the strings are solved.
 const NODES: [f64; 5] = [0.0, 0.15, 0.3, 0.45, 0.6];
 
-/// The largest of them.
+/// The largest friction factor.
 pub(super) const MOST: f64 = NODES[NODES.len() - 1];
 
-/// Steps between no friction and the most.
+/// Number of steps between no friction and the largest.
 const STEPS: usize = 24;
 
 /// The block in the weights.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Block {
-    /// As the case gives it, N.
+    /// Weight from the case, N.
     Held(f64),
-    /// What fits best; nothing at least.
+    /// Best fit, not negative.
     Free,
-    /// What fits best, less than nothing too.
+    /// Best fit, may be negative.
     Any,
 }
 
-/// How well weights are met.
+/// Misfit of the weights.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Misfit {
-    /// Median of what they are off by, over their median.
+    /// Median deviation over the median weight.
     pub(super) part: f64,
     pub(super) friction: f64,
     pub(super) block_N: f64,
 }
 
-/// Loads of every reading with each friction.
+/// Loads of every reading at each friction factor.
 pub(super) struct Trial {
-    /// Weights, N, without the block; torques, N·m, without the bit's.
+    /// Weights, N, without the block; torques, N·m, without the torque on bit.
     loads: Vec<[f64; NODES.len()]>,
     /// Hook loads without friction, N.
     pub(super) weights_N: Vec<f64>,
-    /// The block as the fit has it.
+    /// The block as in the fit.
     pub(super) block: Block,
-    /// The bit's torque, N·m; none where it is looked for.
+    /// Torque on bit, N·m; `None` if it is fitted.
     pub(super) bit_torque_N_m: Option<f64>,
 }
 
 impl Trial {
-    /// Solves the strings; nothing where one of them has no answer.
+    /// Solves the strings; `None` if one of them has no solution.
     pub(super) fn of(
         data: &Readings,
         settings: &Settings,
         cancellation: &CancellationToken,
     ) -> Result<Option<Self>, Error> {
         let mut stations: Vec<(usize, f64, Motion)> = Vec::new();
-        let place = data.readings.iter().map(|of| {
-            let station = (of.setup, of.bit_depth_m, of.channel.motion());
+        let place = data.readings.iter().map(|reading| {
+            let station = (reading.setup, reading.bit_depth_m, reading.channel.motion());
             stations.iter().position(|known| *known == station).unwrap_or_else(|| {
                 stations.push(station);
                 stations.len() - 1
             })
         });
         let place: Vec<usize> = place.collect();
-        let asked = stations.iter().flat_map(|&(setup, bit_depth_m, motion)| {
+        let requests = stations.iter().flat_map(|&(setup, bit_depth_m, motion)| {
             NODES.map(|friction| Asked {
                 setup,
                 bit_depth_m,
@@ -72,14 +72,14 @@ impl Trial {
                 factors: Factors::of_walls(friction, friction),
             })
         });
-        let asked: Vec<Asked> = asked.collect();
+        let requests: Vec<Asked> = requests.collect();
         let model = Predictions {
             assemblies: &data.assemblies,
             stiff: None,
             cancellation,
             observer: &Silent,
         };
-        let loads = match model.loads(&asked) {
+        let loads = match model.loads(&requests) {
             Ok(loads) => loads,
             Err(CalibrationError::Interrupted) => return Err(Error::Interrupted),
             Err(_) => return Ok(None),
@@ -89,7 +89,7 @@ impl Trial {
             let is_torque = reading.channel.is_torque();
             std::array::from_fn(|k| if is_torque { own[k].torque_N_m } else { own[k].hook_load_N })
         };
-        let looked_for = |of: Parameter| settings.parameters.contains(&of);
+        let looked_for = |parameter: Parameter| settings.parameters.contains(&parameter);
         Ok(Some(Self {
             loads: data.readings.iter().zip(&place).map(of_reading).collect(),
             weights_N: place.iter().map(|place| loads[place * NODES.len()].hook_load_N).collect(),
@@ -102,7 +102,7 @@ impl Trial {
         }))
     }
 
-    /// The load of a reading with a friction, on a straight line between two that were solved.
+    /// Load of a reading at a friction factor, interpolated linearly between solved factors.
     pub(super) fn load(&self, row: usize, friction: f64) -> f64 {
         let loads = &self.loads[row];
         let at = (friction / MOST * (NODES.len() - 1) as f64).clamp(0.0, (NODES.len() - 1) as f64);
@@ -110,7 +110,7 @@ impl Trial {
         loads[low] + (loads[low + 1] - loads[low]) * (at - low as f64)
     }
 
-    /// How well the weights of some rows are met, in the best of all frictions, where they are multiplied.
+    /// Misfit of the weights of some rows when multiplied by a factor, at the best friction factor.
     pub(super) fn misfit(
         &self,
         data: &Readings,
@@ -120,7 +120,7 @@ impl Trial {
     ) -> Misfit {
         let value = |row: usize| factor * data.readings[row].value;
         let size = median(rows.iter().map(|&row| value(row).abs()).collect()).max(1e-9);
-        let of = |step: usize| {
+        let misfit = |step: usize| {
             let friction = MOST * step as f64 / STEPS as f64;
             let off: Vec<f64> =
                 rows.iter().map(|&row| value(row) - self.load(row, friction)).collect();
@@ -132,7 +132,7 @@ impl Trial {
             let part = median(off.iter().map(|off| (off - block_N).abs()).collect()) / size;
             Misfit { part, friction, block_N }
         };
-        let all = (0..=STEPS).map(of);
+        let all = (0..=STEPS).map(misfit);
         all.min_by(|a, b| a.part.total_cmp(&b.part)).unwrap_or(Misfit {
             part: f64::INFINITY,
             friction: 0.0,
@@ -141,7 +141,7 @@ impl Trial {
     }
 }
 
-/// Rows whose readings are of these channels.
+/// Rows with readings of these channels.
 pub(super) fn rows(data: &Readings, is: impl Fn(Channel) -> bool) -> Vec<usize> {
     (0..data.readings.len()).filter(|&row| is(data.readings[row].channel)).collect()
 }

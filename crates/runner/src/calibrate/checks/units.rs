@@ -1,7 +1,7 @@
-//! Columns in another unit than their headings say.
+//! Columns in another unit than their headings.
 //!
-//! With the right unit some friction and some block make the string meet the weights; in another unit none does,
-//! and a factor between two units brings them into line.
+//! In the right unit some friction factor and some block weight match the weights; in another unit
+//! none does, and a factor between two units corrects them.
 
 use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::Channel;
@@ -14,35 +14,37 @@ use super::{
 };
 use crate::readings::Readings;
 
-/// Weights that are met worse than this, as they stand, are looked at in other units.
+/// Weights with a larger misfit than this in the unit of their heading are tested in other units.
 const POOR: f64 = 0.08;
-/// In the right unit they are met as well as this, and so many times better.
+/// In the right unit the misfit is at most this, and smaller by this factor.
 const GOOD: f64 = 0.04;
 const BETTER: f64 = 3.0;
 
-/// No block and top drive are heavier, N.
+/// Upper limit of the weight of a block with top drive, N.
 const HEAVIEST_BLOCK_N: f64 = 2.5e6;
 
-/// Fewest readings that tell a unit.
+/// Smallest number of readings from which a unit is identified.
 const FEWEST: usize = 4;
 
-/// Friction factors that holes have, and beyond which a torque is in another unit.
+/// Range of friction factors in holes; a torque that requires more than the upper is in another
+/// unit.
 const USUAL: [f64; 2] = [0.05, 0.7];
 const POSSIBLE: [f64; 2] = [0.03, 1.0];
 
-/// Torque per unit of friction over the string's weight, m, below which the hole is so straight that torques
-/// tell no unit.
+/// Torque per unit of friction over the string's weight, m; below it the hole is too straight to
+/// identify a unit from torques.
 const SIDE_FORCE_M: f64 = 0.008;
 
-/// Units so near to each other, as tonnes and kilodecanewtons are, are named by the first.
+/// Units within this relative difference, such as tonnes and kilodecanewtons, are not
+/// distinguished: the first is named.
 const ALIKE: f64 = 0.03;
 
-/// Friction by torques over friction by drag is this near to the ratio of N·m and ft·lbf where the unit is in
-/// doubt, and the readings this even.
+/// The unit is in doubt if friction from torques over friction from drag is this close to the ratio
+/// of N·m and ft·lbf, and the readings scatter no more than this.
 const NEAR: f64 = 0.04;
 const EVEN: f64 = 0.05;
 
-/// Other units of a dimension than one, each with the factor that brings numbers written in it into line.
+/// The other units of a dimension, each with the factor that corrects numbers written in it.
 fn others(dimension: Dimension, heading: &Unit) -> Vec<(&'static Unit, f64)> {
     let mut others: Vec<(&'static Unit, f64)> = Vec::new();
     for unit in dimension.units() {
@@ -55,7 +57,7 @@ fn others(dimension: Dimension, heading: &Unit) -> Vec<(&'static Unit, f64)> {
     others
 }
 
-/// Units by their symbols: `klbf`, `klbf or t`.
+/// Units by their symbols, such as `klbf` or `klbf or t`.
 fn named(units: &[&'static Unit]) -> String {
     units.iter().take(2).map(|unit| unit.symbol).collect::<Vec<_>>().join(" or ")
 }
@@ -65,7 +67,7 @@ fn error(data: &Readings, rows: &[usize], sentence: String) -> ReadingCheck {
         .on(rows.iter().map(|&row| data.places[row].clone()).collect())
 }
 
-/// Weights in another unit: all of them, or one column.
+/// Detects weights in another unit: all of them, or one column.
 pub(super) fn weights(data: &Readings, trial: &Trial, units: UnitSet) -> Vec<ReadingCheck> {
     let all = weight_rows(data);
     if all.len() < FEWEST {
@@ -81,21 +83,27 @@ pub(super) fn weights(data: &Readings, trial: &Trial, units: UnitSet) -> Vec<Rea
             .into_iter()
             .map(|(unit, factor)| (unit, factor, trial.misfit(data, &all, factor, trial.block)));
         let mut met: Vec<_> = met
-            .filter(|(_, _, of)| {
-                of.part < GOOD && of.part * BETTER < as_is.part && of.block_N < HEAVIEST_BLOCK_N
+            .filter(|(_, _, misfit)| {
+                misfit.part < GOOD
+                    && misfit.part * BETTER < as_is.part
+                    && misfit.block_N < HEAVIEST_BLOCK_N
             })
             .collect();
         met.sort_by(|a, b| a.2.part.total_cmp(&b.2.part));
         if let Some(&(unit, factor, best)) = met.first() {
             let row = all[all.len() / 2];
             let reading = &data.readings[row];
-            let force = |of: f64| shown(of, Dimension::Force, units);
-            let likely: Vec<_> =
-                met.iter().filter(|of| of.2.part < 2.0 * best.part).map(|of| of.0).collect();
+            let force = |force_N: f64| shown(force_N, Dimension::Force, units);
+            let likely: Vec<_> = met
+                .iter()
+                .filter(|candidate| candidate.2.part < 2.0 * best.part)
+                .map(|candidate| candidate.0)
+                .collect();
             let sentence = format!(
-                "the weights are not in {}, as their headings say: no friction brings them nearer than {:.0} % to \
-                 what the string in this hole gives, but in {} they meet it within {:.1} % (a factor of {}); \
-                 {}: a {} of {} with the bit at {}, where {} is expected. Is the unit {}?",
+                "the weights seem not to be in {}, the unit of their headings: with any friction \
+                 they deviate by {:.0} % or more from the loads of the string in this hole, but \
+                 in {} they match within {:.1} % (a factor of {}); {}: a {} of {} with the bit at \
+                 {}, where {} is expected. Is the unit {}?",
                 heading.symbol,
                 100.0 * as_is.part,
                 unit.symbol,
@@ -112,21 +120,21 @@ pub(super) fn weights(data: &Readings, trial: &Trial, units: UnitSet) -> Vec<Rea
         }
     }
     let channels = [Channel::PickUp, Channel::SlackOff, Channel::Rotating];
-    channels.into_iter().filter_map(|of| column(data, trial, of, headings)).collect()
+    channels.into_iter().filter_map(|channel| column(data, trial, channel, headings)).collect()
 }
 
-/// A column of weights that is in another unit than the others.
+/// Detects a column of weights in another unit than the others.
 fn column(
     data: &Readings,
     trial: &Trial,
     channel: Channel,
     headings: [Option<&'static Unit>; 5],
 ) -> Option<ReadingCheck> {
-    /// The column is off by so much of its weights, and in the right unit by less than this.
+    /// Relative deviation of the column, and the largest deviation in the right unit.
     const OFF: f64 = 0.3;
     const ON: f64 = 0.1;
-    let own = rows(data, |of| of == channel);
-    let other = rows(data, |of| of != channel && !of.is_torque());
+    let own = rows(data, |row_channel| row_channel == channel);
+    let other = rows(data, |row_channel| row_channel != channel && !row_channel.is_torque());
     if own.len() + 1 < FEWEST || other.len() < FEWEST {
         return None;
     }
@@ -143,10 +151,10 @@ fn column(
     }
     let others = others(Dimension::Force, heading).into_iter();
     let best = others.map(|(unit, factor)| (unit, off(factor)));
-    let (unit, part) = best.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|of| of.1 < ON)?;
+    let (unit, part) = best.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|best| best.1 < ON)?;
     let sentence = format!(
-        "the {}s are not in {}, as their heading says: the other weights are met within {:.1} %, these are off by \
-         {:.0} %, and in {} by {:.1} %. Is the unit {}?",
+        "the {}s seem not to be in {}, the unit of their heading: the other weights match within \
+         {:.1} %, these deviate by {:.0} %, and in {} by {:.1} %. Is the unit {}?",
         words(channel),
         heading.symbol,
         100.0 * met.part.max(1e-3),
@@ -158,7 +166,7 @@ fn column(
     Some(error(data, &own, sentence))
 }
 
-/// Torques in another unit: the friction that they ask for is none that a hole has.
+/// Detects torques in another unit: they require a friction factor outside the usual range.
 pub(super) fn torques(data: &Readings, trial: &Trial, units: UnitSet) -> Vec<ReadingCheck> {
     let channels = [Channel::OffBottomTorque, Channel::OnBottomTorque];
     channels.into_iter().filter_map(|channel| torque(data, trial, channel, units)).collect()
@@ -170,7 +178,7 @@ fn torque(
     channel: Channel,
     units: UnitSet,
 ) -> Option<ReadingCheck> {
-    let own = rows(data, |of| of == channel);
+    let own = rows(data, |row_channel| row_channel == channel);
     let heading = data.units[channel as usize]?;
     let bit_N_m = match channel {
         Channel::OnBottomTorque => trial.bit_torque_N_m?,
@@ -184,13 +192,13 @@ fn torque(
         return None;
     }
     let frictions = |factor: f64| -> Vec<f64> {
-        let of = |&row: &usize| (factor * data.readings[row].value - bit_N_m) / slope(row);
-        own.iter().map(of).collect()
+        let slope = |&row: &usize| (factor * data.readings[row].value - bit_N_m) / slope(row);
+        own.iter().map(slope).collect()
     };
     let friction = median(frictions(1.0));
-    let said = |of: f64| wholestring_units::number_text((1e3 * of).round() / 1e3);
+    let rounded = |value: f64| wholestring_units::number_text((1e3 * value).round() / 1e3);
     if (USUAL[0]..=USUAL[1]).contains(&friction) {
-        // A model that does not meet the weights tells nothing of the torques.
+        // Without a good match of the weights the model cannot be used to test torques.
         by_weights(data, trial)?;
         return as_feet(data, trial, &own, (heading, bit_N_m));
     }
@@ -198,25 +206,26 @@ fn torque(
     let candidates = others(Dimension::Torque, heading).into_iter();
     let candidates = candidates.map(|(unit, factor)| (unit, factor, median(frictions(factor))));
     let mut likely: Vec<_> =
-        candidates.filter(|of| (USUAL[0]..=USUAL[1]).contains(&of.2)).collect();
+        candidates.filter(|candidate| (USUAL[0]..=USUAL[1]).contains(&candidate.2)).collect();
     let far = |friction: f64| libm::log(friction / target).abs();
     likely.sort_by(|a, b| far(a.2).total_cmp(&far(b.2)));
     let row = own[own.len() / 2];
     let (unit, factor, would) = *likely.first()?;
     let sentence = format!(
-        "the {}s ask for a friction factor of {}, which no hole has; in {} it would be {} (a factor of {}). {}: {} \
-         with the bit at {}, where {} is expected with a friction of {}. Is the unit {}?",
+        "the {}s require a friction factor of {}, outside the range of any hole; in {} it would \
+         be {} (a factor of {}). {}: {} with the bit at {}, where {} is expected with a friction \
+         of {}. Is the unit {}?",
         words(channel),
-        said(friction),
+        rounded(friction),
         unit.symbol,
-        said(would),
+        rounded(would),
         wholestring_units::number_text(format!("{factor:.3e}").parse().unwrap_or(factor)),
         data.places[row],
         shown(data.readings[row].value, dimension(channel), units),
         whole(data.readings[row].bit_depth_m, units),
         shown(slope(row) * target + bit_N_m, dimension(channel), units),
-        said(target),
-        named(&likely.iter().map(|of| of.0).collect::<Vec<_>>()),
+        rounded(target),
+        named(&likely.iter().map(|likely| likely.0).collect::<Vec<_>>()),
     );
     let mut check = error(data, &own, sentence);
     if (POSSIBLE[0]..=POSSIBLE[1]).contains(&friction) {
@@ -227,7 +236,7 @@ fn torque(
     Some(check)
 }
 
-/// The friction factor that pick-up and slack-off weights ask for, where they are met well.
+/// Friction factor that follows from pick-up and slack-off weights, if these are matched well.
 fn by_weights(data: &Readings, trial: &Trial) -> Option<f64> {
     let all = weight_rows(data);
     let has = |channel| all.iter().any(|&row| data.readings[row].channel == channel);
@@ -235,8 +244,9 @@ fn by_weights(data: &Readings, trial: &Trial) -> Option<f64> {
     (has(Channel::PickUp) && has(Channel::SlackOff) && met.part < EVEN).then_some(met.friction)
 }
 
-/// Torques whose friction is that of the weights but for the ratio of N·m and ft·lbf: at each depth the drag,
-/// pick-up less slack-off weight, tells a friction in which the block has no part.
+/// Detects torques whose friction differs from that of the weights by the ratio of N·m and ft·lbf.
+/// At each depth the drag, pick-up minus slack-off weight, gives a friction factor independent of
+/// the block.
 fn as_feet(
     data: &Readings,
     trial: &Trial,
@@ -245,8 +255,8 @@ fn as_feet(
 ) -> Option<ReadingCheck> {
     let at = |row: usize, channel: Channel| {
         let here = &data.readings[row];
-        let is = |of: &&usize| {
-            let other = &data.readings[**of];
+        let is = |row: &&usize| {
+            let other = &data.readings[**row];
             (other.setup, other.bit_depth_m, other.channel)
                 == (here.setup, here.bit_depth_m, channel)
         };
@@ -255,21 +265,21 @@ fn as_feet(
     let ratio = |&row: &usize| {
         let (up, down) = (at(row, Channel::PickUp)?, at(row, Channel::SlackOff)?);
         let drag_N = data.readings[up].value - data.readings[down].value;
-        let of = |friction: f64| trial.load(up, friction) - trial.load(down, friction) - drag_N;
+        let drag_N = |friction: f64| trial.load(up, friction) - trial.load(down, friction) - drag_N;
         let (mut low, mut high) = (0.0, MOST);
-        if of(low) > 0.0 || of(high) < 0.0 {
+        if drag_N(low) > 0.0 || drag_N(high) < 0.0 {
             return None;
         }
         for _ in 0..30 {
             let middle = 0.5 * (low + high);
-            if of(middle) < 0.0 { low = middle } else { high = middle }
+            if drag_N(middle) < 0.0 { low = middle } else { high = middle }
         }
         let by_torque = (data.readings[row].value - bit_N_m) * MOST / trial.load(row, MOST);
         Some(by_torque / low).filter(|ratio| ratio.is_finite() && low > 0.02)
     };
     let ratios: Vec<f64> = own.iter().filter_map(ratio).collect();
     let middle = median(ratios.clone());
-    let apart = median(ratios.iter().map(|of| (of - middle).abs()).collect());
+    let apart = median(ratios.iter().map(|ratio| (ratio - middle).abs()).collect());
     let feet = |(_, factor): &&(&'static Unit, f64)| {
         (0.7..1.4).contains(factor) && (middle * factor - 1.0).abs() < NEAR
     };
@@ -279,8 +289,8 @@ fn as_feet(
     let others = others(Dimension::Torque, heading);
     let (unit, _) = others.iter().find(feet)?;
     let sentence = format!(
-        "the torques ask for {middle:.2} times the friction that pick-up and slack-off weights do: it would be the \
-         same if the torques were in {} and not in {}; is that so?",
+        "the torques require {middle:.2} times the friction of the pick-up and slack-off weights: \
+         it would be the same if the torques were in {} instead of {}. Is that the unit?",
         unit.symbol, heading.symbol
     );
     let mut check = error(data, own, sentence);
@@ -289,7 +299,7 @@ fn as_feet(
     Some(check)
 }
 
-/// The block is free where the fit looks for it.
+/// Whether the block weight is free, which is the case if it is fitted.
 pub(super) fn is_free(block: Block) -> bool {
     matches!(block, Block::Free)
 }

@@ -5,7 +5,7 @@ use wholestring_units::UnitSet;
 use super::*;
 use crate::{cancellation::CancellationToken, cores, keep::Keep, observer::Silent};
 
-/// A model that the command line's test data describe.
+/// A model from the test data of the command line.
 fn slant() -> Case {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cli/tests/data/slant.toml");
     wholestring_case::load(&path, &[]).expect("a valid case")
@@ -34,25 +34,26 @@ fn who_interrupts_the_laying_does_not_wait_for_the_run() {
 #[test]
 fn what_comes_before_the_first_step_is_said() {
     let case = slant();
-    let said = preparation(&case.dynamics, &case.operations[0]);
-    assert_eq!(said, "initialising the string");
+    let text = preparation(&case.dynamics, &case.operations[0]);
+    assert_eq!(text, "initialising the string");
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/rock-300.toml");
     let case = wholestring_case::load(&path, &[]).expect("a valid case");
-    let said = preparation(&case.dynamics, &case.operations[0]);
-    assert!(said.ends_with("running the bit in on the rock"), "{said}");
+    let text = preparation(&case.dynamics, &case.operations[0]);
+    assert!(text.ends_with("running the bit in on the rock"), "{text}");
 }
 
-/// An operation without an answer is told among those that have one; a dynamic one ends the run.
+/// An operation without a solution is reported with those that have one; a dynamic one ends the
+/// run.
 #[test]
 fn an_operation_without_answer_keeps_what_was_solved() {
     let mut case = slant();
-    // Deeper than the string is long, which no case file gets past its checks.
+    // Deeper than the string is long, which the checks of a case file do not allow.
     case.operations[1].bit_depth_m += 100.0;
     let place = tempfile::tempdir().expect("a folder");
     let folder = ResultsFolder::create(place.path()).expect("a folder");
-    for (model, kept) in [(ModelKind::Soft, 2), (ModelKind::Dynamic, 0)] {
+    for (model, count) in [(ModelKind::Soft, 2), (ModelKind::Dynamic, 0)] {
         case.models = vec![model];
-        // What an earlier run left does not pass for this one's.
+        // Results of an earlier run are not mistaken for those of this one.
         if model == ModelKind::Dynamic {
             case.operations.remove(0);
         }
@@ -65,11 +66,14 @@ fn an_operation_without_answer_keeps_what_was_solved() {
         assert!(message.contains("has no answer: "), "{message}");
         let summary = place.path().join("summary.json");
         let summary = wholestring_results::Summary::read(&summary).expect("a summary");
-        assert_eq!(summary.operations.len(), kept);
-        let failed = |of: &wholestring_results::OperationSummary| {
-            matches!(of.status, wholestring_results::Status::Failed(_))
+        assert_eq!(summary.operations.len(), count);
+        let failed = |summary: &wholestring_results::OperationSummary| {
+            matches!(summary.status, wholestring_results::Status::Failed(_))
         };
-        assert_eq!(summary.operations.iter().filter(|of| failed(of)).count(), kept / 2);
+        assert_eq!(
+            summary.operations.iter().filter(|operation| failed(operation)).count(),
+            count / 2
+        );
     }
 }
 

@@ -43,8 +43,8 @@ pub struct CustomExcitation {
     pub excitation: Arc<dyn BitExcitation>,
 }
 
-fn name_of<S: Serializer>(of: &Arc<dyn BitExcitation>, to: S) -> Result<S::Ok, S::Error> {
-    of.name().serialize(to)
+fn name_of<S: Serializer>(excitation: &Arc<dyn BitExcitation>, to: S) -> Result<S::Ok, S::Error> {
+    excitation.name().serialize(to)
 }
 
 /// The same excitation, not one of the same name.

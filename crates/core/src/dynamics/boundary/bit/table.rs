@@ -114,8 +114,8 @@ impl BitTable {
         if let Some(at) = points.iter().position(|p| spreads(p) != spreads(&points[0])) {
             return Err(TableFault::Spread { line: at + 1 });
         }
-        let axis = |of: fn(&TablePoint) -> f64| {
-            let mut values: Vec<f64> = points.iter().map(of).collect();
+        let axis = |point: fn(&TablePoint) -> f64| {
+            let mut values: Vec<f64> = points.iter().map(point).collect();
             values.sort_by(f64::total_cmp);
             values.dedup();
             values

@@ -158,9 +158,9 @@ impl<R: Real> Chain<R> {
         &'a self,
         region: usize,
         lane: usize,
-        of: impl Fn(usize, usize) -> f64 + Copy + 'a,
+        copy: impl Fn(usize, usize) -> f64 + Copy + 'a,
     ) -> impl Iterator<Item = f64> + 'a {
         let rows = if region < self.regions() { self.places.rows_of(region) } else { 0..0 };
-        (lane..R::LANES).flat_map(move |lane| rows.clone().map(move |row| of(row, lane)))
+        (lane..R::LANES).flat_map(move |lane| rows.clone().map(move |row| copy(row, lane)))
     }
 }

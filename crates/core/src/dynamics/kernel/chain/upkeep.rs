@@ -203,10 +203,10 @@ fn find_drag<R: Real>(chain: &mut Chain<R>, dt: f64) {
 }
 
 #[inline(always)]
-fn motions<R: Real, N: Doubles>(chain: &Chain<R>, of: Range<usize>, motions: &mut Motions) {
-    let rows = of.len();
+fn motions<R: Real, N: Doubles>(chain: &Chain<R>, range: Range<usize>, motions: &mut Motions) {
+    let rows = range.len();
     let Motions { axial_m_per_s, spin_rad_per_s } = motions;
-    let (nodes, states) = (&chain.node_blocks[of.clone()], &chain.states[of]);
+    let (nodes, states) = (&chain.node_blocks[range.clone()], &chain.states[range]);
     for (row, (node, state)) in nodes.iter().zip(states).enumerate() {
         for lane in (0..R::LANES).step_by(N::WIDTH) {
             let along = doubles::<R, N>(&node.tangent, lane).dot(doubles(&state.v, lane));

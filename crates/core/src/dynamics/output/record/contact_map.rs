@@ -49,7 +49,10 @@ impl MapKeeper {
         let fits = self.from_bit_m.len() == nodes
             && self.before.len() == nodes
             && self.intervals.len() <= nodes
-            && self.intervals.iter().all(|of| of.first < nodes && of.last < nodes)
+            && self
+                .intervals
+                .iter()
+                .all(|interval| interval.first < nodes && interval.last < nodes)
             && [md_m, side_force_N_per_m, contact_force_N_per_m]
                 .iter()
                 .all(|column| column.len() == rows);
@@ -153,16 +156,16 @@ impl MapKeeper {
             let (high_m, low_m) = ((at_m + above_m).min(top_m), (at_m - below_m).max(0.0));
             // Stretches follow each other from the surface down, and so do contacts: the first
             // stretch that reaches above is the last contact's or one below.
-            while self.intervals.get(first).is_some_and(|of| of.bottom_m >= high_m) {
+            while self.intervals.get(first).is_some_and(|interval| interval.bottom_m >= high_m) {
                 first += 1;
             }
             while first > 0 && self.intervals[first - 1].bottom_m < high_m {
                 first -= 1;
             }
             let intervals = self.intervals[first..].iter().zip(&mut shares[first..]);
-            for (of, share) in intervals.take_while(|(of, _)| of.top_m > low_m) {
-                let both_m = of.top_m.min(high_m) - of.bottom_m.max(low_m);
-                let part = both_m / ((high_m - low_m) * (of.top_m - of.bottom_m));
+            for (interval, share) in intervals.take_while(|(interval, _)| interval.top_m > low_m) {
+                let both_m = interval.top_m.min(high_m) - interval.bottom_m.max(low_m);
+                let part = both_m / ((high_m - low_m) * (interval.top_m - interval.bottom_m));
                 for (share, force) in share.iter_mut().zip(forces[contact]) {
                     *share += part * force;
                 }
@@ -209,7 +212,7 @@ mod tests {
             assert!((contact / expected - 1.0).abs() < 1e-12, "{contact} N/m");
             assert_eq!(*side, -contact);
         }
-        let lengths = keeper.intervals.iter().map(|of| of.top_m - of.bottom_m);
+        let lengths = keeper.intervals.iter().map(|interval| interval.top_m - interval.bottom_m);
         let total: f64 = found.iter().zip(lengths).map(|([_, of], m)| of * m).sum();
         assert!((total / (100.0 * FORCE_N) - 1.0).abs() < 1e-12, "{total} N");
     }

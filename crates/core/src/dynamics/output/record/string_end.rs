@@ -75,7 +75,7 @@ impl StringEnd {
     /// Whether a stored one is of this layout.
     pub fn is_of(&self, layout: Layout) -> bool {
         let fits = |(block, lane): Place| block < layout.blocks() && lane < DOUBLES;
-        fits(self.node) && self.carry_overs().all(|of| fits(of.element))
+        fits(self.node) && self.carry_overs().all(|carry_over| fits(carry_over.element))
     }
 
     /// All that is carried over.

@@ -44,16 +44,16 @@ fn check(quantity: &str, expected: f64, computed: f64) {
 #[test]
 fn the_identities_hold_in_full_contact() {
     let (_, file) = identities();
-    let of = |name: &str| file["expected"][name].as_f64().expect("a number");
+    let as_f64 = |name: &str| file["expected"][name].as_f64().expect("a number");
     let speed = file["inputs"]["rpm"].as_f64().expect("a number") * TAU / 60.0;
     let rate = file["inputs"]["ROP_m_per_h"].as_f64().expect("a number") / 3600.0;
-    let depth = of("depth_of_cut_per_rev_m");
+    let depth = as_f64("depth_of_cut_per_rev_m");
     let law = law();
-    assert!((law.weight_on_bit_N(depth) / of("WOB_N") - 1.0).abs() < 1e-12);
-    let steady = law.steady(of("WOB_N"), speed);
+    assert!((law.weight_on_bit_N(depth) / as_f64("WOB_N") - 1.0).abs() < 1e-12);
+    let steady = law.steady(as_f64("WOB_N"), speed);
     for (found, expected) in [
         (steady.depth_of_cut_m, depth),
-        (steady.torque_N_m, of("TOB_Nm")),
+        (steady.torque_N_m, as_f64("TOB_Nm")),
         (steady.rate_of_penetration_m_per_s, rate),
     ] {
         assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
@@ -61,11 +61,11 @@ fn the_identities_hold_in_full_contact() {
     let mut rig = turned(law, 80e3, speed);
     node!(rig.chain, 0, inv_mass_axial = 0.0);
     rig.chain.set_velocity(0, Vector(0.0, 0.0, rate));
-    assert!((rig.step(5e-4).weight_on_bit_N / of("WOB_N") - 1.0).abs() > 0.1);
+    assert!((rig.step(5e-4).weight_on_bit_N / as_f64("WOB_N") - 1.0).abs() > 0.1);
     let step = (0..20_000).map(|_| rig.step(5e-4)).last().expect("a step");
     for (quantity, expected, computed) in [
-        ("three regimes: weight on bit, N", of("WOB_N"), step.weight_on_bit_N),
-        ("three regimes: torque on bit, N·m", of("TOB_Nm"), step.torque_N_m),
+        ("three regimes: weight on bit, N", as_f64("WOB_N"), step.weight_on_bit_N),
+        ("three regimes: torque on bit, N·m", as_f64("TOB_Nm"), step.torque_N_m),
         ("three regimes: depth of cut, m", depth, step.depth_of_cut_m),
         ("three regimes: rate of penetration, m/s", rate, step.rate_of_penetration_m_per_s),
     ] {

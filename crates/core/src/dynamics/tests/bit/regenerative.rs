@@ -24,16 +24,16 @@ pub(super) fn pressed(weight_on_bit_N: f64) -> Operation {
 pub(super) fn identities() -> (RegenerativeLaw, Value) {
     let file = verification("E07_bit_rock_detournay.json");
     let inputs = &file["inputs"];
-    let of = |name: &str| inputs[name].as_f64().expect("a number");
+    let as_f64 = |name: &str| inputs[name].as_f64().expect("a number");
     let cutters = Cutters {
-        radius_m: of("a_m"),
+        radius_m: as_f64("a_m"),
         core_radius_m: 0.0,
-        intrinsic_specific_energy_Pa: of("eps_Pa"),
-        cutter_inclination: of("zeta"),
-        wear_flat_m: of("wear_flat_l_m"),
-        contact_strength_Pa: of("sigma_Pa"),
-        bit_geometry: of("gamma"),
-        friction: of("mu"),
+        intrinsic_specific_energy_Pa: as_f64("eps_Pa"),
+        cutter_inclination: as_f64("zeta"),
+        wear_flat_m: as_f64("wear_flat_l_m"),
+        contact_strength_Pa: as_f64("sigma_Pa"),
+        bit_geometry: as_f64("gamma"),
+        friction: as_f64("mu"),
     };
     let blades = inputs["blades"].as_u64().expect("a number") as u32;
     (RegenerativeLaw { cutters, blades }, file)
@@ -45,13 +45,13 @@ pub(super) fn identities() -> (RegenerativeLaw, Value) {
 #[test]
 fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
     let (law, file) = identities();
-    let of = |name: &str| file["expected"][name].as_f64().expect("a number");
+    let as_f64 = |name: &str| file["expected"][name].as_f64().expect("a number");
     let speed = file["inputs"]["rpm"].as_f64().expect("a number") * TAU / 60.0;
     let rate = file["inputs"]["ROP_m_per_h"].as_f64().expect("a number") / 3600.0;
-    let steady = law.steady(of("WOB_N"), speed);
+    let steady = law.steady(as_f64("WOB_N"), speed);
     let close = |a: f64, b: f64, tolerance: f64| (a / b - 1.0).abs() < tolerance;
-    assert!(close(steady.depth_of_cut_m, of("depth_of_cut_per_rev_m"), 1e-12));
-    assert!(close(steady.torque_N_m, of("TOB_Nm"), 1e-12));
+    assert!(close(steady.depth_of_cut_m, as_f64("depth_of_cut_per_rev_m"), 1e-12));
+    assert!(close(steady.torque_N_m, as_f64("TOB_Nm"), 1e-12));
     assert!(close(steady.rate_of_penetration_m_per_s, rate, 1e-12));
 
     // It starts with another weight's bottom: one revolution and it has forgotten that.
@@ -61,7 +61,7 @@ fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
     rig.chain.set_velocity(0, Vector(0.0, 0.0, rate));
     rig.set_spin(speed);
     let mut step = rig.step(5e-4);
-    assert!(!close(step.weight_on_bit_N, of("WOB_N"), 0.1), "{step:?}");
+    assert!(!close(step.weight_on_bit_N, as_f64("WOB_N"), 0.1), "{step:?}");
     for _ in 0..8000 {
         step = rig.step(5e-4);
     }
@@ -72,7 +72,7 @@ fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
     ] {
         verify("E07", quantity)
             .relative(1e-9, "rounding: 2e-13 m of a depth of 2000 m, over 4 mm")
-            .report(of(expected), computed);
+            .report(as_f64(expected), computed);
     }
 }
 

@@ -26,9 +26,9 @@ enum Motion {
 fn stir(rod: &mut Bench, motion: Motion) {
     let mut random = Random::new(1);
     for i in 1..rod.chain.nodes() {
-        let mut next = |of: &[Motion]| {
+        let mut next = |motions: &[Motion]| {
             let speed = 1e-3 * random.signed();
-            if motion == Motion::All || of.contains(&motion) { speed } else { 0.0 }
+            if motion == Motion::All || motions.contains(&motion) { speed } else { 0.0 }
         };
         let velocity = Vector(next(&[]), next(&[]), next(&[Motion::Axial]));
         let spin = 10.0 * next(&[Motion::Torsional]);

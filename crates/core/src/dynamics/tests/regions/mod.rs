@@ -46,8 +46,9 @@ fn mesh_of(model: &Model, lengths_m: &[f64]) -> Mesh {
 fn refined(long: usize, pieces: usize, parts: usize) -> Bench {
     let mut lengths = vec![LONG_M; long];
     lengths.extend(vec![LONG_M / parts as f64; pieces * parts]);
-    let of = |mesh: &Mesh, lateral: &[f64]| regions::divided(mesh, lateral, 0.0, usize::MAX);
-    rod_of(&lengths, |mesh, lateral| of(mesh, lateral).expect("short elements below")).divided()
+    let divided = |mesh: &Mesh, lateral: &[f64]| regions::divided(mesh, lateral, 0.0, usize::MAX);
+    rod_of(&lengths, |mesh, lateral| divided(mesh, lateral).expect("short elements below"))
+        .divided()
 }
 
 /// A rod of equal elements whose lower region, below `border_node`, takes `parts` steps in one of

@@ -98,7 +98,7 @@ fn a_controller_goes_on_from_the_torque_of_the_one_before() {
         let missing = 9.0 - before;
         let [old, new] = [from, to].map(|of| Gains::of(of, 2900.0, TorsionalString::of(&run.mesh)));
         let inertia = node!(run.chain, 0, polar);
-        let gain = |of: &Gains| of.integral_N_m.mul_add(dt_s, of.proportional_N_m_s);
+        let gain = |gains: &Gains| gains.integral_N_m.mul_add(dt_s, gains.proportional_N_m_s);
         let push = expected * (inertia / dt_s + gain(&old)) - old.integral_N_m * dt_s * missing;
         let due = (push + new.integral_N_m * dt_s * missing) / (inertia / dt_s + gain(&new));
         // A drive that shows an impedance gives way to the string's torque within the step besides.

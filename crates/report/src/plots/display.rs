@@ -4,18 +4,18 @@ use std::collections::BTreeMap;
 
 use crate::{Cell, DisplayUnit, Fact};
 
-/// How the reader sees numbers.
+/// The units in which the reader sees numbers.
 #[derive(Clone, Copy)]
-pub(crate) struct Shown<'a> {
+pub(crate) struct DisplayUnits<'a> {
     dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
-    /// Place of the reader's among the sets of units.
+    /// Place of the reader's set among the sets of units.
     set: usize,
 }
 
 /// Sets of units by their place in [`crate::Report::dimensions`].
 pub(crate) const SETS: [&str; 3] = ["si", "metric", "field"];
 
-impl<'a> Shown<'a> {
+impl<'a> DisplayUnits<'a> {
     pub(crate) fn new(dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>, units: &str) -> Self {
         let set = SETS.iter().position(|name| *name == units);
         Self { dimensions, set: set.unwrap_or(0) }
@@ -38,7 +38,7 @@ impl<'a> Shown<'a> {
         si.iter().map(|value| self.value(*value, dimension)).collect()
     }
 
-    /// What an axis shows, unit included.
+    /// Label of an axis, unit included.
     pub(crate) fn label(&self, name: &str, dimension: &str) -> String {
         match self.symbol(dimension) {
             "" => name.to_owned(),
@@ -46,7 +46,7 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// A quantity with its unit, in so many digits as people say it.
+    /// A quantity with its unit, in its usual number of digits.
     pub(crate) fn quantity(&self, si: f64, dimension: &str) -> String {
         let number = plain(self.value(si, dimension));
         match self.symbol(dimension) {
@@ -63,7 +63,7 @@ impl<'a> Shown<'a> {
         format!("{whole:.0} {}", self.symbol("length")).trim_end().to_owned()
     }
 
-    /// `bit depth 4305 m`; nothing of a fact that says nothing.
+    /// `bit depth 4305 m`; `None` for an empty fact.
     pub(crate) fn fact(&self, fact: &Fact) -> Option<String> {
         let value = match &fact.value {
             Cell::Quantity { value, dimension, .. } => self.quantity(*value, dimension),
@@ -79,7 +79,7 @@ impl<'a> Shown<'a> {
     }
 }
 
-/// A number in five digits at most, without zeros at its end.
+/// A number in five digits at most, without trailing zeros.
 fn plain(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return "0".to_owned();

@@ -1,0 +1,134 @@
+//! The casing programme: sections that cannot have been run through those above them, and parts of
+//! the string that are wider than the drift of a casing.
+
+use wholestring::{
+    operation::OperationKind,
+    string::DrillString,
+    well::{Hole, HoleKind, HoleSection},
+};
+
+use wholestring_config::prelude::*;
+
+use crate::{catalogue::OwnCatalogue, component::ComponentTable, fit::od_place, hole::HoleTable};
+
+/// Largest bore of a casing over that of the casing above it. Heavier walls at the top of a string
+/// of 9-5/8 in casing make its lower bore 4 % wider; the next size is 10 % wider.
+const TAPER: f64 = 1.08;
+
+/// Reports casings that do not pass the section above, and rock above a casing.
+pub(crate) fn check(hole: &Hole, tables: &[Spanned<HoleTable>], reader: &mut Reader) {
+    let sections: Vec<(&HoleSection, &Spanned<HoleTable>)> =
+        hole.sections().iter().zip(tables).collect();
+    for (index, (section, table)) in sections.iter().enumerate() {
+        if section.kind != HoleKind::Casing {
+            continue;
+        }
+        let above = &sections[..index];
+        if let Some((narrower, at)) = above.iter().find(|(above, _)| does_not_pass(section, above))
+        {
+            let mut diagnostic = Diagnostic::error("a casing does not pass the section above it")
+                .at(place(table), width(section, reader));
+            diagnostic = diagnostic.at(place(at), width(narrower, reader));
+            diagnostic
+                .help("sections are listed from the surface down, each with the innermost casing at its depth")
+                .report(reader);
+        } else if let Some((_, at)) = above.iter().find(|(above, _)| above.kind == HoleKind::Open) {
+            Diagnostic::warning("open hole is listed above a casing")
+                .at(place(at), "open hole")
+                .at(place(table), "casing below it")
+                .help("casing that was run reaches up to the casing above or to the surface")
+                .report(reader);
+        }
+    }
+}
+
+/// Whether a casing is too wide for a section above it. Sections of one casing string, whose walls
+/// differ, have the same outside diameter.
+fn does_not_pass(casing: &HoleSection, above: &HoleSection) -> bool {
+    let od_m = |section: &HoleSection| section.casing.map(|pipe| pipe.od_m);
+    match (od_m(casing), od_m(above)) {
+        (Some(od_m), Some(above_od_m)) => {
+            od_m > above_od_m || { od_m < above_od_m && od_m > above.diameter_m }
+        }
+        (Some(od_m), None) if above.kind == HoleKind::Open => od_m > above.diameter_m,
+        _ => casing.diameter_m > TAPER * above.diameter_m,
+    }
+}
+
+/// Warns of parts of the string that are wider than the drift mandrel of a casing they pass.
+pub(crate) fn check_drift(
+    string: &DrillString,
+    components: &[Spanned<ComponentTable>],
+    hole: &Hole,
+    tables: &[Spanned<HoleTable>],
+    own: &OwnCatalogue,
+    reader: &mut Reader,
+) {
+    let bit_depth_m = string.length_m();
+    for (span, component) in string.spans().zip(components) {
+        let od_m = 2.0 * span.component.contact_radius_m();
+        let bottom_md_m = bit_depth_m - span.from_bit_m;
+        let passed = hole.sections().iter().zip(tables);
+        let tight = passed.filter(|(section, _)| section.from_md_m < bottom_md_m).find_map(
+            |(section, table)| {
+                let name = table.value.casing.given()?;
+                let casing = own.find_casing(&name.value).ok()?;
+                (od_m > casing.drift_m && od_m <= section.diameter_m).then_some((casing, name))
+            },
+        );
+        let Some((casing, name)) = tight else { continue };
+        let diameter = |m: f64| reader.shown(Dimension::Diameter, m);
+        let [od, drift, bore] = [od_m, casing.drift_m, casing.id_m].map(diameter);
+        Diagnostic::warning(format!(
+            "`{}` is wider than the drift of a casing that it passes",
+            short(&span.component.name)
+        ))
+        .at(od_place(component, span.component.joints.is_some()), format!("{od} across"))
+        .at(name.place, format!("drift {drift}, bore {bore}"))
+        .help("every joint passes the drift mandrel only; casing of a special drift can be listed in a catalogue of your own")
+        .report(reader);
+    }
+}
+
+/// Warns of an operation that drills with its bit in a casing.
+pub(crate) fn check_drilling(
+    kinds: &[OperationKind],
+    bit_depth_m: f64,
+    bit_place: Option<Span>,
+    hole: &Hole,
+    reader: &mut Reader,
+) {
+    let Some(kind) = kinds.iter().find(|kind| kind.on_bottom()) else { return };
+    let at_bit = hole.sections().iter().find(|section| section.to_md_m >= bit_depth_m);
+    let Some(section) = at_bit.filter(|section| section.kind == HoleKind::Casing) else { return };
+    let depth = |md_m: f64| reader.shown(Dimension::Length, md_m);
+    let message = format!("`{}` with the bit in casing", kind.name());
+    let label = format!("bit at {}, casing to {}", depth(bit_depth_m), depth(section.to_md_m));
+    let diagnostic = Diagnostic::warning(message);
+    let diagnostic = match bit_place {
+        Some(place) => diagnostic.at(place, label),
+        None => diagnostic.help(label),
+    };
+    diagnostic.help("the open hole below the shoe is a section of its own").report(reader);
+}
+
+fn width(section: &HoleSection, reader: &Reader) -> String {
+    let diameter = |m: f64| reader.shown(Dimension::Diameter, m);
+    match (section.kind, section.casing) {
+        (HoleKind::Casing, Some(pipe)) => {
+            format!(
+                "outside diameter {}, bore {}",
+                diameter(pipe.od_m),
+                diameter(section.diameter_m)
+            )
+        }
+        (HoleKind::Casing, None) => format!("bore {}", diameter(section.diameter_m)),
+        (HoleKind::Open, _) => format!("hole of {}", diameter(section.diameter_m)),
+    }
+}
+
+/// Place of the key that gives the width of a section.
+fn place(table: &Spanned<HoleTable>) -> Span {
+    let casing = table.value.casing.given().map(|name| name.place);
+    casing.or(table.value.diameter_place()).unwrap_or(table.place)
+}
