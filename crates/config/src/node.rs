@@ -174,6 +174,12 @@ fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usiz
                 short(written)
             ));
     }
+    if let Some(written) = typographic(text, span.start) {
+        let plain = written.trim_matches(TYPOGRAPHIC);
+        return Diagnostic::error("typographic quotes do not quote a text in TOML")
+            .at(place, "expected straight quotes")
+            .help(format!("write \"{}\"", short(plain)));
+    }
     let diagnostic = Diagnostic::error("this is not TOML").at(place, message);
     if not_quoted(error) {
         if found.is_empty() {
@@ -204,6 +210,17 @@ fn foot_or_inch_mark(text: &str, at: usize) -> Option<(&str, String)> {
         (false, _) => format!("write \"{number} ft\""),
     };
     Some((written, help))
+}
+
+/// Quotation marks of typesetting, which word processors write in place of straight ones.
+const TYPOGRAPHIC: [char; 6] = ['“', '”', '„', '‘', '’', '‚'];
+
+/// The value of a line that begins with a typographic quotation mark.
+fn typographic(text: &str, at: usize) -> Option<&str> {
+    let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let (_, value) = text[line_start..].lines().next()?.split_once('=')?;
+    let value = value.split('#').next()?.trim();
+    value.starts_with(TYPOGRAPHIC).then_some(value)
 }
 
 /// A number as the value of a line whose thousands are separated by commas.

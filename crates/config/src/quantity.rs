@@ -63,7 +63,7 @@ impl Rule for Quantity {
             si,
             node,
         };
-        let (number, si) = match &node.value {
+        let (number, si, own_unit) = match &node.value {
             Value::Number { value, .. } => {
                 // Zero is the same in every unit; revolutions per minute and degrees are the usual
                 // notation.
@@ -71,10 +71,10 @@ impl Rule for Quantity {
                     let mistake = entry(*value, *value).needs_unit(reader);
                     return mistake.refuse(reader);
                 }
-                (*value, value * worth)
+                (*value, value * worth, None)
             }
             Value::Text { text, verbatim_from } => match self.dimension.read(text) {
-                Ok(written) => (written.number, written.si),
+                Ok(written) => (written.number, written.si, Some(written.unit)),
                 Err(error) => {
                     if let QuantityErrorKind::NoUnit { number } = &error.kind
                         && reader.is_argument(node.place)
@@ -101,7 +101,11 @@ impl Rule for Quantity {
             }
         };
         let entry = entry(number, si);
-        if let Some(mut mistake) = out_of_range(si, &self.range, unit, worth, node, reader) {
+        // The range in the unit of the value.
+        let (range_unit, range_worth) =
+            own_unit.map_or((unit, worth), |unit| (unit.symbol, unit.factor));
+        let mistake = out_of_range(si, &self.range, range_unit, range_worth, node, reader);
+        if let Some(mut mistake) = mistake {
             if let Some(advice) = entry.advice(reader) {
                 mistake = mistake.help(advice);
             }

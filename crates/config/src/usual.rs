@@ -169,6 +169,8 @@ impl Entry<'_> {
         let diagnostic = Diagnostic::error(format!("`{}` needs a unit", reader.key))
             .at(place, "expected a unit after the number");
         match argument {
+            Some((key, _)) if with_unit.contains(' ') => diagnostic
+                .help(format!("such as '{}={with_unit}', in quotes for the shell", key.trim_end())),
             Some((key, _)) => diagnostic.help(format!(
                 "such as {}={with_unit}: without a blank it needs no quotes, which a shell removes",
                 key.trim_end()
@@ -181,6 +183,9 @@ impl Entry<'_> {
 
 /// A number, or each of a range, with a unit.
 fn with_unit(written: &str, unit: &str) -> String {
+    // A unit such as 1/s needs a blank before its digit.
+    let blank = if unit.starts_with(|first: char| first.is_ascii_digit()) { " " } else { "" };
+    let unit = &format!("{blank}{unit}");
     let Some((from, rest)) = written.split_once("..") else {
         return format!("{written}{unit}");
     };

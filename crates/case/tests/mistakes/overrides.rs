@@ -20,6 +20,7 @@ fn key_and_value() {
         ("set_unclosed_list", "operation.kind=[\"drill\", \"slide\""),
         ("set_relation", "bit_depth=5000m"),
         ("set_empty_part", "mud..density=1"),
+        ("set_frequency_without_unit", "dynamics.damping.mass=0.5"),
     ];
     for (name, setting) in cases {
         refused(name, read_with(EXAMPLE, &[setting]));

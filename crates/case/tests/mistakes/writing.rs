@@ -19,6 +19,8 @@ fn quantities() {
         quantity_without_number: `"1.2 sg"` -> `"heavy"`
         quantity_empty: `"1.2 sg"` -> `""`
         quantity_is_a_list: `"1.2 sg"` -> `[1.2, "sg"]`
+        quantity_in_typographic_quotes: `"1.2 sg"` -> `“1.2 sg”`
+        quantity_too_large_in_its_own_unit: `"1.2 sg"` -> `"90 ppg"`
         quantity_is_true: `"1.2 sg"` -> `true`
         "#,
     );
