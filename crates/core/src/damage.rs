@@ -1,4 +1,4 @@
-//! What a stored state may not be.
+//! Validity checks of stored states.
 
 /// Why a stored state is not one of the model that it is resumed with: a length or a place does not
 /// fit.
@@ -6,7 +6,8 @@
 #[error("it is damaged: {0}")]
 pub struct Damaged(pub &'static str);
 
-/// That something holds of a stored state; what it is about, if not.
+/// Checks a condition on a stored state. Returns [`Damaged`] with the subject `about` if it does
+/// not hold.
 pub(crate) fn ensure(holds: bool, about: &'static str) -> Result<(), Damaged> {
     holds.then_some(()).ok_or(Damaged(about))
 }

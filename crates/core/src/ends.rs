@@ -1,8 +1,8 @@
-//! How the ends of the string are held across the hole.
+//! Lateral constraints at the ends of the string.
 
 use serde::Serialize;
 
-/// How the top is held. It never leaves the hole's axis.
+/// Lateral constraint of the top. It never leaves the hole's axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum TopEnd {
     /// Along the hole's axis: in the rotary table, in a packer.
@@ -12,7 +12,8 @@ pub enum TopEnd {
     Pinned,
 }
 
-/// How the bit is held. All but a free one touch no wall: the bit fills the hole that it cuts.
+/// Lateral constraint of the bit. All but a free one touch no wall: the bit fills the hole that it
+/// cuts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum BitEnd {
     /// By its lateral stiffness, free to tilt.
@@ -26,7 +27,7 @@ pub enum BitEnd {
     Free,
 }
 
-/// How both ends are held.
+/// Constraints of both ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Ends {
     /// The top.
@@ -36,8 +37,8 @@ pub struct Ends {
 }
 
 impl BitEnd {
-    /// What holds the bit to the hole's axis, N/m, by a lateral stiffness of its own: infinite
-    /// where it does not leave it.
+    /// Stiffness that holds the bit to the hole's axis, N/m, with its own lateral stiffness;
+    /// infinite where it does not leave the axis.
     pub(crate) fn stiffness_N_per_m(self, own_N_per_m: f64) -> f64 {
         match self {
             Self::Held => own_N_per_m,

@@ -1,7 +1,7 @@
 //! Numbers in files for people and other programs, which know no infinity.
 //!
-//! JSON has neither infinities nor what is no number: they become `null`, which is read back as not
-//! a number. Without this, what was written so could not be read. Binary formats keep every bit.
+//! JSON has neither infinities nor NaN: they become `null`, which is read back as NaN. Without this
+//! module such files could not be read. Binary formats keep every bit.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -21,12 +21,12 @@ pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::
     }
 }
 
-/// What a file that does not say leaves a number.
+/// Value of a number that is missing in a file: not a number.
 pub(crate) const fn unknown() -> f64 {
     f64::NAN
 }
 
-/// Whether a file does not say.
+/// Whether the number is missing in the file.
 pub(crate) const fn is_unknown(value: &f64) -> bool {
     value.is_nan()
 }

@@ -1,4 +1,4 @@
-//! What the project's own tests and benchmarks need of the kernels. No part of the public
+//! Parts of the kernels that the project's own tests and benchmarks need. Not part of the public
 //! interface: names and signatures change without notice.
 
 pub use crate::{

@@ -43,19 +43,19 @@
 //! }
 //! ```
 //!
-//! # What there is, in the order in which it is needed
+//! # Contents, in the order of use
 //!
-//! 1. [`prelude`]: what such a program imports.
-//! 2. [`well`], [`string`] with its [catalogue](string::catalogue), [`mud`], [`rig`]: the four parts
-//!    of a [`model::Model`]; [`ends`] says how the string's ends are held across the hole.
-//! 3. [`operation`]: what the driller does, with its set points.
+//! 1. [`prelude`]: the imports of such a program.
+//! 2. [`well`], [`string`] with its [catalogue](string::catalogue), [`mud`], [`rig`]: the four
+//!    parts of a [`model::Model`]; [`ends`] contains the lateral constraints of the string's ends.
+//! 3. [`operation`]: the driller's operation, with its set points.
 //! 4. [`statics::soft`]: torque and drag along the string at once; [`statics::buckling`].
 //! 5. [`dynamics`]: the string in time; its [`DynamicsSettings`](dynamics::DynamicsSettings) hold
 //!    the bit, the top drive, the hoist and the numerics, with defaults.
 //!    [`modal`]: linear vibration about static equilibrium, natural frequencies and critical speeds.
 //! 6. [`torsional_stability`]: whether steady rotation grows into stick-slip.
-//! 7. [`outcome`]: what solvers answer, each scalar and column with its unit and meaning. The verdicts
-//!    on them are made by the crate `wholestring-judge`.
+//! 7. [`outcome`]: results of the solvers, each scalar and column with its unit and meaning. They
+//!    are judged by the crate `wholestring-judge`.
 //! 8. [`rock`], [`rod`], [`wall`]: the parts of the dynamics by themselves.
 //!
 //! # Points of extension
@@ -73,16 +73,18 @@
 //! | threads under solid rock | [`rock::Executor`]; with the feature `rayon`, `rayon::ThreadPool` is one, and `Simulation::with_threads` starts some | |
 //!
 //! Laws of the bit, excitations and controllers act once a step at one node, a friction law at each
-//! node on the wall, and what they keep between steps goes to checkpoints. How friction is shared
-//! between its two directions, how it stops a node, and the contact law are compiled into the inner
-//! loop: their coefficients are open, they themselves are not.
+//! node on the wall, and their state between steps is written to checkpoints. The distribution of
+//! friction between its two directions, the stopping of a node by friction, and the contact law are
+//! compiled into the inner loop: their coefficients can be set, the laws themselves cannot be
+//! replaced.
 //!
 //! # How it is put together
 //!
 //! The data flows one way: a [`model::Model`] (well, string, mud, rig) and an
-//! [`operation::Operation`] go into a solver ([`statics::soft`], [`dynamics`]), and profiles and
-//! scalars come out. Nothing here reads files, prints or starts threads (but for the feature
-//! `rayon`, off by default, where a program asks for them); everything is SI, angles in radians.
+//! [`operation::Operation`] are the inputs of a solver ([`statics::soft`], [`dynamics`]), and
+//! profiles and scalars its results. Nothing here reads files, prints or starts threads (except
+//! with the feature `rayon`, off by default, in programs that use it); everything is SI, angles in
+//! radians.
 //!
 //! Axes are north, east and down; measured depth (MD) grows towards the bit; a positive rotation is
 //! clockwise looking down the hole.

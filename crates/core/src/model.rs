@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Everything about the drill string and its surroundings that does not depend on what the driller
-/// is doing. All solvers read the same one, so that their answers can be compared with each other.
+/// is doing. All solvers read the same one, so that their results can be compared with each other.
 #[derive(Debug, Clone, Serialize)]
 pub struct Model {
     /// Path of the hole and its sections.
@@ -24,7 +24,7 @@ pub struct Model {
     pub mud: Mud,
     /// Hoist and top drive.
     pub rig: Rig,
-    /// How the ends of the string are held across the hole. The soft string knows nothing of it.
+    /// Lateral constraints of the string's ends. The soft string does not use them.
     pub ends: Ends,
     /// Whose buckling loads compression is compared with.
     pub buckling: Criterion,

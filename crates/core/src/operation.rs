@@ -1,10 +1,10 @@
-//! What the driller is doing.
+//! The driller's operation.
 
 mod set_points;
 
 use serde::Serialize;
 
-/// How an operation moves the string along the hole.
+/// Axial motion of the string in an operation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum AxialMotion {
     /// Out of the hole, at the trip speed.
@@ -28,8 +28,9 @@ impl AxialMotion {
     }
 }
 
-/// Declares the kinds of operation, each once: what it is and does with the string, its name in
-/// case files and results, which is that of its constructor too, and what else this one needs.
+/// Declares the kinds of operation, each once: its description and motion of the string, its name
+/// in case files and results, which is also that of its constructor, and the constructor's further
+/// arguments.
 macro_rules! operation_kinds {
     ($(
         $(#[$meaning:meta])*
@@ -54,7 +55,7 @@ macro_rules! operation_kinds {
                 }
             }
 
-            /// How the string moves along the hole.
+            /// Axial motion of the string.
             pub(crate) const fn axial_motion(self) -> AxialMotion {
                 match self {
                     $(Self::$kind => AxialMotion::$motion,)+
@@ -134,18 +135,18 @@ impl OperationKind {
         if !self.rotates() {
             return self;
         }
-        let alike = |of: &Self| !of.rotates() && of.axial_motion() == self.axial_motion();
+        let alike = |kind: &Self| !kind.rotates() && kind.axial_motion() == self.axial_motion();
         Self::ALL.into_iter().find(alike).unwrap_or(self)
     }
 }
 
 /// One operation with its set points, as the driller gives them.
 ///
-/// Every set point is kept whatever the kind; the accessors below say what the kind makes of them
-/// (a tripping string does not turn, whatever `rotary_speed_rad_per_s` says).
+/// Every set point is kept whatever the kind; the accessors below return the values that apply to
+/// the kind (a tripping string does not rotate, whatever the value of `rotary_speed_rad_per_s`).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Operation {
-    /// What is being done.
+    /// Kind of the operation.
     pub kind: OperationKind,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
@@ -153,8 +154,7 @@ pub struct Operation {
     pub rotary_speed_rad_per_s: f64,
     /// Weight on bit when the bit is on bottom, N, positive in compression.
     pub weight_on_bit_N: f64,
-    /// Pull on the bit when it is off bottom, N: what a stuck bit, a fish or a core holds the
-    /// string back by.
+    /// Pull on the bit when it is off bottom, N: the resistance of a stuck bit, a fish or a core.
     pub bit_pull_N: f64,
     /// Torque of the bit at `weight_on_bit_N`, N·m.
     pub bit_torque_N_m: f64,
@@ -162,7 +162,7 @@ pub struct Operation {
     pub rate_of_penetration_m_per_s: f64,
     /// Axial speed of tripping and reaming, m/s, positive.
     pub trip_speed_m_per_s: f64,
-    /// What the pumps deliver while they run, m³/s.
+    /// Flow rate of the pumps while they run, m³/s.
     pub flow_rate_m3_per_s: f64,
     /// Pressure drop of the bit's nozzles at that flow rate, Pa.
     pub bit_pressure_drop_Pa: f64,
@@ -199,7 +199,7 @@ impl Operation {
         weight_on_bit_N: f64,
         rotary_speed_rad_per_s: f64,
     ) -> f64 {
-        let part = |value: f64, of: f64| if of > 0.0 { value / of } else { 1.0 };
+        let part = |value: f64, whole: f64| if whole > 0.0 { value / whole } else { 1.0 };
         let cutting =
             if self.kind.on_bottom() { part(weight_on_bit_N, self.weight_on_bit_N) } else { 1.0 };
         let turning = if self.kind.on_bottom() && self.kind.rotates() {
@@ -220,7 +220,7 @@ impl Operation {
         if self.kind.on_bottom() { 0.0 } else { self.bit_pull_N }
     }
 
-    /// Effective tension at the bit, N, but for the thrust of its jets: what pulls there, less the
+    /// Effective tension at the bit, N, without the thrust of its jets: the pull there, less the
     /// weight on it.
     pub fn tension_at_bit_N(&self) -> f64 {
         self.bit_pull_now_N() - self.weight_on_bit_now_N()
@@ -232,8 +232,8 @@ impl Operation {
         if self.kind.on_bottom() { self.bit_torque_N_m } else { 0.0 }
     }
 
-    /// What the pumps deliver, m³/s; zero while the string trips without rotation, for the top
-    /// drive is off it.
+    /// Present flow rate of the pumps, m³/s; zero while the string trips without rotation, because
+    /// the top drive is disconnected.
     pub fn flow_now_m3_per_s(&self) -> f64 {
         if self.kind.circulates() { self.flow_rate_m3_per_s } else { 0.0 }
     }

@@ -1,4 +1,4 @@
-//! What a program of torque, drag and dynamics needs, under one import.
+//! Names that a program of torque, drag and dynamics needs, under one import.
 
 pub use crate::{
     dynamics::{

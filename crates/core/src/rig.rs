@@ -4,7 +4,7 @@ pub mod catalogue;
 
 use serde::Serialize;
 
-/// What the rig can carry and turn. `None` means that no limit was given.
+/// Limits of the rig: load, push, torque and pump pressure. `None` means that no limit was given.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Rig {
     /// Weight of travelling block and top drive, N. Never part of the reported hook load.
@@ -25,7 +25,8 @@ pub struct Rig {
 }
 
 impl Rig {
-    /// What the rig pushes the string into the hole with at most, N, the block's weight apart.
+    /// Maximum force with which the rig pushes the string into the hole, N, without the block's
+    /// weight.
     pub fn push_N(&self) -> f64 {
         self.snubbing_force_N.unwrap_or(0.0)
     }

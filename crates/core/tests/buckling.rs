@@ -9,13 +9,13 @@ use wholestring::statics::buckling::{
     Criterion, Place, Pushed, Segment, Shape, Shape::*, push_through, weight_at_bit_N,
 };
 
-fn number(of: &Value, key: &str) -> f64 {
-    of[key].as_f64().unwrap_or_else(|| panic!("{key}: {of}"))
+fn number(object: &Value, key: &str) -> f64 {
+    object[key].as_f64().unwrap_or_else(|| panic!("{key}: {object}"))
 }
 
-fn numbers(of: &Value) -> Vec<f64> {
-    let all = of.as_array().expect("a list");
-    all.iter().map(|of| of.as_f64().expect("a number")).collect()
+fn numbers(list: &Value) -> Vec<f64> {
+    let all = list.as_array().expect("a list");
+    all.iter().map(|value| value.as_f64().expect("a number")).collect()
 }
 
 /// A pipe of stiffness, clearance and weight in a straight hole.
@@ -43,12 +43,12 @@ fn c01_straight_holes() {
     ] {
         let quantity = format!("critical load of the {name}, N");
         let rows = data["cases"].as_array().expect("cases").iter().map(|row| {
-            let of = &row["inputs"];
+            let inputs = &row["inputs"];
             let place = straight(
-                number(of, "E_Pa") * number(of, "I_m4"),
-                number(of, "clearance_m"),
-                number(of, "buoyed_w_N_m"),
-                number(of, "inc_deg"),
+                number(inputs, "E_Pa") * number(inputs, "I_m4"),
+                number(inputs, "clearance_m"),
+                number(inputs, "buoyed_w_N_m"),
+                number(inputs, "inc_deg"),
             );
             let [load] = place.critical_loads_N(shape)[..] else {
                 panic!("one load: {row}");
@@ -66,16 +66,21 @@ fn c01_straight_holes() {
 fn c03_curved_holes() {
     let data = verification("C03_curved_hole_he_kyllingstad.json");
     let rows = data["cases"].as_array().expect("cases").iter().map(|row| {
-        let of = &row["inputs"];
-        let inclination_deg = number(of, "inc_deg");
+        let inputs = &row["inputs"];
+        let inclination_deg = number(inputs, "inc_deg");
         let place = Place {
-            build_rad_per_m: number(of, "build_deg_per_30m") * PER_30_M,
-            turn_rad_per_m: number(of, "turn_deg_per_30m")
+            build_rad_per_m: number(inputs, "build_deg_per_30m") * PER_30_M,
+            turn_rad_per_m: number(inputs, "turn_deg_per_30m")
                 * PER_30_M
                 * inclination_deg.to_radians().sin(),
-            ..straight(number(of, "EI"), number(of, "r_c"), number(of, "w"), inclination_deg)
+            ..straight(
+                number(inputs, "EI"),
+                number(inputs, "r_c"),
+                number(inputs, "w"),
+                inclination_deg,
+            )
         };
-        let shape = match of["mode"].as_str() {
+        let shape = match inputs["mode"].as_str() {
             Some("sin") => Sinusoidal,
             _ => Helical,
         };
@@ -115,8 +120,8 @@ fn s2a_all_roots() {
         hold(place, Helical, helical);
     }
     for row in data["strong_drop_points"].as_array().expect("drops") {
-        let of = &row["inputs"];
-        let place = place(number(of, "inc_deg"), number(of, "build_deg_30m") * PER_30_M);
+        let inputs = &row["inputs"];
+        let place = place(number(inputs, "inc_deg"), number(inputs, "build_deg_30m") * PER_30_M);
         hold(place, Sinusoidal, &row["expected"]["F_sin_all_roots_N"]);
         hold(place, Helical, &row["expected"]["F_hel_all_roots_N"]);
     }
@@ -158,7 +163,7 @@ fn s2a_criteria() {
             let loads_N = place.loads_N(criterion, 0.0).expect("there is clearance");
             let shapes = criterion.shapes().into_iter();
             for (shape, (load_N, expected_N)) in shapes.zip(loads_N.into_iter().zip(expected_N)) {
-                // What a vertical hole holds is held in every hole.
+                // The support of a vertical hole acts in every hole.
                 let least_N = place.vertical_load_N(shape);
                 rows.push(
                     verify("S2a", "critical loads by each criterion, N")
@@ -180,8 +185,8 @@ fn s2a_criteria() {
 }
 
 /// In a sharp drop a pipe is straight, buckled, pressed straight to the high side, and buckled
-/// again as it is pushed harder; what it is compared with is the load that it passed last where it
-/// is buckled, and the next where it is not.
+/// again as it is pushed harder; its reference is the last load exceeded where it is buckled, and
+/// the next load where it is not.
 #[test]
 fn a_drop_has_three_critical_loads() {
     let data = verification("S2a_buckling_along_string.json");
@@ -213,8 +218,8 @@ fn s2b_lock_up() {
     let pipe = &data["inputs"]["pipe"];
     let (mut lengths, mut pushes) = (Vec::new(), Vec::new());
     for row in data["cases"].as_array().expect("cases") {
-        let (of, expected) = (&row["inputs"], &row["expected"]);
-        let helix = match of["F_hel_rule"].as_str() {
+        let (inputs, expected) = (&row["inputs"], &row["expected"]);
+        let helix = match inputs["F_hel_rule"].as_str() {
             Some("WuJuvkamWold") => Criterion::WuJuvkamWold,
             _ => Criterion::ChenLinCheatham,
         };
@@ -226,10 +231,10 @@ fn s2b_lock_up() {
                 number(pipe, "w"),
                 90.0,
             ),
-            friction: number(of, "mu"),
+            friction: number(inputs, "mu"),
             weight_along_N_per_m: 0.0,
         };
-        let at_bit_N = number(of, "F_at_bit_N");
+        let at_bit_N = number(inputs, "F_at_bit_N");
         let Pushed::LocksUp(length_m) = push_through(&[segment; 2000], at_bit_N, helix) else {
             panic!("it does not lock up: {row}");
         };
@@ -247,7 +252,7 @@ fn s2b_lock_up() {
         };
         let expected_N = number(expected, "F_at_0p9_L_N");
         pushes.push(hold("push at 0.9 of that length, N", push_N, expected_N));
-        // What goes up comes down.
+        // The push down and its reversal.
         let arrives_N = weight_at_bit_N(&[part; 1000], push_N, helix);
         assert!((arrives_N - at_bit_N).abs() < 1.0, "{arrives_N}: {row}");
         // Beyond that length the greatest push does not bring the load to the bit, short of it the

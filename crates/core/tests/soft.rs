@@ -324,7 +324,7 @@ fn stretch_and_twist_of_a_slanted_string() {
     assert_close("friction torque", friction, per_metre * length_m, 1e-11);
 }
 
-/// The neutral point of a vertical string stands where the weight below it is the weight on bit; a
+/// The neutral point of a vertical string is where the weight below it is the weight on bit; a
 /// string off bottom has none; a horizontal one that is pushed has none either: all is compressed.
 #[test]
 fn neutral_point() {
@@ -415,9 +415,9 @@ fn profile_runs_from_surface_to_bit_and_adds_up() {
     assert_eq!(profile.contact_direction_at(middle - 0.1), profile.contact_direction[10]);
     // Sums of the rows are the scalars within the trapezoidal rule's error at a step of 1 m, and
     // half a metre of the jump of friction at the shoe.
-    let integral = |of: &dyn Fn(usize) -> f64| -> f64 {
+    let integral = |value: &dyn Fn(usize) -> f64| -> f64 {
         (1..profile.md_m.len())
-            .map(|i| 0.5 * (of(i) + of(i - 1)) * (profile.md_m[i] - profile.md_m[i - 1]))
+            .map(|i| 0.5 * (value(i) + value(i - 1)) * (profile.md_m[i] - profile.md_m[i - 1]))
             .sum()
     };
     let drag = integral(&|i| profile.axial_friction_N_per_m[i]);
@@ -448,27 +448,27 @@ fn bad_input_is_refused() {
     };
     let cases: [(Change, &str); 6] = [
         (
-            |of| of.bit_depth_m = 990.0,
+            |operation| operation.bit_depth_m = 990.0,
             "the string is 1000.000 m long, but the bit is 990.000 m deep",
         ),
         (
-            |of| of.bit_depth_m = f64::NAN,
+            |operation| operation.bit_depth_m = f64::NAN,
             "the bit depth must be a positive number of metres up to 100 km, got NaN m",
         ),
         (
-            |of| of.rotary_speed_rad_per_s = 0.0,
+            |operation| operation.rotary_speed_rad_per_s = 0.0,
             "the rotary speed must be positive (rad/s) where the string rotates, got 0",
         ),
         (
-            |of| of.weight_on_bit_N = f64::INFINITY,
+            |operation| operation.weight_on_bit_N = f64::INFINITY,
             "the weight on bit must be a finite number (N), got inf",
         ),
         (
-            |of| of.bit_torque_N_m = f64::NAN,
+            |operation| operation.bit_torque_N_m = f64::NAN,
             "the bit torque must be a finite number (N·m), got NaN",
         ),
         (
-            |of| of.rate_of_penetration_m_per_s = f64::NAN,
+            |operation| operation.rate_of_penetration_m_per_s = f64::NAN,
             "the axial speed must be a finite number (m/s), got NaN",
         ),
     ];

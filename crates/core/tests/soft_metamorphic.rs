@@ -1,5 +1,5 @@
 //! Changes of a case that change nothing: other units, the axes that the survey is read in, where
-//! components, sections and survey are cut, what the hole does below the bit, and the step.
+//! components, sections and survey are cut, the course of the hole below the bit, and the step.
 //!
 //! 2,000 random wells, each changed in every way. Tolerance 1e-9 of the largest force, torque or
 //! length: rounding of inputs is 1e-15, a kink costs 2e-12 of a hook load, and the default step errs
@@ -134,25 +134,25 @@ impl Drawn {
     }
 
     /// Every length through a function.
-    fn lengths(mut self, of: impl Fn(f64) -> f64) -> Self {
+    fn lengths(mut self, change: impl Fn(f64) -> f64) -> Self {
         for station in &mut self.stations_m_deg {
-            station[0] = of(station[0]);
+            station[0] = change(station[0]);
         }
         for section in &mut self.sections {
-            (section[0], section[1]) = (of(section[0]), of(section[1]));
+            (section[0], section[1]) = (change(section[0]), change(section[1]));
         }
         for component in &mut self.components {
             if let ComponentLength::Metres(length_m) = &mut component.length {
-                *length_m = of(*length_m);
+                *length_m = change(*length_m);
             }
         }
-        self.operation.bit_depth_m = of(self.operation.bit_depth_m);
+        self.operation.bit_depth_m = change(self.operation.bit_depth_m);
         self
     }
 
-    fn azimuths(mut self, of: impl Fn(f64) -> f64) -> Self {
+    fn azimuths(mut self, change: impl Fn(f64) -> f64) -> Self {
         for station in &mut self.stations_m_deg {
-            station[2] = of(station[2]);
+            station[2] = change(station[2]);
         }
         self
     }
@@ -205,7 +205,7 @@ impl Drawn {
     }
 }
 
-/// The largest part by which an answer differs from another one, and what differs so.
+/// The largest part by which a result differs from another one, and the name of the quantity.
 fn apart(a: &SoftProfile, b: &SoftProfile) -> (f64, &'static str) {
     let (x, y) = (&a.scalars, &b.scalars);
     let force_N = x.hook_load_N.abs().max(x.side_force_total_N).max(1e3);
@@ -225,10 +225,11 @@ fn apart(a: &SoftProfile, b: &SoftProfile) -> (f64, &'static str) {
         ("twist", (x.twist_rad - y.twist_rad) / x.twist_rad.abs().max(1e-2)),
         ("stretch", (x.stretch_m - y.stretch_m) / (1e-4 * depth_m)),
         ("pump pressure", (pump_Pa(a) - pump_Pa(b)) / pump_Pa(a).max(1e3)),
-        // Where a level string hardly changes its tension, 1e-9 of that is a metre in a kilometre.
+        // Where a level string hardly changes its tension, 1e-9 of the tension is a metre in a
+        // kilometre.
         ("neutral point", 1e-3 * neutral_m / depth_m),
     ];
-    let size = |of: f64| if of.is_nan() { f64::INFINITY } else { of.abs() };
+    let size = |part: f64| if part.is_nan() { f64::INFINITY } else { part.abs() };
     all.into_iter()
         .map(|(what, part)| (size(part), what))
         .max_by(|a, b| a.0.total_cmp(&b.0))
@@ -241,20 +242,20 @@ fn what_changes_nothing_changes_nothing() {
     let mut worst = (0.0, String::new());
     let mut failed = Vec::new();
     for seed in 0..WELLS {
-        let drawn = Drawn::new(seed);
+        let sample = Drawn::new(seed);
         let mut random = Random::new(seed ^ 0x5eed);
-        let plain = drawn.solve();
+        let plain = sample.solve();
         let turn = 360.0 * random.unit();
         let tie_in = TieIn { north_m: 6e6, east_m: -4e5, tvd_m: -30.0 };
         let changed = [
-            ("units", drawn.clone().lengths(|m| (m / FOOT_M) * FOOT_M)),
-            ("last digits", drawn.clone().lengths(|m| m * (1.0 - 1e-13))),
-            ("rotation", drawn.clone().azimuths(|azimuth| azimuth + turn)),
-            ("mirror", drawn.clone().azimuths(|azimuth| -azimuth)),
-            ("split", drawn.clone().split(&mut random)),
-            ("tie-in", Drawn { tie_in, ..drawn.clone() }),
-            ("deeper hole", drawn.clone().deeper()),
-            ("steps", Drawn { step_m: STEP_M * (0.4 + 0.6 * random.unit()), ..drawn.clone() }),
+            ("units", sample.clone().lengths(|m| (m / FOOT_M) * FOOT_M)),
+            ("last digits", sample.clone().lengths(|m| m * (1.0 - 1e-13))),
+            ("rotation", sample.clone().azimuths(|azimuth| azimuth + turn)),
+            ("mirror", sample.clone().azimuths(|azimuth| -azimuth)),
+            ("split", sample.clone().split(&mut random)),
+            ("tie-in", Drawn { tie_in, ..sample.clone() }),
+            ("deeper hole", sample.clone().deeper()),
+            ("steps", Drawn { step_m: STEP_M * (0.4 + 0.6 * random.unit()), ..sample.clone() }),
         ];
         for (name, case) in changed {
             let (part, what) = apart(&plain, &case.solve());

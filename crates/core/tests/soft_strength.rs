@@ -1,4 +1,4 @@
-//! What the soft string says of metal, joints and wear, against closed forms.
+//! Loads of metal, joints and wear by the soft string, against closed forms.
 
 mod common;
 
@@ -20,8 +20,8 @@ fn solve(model: &Model, operation: &Operation) -> SoftProfile {
     soft::solve(model, operation, &SoftSettings::default()).expect("a sound model")
 }
 
-fn number(of: &Value, key: &str) -> f64 {
-    of[key].as_f64().expect(key)
+fn number(object: &Value, key: &str) -> f64 {
+    object[key].as_f64().expect(key)
 }
 
 /// The span of S1a's pipe between joints at this half spacing.
@@ -35,8 +35,8 @@ fn span(data: &Value, half_spacing_m: f64) -> JointSpan {
 }
 
 /// S1a: a pipe that hangs between its tool joints in a build, whatever of its body touches:
-/// curvature at the joints and half-way, and what touches. The file's closed forms are ours in
-/// another form, its body contacts a collocated boundary value problem: rounding is left.
+/// curvature at the joints and half-way, and the touching part. The file's closed forms are ours in
+/// another form, its body contacts a collocated boundary value problem: only rounding is left.
 #[test]
 fn s1a_spans_between_tool_joints() {
     let data = verification("S1a_tool_joints_in_build.json");
@@ -76,8 +76,8 @@ fn s1a_spans_between_tool_joints() {
 }
 
 /// S1a: a piece of twelve joints whose ends are pinned. From the third joint on, the tension of the
-/// place and the equal spans are enough: what the ends do fades by a factor of nine from joint to
-/// joint, 0.4 % at the third.
+/// place and the equal spans are enough: the effect of the ends fades by a factor of nine from
+/// joint to joint, 0.4 % at the third.
 #[test]
 fn s1a_a_piece_of_twelve_joints() {
     let data = verification("S1a_tool_joints_in_build.json");
@@ -182,7 +182,7 @@ fn jointed(joints: bool) -> ComponentSpec {
     }
 }
 
-/// A weightless string in an arc of 3 deg/30 m; what its bit bears is the tension everywhere.
+/// A weightless string in an arc of 3 deg/30 m; the load of its bit is the tension everywhere.
 fn in_an_arc(joints: bool, tension_N: f64) -> (Model, SoftProfile) {
     let length_m = 600.0;
     let model = along(
@@ -241,7 +241,7 @@ fn joints_magnify_the_bending_of_a_hole() {
             close("stress", profile.von_mises_stress_Pa[row], von_mises_Pa);
             let used = profile.yield_use[row].expect("graded");
             close("use", used, von_mises_Pa / YIELD_PA);
-            // Under tension it lies on the high side, pushed on the low side.
+            // Under tension it is on the high side, in compression on the low side.
             let per_joint = profile.side_force_per_joint_N[row];
             assert_eq!(per_joint.is_some(), joints);
             if let Some(force_N) = per_joint {
@@ -256,7 +256,7 @@ fn joints_magnify_the_bending_of_a_hole() {
     }
 }
 
-/// A string under tension in a turn lies on its inside: to the right of the low side, looking down
+/// A string under tension in a turn is on its inside: to the right of the low side, looking down
 /// the hole, where the azimuth grows, to the left where it falls.
 #[test]
 fn a_turn_climbs_to_its_inside() {
@@ -279,8 +279,8 @@ fn a_turn_climbs_to_its_inside() {
 }
 
 /// Mud at rest presses by its weight inside and outside alike, and the end of a pipe that hangs in
-/// it bears `−p A`; mud that flows leaves the annulus without pressure and enters the bore with the
-/// pump's, and its stream adds `ρ Q²/A_i`.
+/// it carries `−p A`; mud that flows leaves the annulus without pressure and enters the bore with
+/// the pump's, and its stream adds `ρ Q²/A_i`.
 #[test]
 fn pressures_and_the_force_in_the_metal() {
     let length_m = 1000.0;
@@ -321,7 +321,8 @@ fn pressures_and_the_force_in_the_metal() {
 }
 
 /// Friction works at the speeds of the surface: the power on the hole adds up to that of friction's
-/// torque and drag, to rounding, and a place's is `μ N V`. A string that stands still rubs nothing.
+/// torque and drag, to rounding, and a place's is `μ N V`. A stationary string has no friction
+/// work.
 #[test]
 fn the_power_of_friction() {
     let (length_m, friction) = (803.0, 0.25);
@@ -358,8 +359,8 @@ fn the_power_of_friction() {
     assert!(profile.wear_power_W_per_m.iter().all(|power| *power == 0.0));
 }
 
-/// Joints that do not stand out hold nothing off the wall, and a component without a yield strength
-/// has no use of it.
+/// Joints without standoff hold nothing off the wall, and a component without a yield strength has
+/// no use of it.
 #[test]
 fn flush_joints_and_unknown_strength() {
     let flush = ComponentSpec {

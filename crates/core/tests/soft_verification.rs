@@ -35,7 +35,7 @@ impl Given<'_> {
         self.0["expected"][key].as_f64().expect(key)
     }
 
-    /// Reports a number of the row, which expects what stands under the key.
+    /// Reports a number of the row, which expects the value under the key.
     fn holds(&self, quantity: &str, computed: f64, key: &str, tolerance: f64) {
         self.holds_number(quantity, computed, self.expected(key), tolerance);
     }
@@ -232,8 +232,8 @@ fn combined_motion(row: &Given) {
 }
 
 /// A02: a well like the article's, its string with its bottom-hole assembly, at the default
-/// settings. The file asks 0.1 %; its oracle is good to 1e-11, so the tolerance is what the default
-/// step promises: 1e-6, for the kinks of `|q|` where the pipe changes sides.
+/// settings. The file requires 0.1 %; its oracle is good to 1e-11, so the tolerance is that
+/// promised for the default step: 1e-6, for the kinks of `|q|` where the pipe changes sides.
 #[test]
 fn a02_synthetic_well() {
     let data = verification("A02_np13_like_synthetic_well.json");
@@ -317,15 +317,15 @@ fn a02_synthetic_well() {
             verify("A02", what)
                 .relative(
                     1e-6,
-                    "what the default step promises; the kinks where the pipe changes sides",
+                    "promised for the default step; the kinks where the pipe changes sides",
                 )
                 .row(*expected, *computed)
         }));
     }
 }
 
-/// A06: a common deviated well, one pipe. The file is printed to 0.1 N and 0.1 N·m; 0.1 % is what
-/// the project promises, 1e-6 is what is reached.
+/// A06: a common deviated well, one pipe. The file is printed to 0.1 N and 0.1 N·m; 0.1 % is
+/// promised by the project, 1e-6 is reached.
 #[test]
 fn a06_common_well() {
     let data = verification("A06_common_case_soft_string.json");

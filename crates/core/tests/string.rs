@@ -94,7 +94,7 @@ fn a05_published_strengths() {
 
 /// Worn pipe as API RP 7G prints it (from memory), 5 in 19.50 lb/ft: 560 764 lbf and 58 113 ft·lbf
 /// for premium S-135, by hand from 80 % of the wall; class 2 by hand from 70 %. The last digit, and
-/// the 1e-4 of the standard's constant. What a joint bears stays.
+/// the 1e-4 of the standard's constant. The strength of a joint is unchanged.
 #[test]
 fn worn_pipe_bears_less() {
     for (designation, pull_lbf, torque_ft_lbf, od_in) in [
@@ -148,8 +148,8 @@ fn masses_are_near_the_published_ones() {
     }
 }
 
-/// The plain-end weight is the nominal one within what the joints and upsets add (nominal weights
-/// are those of threaded pipe of old): a misprinted wall would fall out.
+/// The plain-end weight is the nominal one within the addition of the joints and upsets (nominal
+/// weights are those of threaded pipe of old): a misprinted wall would fall out.
 #[test]
 fn walls_fit_the_nominal_weights() {
     let entries = catalogue::entries();
@@ -278,7 +278,7 @@ fn lengths_that_do_not_fit_are_refused() {
         (
             vec![ToSurface, Metres(40.0)],
             100.0,
-            "component 0 (`bar`) runs to the surface, but 1 more stand above it: it must be the last",
+            "component 0 (`bar`) runs to the surface, but has 1 above it: it must be the last",
         ),
         (
             vec![Metres(140.0), ToSurface],

@@ -1,5 +1,5 @@
-//! A constant lift on the top of the string, found so that the mean weight on bit is what the
-//! operation requires.
+//! A constant lift on the top of the string, found so that the mean weight on bit equals that of
+//! the operation.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ use crate::{
 /// Runs after which the search gives up.
 pub const MAX_TUNING_RUNS: usize = 20;
 
-/// A constant lift and what it gives.
+/// A constant lift and the resulting run.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TunedHookLoad {
     /// Lifting force on the top of the string, block excluded, N.
@@ -39,7 +39,7 @@ pub enum TuningError {
     /// The run cannot begin.
     #[error(transparent)]
     Setup(#[from] SetupError),
-    /// The soft string, which says where to look, has no solution.
+    /// The soft string, which provides the first estimate, has no solution.
     #[error("no lift can be guessed: {0}")]
     Guess(#[from] SoftError),
     /// An operation without weight on bit.
@@ -50,7 +50,7 @@ pub enum TuningError {
     Diverged {
         /// Lift of that run, N.
         hook_load_N: f64,
-        /// What happened.
+        /// Details of the divergence.
         diverged: Diverged,
     },
     /// No lift gives the weight on bit.
@@ -67,7 +67,7 @@ pub enum TuningError {
         /// The lift that comes nearest, after all runs.
         nearest: TunedHookLoad,
     },
-    /// Whoever watched asked to stop.
+    /// The observer requested a stop.
     #[error("stopped")]
     Stopped,
 }
@@ -83,9 +83,10 @@ pub enum TuningError {
 /// each time (the Illinois rule). Where several lifts give the weight, it is the one that this
 /// finds: the same on every run, whatever other cases are solved.
 ///
-/// `watch` is shown the number of the try, from one, and its run before each sample; the search stops where it answers `false`, or where the `executor`, which works on solid rock
-/// under the bit, asks to stop. Where the window begins when the string is steady, each try settles
-/// for itself: its mean is that of a string that is steady under its lift.
+/// `watch` receives the number of the try, from one, and its run before each sample; the search
+/// stops where it answers `false`, or where the `executor`, which works on solid rock under the
+/// bit, requests a stop. Where the window begins when the string is steady, each try settles for
+/// itself: its mean is that of a string that is steady under its lift.
 ///
 /// # Errors
 /// An operation without weight on bit, a run that cannot begin or diverges, and a weight that no
@@ -174,10 +175,10 @@ fn guess_N(
 /// bend.
 const MIN_PART: f64 = 0.08;
 
-/// How many times as long as the last a step is at most, as long as one side has not been found.
+/// Maximum ratio of a step to the one before, as long as one side has not been found.
 const GROWTH: f64 = 2.0;
 
-/// A lift, and by what the weight on bit exceeds the target with it.
+/// A lift, and the excess of the weight on bit over the target under it.
 #[derive(Debug, Clone, Copy)]
 struct Try {
     lift_N: f64,
@@ -185,9 +186,9 @@ struct Try {
 }
 
 impl Try {
-    /// How far the lift must change, by the secant through this and the `last` one; where there is
+    /// Required change of the lift, by the secant through this and the `last` one; where there is
     /// none the weight follows the lift one for one, as without friction. Infinite where the weight
-    /// does not answer, or with more lift grows.
+    /// does not change, or grows with more lift.
     fn step_N(self, last: Option<Self>) -> f64 {
         let per_lift =
             last.map_or(1.0, |last| (last.excess_N - self.excess_N) / (self.lift_N - last.lift_N));
@@ -273,7 +274,7 @@ mod tests {
         })
     }
 
-    /// A string that hangs free: what the lift leaves stands on the bit.
+    /// A string that hangs free: the weight not lifted is on the bit.
     #[test]
     fn a_straight_line_takes_two_tries() {
         for first in [300e3, 500e3, 900e3] {
@@ -293,7 +294,7 @@ mod tests {
         }
     }
 
-    /// Friction holds the string over a wide range of lifts: the weight stands still there, and
+    /// Friction holds the string over a wide range of lifts: the weight is constant there, and
     /// grows where friction has given way.
     #[test]
     fn a_plateau_is_passed() {
@@ -307,7 +308,7 @@ mod tests {
         }
     }
 
-    /// Where nothing hangs the weight on the bit is what the rig pushes, if it does.
+    /// Where nothing hangs the weight on the bit is the push of the rig, if any.
     #[test]
     fn a_rig_that_pushes_goes_below_zero() {
         let weight = |lift: f64| 10e3 - lift;
@@ -316,8 +317,8 @@ mod tests {
         assert_eq!(tries_from(-40e3, 60e3, 5e3, weight), None);
     }
 
-    /// A bit that cannot bear what is requested, however little is lifted, and a weight that jumps
-    /// over it.
+    /// A bit that cannot carry the requested weight, however small the lift, and a weight that
+    /// jumps over it.
     #[test]
     fn what_no_lift_gives_is_not_found() {
         assert_eq!(tries(60e3, 100e3, |lift| 50e3 - lift), None);

@@ -35,11 +35,11 @@ pub fn assembly_length_m(string: &DrillString) -> f64 {
 
 /// The lowest part of a string, and its lateral modes.
 ///
-/// It is cut out of the string 60 m above its top, where it is held; lateral modes that have most
-/// of their energy in it know nothing of that. What moves mostly above it is left out.
+/// It is cut out of the string 60 m above its top, where it is held; this does not affect lateral
+/// modes that have most of their energy in it. Modes that move mostly above it are left out.
 #[derive(Debug, Clone)]
 pub struct Assembly<'a> {
-    pub(super) of: &'a SmallMotions,
+    pub(super) motions: &'a SmallMotions,
     pub(super) chain: Chain,
     /// First node of the chain, and of the assembly.
     pub(super) first: usize,
@@ -67,7 +67,7 @@ impl<'a> Assembly<'a> {
         };
         let (first, top) = (nearest(length_m + ABOVE_M), nearest(length_m));
         let chain = if first == 0 { motions.chain.clone() } else { motions.chain.below(first) };
-        Self { of: motions, chain, first, top }
+        Self { motions, chain, first, top }
     }
 
     /// First node of the assembly, from the top of the string down.
@@ -77,7 +77,7 @@ impl<'a> Assembly<'a> {
 
     /// Length of the assembly, m.
     pub fn length_m(&self) -> f64 {
-        self.of.rest.mesh.nodes[self.top].from_bit_m
+        self.motions.rest.mesh.nodes[self.top].from_bit_m
     }
 
     /// The first lateral modes of the assembly from a frequency on, Hz, at a rotary speed.
@@ -92,19 +92,19 @@ impl<'a> Assembly<'a> {
     ) -> Result<Vec<Mode>, ModalError> {
         let modes = self.modes(from_Hz, count)?;
         let found = modes.turning.at(rotary_rad_per_s);
-        let found = found.iter().map(|of| self.mode(&modes, of.omega, &of.parts));
+        let found = found.iter().map(|mode| self.mode(&modes, mode.omega, &mode.parts));
         Ok(found.filter(is_own).take(count).collect())
     }
 
     /// Modes enough for so many lateral ones of its own, from a frequency on.
     pub(super) fn modes(&self, from_Hz: f64, count: usize) -> Result<Modes, ModalError> {
-        let incomplete = ModalError::Incomplete { wanted: count, from_Hz };
+        let incomplete = ModalError::Incomplete { count, from_Hz };
         let omega = std::f64::consts::TAU * from_Hz;
-        let mut wanted = count + BEYOND;
+        let mut search_count = count + BEYOND;
         for _ in 0..ROUNDS {
-            let rest = search::above(&self.chain, omega, wanted).ok_or(incomplete.clone())?;
+            let rest = search::above(&self.chain, omega, search_count).ok_or(incomplete.clone())?;
             let turning = Turning::new(&self.chain, &rest);
-            let all = rest.len() < wanted;
+            let all = rest.len() < search_count;
             let modes = Modes { rest, turning };
             let own = |number: usize| {
                 let mut parts = vec![Complex::new(0.0, 0.0); modes.rest.len()];
@@ -114,13 +114,13 @@ impl<'a> Assembly<'a> {
             if all || (0..modes.rest.len()).filter(|number| own(*number)).count() >= count + 2 {
                 return Ok(modes);
             }
-            wanted *= 2;
+            search_count *= 2;
         }
         Err(incomplete)
     }
 
     pub(super) fn mode(&self, modes: &Modes, omega: f64, parts: &[Complex<f64>]) -> Mode {
-        self.of.mode(&self.chain, omega, &motion(&modes.rest, parts), self.top)
+        self.motions.mode(&self.chain, omega, &motion(&modes.rest, parts), self.top)
     }
 }
 

@@ -18,7 +18,7 @@ const SECANTS: usize = 6;
 /// A natural frequency against rotary speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Branch {
-    /// What it is mostly.
+    /// Family with most of its kinetic energy.
     pub family: Family,
     /// Its number within the family, from one.
     pub number: usize,
@@ -39,7 +39,7 @@ pub struct Critical {
     pub frequency_Hz: f64,
     /// Number of its branch.
     pub branch: usize,
-    /// Where it strains the string most.
+    /// Place of the greatest strain.
     pub most_strained: Place,
 }
 
@@ -54,7 +54,7 @@ pub struct Campbell {
     pub critical: Vec<Critical>,
 }
 
-/// How much two motions have of each other.
+/// Similarity of two motions.
 fn alike(a: &TurningMode, b: &TurningMode) -> f64 {
     complex::norm(a.parts.iter().zip(&b.parts).map(|(x, y)| x.conj() * y).sum())
 }
@@ -124,15 +124,15 @@ impl Assembly<'_> {
         Ok(Campbell { rotary_rad_per_s: rotary_rad_per_s.to_vec(), branches, critical })
     }
 
-    /// The assembly's own lateral modes, each followed from speed to speed by what it has of the
+    /// The assembly's own lateral modes, each followed from speed to speed by its similarity to the
     /// one before.
     fn tracks(&self, modes: &Modes, speeds: &[f64], count: usize) -> Vec<Vec<TurningMode>> {
         let mut tracks: Vec<Vec<TurningMode>> = Vec::new();
         for (step, speed) in speeds.iter().enumerate() {
             let mut there = modes.turning.at(*speed);
             if step == 0 {
-                there.retain(|of| is_own(&self.mode(modes, of.omega, &of.parts)));
-                tracks = there.into_iter().take(count).map(|of| vec![of]).collect();
+                there.retain(|mode| is_own(&self.mode(modes, mode.omega, &mode.parts)));
+                tracks = there.into_iter().take(count).map(|mode| vec![mode]).collect();
                 continue;
             }
             for track in &mut tracks {

@@ -1,4 +1,4 @@
-//! The string's small motions as a chain of nodes: what holds them and what they weigh.
+//! Small vibrations of the string as a chain of nodes: stiffness and mass.
 
 use nalgebra::{Complex, SVector};
 
@@ -17,8 +17,7 @@ pub(super) struct Chain {
     pub(super) upper: Vec<Stiffness>,
     /// `M`, kg and kg·m²; zero of a motion that is held.
     pub(super) mass: Vec<Entry>,
-    /// Moment of inertia about the axis, kg·m²: what `G` is made of; zero where a node may not
-    /// tilt.
+    /// Moment of inertia about the axis, kg·m²: used in `G`; zero where a node may not tilt.
     pub(super) polar_kg_m2: Vec<f64>,
 }
 

@@ -10,26 +10,26 @@ pub enum ModalError {
     Stiff(#[from] StiffError),
     /// Modes were left out.
     #[error(
-        "{wanted} lateral modes from {from_Hz} Hz on were not all found: request fewer of them, by \
+        "{count} lateral modes from {from_Hz} Hz on were not all found: request fewer of them, by \
         `modes.count`"
     )]
     Incomplete {
-        /// So many were wanted.
-        wanted: usize,
+        /// Requested number of modes.
+        count: usize,
         /// From this frequency on, Hz.
         from_Hz: f64,
     },
     /// A family's mode was not found.
     #[error(
-        "of {wanted} {family} modes {found} were found, and the next one was not: set `modes.count` \
+        "of {count} {family} modes {found} were found, and the next one was not: set `modes.count` \
         to {} at most",
         (*found).max(1)
     )]
     Lost {
         /// Name of the family.
         family: &'static str,
-        /// Modes that were wanted.
-        wanted: usize,
+        /// Requested number of modes.
+        count: usize,
         /// Modes that were found.
         found: usize,
     },

@@ -6,11 +6,11 @@ use nalgebra::{ComplexField, SMatrix};
 /// about two directions across the string and about it.
 pub(super) const MOTIONS: usize = 6;
 
-/// How a node's forces change with a node's motion.
+/// Derivative of a node's forces with respect to a node's motion.
 pub(super) type Stiffness = SMatrix<f64, MOTIONS, MOTIONS>;
 
-/// Pivots smaller than this part of what stood in their place are taken for as large: the matrix is
-/// singular to rounding.
+/// Pivots smaller than this fraction of the original value in their place are replaced by it: the
+/// matrix is singular to rounding.
 const SINGULAR: f64 = 1e-15;
 
 /// A block.
@@ -18,12 +18,12 @@ const SINGULAR: f64 = 1e-15;
 pub(super) struct Block<T>(pub(super) [[T; MOTIONS]; MOTIONS]);
 
 impl<T: ComplexField<RealField = f64> + Copy> Block<T> {
-    pub(super) fn from_fn(of: impl Fn(usize, usize) -> T) -> Self {
-        Self(std::array::from_fn(|row| std::array::from_fn(|column| of(row, column))))
+    pub(super) fn from_fn(entry: impl Fn(usize, usize) -> T) -> Self {
+        Self(std::array::from_fn(|row| std::array::from_fn(|column| entry(row, column))))
     }
 
-    /// Inverts a Hermitian block in place, the largest pivots over what stood there first. How many
-    /// pivots, and so eigenvalues, were negative.
+    /// Inverts a Hermitian block in place, choosing the largest pivots relative to the original
+    /// values. Returns the number of negative pivots, which is that of negative eigenvalues.
     fn invert(&mut self, scale: &[f64; MOTIONS]) -> usize {
         let a = &mut self.0;
         let mut negative = 0;
@@ -78,7 +78,7 @@ impl<T: ComplexField<RealField = f64> + Copy> Block<T> {
     }
 }
 
-/// Factors of a Hermitian matrix of blocks on the diagonal and real ones beside it.
+/// Factors of a Hermitian matrix with real blocks next to those of its diagonal.
 #[derive(Debug, Clone)]
 pub(super) struct Factors<T> {
     /// Inverse pivots.

@@ -8,7 +8,7 @@ use super::{
     search::RealMode,
 };
 
-/// What a mode is mostly: where most of its kinetic energy is.
+/// Family of a mode: the kind of motion with most of its kinetic energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
     /// Across the string.
@@ -99,7 +99,7 @@ fn follow(chain: &Chain, lambda: f64, guess: Vec<f64>, before: &[RealMode]) -> O
         // The first vector of the basis is the guess.
         let shares = |ritz: &Ritz| ritz.parts[0].powi(2);
         found.sort_by(|a, b| shares(b).total_cmp(&shares(a)));
-        let mut sure = found.iter().take_while(|of| of.residual < CONVERGED || !fresh);
+        let mut sure = found.iter().take_while(|ritz| ritz.residual < CONVERGED || !fresh);
         let other = sure.find_map(|sure| {
             let mode = RealMode { lambda: sure.lambda, motion: space.motion(sure) };
             let shared = |known: &RealMode| {

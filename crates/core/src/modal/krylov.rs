@@ -2,7 +2,7 @@
 //!
 //! T. Ericsson and A. Ruhe, *The spectral transformation Lanczos method for the numerical solution
 //! of large sparse generalized symmetric eigenvalue problems*, Math. Comp. 35 (1980). Every vector
-//! is kept orthogonal to all before it, so that what is found is found once; blocks of two find the
+//! is kept orthogonal to all before it, so that no mode is found twice; blocks of two find the
 //! double frequencies of a straight string.
 
 use nalgebra::{DMatrix, SymmetricEigen};
@@ -10,11 +10,11 @@ use nalgebra::{DMatrix, SymmetricEigen};
 use super::{chain::Chain, factors::Factors};
 use crate::random::Random;
 
-/// Part of its length that must be left of a vector, less what the others have of it, so that it is
-/// one of its own.
+/// Fraction of a vector's length that must remain after orthogonalisation for it to be independent
+/// of the others.
 const OF_ITS_OWN: f64 = 1e-10;
 
-/// A space of motions that a shift brings forward, and what `M^½ (K − σM)⁻¹ M^½` does in it.
+/// A space of motions that a shift brings forward, and the action of `M^½ (K − σM)⁻¹ M^½` in it.
 pub(super) struct Krylov {
     root_mass: Vec<f64>,
     factors: Factors<f64>,
@@ -26,7 +26,7 @@ pub(super) struct Krylov {
     projected: Vec<Vec<f64>>,
     /// Vectors of the last block.
     width: usize,
-    /// What the operator makes of the block before it along each of those.
+    /// Components along each of those of the operator's action on the block before it.
     beyond: Vec<Vec<f64>>,
     random: Random,
 }
@@ -36,7 +36,7 @@ pub(super) struct Krylov {
 pub(super) struct Ritz {
     /// Square of its angular frequency, rad²/s².
     pub(super) lambda: f64,
-    /// What is left over, as a part of the operator's eigenvalue.
+    /// Residual, as a fraction of the operator's eigenvalue.
     pub(super) residual: f64,
     /// Parts of the basis vectors.
     pub(super) parts: Vec<f64>,
@@ -55,8 +55,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     sums.iter().sum::<f64>() + rest
 }
 
-fn subtract(from: &mut [f64], part: f64, of: &[f64]) {
-    for (x, y) in from.iter_mut().zip(of) {
+fn subtract(from: &mut [f64], part: f64, direction: &[f64]) {
+    for (x, y) in from.iter_mut().zip(direction) {
         *x -= part * y;
     }
 }
@@ -90,7 +90,7 @@ impl Krylov {
         self.basis.len()
     }
 
-    /// Adds a vector by chance, for what the others never meet.
+    /// Adds a random vector, for modes that the others do not contain.
     pub(super) fn meet_chance(&mut self) {
         let Self { random, root_mass, .. } = self;
         let vector = root_mass.iter().map(|m| if *m > 0.0 { random.signed() } else { 0.0 });
@@ -98,13 +98,13 @@ impl Krylov {
         self.admit(vector);
     }
 
-    /// Adds what is left of a vector beside the others.
+    /// Adds the part of a vector that is orthogonal to the others.
     fn admit(&mut self, mut vector: Vec<f64>) {
         let before = dot(&vector, &vector).sqrt();
         for _ in 0..2 {
-            for of in &self.basis {
-                let part = dot(&vector, of);
-                subtract(&mut vector, part, of);
+            for direction in &self.basis {
+                let part = dot(&vector, direction);
+                subtract(&mut vector, part, direction);
             }
         }
         let length = dot(&vector, &vector).sqrt();
@@ -115,8 +115,8 @@ impl Krylov {
         }
     }
 
-    /// Lets the operator act on the last block; what it makes of that is the next one. Whether
-    /// there is something new.
+    /// Applies the operator to the last block, which gives the next one. Returns whether it
+    /// contains a new direction.
     pub(super) fn extend(&mut self) -> bool {
         let block = self.basis.len() - self.width..self.basis.len();
         let mut made = Vec::new();
@@ -156,7 +156,8 @@ impl Krylov {
             .map(|k| {
                 let theta = eigen.eigenvalues[k];
                 let parts: Vec<f64> = eigen.eigenvectors.column(k).iter().copied().collect();
-                let left_of = |of: &Vec<f64>| dot(of, &parts[size - of.len()..]).powi(2);
+                let left_of =
+                    |column: &Vec<f64>| dot(column, &parts[size - column.len()..]).powi(2);
                 let left = self.beyond.iter().map(left_of).sum::<f64>().sqrt();
                 Ritz { lambda: self.shift + 1.0 / theta, residual: left / theta.abs(), parts }
             })

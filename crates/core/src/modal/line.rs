@@ -19,7 +19,7 @@ pub(super) struct Line {
 pub(super) struct LineMode {
     /// Square of its angular frequency, rad²/s².
     pub(super) lambda: f64,
-    /// How far each node moves.
+    /// Displacement of each node.
     pub(super) shape: Vec<f64>,
 }
 

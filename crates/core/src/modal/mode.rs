@@ -45,16 +45,16 @@ impl Whirl {
 pub struct Mode {
     /// Natural frequency, Hz.
     pub frequency_Hz: f64,
-    /// What it is mostly.
+    /// Family with most of its kinetic energy.
     pub family: Family,
     /// Parts of its kinetic energy: lateral, axial, torsional.
     pub energy: [f64; 3],
     /// Part of its kinetic energy below the top of the assembly.
     pub in_assembly: f64,
-    /// How far it is a circle with the rotation: 1, against it: −1, to and fro: 0.
+    /// Precession: 1 for a circle with the rotation, −1 against it, 0 for a plane vibration.
     pub precession: f64,
-    /// Where it strains the string's steel most: where a lateral mode bends it, an axial one pulls
-    /// it, a torsional one twists it.
+    /// Place of the greatest strain of the string's steel: by bending in a lateral mode, tension in
+    /// an axial one, twist in a torsional one.
     pub most_strained: Place,
     /// Its shape at each node of the string from the top down: displacement towards the high side,
     /// to the right of it and along the hole, m, rotation about the same directions, rad; the
@@ -82,7 +82,7 @@ pub(super) fn farthest(x: Complex<f64>, y: Complex<f64>) -> f64 {
     (0.5 * (x.norm_sqr() + y.norm_sqr() + complex::norm(x * x + y * y))).sqrt()
 }
 
-/// Kinetic energy of a motion by family, as parts, and of it what is at and below a node.
+/// Kinetic energy of a motion by family, as fractions, and its fraction at and below a node.
 pub(super) fn energy(chain: &Chain, motion: &[Complex<f64>], assembly: usize) -> ([f64; 3], f64) {
     let mut parts = [0.0; 3];
     let mut below = 0.0;
@@ -101,7 +101,7 @@ pub(super) fn energy(chain: &Chain, motion: &[Complex<f64>], assembly: usize) ->
     (parts.map(|part| part / sum), below / sum)
 }
 
-/// How far a motion is a circle with the rotation.
+/// Precession of a motion.
 pub(super) fn precession(chain: &Chain, motion: &[Complex<f64>]) -> f64 {
     let (mut round, mut all) = (0.0, 0.0);
     for node in 0..chain.nodes() {

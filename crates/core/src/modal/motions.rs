@@ -128,8 +128,8 @@ impl SmallMotions {
         self.turning_modes(&self.chain, from_Hz, count, self.rotary_rad_per_s)
     }
 
-    /// The first modes of the axial or the torsional family. Rotation does not change them: what it
-    /// couples is lateral.
+    /// The first modes of the axial or the torsional family. Rotation does not change them: its
+    /// coupling is lateral.
     ///
     /// # Errors
     /// Where one of them was not found.
@@ -139,9 +139,13 @@ impl SmallMotions {
     pub fn family(&self, family: Family, count: usize) -> Result<Vec<Mode>, ModalError> {
         assert_ne!(family, Family::Lateral, "an assembly's");
         let found = family::modes(&self.chain, family, count);
-        let wanted = count.min(family::count(&self.chain, family));
-        if found.len() < wanted {
-            return Err(ModalError::Lost { family: family.name(), wanted, found: found.len() });
+        let required = count.min(family::count(&self.chain, family));
+        if found.len() < required {
+            return Err(ModalError::Lost {
+                family: family.name(),
+                count: required,
+                found: found.len(),
+            });
         }
         // A mode that shares its energy with lateral motion is of the family that it was found
         // from.
@@ -161,7 +165,7 @@ impl SmallMotions {
         rotary_rad_per_s: f64,
     ) -> Result<Vec<Mode>, ModalError> {
         let omega = std::f64::consts::TAU * from_Hz;
-        let incomplete = ModalError::Incomplete { wanted: count, from_Hz };
+        let incomplete = ModalError::Incomplete { count, from_Hz };
         let beyond = if rotary_rad_per_s == 0.0 { 0 } else { BEYOND };
         let rest = search::above(chain, omega, count + beyond).ok_or(incomplete)?;
         let turning = Turning::new(chain, &rest).at(rotary_rad_per_s);
@@ -186,10 +190,10 @@ impl SmallMotions {
         for (node, own) in motion.chunks_exact(MOTIONS).enumerate() {
             shape[first + node] = self.towards_high_side(own);
         }
-        let size = |of: &[Complex<f64>; MOTIONS]| match family {
-            Family::Torsional => complex::norm(of[5]),
-            Family::Axial => complex::norm(of[2]),
-            Family::Lateral => farthest(of[0], of[1]),
+        let size = |amplitudes: &[Complex<f64>; MOTIONS]| match family {
+            Family::Torsional => complex::norm(amplitudes[5]),
+            Family::Axial => complex::norm(amplitudes[2]),
+            Family::Lateral => farthest(amplitudes[0], amplitudes[1]),
         };
         // In phase with the node that moves most.
         let largest = shape.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
@@ -238,7 +242,7 @@ impl SmallMotions {
         let nodes = motion.len() / MOTIONS;
         let turn = |node: usize| {
             let axes = Matrix3::from_columns(&self.rest.nodes[first + node].frame);
-            // What bends it: the rotation about its own axis does not.
+            // The motion that bends it: the rotation about its own axis does not.
             let motion = |k: usize| motion[node * MOTIONS + k];
             let part = |complex: fn(Complex<f64>) -> f64, a: Complex<f64>, b: Complex<f64>| {
                 axes * Vector3::new(complex(a), complex(b), 0.0)

@@ -1,4 +1,4 @@
-//! What holds and weighs the string's nodes in small motions.
+//! Stiffness and mass of the string's nodes for small vibrations.
 
 use nalgebra::{Matrix3, SMatrix};
 
@@ -16,18 +16,18 @@ use crate::{
 };
 
 /// A node's motions in the axes of the world: three displacements, three rotations.
-fn axes(of: &NodeAtRest) -> Stiffness {
+fn axes(node: &NodeAtRest) -> Stiffness {
     let mut both = Stiffness::zeros();
-    both.fixed_view_mut::<3, 3>(0, 0).copy_from(&Matrix3::from_columns(&of.axes));
-    both.fixed_view_mut::<3, 3>(3, 3).copy_from(&Matrix3::from_columns(&of.frame));
+    both.fixed_view_mut::<3, 3>(0, 0).copy_from(&Matrix3::from_columns(&node.axes));
+    both.fixed_view_mut::<3, 3>(3, 3).copy_from(&Matrix3::from_columns(&node.frame));
     both
 }
 
 /// The chain of a string at rest.
 ///
-/// The stiffness is the exact tangent of the elements. A moment that turns with what it acts on, as
-/// the torque of friction and bit, has a part in it that is not symmetric: half of the moment at a
-/// node, beside its bending stiffness next to nothing, which is left out.
+/// The stiffness is the exact tangent of the elements. A moment that follows the rotation of its
+/// node, as the torque of friction and bit, has a part in it that is not symmetric: half of the
+/// moment at a node, which is negligible compared with its bending stiffness and is left out.
 pub(super) fn chain(
     model: &Model,
     operation: &Operation,
@@ -56,7 +56,7 @@ pub(super) fn chain(
     chain
 }
 
-/// The dynamics' inertia, without what it adds for the sake of its step.
+/// The dynamics' inertia, without the mass added for its time step.
 fn weigh(chain: &mut Chain, model: &Model, operation: &Operation, rest: &AtRest) {
     let lateral = lateral_mass_kg_per_m(model, &rest.mesh, operation.bit_depth_m);
     let elements = stability::bare_elements(&rest.mesh, &lateral);

@@ -1,4 +1,4 @@
-//! How the assembly answers a force that goes round with the rotation.
+//! Response of the assembly to a rotating force.
 
 use nalgebra::{Complex, Matrix2, Matrix3, SMatrix, SVector, Vector3};
 
@@ -20,7 +20,7 @@ const SETTLED: f64 = 1e-3;
 /// A force that goes round with the rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Forcing {
-    /// What is eccentric of the string: `U Ω²`.
+    /// The string's eccentric masses: `U Ω²`.
     Imbalance,
     /// A force of this size, N, at a distance from the bit, m, at every speed.
     Force {
@@ -31,22 +31,22 @@ pub enum Forcing {
     },
 }
 
-/// What the assembly does at a rotary speed.
+/// Response of the assembly at a rotary speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
     /// Rotary speed, rad/s.
     pub rotary_rad_per_s: f64,
     /// Farthest that a node goes across the hole from where it rests, m.
     pub amplitude_m: f64,
-    /// Where.
+    /// Place of the widest motion.
     pub widest: Place,
     /// Largest bending stress that this adds, Pa.
     pub bending_stress_Pa: f64,
-    /// Where.
+    /// Place of the greatest bending.
     pub most_bent: Place,
 }
 
-/// Damping of the rod between a node and the next: in blocks of both, as the stiffness stands.
+/// Damping of the rod between a node and the next: in blocks of both, arranged like the stiffness.
 struct RodDamping {
     diagonal: Vec<Stiffness>,
     upper: Vec<Stiffness>,
@@ -66,12 +66,13 @@ impl Assembly<'_> {
         rotary_rad_per_s.iter().map(answer).collect()
     }
 
-    /// Where nothing holds the assembly over the longest stretch: its middle, m from the bit.
+    /// Middle of the longest unsupported span of the assembly, m from the bit.
     pub fn middle_of_longest_span_m(&self) -> f64 {
-        let rest = &self.of.rest;
-        let last = self.of.nodes() - 1;
-        let held = (self.top_node()..=last)
-            .filter(|node| *node == last || *node == self.top_node() || self.of.touches(*node));
+        let rest = &self.motions.rest;
+        let last = self.motions.nodes() - 1;
+        let held = (self.top_node()..=last).filter(|node| {
+            *node == last || *node == self.top_node() || self.motions.touches(*node)
+        });
         let held: Vec<f64> = held.map(|node| rest.mesh.nodes[node].from_bit_m).collect();
         let longest = held.windows(2).max_by(|a, b| (a[0] - a[1]).total_cmp(&(b[0] - b[1])));
         longest.map_or(0.0, |ends| 0.5 * (ends[0] + ends[1]))
@@ -106,19 +107,19 @@ impl Assembly<'_> {
         let own = self.top_node() - self.first..self.chain.nodes();
         let widest = own.max_by(|a, b| across(*a).total_cmp(&across(*b))).unwrap_or(0);
         let from = (self.top_node() - self.first) * MOTIONS;
-        let (element, bending_stress_Pa) = self.of.most_bent(self.top_node(), &motion[from..]);
+        let (element, bending_stress_Pa) = self.motions.most_bent(self.top_node(), &motion[from..]);
         let node = self.first + widest;
-        let element_at = node.min(self.of.rest.elements.len() - 1);
+        let element_at = node.min(self.motions.rest.elements.len() - 1);
         Answer {
             rotary_rad_per_s,
             amplitude_m: across(widest),
             widest: Place {
-                md_m: self.of.md_m(node),
-                from_bit_m: self.of.rest.mesh.nodes[node].from_bit_m,
-                component: self.of.bodies[element_at].0.clone(),
+                md_m: self.motions.md_m(node),
+                from_bit_m: self.motions.rest.mesh.nodes[node].from_bit_m,
+                component: self.motions.bodies[element_at].0.clone(),
             },
             bending_stress_Pa,
-            most_bent: self.of.place(element),
+            most_bent: self.motions.place(element),
         }
     }
 
@@ -139,9 +140,9 @@ impl Assembly<'_> {
         };
         match forcing {
             Forcing::Imbalance => {
-                let levers = &self.of.levers_kg_m[self.first..];
+                let levers = &self.motions.levers_kg_m[self.first..];
                 for (node, [high, right]) in levers.iter().enumerate() {
-                    let angle_rad = self.of.rest.high_side_rad + libm::atan2(*right, *high);
+                    let angle_rad = self.motions.rest.high_side_rad + libm::atan2(*right, *high);
                     put(
                         node,
                         round(libm::hypot(*high, *right) * rotary_rad_per_s.powi(2), angle_rad),
@@ -149,8 +150,8 @@ impl Assembly<'_> {
                 }
             }
             Forcing::Force { force_N, from_bit_m } => {
-                let node = self.of.rest.mesh.nearest_node(from_bit_m).max(self.first);
-                put(node - self.first, round(force_N, self.of.rest.high_side_rad));
+                let node = self.motions.rest.mesh.nearest_node(from_bit_m).max(self.first);
+                put(node - self.first, round(force_N, self.motions.rest.high_side_rad));
             }
         }
         force
@@ -176,7 +177,7 @@ impl Assembly<'_> {
             let mut block = complex(&chain.diagonal[node], &damping.diagonal[node]);
             for k in 0..MOTIONS {
                 let mass = chain.mass[node][k];
-                let by_mass = self.of.dynamics.damping.mass_per_s * mass;
+                let by_mass = self.motions.dynamics.damping.mass_per_s * mass;
                 block[(k, k)] += Complex::new(-omega * omega * mass, omega * by_mass);
             }
             let precession = omega * omega * chain.polar_kg_m2[node];
@@ -209,13 +210,13 @@ impl Assembly<'_> {
         solved.iter().flat_map(|entry| entry.iter().copied()).collect()
     }
 
-    /// What mud and wall damp a node with across the hole, N·s/m.
+    /// Lateral damping of a node by mud and wall, N·s/m.
     fn across_N_s_per_m(&self, node: usize, speed_m_per_s: f64) -> Matrix2<f64> {
-        let at = &self.of.rest.nodes[self.first + node];
-        let [linear, quadratic] = self.of.drag[self.first + node];
+        let at = &self.motions.rest.nodes[self.first + node];
+        let [linear, quadratic] = self.motions.drag[self.first + node];
         let radius_m = at.offset_m.norm().max(f64::MIN_POSITIVE);
         let radial = at.offset_m / radius_m;
-        let wall = at.normal_N * self.of.dynamics.contact_law.dissipation_s_per_m();
+        let wall = at.normal_N * self.motions.dynamics.contact_law.dissipation_s_per_m();
         Matrix2::identity() * (linear + quadratic * speed_m_per_s)
             + radial * radial.transpose() * wall
     }
@@ -223,30 +224,30 @@ impl Assembly<'_> {
     /// Proportional to stiffness: on the chord's length, the twist and the bend, as the dynamics
     /// have it.
     fn rod_damping(&self) -> RodDamping {
-        let beta = self.of.dynamics.damping.stiffness_s;
+        let beta = self.motions.dynamics.damping.stiffness_s;
         let nodes = self.chain.nodes();
         let mut damping = RodDamping {
             diagonal: vec![Stiffness::zeros(); nodes],
             upper: vec![Stiffness::zeros(); nodes - 1],
         };
         for index in 0..nodes - 1 {
-            let element = &self.of.rest.elements[self.first + index];
+            let element = &self.motions.rest.elements[self.first + index];
             let (k, pose) = (&element.stiffness, &element.pose);
             let along = Vector3::from(pose.anchor_chord).normalize();
             let about = (Vector3::from(pose.d1) + Vector3::from(pose.d2)).normalize();
-            let [along, about] = [along, about].map(|of| of * of.transpose());
+            let [along, about] = [along, about].map(|unit| unit * unit.transpose());
             let stretch = along * (beta * k.axial);
             let turn =
                 (Matrix3::identity() - about) * (beta * k.bending) + about * (beta * k.twist);
             let ends = [index, index + 1];
             let frames = ends.map(|node| {
-                let at = &self.of.rest.nodes[self.first + node];
-                [at.axes, at.frame].map(|of| Matrix3::from_columns(&of))
+                let at = &self.motions.rest.nodes[self.first + node];
+                [at.axes, at.frame].map(|axes| Matrix3::from_columns(&axes))
             });
             let block = |row: usize, column: usize| {
                 let sign = if row == column { 1.0 } else { -1.0 };
-                let part = |of: usize, by: &Matrix3<f64>| {
-                    frames[row][of].tr_mul(&(by * frames[column][of])) * sign
+                let part = |frame: usize, by: &Matrix3<f64>| {
+                    frames[row][frame].tr_mul(&(by * frames[column][frame])) * sign
                 };
                 let mut block = Stiffness::zeros();
                 block.fixed_view_mut::<3, 3>(0, 0).copy_from(&part(0, &stretch));
@@ -257,7 +258,7 @@ impl Assembly<'_> {
             damping.diagonal[index + 1] += block(1, 1);
             damping.upper[index] = block(0, 1);
         }
-        // What is held does not move.
+        // Fixed motions are zero.
         for node in 0..nodes {
             for k in (0..MOTIONS).filter(|k| self.chain.mass[node][*k] == 0.0) {
                 damping.diagonal[node].row_mut(k).fill(0.0);

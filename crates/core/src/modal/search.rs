@@ -5,7 +5,7 @@ use super::{
     krylov::{Krylov, Ritz},
 };
 
-/// What may be left over of a mode; the square of its angular frequency errs by the square of this.
+/// Tolerance of a mode's residual; the square of its angular frequency errs by the square of this.
 const CONVERGED: f64 = 1e-7;
 
 /// Modes that are looked for at a time.
@@ -34,16 +34,17 @@ pub(super) struct RealMode {
 }
 
 /// The first `count` modes of a chain above a frequency, rad/s, by rising frequency; a few more
-/// where frequencies coincide, fewer where there are no more. None where they were not found:
-/// the count of Sylvester's law says so.
+/// where frequencies coincide, fewer where there are no more. None where they were not found: as
+/// shown by the count of Sylvester's law.
 pub(super) fn above(chain: &Chain, omega: f64, count: usize) -> Option<Vec<RealMode>> {
     let mut found = Vec::new();
     let mut least = omega * omega;
-    // A few at a time: what many vectors take to be kept apart grows with their square.
+    // A few at a time: the cost of orthogonalisation grows with the square of the number of
+    // vectors.
     while found.len() < count {
-        let wanted = (count - found.len()).min(SLICE);
-        let slice = slice(chain, least, wanted)?;
-        let whole = slice.modes.len() < wanted;
+        let slice_count = (count - found.len()).min(SLICE);
+        let slice = slice(chain, least, slice_count)?;
+        let whole = slice.modes.len() < slice_count;
         found.extend(slice.modes);
         least = slice.end;
         if whole {
@@ -71,12 +72,12 @@ fn slice(chain: &Chain, least: f64, count: usize) -> Option<Slice> {
         }
         let whole = !fresh || space.size() >= freedoms;
         let mut found = space.ritz();
-        found.retain(|of| of.residual < CONVERGED && of.lambda > least);
+        found.retain(|ritz| ritz.residual < CONVERGED && ritz.lambda > least);
         found.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
-        // The last that is wanted must stand clear of the next, so that they can be counted.
+        // The last that is requested must be separated from the next, so that they can be counted.
         let clear = (count..=found.len()).find_map(|number| {
             let last = found[number - 1].lambda;
-            let next = found.get(number).map_or(last * (1.0 + 2.0 * APART), |of| of.lambda);
+            let next = found.get(number).map_or(last * (1.0 + 2.0 * APART), |ritz| ritz.lambda);
             (next - last > APART * last).then_some((number, 0.5 * (last + next)))
         });
         let complete = clear
@@ -96,7 +97,8 @@ fn slice(chain: &Chain, least: f64, count: usize) -> Option<Slice> {
     }
 }
 
-/// Where to look for so many modes: at the least, or amid them where others lie below.
+/// Shift of the search for this many modes: at the lowest, or among them where other modes are
+/// below.
 fn shift(chain: &Chain, least: f64, below: usize, count: usize) -> f64 {
     if below == 0 {
         return least;

@@ -1,4 +1,4 @@
-//! Mud between a pipe and its hole: steady helical flow, and what it does to the pipe.
+//! Mud between a pipe and its hole: steady helical flow, and its effect on the pipe.
 //!
 //! With `G` the pressure's gradient by friction, `r` the radius, `z` along the hole and `γ̇` the rate
 //! of shear,
@@ -20,8 +20,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Mud, Rheology, turbulence};
 
-/// Nearest that a pipe comes to filling its hole, as a part of its radius: what is wider has blades
-/// or junk slots that let the mud pass.
+/// Greatest radius of a pipe, as a fraction of that of its hole: wider components have blades or
+/// junk slots that let the mud pass.
 const FULLEST: f64 = 0.9;
 
 /// Speed of shear below which a mud is taken to be sheared so all the same, m/s. A yield point
@@ -41,30 +41,30 @@ pub struct Annulus {
     hole_m: f64,
 }
 
-/// How pipe and mud move.
+/// Motion of pipe and mud.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Motion {
     /// Velocity of the pipe along the hole, m/s, positive towards the bit.
     pub axial_m_per_s: f64,
     /// Spin of the pipe, rad/s.
     pub spin_rad_per_s: f64,
-    /// What the pump delivers, m³/s: down the bore, up the annulus.
+    /// Flow rate of the pump, m³/s: down the bore, up the annulus.
     pub flow_m3_per_s: f64,
 }
 
-/// What the mud in the annulus does to a metre of pipe. Along the hole it pulls with
-/// `pull − drag v`, positive towards the bit, about the axis with `−spin_drag Ω`.
+/// Effect of the mud in the annulus on a metre of pipe. Along the hole it pulls with `pull − drag
+/// v`, positive towards the bit, about the axis with `−spin_drag Ω`.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct AnnulusDrag {
     /// Part of the pull along the hole that does not depend on the pipe's velocity, N/m.
     pub pull_N_per_m: f64,
-    /// What the pull loses per velocity of the pipe, Pa·s; positive.
+    /// Decrease of the pull per velocity of the pipe, Pa·s; positive.
     pub drag_Pa_s: f64,
     /// Torque per spin, N·s; positive.
     pub spin_drag_N_s: f64,
-    /// What friction adds to the pressure per metre of depth, Pa/m.
+    /// Pressure gradient of friction per metre of depth, Pa/m.
     pub gradient_Pa_per_m: f64,
-    /// What that gains per velocity of the pipe towards the bit, Pa·s/m²: surge.
+    /// Its increase per velocity of the pipe towards the bit, Pa·s/m²: surge.
     pub surge_Pa_s_per_m2: f64,
 }
 
@@ -126,7 +126,7 @@ impl Annulus {
         flow_m3_per_s / (PI * (self.hole_m * self.hole_m - self.pipe_m * self.pipe_m))
     }
 
-    /// What `mud` does to the pipe; nothing if it has no rheology.
+    /// Computes the effect of `mud` on the pipe; none if it has no rheology.
     ///
     /// The forces are right at `motion`; how they change with the velocity along the hole is their
     /// slope there (in turbulent flow, the laminar slope times the same factor).
@@ -196,11 +196,11 @@ impl Annulus {
             + drag.spin_drag_N_s * motion.spin_rad_per_s.powi(2)
     }
 
-    /// By how much vortices raise the forces along the hole and the torque. Both Reynolds numbers
-    /// are taken at the viscosity of a Newtonian mud that would take the same power: for flow along
-    /// the hole alone that is Metzner and Reed's. The turbulence of the flow raises the torque with
-    /// the pressure (Reynolds' analogy) where rotation does not raise it more; what Taylor's
-    /// vortices add to the pressure is left out.
+    /// Factors by which vortices raise the forces along the hole and the torque. Both Reynolds
+    /// numbers are taken at the viscosity of a Newtonian mud that would dissipate the same power:
+    /// for flow along the hole alone that is Metzner and Reed's. The turbulence of the flow raises
+    /// the torque with the pressure (Reynolds' analogy) where rotation does not raise it more; the
+    /// pressure of Taylor's vortices is left out.
     fn mixing(
         &self,
         mud: &Mud,
@@ -210,7 +210,7 @@ impl Annulus {
     ) -> (f64, f64) {
         let thin = Self::power_W_per_m(&self.newtonian(1.0, motion), motion);
         let viscosity = Self::power_W_per_m(laminar, motion) / thin;
-        // Nothing moves, or nothing that a number can tell.
+        // Nothing moves, or only below the resolution of the numbers.
         if !(viscosity.is_finite() && viscosity > 0.0) {
             return (1.0, 1.0);
         }
@@ -226,7 +226,7 @@ impl Annulus {
     /// Laminar flow of any mud.
     fn laminar(&self, rheology: &Rheology, motion: &Motion) -> AnnulusDrag {
         let hole = self.hole_m;
-        let wanted = Vector3::new(
+        let target = Vector3::new(
             motion.flow_m3_per_s / (2.0 * PI * hole.powi(3)),
             -motion.axial_m_per_s / hole,
             -motion.spin_rad_per_s,
@@ -235,7 +235,7 @@ impl Annulus {
         let mut x = self.guess(rheology, motion);
         let mut at = self.strain(rheology, &x);
         for _ in 0..ITERATIONS {
-            let missing = wanted - at.rates;
+            let missing = target - at.rates;
             let Some(step) = at.slopes.cholesky().map(|l| l.solve(&missing)) else {
                 break;
             };
@@ -243,7 +243,7 @@ impl Annulus {
             // in.
             let (mut part, downhill) = (1.0, missing.dot(&step));
             let mut next = self.strain(rheology, &(x + step));
-            while (next.rates - wanted).dot(&step) > 0.5 * downhill && part > 1e-3 {
+            while (next.rates - target).dot(&step) > 0.5 * downhill && part > 1e-3 {
                 part *= 0.5;
                 next = self.strain(rheology, &(x + part * step));
             }
@@ -287,7 +287,7 @@ impl Annulus {
         )
     }
 
-    /// What stresses make of the gap.
+    /// Strain rates of the gap under the stresses.
     fn strain(&self, rheology: &Rheology, x: &Vector3<f64>) -> Strain {
         let inner = self.pipe_m / self.hole_m;
         let layers = Layers::new(x, inner, rheology.knee_Pa());
@@ -338,7 +338,7 @@ impl Layers {
             0.5 * (low + high)
         };
         let knee = knee_Pa * knee_Pa;
-        // From outside the plug Newton's method comes to its edge without passing it.
+        // From outside the plug Newton's method converges to its edge without passing it.
         let edge = |from: f64| {
             let mut rho = from;
             for _ in 0..30 {

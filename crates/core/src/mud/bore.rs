@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use super::{Mud, Rheology, turbulence};
 
-/// What friction takes from the pressure on the way through a bore, Pa/m, at a flow rate relative
-/// to the pipe; zero without a rheology.
+/// Friction pressure gradient in a bore, Pa/m, at a flow rate relative to the pipe; zero without a
+/// rheology.
 ///
 /// Laminar by Rabinowitsch's integral: Hagen and Poiseuille, Buckingham and Reiner, Metzner and
 /// Reed. Turbulent, and between the two, by API RP 13D: from a Reynolds number of 2100 on for a
@@ -31,7 +31,7 @@ fn laminar_wall_stress_Pa(rheology: &Rheology, radius_m: f64, flow_m3_per_s: f64
             consistency_Pa_s_n * libm::pow((3.0 * n + 1.0) / n * rate, n)
         }
         Rheology::Bingham { plastic_viscosity_Pa_s, yield_point_Pa } => {
-            // τ (1 − 4/3 y + y⁴/3) = 4 μ Q/(π r³), y = τ₀/τ: convex, and the start lies above the
+            // τ (1 − 4/3 y + y⁴/3) = 4 μ Q/(π r³), y = τ₀/τ: convex, and the start is above the
             // root.
             let newtonian = 4.0 * plastic_viscosity_Pa_s * rate;
             let mut wall = newtonian + 4.0 / 3.0 * yield_point_Pa;
@@ -142,8 +142,7 @@ mod tests {
     }
 
     /// Where flow turns turbulent the gradient is API RP 13D's, whatever the mud: `2 f ρ v²/d` with
-    /// its friction at Metzner and Reed's Reynolds number, which all the muds are given by the
-    /// speed.
+    /// its friction at Metzner and Reed's Reynolds number, which the speed sets for all the muds.
     #[test]
     fn the_transition_is_that_of_api_rp_13d() {
         let (radius, area) = (0.05, PI * 0.05f64.powi(2));

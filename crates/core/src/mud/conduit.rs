@@ -1,8 +1,9 @@
 //! Mud along a stretch of the string that may span several components: each keeps its own bore and
 //! its own annulus.
 //!
-//! Friction goes with the inverse fifth power of a diameter. The loss of a mean bore is therefore no
-//! mean of the losses: a solid bit beside a collar would leave a bore as narrow as rounding makes it.
+//! Friction is proportional to the inverse fifth power of a diameter. The loss of a mean bore is
+//! therefore no mean of the losses: a solid bit next to a collar would leave a bore as narrow as
+//! rounding makes it.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,7 +21,7 @@ pub struct ConduitPart {
     pub annulus: Annulus,
 }
 
-/// What rounding leaves of the sum of all parts.
+/// Tolerance of the sum of all parts for rounding.
 const WHOLE: f64 = 1e-6;
 
 /// Bores and annuli of a stretch.
@@ -94,7 +95,7 @@ mod tests {
     };
 
     /// Strings of random lengths in elements of random lengths, whose ends fall on those of the
-    /// components but for rounding, or anywhere: what is lost in the elements is what is lost in the
+    /// components but for rounding, or anywhere: the loss in the elements equals the loss in the
     /// components, each by the closed forms of its own bore. Before, the sliver of a collar's bore
     /// in the element of a solid bit cost 1e38 Pa.
     #[test]

@@ -1,4 +1,4 @@
-//! Mud that has gelled at rest: what makes it flow again.
+//! Mud that has gelled at rest: pressure and tension that break the gel.
 //!
 //! A plug of gel slides when the stress at its walls is the gel strength `τ_g`. In a bore of diameter
 //! `d` that takes a gradient of `4 τ_g/d`, in the annulus between `d_1` and `d_2` one of
@@ -9,18 +9,18 @@ use std::f64::consts::PI;
 
 use super::Annulus;
 
-/// What gelled mud in an annulus does to a metre of pipe when it begins to flow.
+/// Effect of gelled mud in an annulus on a metre of pipe when it begins to flow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AnnulusGel {
     /// Gradient of the pressure that it takes, Pa/m.
     pub gradient_Pa_per_m: f64,
-    /// What that takes off the effective tension, N/m: the stress at the pipe's wall and what the
-    /// gradient adds to the pressure around it, `π d_1 d_2 τ_g/(d_2 − d_1)`.
+    /// Reduction of the effective tension, N/m: the stress at the pipe's wall and the pressure of
+    /// the gradient around it, `π d_1 d_2 τ_g/(d_2 − d_1)`.
     pub lift_N_per_m: f64,
 }
 
 impl Annulus {
-    /// What makes a gel of this strength, Pa, flow.
+    /// Returns the load at which a gel of this strength, Pa, begins to flow.
     pub fn gel(&self, gel_strength_Pa: f64) -> AnnulusGel {
         let [pipe_m, hole_m] = self.diameters_m();
         let gradient_Pa_per_m = 4.0 * gel_strength_Pa / (hole_m - pipe_m);

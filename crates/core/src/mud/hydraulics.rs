@@ -1,15 +1,15 @@
-//! What circulation costs, and what the mud does to the whole string.
+//! Pressure losses of circulation, and effect of the mud on the whole string.
 
 use std::ops::{Add, Mul};
 
 /// Mud forces on a whole string and the pressures that its flow takes.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct Hydraulics {
-    /// What the mud's friction adds to the hook load, N: positive where the string is pulled out,
-    /// negative where mud streams up along it.
+    /// Contribution of the mud's friction to the hook load, N: positive where the string is pulled
+    /// out, negative where mud streams up along it.
     #[serde(with = "crate::finite")]
     pub mud_drag_N: f64,
-    /// What it adds to the surface torque, N·m.
+    /// Contribution to the surface torque, N·m.
     #[serde(with = "crate::finite")]
     pub mud_torque_N_m: f64,
     /// Upward thrust of the bit's jets on the string, N.
@@ -33,11 +33,11 @@ pub struct Hydraulics {
     pub pump_pressure_Pa: f64,
 }
 
-/// A number of [`Hydraulics`] and what it may be.
+/// A number of [`Hydraulics`] and its plausible range.
 pub type PlausibleRange = (&'static str, fn(&Hydraulics) -> f64, [f64; 2]);
 
-/// Greatest pressure that a number of [`Hydraulics`] may have, Pa: ten times what the strongest mud
-/// pumps deliver.
+/// Greatest pressure that a number of [`Hydraulics`] may have, Pa: ten times the pressure of the
+/// strongest mud pumps.
 const MAX_PRESSURE: f64 = 1e9;
 
 /// Greatest force, N: that of the heaviest hoists, and of no mud.
@@ -47,22 +47,23 @@ const MAX_FORCE: f64 = 1e8;
 const MAX_TORQUE: f64 = 1e7;
 
 impl Hydraulics {
-    /// What each number may be in a string that lets mud pass. Pressures may be negative: a string that
-    /// is pulled out sucks.
+    /// Plausible range of each number in a string that lets mud pass. Pressures may be negative,
+    /// because a string that is pulled out swabs.
     pub const PLAUSIBLE: [PlausibleRange; 8] = [
-        ("mud_drag_N", |of| of.mud_drag_N, [-MAX_FORCE, MAX_FORCE]),
-        ("mud_torque_N_m", |of| of.mud_torque_N_m, [-MAX_TORQUE, MAX_TORQUE]),
-        ("jet_thrust_N", |of| of.jet_thrust_N, [0.0, MAX_FORCE]),
-        ("bore_loss_Pa", |of| of.bore_loss_Pa, [0.0, MAX_PRESSURE]),
-        ("bit_loss_Pa", |of| of.bit_loss_Pa, [0.0, MAX_PRESSURE]),
-        ("motor_loss_Pa", |of| of.motor_loss_Pa, [0.0, MAX_PRESSURE]),
-        ("annulus_loss_Pa", |of| of.annulus_loss_Pa, [-MAX_PRESSURE, MAX_PRESSURE]),
-        ("pump_pressure_Pa", |of| of.pump_pressure_Pa, [-MAX_PRESSURE, MAX_PRESSURE]),
+        ("mud_drag_N", |mud| mud.mud_drag_N, [-MAX_FORCE, MAX_FORCE]),
+        ("mud_torque_N_m", |mud| mud.mud_torque_N_m, [-MAX_TORQUE, MAX_TORQUE]),
+        ("jet_thrust_N", |mud| mud.jet_thrust_N, [0.0, MAX_FORCE]),
+        ("bore_loss_Pa", |mud| mud.bore_loss_Pa, [0.0, MAX_PRESSURE]),
+        ("bit_loss_Pa", |mud| mud.bit_loss_Pa, [0.0, MAX_PRESSURE]),
+        ("motor_loss_Pa", |mud| mud.motor_loss_Pa, [0.0, MAX_PRESSURE]),
+        ("annulus_loss_Pa", |mud| mud.annulus_loss_Pa, [-MAX_PRESSURE, MAX_PRESSURE]),
+        ("pump_pressure_Pa", |mud| mud.pump_pressure_Pa, [-MAX_PRESSURE, MAX_PRESSURE]),
     ];
 
-    /// The first number that is none that mud makes, and what it is.
+    /// The first implausible number: its name and value.
     pub fn implausible(&self) -> Option<(&'static str, f64)> {
-        let values = Self::PLAUSIBLE.iter().map(|(name, of, range)| (*name, of(self), *range));
+        let values =
+            Self::PLAUSIBLE.iter().map(|(name, value, range)| (*name, value(self), *range));
         let mut beyond =
             values.filter(|(_, value, [least, most])| !(*least..=*most).contains(value));
         beyond.next().map(|(name, value, _)| (name, value))

@@ -1,4 +1,4 @@
-//! Drilling fluid: what it weighs, how it flows, and what it does to a pipe that moves in it.
+//! Drilling fluid: its density, its rheology, and its effect on a moving pipe.
 
 pub mod annulus;
 pub mod bore;
@@ -16,8 +16,8 @@ pub use hydraulics::Hydraulics;
 pub use rheology::Rheology;
 pub use rheometer::{DIAL_PA, DialFit, DialReading, fit_dial_readings};
 
-/// Lateral drag coefficient `C_d` of a pipe where nothing else is said: that of a smooth cylinder
-/// across a stream at Reynolds numbers from 1e3 to 1e5.
+/// Lateral drag coefficient `C_d` of a pipe by default: that of a smooth cylinder across a stream
+/// at Reynolds numbers from 1e3 to 1e5.
 pub const CYLINDER_DRAG_COEFFICIENT: f64 = 1.0;
 
 /// Drilling fluid that fills the string and the annulus.
@@ -29,8 +29,8 @@ pub struct Mud {
     pub linear_drag_Pa_s: f64,
     /// Quadratic lateral drag coefficient `C_d` of a cylinder on its outside diameter.
     pub drag_coefficient: f64,
-    /// How it flows; without it the mud drags neither along the string nor around it, and
-    /// circulates without loss.
+    /// Rheology; without it the mud drags neither along the string nor around it, and circulates
+    /// without loss.
     pub rheology: Option<Rheology>,
 }
 

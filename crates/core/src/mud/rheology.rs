@@ -2,11 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-/// How much more viscous than its plastic viscosity a Bingham mud is taken to be below its yield
-/// point: a stiff liquid for a solid (O'Donovan and Tanner 1984), 1e-4 off the stress.
+/// Ratio of the assumed viscosity of a Bingham mud below its yield point to its plastic viscosity:
+/// a stiff liquid in place of a solid (O'Donovan and Tanner 1984), an error of 1e-4 of the stress.
 const UNYIELDED: f64 = 1e4;
 
-/// How a mud flows: a generalised Newtonian fluid.
+/// Rheology of a mud: a generalised Newtonian fluid.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Rheology {
     /// `τ = μ γ̇`.
@@ -42,20 +42,20 @@ pub enum Rheology {
 /// Shear rate at which the stiffness of a yield-power-law mud below its yield point is counted, 1/s.
 const STIFF_AT_PER_S: f64 = 100.0;
 
-/// Where the stiff line of a yield-power-law mud meets its law, 1/s and Pa: at the rate at which a Bingham mud, with the
-/// viscosity that `K γ̇ⁿ` has at 100 1/s, would leave its own.
+/// Point at which the stiff line of a yield-power-law mud meets its law, 1/s and Pa: at the rate at
+/// which a Bingham mud, with the viscosity that `K γ̇ⁿ` has at 100 1/s, would leave its own.
 fn yields(yield_point_Pa: f64, consistency: f64, index: f64) -> (f64, f64) {
     let viscosity = consistency * libm::pow(STIFF_AT_PER_S, index - 1.0);
     let rate_per_s = yield_point_Pa / (UNYIELDED * viscosity);
     (rate_per_s, yield_point_Pa + consistency * libm::pow(rate_per_s, index))
 }
 
-/// What a stress makes of a mud.
+/// Flow of a mud under a stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flow {
     /// Shear rate over shear stress, 1/(Pa·s).
     pub fluidity: f64,
-    /// What the shear rate gains with the stress, 1/(Pa·s).
+    /// Derivative of the shear rate with respect to the stress, 1/(Pa·s).
     pub slope: f64,
 }
 
@@ -80,7 +80,7 @@ impl Rheology {
         }
     }
 
-    /// How the mud flows at a positive shear stress.
+    /// Flow of the mud at a positive shear stress.
     pub fn flow(&self, stress_Pa: f64) -> Flow {
         match *self {
             Self::Newtonian { viscosity_Pa_s } => {

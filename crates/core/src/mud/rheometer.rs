@@ -29,7 +29,7 @@ pub struct DialReading {
 pub struct DialFit {
     /// The law.
     pub rheology: Rheology,
-    /// Root mean square of what the readings have beside the law, Pa.
+    /// Root mean square of the differences between the readings and the law, Pa.
     pub residual_Pa: f64,
     /// The largest difference, Pa, and the speed at which it is, rev/min.
     pub largest_Pa: f64,

@@ -1,4 +1,4 @@
-//! How much more than in laminar flow a mud drags once vortices mix it.
+//! Ratio of a mud's drag with vortices to that in laminar flow.
 //!
 //! Each is the ratio of two friction laws, never below one: laminar forces are multiplied by it.
 

@@ -16,7 +16,7 @@ macro_rules! set_points {
     };
 }
 
-/// Operations are made with a depth and given what they need:
+/// Operations are constructed with a depth and receive the set points that they need:
 ///
 /// ```
 /// use wholestring::operation::Operation;
@@ -30,8 +30,7 @@ macro_rules! set_points {
 /// assert_eq!(Operation::trip_out(3000.0).axial_velocity_m_per_s(), -0.3);
 /// ```
 impl Operation {
-    /// Speed of tripping and reaming where nothing else is said, m/s: a stand of 28 m in a minute
-    /// and a half.
+    /// Speed of tripping and reaming by default, m/s: a stand of 28 m in a minute and a half.
     pub const TRIP_SPEED_M_PER_S: f64 = 0.3;
 
     /// An operation with the bit at a measured depth, m: tripping and reaming at

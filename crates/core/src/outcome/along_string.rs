@@ -9,9 +9,9 @@ use crate::sizing::SizeReason;
 columns! {
     /// The profile along the string, from the surface to the bit: a row per node.
     ///
-    /// All columns that the method knows are of the same length, the others are empty; `md_m` grows
-    /// strictly. Of dynamics the values are means over the window where they do not say otherwise,
-    /// and tension and torque those of the two elements at the node.
+    /// All columns that the method provides have the same length, the others are empty; `md_m`
+    /// grows strictly. Values of dynamics are means over the window unless stated otherwise, and
+    /// tension and torque those of the two elements at the node.
     #[derive(Debug, Clone, PartialEq, Default)]
     pub struct Profile, "What a profile along the string holds, in the order of `nodes.parquet`."
     PROFILE {
@@ -138,12 +138,12 @@ columns! {
              `plain pipe`, `assembly`, `rotating bend`, `body contact` or `compression`", known_by IN_ELEMENTS;
     }
     beside {
-        /// What asked for the length of each node's element.
+        /// Reason for the length of each node's element.
         element_size: Vec<SizeReason>;
     }
 }
 
-/// How much of the time a node touches the wall.
+/// Fraction of the time in which a node touches the wall.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContactClass {
     /// In less than a hundredth of the samples.
@@ -176,7 +176,7 @@ impl ContactClass {
     }
 }
 
-/// What a compression makes of a pipe.
+/// Buckling state of a pipe under compression.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Buckling {
     /// It is straight on the wall.
@@ -232,7 +232,7 @@ fn contact_sides(profile: &Profile) -> Vec<&'static str> {
 }
 
 impl Profile {
-    /// What the compression of a row makes of the pipe.
+    /// Buckling state of the pipe in a row.
     pub fn buckling(&self, row: usize) -> Buckling {
         let loads_N = [self.sinusoidal_load_N[row], self.helical_load_N[row]];
         Buckling::of(-self.tension_N[row], loads_N)
@@ -244,8 +244,8 @@ impl Profile {
         self.helical_load_N.push(loads_N.map(|loads_N| loads_N[1]));
     }
 
-    /// The columns that are not as their declaration says for this method: left out though it knows
-    /// them, there though it does not, or of another length than the others. None of a sound
+    /// The columns that contradict their declaration for this method: missing though it provides
+    /// them, present though it does not, or of another length than the others. Empty for a valid
     /// profile.
     pub fn unlike_declared(&self, model: ModelKind) -> Vec<&'static str> {
         unlike_declared(PROFILE, self, model)

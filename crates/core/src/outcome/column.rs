@@ -1,4 +1,4 @@
-//! Columns of rows: what each is, and where its values are.
+//! Columns of rows: their declarations, and access to their values.
 
 use std::borrow::Cow;
 
@@ -10,14 +10,14 @@ use super::{
 /// The values of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values<'a> {
-    /// Numbers; what is not one does not apply.
+    /// Numbers; NaN where the value does not apply.
     Numbers(Cow<'a, [f64]>),
     /// Words.
     Words(Vec<&'static str>),
 }
 
 impl Values<'_> {
-    /// How many there are.
+    /// Number of values.
     pub fn len(&self) -> usize {
         match self {
             Self::Numbers(values) => values.len(),
@@ -52,7 +52,7 @@ impl<'a> Values<'a> {
 /// A quantity that a `T` has a value of in each of its rows, and where they are.
 #[derive(Debug)]
 pub struct Column<T: 'static> {
-    /// What it is.
+    /// Declaration of the quantity.
     pub quantity: Quantity,
     /// Its values; none where the method that made the `T` leaves the quantity out.
     pub of: fn(&T) -> Values<'_>,
@@ -68,7 +68,7 @@ impl<T> Column<T> {
     /// The declaration of the column of that name.
     ///
     /// # Panics
-    /// Where there is none: in a constant, the compiler says so.
+    /// Where there is none: in a constant this is a compile error.
     pub const fn declared(columns: &'static [Self], name: &str) -> &'static Quantity {
         &Self::named(columns, name).quantity
     }
@@ -76,7 +76,7 @@ impl<T> Column<T> {
     /// The column of that name.
     ///
     /// # Panics
-    /// Where there is none: in a constant, the compiler says so.
+    /// Where there is none: in a constant this is a compile error.
     pub const fn named(columns: &'static [Self], name: &str) -> &'static Self {
         let mut place = 0;
         while place < columns.len() {
@@ -89,16 +89,16 @@ impl<T> Column<T> {
     }
 }
 
-/// How the statistics of a column over a window are taken.
+/// Statistics of a column over a window.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WindowStatistics {
     /// Its place among all statistics, counted from one.
     pub place: usize,
-    /// On what its drift is measured.
+    /// Scale of its drift.
     pub scale: DriftScale,
 }
 
-/// On what a drift of a scalar is measured.
+/// Scale on which a drift of a scalar is measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DriftScale {
     /// The largest force along the string: hook load, axial friction or weight on bit.
@@ -109,7 +109,7 @@ pub enum DriftScale {
     Own(f64),
 }
 
-/// What a column of rows is kept as.
+/// Storage of a column of rows.
 pub(crate) trait Rows {
     fn values_from(&self, row: usize) -> Values<'_>;
 
@@ -143,10 +143,10 @@ impl Rows for Vec<Option<f64>> {
 /// names.
 pub(crate) fn unlike_declared<T>(
     columns: &'static [Column<T>],
-    of: &T,
+    table: &T,
     model: ModelKind,
 ) -> Vec<&'static str> {
-    let lengths: Vec<usize> = columns.iter().map(|column| (column.of)(of).len()).collect();
+    let lengths: Vec<usize> = columns.iter().map(|column| (column.of)(table).len()).collect();
     let rows = lengths.iter().copied().max().unwrap_or(0);
     let declared = |column: &Column<T>| match column.quantity.is_known_by(model) {
         true => rows,
@@ -160,11 +160,11 @@ pub(crate) fn unlike_declared<T>(
 }
 
 /// Declares a structure of columns and the list of their [`Column`]s at once, in the order of the
-/// files: a column is a field that is kept (`name: Vec<f64>`), or words that follow from the others
-/// (`name = |of| ..`), its kind and its meaning, what people call it where that is more than its
-/// name says, and, where it is not so in all rows of all methods, who knows it and where there is
-/// no value; of a scalar whose statistics are taken, its place among them and on what its drift is
-/// measured. What stands behind `beside` is no column.
+/// files: a column is a field that is kept (`name: Vec<f64>`), or texts that follow from the others
+/// (`name = |of| ..`), its kind and its meaning, its label where that differs from its name, and,
+/// where it is not available in all rows of all methods, the methods that provide it and the rows
+/// without a value; for a scalar whose statistics are taken, its place among them and the scale of
+/// its drift. Fields after `beside` are no columns.
 macro_rules! columns {
     (
         $(#[$about:meta])*

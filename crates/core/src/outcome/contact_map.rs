@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::{column::columns, method::IN_TIME};
 
 columns! {
-    /// Contact over depth and time, coarse: row after row in time, each from the surface down. A
-    /// stretch of string stands in a row, at most 200 of them, and each row is an average over the
-    /// time since the one before, at most 201.
+    /// Contact over depth and time, coarse: row after row in time, each from the surface down.
+    /// There is one stretch of string per column of a row, at most 200 of them, and each row is an
+    /// average over the time since the one before, at most 201.
     #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
     pub struct ContactMap, "What a map of contact holds, in the order of `contact.parquet`."
     CONTACT_MAP {

@@ -1,4 +1,4 @@
-//! What friction does along the hole, stretch by stretch.
+//! Friction work along the hole, stretch by stretch.
 
 use super::{
     column::{columns, unlike_declared},
@@ -28,7 +28,7 @@ impl HoleWear {
     }
 }
 
-/// Length of hole that one number of a profile along the hole stands for, m.
+/// Length of hole that one number of a profile along the hole represents, m.
 pub const HOLE_STEP_M: f64 = 5.0;
 
 /// Numbers that a hole down to a depth, m, takes; at least one.
@@ -41,7 +41,8 @@ pub(crate) fn hole_depths_m(steps: usize) -> Vec<f64> {
     (0..steps).map(|i| (i as f64 + 0.5) * HOLE_STEP_M).collect()
 }
 
-/// Spreads an amount evenly over a stretch of the hole; what lies beyond either end counts there.
+/// Spreads an amount evenly over a stretch of the hole; the part beyond either end is added at that
+/// end.
 pub(crate) fn spread(hole: &mut [f64], from_m: f64, to_m: f64, amount: f64) {
     let last = hole.len() - 1;
     let place = |md: f64| ((md / HOLE_STEP_M).max(0.0) as usize).min(last);

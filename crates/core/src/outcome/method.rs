@@ -1,8 +1,8 @@
-//! The methods that solve an operation, and what each of them can answer: one table.
+//! The methods that solve an operation, and the results that each of them provides: one table.
 
 use serde::Serialize;
 
-/// How long a method takes for an operation.
+/// Duration of a method's computation for an operation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cost {
     /// Milliseconds: it is solved again rather than read back.
@@ -11,31 +11,31 @@ pub enum Cost {
     Minutes,
 }
 
-/// What is known of a method before it has solved anything.
+/// Properties of a method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Method {
     /// Name in case files and results.
     pub name: &'static str,
     /// Name in tables and sentences for people.
     pub long_name: &'static str,
-    /// Name in legends: what its curve shows.
+    /// Name in the legends of curves.
     pub curve_name: &'static str,
-    /// Whether it answers in time: series, statistics over a window, spectra, frames; what a
-    /// schedule changes on the way. The others answer with one state of equilibrium.
+    /// Whether its results are in time: series, statistics over a window, spectra, frames, and the
+    /// effect of a schedule. The others compute one state of equilibrium.
     pub in_time: bool,
     /// Whether it cuts the string into elements, whose nodes touch the wall or not.
     pub has_elements: bool,
     /// Whether its forces hold the friction of a helix, which presses itself against the wall.
     pub has_helix_friction: bool,
-    /// How long it takes.
+    /// Duration of the computation.
     pub cost: Cost,
 }
 
-/// Declares the methods and what is known of them, from the simplest to the most detailed.
+/// Declares the methods and their properties, from the simplest to the most detailed.
 macro_rules! methods {
     ($($(#[$about:meta])* $model:ident => $method:expr;)*) => {
-        /// A method that solves an operation. What it is called and what it can answer stands in
-        /// its [`Method`].
+        /// A method that solves an operation. Its name and its results are described by its
+        /// [`Method`].
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
         pub enum ModelKind {
             $($(#[$about])* $model,)*
@@ -45,7 +45,7 @@ macro_rules! methods {
             /// Every method, from the simplest to the most detailed.
             pub const ALL: &[Self] = &[$(Self::$model,)*];
 
-            /// What is known of it.
+            /// Properties of the method.
             pub const fn method(self) -> &'static Method {
                 match self {
                     $(Self::$model => const { &$method },)*
@@ -113,7 +113,7 @@ impl ModelKind {
 
     /// The method of that [`ModelKind::name`].
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|of| of.name() == name)
+        Self::ALL.iter().copied().find(|method| method.name() == name)
     }
 
     /// Whether it answers in time.
@@ -123,10 +123,10 @@ impl ModelKind {
 
     /// Whether one of them answers in time.
     pub fn any_in_time(all: &[Self]) -> bool {
-        all.iter().any(|of| of.in_time())
+        all.iter().any(|method| method.in_time())
     }
 
-    /// How many methods are more detailed than it.
+    /// Number of methods that are more detailed.
     pub fn rank(self) -> usize {
         let more_detailed = Self::ALL.iter().rev();
         more_detailed.take_while(|more_detailed| **more_detailed != self).count()

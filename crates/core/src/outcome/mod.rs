@@ -1,6 +1,5 @@
-//! What the methods answer with: scalars, profiles along string and hole, series against time. Each
-//! quantity is declared once, beside the data, with its name, unit, meaning and where it comes
-//! from.
+//! Results of the methods: scalars, profiles along string and hole, series against time. Each
+//! quantity is declared once, next to the data, with its name, unit, meaning and source.
 
 mod along_string;
 mod column;

@@ -1,4 +1,4 @@
-//! What a profile along the string says in one number.
+//! Scalars computed from a profile along the string.
 
 use crate::well::Path;
 
@@ -15,8 +15,8 @@ pub(crate) const SLACK: f64 = 1e-3;
 /// none.
 ///
 /// `md_m` grows, `tension_N` is the effective tension there. A string that hangs free has no
-/// neutral point: its tension reaches zero at the bit, but does not pass it. Nor has a string that
-/// lies slack in a horizontal hole: tensions below a thousandth of the largest one are passed over.
+/// neutral point: its tension reaches zero at the bit, but does not pass it. Nor has a slack string
+/// in a horizontal hole: tensions below a thousandth of the largest one are ignored.
 pub fn neutral_point_m(md_m: &[f64], tension_N: &[f64]) -> Option<f64> {
     let largest_N = tension_N.iter().fold(0.0_f64, |largest, tension| largest.max(tension.abs()));
     let tensions_N = tension_N.iter().copied().take(md_m.len()).enumerate();
@@ -54,7 +54,7 @@ pub(crate) fn neutral_rows(
     None
 }
 
-/// How far below the build the cut-off is looked for, m.
+/// Length of the search for the cut-off below the build, m.
 const BELOW_BUILD_M: f64 = 30.0;
 
 /// The cut-off of a string in its well: [`cutoff_depth_m`] from the kick-off to 30 m below the
@@ -74,8 +74,8 @@ pub fn cutoff_in_build_m(
 /// between `from_md_m` and `to_md_m`, m; `None` if there is none.
 ///
 /// `md_m` grows; the side force (per length, or per node at even spacing) is positive on the high
-/// side. Each value stands for half the way to its neighbours. Stretches without contact are cut
-/// out; what remains is averaged over 30 m, centred, less near the two ends.
+/// side. Each value represents half the distance to its neighbours. Stretches without contact are
+/// cut out; the remaining values are averaged over 30 m, centred, less near the two ends.
 pub fn cutoff_depth_m(
     md_m: &[f64],
     signed_side_force_N_per_m: &[f64],
@@ -119,8 +119,8 @@ struct Contact {
     force_N_per_m: f64,
 }
 
-/// The samples that touch, each with the length between `from_md_m` and `to_md_m` that it stands
-/// for.
+/// The samples that touch, each with the length between `from_md_m` and `to_md_m` that it
+/// represents.
 fn contacts(md_m: &[f64], force_N_per_m: &[f64], from_md_m: f64, to_md_m: f64) -> Vec<Contact> {
     let count = md_m.len().min(force_N_per_m.len());
     let largest = force_N_per_m.iter().fold(0.0_f64, |largest, force| largest.max(force.abs()));
@@ -143,7 +143,7 @@ fn contacts(md_m: &[f64], force_N_per_m: &[f64], from_md_m: f64, to_md_m: f64) -
         .collect()
 }
 
-/// Where the line through `(x0, y0)` and `(x1, y1)`, of opposite signs, crosses zero.
+/// Zero of the line through `(x0, y0)` and `(x1, y1)`, whose values have opposite signs.
 fn zero_between(x0: f64, y0: f64, x1: f64, y1: f64) -> f64 {
     x0 + (x1 - x0) * (y0 / (y0 - y1))
 }

@@ -1,5 +1,5 @@
-//! What a quantity of an answer is: its name, unit and meaning, who knows it, and where it has no
-//! value.
+//! A quantity of a result: its name, unit and meaning, the methods that provide it, and the cases
+//! in which it has no value.
 
 use super::{method::ModelKind, quantity_kind::QuantityKind};
 
@@ -10,9 +10,9 @@ pub struct Quantity {
     pub name: &'static str,
     /// Unit symbol; empty where there is none.
     pub unit: &'static str,
-    /// What it is, in one sentence.
+    /// Meaning, in one sentence.
     pub meaning: &'static str,
-    /// What people call it where that is more than its name says.
+    /// Common label, where it differs from the name.
     pub label: Option<&'static str>,
     /// Its kind; of words a ratio.
     pub kind: QuantityKind,
@@ -20,7 +20,7 @@ pub struct Quantity {
     pub text: bool,
     /// The methods that know it; the others leave it out.
     pub known_by: &'static [ModelKind],
-    /// Where a method that knows it has no value all the same (a text: empty); nothing where there
+    /// Cases in which a method that provides it has no value (empty for a text); none where there
     /// always is one.
     pub null_where: Option<&'static str>,
 }
@@ -34,7 +34,7 @@ impl Quantity {
     /// Numbers, which every method knows.
     ///
     /// # Panics
-    /// Where the name does not end in the unit: in a constant, the compiler says so.
+    /// Where the name does not end in the unit: in a constant this is a compile error.
     pub const fn number(name: &'static str, kind: QuantityKind, meaning: &'static str) -> Self {
         assert!(kind.stem(name).is_some(), "the name of a quantity ends in its unit");
         Self {
@@ -77,7 +77,7 @@ impl Quantity {
         }
     }
 
-    /// What people call it: `Hook load`.
+    /// Label for display: `Hook load`.
     pub fn label(&self) -> String {
         self.label.map_or_else(
             || {
@@ -90,7 +90,7 @@ impl Quantity {
         )
     }
 
-    /// Its name as people say it, without the unit: `hook load`.
+    /// Its name in words, without the unit: `hook load`.
     pub fn words(&self) -> String {
         match self.stem() {
             "md" => "measured depth".into(),

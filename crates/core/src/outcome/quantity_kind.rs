@@ -1,6 +1,7 @@
 //! The kinds of quantities, declared once.
 
-/// Declares the kinds of quantities: what each is, its SI unit and the name of its dimension.
+/// Declares the kinds of quantities: the description of each, its SI unit and the name of its
+/// dimension.
 macro_rules! kinds {
     ($($(#[$about:meta])* $kind:ident => $unit:literal, $dimension:literal;)*) => {
         /// Kind of a quantity (ISO 80000-1), as far as engineers read them in different units.
@@ -69,7 +70,7 @@ kinds! {
     Time => "s", "time";
     /// A frequency, Hz.
     Frequency => "Hz", "frequency";
-    /// How fast something grows, 1/s.
+    /// Rate of growth, 1/s.
     Growth => "1/s", "frequency";
 }
 
@@ -84,7 +85,7 @@ impl QuantityKind {
         while left > 0 {
             left -= 1;
             if left == 0 && unit[0] == b'1' && end > 0 {
-                // `growth_per_s`: nothing stands for the one of `1/s`.
+                // `growth_per_s`: the one of `1/s` is not written.
                 return Some(name.split_at(end).0);
             }
             let written: &[u8] = match unit[left] {

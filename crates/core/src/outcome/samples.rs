@@ -105,7 +105,7 @@ impl<S: Samples + ?Sized, F: Fn(usize, f64) -> f64> Samples for Mapped<'_, S, F>
     }
 }
 
-/// The sum of what `term` makes of each sample and its place, added up in their order.
+/// The sum of `term` over each sample and its place, in their order.
 pub fn sum(samples: &(impl Samples + ?Sized), mut term: impl FnMut(usize, f64) -> f64) -> f64 {
     let (mut sum, mut place) = (-0.0, 0);
     samples.each(&mut |values| {
@@ -136,9 +136,9 @@ pub fn ends(samples: &(impl Samples + ?Sized)) -> Option<[f64; 2]> {
 /// Bits of a key that are counted in one pass.
 const DIGIT: u32 = 11;
 
-/// The samples that would stand at these places if all were sorted by their total order. Each pass
-/// counts one digit of those samples whose higher digits are known to be the wanted ones, so that
-/// no more memory is needed than for the counts.
+/// The samples at these places of the sorted order, by their total order. Each pass counts one
+/// digit of those samples whose higher digits are known to match, so that only memory for the
+/// counts is needed.
 ///
 /// # Panics
 /// At a place that there is not.
@@ -162,14 +162,14 @@ pub(crate) fn sorted_at<const N: usize>(
         samples.each(&mut |values| {
             for key in values.iter().map(|value| key(*value)) {
                 let prefix = higher(key);
-                if let Some(group) = prefixes.iter().position(|wanted| *wanted == prefix) {
+                if let Some(group) = prefixes.iter().position(|candidate| *candidate == prefix) {
                     counts[group * digits + (key >> shift) as usize % digits] += 1;
                 }
             }
         });
         for (key, place) in keys.iter_mut().zip(&mut places) {
             let prefix = higher(*key);
-            let group = prefixes.iter().position(|wanted| *wanted == prefix).unwrap_or(0);
+            let group = prefixes.iter().position(|candidate| *candidate == prefix).unwrap_or(0);
             let mut digit = 0;
             for count in &counts[group * digits..(group + 1) * digits - 1] {
                 if *place < *count {

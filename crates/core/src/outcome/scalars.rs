@@ -10,9 +10,9 @@ use super::{
 /// A scalar of [`Scalars`].
 #[derive(Debug)]
 pub struct Scalar {
-    /// What it is.
+    /// Declaration of the quantity.
     pub quantity: Quantity,
-    /// What people call it.
+    /// Label for display.
     pub label: &'static str,
     /// Its row in tables for people, counted from one.
     pub row: u8,
@@ -24,7 +24,7 @@ impl Scalar {
     /// The scalar of that name.
     ///
     /// # Panics
-    /// Where there is none: in a constant, the compiler says so.
+    /// Where there is none: in a constant this is a compile error.
     pub const fn declared(name: &str) -> &'static Self {
         let mut place = 0;
         while place < SCALARS.len() {
@@ -40,12 +40,12 @@ impl Scalar {
 /// The scalars in the order of [`Scalar::row`].
 pub fn scalars_by_row() -> Vec<&'static Scalar> {
     let mut all: Vec<&Scalar> = SCALARS.iter().collect();
-    all.sort_by_key(|of| of.row);
+    all.sort_by_key(|scalar| scalar.row);
     all
 }
 
 /// Declares the structure and the list of its fields at once, in the order of `summary.json`: kind,
-/// what people call it and in which row of their tables, meaning, and where there is none.
+/// label, row in the tables, meaning, and the cases without a value.
 macro_rules! scalars {
     (
         $(#[$about:meta])*

@@ -1,4 +1,4 @@
-//! How quantities against time whose spectra can be taken are declared.
+//! Declaration of the quantities against time that have spectra.
 
 /// Declares signals: each is a column of numbers without gaps, and is called as it is, without the
 /// unit.
@@ -33,7 +33,7 @@ macro_rules! signals {
                 }
             }
 
-            /// What it is: the column's declaration.
+            /// Declaration of the column.
             pub const fn quantity(self) -> &'static $crate::outcome::Quantity {
                 &self.column().quantity
             }

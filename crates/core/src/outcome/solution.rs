@@ -1,4 +1,4 @@
-//! What a method answers of one operation: the same parts, whatever the method.
+//! Results of a method for one operation: the same parts for every method.
 
 use super::{
     along_string::Profile, contact_map::ContactMap, history::EarlierRows, history::History,
@@ -20,28 +20,29 @@ pub struct Solution<'a> {
     pub model: ModelKind,
     /// Torque and drag.
     pub scalars: Scalars,
-    /// What the mud does; none without a rheology.
+    /// Effect of the mud; none without a rheology.
     pub hydraulics: Option<Hydraulics>,
     /// Along the string.
     pub profile: &'a Profile,
     /// Along the hole.
     pub wear: &'a HoleWear,
-    /// Of an equilibrium: how it was found, and what its bit does. The stiff string only.
+    /// For an equilibrium: the method of its solution, and the loads of its bit. The stiff string
+    /// only.
     pub at_rest: Option<EquilibriumSummary>,
     /// In time; none of a method that answers with a state of equilibrium.
     pub in_time: Option<InTime<'a>>,
 }
 
-/// What a method in time answers besides.
+/// Additional results of a method in time.
 #[derive(Debug, Clone, Copy)]
 pub struct InTime<'a> {
     /// Distributions over the window of the scalars that vary, by their name.
     pub statistics: &'a [(&'static str, Statistic)],
-    /// How it was computed.
+    /// Method and accuracy of the computation.
     pub numerics: &'a Numerics,
-    /// What the motion amounts to.
+    /// Indicators of the motion.
     pub indicators: &'a Indicators,
-    /// How often a bit with a table was where the table is not; none of another bit.
+    /// Count of the excursions of a bit outside its table; none for a bit without a table.
     pub bit_table: Option<TableUse>,
     /// Contact over depth and time.
     pub contact: &'a ContactMap,
@@ -61,9 +62,9 @@ impl<'a> Solution<'a> {
 }
 
 impl<'a> From<&'a SoftProfile> for Solution<'a> {
-    fn from(of: &'a SoftProfile) -> Self {
+    fn from(soft: &'a SoftProfile) -> Self {
         // Every field is named: a new one is either a part of every solution or the method's own.
-        let SoftProfile { profile, contact_direction: _, wear, scalars, hydraulics } = of;
+        let SoftProfile { profile, contact_direction: _, wear, scalars, hydraulics } = soft;
         Self {
             model: ModelKind::Soft,
             scalars: *scalars,
@@ -77,7 +78,7 @@ impl<'a> From<&'a SoftProfile> for Solution<'a> {
 }
 
 impl<'a> From<&'a StiffProfile> for Solution<'a> {
-    fn from(of: &'a StiffProfile) -> Self {
+    fn from(stiff: &'a StiffProfile) -> Self {
         let StiffProfile {
             profile,
             wear,
@@ -88,14 +89,14 @@ impl<'a> From<&'a StiffProfile> for Solution<'a> {
             axis: _,
             deepest_penetration_m: _,
             convergence: _,
-        } = of;
+        } = stiff;
         Self {
             model: ModelKind::Stiff,
             scalars: *scalars,
             hydraulics: *hydraulics,
             profile,
             wear,
-            at_rest: Some(of.into()),
+            at_rest: Some(stiff.into()),
             in_time: None,
         }
     }

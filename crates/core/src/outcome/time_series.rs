@@ -98,12 +98,12 @@ columns! {
     beside {
         /// Line of the schedule that began last, counted from one; zero before the first.
         schedule_line: Vec<usize>;
-        /// What was recorded of single nodes, as the settings require it.
+        /// Records of single nodes, as required by the settings.
         probes: Vec<Probed>;
     }
 }
 
-/// How many columns have statistics.
+/// Number of columns with statistics.
 const COUNT: usize = {
     let (mut count, mut place) = (0, 0);
     while place < TIME_SERIES.len() {
@@ -139,7 +139,7 @@ pub(crate) const VARYING: [&Column<TimeSeries>; COUNT] = {
 /// The place of a column among [`VARYING`].
 ///
 /// # Panics
-/// Where no statistics are taken of it: in a constant, the compiler says so.
+/// Where the column has no statistics: in a constant this is a compile error.
 pub(crate) const fn varying_place(name: &str) -> usize {
     let mut place = 0;
     while place < COUNT {
@@ -152,8 +152,9 @@ pub(crate) const fn varying_place(name: &str) -> usize {
 }
 
 impl TimeSeries {
-    /// Whether a stored series is one of so many nodes, all its columns of one length, and what
-    /// was recorded of nodes longer by the rows that were handed over; how many rows it has.
+    /// Checks that a stored series has this number of nodes, that all its columns have one length,
+    /// and that the records of nodes are longer by the rows that were handed over; returns its
+    /// number of rows.
     pub(crate) fn check(&self, nodes: usize, handed_over: usize) -> Result<usize, Damaged> {
         let rows = self.time_s.len();
         let probed = rows.checked_add(handed_over);
@@ -164,7 +165,7 @@ impl TimeSeries {
         Ok(rows)
     }
 
-    /// Drops the first rows of all columns, but not what was recorded of single nodes.
+    /// Drops the first rows of all columns, but not the records of single nodes.
     pub(crate) fn drop_first(&mut self, rows: usize) {
         let rows = rows.min(self.time_s.len());
         for column in TIME_SERIES {

@@ -1,10 +1,10 @@
-//! Top drives and hoists by class: what is common, as ranges.
+//! Common ranges of top drives and hoists by class.
 //!
 //! Makers print their own ratings, which differ within a class by a third and by gear and motor:
-//! these ranges tell whether a number is usual, and are no rig's. Typical, from memory of makers'
-//! public data sheets.
+//! these ranges show whether a number is usual, and are those of no particular rig. Typical, from
+//! memory of makers' public data sheets.
 
-/// Where the ranges come from.
+/// Source of the ranges.
 pub const SOURCE: &str = "typical ranges of makers' public data sheets, from memory: take your own \
                           rig's";
 

@@ -14,10 +14,10 @@ use super::{
     surface::Surface,
 };
 
-/// What a removed element has for its intact part.
+/// Value of the intact part of a removed element.
 const REMOVED: f64 = -1.0;
 
-/// What a block is to be made of.
+/// Specification of a block.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BlockSpec {
     /// Elements along x, y and z, z pointing down the hole.
@@ -28,12 +28,12 @@ pub struct BlockSpec {
     pub rock: Rock,
     /// Faces −x, +x, −y, +y, −z, +z.
     pub edges: [Edge; 6],
-    /// Pressure of what fills the hole, Pa: it presses on every free face, also on those that
+    /// Pressure of the fluid in the hole, Pa: it acts on every free face, also on those that
     /// removed elements leave, and is the initial stress across z.
     pub pressure_Pa: f64,
     /// Initial pressure in the rock across x and y, Pa.
     pub confinement_Pa: f64,
-    /// How it is integrated.
+    /// Settings of the integration.
     pub numerics: Numerics,
     /// Layers of elements that are worked on together; fewer let more threads work, and cost more.
     pub layers_per_slab: usize,
@@ -61,7 +61,7 @@ impl BlockSpec {
         self.cells.iter().product()
     }
 
-    /// The longest step that the elements bear, s, without building them.
+    /// The longest step that is stable for the elements, s, without building them.
     ///
     /// # Errors
     /// Numbers that no rock has, or elements too large for its fracture energy.
@@ -73,7 +73,7 @@ impl BlockSpec {
         Constants::new(&self.rock, self.size_m, self.pressure_Pa, &self.numerics)
     }
 
-    /// What all elements have in common, if there can be such a block.
+    /// Constants of all elements, if such a block is valid.
     pub(super) fn constants(&self) -> Result<Constants, RockError> {
         let [nx, ny, nz] = self.cells;
         let nodes = (nx as u128 + 16) * (ny as u128 + 1) * (nz as u128 + 1);
@@ -89,12 +89,12 @@ impl BlockSpec {
 pub struct SurfaceNode {
     /// Which one, for [`Block::push`].
     pub index: usize,
-    /// Where it is, m, from the corner of the block at rest.
+    /// Position, m, from the corner of the block at rest.
     pub position_m: [f64; 3],
-    /// How it would move on if nothing pushed it, m/s.
+    /// Velocity without external force, m/s.
     pub velocity_m_per_s: [f64; 3],
-    /// How it came here, m/s: before the rock's own forces acted on it. The difference times mass
-    /// over step are those.
+    /// Velocity before the rock's own forces acted on it, m/s. Those forces are the difference
+    /// times mass over step.
     pub before_m_per_s: [f64; 3],
     /// Its mass, kg.
     pub mass_kg: f64,
@@ -118,7 +118,7 @@ pub struct Block {
     pub(super) top_m: f64,
     pub(super) displacement: [Vec<f64>; 3],
     pub(super) velocity: [Vec<f64>; 3],
-    /// Velocity with which the exposed nodes came through the last step, m/s.
+    /// Velocity of the exposed nodes before the last step, m/s.
     pub(super) velocity_before: [Vec<f64>; 3],
     pub(super) inverse_mass: Vec<f64>,
     /// Elements left around each node.
@@ -131,7 +131,8 @@ pub struct Block {
     /// Elements that have gone.
     pub(super) removed: usize,
     pub(super) surface: Surface,
-    /// What has gone and what was given; what rows have lost stands in their books.
+    /// Energy that has left the block and that was supplied; the losses of rows are in their own
+    /// sums.
     pub(super) energies: Energies,
     /// Follow from the rest.
     #[serde(skip)]
@@ -211,8 +212,9 @@ impl Block {
             if around > 0.0 { 8.0 / (around * self.constants.mass_kg) } else { 0.0 };
     }
 
-    /// One step: nodes drift, elements answer, nodes are kicked, elements that have failed go. What
-    /// touches the block pushes between two steps. How many elements went.
+    /// One step: nodes drift, element forces are computed, nodes receive their impulses, failed
+    /// elements are removed. Contact forces act between two steps. Returns the number of removed
+    /// elements.
     pub fn step(&mut self, stepper: &Stepper, executor: &impl Executor) -> usize {
         let (grid, constants) = (self.grid, self.constants);
         let dt = constants.dt_s;
@@ -289,9 +291,9 @@ impl Block {
     /// Pushes an exposed node with a force, N, through one step; the work that was done on the
     /// block, J. All that pushes a node goes into one force.
     ///
-    /// The work is the force times the mean of the velocities with which the node came and goes, as
-    /// that of the rock's own forces is. What holds a node of an outer face bears the push, and its
-    /// motion stays as prescribed.
+    /// The work is the force times the mean of the node's velocities before and after, like the
+    /// work of the rock's own forces. The support of a node of an outer face carries the push, and
+    /// its motion stays as prescribed.
     pub fn push(&mut self, index: usize, force_N: [f64; 3]) -> f64 {
         let inverse = self.inverse_mass[index];
         let mut work_J = 0.0;
@@ -337,7 +339,7 @@ impl Block {
         self.layers_per_slab
     }
 
-    /// The grid that the elements stand in.
+    /// The grid of the elements.
     pub fn grid(&self) -> &Grid {
         &self.grid
     }
@@ -352,7 +354,8 @@ impl Block {
         self.constants.dt_s
     }
 
-    /// Makes the steps equal parts of a time, s, the longest that the rock bears. How many.
+    /// Divides a time, s, into the longest equal steps that are stable for the rock. Returns their
+    /// number.
     pub fn share(&mut self, time_s: f64) -> usize {
         self.constants.share(time_s)
     }
@@ -362,14 +365,14 @@ impl Block {
         self.top_m
     }
 
-    /// Where a node is, m.
+    /// Position of a node, m.
     pub fn position_m(&self, index: usize) -> [f64; 3] {
         let ([i, j, k], [dx, dy, dz]) = (self.grid.node_at(index), self.grid.size_m);
         let [u, v, w] = at(&self.displacement, index);
         [i as f64 * dx + u, j as f64 * dy + v, self.top_m + k as f64 * dz + w]
     }
 
-    /// How far a node has moved, m.
+    /// Displacement of a node, m.
     pub fn displacement_m(&self, index: usize) -> [f64; 3] {
         at(&self.displacement, index)
     }
@@ -390,7 +393,7 @@ impl Block {
         [0, 1, 2, 3, 4, 5].map(|i| self.stress[i][place])
     }
 
-    /// What is left of an element's cohesion, 1 to 0; none once the element has gone.
+    /// Remaining fraction of an element's cohesion, 1 to 0; none once the element is removed.
     pub fn intact(&self, element: [usize; 3]) -> Option<f64> {
         let intact = self.intact[self.grid.element(element)];
         (intact >= 0.0).then_some(intact)
@@ -424,7 +427,7 @@ impl Block {
         energies
     }
 
-    /// What an element holds, and what the pressure did to it.
+    /// Energy stored in an element, and the work of the pressure on it.
     pub(super) fn element_energies(&self, element: [usize; 3]) -> Energies {
         let c = &self.constants;
         let half = 0.5 * c.dt_s;

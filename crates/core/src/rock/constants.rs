@@ -1,4 +1,4 @@
-//! What is the same for all elements of a block.
+//! Constants of all elements of a block.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,11 +11,11 @@ use super::{
 /// to a half.
 pub const MAX_SQUEEZED: f64 = 6.0;
 
-/// How the elements are integrated.
+/// Settings of the elements' integration.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Numerics {
-    /// Step as a part of the one that the stiffest element at rest bears. The rest is for elements
-    /// that are squeezed.
+    /// Step as a fraction of the stable step of the stiffest element at rest. The margin is for
+    /// elements that are compressed.
     pub step_fraction: f64,
     /// Linear bulk viscosity: pressure per `ρ c_p h` and rate of swelling. Raising it damps the
     /// waves of one element's length, and shortens the step.
@@ -41,7 +41,7 @@ impl Default for Numerics {
     }
 }
 
-/// What is the same for all elements of a block.
+/// Constants of all elements of a block.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Constants {
     /// Strength and stiffness.
@@ -61,7 +61,7 @@ pub struct Constants {
     /// Hourglass stiffness, N/m, and damping, N·s/m, per unit of an hourglass sum.
     pub hourglass: f64,
     pub hourglass_damping: f64,
-    /// Pressure of what fills the hole, Pa.
+    /// Pressure of the fluid in the hole, Pa.
     pub pressure_Pa: f64,
     /// Impedances of outer faces per area, Pa·s/m, to pressure and shear waves.
     pub impedance: [f64; 2],

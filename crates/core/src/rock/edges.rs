@@ -4,10 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::{constants::Constants, grid::Grid};
 
-/// What an outer face meets.
+/// Boundary condition of an outer face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Edge {
-    /// What fills the hole: its pressure, and whatever pushes. Only such a face can be touched.
+    /// The fluid in the hole: its pressure, and external forces. Only such a face can be touched.
     Free,
     /// Nodes move as prescribed: not at all, unless they were given a velocity.
     Held,
@@ -19,7 +19,7 @@ pub enum Edge {
     Open,
 }
 
-/// What acts on a node of an outer face besides the rock.
+/// Boundary condition of a node of an outer face.
 #[derive(Debug, Clone, Copy, Default)]
 struct Outside {
     place: usize,
@@ -36,12 +36,12 @@ struct Outside {
 #[derive(Debug, Clone, Default)]
 pub struct Edges(Vec<Outside>);
 
-/// What outer faces did to the block in a step, J.
+/// Work of the outer faces on the block in a step, J.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct EdgeWork {
     /// Work of held nodes and of the rock beyond.
     pub done_J: f64,
-    /// What dashpots took.
+    /// Energy absorbed by dashpots.
     pub absorbed_J: f64,
 }
 

@@ -6,7 +6,7 @@
 //! (Hughes and Winget 1980); the Kirchhoff stress `τ` pulls at the corners by `V₀ τ F⁻ᵀ`. Theory:
 //! `docs/src/theory/rock.md`.
 
-// Indices say which component meets which.
+// Indices say which components are combined.
 #![allow(clippy::needless_range_loop)]
 
 use super::constants::Constants;
@@ -15,9 +15,9 @@ use crate::simd::number::Number;
 /// Nine numbers, by row.
 pub type Matrix<N> = [[N; 3]; 3];
 
-/// Sums over the corners with signs: the mean times eight, x, y, xy, z, xz, yz, xyz. Corner `c`
-/// lies on the far side in x, y and z where bits 0, 1 and 2 of `c` are set. The transform is its
-/// own transpose.
+/// Sums over the corners with signs: the mean times eight, x, y, xy, z, xz, yz, xyz. Corner `c` is
+/// on the far side in x, y and z where bits 0, 1 and 2 of `c` are set. The transform is its own
+/// transpose.
 #[inline(always)]
 pub fn transform<N: Number>(corner: [N; 8]) -> [N; 8] {
     let mut sums = corner;
@@ -39,7 +39,7 @@ pub fn transform<N: Number>(corner: [N; 8]) -> [N; 8] {
     next
 }
 
-/// What the corners get of coefficients of the gradients and hourglasses: the transform's
+/// Values at the corners from coefficients of the gradients and hourglasses: the transform's
 /// transpose.
 #[inline(always)]
 pub fn spread<N: Number>(gradients: [N; 3], hourglasses: [N; 4]) -> [N; 8] {
@@ -87,8 +87,7 @@ impl<N: Number> Modes<N> {
     }
 }
 
-// No closures in what follows: a closure knows nothing of the instructions that its function is
-// compiled for.
+// No closures below: a closure does not inherit the instruction set of its function.
 
 #[inline(always)]
 fn dot<N: Number>(a: [N; 3], b: [N; 3]) -> N {
@@ -118,7 +117,7 @@ fn cofactor<N: Number>(f: &Matrix<N>, i: usize, j: usize) -> N {
     f[a][d].neg_mul_add(f[b][c], f[a][c] * f[b][d])
 }
 
-/// Where an element has got to, and how it moved there in the step.
+/// Present position of an element, and its motion in the step.
 pub struct Motion<N> {
     /// Inverse of the deformation gradient.
     pub inverse: Matrix<N>,
@@ -213,7 +212,7 @@ pub fn turned<N: Number>(turn: [N; 3], stress: [N; 6]) -> [N; 6] {
     out
 }
 
-/// How a stress pulls at the corners: coefficients of the gradients, by component.
+/// Forces of a stress at the corners: coefficients of the gradients, by component.
 #[inline(always)]
 pub fn pulls<N: Number>(stress: [N; 6], inverse: Matrix<N>, constants: &Constants) -> Matrix<N> {
     let [xx, yy, zz, xy, yz, zx] = stress;

@@ -1,12 +1,12 @@
-//! Where the energy of a block comes from and where it goes.
+//! Sources and sinks of the energy of a block.
 
 use serde::{Deserialize, Serialize};
 
 /// Energies of a block, J.
 ///
-/// What the block holds is that at the middle between its last step and the next, where its
-/// velocities live; positions are brought on by half a step, so that the sums are second-order
-/// accurate in the step.
+/// The stored energy is that at the middle between the last step and the next, where the velocities
+/// are defined; positions are advanced by half a step, so that the sums are second-order accurate
+/// in the step.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energies {
     /// In motion.
@@ -23,7 +23,7 @@ pub struct Energies {
     pub absorbed_J: f64,
     /// Gone with removed elements.
     pub removed_J: f64,
-    /// Given by what pushed.
+    /// Supplied by external forces.
     pub pushed_J: f64,
     /// Given by held nodes and the rock beyond open faces.
     pub edges_J: f64,
@@ -34,22 +34,22 @@ pub struct Energies {
 }
 
 impl Energies {
-    /// What the block holds.
+    /// Energy stored in the block.
     pub fn held_J(&self) -> f64 {
         self.kinetic_J + self.elastic_J + self.hourglass_J
     }
 
-    /// What has left it.
+    /// Energy that has left the block.
     pub fn lost_J(&self) -> f64 {
         self.plastic_J + self.viscous_J + self.absorbed_J + self.removed_J
     }
 
-    /// What it was given.
+    /// Energy supplied to the block.
     pub fn given_J(&self) -> f64 {
         self.pushed_J + self.edges_J + self.pressure_J + self.entered_J
     }
 
-    /// What the books are off by.
+    /// Residual of the energy balance.
     pub fn residual_J(&self) -> f64 {
         self.held_J() + self.lost_J() - self.given_J()
     }

@@ -27,8 +27,7 @@ impl Block {
         eroded
     }
 
-    /// Takes an element out. Its mass goes with it, and what it holds; its neighbours' faces are
-    /// free.
+    /// Removes an element with its mass and its energy; the faces of its neighbours become free.
     pub fn remove(&mut self, element: [usize; 3]) {
         let place = self.grid.element(element);
         if self.intact[place] < 0.0 {
@@ -48,7 +47,7 @@ impl Block {
             let square: f64 = v.iter().map(|v| v * v).sum();
             self.energies.removed_J += self.constants.mass_kg / 16.0 * square;
             if !self.surface.is_exposed(corner) {
-                // What it came with is not known any more.
+                // Its previous velocity is no longer known.
                 for (velocity_before, v) in self.velocity_before.iter_mut().zip(v) {
                     velocity_before[corner] = v;
                 }

@@ -2,21 +2,21 @@
 
 use std::sync::{Mutex, PoisonError};
 
-/// Does pieces of work, side by side if it can. The rock comes to the same bits whoever does them,
-/// in whatever order.
+/// Executes pieces of work, in parallel if it can. The rock's results are the same to the last bit
+/// for any executor and any order.
 pub trait Executor: Sync {
     /// Calls `work` once with each number below `count`, and returns when all is done.
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync));
 
-    /// Whether what the work is for is no longer wanted. Who works in many steps asks between them:
-    /// the run-in of a bit and the settling of a string, both before the first step of a run, which
-    /// leave nothing behind, and a run on solid rock, which can go on. Never by default.
+    /// Whether a stop has been requested. Work of many steps checks this between them: the run-in
+    /// of a bit and the settling of a string, both before the first step of a run, which leave
+    /// nothing behind, and a run on solid rock, which can continue. Never by default.
     fn stopped(&self) -> bool {
         false
     }
 }
 
-/// The thread that asks, alone.
+/// The calling thread alone.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Alone;
 

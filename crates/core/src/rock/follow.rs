@@ -10,17 +10,17 @@ use super::{
 /// Drops the first places of a field and puts a value behind the last.
 fn shift<T: Copy>(field: &mut [T], places: usize, last: T) {
     field.copy_within(places.., 0);
-    let kept = field.len() - places;
-    field[kept..].fill(last);
+    let remaining = field.len() - places;
+    field[remaining..].fill(last);
 }
 
 /// The same with a field of nodes, the last layer of which continues below.
 fn shift_on(field: &mut [f64], grid: &Grid, layers: usize) {
     let layer = grid.node_layer();
     field.copy_within(layers * layer.., 0);
-    let kept = field.len() - layers * layer;
+    let remaining = field.len() - layers * layer;
     for below in 0..layers {
-        field.copy_within(kept - layer..kept, kept + below * layer);
+        field.copy_within(remaining - layer..remaining, remaining + below * layer);
     }
 }
 

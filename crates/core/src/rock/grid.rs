@@ -1,4 +1,4 @@
-//! Where the elements and their nodes stand in memory.
+//! Memory layout of the elements and their nodes.
 
 use serde::{Deserialize, Serialize};
 
@@ -81,7 +81,7 @@ impl Grid {
         [place % row, over % rows, over / rows].map(|at| at as usize)
     }
 
-    /// Places of an element's corners; bits 0, 1, 2 of a corner's number say whether it is the far
+    /// Places of an element's corners; bits 0, 1, 2 of a corner's number show whether it is the far
     /// one in x, y, z.
     pub fn corners(&self, [i, j, k]: [usize; 3]) -> [usize; 8] {
         let first = self.node([i, j, k]);

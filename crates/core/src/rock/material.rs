@@ -1,4 +1,4 @@
-//! Rock, and what its strength is made of.
+//! Rock, and the parameters of its strength.
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -18,15 +18,15 @@ pub struct Rock {
     pub friction_angle_rad: f64,
     /// Dilation angle, rad; the friction angle at most. Zero: the rock shears without swelling.
     pub dilation_angle_rad: f64,
-    /// Strength in uniaxial tension, Pa. Above what the cone allows it has no effect.
+    /// Strength in uniaxial tension, Pa. Above the limit of the cone it has no effect.
     pub tensile_strength_Pa: f64,
     /// Energy that a tensile crack takes per area, J/m².
     pub tensile_fracture_energy_J_per_m2: f64,
     /// Energy that a crushed band takes per area in uniaxial compression, J/m².
     pub compressive_fracture_energy_J_per_m2: f64,
-    /// Energy that failure takes per volume at least, in tension and in compression, J/m³: where
-    /// cracks stand closer than an element is wide it is crushed as a whole. Zero: there are single
-    /// cracks alone, which take the energies per area.
+    /// Minimum energy of failure per volume, in tension and in compression, J/m³: where cracks are
+    /// closer than an element is wide it is crushed as a whole. Zero: there are single cracks
+    /// alone, which take the energies per area.
     pub crushing_energy_J_per_m3: f64,
 }
 
@@ -45,12 +45,12 @@ pub enum RockError {
     OutOfRange {
         /// Which number.
         quantity: &'static str,
-        /// What it is, in SI units.
+        /// Its value, in SI units.
         value: f64,
-        /// What it may be.
+        /// Expected range.
         expected: &'static str,
     },
-    /// The elastic energy of an element is more than what its failure takes: it would snap, not
+    /// The elastic energy of an element is more than the energy of its failure: it would snap, not
     /// soften.
     #[error(
         "elements of {size_m:.2e} m are too large for the fracture energy of the rock: \
@@ -125,7 +125,7 @@ impl Rock {
         }
     }
 
-    /// What failure takes in tension and in compression in elements of a size, J/m².
+    /// Energy of failure in tension and in compression in elements of a size, J/m².
     pub(super) fn failure_J_per_m2(&self, size_m: f64) -> [f64; 2] {
         [self.tensile_fracture_energy_J_per_m2, self.compressive_fracture_energy_J_per_m2]
             .map(|crack| crack.max(self.crushing_energy_J_per_m3 * size_m))
@@ -152,8 +152,8 @@ impl Rock {
         slope(self.dilation_angle_rad)
     }
 
-    /// Sum of the principal stresses that the rock bears at most, Pa: the tensile strength, or the
-    /// cone's apex.
+    /// Maximum sum of the principal stresses in the rock, Pa: the tensile strength, or the cone's
+    /// apex.
     pub fn largest_tension_Pa(&self) -> f64 {
         let Cone { alpha, k_Pa } = self.cone();
         if self.tensile_strength_Pa * alpha < k_Pa {

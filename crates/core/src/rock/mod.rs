@@ -1,14 +1,14 @@
 //! Solid rock: a block of elements that yield, soften, fail and go.
 //!
 //! A [`Rock`] is elastic up to Drucker and Prager's cone and brittle beyond it. A [`Block`] of it
-//! stands in a grid of eight-node hexahedral elements with one point of integration each and is
-//! integrated explicitly; what touches it finds the nodes of its surface by [`Block::exposed`] and
-//! pushes them by [`Block::push`] between two steps; a bit's face does so by [`Block::press`].
-//! Elements that have failed are removed, and energy is accounted for throughout ([`Energies`]). A
-//! block [follows](Block::follow) the bit that drills it.
+//! is a grid of eight-node hexahedral elements with one point of integration each and is integrated
+//! explicitly; a touching body gets the nodes of its surface from [`Block::exposed`] and pushes
+//! them by [`Block::push`] between two steps; a bit's face does so by [`Block::press`]. Elements
+//! that have failed are removed, and energy is accounted for throughout ([`Energies`]). A block
+//! [follows](Block::follow) the bit that drills it.
 //!
-//! What touches it is the bit's [face](bit_face). [`Drilling`] puts the one on the other; a
-//! [`Trial`] finds what becomes of a bit under one weight at one speed.
+//! The touching body is the bit's [face](bit_face). [`Drilling`] combines the two; a [`Trial`]
+//! measures the drilling of a bit under one weight at one speed.
 //!
 //! z points down the hole, x and y across it. Stresses are positive in tension.
 

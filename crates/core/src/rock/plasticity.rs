@@ -1,8 +1,8 @@
 //! Return mapping: from a strain increment to the stress.
 //!
-//! The stress is Kirchhoff's, Cauchy's times the change of volume. Six components stand in the
-//! order xx, yy, zz, xy, yz, zx; shear strains are those of the tensor, half of the engineer's.
-//! With the intact part `s` of cohesion and tensile strength, 1 at first and 0 after failure,
+//! The stress is Kirchhoff's, Cauchy's times the change of volume. The order of the six components
+//! is xx, yy, zz, xy, yz, zx; shear strains are those of the tensor, half of the engineer's. With
+//! the intact part `s` of cohesion and tensile strength, 1 at first and 0 after failure,
 //!
 //! ```text
 //! √J₂ + α I₁ <= k s        the cone (Drucker and Prager 1952)
@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use super::material::{Cone, Rock, RockError};
 use crate::simd::number::Number;
 
-/// What the return needs, for a rock in elements of one size.
+/// Constants of the return mapping, for a rock in elements of one size.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Law {
     /// Lamé's constant and twice the shear modulus, Pa.
@@ -47,7 +47,7 @@ pub struct Law {
     bulk_compliance: f64,
 }
 
-/// What came of a strain increment.
+/// Result of a strain increment.
 pub struct StressUpdate<N> {
     /// Stress, Pa.
     pub stress: [N; 6],
@@ -69,7 +69,8 @@ impl Law {
         let (shear, bulk) = (rock.shear_modulus_Pa(), rock.bulk_modulus_Pa());
         let tension = rock.largest_tension_Pa();
         let third = 1.0 / 3.0_f64.sqrt();
-        // Of the work in uniaxial compression, what is not done against friction counts.
+        // Of the work in uniaxial compression, only the part that is not done against friction
+        // counts.
         let share = (third - dilation) / (third - alpha);
         let [tensile, compressive] = rock.failure_J_per_m2(size_m);
         let per_size = 0.5 * k * share / compressive;
@@ -138,7 +139,7 @@ impl Law {
             + self.bulk_compliance * first * first
     }
 
-    /// What a strain increment makes of a stress and of the intact part.
+    /// Computes the stress and the intact part after a strain increment.
     #[inline(always)]
     pub fn return_map<N: Number>(
         &self,
@@ -165,8 +166,8 @@ impl Law {
         let cone_first = flow.neg_mul_add(N::splat(self.swelling), first);
         let cone_intact = flow.neg_mul_add(N::splat(self.softening_rate), intact).max(zero);
 
-        // Where nothing yields, what follows would give the same to the last bit. Elements that are
-        // gone, whose intact part is −1, do not count.
+        // Where nothing yields, the code below would give the same to the last bit. Removed
+        // elements, whose intact part is −1, do not count.
         let beyond = cone_intact.neg_mul_add(N::splat(self.tension), cone_first);
         let yields = (intact + one).if_positive(flow.max(beyond), zero);
         if !yields.any_positive() {
@@ -177,8 +178,7 @@ impl Law {
             };
         }
 
-        // The tip, and its edge with the cone. What is not beyond it is not a number here, and not
-        // taken.
+        // The tip, and its edge with the cone. Values not beyond it are NaN here, and are not used.
         let inverse = one / first;
         let slope = second * inverse * inverse;
         let tensile_softening = slope
@@ -243,7 +243,7 @@ mod tests {
         parts
     }
 
-    /// An elastic element gets the same bits alone, where its return is left out, and beside one
+    /// An elastic element gets the same bits alone, where its return is left out, and next to one
     /// that yields.
     #[test]
     fn a_return_that_is_left_out_would_have_changed_nothing() {

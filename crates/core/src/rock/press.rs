@@ -1,4 +1,4 @@
-//! What pushes the surface.
+//! Forces on the surface.
 
 use nalgebra::Vector3;
 
@@ -7,7 +7,7 @@ use super::{
     block::{Block, at},
 };
 
-/// What came of pressing a bit on a block for a step.
+/// Result of pressing a bit on a block for a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Pressed {
     /// On the bit.
@@ -20,8 +20,7 @@ impl Block {
     /// Presses a face on the block after a step. All nodes meet it before the first is pushed; sums
     /// run in the order of [`Self::exposed`].
     ///
-    /// Of a thousand nodes in reach a dozen touch: what is computed of each is no more than that
-    /// takes.
+    /// Of a thousand nodes in reach a dozen touch: only the test for contact is computed for each.
     pub fn press(&mut self, face: &BitFace, pose: &Pose, law: &ContactLaw) -> Pressed {
         let dt_s = self.dt_s();
         // A wall one element thick has two sides that look apart: it must be met all the same.
@@ -37,7 +36,7 @@ impl Block {
             }
             let mass_kg = self.mass_kg(index);
             let velocity_before = Vector3::from(at(&self.velocity_before, index));
-            // What the rock does to it.
+            // Force of the rock on the node.
             let force_N =
                 (Vector3::from(at(&self.velocity, index)) - velocity_before) * mass_kg / dt_s;
             let node = RockNode { position_m, velocity_m_per_s: velocity_before, force_N, mass_kg };
@@ -46,8 +45,8 @@ impl Block {
                 Vector3::from(area_m2).norm().max(min_m2)
             };
             if let Some(force) = contact.touch(&node, area_m2) {
-                // What the sum with the rock's own force rounds away is not pushed: the node would
-                // not feel it either.
+                // The part lost to rounding in the sum with the rock's own force is not applied,
+                // because the node would not receive it either.
                 pushes.push((index, (force_N + force) - force_N));
             }
         }

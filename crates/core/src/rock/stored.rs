@@ -1,5 +1,5 @@
-//! A block that was stored, compared with what it is to be made of: the loops of the kernel trust
-//! its lengths.
+//! A block that was stored, compared with its specification, because the loops of the kernel rely
+//! on its lengths.
 
 use super::{
     block::{Block, BlockSpec},
@@ -12,7 +12,7 @@ impl Block {
     /// Whether a stored block is one of this kind.
     ///
     /// # Errors
-    /// What of it does not fit.
+    /// The part that does not match.
     pub fn check(&self, spec: &BlockSpec) -> Result<(), Damaged> {
         let grid = Grid { cells: spec.cells, size_m: spec.size_m };
         let constants = spec.constants().map_err(|_| Damaged("the rock"))?;
@@ -55,7 +55,7 @@ impl Block {
                 around[corner] += 1;
             }
         }
-        // Places beside the elements of a row hold none.
+        // Places outside the elements of a row contain none.
         let beside = rock.iter().zip(&self.intact).all(|(rock, intact)| *rock || *intact < 0.0);
         ensure(beside && around == self.around && left == self.left, "the elements that are left")?;
         let fresh = Surface::new(&grid, &self.edges, is_rock);

@@ -13,10 +13,10 @@ const NOWHERE: u32 = u32::MAX;
 /// Nodes on faces with no rock beyond, in an order that depends on the history of the block alone.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Surface {
-    /// How many faces around a node look −x, +x, −y, +y, −z, +z.
+    /// Number of faces around a node that point to −x, +x, −y, +y, −z, +z.
     faces: Vec<[u8; 6]>,
     exposed: Vec<u32>,
-    /// Where a node stands among the exposed.
+    /// Index of a node among the exposed ones.
     place: Vec<u32>,
 }
 
@@ -42,8 +42,8 @@ impl Surface {
         surface
     }
 
-    /// Whether the same nodes are exposed by the same faces, in whatever order, and each stands
-    /// where its place says.
+    /// Whether the same nodes are exposed by the same faces, in whatever order, and each is at the
+    /// index of its place.
     pub fn is_like(&self, other: &Self) -> bool {
         let stands = |(node, place): (usize, &u32)| match *place {
             NOWHERE => true,
@@ -133,8 +133,8 @@ impl Surface {
 mod tests {
     use super::*;
 
-    /// What is exposed of a block in which elements were removed one by one is what is exposed of
-    /// the block that is left.
+    /// The exposed surface of a block in which elements were removed one by one is that of the
+    /// block that is left.
     #[test]
     fn a_surface_follows_the_elements_that_go() {
         let grid = Grid { cells: [5, 4, 3], size_m: [1.0, 2.0, 3.0] };

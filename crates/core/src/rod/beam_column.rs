@@ -1,11 +1,11 @@
-//! How an element bends between its nodes under tension and its own weight: a beam-column, whose
+//! Bending of an element between its nodes under tension and its own weight: a beam-column, whose
 //! ends the chain turns and moves.
 //!
 //! With `w` from the chord, `EI w'''' − T w'' = q`. The even part is a parabola, whose curvature
-//! `β` is how far the ends turn against each other over the length `L`, and beside it, with
-//! `Q = T β + q` and slopes of zero at the ends, that of a span between tool joints
-//! ([`statics::span`](crate::statics::span)): with `z = (L/4) √(T/EI)` and
-//! `J(x) = (√x coth √x − 1)/x`,
+//! `β` is the relative rotation of the ends over the length `L`, plus, with `Q = T β + q` and
+//! slopes of zero at the ends, that of a span between tool joints
+//! ([`statics::span`](crate::statics::span)): with `z = (L/4) √(T/EI)` and `J(x) = (√x coth √x −
+//! 1)/x`,
 //!
 //! ```text
 //! EI w'' = EI β + (Q L²/16) (J(z²) ± m/(z coth z))       + at the ends, − half-way
@@ -17,7 +17,7 @@
 
 use crate::simd::{number::Number, vector::Vector};
 
-/// What tension does to how an element bends.
+/// Effect of tension on the bending of an element.
 #[derive(Debug, Clone, Copy)]
 pub struct BeamColumn<N> {
     /// `J(z²)`.
@@ -28,18 +28,18 @@ pub struct BeamColumn<N> {
     odd: N,
 }
 
-/// What holds an element off or on the wall half-way.
+/// Support of the middle of an element at the wall.
 #[derive(Debug, Clone, Copy)]
 pub struct Middle<N> {
     /// `Q`, N/m.
     pub load: Vector<N>,
-    /// Where the parabola's middle is from the hole's axis, m.
+    /// Offset of the parabola's middle from the hole's axis, m.
     pub offset: Vector<N>,
-    /// How far from it the body may go, m.
+    /// Clearance of the body from it, m.
     pub clearance: N,
 }
 
-/// How an element bends by what loads it.
+/// Bending of an element by its loads.
 #[derive(Debug, Clone, Copy)]
 pub struct Shape<N> {
     /// Moment at the ends over the load `Q`, m².
@@ -82,8 +82,8 @@ impl<N: Number> BeamColumn<N> {
         self.odd
     }
 
-    /// How an element of that length, m, and bending stiffness, N·m², bends by its load. What the
-    /// wall holds it holds along the load's direction.
+    /// Bending of an element of that length, m, and bending stiffness, N·m², by its load. The
+    /// wall's support acts along the load's direction.
     #[inline(always)]
     pub fn bent(&self, length: N, stiffness: N, middle: &Middle<N>) -> Shape<N> {
         let Middle { load, offset, clearance } = *middle;
@@ -94,12 +94,12 @@ impl<N: Number> BeamColumn<N> {
         let inside = (clearance * clearance - offset.dot(offset)).max(N::zero());
         // The load times the way to the wall.
         let room = ((along * along + square * inside).sqrt() - along).max(tiny);
-        // The load times what it sags where nothing holds it: L⁴/128 = 2 (L²/16)².
+        // The load times its sag without support: L⁴/128 = 2 (L²/16)².
         let sagging =
             square * (part * part + part * part) * self.mean * self.swing / stiffness.max(tiny);
         let held = (room / sagging.max(tiny)).min(one);
         let swing = held * self.swing;
-        // Where less than the mean is left of the swing, a stretch lies on the wall.
+        // Where less than the mean of the swing is left, a stretch is on the wall.
         let lies = self.mean - swing;
         let lying = ((stiffness + stiffness) * room / square.max(tiny)).sqrt();
         Shape {
@@ -116,9 +116,9 @@ mod tests {
     use super::*;
     use crate::statics::span::{BodyContact, JointSpan};
 
-    /// An element whose ends stand as tool joints do in a hole of that curvature bends as the span
-    /// of the soft string, whatever of it touches, to what the fraction lacks: 3e-6, where `T L²`
-    /// is 740 EI at most. The load and the hole's curvature are askew.
+    /// An element whose ends are placed like tool joints in a hole of that curvature bends as the
+    /// span of the soft string, whichever part of it touches, to the error of the fraction: 3e-6,
+    /// where `T L²` is 740 EI at most. The load and the hole's curvature are askew.
     #[test]
     fn an_element_between_joints_is_a_span() {
         const STIFFNESS: f64 = 1.25e6;
@@ -161,7 +161,7 @@ mod tests {
         assert!(worst < 5e-6, "{worst:e}");
     }
 
-    /// What the ends turned alike are held by: `x²/(x coth x − 1)` with `x = (L/2)√(T/EI)`.
+    /// Stiffness against equal rotation of the ends: `x²/(x coth x − 1)` with `x = (L/2)√(T/EI)`.
     #[test]
     fn ends_turned_alike() {
         for (x, error) in [(0.1, 1e-12), (1.0, 1e-12), (5.0, 1e-8), (15.0, 1e-5), (28.0, 1e-3)] {

@@ -57,8 +57,8 @@ impl BuckledElement {
         self.compression_N / self.own_load_N
     }
 
-    /// Length of elements that bear four times this compression, m: half a wave of the buckled pipe
-    /// has three of them.
+    /// Length of elements that are stable under four times this compression, m: half a wave of the
+    /// buckled pipe has three of them.
     pub fn sufficient_length_m(&self) -> f64 {
         0.5 * self.length_m / self.share().sqrt()
     }

@@ -60,7 +60,7 @@ pub fn contact_spans(mesh: &Mesh, touches: impl Fn(usize) -> bool) -> Vec<Contac
     contact_lengths(&from_bit_m, touches).iter().map(contact_spans).collect()
 }
 
-/// Spreads what contacts carry over the stretches that they carry it for, per metre; a node on the
+/// Spreads the forces of contacts over the stretches that they support, per metre; a node on the
 /// border between two takes their mean.
 pub fn spread(
     contact_spans: &[ContactSpan],

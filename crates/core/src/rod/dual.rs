@@ -1,5 +1,5 @@
-//! Exact derivatives of what is written over a [`Number`], and the tangent stiffness of an element
-//! by them.
+//! Exact derivatives of expressions over a [`Number`], and the tangent stiffness of an element from
+//! them.
 //!
 //! A dual number `a + b ε` with `ε² = 0` carries a derivative through every operation: `f(a + b ε)
 //! = f(a) + f'(a) b ε`. J. A. Fike and J. J. Alonso, *The Development of Hyper-Dual Numbers for
@@ -108,13 +108,13 @@ impl Number for Dual {
     }
 }
 
-/// Tangent stiffness of an element that stands as `pose`: how the forces and moments that hold it
-/// change with displacement and rotation of end 1, then of end 2 (N/m, N, N·m), damping apart.
+/// Tangent stiffness of an element in `pose`: derivatives of the forces and moments that hold it
+/// with respect to displacement and rotation of end 1, then of end 2 (N/m, N, N·m), damping apart.
 ///
 /// A row of three is a force, the next the moment, in the axes of the pose. Rotations are small
 /// ones upon the pose, as vectors in the same axes; the moment of an end is the whole one, that
 /// about its director included. The matrix is symmetric where no moment acts on an end; elsewhere
-/// the moments turn with what they are read in, which is not symmetric (J. C. Simo, *The
+/// the moments turn with their frame of reference, which is not symmetric (J. C. Simo, *The
 /// (symmetric) Hessian for geometrically nonlinear models in solid mechanics*, Comput. Methods
 /// Appl. Mech. Eng. 96 (1992)).
 pub fn tangent(k: &Stiffness<f64>, pose: &Pose<f64>) -> SMatrix<f64, 12, 12> {
@@ -135,9 +135,9 @@ pub fn tangent(k: &Stiffness<f64>, pose: &Pose<f64>) -> SMatrix<f64, 12, 12> {
         let r = react(&stiffness, &moved, Dual::zero(), Dual::zero());
         let moment1 = r.bend1.cross(moved.d1) + r.couple;
         let moment2 = r.bend2.cross(moved.d2) - r.couple;
-        // The element's action on its ends; what holds it is the opposite.
+        // The element's action on its ends; the forces that hold it are the opposite.
         let acts = [-r.force, moment1, r.force, moment2];
-        let slopes = acts.map(|of| [of.0.slope, of.1.slope, of.2.slope]);
+        let slopes = acts.map(|action| [action.0.slope, action.1.slope, action.2.slope]);
         -nalgebra::SVector::<f64, 12>::from_iterator(slopes.into_iter().flatten())
     }))
 }
@@ -147,8 +147,7 @@ fn moved(k: &Stiffness<f64>, pose: &Pose<f64>, motion: [Vector3<f64>; 4]) -> Pos
     let [u1, turn1, u2, turn2] = motion;
     let (d1, d2) = (vector(pose.d1), vector(pose.d2));
     let across = |turn: Vector3<f64>, d: Vector3<f64>| Vector::from(turn - d * turn.dot(&d));
-    // The twist changes as the element says that it does, at rates that are this motion in one
-    // second.
+    // The twist changes as in the element, at rates that are this motion in one second.
     let rates = Pose {
         w1: across(turn1, d1),
         w2: across(turn2, d2),
@@ -179,6 +178,6 @@ fn moved(k: &Stiffness<f64>, pose: &Pose<f64>, motion: [Vector3<f64>; 4]) -> Pos
     }
 }
 
-fn vector(of: Vector<f64>) -> Vector3<f64> {
-    Vector3::new(of.0, of.1, of.2)
+fn vector(v: Vector<f64>) -> Vector3<f64> {
+    Vector3::new(v.0, v.1, v.2)
 }

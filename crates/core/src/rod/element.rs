@@ -16,7 +16,7 @@ use crate::simd::{
     vector::Vector,
 };
 
-/// What an element is made of, ready for the time loop.
+/// Properties of an element, prepared for the time loop.
 #[derive(Debug, Clone, Copy)]
 pub struct Stiffness<N> {
     /// Rest length `L`, m.
@@ -31,7 +31,7 @@ pub struct Stiffness<N> {
     pub bow_far: N,
     /// `GJ/L`, N·m.
     pub twist: N,
-    /// `EI/L`, N·m: what stiffness-proportional damping acts on, too.
+    /// `EI/L`, N·m: stiffness-proportional damping acts on it, too.
     pub bending: N,
 }
 
@@ -64,7 +64,7 @@ impl<N: Number> Stiffness<N> {
     }
 }
 
-/// How an element stands and moves.
+/// Pose and motion of an element.
 #[derive(Debug, Clone, Copy)]
 pub struct Pose<N> {
     /// Chord of the element when both ends are on their anchors, m.
@@ -89,7 +89,7 @@ pub struct Pose<N> {
     pub twist: N,
 }
 
-/// What an element does to its ends.
+/// Forces and moments of an element on its ends.
 #[derive(Debug, Clone, Copy)]
 pub struct Reaction<N> {
     /// Force on end 2, N; end 1 takes the opposite.
@@ -123,8 +123,8 @@ impl<N: Number> Reaction<N> {
     }
 }
 
-/// Moment across a director: what bends, and a couple less what of it is about the director. Sums
-/// over the elements of a node serve as well as those of one element.
+/// Moment across a director: the bending part, and a couple without its part about the director.
+/// Sums over the elements of a node can be used as well as those of one element.
 #[inline(always)]
 pub(crate) fn across<N: Number>(
     bend: Vector<N>,
@@ -134,7 +134,7 @@ pub(crate) fn across<N: Number>(
     bend.cross(director) + couple.minus(director, couple.dot(director))
 }
 
-/// Forces of an element that stands as `pose`, its twist first carried on by `dt`, with
+/// Forces of an element in `pose`, with its twist first advanced by `dt`, with
 /// stiffness-proportional damping of time constant `beta`.
 ///
 /// The damping acts on the rates of the chord's length, of the twist and of the directors' rotation
@@ -186,7 +186,7 @@ pub(crate) fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
     let l2 = k.length.mul_add(k.length, excess);
     let l = l2.sqrt();
     let inverse_length = l * (N::splat(1.0) / l2);
-    // l − L, and what its own cancellation has lost: excess = (l − L)(l − L + 2L).
+    // l − L, and the part lost to its own cancellation: excess = (l − L)(l − L + 2L).
     let longer = l - k.length;
     let lost = longer.neg_mul_add(longer + (k.length + k.length), excess);
     Chord {
@@ -196,10 +196,10 @@ pub(crate) fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
     }
 }
 
-/// How an element is strained: what its chord and its two directors are pulled by.
+/// Strain of an element: the generalised forces on its chord and its two directors.
 ///
-/// `U`'s gradients are `b d2 − s1 t` and `b d1 − s2 t` on the directors, but for what lies along
-/// the own director, and `−(s1 d1 + s2 d2)/l` on the chord, but for what lies along it.
+/// `U`'s gradients are `b d2 − s1 t` and `b d1 − s2 t` on the directors, without the part along the
+/// own director, and `−(s1 d1 + s2 d2)/l` on the chord, without the part along it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Strain<N> {
     /// `s1 = a c1 + b c2`, N·m.
@@ -208,14 +208,14 @@ pub(crate) struct Strain<N> {
     pub near2: N,
     /// `b`, N·m.
     pub shared: N,
-    /// The tension less what of the directors' pull lies along the chord, N.
+    /// The tension less the part of the directors' pull along the chord, N.
     pub along: N,
 }
 
-/// A strain, and what is taken down of it.
+/// A strain, and the intermediate values of its computation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Strained<N> {
-    /// What [`bend`] needs.
+    /// Inputs of [`bend`].
     pub strain: Strain<N>,
     /// As in [`Reaction`].
     pub tension: N,
@@ -225,9 +225,9 @@ pub(crate) struct Strained<N> {
 
 /// Tension and bending.
 ///
-/// Angles are small beside one: everything that they enter is written over the differences
-/// `d1 − t`, `d2 − t` and `d2 − d1`, which are exact, and their squares `2(1 − cos)`; a cosine's
-/// own last digit is a large part of `1 − c²`. `apart`, `1 − c12`, comes from the [`twist`].
+/// Angles are small compared with one: all expressions of them are written over the differences `d1
+/// − t`, `d2 − t` and `d2 − d1`, which are exact, and their squares `2(1 − cos)`; a cosine's own
+/// last digit is a large part of `1 − c²`. `apart`, `1 − c12`, comes from the [`twist`].
 #[inline(always)]
 pub(crate) fn strain<N: Number>(
     k: &Stiffness<N>,
@@ -248,12 +248,12 @@ pub(crate) fn strain<N: Number>(
     }
 }
 
-/// What an element is longer by, its bowing included, m: `ε L`.
+/// Elongation of an element, its bowing included, m: `ε L`.
 pub(crate) fn longer(k: &Stiffness<f64>, chord: &Chord<f64>, p: &Pose<f64>) -> f64 {
     Off::of(chord, p, apart(p)).longer(k, chord)
 }
 
-/// How an element of that shape is strained where its tension is known, N.
+/// Strain of an element of that shape with a known tension, N.
 pub(crate) fn strain_under(
     k: &Stiffness<f64>,
     chord: &Chord<f64>,
@@ -270,7 +270,7 @@ fn apart<N: Number>(p: &Pose<N>) -> N {
     N::splat(0.5) * bend.dot(bend)
 }
 
-/// How far the directors are off the chord and from each other: `1 − c1`, `1 − c2`, `c1`, `c2`,
+/// Deviations of the directors from the chord and from each other: `1 − c1`, `1 − c2`, `c1`, `c2`,
 /// `1 − c12`.
 #[derive(Clone, Copy)]
 struct Off<N> {
@@ -301,7 +301,7 @@ impl<N: Number> Off<N> {
         (x1.mul_add(one + c1, x2 * (one + c2)), x1.mul_add(c2, x2 - apart))
     }
 
-    /// `ε L`: the chord's stretch, bowing by the two directors, and what they share.
+    /// `ε L`: the chord's stretch, bowing by the two directors, and their common part.
     #[inline(always)]
     fn longer(&self, k: &Stiffness<N>, chord: &Chord<N>) -> N {
         let (near, far) = self.bows();
@@ -325,7 +325,7 @@ impl<N: Number> Off<N> {
     }
 }
 
-/// What tension and bending do.
+/// Forces of tension and bending.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bent<N> {
     /// As in [`Reaction`].
@@ -336,7 +336,7 @@ pub(crate) struct Bent<N> {
     pub bend2: Vector<N>,
 }
 
-/// What an element so strained does to its ends.
+/// Forces and moments on its ends of an element with this strain.
 #[inline(always)]
 pub(crate) fn bend<N: Number>(chord: &Chord<N>, p: &Pose<N>, strain: &Strain<N>) -> Bent<N> {
     let t = chord.direction;
@@ -350,7 +350,7 @@ pub(crate) fn bend<N: Number>(chord: &Chord<N>, p: &Pose<N>, strain: &Strain<N>)
     }
 }
 
-/// What the twist does.
+/// Forces of the twist.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Twisted<N> {
     /// As in [`Reaction`].
@@ -393,7 +393,7 @@ pub(crate) fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) ->
     }
 }
 
-/// Elastic energy of an element that stands as `pose`, J.
+/// Elastic energy of an element in `pose`, J.
 pub fn energy(k: &Stiffness<f64>, p: &Pose<f64>) -> f64 {
     let r = p.anchor_chord + p.displacement;
     let l = r.dot(r).sqrt();

@@ -1,4 +1,4 @@
-//! What a centre of mass beside the axis makes of a node's step.
+//! Effect of an eccentric centre of mass on a node's step.
 //!
 //! With the imbalance `U = Σ m e` (kg·m) in the direction `q`, fixed in the body and across the
 //! director, and the angular velocity `ω = w + s d`,
@@ -8,18 +8,19 @@
 //! I ω' + U q × v'   = m + U q × g  a sideways acceleration turns the pipe, and gravity does
 //! ```
 //!
-//! What follows from the turning of `q` at the present `ω` acts in the step, so that the wall feels
-//! it like weight; what the step changes in `ω` and `v` comes after it, solved together. `q` is
-//! known at the positions; half a step before, where the velocities are, it is the middle of two of
-//! them. In a step the director turns by a small angle, and so does the pipe about it: roots, sines
-//! and cosines are the first terms of their series. Theory: `docs/src/theory/bends.md`.
+//! The force from the rotation of `q` at the present `ω` acts in the step, so that the wall carries
+//! it like weight; the effect of the step's changes of `ω` and `v` is added after it, solved
+//! together. `q` is known at the positions; half a step before, where the velocities are, it is the
+//! middle of two of them. In a step the director turns by a small angle, and so does the pipe about
+//! it: roots, sines and cosines are the first terms of their series. Theory:
+//! `docs/src/theory/bends.md`.
 
 use crate::simd::{
     number::{Number, Real},
     vector::Vector,
 };
 
-/// What acts in the step, and what it leads to.
+/// Force and moment in the step, and the follow-up after it.
 #[derive(Debug, Clone, Copy)]
 pub struct Throw<N> {
     /// `−ω × (ω × q)`, 1/s²: times `U`, the force that throws the node outwards.
@@ -29,7 +30,8 @@ pub struct Throw<N> {
     pub led: Vector<N>,
 }
 
-/// What the turning of `q`, `half` in the middle of the last step, makes of the next.
+/// Effect of the rotation of `q`, which was `half` in the middle of the last step, on the next
+/// step.
 #[inline(always)]
 pub fn throw<N: Number>(toward: Vector<N>, half: Vector<N>, omega: Vector<N>, dt: N) -> Throw<N> {
     let inwards = omega.cross(omega.cross(toward));
@@ -43,7 +45,7 @@ pub struct Turned<N> {
     pub tilted: Vector<N>,
     /// Across both.
     pub across: Vector<N>,
-    /// What the direction has gained: kept apart, for it is small.
+    /// Change of the direction, kept separately because it is small.
     pub gain: Vector<N>,
     /// The direction half a step before, where the velocities are.
     pub half: Vector<N>,
@@ -97,7 +99,7 @@ pub struct Mobility<N> {
     pub rotary: N,
 }
 
-/// How a node moves.
+/// Motion of a node.
 #[derive(Debug, Clone, Copy)]
 pub struct Motion<N> {
     /// Director.
@@ -110,7 +112,7 @@ pub struct Motion<N> {
     pub spin: N,
 }
 
-/// What the balance of momenta takes from a node or gives it.
+/// Change of a node's momenta by their balance.
 #[derive(Debug, Clone, Copy)]
 pub struct Change<N> {
     /// Velocity that it takes, m/s.
@@ -166,8 +168,8 @@ pub fn balance<N: Number>(
 }
 
 /// A node as it moves after `change`: the step has turned the director by its own angular velocity,
-/// and the rest follows. Where nothing changes, no digit does. The director is longer by half the
-/// square of what it turns by here.
+/// and the rest follows. Where nothing changes, every digit is preserved. The director becomes
+/// longer by half the square of its rotation here.
 #[inline(always)]
 pub fn changed<N: Number>(
     motion: &Motion<N>,
@@ -185,12 +187,12 @@ pub fn changed<N: Number>(
 }
 
 /// A direction that is kept with more digits than its numbers have, where those are single: turned
-/// a little in every step, it would drift by what each step rounds.
+/// a little in every step, it would drift by the rounding of each step.
 #[derive(Debug, Clone, Copy)]
 pub struct Direction<N> {
     /// The direction.
     pub toward: Vector<N>,
-    /// What it lacks.
+    /// Rounding remainder.
     pub rest: Vector<N>,
 }
 
@@ -206,8 +208,7 @@ pub fn carried<N: Number>(
 ) -> Direction<N> {
     let half = N::splat(0.5);
     let Direction { toward, rest } = *before;
-    // By this angle about the director: `across` is one angle behind what the direction moves
-    // along.
+    // By this angle about the director: `across` lags the direction's own motion by one angle.
     let back = change.braked * dt;
     let mut gain = turned.gain.minus(turned.across, turned.versine.mul_add(back, back));
     if !N::Real::FINE {

@@ -29,7 +29,7 @@ pub mod torsion;
 
 pub use crate::simd::vector;
 
-/// What the mechanics of an element is written over.
+/// Number types over which the mechanics of an element is written.
 pub mod number {
     pub use crate::simd::number::{Number, Real};
 }

@@ -20,7 +20,7 @@ use crate::simd::lanes::SINGLES;
 /// through to the border that its longer step cannot carry: without them the coupling gains energy.
 const BUFFER: usize = 3;
 
-/// What the ratio of two steps may be off by.
+/// Tolerance of the ratio of two steps.
 const ROUNDING: f64 = 1e-9;
 
 /// Most steps in one.
@@ -29,23 +29,23 @@ const MAX_PARTS: u32 = 20;
 /// Least elements of the upper region.
 const MIN_UPPER: usize = 8;
 
-/// What an element costs in a chain of a few rows over one in a long chain.
+/// Ratio of the cost of an element in a chain of a few rows to that in a long chain.
 const SHORT_CHAIN: f64 = 1.12;
 
-/// What bit and boundaries cost in a step, in elements: 0.4 µs.
+/// Cost of bit and boundaries in a step, in elements: 0.4 µs.
 const PER_STEP: f64 = 45.0;
 
 /// Two regions must be so much cheaper than one.
 const WORTH_IT: f64 = 0.95;
 
-/// Steps of the upper region that are tried, in parts of what its mass carries.
+/// Steps of the upper region that are tried, as fractions of the stable step for its mass.
 const TRIED: [f64; 8] = [1.0, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.5];
 
 /// The cheapest plan for `mesh`: in two regions where that pays, else [`stability::plan`]'s.
 ///
-/// The border element lies above the node `highest_lower`, and not at it: what acts on that node
-/// and on the elements at it belongs to the lower region. `lateral_kg_per_m` and
-/// `stiffness_damping_s` as there.
+/// The border element is above the node `highest_lower`, and not at it: the loads on that node and
+/// on the elements at it belong to the lower region. `lateral_kg_per_m` and `stiffness_damping_s`
+/// as there.
 pub fn plan(
     mesh: &Mesh,
     lateral_kg_per_m: &[f64],
@@ -76,7 +76,7 @@ pub(crate) fn divided(
     tried.min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }
 
-/// What a plan in two regions takes for a second, in elements of a long chain.
+/// Cost of a plan in two regions per second, in elements of a long chain.
 fn cost(plan: &StepPlan) -> f64 {
     let Some(Subcycling { border_node, parts, .. }) = plan.subcycling else {
         return f64::INFINITY;
@@ -103,7 +103,7 @@ impl BareString {
         let budget_kg = MAX_ADDED_MASS * total_kg;
         let border = self.border(dt_s, 0.5 * budget_kg)?;
         let (upper, lower) = (&self.elements[..=border], &self.elements[border..]);
-        let bare_kg = |of: &[BareElement]| axial_kg(of.iter().map(|(_, i)| i));
+        let bare_kg = |elements: &[BareElement]| axial_kg(elements.iter().map(|(_, i)| i));
         let upper_kg = bare_kg(upper);
         let affords = |kg: f64| kg - upper_kg <= 0.5 * budget_kg;
         let mut held = longest(upper, self.beta, affords);
@@ -126,8 +126,8 @@ impl BareString {
         let lower_inertia = scaled_all(lower, dt_s / parts, self.beta)?;
         let inertia: Vec<_> = upper_inertia.iter().chain(&lower_inertia[1..]).copied().collect();
         let k = &self.elements[border].0;
-        // The chord over a path that is curved by an acceleration lies, on average over the step,
-        // by `DT²/12 (1 − 1/M²)` of it beside the path.
+        // The chord of a path that is curved by an acceleration deviates from the path, on average
+        // over the step, by `DT²/12 (1 − 1/M²)` times the acceleration.
         let beside_s2 = dt_s * dt_s / 12.0 * (1.0 - 1.0 / (parts * parts));
         Some(StepPlan {
             dt_s,
@@ -147,7 +147,7 @@ impl BareString {
     }
 
     /// The border node of an upper region with a step of `dt_s` and no more than `budget_kg` of
-    /// added mass: above the first element that does not bear that, and its buffer.
+    /// added mass: above the first element that does not allow that, and its buffer.
     fn border(&self, dt_s: f64, mut budget_kg: f64) -> Option<usize> {
         let limit = frequency_limit(dt_s, self.beta);
         let first_fine = self.elements.iter().position(|(k, bare)| {
@@ -166,8 +166,8 @@ impl BareString {
             .find(|border| self.elements[*border..=border + BUFFER].iter().all(bears))
     }
 
-    /// The longest step that an element bears with its own mass along and about the axis, s, and
-    /// the motion that bounds it.
+    /// The longest step that is stable for an element with its own mass along and about the axis,
+    /// s, and the motion that bounds it.
     fn bears(&self, (k, bare): &BareElement) -> (f64, Motion) {
         let stretching_s = own_step(k, bare, self.beta);
         let twisting_s = twisting_step(k, bare, self.beta);

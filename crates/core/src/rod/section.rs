@@ -18,7 +18,7 @@ pub struct Section {
     pub torsional_stiffness_N_m2: f64,
     /// Mass of the steel, tool joints included, kg/m.
     pub steel_kg_per_m: f64,
-    /// Volume of the steel, m³/m: what the mud buoys.
+    /// Volume of the steel, m³/m: the part that displaces mud.
     pub steel_m2: f64,
     /// Area of the bore, m².
     pub bore_m2: f64,
@@ -26,7 +26,7 @@ pub struct Section {
     pub polar_inertia_kg_m: f64,
     /// Outside diameter, m.
     pub od_m: f64,
-    /// What mud pressure inside and out shortens a closed string by, `(1 − 2ν)/E`, 1/Pa.
+    /// Shortening of a closed string by mud pressure inside and outside, `(1 − 2ν)/E`, 1/Pa.
     pub pressure_strain_per_Pa: f64,
 }
 

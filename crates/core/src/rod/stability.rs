@@ -2,14 +2,14 @@
 
 use super::{element::Stiffness, mesh::Mesh};
 
-/// Part of the stability limit that is used: the rest is for what the elements' own frequencies do
-/// not know (tension, large rotation).
+/// Used fraction of the stability limit: the rest is a margin for effects not in the elements' own
+/// frequencies (tension, large rotation).
 pub(crate) const SAFETY: f64 = 0.99;
 
 /// Largest part of the string's axial mass that short elements may be given (mass scaling) in sum.
 pub(super) const MAX_ADDED_MASS: f64 = 0.003;
 
-/// Part by which a step must be longer than that found for its search to have told them apart.
+/// Part by which a step must be longer than that found to be distinguished from it by the search.
 const STEP_MARGIN: f64 = 1e-6;
 
 /// Lateral rotary inertia of each end of an element as a part of `m L²`: the diagonal of the
@@ -63,8 +63,8 @@ pub struct StepHolder {
     pub element: usize,
     /// Its motion with the highest frequency.
     pub motion: Motion,
-    /// Whether mass scaling has given it what the string may have in sum: without that limit it
-    /// would let the step be longer.
+    /// Whether mass scaling has used up the allowed total: without that limit it would allow a
+    /// longer step.
     pub scaled: bool,
 }
 
@@ -77,7 +77,7 @@ pub struct StepPlan {
     pub inertia: Vec<ElementInertia>,
     /// Axial mass added by scaling to short elements over that of the string.
     pub added_axial_mass_fraction: f64,
-    /// What keeps the step from being longer; none of a string without elements.
+    /// Limit of the step; none for a string without elements.
     pub holder: Option<StepHolder>,
     /// The regions with steps of their own, where there are two.
     pub subcycling: Option<Subcycling>,
@@ -96,7 +96,7 @@ impl StepPlan {
     pub fn dividing(self, interval_s: f64) -> Self {
         let parts = (interval_s / self.dt_s - ROUNDING).ceil().max(1.0);
         let dt_s = interval_s / parts;
-        // What the border lacks of inertia goes with the square of the step.
+        // The inertia missing at the border is proportional to the square of the step.
         let squared = (dt_s / self.dt_s).powi(2);
         let subcycling = self.subcycling.map(|lower| Subcycling {
             axial_kg: lower.axial_kg * squared,
@@ -124,12 +124,12 @@ pub struct Subcycling {
     pub border_node: usize,
     /// Steps of the lower region in one of the upper one.
     pub parts: u32,
-    /// What the linear motion of the border node within a step lacks of inertia, added to the node
+    /// Inertia that the linear motion of the border node within a step lacks, added to the node
     /// below it: along the hole, kg.
     pub axial_kg: f64,
     /// The same about the axis, kg·m².
     pub polar_kg_m2: f64,
-    /// What keeps the lower region's step from being longer, but that `parts` is a whole number.
+    /// Limit of the lower region's step, apart from the requirement that `parts` is a whole number.
     pub holder: Option<StepHolder>,
 }
 
@@ -161,8 +161,8 @@ pub(super) fn axial_kg<'a>(inertia: impl IntoIterator<Item = &'a ElementInertia>
     inertia.into_iter().map(|i| i.axial_kg).sum()
 }
 
-/// The inertia with which all elements bear a step; none where one of them does not, whatever its
-/// mass.
+/// The inertia with which a step is stable for all elements; none where one of them is unstable
+/// with any mass.
 pub(super) fn scaled_all(
     elements: &[BareElement],
     dt: f64,
@@ -172,7 +172,8 @@ pub(super) fn scaled_all(
     elements.iter().map(|(k, i)| scaled_inertia(k, i, limit).ok()).collect()
 }
 
-/// Axial mass, kg, with which all elements bear a step; none where one of them does not.
+/// Axial mass, kg, with which a step is stable for all elements; none where it is not for one of
+/// them.
 fn scaled_kg(elements: &[BareElement], dt: f64, beta: f64) -> Option<f64> {
     let limit = frequency_limit(dt, beta);
     elements.iter().map(|(k, i)| Some(scaled_inertia(k, i, limit).ok()?.axial_kg)).sum()
@@ -182,12 +183,13 @@ fn scaled_kg(elements: &[BareElement], dt: f64, beta: f64) -> Option<f64> {
 pub(super) struct Longest {
     /// It, s.
     pub(super) dt_s: f64,
-    /// What keeps it from being longer.
+    /// Limit of the step.
     pub(super) holder: Option<StepHolder>,
 }
 
-/// The longest step that all elements bear with an axial mass, kg, that `affords` accepts, but no
-/// longer than half of their mass carries by itself: only the few are given to.
+/// The longest step that is stable for all elements with an axial mass, kg, that `affords` accepts,
+/// but no longer than that for half of their own mass, because mass is added to only a few
+/// elements.
 pub(super) fn longest(
     elements: &[BareElement],
     beta: f64,
@@ -206,7 +208,7 @@ pub(super) fn longest(
     }
     let beyond = high * (1.0 + STEP_MARGIN);
     let holder = if fits(beyond) {
-        // Nothing but what the ordinary pipe carries by itself.
+        // Only the step that is stable for ordinary pipe with its own mass.
         let element = elements.iter().position(|(k, i)| own_step(k, i, beta) >= cap);
         element.map(|element| StepHolder { element, motion: Motion::Axial, scaled: false })
     } else {
@@ -232,7 +234,7 @@ pub(super) fn half_carries_s(elements: &[BareElement], beta: f64) -> f64 {
 /// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass added
 /// by scaling, and that to less than half of it: ordinary pipe keeps its mass and its wave speed.
 ///
-/// The highest frequency of a chain with lumped masses lies below the highest of its elements taken
+/// The highest frequency of a chain with lumped masses is below the highest of its elements taken
 /// alone (Irons and Treharne 1971). `lateral_kg_per_m` is the lateral mass per length of each
 /// element, `stiffness_damping_s` the time constant `β` of the damping, which shortens the limit.
 /// Theory: `docs/src/theory/time-stepping.md`.
@@ -247,8 +249,8 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     StepPlan { dt_s, inertia, added_axial_mass_fraction, holder, subcycling: None }
 }
 
-/// What does not let the step be as long as `dt`: the element that no added mass makes stable, or
-/// that with the most added mass.
+/// Limit that excludes the step `dt`: the element that no added mass makes stable, or that with the
+/// most added mass.
 fn holder(bare: &[BareElement], dt: f64, beta: f64) -> Option<StepHolder> {
     let limit = frequency_limit(dt, beta);
     let mut most: Option<(f64, StepHolder)> = None;
@@ -286,7 +288,7 @@ pub(super) fn frequency_limit(dt: f64, beta: f64) -> f64 {
 }
 
 /// The inertia with which an element stays below `limit`, rad/s; where only a shorter step helps,
-/// the motion that asks for it.
+/// the motion that requires it.
 pub(super) fn scaled_inertia(
     k: &Stiffness<f64>,
     bare: &ElementInertia,

@@ -1,7 +1,7 @@
 //! The tangent stiffness of an element in closed form, its tension an unknown of its own.
 //!
-//! With the tension `T` kept beside the shape, the energy of [`element`](super::element) is linear
-//! in it:
+//! With the tension `T` as a variable in addition to the shape, the energy of
+//! [`element`](super::element) is linear in it:
 //!
 //! ```text
 //! U = T g − T² L/(2 EA) + (EI/L){A₀[(1 − c1²) + (1 − c2²)]/2 + B₀(c12 − c1 c2)}
@@ -20,7 +20,7 @@ use super::{
     vector::Vector,
 };
 
-/// Where the ends of an element are and point to.
+/// Positions and directors of the ends of an element.
 #[derive(Debug, Clone, Copy)]
 pub struct Ends {
     /// From end 1 to end 2, m.
@@ -29,8 +29,8 @@ pub struct Ends {
     pub directors: [Vector3<f64>; 2],
 }
 
-/// First derivatives of a function of [`Ends`]: by the chord, and by the two directors. What lies
-/// along a director means nothing.
+/// First derivatives of a function of [`Ends`]: by the chord, and by the two directors. The
+/// component along a director has no meaning.
 #[derive(Debug, Clone, Copy)]
 pub struct Gradient {
     /// By the chord.
@@ -39,12 +39,12 @@ pub struct Gradient {
     pub directors: [Vector3<f64>; 2],
 }
 
-/// An element under a tension: what it holds its ends with, and how that changes.
+/// An element under a tension: the forces on its ends, and their derivatives.
 #[derive(Debug, Clone, Copy)]
 pub struct Tangent {
     /// `∂U/∂`: N, N·m.
     pub gradient: Gradient,
-    /// `g`, m: what it is longer by, its bowing included.
+    /// `g`, m: its elongation, its bowing included.
     pub longer_m: f64,
     /// `∂g/∂`: 1, m.
     pub lengthening: Gradient,
@@ -54,14 +54,15 @@ pub struct Tangent {
     pub chord_director: [Matrix3<f64>; 2],
     /// `∂²U/∂d²` of each director, as if its length were free, N·m.
     pub director: [Matrix3<f64>; 2],
-    /// `∂U/∂d·d` of each director, N·m: what turns it on its sphere adds to `∂²U/∂d²`.
+    /// `∂U/∂d·d` of each director, N·m: the contribution of its rotation on the sphere to
+    /// `∂²U/∂d²`.
     pub pull_N_m: [f64; 2],
     /// `∂²U/∂d1∂d2`, N·m.
     pub director_director: Matrix3<f64>,
 }
 
-fn vector(of: Vector3<f64>) -> Vector<f64> {
-    of.into()
+fn vector(v: Vector3<f64>) -> Vector<f64> {
+    v.into()
 }
 
 impl Ends {

@@ -1,4 +1,4 @@
-//! A [`Number`] that counts what is done with it.
+//! A [`Number`] that counts its operations.
 
 use std::{
     cell::Cell,
@@ -11,8 +11,7 @@ use super::number::{Number, Real};
 
 /// Floating-point operations by their kinds.
 ///
-/// What the processor does to signs, and what it chooses (the larger, the smaller, the positive),
-/// is not counted.
+/// Operations on signs, and selections (the larger, the smaller, the positive), are not counted.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Flops {
     /// Additions and subtractions.
@@ -45,7 +44,7 @@ thread_local! {
     static TALLY: Cell<Flops> = const { Cell::new(Flops::NONE) };
 }
 
-/// What `work` does with [`Counted`] numbers in this thread.
+/// Counts the operations of `work` on [`Counted`] numbers in this thread.
 pub fn count(work: impl FnOnce()) -> Flops {
     TALLY.set(Flops::NONE);
     work();
@@ -67,7 +66,7 @@ macro_rules! counted_operator {
     ($trait:ident, $method:ident, $kind:ident) => {
         impl<R: Real> $trait for Counted<R> {
             type Output = Self;
-            // A call each: what counts need not be fast, but is made for every law.
+            // A call each: counting need not be fast, but is compiled for every law.
             #[inline(never)]
             fn $method(self, other: Self) -> Self {
                 note(|flops| flops.$kind += 1);
@@ -136,8 +135,8 @@ mod tests {
     #[test]
     fn every_kind_is_counted() {
         type N = Counted<f64>;
-        let of = |x: f64, y: f64, z: f64| Vector(N::splat(x), N::splat(y), N::splat(z));
-        let (a, b) = (of(1.0, 2.0, 3.0), of(-2.0, 0.5, 4.0));
+        let vector = |x: f64, y: f64, z: f64| Vector(N::splat(x), N::splat(y), N::splat(z));
+        let (a, b) = (vector(1.0, 2.0, 3.0), vector(-2.0, 0.5, 4.0));
         let mut found = 0.0;
         let flops = count(|| {
             // One product and two multiply-adds.

@@ -13,24 +13,24 @@ use super::wide::Pair;
 ))]
 use super::wide::Registers;
 
-/// What a kernel computes with in code for AVX-512.
+/// Number type of a kernel in code for AVX-512.
 #[cfg(target_arch = "x86_64")]
 pub type Avx512<R> = <R as Registers>::Zmm;
 
-/// What it computes with in code for AVX2.
+/// Number type in code for AVX2.
 #[cfg(target_arch = "x86_64")]
 pub type Avx2<R> = <R as Registers>::Ymm;
 
-/// What it computes with in code for every processor of the target.
+/// Number type in code for every processor of the target.
 #[cfg(target_arch = "x86_64")]
 pub type Baseline<R> = <R as Registers>::Xmm;
-/// What it computes with in code for every processor of the target.
+/// Number type in code for every processor of the target.
 #[cfg(target_arch = "aarch64")]
 pub type Baseline<R> = Pair<<R as Registers>::Scalar>;
-/// What it computes with in code for every processor of the target.
+/// Number type in code for every processor of the target.
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub type Baseline<R> = <R as Registers>::V128;
-/// What it computes with in code for every processor of the target.
+/// Number type in code for every processor of the target.
 #[cfg(not(any(
     target_arch = "x86_64",
     target_arch = "aarch64",
@@ -51,8 +51,8 @@ macro_rules! for_each_instruction_set {
     };
 }
 
-/// What a macro makes of the module and the name of each instruction set that this processor has,
-/// the fastest first; the baseline always is the last.
+/// Expands a macro for the module and the name of each instruction set that this processor has, the
+/// fastest first; the baseline always is the last.
 macro_rules! available_instruction_sets {
     ($entry:ident) => {{
         let mut all = Vec::new();
@@ -75,7 +75,7 @@ macro_rules! with_fastest_instruction_set {
     ($function:ident($($argument:expr),* $(,)?)) => {{
         #[cfg(target_arch = "x86_64")]
         let done = if $crate::simd::wide::has_avx512() {
-            // SAFETY: the processor has what the function is compiled for.
+            // SAFETY: the processor has the instructions for which the function is compiled.
             unsafe { avx512::$function($($argument),*) }
         } else if $crate::simd::wide::has_avx2() {
             // SAFETY: as above.
@@ -134,7 +134,7 @@ mod tests {
             };
         }
         for (name, kept) in available_instruction_sets!(entry) {
-            // SAFETY: the processor has what the function is compiled for.
+            // SAFETY: the processor has the instructions for which the function is compiled.
             let [double, single] = unsafe { kept() };
             assert_eq!(double, [0.0, 0.0], "{name}");
             let fused = name != "baseline" || cfg!(target_arch = "aarch64");

@@ -1,4 +1,4 @@
-//! How many numbers stand side by side: two 512-bit registers of them.
+//! Count of numbers processed side by side: two 512-bit registers of them.
 
 /// So many doubles.
 pub const DOUBLES: usize = 16;

@@ -1,5 +1,4 @@
-//! Numbers: what the mechanics is written over, and the processor's registers that hold several of
-//! them.
+//! Number types of the mechanics, and the processor's registers that hold several of them.
 
 pub mod counted;
 pub(crate) mod dispatch;

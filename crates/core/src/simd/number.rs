@@ -1,4 +1,4 @@
-//! What the mechanics is written over.
+//! Number types over which the mechanics is written.
 
 use std::{
     fmt::Debug,
@@ -9,9 +9,9 @@ use serde::{Serialize, de::DeserializeOwned};
 
 use super::lanes::{DOUBLES, SINGLES};
 
-/// What a number is kept as.
+/// Storage type of a number.
 pub trait Real: Number<Real = Self> + Default + PartialOrd + Debug + Send + Sync + 'static {
-    /// How many of them are in a row of nodes or elements.
+    /// Count of them in a row of nodes or elements.
     const LANES: usize;
     /// Whether the difference of two lengths of metres keeps the digits of a strain.
     const FINE: bool;
@@ -116,15 +116,15 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// What it is kept as.
+    /// Storage type.
     type Real: Real;
-    /// Far below anything that means something, yet not zero: what keeps a quotient finite.
+    /// Far below any meaningful value, yet not zero, so that a quotient remains finite.
     const TINY: f64;
     /// This value, a constant.
     fn splat(value: f64) -> Self;
     /// Whether a product is added to before it is rounded.
     const FUSED: bool = false;
-    /// How many it is.
+    /// Count of numbers in a register.
     const WIDTH: usize;
     /// From where it is kept.
     ///
@@ -212,7 +212,7 @@ macro_rules! number {
             fn sqrt(self) -> Self {
                 $of($get(self).sqrt())
             }
-            // Where it is fused the code is compiled for a processor that has the instruction.
+            // Where it is fused, the code is compiled for a processor with the instruction.
             #[allow(clippy::disallowed_methods)]
             #[inline(always)]
             fn mul_add(self, factor: Self, term: Self) -> Self {

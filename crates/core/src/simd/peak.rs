@@ -34,7 +34,7 @@ fn different<N: Number>() -> [N; CHAINS] {
     numbers
 }
 
-/// Uses what was reckoned, so that the compiler must let it be reckoned.
+/// Uses the results, so that the compiler cannot remove the computation.
 #[inline(always)]
 fn keep<N: Number>(numbers: [N; CHAINS]) {
     let mut sum = N::zero();
@@ -53,11 +53,12 @@ mod tests {
     use super::*;
     use crate::simd::counted::{Counted, count};
 
-    /// What it says that it did, it did; only the sum at the end is not in it.
+    /// The reported number of operations is correct, except that the sum at the end is not
+    /// included.
     #[test]
     fn the_work_is_what_it_is_said_to_be() {
-        let mut said = 0;
-        let done = count(|| said = work::<Counted<f64>>(10));
-        assert_eq!(said, done.total() - CHAINS as u64);
+        let mut result = 0;
+        let flops = count(|| result = work::<Counted<f64>>(10));
+        assert_eq!(result, flops.total() - CHAINS as u64);
     }
 }

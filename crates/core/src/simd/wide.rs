@@ -1,15 +1,15 @@
 //! [`Number`]s that are several numbers at once: one register of the processor, or two.
 //!
-//! The compiler widens a loop over plain numbers, too, but how well changes with every line of it:
-//! some loops came out with gathers, some with half the registers' width. What stands here is what
-//! the processor does.
+//! The compiler widens a loop over plain numbers, too, but the quality depends on every line: some
+//! loops were compiled with gathers, some with half the registers' width. The code here maps
+//! directly to the processor's instructions.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::number::{Doubles, Fused, Number, Real};
 
-/// What a kind of number is worked on in: for code that is compiled for a processor and runs where
-/// it is that one.
+/// Registers of a kind of number: for code that is compiled for a processor and runs where it is
+/// that one.
 ///
 /// The operators of a register are safe to write and sound only in such code, so that neither they
 /// nor the ways to them leave this crate.
@@ -58,14 +58,14 @@ impl Registers for f32 {
 #[derive(Debug, Clone, Copy)]
 pub struct Pair<N>(N, N);
 
-/// Whether the processor has what code for AVX2 is compiled for: AVX2, and fused multiply-add for
+/// Whether the processor has the instructions of code for AVX2: AVX2, and fused multiply-add for
 /// singles.
 #[cfg(target_arch = "x86_64")]
 pub fn has_avx2() -> bool {
     is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
 }
 
-/// Whether it has what code for AVX-512 is compiled for, AVX2's included.
+/// Whether it has the instructions of code for AVX-512, AVX2's included.
 #[cfg(target_arch = "x86_64")]
 pub fn has_avx512() -> bool {
     has_avx2()

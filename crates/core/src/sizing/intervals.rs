@@ -9,7 +9,7 @@ pub struct SizedInterval {
     pub from_bit_m: f64,
     /// Length of its elements, m.
     pub element_length_m: f64,
-    /// What asked for that.
+    /// Reason for the length.
     pub reason: SizeReason,
 }
 
@@ -32,8 +32,8 @@ impl Sizing {
         Self { intervals }
     }
 
-    /// The shortest of the lengths that stretches of the string ask for, each with its lower and
-    /// its upper end from the bit, m, and its length, m. Together they ask for all of the string.
+    /// The shortest of the lengths required by stretches of the string, each with its lower and its
+    /// upper end from the bit, m, and its length, m. Together they cover the whole string.
     pub fn shortest(stretches: &[([f64; 2], f64)], reason: SizeReason) -> Self {
         let mut places: Vec<f64> = stretches.iter().flat_map(|(ends_m, _)| *ends_m).collect();
         places.retain(|place_m| place_m.is_finite());
@@ -79,7 +79,7 @@ impl Sizing {
         &self.intervals[above.saturating_sub(1)]
     }
 
-    /// How many elements of the intervals' lengths fit between two distances from the bit, m.
+    /// Number of elements of the intervals' lengths that fit between two distances from the bit, m.
     pub fn lengths_between(&self, low_m: f64, high_m: f64) -> f64 {
         let mut lengths = 0.0;
         for (index, one) in self.intervals.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Mesh sizing: how long the elements are to be along the string, and what asked for that.
+//! Mesh sizing: lengths of the elements along the string, and the reasons for them.
 //!
 //! Theory, and the convergence study that the rule comes from: `docs/src/theory/mesh.md`.
 

@@ -5,7 +5,7 @@
 pub enum SizeReason {
     /// The length is given.
     Given,
-    /// Pipe that hangs or lies between its tool joints.
+    /// Pipe that hangs or rests on its tool joints.
     JointToJoint,
     /// Pipe without tool joints.
     PlainPipe,

@@ -29,8 +29,8 @@ const PLAIN_M: f64 = 9.6;
 /// Elements of the assembly, m.
 const ASSEMBLY_M: f64 = 3.0;
 
-/// Elements next to a bend that turns with the string, m, and how far to either side of it: once a
-/// revolution it lifts the bit and the blades beside it, over lengths of a metre or two.
+/// Elements next to a bend that turns with the string, m, and their range on either side of it:
+/// once a revolution it lifts the bit and the neighbouring blades, over lengths of a metre or two.
 const BEND_M: f64 = 1.5;
 const AROUND_BEND_M: f64 = 9.0;
 
@@ -42,14 +42,16 @@ const PER_TOUCHING_JOINT: f64 = 4.0;
 const PER_HALF_WAVE: f64 = 4.0;
 
 /// Part of the critical load from which a compressed stretch is resolved. The soft string, which
-/// foretells the compression, knows nothing of what buckling adds to it.
+/// predicts the compression, does not include the effect of buckling on it.
 const NEAR_CRITICAL: f64 = 0.5;
 
 /// Part of its own buckling load between its nodes, `π² EI/h²`, from which an element of ordinary
-/// length is too long for its compression; what is cut bears twice the compression.
+/// length is too long for its compression; an element after division is stable under twice the
+/// compression.
 const NEAR_OWN: f64 = 0.5;
 
-/// How much heavier than the lightest pipe a component of the assembly is, per length.
+/// Minimum ratio of the weight per length of a component of the assembly to that of the lightest
+/// pipe.
 const HEAVY: f64 = 1.5;
 
 /// Length from which a stretch of light pipe ends the assembly, m.
@@ -62,27 +64,26 @@ const THIN: f64 = 0.7;
 /// Length from which a thick-walled component is no part of an assembly, m.
 const LONG_M: f64 = 300.0;
 
-/// Side force below which pipe hangs: less than a tenth of its weight lies on the wall, N/m.
+/// Side force below which pipe hangs: less than a tenth of its weight is carried by the wall, N/m.
 const LIGHT_N_PER_M: f64 = 10.0;
 
-/// Step of the soft string that the rule asks, m.
+/// Step of the soft string that the rule uses, m.
 const STEP_M: f64 = 4.0;
 
-/// A length that a stretch of the string asks for.
+/// An element length required by a stretch of the string.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Demand {
     /// Lower and upper end, measured from the bit, m.
     from_bit_m: [f64; 2],
     /// Longest element, m.
     element_length_m: f64,
-    /// What asks.
+    /// Reason for the requirement.
     reason: SizeReason,
 }
 
 impl Sizing {
-    /// The lengths that a string asks for in one operation or several that it goes through, by the
-    /// rule of `docs/src/theory/mesh.md`: what lies against the wall and what is compressed is
-    /// known from the soft string.
+    /// The lengths that a string requires in one operation or several successive ones, by the rule
+    /// of `docs/src/theory/mesh.md`. Wall contact and compression are predicted by the soft string.
     ///
     /// # Errors
     /// A soft string without solution.
@@ -107,7 +108,7 @@ impl Sizing {
         Ok(Self::of_demands(&demands))
     }
 
-    /// The shortest length that anything asks for, everywhere.
+    /// The shortest required length everywhere.
     fn of_demands(demands: &[Demand]) -> Self {
         let mut places: Vec<f64> = demands.iter().flat_map(|one| one.from_bit_m).collect();
         places.sort_by(f64::total_cmp);
@@ -135,7 +136,7 @@ impl Sizing {
     }
 }
 
-/// What the components ask for whatever loads them.
+/// Lengths that the components require under any load.
 fn ordinary(model: &Model, accuracy: Accuracy) -> Vec<Demand> {
     let assembly_top_m = meshed_as_assembly_m(&model.string);
     let halved = if accuracy == Accuracy::Fine { 0.5 } else { 1.0 };
@@ -159,7 +160,7 @@ fn ordinary(model: &Model, accuracy: Accuracy) -> Vec<Demand> {
         .collect()
 }
 
-/// What bends that turn with the string ask for.
+/// Lengths that bends which turn with the string require.
 fn rotating_bends(model: &Model, accuracy: Accuracy) -> Vec<Demand> {
     let element_length_m = match accuracy {
         Accuracy::Coarse => return Vec::new(),
@@ -191,9 +192,9 @@ pub(crate) fn assembly_top_m(string: &DrillString) -> f64 {
     pipe_from_m(string, |one| one.length_m >= PIPE_M).unwrap_or(0.0)
 }
 
-/// Upper end of what is meshed as an assembly, from the bit, m: where pipe begins that has walls
-/// thinner than a collar's, or joints, or is longer than any assembly. All of a string without such
-/// pipe is, but one that is the same from end to end.
+/// Upper end of the part that is meshed as an assembly, from the bit, m: the beginning of pipe that
+/// has walls thinner than a collar's, or joints, or is longer than any assembly. A string without
+/// such pipe is meshed so throughout, unless it is uniform from end to end.
 fn meshed_as_assembly_m(string: &DrillString) -> f64 {
     let is_pipe = |one: &Component| {
         one.length_m >= PIPE_M && (one.id_m >= THIN * one.od_m || one.length_m >= LONG_M)
@@ -205,8 +206,8 @@ fn meshed_as_assembly_m(string: &DrillString) -> f64 {
     }
 }
 
-/// Where ordinary drill pipe begins, from the bit, m: the first 60 m or more with joints, or where
-/// nothing in the string has joints, of what may be pipe without.
+/// Beginning of ordinary drill pipe, from the bit, m: the first 60 m or more with joints or, where
+/// nothing in the string has joints, of components that may be pipe without joints.
 fn pipe_from_m(string: &DrillString, is_plain_pipe: impl Fn(&Component) -> bool) -> Option<f64> {
     let components = string.components();
     let any_jointed = components.iter().any(|one| joint_m(one).is_some());
@@ -226,7 +227,7 @@ fn is_uniform(string: &DrillString) -> bool {
     string.components().windows(2).all(|pair| body(&pair[0]) == body(&pair[1]))
 }
 
-/// What the loads ask for: joints whose body touches, and stretches that buckle.
+/// Lengths that the loads require: joints whose body touches, and stretches that buckle.
 fn loaded(
     model: &Model,
     operation: &Operation,
@@ -280,7 +281,7 @@ fn loaded(
             if -tension_N > NEAR_CRITICAL * critical_N {
                 ask(half_wave_m / PER_HALF_WAVE, SizeReason::Compression);
             } else if -tension_N > NEAR_OWN * own_N {
-                // What bears twice the compression, whatever the accuracy.
+                // Elements that are stable under twice the compression, for any accuracy.
                 ask(half_wave_m / (2.0 * coarser.max(1.0)), SizeReason::Compression);
             }
         }

@@ -1,4 +1,4 @@
-//! What the mud does to each stretch of the string as it moves and circulates.
+//! Effect of the mud on each stretch of the string as it moves and circulates.
 
 use crate::{
     model::Model,
@@ -9,7 +9,7 @@ use crate::{
 /// A stretch as the mud meets it.
 pub(crate) struct Passage {
     pub(crate) length_m: f64,
-    /// Mean areas of the body's outside and of its bore, m²: what pressures stretch it by.
+    /// Mean areas of the body's outside and of its bore, m²: the areas on which pressures act.
     pub(crate) outer_m2: f64,
     pub(crate) bore_m2: f64,
     /// Bores and annuli.
@@ -18,7 +18,7 @@ pub(crate) struct Passage {
     pub(crate) pressure_strain_per_Pa: f64,
 }
 
-/// What the mud does to a stretch.
+/// Effect of the mud on a stretch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Circulating {
     /// Pull along the hole, N/m, positive towards the bit.
@@ -27,12 +27,12 @@ pub(crate) struct Circulating {
     pub(crate) torque_N_m_per_m: f64,
     /// Strain by the pressures that flow adds, the mean of the stretch.
     pub(crate) strain: f64,
-    /// What the flow adds to the pressure in the annulus at the lower end, Pa, and what of it a
-    /// metre upwards takes.
+    /// Pressure added by the flow in the annulus at the lower end, Pa, and its decrease per metre
+    /// upwards.
     pub(crate) outer_Pa: f64,
     pub(crate) outer_fall_Pa_per_m: f64,
-    /// What it adds to the pressure in the bore at the lower end, Pa, and what a metre upwards
-    /// adds.
+    /// Pressure added by the flow in the bore at the lower end, Pa, and its increase per metre
+    /// upwards.
     pub(crate) inner_Pa: f64,
     pub(crate) inner_rise_Pa_per_m: f64,
 }
@@ -64,7 +64,7 @@ fn losses(model: &Model, motion: &Motion, segments: &[Passage]) -> Vec<Losses> {
     losses
 }
 
-/// What the mud does to stretches, from the bit up, and to the whole string; nothing without a
+/// Effect of the mud on stretches, from the bit up, and on the whole string; none without a
 /// rheology.
 pub(crate) fn along(
     model: &Model,

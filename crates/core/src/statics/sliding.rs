@@ -1,4 +1,4 @@
-//! How friction divides between the axis and the circumference.
+//! Division of friction between the axis and the circumference.
 
 use crate::operation::Operation;
 

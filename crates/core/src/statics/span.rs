@@ -1,4 +1,4 @@
-//! A pipe between two tool joints that lie on the wall: how much more than the hole it bends.
+//! Bending of a pipe, in excess of the hole's, between two tool joints on the wall.
 //!
 //! With the side force per length `q`, half the spacing `l`, the bending stiffness `EI`, the tension
 //! `F`, `z = (l/2) √(F/EI)` and `J = (z coth z − 1)/z²`, the curvature beyond the hole's is
@@ -17,11 +17,11 @@ pub struct JointSpan {
     pub bending_stiffness_N_m2: f64,
     /// Half of the distance between joints, m.
     pub half_spacing_m: f64,
-    /// What joints stand out from the body by, `(D_j − D)/2`, m.
+    /// Standoff of the joints from the body, `(D_j − D)/2`, m.
     pub standoff_m: f64,
 }
 
-/// What of a span touches the wall besides its joints.
+/// Part of a span that touches the wall between its joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BodyContact {
     /// Nothing.
@@ -32,16 +32,16 @@ pub enum BodyContact {
     Line,
 }
 
-/// How a span is bent against the hole.
+/// Bending of a span against the hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpanBending {
     /// Curvature at the joints beyond the hole's, 1/m, in the direction of the load.
     pub at_joint_per_m: f64,
     /// Curvature half-way beyond the hole's, 1/m, in the direction of the load.
     pub at_middle_per_m: f64,
-    /// How far the body half-way sags beyond the hole's curve, m.
+    /// Sag of the body half-way beyond the hole's curve, m.
     pub sag_m: f64,
-    /// What touches.
+    /// Contact of the body.
     pub contact: BodyContact,
 }
 
@@ -52,7 +52,7 @@ impl SpanBending {
 }
 
 impl JointSpan {
-    /// The spans of a component; none where it has no joints or they do not stand out.
+    /// The spans of a component; none where it has no joints or no standoff.
     pub fn of(component: &Component) -> Option<Self> {
         let joints = component.joints?;
         let standoff_m = 0.5 * (joints.od_m - component.od_m);
@@ -63,7 +63,7 @@ impl JointSpan {
         })
     }
 
-    /// How a span under an effective tension, N, is bent by the magnitude of its load on the wall,
+    /// Bending of a span under an effective tension, N, by the magnitude of its load on the wall,
     /// N/m.
     pub fn bending(&self, tension_N: f64, load_N_per_m: f64) -> SpanBending {
         if load_N_per_m <= 0.0 {

@@ -1,4 +1,4 @@
-//! What a component has that is fixed in its body and turns with it.
+//! Features that are fixed in a component's body and turn with it.
 
 use serde::Serialize;
 
@@ -20,7 +20,7 @@ pub struct BodyBend {
 /// a node of its own, m.
 pub const NEAREST_BEND_M: f64 = 0.3;
 
-/// What is in the place of the steel that an eccentric component lacks on one side.
+/// Content of the cavity on one side of an eccentric component.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum Cavity {
     /// The mud: a bore off the axis, a slot, a worn side. It makes up for part of the missing
@@ -31,14 +31,14 @@ pub enum Cavity {
     Sealed,
 }
 
-/// A component whose steel has its centre of mass beside the axis of the pipe.
+/// A component whose steel has its centre of mass off the axis of the pipe.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Eccentricity {
     /// Distance of the steel's centre of mass from the axis, m.
     pub offset_m: f64,
     /// Its direction at the start, rad from the high side, clockwise as one looks down the hole.
     pub phase_rad: f64,
-    /// What is where the steel is not.
+    /// Content of the cavity.
     pub cavity: Cavity,
 }
 

@@ -18,8 +18,8 @@ pub struct ToolJoints {
     pub spacing_m: f64,
 }
 
-/// Blades of a stabiliser, a reamer, a centraliser: a short stretch at the middle of its component
-/// that stands out, and the only part of it that usually touches the wall.
+/// Blades of a stabiliser, a reamer, a centraliser: a short, wider stretch at the middle of its
+/// component, and the only part of it that usually touches the wall.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Blades {
     /// Diameter over the blades, m: the gauge.
@@ -31,7 +31,7 @@ pub struct Blades {
 /// A uniform stretch of the string.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Component {
-    /// What the user calls it.
+    /// Name given by the user.
     pub name: String,
     /// Length, m.
     pub length_m: f64,
@@ -45,14 +45,14 @@ pub struct Component {
     pub joints: Option<ToolJoints>,
     /// Blades, if it has any: instead of joints.
     pub blades: Option<Blades>,
-    /// What it is made of.
+    /// Material.
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
-    /// How worn its body is: [`Self::od_m`] is what is left of it.
+    /// Wear class of its body: [`Self::od_m`] is the remaining diameter.
     #[serde(skip_serializing_if = "PipeClass::is_new")]
     pub class: PipeClass,
-    /// What its connections bear.
+    /// Strength of its connections.
     #[serde(skip_serializing_if = "ConnectionStrength::is_unknown")]
     pub connection: ConnectionStrength,
     /// A bend of its body.

@@ -1,4 +1,4 @@
-//! Rotary shouldered connections: the torque that makes them up, and what they yield under.
+//! Rotary shouldered connections: make-up torque and yield loads.
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -11,21 +11,20 @@ const COMPOUND_FRICTION: f64 = 0.08;
 const COS_FLANK: f64 = 0.866_025_403_784_438_6;
 /// Distance from the shoulder to the gauge point, at which the pitch diameter is measured, m.
 const GAUGE_POINT_M: f64 = 0.625 * 0.0254;
-/// How much nearer to the shoulder the pin's critical section is than the gauge point, m. (The
-/// pin's thread is measured 3/4 in from its shoulder, where the taper has taken 1/8 in's worth
-/// off.)
+/// Distance of the pin's critical section from the gauge point towards the shoulder, m. (The pin's
+/// thread is measured 3/4 in from its shoulder, where the taper has reduced it by that of 1/8 in.)
 const PIN_SECTION_M: f64 = 0.125 * 0.0254;
 /// Distance from the box's shoulder to its critical section, m.
 const BOX_SECTION_M: f64 = 0.375 * 0.0254;
 
-/// What the connections of a component bear; `None` of what is not known.
+/// Strength of a component's connections; `None` for unknown values.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct ConnectionStrength {
     /// Torque that they are made up with, N·m: a string that turns with more makes them up further.
     pub make_up_torque_N_m: Option<f64>,
     /// Torque at which pin or box yields, N·m.
     pub torsional_yield_N_m: Option<f64>,
-    /// Tension at which the pin yields, N, without what making up adds.
+    /// Tension at which the pin yields, N, without the effect of making up.
     pub tensile_yield_N: Option<f64>,
 }
 

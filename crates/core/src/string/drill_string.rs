@@ -15,7 +15,7 @@ pub struct DrillString {
     tops_m: Vec<f64>,
 }
 
-/// Where a component lies in the string.
+/// Position of a component in the string.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span<'a> {
     /// The component.
@@ -62,7 +62,7 @@ impl DrillString {
         self.components.iter().find_map(|one| one.bend).map(|bend| bend.toolface_rad)
     }
 
-    /// The same string turned until its lowest bend stands at a tool face, rad; other bends turn
+    /// The same string turned until its lowest bend points to a tool face, rad; other bends turn
     /// with it.
     #[must_use]
     pub fn at_toolface(&self, toolface_rad: f64) -> Self {
@@ -87,9 +87,9 @@ impl DrillString {
         (index, &self.components[index])
     }
 
-    /// The components between two distances from the bit, m, from the bit up, each with the part of
-    /// that length which it takes; the parts add up to one. The topmost component takes what
-    /// rounding leaves above it.
+    /// The components between two distances from the bit, m, from the bit up, each with its
+    /// fraction of that length; the fractions add up to one. The topmost component includes the
+    /// rounding error above it.
     pub fn parts_between(
         &self,
         from_bit_m: f64,

@@ -7,10 +7,10 @@ use crate::sizing::assembly_top_m;
 const AT_SURFACE_M: f64 = 1e-3;
 
 impl StringSpec {
-    /// The lowest components up to a length, m, with the bit at that depth: a rig runs them from
-    /// the bit up, and what is above the surface is not in the hole yet. The component at the
-    /// surface is cut there; its bend, lateral force or survey sensor is left out where it would
-    /// be above the surface. A string that is no longer than that, or that runs to the surface, is
+    /// The lowest components up to a length, m, with the bit at that depth, because a rig runs them
+    /// from the bit up, and what is above the surface is not in the hole yet. The component at the
+    /// surface is cut there; its bend, lateral force or survey sensor is left out where it would be
+    /// above the surface. A string that is no longer than that, or that runs to the surface, is
     /// whole.
     #[must_use]
     pub fn lower_end(&self, length_m: f64) -> Self {

@@ -16,7 +16,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// Steel of drill pipe where nothing else is said: 7860 kg/m³, 210 GPa and 76.923 GPa.
+    /// Steel of drill pipe by default: 7860 kg/m³, 210 GPa and 76.923 GPa.
     pub const STEEL: Self =
         Self { density_kg_per_m3: 7860.0, youngs_modulus_Pa: 210e9, shear_modulus_Pa: 76.923e9 };
 

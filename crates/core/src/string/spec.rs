@@ -5,7 +5,7 @@ use super::{
     Material, ToolJoints, body, catalogue::PipeClass, component::ring_area_m2,
 };
 
-/// How long a component of a [`StringSpec`] is.
+/// Length of a component of a [`StringSpec`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ComponentLength {
     /// A length, m.
@@ -17,7 +17,7 @@ pub enum ComponentLength {
 /// A component whose length may depend on the depth of the bit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComponentSpec {
-    /// What the user calls it.
+    /// Name given by the user.
     pub name: String,
     /// Length.
     pub length: ComponentLength,
@@ -31,13 +31,13 @@ pub struct ComponentSpec {
     pub joints: Option<ToolJoints>,
     /// Blades, if it has any: instead of joints.
     pub blades: Option<Blades>,
-    /// What it is made of.
+    /// Material.
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
-    /// How worn its body is: [`Self::od_m`] is what is left of it.
+    /// Wear class of its body: [`Self::od_m`] is the remaining diameter.
     pub class: PipeClass,
-    /// What its connections bear.
+    /// Strength of its connections.
     pub connection: ConnectionStrength,
     /// A bend of its body.
     pub bend: Option<BodyBend>,
@@ -192,7 +192,7 @@ pub enum AssemblyError {
         field: &'static str,
         /// Value, SI.
         value: f64,
-        /// What was expected.
+        /// Expected value.
         expected: &'static str,
     },
     /// More than one component runs to the surface.
@@ -205,15 +205,15 @@ pub enum AssemblyError {
     },
     /// A component that runs to the surface has another one above it.
     #[error(
-        "component {index} (`{name}`) runs to the surface, but {above} more stand above it: it \
-         must be the last"
+        "component {index} (`{name}`) runs to the surface, but has {above} above it: it must \
+         be the last"
     )]
     ToSurfaceNotLast {
         /// Place of the component.
         index: usize,
         /// Name of the component.
         name: String,
-        /// How many components stand above it.
+        /// Number of components above it.
         above: usize,
     },
     /// The components below the one that fills up to the surface are longer than the hole.
@@ -250,8 +250,8 @@ const LENGTH_TOLERANCE_M: f64 = 1e-3;
 /// Largest bend of a body, rad: adjustable housings have 3° at most, bent subs as much.
 const MAX_BEND_RAD: f64 = 0.175;
 
-/// Refuses what has no node between the ends of the string, at the bit or at the surface: a bend, a
-/// lateral force.
+/// Returns an error for a bend or a lateral force at the bit or at the surface, where there is no
+/// node between the ends of the string.
 fn all_inside(string: DrillString) -> Result<DrillString, AssemblyError> {
     let length_m = string.length_m();
     for (index, span) in string.spans().enumerate() {
@@ -279,9 +279,9 @@ fn all_inside(string: DrillString) -> Result<DrillString, AssemblyError> {
 impl StringSpec {
     /// Checks every component and assembles the string for a depth of the bit, m.
     ///
-    /// The component that runs to the surface fills what the others leave; where they leave nothing
-    /// it is not part of the string. Without one, the lengths must add up to the bit depth within a
-    /// millimetre, and the topmost component takes the difference.
+    /// The component that runs to the surface fills the remaining length; where none remains it is
+    /// not part of the string. Without one, the lengths must add up to the bit depth within a
+    /// millimetre, and the topmost component absorbs the difference.
     pub fn assemble(&self, bit_depth_m: f64) -> Result<DrillString, AssemblyError> {
         if !(bit_depth_m.is_finite() && bit_depth_m > 0.0) {
             return Err(AssemblyError::BitDepth(bit_depth_m));
@@ -325,7 +325,7 @@ impl StringSpec {
         all_inside(DrillString::new(components))
     }
 
-    /// What can be checked without the depth of the bit.
+    /// Checks that do not need the depth of the bit.
     fn check(&self) -> Result<(), AssemblyError> {
         if self.components.is_empty() {
             return Err(AssemblyError::Empty);

@@ -1,4 +1,4 @@
-//! What the metal of a component's body bears.
+//! Stresses in the metal of a component's body.
 
 use super::Component;
 use crate::simd::number::Number;
@@ -30,9 +30,9 @@ impl BodySection {
 
 impl<N: Number> BodySection<N> {
     /// Von Mises stress, Pa, on the outside of the bend, at the outer or the inner surface,
-    /// whichever bears more, of a body that carries an effective tension `T`, N, a bending moment
-    /// `M` and a torque `M_t`, N·m. `burst_square_Pa2` is the square of what the pressure inside
-    /// has over that outside, Pa².
+    /// whichever is greater, of a body that carries an effective tension `T`, N, a bending moment
+    /// `M` and a torque `M_t`, N·m. `burst_square_Pa2` is the square of the pressure inside less
+    /// that outside, Pa².
     ///
     #[doc = include_str!("../../equations/von-mises.html")]
     ///
@@ -70,9 +70,9 @@ impl Component {
         self.second_moment_m4() / (0.5 * self.od_m)
     }
 
-    /// Force in the metal, N, `T + p_i A_i − p_o A_o + ρ Q²/A_i`: effective tension `T`, what the
-    /// mud's pressures outside and inside pull and press the metal with, and the momentum of the
-    /// stream in the bore. `stream_N_m2` is `ρ Q²`, N·m²; without a bore there is no stream.
+    /// Force in the metal, N, `T + p_i A_i − p_o A_o + ρ Q²/A_i`: effective tension `T`, the forces
+    /// of the mud's pressures outside and inside on the metal, and the momentum of the stream in
+    /// the bore. `stream_N_m2` is `ρ Q²`, N·m²; without a bore there is no stream.
     pub fn true_tension_N(
         &self,
         effective_N: f64,

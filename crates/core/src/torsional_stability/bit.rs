@@ -14,19 +14,19 @@ use crate::{
 /// Relative change of weight and speed over which a law's slopes are taken.
 const STEP: f64 = 1e-5;
 
-/// How rock answers a small motion of the bit along the hole.
+/// Response of the rock to a small motion of the bit along the hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LinearRock {
-    /// The bit does not move along the hole: its wear flats bear all the weight.
+    /// The bit does not move along the hole: its wear flats carry all the weight.
     Bears,
-    /// A front on a spring that goes on with the weight.
+    /// A front on a spring that advances with the weight.
     Front {
         /// Stiffness of the contact, N/m.
         stiffness_N_per_m: f64,
-        /// What the rate of penetration gains per weight, m/s/N.
+        /// Increase of the rate of penetration per weight, m/s/N.
         rate_per_weight_m_per_s_per_N: f64,
     },
-    /// What the blade before has left, a delay ago.
+    /// The surface left by the blade before, a delay ago.
     Delay {
         /// Weight per depth of cut of one blade, N/m.
         stiffness_N_per_m: f64,
@@ -38,15 +38,16 @@ pub enum LinearRock {
 /// A bit that drills steadily, as small motions find it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LinearBit {
-    /// How the rock answers along the hole.
+    /// Response of the rock along the hole.
     pub rock: LinearRock,
-    /// What the torque gains per weight, m.
+    /// Increase of the torque per weight, m.
     pub torque_per_weight_m: f64,
-    /// What the torque gains per speed at constant weight, N·m·s; negative of a bit that weakens.
+    /// Increase of the torque per speed at constant weight, N·m·s; negative for a bit whose torque
+    /// falls with speed.
     pub torque_per_speed_N_m_s: f64,
-    /// What it goes on per angle at constant weight, m/rad.
+    /// Advance per angle at constant weight, m/rad.
     pub advance_per_angle_m: f64,
-    /// What a motor's speed loses per torque, rad/s/(N·m); zero without one that gives way.
+    /// Decrease of a motor's speed per torque, rad/s/(N·m); zero without a motor of variable speed.
     pub motor_droop_rad_per_s_per_N_m: f64,
     /// Its torque, N·m.
     pub torque_N_m: f64,
@@ -122,7 +123,7 @@ impl LinearBit {
         Ok(bit)
     }
 
-    /// The slopes of a law that says rate and torque of weight and speed.
+    /// The slopes of a law that gives rate and torque for weight and speed.
     fn measured(law: &BitLaw, weight: f64, speed: f64) -> Option<Self> {
         let here = law.steady(weight, speed)?;
         let by = |weight_step: f64, speed_step: f64| {
@@ -148,8 +149,9 @@ impl LinearBit {
         })
     }
 
-    /// What the bit adds to the determinant of the string, whose torsional and axial stiffness at
-    /// the bit these are; `answered` is what an autodriller adds to the weight on the string's end.
+    /// Contribution of the bit to the determinant of the string, whose torsional and axial
+    /// stiffness at the bit these are; `answered` is the contribution of an autodriller to the
+    /// weight on the string's end.
     pub(super) fn close(
         &self,
         s: Complex<f64>,
@@ -159,7 +161,7 @@ impl LinearBit {
     ) -> Complex<f64> {
         let gives = self.motor_droop_rad_per_s_per_N_m * self.torque_per_speed_N_m_s + 1.0;
         let turning = torsion + s * (self.torque_per_speed_N_m_s / gives);
-        // W = A (u − ρ φ) of a front, W = k (1 − e^{−sτ}) (u − ρ φ) of what a blade has left.
+        // W = A (u − ρ φ) of a front, W = k (1 − e^{−sτ}) (u − ρ φ) of the surface left by a blade.
         let pressed = match self.rock {
             LinearRock::Bears => return turning,
             LinearRock::Front { stiffness_N_per_m: k, rate_per_weight_m_per_s_per_N: rate } => {

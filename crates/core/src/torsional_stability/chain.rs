@@ -24,17 +24,17 @@ pub struct LumpedChain {
     pub stiffness_damping_s: f64,
 }
 
-/// What turns or carries the top node.
+/// Boundary condition of the top node: its drive or its support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum TopEnd {
     /// It does not give way.
     Held,
-    /// It gives way: what it costs beside the top node's own inertia, and the part of the spring's
-    /// force that the top answers besides.
+    /// A yielding top: its impedance in addition to the top node's own inertia, and the part of the
+    /// spring's force to which the top responds in addition.
     Gives { own: Complex<f64>, answered: Complex<f64> },
 }
 
-/// What the chain shows at the bit at one complex frequency.
+/// Response of the chain at the bit at one complex frequency.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Response {
     /// Force at the bit per displacement of it, the bit's own inertia included.
@@ -54,33 +54,34 @@ impl LumpedChain {
     }
 
     /// The same with fewer nodes: neighbours are joined as long as a wave takes no longer than
-    /// `longest_s` from one node to the next. Springs act in series, what a node had goes to its
-    /// neighbours.
+    /// `longest_s` from one node to the next. Springs act in series, and the properties of a
+    /// removed node are distributed to its neighbours.
     pub(super) fn merged(&self, longest_s: f64) -> Self {
         let last = self.inertia.len() - 1;
-        let mut kept = vec![0];
+        let mut indices = vec![0];
         let mut travel_s = 0.0;
         for index in 0..last {
             let across_s = self.across_s(index);
             if index > 0 && travel_s + across_s > longest_s {
-                kept.push(index);
+                indices.push(index);
                 travel_s = 0.0;
             }
             travel_s += across_s;
         }
-        kept.push(last);
+        indices.push(last);
         let mut merged = Self {
-            inertia: vec![0.0; kept.len()],
-            stiffness: Vec::with_capacity(kept.len() - 1),
-            drag: vec![0.0; kept.len()],
+            inertia: vec![0.0; indices.len()],
+            stiffness: Vec::with_capacity(indices.len() - 1),
+            drag: vec![0.0; indices.len()],
             stiffness_damping_s: self.stiffness_damping_s,
         };
-        for (above, pair) in kept.windows(2).enumerate() {
+        for (above, pair) in indices.windows(2).enumerate() {
             let softness =
                 |to: usize| -> f64 { self.stiffness[pair[0]..to].iter().map(|k| 1.0 / k).sum() };
             let whole = softness(pair[1]);
             merged.stiffness.push(1.0 / whole);
-            // A node between two kept ones moves with both by where it lies between them.
+            // A node between two kept ones moves with both in proportion to its position between
+            // them.
             for index in pair[0]..pair[1] {
                 let below = softness(index) / whole;
                 for (to, part) in [(above, 1.0 - below), (above + 1, below)] {
@@ -89,8 +90,8 @@ impl LumpedChain {
                 }
             }
         }
-        merged.inertia[kept.len() - 1] += self.inertia[last];
-        merged.drag[kept.len() - 1] += self.drag[last];
+        merged.inertia[indices.len() - 1] += self.inertia[last];
+        merged.drag[indices.len() - 1] += self.drag[last];
         merged
     }
 
@@ -104,8 +105,8 @@ impl LumpedChain {
         (0..self.stiffness.len()).map(|index| self.across_s(index)).sum()
     }
 
-    /// What it shows at each frequency, its top as `top` says there; what a force on the top node
-    /// transfers to the bit where that is asked for.
+    /// Response at each frequency with the boundary condition `top` there, and on request the
+    /// transfer of a force on the top node to the bit.
     pub(super) fn responses<const TRANSFERS: bool>(
         &self,
         frequencies: &[Complex<f64>],
@@ -119,8 +120,8 @@ impl LumpedChain {
         found
     }
 
-    /// Elimination from the top down: `p_i = m_i + k_i`, and the next node has `k_i m_i/p_i` of
-    /// what is above it.
+    /// Elimination from the top down: `p_i = m_i + k_i`, and the part above the next node
+    /// contributes `k_i m_i/p_i` to it.
     fn respond<const TRANSFERS: bool>(
         &self,
         some: &[Complex<f64>],
@@ -148,7 +149,7 @@ struct Sweep {
     square: [Row; 2],
     /// `1 + βs`.
     damped: [Row; 2],
-    /// What the next node has of all above it.
+    /// Contribution of everything above to the next node.
     above: [Row; 2],
     determinant: [Row; 2],
     transfer: [Row; 2],
@@ -239,14 +240,14 @@ impl Sweep {
 
     /// At the bit.
     fn end(&self, inertia: f64, drag: f64) -> [Response; LANES] {
-        let of = |row: &[Row; 2], lane: usize| Complex::new(row[0][lane], row[1][lane]);
+        let value = |row: &[Row; 2], lane: usize| Complex::new(row[0][lane], row[1][lane]);
         std::array::from_fn(|lane| Response {
-            end: of(&self.square, lane) * inertia
-                + of(&self.s, lane) * drag
-                + of(&self.above, lane),
-            determinant: of(&self.determinant, lane),
+            end: value(&self.square, lane) * inertia
+                + value(&self.s, lane) * drag
+                + value(&self.above, lane),
+            determinant: value(&self.determinant, lane),
             ln_scale: self.ln_scale[lane],
-            transfer: of(&self.transfer, lane),
+            transfer: value(&self.transfer, lane),
         })
     }
 }

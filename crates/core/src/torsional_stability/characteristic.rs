@@ -33,9 +33,9 @@ pub struct SteadyRotation {
     pub torsion: LumpedChain,
     /// Along the hole.
     pub axial: LumpedChain,
-    /// What turns its top.
+    /// Drive of its top.
     pub drive: LinearDrive,
-    /// What carries it.
+    /// Support of its top.
     pub hoist: LinearHoist,
     /// Its bit.
     pub bit: LinearBit,
@@ -48,11 +48,11 @@ impl SteadyRotation {
         let torsion = self.torsion.responses::<false>(frequencies, |s| self.drive.top(s));
         if self.bit.rock == LinearRock::Bears {
             let zero = Complex::new(0.0, 0.0);
-            let of = torsion.iter().zip(frequencies).map(|(t, s)| Value {
+            let values = torsion.iter().zip(frequencies).map(|(t, s)| Value {
                 mantissa: t.determinant * self.bit.close(*s, t.end, zero, zero),
                 ln_scale: t.ln_scale,
             });
-            return of.collect();
+            return values.collect();
         }
         let axial = self.axial.responses::<true>(frequencies, |s| self.hoist.top(s));
         let both = torsion.iter().zip(&axial).zip(frequencies);
@@ -69,7 +69,8 @@ impl SteadyRotation {
         .collect()
     }
 
-    /// The same on chains of fewer nodes: a wave takes up to `longest_s` from one to the next.
+    /// The same on chains of fewer nodes: with a travel time of up to `longest_s` from one to the
+    /// next.
     pub(super) fn merged(&self, longest_s: f64) -> Self {
         let torsion = self.torsion.merged(longest_s);
         Self {

@@ -1,4 +1,4 @@
-//! What the top of the string shows to a small torsional motion.
+//! Impedance of the string's top to a small torsional motion.
 
 use nalgebra::Complex;
 
@@ -70,8 +70,8 @@ impl LinearDrive {
         }
     }
 
-    /// What the chain's top node meets: `s² J + s K_p + K_i`, and what a controller that hears the
-    /// string's torque adds of it, `(K_p s + K_i)/((s + ω₁) Z)`.
+    /// Impedance at the chain's top node: `s² J + s K_p + K_i`, and the contribution of a
+    /// controller with feedback of the string's torque, `(K_p s + K_i)/((s + ω₁) Z)`.
     pub(super) fn top(&self, s: Complex<f64>) -> TopEnd {
         match *self {
             Self::Constant => TopEnd::Held,
@@ -97,8 +97,8 @@ impl LinearDrive {
                     return 1.0;
                 };
                 let control = gains.integral_N_m / s + gains.proportional_N_m_s;
-                let shown = (s * inertia_kg_m2 + control) / (answered + 1.0);
-                complex::norm((shown - pipe_N_m_s) / (shown + pipe_N_m_s))
+                let impedance = (s * inertia_kg_m2 + control) / (answered + 1.0);
+                complex::norm((impedance - pipe_N_m_s) / (impedance + pipe_N_m_s))
             }
         }
     }

@@ -1,4 +1,4 @@
-//! What another controller of the top drive would do for the threshold.
+//! Effect of another controller of the top drive on the threshold.
 
 use super::{
     StabilityAtWeight, StabilityError, StabilityRange, StabilitySettings, Threshold,
@@ -12,7 +12,7 @@ const RATIOS: [f64; 4] = [1.0, 1.5, 2.5, 4.0];
 /// Part of the speeds of the map at which a controller is tried.
 const THINNED: usize = 3;
 
-/// A controller tuned to the string, and what it does.
+/// A controller tuned to the string, and its effect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TunedDrive {
     /// Its proportional gain over the characteristic impedance of the uppermost pipe.
@@ -64,7 +64,7 @@ impl StabilityAtWeight<'_> {
 impl Threshold {
     /// Whether it is stable from a lower speed on.
     pub(super) fn sooner_than(self, other: Self) -> bool {
-        let speed = |of: Self| match of {
+        let speed = |threshold: Self| match threshold {
             Self::Everywhere => 0.0,
             Self::From(speed) => speed,
             Self::Nowhere => f64::INFINITY,

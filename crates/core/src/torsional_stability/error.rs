@@ -10,8 +10,8 @@ pub enum StabilityError {
     NotDrilling,
     /// A bit on solid rock.
     #[error(
-        "a bit on solid rock has no law whose slopes are known: measure it with a bit test, and \
-         give its table to the bit"
+        "a bit on solid rock has no law with known slopes: measure it with a bit test, and give \
+         its table to the bit"
     )]
     SolidRock,
     /// Nothing in the case falls with speed, and every point of the map is stable.
@@ -26,7 +26,7 @@ pub enum StabilityError {
     NothingFalls {
         /// Kinetic friction of the deepest section.
         kinetic: f64,
-        /// A usual friction at rest beside it.
+        /// A usual static friction to go with it.
         at_rest: f64,
         /// A usual ratio of the two.
         ratio: f64,
@@ -34,8 +34,8 @@ pub enum StabilityError {
     /// The bit does not turn.
     #[error("the bit does not turn: its motor stalls, or the string does not turn")]
     Stands,
-    /// A controller or a friction law of the caller's own.
-    #[error("{0} of one's own has no slopes that are known")]
+    /// A user-defined controller or friction law.
+    #[error("a user-defined {0} has no known slopes")]
     Custom(&'static str),
     /// A range that holds nothing.
     #[error("{0} must be positive, the second above the first, in two steps at least")]

@@ -1,4 +1,4 @@
-//! What the hoist shows to a small axial motion of the top.
+//! Impedance of the hoist to a small axial motion of the top.
 
 use nalgebra::Complex;
 
@@ -18,7 +18,8 @@ pub enum LinearHoist {
         stiffness_N_per_m: f64,
         /// Damping of the line, N·s/m.
         damping_N_s_per_m: f64,
-        /// What moves the drum by the weight on bit; none where it turns at a constant speed.
+        /// Autodriller that moves the drum by the weight on bit; none where it turns at a constant
+        /// speed.
         autodriller: Option<Autodriller>,
     },
 }
@@ -40,7 +41,7 @@ impl LinearHoist {
         }
     }
 
-    /// What the chain's top node meets.
+    /// Impedance at the chain's top node.
     pub(super) fn top(&self, s: Complex<f64>) -> TopEnd {
         let zero = Complex::new(0.0, 0.0);
         let own = match *self {

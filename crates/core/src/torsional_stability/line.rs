@@ -2,14 +2,14 @@
 
 use super::{pressing::LiesBy, roots::Stability};
 
-/// A speed and a weight, and what small motions do there.
+/// A speed and a weight, and the stability of small vibrations there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StabilityPoint {
     /// Rotary speed at surface, rad/s.
     pub rotary_speed_rad_per_s: f64,
     /// Weight on bit, N.
     pub weight_on_bit_N: f64,
-    /// What small motions do.
+    /// Stability of small vibrations.
     pub stability: Stability,
 }
 
@@ -37,6 +37,6 @@ pub struct StabilityLine {
     pub surface_torque_N_m: f64,
     /// Whether that is more than the top drive gives.
     pub stalls: bool,
-    /// Which method said how the string lies.
+    /// Method that provided the contact of the string.
     pub lies_by: LiesBy,
 }

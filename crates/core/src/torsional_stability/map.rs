@@ -21,7 +21,8 @@ use crate::{
     rod::{mesh::Mesh, stability::StepPlan},
 };
 
-/// What is slower than this part of the string's lowest torsional frequency is the hoist's matter.
+/// Motions slower than this fraction of the string's lowest torsional frequency belong to the
+/// hoist.
 const SLOWEST: f64 = 0.2;
 
 /// Nodes are merged as long as the fastest motion that is looked at turns by no more than this from
@@ -49,10 +50,10 @@ pub struct TorsionalStability<'a> {
     string: TorsionalString,
 }
 
-/// A weight at which the string lies in its hole.
+/// A weight, with the position of the string in its hole under it.
 #[derive(Debug, Clone)]
 pub struct StabilityAtWeight<'a> {
-    of: &'a TorsionalStability<'a>,
+    stability: &'a TorsionalStability<'a>,
     weight_on_bit_N: f64,
     pressing: Pressing,
     drive: LinearDrive,
@@ -62,7 +63,7 @@ impl<'a> TorsionalStability<'a> {
     /// The string of a case, cut into the elements of the dynamics and with their inertia.
     ///
     /// # Errors
-    /// An operation that is not drilling, what has no slopes, and settings that no run can use.
+    /// An operation that is not drilling, a law without slopes, and settings that no run can use.
     pub fn new(
         model: &'a Model,
         operation: &Operation,
@@ -80,14 +81,14 @@ impl<'a> TorsionalStability<'a> {
         let [torsion, axial] = chains(&mesh, &plan, settings);
         let drive = LinearDrive::new(&settings.top_drive, string, torsion.inertia[0])
             .ok_or(StabilityError::Custom("a controller of the top drive"))?;
-        // Says at once what has no slopes.
+        // Returns the error of a law without slopes at once.
         LinearBit::new(&settings.bit, &operation, &operation)?;
         Ok(Self { model, operation, settings, mesh, torsion, axial, drive, string })
     }
 
-    /// Whether something in the string's surroundings falls with speed, and so can drive stick-slip:
-    /// the friction of a section of the hole, the torque of the bit, or the weight of a bit that
-    /// cuts what its own passage before has left.
+    /// Whether something in the string's surroundings falls with speed, and so can drive
+    /// stick-slip: the friction of a section of the hole, the torque of the bit, or the weight of a
+    /// bit that cuts the surface left by its own previous passage.
     ///
     /// Without that only the rate of penetration drives it, under much weight: a bit that slows
     /// down drills less than the string follows, which adds weight and torque (by `T/Ω` where the
@@ -105,8 +106,8 @@ impl<'a> TorsionalStability<'a> {
         Ok(bit.torque_per_speed_N_m_s < 0.0 || matches!(bit.rock, LinearRock::Delay { .. }))
     }
 
-    /// Why a map on which every point is stable says nothing: the error that names what the case
-    /// lacks.
+    /// The error of a map that is meaningless because every point is stable: it names the missing
+    /// input of the case.
     pub fn nothing_falls(&self) -> StabilityError {
         let kinetic = self.model.well.hole.sections().last().map_or(0.0, |at| at.friction.kinetic);
         let ratio = USUAL_STATIC_OVER_KINETIC;
@@ -129,7 +130,7 @@ impl<'a> TorsionalStability<'a> {
         self.drive
     }
 
-    /// Where roots are looked for.
+    /// Band of the search for roots.
     pub fn band(&self, settings: &StabilitySettings) -> Band {
         Band {
             lowest_rad_per_s: SLOWEST * TAU * self.string.frequency_Hz,
@@ -155,7 +156,7 @@ impl<'a> TorsionalStability<'a> {
         operation.bit_torque_N_m = bit.torque_N_m;
         operation.rate_of_penetration_m_per_s = bit.rate_m_per_s;
         let pressing = Pressing::new(self.model, &self.mesh, self.settings, &operation)?;
-        Ok(StabilityAtWeight { of: self, weight_on_bit_N, pressing, drive: self.drive })
+        Ok(StabilityAtWeight { stability: self, weight_on_bit_N, pressing, drive: self.drive })
     }
 
     /// A weight on bit at all speeds of the settings.
@@ -175,12 +176,12 @@ impl StabilityAtWeight<'_> {
     /// The same with the drive under another controller.
     #[must_use]
     pub fn under(&self, controller: SpeedController) -> Self {
-        Self { drive: self.drive.under(controller, self.of.string), ..self.clone() }
+        Self { drive: self.drive.under(controller, self.stability.string), ..self.clone() }
     }
 
     /// The string as its top drive is tuned to it.
     pub(super) fn string(&self) -> TorsionalString {
-        self.of.string
+        self.stability.string
     }
 
     /// Its top drive.
@@ -193,9 +194,9 @@ impl StabilityAtWeight<'_> {
     /// # Errors
     /// A bit that stalls its motor.
     pub fn turning(&self, rotary_speed_rad_per_s: f64) -> Result<SteadyRotation, StabilityError> {
-        let TorsionalStability { model, settings, mesh, torsion, axial, .. } = self.of;
-        let operation = self.of.at(rotary_speed_rad_per_s, self.weight_on_bit_N);
-        let bit = LinearBit::new(&settings.bit, &self.of.operation, &operation)?;
+        let TorsionalStability { model, settings, mesh, torsion, axial, .. } = self.stability;
+        let operation = self.stability.at(rotary_speed_rad_per_s, self.weight_on_bit_N);
+        let bit = LinearBit::new(&settings.bit, &self.stability.operation, &operation)?;
         let rate = bit.rate_m_per_s;
         let drag = Drag::new(model, mesh, settings, &operation, &self.pressing, rate);
         let (control, _) = hoisting(&operation, settings);
@@ -208,7 +209,7 @@ impl StabilityAtWeight<'_> {
         })
     }
 
-    /// What small motions do at a speed.
+    /// Stability of small vibrations at a speed.
     ///
     /// # Errors
     /// A bit that stalls its motor.
@@ -229,11 +230,12 @@ impl StabilityAtWeight<'_> {
     /// A bit that stalls its motor, and a range that holds nothing.
     pub fn line(&self, settings: &StabilitySettings) -> Result<StabilityLine, StabilityError> {
         settings.check()?;
-        let band = self.of.band(settings);
+        let band = self.stability.band(settings);
         let speeds = settings.speeds_rad_per_s.values();
         let points: Result<Vec<_>, _> = speeds.iter().map(|s| self.point(*s, band)).collect();
         let points = points?;
-        let limit_N_m = self.of.settings.top_drive.torque_limit_N_m().unwrap_or(f64::INFINITY);
+        let limit_N_m =
+            self.stability.settings.top_drive.torque_limit_N_m().unwrap_or(f64::INFINITY);
         Ok(StabilityLine {
             weight_on_bit_N: self.weight_on_bit_N,
             threshold: self.threshold(&points, band)?,

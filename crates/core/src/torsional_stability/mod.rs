@@ -1,5 +1,5 @@
-//! Torsional stability: whether a string that turns and drills steadily goes on so, or begins to
-//! stick and slip.
+//! Torsional stability: whether the steady rotation of a drilling string is stable, or stick-slip
+//! begins.
 //!
 //! Small motions `e^{st}` about steady rotation: the string is a chain in torsion and one along the
 //! hole, with the dynamics' inertia, stiffness and damping; the top drive and the hoist end it

@@ -1,11 +1,11 @@
-//! What the map says of the case's own speed and weight.
+//! Results of the map at the case's own speed and weight.
 
 use super::{
     LiesBy, StabilityError, StabilitySettings, Threshold, TorsionalStability, TunedDrive,
     roots::Stability,
 };
 
-/// Frequencies at which the top drive's reflection is said, over the string's lowest.
+/// Frequencies at which the top drive's reflection is reported, over the string's lowest.
 const REFLECTED: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 
 /// The case's own speed and weight on the map, and its top drive.
@@ -15,7 +15,7 @@ pub struct StabilityOfCase {
     pub rotary_speed_rad_per_s: f64,
     /// Weight on bit, N.
     pub weight_on_bit_N: f64,
-    /// What small motions do there.
+    /// Stability of small vibrations there.
     pub stability: Stability,
     /// From which speed on this weight is stable.
     pub threshold: Threshold,
@@ -23,7 +23,7 @@ pub struct StabilityOfCase {
     pub surface_torque_N_m: f64,
     /// Whether that is more than the top drive gives.
     pub stalls: bool,
-    /// Which method said how the string lies.
+    /// Method that provided the contact of the string.
     pub lies_by: LiesBy,
     /// Lowest torsional frequency of the string, held at the top and free at the bit, Hz.
     pub string_frequency_Hz: f64,

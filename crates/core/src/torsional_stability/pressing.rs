@@ -1,4 +1,4 @@
-//! What presses the string on the wall while it drills under a weight.
+//! Contact forces of the string on the wall while it drills under a weight.
 
 use crate::{
     dynamics::DynamicsSettings,
@@ -11,7 +11,7 @@ use crate::{
     },
 };
 
-/// Which method said how the string lies.
+/// Method that provided the contact of the string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LiesBy {
     /// The stiff string.

@@ -22,7 +22,7 @@ const HALVINGS: usize = 24;
 /// Roots that are followed to their end at a point of the map.
 const FOLLOWED: usize = 8;
 
-/// Part of the way to where a root seems to be at which the second point of a secant stands.
+/// Position of the second point of a secant, as a fraction of the distance to the estimated root.
 const NEAR: f64 = 0.05;
 
 /// Rounds in which growing roots are looked for that were not found at first.
@@ -31,12 +31,12 @@ const ROUNDS: usize = 6;
 /// Steps of a secant.
 const STEPS: usize = 40;
 
-/// Where roots are looked for: between two magnitudes, rad/s.
+/// Band of the search for roots: between two magnitudes, rad/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Band {
-    /// What is slower is left to the hoist.
+    /// Slower motions are left to the hoist.
     pub lowest_rad_per_s: f64,
-    /// What is faster is not looked at.
+    /// Faster motions are not searched.
     pub highest_rad_per_s: f64,
 }
 
@@ -49,7 +49,7 @@ pub struct Root {
     pub frequency_Hz: f64,
 }
 
-/// What linear vibration about steady rotation does.
+/// Result of the linear vibration about steady rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stability {
     /// Roots in the band that grow, a pair counted twice.
@@ -76,13 +76,13 @@ struct Sample {
 }
 
 impl SteadyRotation {
-    /// What small motions do whose frequency and growth lie in a band.
+    /// Stability of small vibrations whose frequency and growth are in a band.
     pub fn stability(&self, band: Band) -> Stability {
         let Band { lowest_rad_per_s: low, highest_rad_per_s: high } = band;
         let travel_s = self.travel_s();
         let samples = |length: f64| ((length * travel_s * PER_ROOT / PI) as usize).max(24);
         let axis = self.trace(|w| Complex::new(0.0, w), [low, high], samples(high - low), true);
-        // Where the function has no roots near, it turns by the travel time.
+        // Where no roots are near, the function's phase changes by the travel time.
         let outer = self.trace(
             |angle| complex::polar(high, angle),
             [0.0, FRAC_PI_2],
@@ -178,7 +178,7 @@ impl SteadyRotation {
             .collect();
         for _ in 0..STEPS {
             let mut next = Vec::new();
-            let mut kept = Vec::new();
+            let mut pending = Vec::new();
             for [(s0, f0), (s1, f1)] in going {
                 // s₁ − f₁ (s₁ − s₀)/(f₁ − f₀).
                 let step = (s1 - s0) / (-f0.over(&f1) + 1.0);
@@ -188,7 +188,7 @@ impl SteadyRotation {
                 if !near {
                     continue;
                 }
-                // A first step beside a huge value is small wherever it is taken.
+                // Next to a huge value a first step is small at any point.
                 let before = complex::norm(s1 - s0);
                 let size = 1.0 + complex::norm(s1);
                 if complex::norm(step) < 1e-9 * size && before < 1e-4 * size {
@@ -196,7 +196,7 @@ impl SteadyRotation {
                     found.push(Complex::new(s2.re, s2.im.abs()));
                 } else {
                     next.push(s2);
-                    kept.push((s1, f1));
+                    pending.push((s1, f1));
                 }
             }
             if next.is_empty() {
@@ -204,7 +204,7 @@ impl SteadyRotation {
             }
             let values = self.divided(&next, known);
             let ends = next.into_iter().zip(values);
-            going = kept.into_iter().zip(ends).map(|(before, now)| [before, now]).collect();
+            going = pending.into_iter().zip(ends).map(|(before, now)| [before, now]).collect();
         }
         found.retain(|s| {
             (band.lowest_rad_per_s..=band.highest_rad_per_s).contains(&complex::norm(*s))
@@ -214,12 +214,12 @@ impl SteadyRotation {
     }
 }
 
-/// By what the function turns between two samples, rad.
+/// Phase change of the function between two samples, rad.
 fn angle(pair: &[Sample]) -> f64 {
     complex::argument(pair[1].value.mantissa / pair[0].value.mantissa)
 }
 
-/// By what it turns along a curve, rad.
+/// Phase change along a curve, rad.
 fn turn(samples: &[Sample]) -> f64 {
     samples.windows(2).map(angle).sum()
 }
@@ -230,15 +230,15 @@ fn distinct(roots: &mut Vec<Complex<f64>>) {
     roots.dedup_by(|a, b| complex::norm(*a - *b) < 1e-6 * (1.0 + complex::norm(*b)));
 }
 
-/// How many of these grow, pairs counted twice.
+/// Number of these that grow, pairs counted twice.
 fn count(roots: &[Complex<f64>], band: Band) -> usize {
     let pair = |s: &&Complex<f64>| s.im > 1e-6 * band.lowest_rad_per_s;
     let growing = roots.iter().filter(|s| s.re > 0.0);
     growing.clone().count() + growing.filter(pair).count()
 }
 
-/// Where roots near the axis seem to be: a sample, and where the function's slope there sends it.
-/// Those that seem to grow, and as many others as are worth it.
+/// Estimates of roots near the axis: a sample, and the zero predicted by the function's slope
+/// there. They include those that seem to grow, and a limited number of others.
 fn starts(axis: &[Sample]) -> Vec<[Complex<f64>; 2]> {
     let steps: Vec<Complex<f64>> = axis
         .windows(3)
@@ -249,13 +249,13 @@ fn starts(axis: &[Sample]) -> Vec<[Complex<f64>; 2]> {
         })
         .collect();
     let mut starts: Vec<[Complex<f64>; 2]> = Vec::new();
-    for (at, of) in steps.windows(3).enumerate() {
-        if complex::norm(of[1]) <= complex::norm(of[0])
-            && complex::norm(of[1]) <= complex::norm(of[2])
+    for (at, window) in steps.windows(3).enumerate() {
+        if complex::norm(window[1]) <= complex::norm(window[0])
+            && complex::norm(window[1]) <= complex::norm(window[2])
         {
             let s = axis[at + 2].s;
             // So near that the first secant is a tangent.
-            starts.push([s, s + of[1] * NEAR]);
+            starts.push([s, s + window[1] * NEAR]);
         }
     }
     starts.sort_by(|a, b| b[1].re.total_cmp(&a[1].re));

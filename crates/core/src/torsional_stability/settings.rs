@@ -1,4 +1,4 @@
-//! What a map of torsional stability covers.
+//! Range of a map of torsional stability.
 
 use std::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ pub struct StabilityRange {
     pub from: f64,
     /// The largest.
     pub to: f64,
-    /// How many values.
+    /// Number of values.
     pub values: usize,
 }
 
@@ -28,7 +28,7 @@ impl StabilityRange {
     }
 }
 
-/// What a map covers.
+/// Range of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StabilitySettings {
     /// Rotary speeds, rad/s.
@@ -42,7 +42,8 @@ pub struct StabilitySettings {
 impl StabilitySettings {
     /// A fifth to twice the operation's speed and weight, motions up to 25 Hz.
     pub fn around(operation: &Operation) -> Self {
-        let around = |of: f64| StabilityRange { from: 0.2 * of, to: 2.0 * of, values: VALUES };
+        let around =
+            |value: f64| StabilityRange { from: 0.2 * value, to: 2.0 * value, values: VALUES };
         Self {
             speeds_rad_per_s: around(operation.rotary_speed_rad_per_s),
             weights_N: around(operation.weight_on_bit_N),
@@ -65,8 +66,8 @@ impl StabilitySettings {
     }
 }
 
-/// Speeds and weights of a map where nothing else is said: the operation's own are among them.
+/// Speeds and weights of a map by default: the operation's own are among them.
 const VALUES: usize = 19;
 
-/// Fastest motion that is looked at where nothing else is said, Hz.
+/// Fastest motion in the search by default, Hz.
 pub const HIGHEST_HZ: f64 = 25.0;

@@ -1,4 +1,4 @@
-//! What wall and mud do to small motions of a string that turns and advances steadily.
+//! Effect of wall and mud on small vibrations of a string that turns and advances steadily.
 
 use super::pressing::Pressing;
 use crate::{
@@ -20,7 +20,7 @@ pub(super) struct Drag {
     pub(super) along_N_s_per_m: Vec<f64>,
 }
 
-/// How a node slides.
+/// Sliding of a node.
 #[derive(Clone, Copy)]
 struct Sliding {
     around_m_per_s: f64,
@@ -84,7 +84,7 @@ impl Drag {
     }
 }
 
-/// What friction gains per sliding speed around the hole and along it, per contact force, s/m.
+/// Increase of friction per sliding speed around the hole and along it, per contact force, s/m.
 ///
 /// Of `f = μ(|u|) u/|u|`: `∂f_t/∂u_t = μ′ u_t²/|u|² + μ u_a²/|u|³`, and along the hole with `t` and
 /// `a` exchanged; where each direction has the full friction by its own sign, `μ′ |u_i|/|u|`.

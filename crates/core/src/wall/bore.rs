@@ -33,7 +33,7 @@ pub struct BorePoint {
     pub axis: PathPoint,
     /// Radius of the hole, m.
     pub radius_m: f64,
-    /// What the radius gains per metre of depth.
+    /// Increase of the radius per metre of depth.
     pub slope: f64,
 }
 
@@ -90,7 +90,7 @@ impl Bore {
         self.smooth(md_m)[0]
     }
 
-    /// Radius of the smooth hole, m, and what it gains per metre.
+    /// Radius of the smooth hole, m, and its increase per metre.
     fn smooth(&self, md_m: f64) -> [f64; 2] {
         let sections = self.hole.sections();
         let mut radius = 0.5 * sections[0].diameter_m;
@@ -111,9 +111,8 @@ impl Bore {
         [radius, slope]
     }
 
-    /// How much of the roughness there is at a measured depth, and its first two derivatives: none
-    /// above the hole, each section's own in it. Where that changes, it does over the shortest
-    /// wavelength.
+    /// Factor of the roughness at a measured depth, and its first two derivatives: zero above the
+    /// hole, each section's own in it. It changes between sections over the shortest wavelength.
     fn share(&self, md_m: f64) -> [f64; 3] {
         let sections = self.hole.sections();
         let width = self.hole.roughness().map_or(1.0, |r| r.shortest_m);
@@ -148,12 +147,12 @@ fn smooth_step(x: f64) -> [f64; 3] {
     }
 }
 
-/// A point of the path moved by what lies across the path of an offset that is given with its first
-/// two derivatives along it.
+/// A point of the path, moved by the component across the path of an offset, which is given with
+/// its first two derivatives along it.
 ///
 /// `δ = g − (g·t) t`. With `t' = κ` its derivatives are `δ' = g' − (g'·t + g·κ) t − (g·t) κ` and,
-/// but for terms in `κ'` and `κ²`, `δ'' = g'' − (g''·t + 2 g'·κ) t − 2 (g'·t) κ`: what is left out
-/// bends the axis by 1e-7 1/m where the path's dogleg changes by 3 deg/30 m within 30 m and the
+/// but for terms in `κ'` and `κ²`, `δ'' = g'' − (g''·t + 2 g'·κ) t − 2 (g'·t) κ`: the terms left
+/// out bend the axis by 1e-7 1/m where the path's dogleg changes by 3 deg/30 m within 30 m and the
 /// offset is 2 mm.
 fn shifted(point: &PathPoint, [g, g1, g2]: [nalgebra::Vector3<f64>; 3]) -> PathPoint {
     let (t, kappa) = (point.tangent, point.curvature_per_m);

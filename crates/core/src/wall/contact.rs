@@ -7,7 +7,7 @@
 
 use serde::Serialize;
 
-/// How the wall answers penetration.
+/// Contact force of the wall against penetration.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub enum ContactLaw {
     /// `N = K_h α^1.5 (1 + d α')`, `K_h` from the elastic constants and radii of pipe and hole.

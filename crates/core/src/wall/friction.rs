@@ -1,12 +1,12 @@
-//! Friction between string and wall, as an impulse capped at what stops the motion.
+//! Friction between string and wall, as an impulse capped at the value that stops the motion.
 //!
 //! A force that would reverse the sliding within the step is cut to the one that stops it: rest is
 //! exact, and a resting string keeps its drag for ever. (A regularised law creeps and loses it.)
 
 use crate::simd::number::Number;
 
-/// Sliding speed at which the coefficient at rest has half decayed to the kinetic one where nothing
-/// else is said, m/s.
+/// Sliding speed at which the coefficient at rest has half decayed to the kinetic one by default,
+/// m/s.
 pub const STRIBECK_SPEED_M_PER_S: f64 = 0.1;
 
 /// Coefficient of friction at the sliding speed whose square is `speed2`:
@@ -20,10 +20,10 @@ pub fn coefficient<N: Number>(kinetic: N, rise: N, speed2: N, decay: N) -> N {
 /// Friction on a contact that would slide at `axial` and `around` without it, N, in the direction
 /// of these velocities (the string feels the opposite).
 ///
-/// `limit` is `μ N`; `g_axial` and `g_around` are the speeds that one newton takes away in the
-/// step. The law is `f_i (g_i + λ) = u_i` with `λ = |u|/limit − Σ g u²/Σ u² ≥ 0`; the length of `f`
-/// is the limit, or what stops the motion if that is less. Theory and error of the direction:
-/// `docs/src/theory/friction.md`.
+/// `limit` is `μ N`; `g_axial` and `g_around` are the speeds that one newton removes in the step.
+/// The law is `f_i (g_i + λ) = u_i` with `λ = |u|/limit − Σ g u²/Σ u² ≥ 0`; the length of `f` is
+/// the limit, or the value that stops the motion if that is less. Theory and error of the
+/// direction: `docs/src/theory/friction.md`.
 #[inline(always)]
 pub fn vector<N: Number>(limit: N, axial: N, around: N, g_axial: N, g_around: N) -> (N, N) {
     let (a2, t2) = (axial * axial, around * around);
@@ -41,7 +41,7 @@ pub fn vector<N: Number>(limit: N, axial: N, around: N, g_axial: N, g_around: N)
 }
 
 /// The article's (9) and (11), one direction of them: the full limit against this direction's own
-/// velocity, capped at what stops it. Arguments as for [`vector`].
+/// velocity, capped at the value that stops it. Arguments as for [`vector`].
 #[inline(always)]
 pub fn independent<N: Number>(limit: N, velocity: N, g: N) -> N {
     (velocity / g).min(limit).max(-limit)
@@ -53,7 +53,7 @@ mod tests {
 
     /// Where it slides, the friction is on Coulomb's cone and against the remaining velocity; where
     /// it can stick, nothing remains. Far from sticking (`λ/g > 100`) the direction holds to 1e-4
-    /// by its cosine, the rounding of which is no finer.
+    /// by its cosine, which has no finer rounding.
     #[test]
     fn vector_friction_obeys_coulomb() {
         let (ga, gt) = (4e-6, 9e-6);

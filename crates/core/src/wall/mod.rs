@@ -1,6 +1,6 @@
 //! The wall of the hole: where it is, how it pushes back and how it rubs, one law for every solver.
 //!
-//! What a step makes of the laws is the step's own; see `docs/src/theory/wall.md` and
+//! The application of the laws in a step is part of the step; see `docs/src/theory/wall.md` and
 //! `friction.md`.
 
 mod bore;

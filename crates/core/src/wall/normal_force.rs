@@ -6,9 +6,9 @@ use crate::simd::number::Number;
 /// `alpha`, approaching at `v_n`. One newton takes `give`, `dt²/m`, of `alpha` away. The
 /// approach is the one without contact, not that of the step's end.
 ///
-/// The force is `β³` of what it would be without giving way, `β² + r β³ = 1` with
-/// `r = K (1 + d v_n) (dt²/m) √α`; a rational function fits `β³` within 3e-6 for `r < 60`. `d` is
-/// never allowed to pull. Theory: `docs/src/theory/wall.md`.
+/// The force is `β³` times that without the node's motion in the step, `β² + r β³ = 1` with `r = K
+/// (1 + d v_n) (dt²/m) √α`; a rational function fits `β³` within 3e-6 for `r < 60`. `d` is never
+/// allowed to pull. Theory: `docs/src/theory/wall.md`.
 #[inline(always)]
 pub fn hertz<N: Number>(alpha: N, v_n: N, stiffness: N, dissipation: N, give: N) -> N {
     let one = N::splat(1.0);

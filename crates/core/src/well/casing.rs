@@ -1,7 +1,7 @@
 //! Casing by its size, weight and grade, as API Spec 5CT lists it.
 //!
-//! Only dimensions are stored, as facts with the standard that they come from: what casing is
-//! called by is its outside diameter, while the string moves in the inside one.
+//! Only dimensions are stored, as facts with the standard that they come from: casing is named by
+//! its outside diameter, while the string moves in the inside one.
 
 use crate::string::catalogue::parts::{Part, parts};
 
@@ -9,7 +9,7 @@ const INCH_M: f64 = 0.0254;
 const PSI_PA: f64 = 6894.757293168361;
 const POUND_PER_FOOT_KG_PER_M: f64 = 0.453_592_37 / 0.3048;
 
-/// Where the dimensions come from.
+/// Source of the dimensions.
 pub const SOURCE: &str =
     "API Spec 5CT (outside diameter, nominal weight, wall, drift mandrel, grades)";
 
@@ -37,7 +37,7 @@ const GRADES: [(&str, f64); 15] = [
 const DIAMETER_TOLERANCE_IN: f64 = 0.006;
 /// Two nominal weights closer than this are the same, lb/ft; those of one size differ by 1 or more.
 const WEIGHT_TOLERANCE_LB_PER_FT: f64 = 0.3;
-/// How many entries an error names.
+/// Number of entries that an error lists.
 const NEAREST: usize = 4;
 
 /// A size of casing, and its nominal weights in lb/ft with their walls in inches.
@@ -83,10 +83,10 @@ const SIZES: [Size; 14] = [
     Size { name: "20", od_in: 20.0, weights: &[(94.0, 0.438), (106.5, 0.500), (133.0, 0.635)] },
 ];
 
-/// What casing is made of.
+/// Steel grade of casing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CasingGrade {
-    /// Name: `L-80`; empty where the casing's own name says it.
+    /// Name: `L-80`; empty where the casing's own name includes it.
     pub name: &'static str,
     /// Minimum yield strength, Pa.
     pub yield_strength_Pa: f64,
@@ -119,7 +119,7 @@ pub struct Casing {
     pub drift_m: f64,
     /// Nominal mass per length with thread and coupling, kg/m.
     pub mass_per_length_kg_per_m: f64,
-    /// Grade, where the designation says it.
+    /// Grade, where the designation includes it.
     pub grade: Option<CasingGrade>,
 }
 
@@ -127,13 +127,13 @@ pub struct Casing {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("there is no casing `{designation}`; the nearest are {}", .nearest.join(", "))]
 pub struct UnknownCasing {
-    /// What was requested.
+    /// The requested designation.
     pub designation: String,
     /// Designations of the nearest entries, the nearest first.
     pub nearest: Vec<String>,
 }
 
-/// How much the drift mandrel is smaller than the inside diameter, in: 1/8 below a size of 9-5/8,
+/// Difference between the inside diameter and the drift mandrel, in: 1/8 below a size of 9-5/8,
 /// 5/32 up to 13-3/8, 3/16 above (API Spec 5CT).
 fn drift_allowance_in(od_in: f64) -> f64 {
     if od_in < 9.625 {
@@ -183,8 +183,8 @@ pub fn of_outside_diameter(od_m: f64) -> Vec<Casing> {
 
 /// The casing of a designation.
 ///
-/// Understood are `9-5/8 in 40 lb/ft` and the usual other spellings, a grade and a connection among
-/// them: `9 5/8" 47# L-80 casing`, `13.375 in 68 ppf K55 BTC`. The grade is kept beside the
+/// Accepted are `9-5/8 in 40 lb/ft` and the usual other spellings, a grade and a connection among
+/// them: `9 5/8" 47# L-80 casing`, `13.375 in 68 ppf K55 BTC`. The grade is kept in addition to the
 /// designation.
 ///
 /// ```
@@ -241,7 +241,7 @@ pub fn find(designation: &str) -> Result<Casing, UnknownCasing> {
     })
 }
 
-/// What a designation says.
+/// Parts of a designation.
 #[derive(Clone, Copy)]
 struct Reading {
     od_in: f64,
@@ -347,7 +347,7 @@ mod tests {
         }
     }
 
-    /// Yields are what the grades are named by.
+    /// The grades are named by their yields.
     #[test]
     fn grades_are_kept() {
         for grade in grades() {

@@ -26,8 +26,8 @@ impl Path {
         Self::new(stations, Interpolation::MinimumCurvature, TieIn::default())
     }
 
-    /// A curve with continuous curvature through stations, from the wellhead down: what the
-    /// dynamics prefers, which feels every jump of the curvature.
+    /// A curve with continuous curvature through stations, from the wellhead down: preferable for
+    /// dynamics, which reacts to every jump of the curvature.
     ///
     /// # Errors
     /// Those of [`Path::new`].

@@ -34,7 +34,7 @@ const GAUSS: [(f64, f64); 5] = [
 /// A stretch of the curve on which longitude and latitude are quadratic in measured depth.
 #[derive(Debug, Clone)]
 pub(super) struct Piece {
-    /// Where it begins.
+    /// Measured depth of its beginning.
     pub(super) md_m: f64,
     /// Position there.
     position_m: Vector3<f64>,

@@ -45,7 +45,7 @@ pub enum DoubtfulTurn {
         above_rad_per_m: f64,
         /// Dogleg severity below it, rad/m.
         below_rad_per_m: f64,
-        /// What a station there would have on the arc from its upper neighbour to its lower one.
+        /// Station at that depth on the arc from its upper neighbour to its lower one.
         expected: Station,
     },
     /// The hole turns more sharply than pipe that rotates in it endures.

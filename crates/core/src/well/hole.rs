@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::Roughness;
 
-/// What the wall is made of.
+/// Material of the wall.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum HoleKind {
     /// Steel casing or liner.
@@ -14,9 +14,9 @@ pub enum HoleKind {
 }
 
 impl HoleKind {
-    /// Young's modulus, Pa, and Poisson's ratio of a wall where nothing else is said: steel, and
-    /// the rock of Table 1 of *New Analysis Theory and Method for Drag and Torque Based on
-    /// Full-Hole System Dynamics in Highly Deviated Well*.
+    /// Young's modulus, Pa, and Poisson's ratio of a wall by default: steel, and the rock of Table
+    /// 1 of *New Analysis Theory and Method for Drag and Torque Based on Full-Hole System Dynamics
+    /// in Highly Deviated Well*.
     pub const fn elastic_constants(self) -> (f64, f64) {
         match self {
             Self::Casing => (210e9, 0.3),
@@ -35,7 +35,7 @@ pub struct Friction {
     pub kinetic: f64,
     /// Coefficient at rest along the hole; at least the kinetic one.
     pub at_rest: f64,
-    /// What both are multiplied by around the hole.
+    /// Factor of both around the hole.
     pub around: f64,
 }
 
@@ -72,7 +72,7 @@ pub struct HoleSection {
     pub youngs_modulus_Pa: f64,
     /// Poisson's ratio of the wall.
     pub poisson_ratio: f64,
-    /// What the hole's [`Roughness`] is multiplied by here.
+    /// Factor of the hole's [`Roughness`] here.
     pub roughness: f64,
     /// The casing's pipe, where it is known.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -106,9 +106,9 @@ pub enum HoleError {
         index: usize,
         /// Which of its numbers.
         quantity: &'static str,
-        /// What it is, SI.
+        /// Its value, SI.
         value: f64,
-        /// What it may be.
+        /// Expected range.
         expected: &'static str,
     },
     /// The roughness of the wall has a number out of its range.
@@ -116,9 +116,9 @@ pub enum HoleError {
     Roughness {
         /// Which of its numbers.
         quantity: &'static str,
-        /// What it is, SI.
+        /// Its value, SI.
         value: f64,
-        /// What it may be.
+        /// Expected range.
         expected: &'static str,
     },
     /// The end of a section is not below its beginning.
@@ -128,9 +128,9 @@ pub enum HoleError {
     Reversed {
         /// Which section.
         index: usize,
-        /// Where it begins, m.
+        /// Its beginning, m.
         from_md_m: f64,
-        /// Where it ends, m.
+        /// Its end, m.
         to_md_m: f64,
     },
     /// A section does not begin where the one above ends.
@@ -141,9 +141,9 @@ pub enum HoleError {
     Apart {
         /// Which section.
         index: usize,
-        /// Where it begins, m.
+        /// Its beginning, m.
         from_md_m: f64,
-        /// Where the section above ends, m.
+        /// End of the section above, m.
         above_to_md_m: f64,
     },
 }

@@ -1,8 +1,8 @@
-//! How the hole's axis runs between survey stations.
+//! Interpolation of the hole's axis between survey stations.
 
 use serde::Serialize;
 
-/// How the curve runs between stations.
+/// Interpolation of the curve between stations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Interpolation {
     /// Circular arcs: the industry's standard. The curvature jumps at stations.

@@ -2,7 +2,7 @@
 
 use super::{Station, station::angle_between};
 
-/// Stations nearer than this say more about the tool's repeatability than about the hole, m.
+/// Stations nearer than this reflect the tool's repeatability rather than the hole, m.
 const THIN_TO_M: f64 = 25.0;
 
 /// Off the first direction by more than this, the hole has left its straight course.
@@ -11,7 +11,7 @@ const LEFT_RAD: f64 = 3.0 * std::f64::consts::PI / 180.0;
 /// Share of the rate of turning below which a hole counts as not turning any more.
 const SHARE: f64 = 0.25;
 
-/// How far below a station the build must have continued, m: three stands of range-2 joints.
+/// Distance below a station over which the build must continue, m: three stands of range-2 joints.
 const LOOK_AHEAD_M: f64 = 90.0;
 
 /// See [`super::Path::kick_off_md_m`].
@@ -67,16 +67,16 @@ fn between<'a>(
     survey.iter().filter(move |station| station.md_m > from && station.md_m < to)
 }
 
-/// Every station that lies far enough below the one kept before it, and the last one.
+/// Every station that is far enough below the one kept before it, and the last one.
 fn thinned(stations: &[Station]) -> Vec<Station> {
-    let mut kept: Vec<Station> = Vec::with_capacity(stations.len());
+    let mut result: Vec<Station> = Vec::with_capacity(stations.len());
     for station in stations {
-        if kept.last().is_none_or(|above| station.md_m - above.md_m >= THIN_TO_M) {
-            kept.push(*station);
+        if result.last().is_none_or(|above| station.md_m - above.md_m >= THIN_TO_M) {
+            result.push(*station);
         }
     }
-    kept.extend(stations.last().filter(|last| kept.last() != Some(last)));
-    kept
+    result.extend(stations.last().filter(|last| result.last() != Some(last)));
+    result
 }
 
 fn kick_off(stations: &[Station]) -> Option<usize> {

@@ -14,14 +14,14 @@ use super::{
 /// Stations nearer than this are one station, m.
 const MIN_SPACING_M: f64 = 1e-3;
 
-/// Directions whose sum is shorter than this point against each other; nothing then says which way
-/// the hole turned.
+/// Directions whose sum is shorter than this are opposite; the direction of the hole's turn is then
+/// undefined.
 const REVERSAL: f64 = 1e-6;
 
 /// Below this sine of the inclination a point has no high side of its own.
 const VERTICAL: f64 = 1e-9;
 
-/// Where the first station lies.
+/// Position of the first station.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct TieIn {
     /// North of the first station, m.
@@ -53,7 +53,7 @@ pub struct PathPoint {
     pub curvature_per_m: Vector3<f64>,
 }
 
-/// Where the path points to, and how it bends there.
+/// Direction and curvature of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Heading {
     /// Unit tangent, towards the bit.
@@ -114,7 +114,7 @@ pub enum PathError {
     TieInNotFinite,
     /// The measured depth does not grow, or by less than a millimetre.
     #[error(
-        "the station at {md_m} m: measured depth must grow, but the station above lies at \
+        "the station at {md_m} m: measured depth must grow, but the station above is at \
          {previous_md_m} m"
     )]
     DepthNotIncreasing {
@@ -189,7 +189,7 @@ impl PathError {
 /// let backwards = [station(330.0, 0.0), station(300.0, 3.0)];
 /// assert_eq!(
 ///     Path::new(&backwards, Interpolation::Spline, TieIn::default()).unwrap_err().to_string(),
-///     "the station at 300 m: measured depth must grow, but the station above lies at 330 m"
+///     "the station at 300 m: measured depth must grow, but the station above is at 330 m"
 /// );
 /// # Ok::<(), wholestring::well::PathError>(())
 /// ```
@@ -202,7 +202,7 @@ pub struct Path {
     near_vertical: NearVertical,
 }
 
-/// What a path is made from: stations, interpolation and tie-in. The rest follows from them.
+/// Inputs of a path: stations, interpolation and tie-in. The rest follows from them.
 impl Serialize for Path {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         // Every field is named: a new one either follows from these or is written.
@@ -248,12 +248,12 @@ impl Path {
         &self.stations
     }
 
-    /// How the curve runs between stations.
+    /// Interpolation of the curve between stations.
     pub fn interpolation(&self) -> Interpolation {
         self.interpolation
     }
 
-    /// Where the first station lies.
+    /// Position of the first station.
     pub fn tie_in(&self) -> TieIn {
         let start_m = self.pieces[0].position_m(0.0);
         TieIn { north_m: start_m.x, east_m: start_m.y, tvd_m: start_m.z }
@@ -271,7 +271,8 @@ impl Path {
 
     /// The point at a measured depth; straight on beyond the last station and above the first.
     ///
-    /// Where the curvature jumps (a station of a minimum-curvature path) it is the one below.
+    /// At a jump of the curvature (a station of a minimum-curvature path) the value below it is
+    /// returned.
     pub fn at(&self, md_m: f64) -> PathPoint {
         let beyond = md_m - self.last_md_m();
         if beyond >= 0.0 {
@@ -339,11 +340,11 @@ impl Path {
 
     /// High side at any measured depth, continuous along the hole: a unit vector across it.
     ///
-    /// Where the hole is inclined by more than 0.001 rad this is [`PathPoint::high_side`]. In a
-    /// vertical part it keeps the bearing that it takes below (just under a kick-off the high side
-    /// faces the way the hole deviates), or, down to the end of the well, the one that it had
-    /// above; between two inclined parts its bearing turns evenly with depth from one to the other,
-    /// the short way. In a wholly vertical well it is north.
+    /// In a hole inclined by more than 0.001 rad this is [`PathPoint::high_side`]. In a vertical
+    /// part it keeps the bearing that it takes below (just under a kick-off the high side faces the
+    /// way the hole deviates), or, down to the end of the well, the one that it had above; between
+    /// two inclined parts its bearing turns evenly with depth from one to the other, the short way.
+    /// In a wholly vertical well it is north.
     pub fn high_side_at(&self, md_m: f64) -> Vector3<f64> {
         self.high_side_of(md_m, &self.heading_at(md_m).tangent)
     }

@@ -1,4 +1,4 @@
-//! Roughness and micro-tortuosity: what a wall has that neither survey nor caliper shows.
+//! Roughness and micro-tortuosity: deviations of a wall that neither survey nor caliper shows.
 
 use std::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::random::Random;
 
-/// What a wall departs from the smooth one by, as statistics and a seed.
+/// Deviations of a wall from the smooth one, as statistics and a seed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Roughness {
     /// Root mean square departure of the hole's radius, m.
@@ -25,11 +25,10 @@ pub struct Roughness {
 /// Number of waves that a wall is made of.
 const WAVES: usize = 32;
 
-/// Each wavelength lies in the middle half of its part of the band: no two waves beat for
-/// kilometres.
+/// Each wavelength is in the middle half of its part of the band: no two waves beat for kilometres.
 const JITTER: [f64; 2] = [0.25, 0.5];
 
-/// The wall that a [`Roughness`] stands for, a function of measured depth alone: 32 sinusoids of
+/// The rough wall defined by a [`Roughness`], a function of measured depth alone: 32 sinusoids of
 /// equal amplitude, their wavelengths evenly spread over the logarithm of the band and jittered
 /// within, their phases random.
 ///
@@ -65,7 +64,7 @@ impl Relief {
         let band = libm::log(roughness.longest_m / roughness.shortest_m);
         let count = WAVES as f64;
         // A sinusoid's mean square is half its amplitude's square. Of three offsets of the same
-        // rms, two lie across the hole, and add up to the distance from the path.
+        // rms, two are across the hole, and add up to the distance from the path.
         let radius = roughness.radius_rms_m * (2.0 / count).sqrt();
         let offset = roughness.tortuosity_rms_m / count.sqrt();
         let waves = std::array::from_fn(|index| {
@@ -95,7 +94,7 @@ impl Relief {
                 second[signal] -= k * k * height;
             }
         }
-        let vector = |of: [f64; 4]| Vector3::new(of[1], of[2], of[3]);
+        let vector = |terms: [f64; 4]| Vector3::new(terms[1], terms[2], terms[3]);
         ReliefPoint {
             radius: [value[0], first[0]],
             offset: [vector(value), vector(first), vector(second)],

@@ -1,4 +1,4 @@
-//! Tortuosity of a planned path: what a plan's smooth curve will be drilled as.
+//! Tortuosity of a planned path: the actual path to be expected for a plan's smooth curve.
 
 use std::f64::consts::TAU;
 
@@ -21,7 +21,7 @@ pub enum TortuosityKind {
     Helical,
 }
 
-/// How a planned path departs from its smooth curve, in angles: amplitude and period.
+/// Deviation of a planned path from its smooth curve, in angles: amplitude and period.
 ///
 /// An angle `Δ` towards the high side goes with `Δ/2` across the hole, which is an azimuth of
 /// `Δ/(2 sin θ)`, `θ` the inclination. Theory and sources: `docs/src/theory/tortuosity.md`.
@@ -41,7 +41,7 @@ pub struct Tortuosity {
 }
 
 impl Tortuosity {
-    /// Stations of a wave; more change what a soft string feels by less than 2 %.
+    /// Stations of a wave; more change the loads of a soft string by less than 2 %.
     pub const STATIONS: f64 = 16.0;
 
     /// Distance of the stations that it needs, m.

@@ -115,7 +115,7 @@ fn span(piece: &Piece, length_m: f64) -> Option<(f64, f64)> {
     Some((edge(0.0), edge(length_m)))
 }
 
-/// Where a function with one valley on [0, length] is lowest: the ends, or golden section. A piece
+/// Minimum of a function with one valley on [0, length]: at the ends, or by golden section. A piece
 /// turns by a tenth of a radian at most, so its inclination has one valley.
 fn lowest(function: impl Fn(f64) -> f64, length: f64) -> f64 {
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);

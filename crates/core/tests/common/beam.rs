@@ -1,4 +1,4 @@
-//! A pipe that lies across a wide horizontal hole as a beam: its ends are all that holds it.
+//! A pipe across a wide horizontal hole as a beam, supported only at its ends.
 
 use wholestring::{
     ends::{BitEnd, Ends, TopEnd},
@@ -38,9 +38,8 @@ pub fn beam(ends: Ends, force: Option<[f64; 3]>) -> Model {
     Model { ends, ..super::model(path, hole, vec![part], mud(0.0), LENGTH_M) }
 }
 
-/// How the ends of a beam are held, and what its own weight does to it by the textbook: the bit's
-/// share of the weight, the largest deflection over `w L⁴/EI`, and the moment at the top over
-/// `w L²`.
+/// The ends of a beam, and the textbook effect of its own weight: the bit's share of the weight,
+/// the largest deflection over `w L⁴/EI`, and the moment at the top over `w L²`.
 pub struct Case {
     pub name: &'static str,
     pub ends: Ends,

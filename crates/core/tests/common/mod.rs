@@ -1,5 +1,5 @@
-//! What the tests share, those inside the crate too: steel, simple strings and wells, verification
-//! files.
+//! Common parts of the tests, including those inside the crate: steel, simple strings and wells,
+//! verification files.
 // Every test file uses its own part of this module.
 #![allow(dead_code, unreachable_pub, unused_imports)]
 
@@ -40,7 +40,7 @@ pub fn relative_error(obtained: f64, expected: f64) -> f64 {
     (obtained - expected).abs() / expected.abs()
 }
 
-/// Fails with what was obtained and expected where they differ by more than a relative tolerance.
+/// Fails with the obtained and expected values where they differ by more than a relative tolerance.
 #[track_caller]
 pub fn assert_close(what: &str, obtained: f64, expected: f64, tolerance: f64) {
     let error = relative_error(obtained, expected);

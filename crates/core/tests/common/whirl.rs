@@ -19,9 +19,9 @@ const DAMPING_PER_S: f64 = 0.5;
 /// A slow turn, rad/s; the string moves along the hole the slower by as much.
 const TURN_RAD_PER_S: f64 = 2.0;
 
-/// Farthest that a node goes round its hole against the turn of the string within a window, after so
-/// long a time, both in s: in whole turns. What rolls goes backwards; a bent motor takes its
-/// neighbours round with it, forwards. None where the simulation has no answer.
+/// Greatest rotation of a node round its hole against the string's rotation within a window, after
+/// so long a time, both in s: in whole turns. A rolling node moves backwards; a bent motor moves
+/// its neighbours round with it, forwards. None where the simulation has no result.
 pub fn turns(model: &Model, operation: &Operation, [settle_s, window_s]: [f64; 2]) -> Option<f64> {
     let slower = TURN_RAD_PER_S / operation.rotary_speed_rad_per_s;
     let operation = Operation {

@@ -1,4 +1,4 @@
-//! What a string bears that a curved hole bends.
+//! Bending of a string in a curved hole.
 
 use wholestring::{
     dynamics::{ContactClass, MeshSettings},
@@ -16,12 +16,12 @@ const TENSION_N: f64 = 2e5;
 const RADIUS_M: f64 = 0.06;
 const BUILD_DEG: f64 = 40.0;
 
-/// A weightless pipe without joints under tension in an arc lies against its inside all along and
-/// bends as the hole does, less its own distance from the hole's axis, though its wall acts at
-/// nodes 3.2 m apart.
+/// A weightless pipe without joints under tension in an arc touches its inside all along and bends
+/// as the hole does, less its own distance from the hole's axis, though its wall acts at nodes 3.2
+/// m apart.
 ///
-/// What it sinks into the wall by, 0.05 mm, leaves the rest, below 0.4 %. Left out are 30 m at the
-/// ends of the arc, where the curvature jumps: `e^(−30 m √(T/EI))` is 6e-6.
+/// The rest, below 0.4 %, is due to its penetration into the wall, 0.05 mm. Left out are 30 m at
+/// the ends of the arc, where the curvature jumps: `e^(−30 m √(T/EI))` is 6e-6.
 #[test]
 fn a_plain_pipe_in_an_arc_bends_as_the_hole_does() {
     let model = capstan_model([0.0, 0.0], [BUILD_DEG, 0.0], 0.0, RADIUS_M, TENSION_N);
@@ -38,7 +38,7 @@ fn a_plain_pipe_in_an_arc_bends_as_the_hole_does() {
     let area = std::f64::consts::FRAC_PI_4 * (od * od - id * id);
     let second_moment = std::f64::consts::PI / 64.0 * (od.powi(4) - id.powi(4));
     let stiffness = body.material.youngs_modulus_Pa * second_moment;
-    // The pipe lies 90 mm inside the hole's axis.
+    // The pipe is 90 mm inside the hole's axis.
     let radius_m = CAPSTAN_ARC_M / BUILD_DEG.to_radians() - (0.15 - RADIUS_M);
     let moment = stiffness / radius_m;
     let bending_stress = moment * od / (2.0 * second_moment);
@@ -58,7 +58,7 @@ fn a_plain_pipe_in_an_arc_bends_as_the_hole_does() {
         close("bending stress", nodes.bending_stress_Pa[i], bending_stress);
         let stress = TENSION_N / area + bending_stress;
         close("stress", nodes.von_mises_stress_Pa[i], stress);
-        // What is left of the start's swinging is in it.
+        // It includes the remaining oscillation of the start.
         assert!(nodes.von_mises_stress_max_Pa[i] >= nodes.von_mises_stress_Pa[i]);
         // As dense as the mud, the pipe hangs in it as if there were none: its metal feels the
         // pressure.
@@ -86,15 +86,15 @@ fn a_plain_pipe_in_an_arc_bends_as_the_hole_does() {
 
 const SPACING_M: f64 = 9.6;
 
-/// The same pipe with tool joints that stand out by 15 mm. Its body hangs between them and bends
-/// more than the hole at them, by `x/tanh x`, `x = (l/2)√(T/EI)`, and less half-way, by `x/sinh x`
-/// (A. Lubinski, *Maximum Permissible Dog-Legs in Rotary Boreholes*, J. Petroleum Technology,
-/// February 1961): twice and 0.58 of it here. Elements from joint to joint say so of it as eight a
-/// joint do, which have nodes half-way and a moment of their own there.
+/// The same pipe with tool joints of 15 mm standoff. Its body hangs between them and bends more
+/// than the hole at them, by `x/tanh x`, `x = (l/2)√(T/EI)`, and less half-way, by `x/sinh x` (A.
+/// Lubinski, *Maximum Permissible Dog-Legs in Rotary Boreholes*, J. Petroleum Technology, February
+/// 1961): twice and 0.58 of it here. Elements from joint to joint reproduce this as eight a joint
+/// do, which have nodes half-way and a moment of their own there.
 ///
-/// One element has all of it to 5e-4, the joint's force, too, which is what joints sink into the
-/// wall by. Eight have it to 0.3 %, a moment half-way to 0.6 %: what swings on from the start. 1 %
-/// is held. Left out are the joints next to the ends of the arc.
+/// One element reproduces all of it to 5e-4, the error of the joints' penetration into the wall,
+/// the joint's force too. Eight have it to 0.3 %, a moment half-way to 0.6 %: from the remaining
+/// oscillation of the start. 1 % is held. Left out are the joints next to the ends of the arc.
 #[test]
 fn one_element_between_joints_bends_as_eight_do() {
     let light = pipe(300.0, RADIUS_M, ComponentLength::ToSurface);
@@ -124,7 +124,7 @@ fn one_element_between_joints_bends_as_eight_do() {
         case.settings.mesh = MeshSettings::uniform(SPACING_M / f64::from(elements));
         case.lasts(6.0, 2.0);
         let nodes: Profile = case.run().nodes;
-        // The nodes of the joints, by what they bear alone.
+        // The nodes of the joints, selected by their contact force.
         let joints: Vec<usize> = (0..nodes.md_m.len())
             .filter(|i| (50.0..CAPSTAN_ARC_M - 60.0).contains(&nodes.md_m[*i]))
             .filter(|i| nodes.contact_fraction[*i] > 0.5)

@@ -45,8 +45,8 @@ fn vertical(revolutions_per_minute: f64) -> Case {
 }
 
 /// Turning fast enough, a drag bit under a whole string drills steadily: weight, torque and rate of
-/// penetration are those of the cutting law's closed form. Expected is rounding and what is left of
-/// the start: 1e-4 within a minute.
+/// penetration are those of the cutting law's closed form. Expected is rounding and the remainder
+/// of the start: 1e-4 within a minute.
 #[test]
 fn a_fast_drag_bit_drills_steadily() {
     let mut case = vertical(200.0);
@@ -66,7 +66,7 @@ fn a_fast_drag_bit_drills_steadily() {
         ("depth of cut, m", depth_of_cut_m, *series.depth_of_cut_m.last().expect("a sample")),
     ] {
         verify("E07", format!("whole string at 200 rev/min: {quantity}"))
-            .relative(5e-4, "what is left of the start after a minute")
+            .relative(5e-4, "remainder of the start after a minute")
             .report(expected, computed);
     }
     assert!(spin.std < 1e-3 * spin.mean, "{spin:?}");
@@ -104,7 +104,7 @@ fn a_bit_without_history_drills_steadily() {
         ("speed of the bit along the hole, m/s", rate, moved),
     ] {
         verify("E07", format!("whole string at 100 rev/min, three regimes: {quantity}"))
-            .relative(5e-4, "what is left of the start after half a minute")
+            .relative(5e-4, "remainder of the start after half a minute")
             .report(expected, computed);
     }
     let residual = outcome.numerics.energy_residual;
@@ -137,8 +137,8 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
     case.operation = case.settings.bit.drilling_steadily(case.operation);
     case.lasts(30.0, 15.0);
     let outcome = case.run();
-    // Torque and speed meet where 3600 N·m less 1 for each rev/min is what the motor's speed
-    // leaves.
+    // Torque and speed meet where 3600 N·m less 1 for each rev/min equals the torque of the motor's
+    // speed.
     let free = 150.0;
     let fall = 0.1 * free / motor.max_torque_N_m();
     let turns = (free - fall * 3600.0) / (1.0 - fall);
@@ -154,7 +154,7 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
         ("rate of penetration, m/s", 3e-3 * turns / 100.0, mean("rate_of_penetration_m_per_s")),
     ] {
         verify("E07", format!("whole string sliding with a mud motor and a table: {quantity}"))
-            .relative(1e-3, "what is left of the start after half a minute")
+            .relative(1e-3, "remainder of the start after half a minute")
             .report(expected, computed);
     }
     let pressure = series.motor_pressure_Pa[from].expect("known");
@@ -165,9 +165,9 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
 
 /// Turning slowly, the same bit sticks and slips by itself, and drills on in the mean as fast as a
 /// steady one would. It sticks at 100 rev/min and below, swings without stopping from 105 to 180,
-/// and is quiet from 190 up (in steps of 5 and 10). The energy's books stay in balance: what the
-/// bit sets loose is another vibration for every seed, and of 24 starts (six seeds, settled for 1
-/// to 3 s across the hole) none left more than 3e-4, half of them less than 1e-4, of either sign.
+/// and is quiet from 190 up (in steps of 5 and 10). The energy balance holds: the bit causes a
+/// different vibration for every seed, and of 24 starts (six seeds, settled for 1 to 3 s across the
+/// hole) none left more than 3e-4, half of them less than 1e-4, of either sign.
 #[test]
 fn a_slow_drag_bit_sticks_and_slips() {
     let case = vertical(40.0);
@@ -211,7 +211,7 @@ fn a_rough_bottom_shakes_the_string() {
     assert!((spin.mean / rpm(70.0) - 1.0).abs() < 0.01, "{spin:?}");
     // A front that moves at v meets the collar's impedance √(EA m) = 7.7e5 N·s/m: 0.8 mm of three
     // lobes at 70 rev/min are 10 kN rms, 0.2 mm at some 30 rad/s of roughness 5 kN; the short
-    // pieces above the bit throw back what adds to that or takes from it.
+    // pieces above the bit reflect waves that add to that or reduce it.
     assert!((5e3..20e3).contains(&weight.std), "{weight:?}");
     // Independent factors: 1 + var = (1 + var of the weight)(1 + var of the fluctuation).
     let share = (weight.std / weight.mean).powi(2);
@@ -222,7 +222,7 @@ fn a_rough_bottom_shakes_the_string() {
     let residual = outcome.numerics.energy_residual;
     assert!(residual.abs() < 1e-5, "{residual:e}");
 
-    // The lobes stand out of the noise at three times the rotary speed.
+    // The lobes exceed the noise at three times the rotary speed.
     let series = &outcome.series;
     let line = |hertz: f64| {
         let from = series.time_s.partition_point(|t| *t < 10.0);

@@ -1,5 +1,5 @@
-//! What a run must not depend on: its settling, its elements, where its survey begins, how its
-//! hoist is asked.
+//! Influences on which a run must not depend: settling, elements, the beginning of the survey, the
+//! form of the hoist's request.
 
 use wholestring::{
     dynamics::HoistControl,
@@ -50,8 +50,8 @@ fn a_trip_by_block_velocity_has_its_hook_load() {
         case.lasts(3.0, 3.0);
         case.run().scalars.hook_load_N
     });
-    // Where it starts, the friction around differs by the named speed; it has settled to 1e-4 after
-    // 3 s.
+    // At the start the friction around differs by the named speed; it has settled to 1e-4 after 3
+    // s.
     assert_close("hook load", found[1], found[0], 1e-4);
 }
 
@@ -108,8 +108,8 @@ fn a_run_without_settling_is_like_a_settled_one() {
 /// apart, and its top stays on the axis to a hundredth of a millimetre: the wall is known to the
 /// third order of the distance between anchors, centimetres here.
 ///
-/// Friction is a fifth of the hook load here, and 4 % of it is missing: what the clamped top and
-/// the bit carry, 12 m of 600 at either end.
+/// Friction is a fifth of the hook load here, and 4 % of it is missing: the part of the clamped top
+/// and the bit, 12 m of 600 at either end.
 #[test]
 fn a_build_from_the_surface_keeps_its_hook_load() {
     let mut stations: Vec<[f64; 3]> =
@@ -181,9 +181,9 @@ fn a_long_bit_has_the_torque_of_any_mesh() {
     assert_close("torque", torques[0], torques[1], 0.01);
 }
 
-/// A motor of 9 m that all but fills its hole lies on the wall, whether or not a bit is listed
-/// below it: no node of it leaves the hole by more than the contact gives way, and the deepest
-/// penetration is what the nodes' offsets say.
+/// A motor of 9 m that almost fills its hole is on the wall, whether or not a bit is listed below
+/// it: no node of it leaves the hole by more than the contact's deformation, and the deepest
+/// penetration agrees with the nodes' offsets.
 ///
 /// Its clearance is 1.95 mm; without a wall a node of it was 36 mm off the axis.
 #[test]
@@ -213,8 +213,8 @@ fn a_snug_motor_touches_the_wall() {
     }
 }
 
-/// A bit that its spring lets off the axis is in the wall by as much as the geometry says, though
-/// no wall acts on it: it fills its hole, so by all of its offset.
+/// A bit that its spring allows off the axis is in the wall by the geometric penetration, though no
+/// wall acts on it: it fills its hole, so by all of its offset.
 #[test]
 fn a_held_bit_shows_its_penetration() {
     let mut case = Case::new(straight(300.0, 0.25), operation(OperationKind::TripIn, 300.0));
@@ -237,7 +237,7 @@ fn a_held_bit_shows_its_penetration() {
 /// Elements of half a metre take six times as many steps a second: ten seconds after its start a
 /// drilling string has its weight on bit within 3 % all the same.
 ///
-/// 3 % is what every operation is held to at the usual length.
+/// Every operation is tested to 3 % at the usual length.
 #[test]
 fn short_elements_hold_their_weight_on_bit() {
     let drill = operation(OperationKind::Drill, 400.0)

@@ -1,4 +1,4 @@
-//! A string that friction holds, and what it takes to move it.
+//! A string that friction holds, and the force that moves it.
 
 use wholestring::{
     dynamics::{CustomFriction, FrictionCoefficient, HoistControl, SlidingContact},
@@ -14,7 +14,7 @@ const LENGTH_M: f64 = 60.0;
 const KINETIC: f64 = 0.25;
 const AT_REST: f64 = 0.4;
 
-/// Sliding speed at which half of what rest adds is left, m/s.
+/// Sliding speed at which half of the static increase remains, m/s.
 const STRIBECK_M_PER_S: f64 = 0.1;
 
 /// Coefficient at a sliding speed.
@@ -80,11 +80,12 @@ fn weight_N(case: &Case) -> f64 {
 /// `μ = μ_k + (μ_s − μ_k)/(1 + (V/v_s)²)`: nearly all of the friction at rest when it creeps,
 /// little more than the kinetic when it moves; falling in between.
 ///
-/// `N` is the run's own sum of contact forces: what the clamped top and the bit carry does not rub.
-/// The law is exact in steady motion, but that the step takes the coefficient at the speed before
-/// friction, `μ g dt` too fast: with the 0.15 ms of elements of 0.8 m, 0.4 mm/s, up to 0.12 % of
-/// the coefficient where it falls fastest. 0.2 % is held. A law of the caller's own takes it at the
-/// speed that the step before has left: in steady motion the same; 1e-4 is held, found is 5e-6.
+/// `N` is the run's own sum of contact forces: the part of the clamped top and the bit does not
+/// rub. The law is exact in steady motion, except that the step evaluates the coefficient at the
+/// speed before friction, `μ g dt` too fast: with the 0.15 ms of elements of 0.8 m, 0.4 mm/s, up to
+/// 0.12 % of the coefficient where it falls fastest. The tolerance is 0.2 %. A user-defined law
+/// evaluates it at the speed at the end of the previous step: in steady motion the same; 1e-4 is
+/// held, found is 5e-6.
 #[test]
 fn friction_falls_with_the_speed_of_sliding() {
     let [built_in, own] = cases();
@@ -108,11 +109,11 @@ fn assert_friction_falls(case: &Case, tolerance: f64) {
 }
 
 /// Held by the friction at rest, it takes `W cos i + μ_s N` to move a string: 3 % of the friction
-/// less do not, 3 % more do, and then it gains speed by what the hook has more than the kinetic
-/// friction takes, `m v' = F − W cos i − μ(v) N`.
+/// less do not, 3 % more do, and then it gains speed by the excess of the hook load over the
+/// kinetic friction, `m v' = F − W cos i − μ(v) N`.
 ///
-/// The hook load is raised in steps of 1 % of the friction, so that what a step adds by its axial
-/// wave, as much again, stays below the limit.
+/// The hook load is raised in steps of 1 % of the friction, so that the axial wave of a step, which
+/// adds as much again, stays below the limit.
 #[test]
 fn a_string_at_rest_breaks_away_at_its_static_friction() {
     for case in cases() {

@@ -20,7 +20,7 @@ struct Pushed {
     critical_N: f64,
     /// Length of a whole wave at that load, m.
     wavelength_m: f64,
-    /// Buoyed weight along the hole, N/m: what the load loses per metre up the hole.
+    /// Buoyed weight along the hole, N/m: decrease of the load per metre up the hole.
     along_N_per_m: f64,
 }
 
@@ -72,7 +72,7 @@ fn row(inclination_deg: f64, waves: f64) -> Pushed {
     }
 }
 
-/// How a string lies: the angle from the low side of its contacts.
+/// Shape of a string: the angle from the low side of its contacts.
 #[derive(Debug)]
 struct Shape {
     /// Largest and root mean square, rad, four wavelengths and more from the ends.
@@ -107,7 +107,7 @@ fn shape(row: &Pushed, load: f64, seconds: f64, ends: f64) -> Shape {
         .filter(|(md, _)| **md > near && **md < length_m - near);
     let lying: Vec<(f64, f64)> =
         inner.clone().filter_map(|(md, climb)| climb.map(|climb| (*md, climb))).collect();
-    // What touches nothing has no angle, and would pass for straight.
+    // A node without contact has no angle, and would be taken as straight.
     assert_eq!(lying.len(), inner.count(), "it lies on the wall");
     let crossings: Vec<f64> =
         lying.windows(2).filter(|pair| pair[0].1 * pair[1].1 < 0.0).map(|pair| pair[0].0).collect();
@@ -150,14 +150,14 @@ const ENDS: f64 = 4.0;
 /// it must not have grown.
 const STRAIGHT_RAD: f64 = 2e-5;
 
-/// At 0.9 of Dawson and Paslay's load the string lies straight on the low side, at 1.25 it snakes,
+/// At 0.9 of Dawson and Paslay's load the string is straight on the low side, at 1.25 it snakes,
 /// with waves as long as the critical one within 10 %: the wave that grows fastest is shorter by
 /// `1/√1.25`, that of the least energy 1 % longer, and one wave more or less between the held ends
 /// is 6 %.
 ///
-/// The load stands at the bit. In a hole of 60 degrees it falls by 120 N per metre upwards, so that
-/// the lower 316 m, 12 waves, are above the critical load when the bit is at 1.25 of it; at 0.9 no
-/// part is.
+/// The load is that at the bit. In a hole of 60 degrees it falls by 120 N per metre upwards, so
+/// that the lower 316 m, 12 waves, are above the critical load when the bit is at 1.25 of it; at
+/// 0.9 no part is.
 #[test]
 fn straight_below_the_critical_load_and_buckled_above() {
     let cases = [(90.0, 0.9), (90.0, 1.25), (60.0, 0.9), (60.0, 1.25)];
@@ -266,9 +266,9 @@ fn the_onset_hardly_depends_on_length_and_mesh() {
     }
 }
 
-/// A pipe of 5 in on the floor of a level hole under 140 to 145 kN, in elements of 9.6 m, which
-/// 131 kN buckle between their nodes (`π² EI/L²`): the run names one, with the load that is its own.
-/// In elements of 2.4 m, which bear sixteen times as much, none does.
+/// A pipe of 5 in on the floor of a level hole under 140 to 145 kN, in elements of 9.6 m, which 131
+/// kN buckle between their nodes (`π² EI/L²`): the run names one, with the load that is its own. In
+/// elements of 2.4 m, which are stable under sixteen times as much, none is named.
 #[test]
 fn elements_that_buckle_between_their_nodes_are_named() {
     let level = |length_m: f64| {
@@ -304,7 +304,7 @@ fn elements_that_buckle_between_their_nodes_are_named() {
     assert!((found.own_load_N / own_N - 1.0).abs() < 1e-12, "{found:?}");
     assert!(found.compression_N > own_N && found.compression_N < 160e3, "{found:?}");
     assert!((0.0..192.0).contains(&found.md_m), "{found:?}");
-    // Elements that bear four times the compression are half as long over its root.
+    // Elements that are stable under four times the compression are half as long over its root.
     let bears_N = std::f64::consts::PI.powi(2) * ei / found.sufficient_length_m().powi(2);
     assert!((bears_N / found.compression_N - 4.0).abs() < 1e-9);
     assert_eq!(level(2.4).1, None);

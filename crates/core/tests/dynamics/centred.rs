@@ -13,8 +13,8 @@ use crate::{
 /// At time zero the tension is that of a string without friction, `w cos i (L − s) − W`; nothing is
 /// twisted.
 ///
-/// One step after the start: 0.2 % of the largest tension, which is what the blow of gravity across
-/// the axis and the elements' finite length make of it (half an element's weight is 0.1 % of it).
+/// One step after the start: 0.2 % of the largest tension, which is due to the impact of gravity
+/// across the axis and the elements' finite length (half an element's weight is 0.1 % of it).
 #[test]
 fn it_starts_with_its_static_tension() {
     let (length, weight) = (1000.0, 20e3);
@@ -45,9 +45,9 @@ fn it_starts_with_its_static_tension() {
     assert_close("hook load", outcome.scalars.hook_load_N, largest, 2e-3);
 }
 
-/// Drilling from a centred start comes to its weight on bit: the block goes at the rate of
+/// Drilling from a centred start reaches its weight on bit: the block moves at the rate of
 /// penetration from the first, and the autodriller makes up for the rest at its slower rate,
-/// 0.15/s: after 40 s `e⁻⁶` of what was missing, 0.3 %, is left.
+/// 0.15/s: after 40 s `e⁻⁶` of the deficit, 0.3 %, is left.
 #[test]
 fn a_centred_start_finds_its_weight_on_bit() {
     let (length, weight) = (1000.0, 20e3);
@@ -64,13 +64,13 @@ fn a_centred_start_finds_its_weight_on_bit() {
     assert_close("weight on bit", found, weight, 5e-3);
 }
 
-/// A front of slip runs down an untwisted string that lies on its wall and is turned at the top:
-/// with `q` the friction torque per metre it reaches `z = √(2 GJ Ω t/q)`, where the twist
-/// `q z²/(2 GJ)` is all that the top has turned, and the top feels `q z`. The square of the surface
-/// torque grows by `2 GJ Ω q` each second.
+/// A front of slip runs down an untwisted string that rests on its wall and is turned at the top:
+/// with `q` the friction torque per metre it reaches `z = √(2 GJ Ω t/q)`, where the twist `q z²/(2
+/// GJ)` equals the rotation of the top, whose torque is `q z`. The square of the surface torque
+/// grows by `2 GJ Ω q` each second.
 ///
 /// `q = μ r w sin i/√(1 + μ²)`: the pipe climbs. Within 3 %: the climb takes its time, and the
-/// inertia of what turns adds `½ ρJ Ω dz/dt`, 0.1 % of the torque.
+/// inertia of the turning part adds `½ ρJ Ω dz/dt`, 0.1 % of the torque.
 #[test]
 fn a_front_of_slip_winds_the_string_up() {
     let (length, mu) = (2400.0, 0.3);
@@ -96,7 +96,7 @@ fn a_front_of_slip_winds_the_string_up() {
     assert_close("growth of the squared torque", found, expected, 0.03);
     let reach = expected.sqrt() * 8.0f64.sqrt() / q;
     assert!(reach < length, "the front reaches {reach} m");
-    // The top comes to its speed within a second: it has turned as if it had started half a second
+    // The top reaches its speed within a second: it has turned as if it had started half a second
     // late.
     assert!((-at_zero / found - 0.5).abs() < 0.2);
 }

@@ -18,7 +18,7 @@ use crate::{
 /// Drilling with the autodriller, tripping with the independent law from a centred start, sliding
 /// with the motor, drilling with an eccentric string in single precision, drilling by a table with
 /// noise, a motor that yields and side cutting, tripping out with a pull on a clamped bit under a
-/// pinned top: what changes in a run changes in one of them.
+/// pinned top: every state variable of a run changes in one of them.
 fn cases() -> [Case; 6] {
     let mut trip = moderate(OperationKind::TripIn, 0.3);
     trip.settings.friction_law = FrictionLaw::Independent;
@@ -64,7 +64,7 @@ fn measured_bit() -> BitSettings {
 /// When the runs stop: before the window, at its border, within it, and at its end.
 const STOPS_S: [f64; 5] = [0.7, 1.5, 2.1, 2.2, 3.0];
 
-/// The run of a case; `stopped` gets it at each stop and gives back what continues.
+/// The run of a case; `stopped` receives it at each stop and returns the run that continues.
 fn run(case: &Case, stopped: impl Fn(Simulation) -> Simulation) -> DynamicOutcome {
     let mut simulation = case.start();
     for stop_s in STOPS_S {
@@ -93,8 +93,8 @@ fn a_run_taken_up_again_ends_with_the_same_bits() {
     }
 }
 
-/// A run that settles until it is steady, in pieces of so long; `stopped` gets it after each and
-/// gives back what continues.
+/// A run that settles until it is steady, in pieces of so long; `stopped` receives it after each
+/// and returns the run that continues.
 fn settled(
     case: &Case,
     piece_s: f64,

@@ -15,15 +15,15 @@ const LENGTH_M: f64 = 300.0;
 /// again.
 const END_M: f64 = 30.0;
 
-/// What the run shows away from the ends: contact force per metre, slope of torque with depth, mean
+/// Results of the run away from the ends: contact force per metre, slope of torque with depth, mean
 /// angle of the contact.
 fn middle(outcome: &DynamicOutcome) -> [f64; 3] {
     let nodes = &outcome.nodes;
     let inside: Vec<usize> = (0..nodes.md_m.len())
         .filter(|i| (END_M..LENGTH_M - END_M).contains(&nodes.md_m[*i]))
         .collect();
-    let mean = |of: &dyn Fn(usize) -> f64| {
-        inside.iter().map(|i| of(*i)).sum::<f64>() / inside.len() as f64
+    let mean = |value: &dyn Fn(usize) -> f64| {
+        inside.iter().map(|i| value(*i)).sum::<f64>() / inside.len() as f64
     };
     let spacing = nodes.md_m[inside[1]] - nodes.md_m[inside[0]];
     let force = mean(&|i| nodes.contact_force_N[i]) / spacing;
@@ -38,9 +38,9 @@ fn middle(outcome: &DynamicOutcome) -> [f64; 3] {
 /// metre.
 ///
 /// Expected values: the rows of the file, the balance of a rigid cylinder in a trough, exact
-/// wherever the pipe lies straight. The file requires 1 %; 2e-4 is held. Found: less than 8e-5 for
-/// both element lengths, which is what the pipe's slow rolling has left after ten seconds; the
-/// steady state itself knows of neither element length nor step.
+/// wherever the pipe is straight. The file requires 1 %; the tolerance here is 2e-4. Found: less
+/// than 8e-5 for both element lengths, which is the remainder of the pipe's slow rolling after ten
+/// seconds; the steady state itself depends on neither element length nor step.
 #[test]
 fn a_turning_pipe_climbs_to_the_angle_of_friction() {
     let data = verification("E05_rotating_pipe_climb_angle.json");
@@ -71,7 +71,7 @@ fn a_turning_pipe_climbs_to_the_angle_of_friction() {
             what.iter().zip([force, torque, climb]).zip(expected)
         {
             verify("E05", format!("{what} at friction {mu} with elements of {element} m, {unit}"))
-                .relative(2e-4, "what the slow rolling has left after ten seconds")
+                .relative(2e-4, "remainder of the slow rolling after ten seconds")
                 .report(expected, computed);
         }
     }

@@ -15,8 +15,8 @@ const LENGTH_M: f64 = 1000.0;
 const WEIGHT_N: f64 = 20e3;
 const RATE_M_PER_S: f64 = 5.0 / 3600.0;
 
-/// Drilling with 20 kN at 5 m/h in a straight hole without friction: nothing but the string's
-/// stretch stands between the block and the rock.
+/// Drilling with 20 kN at 5 m/h in a straight hole without friction: only the string's stretch is
+/// between the block and the rock.
 fn drilling() -> Case {
     let drill = operation(OperationKind::Drill, LENGTH_M)
         .weight_on_bit_N(WEIGHT_N)
@@ -59,7 +59,7 @@ fn a_stopped_block_drills_off() {
     assert!(weight[weight.len() - 1] < 0.2 * WEIGHT_N);
 }
 
-/// Under a constant hook load the bit carries what the hook does not: 5 kN more above are 5 kN less
+/// Under a constant hook load the bit carries the rest of the weight: 5 kN more above are 5 kN less
 /// below. Without friction that is a balance of forces. The string rings on its bit after the
 /// change, damped by 0.1/s and by the rock's own rate; after 40 s less than 1 % of the 5 kN is left
 /// of it, and less than 20 N (0.1 % of the weight on bit) in a mean over 5 s.

@@ -1,5 +1,5 @@
-//! How the ends are held, what pulls at the bit, what pushes at the top and what acts across, of
-//! strings brought to rest, beside the stiff string.
+//! Constraints of the ends, pulls at the bit, pushes at the top and lateral forces, for strings
+//! brought to rest, against the stiff string.
 
 use wholestring::{
     dynamics::{HoistControl, RodDamping, Start},
@@ -36,7 +36,7 @@ fn at_rest(case: &Case) -> StiffProfile {
 /// Forces of hole and rock on the bit at the end of a run, N, towards the high side and to the
 /// right.
 fn bit_forces_N(moving: &DynamicOutcome) -> [f64; 2] {
-    let last = |of: &[f64]| *of.last().expect("a sample");
+    let last = |samples: &[f64]| *samples.last().expect("a sample");
     let series = &moving.series;
     [last(&series.bit_force_high_N), last(&series.bit_force_right_N)]
 }
@@ -47,7 +47,7 @@ fn beam_at_rest(model: Model, operation: Operation) -> Case {
     case.settings.mesh.element_length = ElementLength::Uniform(ELEMENT_M);
     case.settings.damping = RodDamping { mass_per_s: 8.0, stiffness_s: 1e-5 };
     case.settings.hoist_control = Some(HoistControl::BlockVelocity(0.0));
-    // Laid on its wall it would be bent by more than it bears.
+    // Laid on its wall it would be bent beyond its strength.
     case.settings.start = Start::Centred;
     case.lasts(8.0, 1.0);
     case
@@ -59,10 +59,10 @@ fn beam_at_rest(model: Model, operation: Operation) -> Case {
 #[test]
 fn beams_with_ends_of_every_kind() {
     let mut cases = Vec::new();
-    for of in &beam::CASES {
+    for beam_case in &beam::CASES {
         for kind in [OperationKind::TripOut, OperationKind::RotateOffBottom] {
-            let model = beam(of.ends, Some([4.0, 900.0, 1.2]));
-            cases.push((of.name, beam_at_rest(model, operation(kind, LENGTH_M))));
+            let model = beam(beam_case.ends, Some([4.0, 900.0, 1.2]));
+            cases.push((beam_case.name, beam_at_rest(model, operation(kind, LENGTH_M))));
         }
     }
     each(&cases, |(name, case)| {
@@ -73,8 +73,8 @@ fn beams_with_ends_of_every_kind() {
             let largest = b.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
             (0..nodes).fold(0.0_f64, |worst, i| worst.max((a[i] - b[i]).abs() / largest))
         };
-        let offsets = apart(|of| &of.lateral_offset_m);
-        let moments = apart(|of| &of.bending_moment_N_m);
+        let offsets = apart(|profile| &profile.lateral_offset_m);
+        let moments = apart(|profile| &profile.bending_moment_N_m);
         let weight_N = WEIGHT_N_PER_M * LENGTH_M;
         let [high, right] = bit_forces_N(&moving);
         let side = [high + stiff.bit_side_force_N[0], right + stiff.bit_side_force_N[1]];
@@ -137,7 +137,7 @@ fn a_stuck_string_stretches_by_its_free_length() {
     let steel_N = cases[0].model.string.components()[0].axial_stiffness_N();
     let found = each(&cases, |case| case.run().scalars);
     verify("ends", "stretch of the dynamics under a pull on the bit, m")
-        .relative(1e-4, "what is left of the start")
+        .relative(1e-4, "remainder of the start")
         .report(PULL_N * DEPTH_M / steel_N, found[1].stretch_m - found[0].stretch_m);
     assert_close("hook load", found[1].hook_load_N - found[0].hook_load_N, PULL_N, 1e-4);
 }
@@ -163,8 +163,8 @@ fn a_level_hole_asks_for_a_push() {
     let found = each(&cases, |case| case.run().scalars);
     let stiff = at_rest(&cases[0]).scalars;
     let soft = cases[0].soft().scalars;
-    for of in &found {
-        println!("{} {}", of.hook_load_N, of.weight_on_bit_N);
+    for scalars in &found {
+        println!("{} {}", scalars.hook_load_N, scalars.weight_on_bit_N);
     }
     println!("stiff {} soft {}", stiff.hook_load_N, soft.hook_load_N);
     assert_close("weight on bit", found[0].weight_on_bit_N, WOB_N, 1e-3);

@@ -1,4 +1,4 @@
-//! A string without losses keeps its energy; with them, what comes in goes out.
+//! A string without losses keeps its energy; with them, the energy balance closes.
 
 use nalgebra::Vector3;
 use wholestring::{
@@ -67,11 +67,11 @@ fn an_undamped_string_keeps_its_energy() {
         let spin = bump(node.from_bit_m, 1000.0, 200.0);
         (Vector3::new(2.0 * sideways, -sideways, 0.0), 5.0 * spin)
     });
-    let given = simulation.kinetic_energy_J();
+    let initial_J = simulation.kinetic_energy_J();
     // The first step brings positions half a step from velocities, as all later ones have them.
     crate::wells::go(&mut simulation, 0.05);
     let start = simulation.energy_J();
-    let (mut time, mut change, mut peak) = (vec![], vec![], given);
+    let (mut time, mut change, mut peak) = (vec![], vec![], initial_J);
     while simulation.time_s() < 60.0 {
         crate::wells::go(&mut simulation, 0.05);
         time.push(simulation.time_s());
@@ -93,7 +93,7 @@ fn an_undamped_string_keeps_its_energy() {
             "drift of energy over the largest kinetic one in 60 s",
             drift,
             1e-6,
-            "a damping of 1e-6 1/s would show; what swings does not add up",
+            "a damping of 1e-6 1/s would show; oscillations do not add up",
         ),
     ] {
         verify("energy", format!("undamped string: {what}"))
@@ -103,14 +103,14 @@ fn an_undamped_string_keeps_its_energy() {
 }
 
 /// A string that starts centred and cold is set turning, reams 18 m down, falls on its wall,
-/// bounces and rubs: over 60 s from its first sample on, work put in is what the string gained and
-/// what it lost to friction, impacts, mud and damping.
+/// bounces and rubs: over 60 s from its first sample on, the work put in equals the string's gain
+/// and its losses to friction, impacts, mud and damping.
 ///
-/// 1 % would do; found are 9e-6 of the work, 5e-5 is held. And each part that the time series tell,
-/// too:
+/// 1 % would do; found are 9e-6 of the work, 5e-5 is held. The parts that follow from the time
+/// series are checked, too:
 ///
-/// - the hoist's work is `−∫ F v dt` of hook load and block velocity, up to what the line stores
-///   and loses (½F²/k of 4 kJ in 7 MJ): 1e-3;
+/// - the hoist's work is `−∫ F v dt` of hook load and block velocity, up to the line's stored and
+///   lost energy (½F²/k of 4 kJ in 7 MJ): 1e-3;
 /// - the top drive's is `∫ M Ω dt`: 2e-4, samples against steps in the second of the start;
 /// - gravity's is the buoyed weight of every element times the descent of its place in the hole:
 ///   2e-3, the fall on the wall (0.04 m of 18) left out;
@@ -139,7 +139,7 @@ fn what_comes_in_goes_out() {
     let t = &outcome.series;
     // Whole steps make a sample.
     let dt = t.time_s[1] - t.time_s[0];
-    let sum = |of: &dyn Fn(usize) -> f64| dt * (1..t.time_s.len()).map(of).sum::<f64>();
+    let sum = |term: &dyn Fn(usize) -> f64| dt * (1..t.time_s.len()).map(term).sum::<f64>();
     let spin = |i: usize| case.operation.rotary_speed_rad_per_s * (t.time_s[i] - 0.5 * dt).min(1.0);
     let speed = |i: usize| t.block_velocity_m_per_s[i];
     let close = |what: &str, computed: f64, expected: f64, within: f64, reason: &str| {
@@ -148,7 +148,7 @@ fn what_comes_in_goes_out() {
             .report(expected, computed);
     };
     let hoist = sum(&|i| -t.hook_load_N[i] * speed(i));
-    let line = "what the line stores and loses, 4 kJ in 7 MJ";
+    let line = "stored and lost energy of the line, 4 kJ in 7 MJ";
     close("work of the hoist", e.hoist_work_J, hoist, 1e-3, line);
     let drive = sum(&|i| t.surface_torque_N_m[i] * spin(i));
     let samples = "samples against steps in the second of the start";
@@ -173,8 +173,8 @@ fn what_comes_in_goes_out() {
         .sum();
     let fall = "the fall on the wall left out: 0.04 m of 18";
     close("change of potential energy", e.gravity_change_J, gained, 2e-3, fall);
-    // What has no independent estimate has its sign.
+    // Parts without an independent estimate are checked for their sign.
     assert!(e.contact_loss_J > 0.0 && e.mud_loss_J > 0.0 && e.damping_loss_J > 0.0);
-    // The bit is off bottom; what holds it to the axis takes part in the fall.
+    // The bit is off bottom; its lateral support takes part in the fall.
     assert!(e.bit_work_J.abs() < 100.0 && e.flow_work_J == 0.0);
 }

@@ -1,4 +1,4 @@
-//! Friction that differs along the hole and around it, and what it wears.
+//! Friction that differs along the hole and around it, and its wear.
 
 use wholestring::{
     dynamics::{CustomFriction, FrictionCoefficient, FrictionLaw, SlidingContact},
@@ -44,7 +44,8 @@ fn middle(outcome: &DynamicOutcome) -> [f64; 3] {
     let inside: Vec<usize> = (0..nodes.md_m.len())
         .filter(|i| (END_M..LENGTH_M - END_M).contains(&nodes.md_m[*i]))
         .collect();
-    let mean = |of: &[f64]| inside.iter().map(|i| of[*i]).sum::<f64>() / inside.len() as f64;
+    let mean =
+        |values: &[f64]| inside.iter().map(|i| values[*i]).sum::<f64>() / inside.len() as f64;
     let md: Vec<f64> = inside.iter().map(|i| nodes.md_m[*i]).collect();
     let torque: Vec<f64> = inside.iter().map(|i| nodes.torque_N_m[*i]).collect();
     [mean(&nodes.axial_friction_N_per_m), -line(&md, &torque).0, mean(&nodes.wear_work_J_per_m)]
@@ -59,8 +60,8 @@ fn middle(outcome: &DynamicOutcome) -> [f64; 3] {
 ///
 /// And the wear of the hole, away from the ends of the string, is that of the string.
 ///
-/// The balance of a rigid cylinder, exact where the pipe lies straight. Held to 2e-4; found is
-/// 4e-5, what the pipe's slow rolling has left after 15 seconds.
+/// The balance of a rigid cylinder, exact where the pipe is straight. The tolerance is 2e-4; found
+/// is 4e-5, the remainder of the pipe's slow rolling after 15 seconds.
 #[test]
 fn friction_and_wear_of_a_pipe_that_turns_and_goes_down() {
     let mu = 0.25;
@@ -100,7 +101,8 @@ fn friction_and_wear_of_a_pipe_that_turns_and_goes_down() {
         let inside: Vec<usize> = (0..wear.md_m.len())
             .filter(|i| (END_M..LENGTH_M - END_M).contains(&wear.md_m[*i]))
             .collect();
-        let mean = |of: &[f64]| inside.iter().map(|i| of[*i]).sum::<f64>() / inside.len() as f64;
+        let mean =
+            |values: &[f64]| inside.iter().map(|i| values[*i]).sum::<f64>() / inside.len() as f64;
         let what = format!("{law:?} {ratio}: wear per metre of hole");
         assert_close(&what, mean(&wear.wear_work_J_per_m), expected[2], 2e-4);
         assert_close(&what, mean(&wear.wear_power_W_per_m), power, 2e-4);
@@ -175,8 +177,9 @@ fn friction_by_a_law_of_the_callers_own() {
         let depths = outcome.nodes.md_m.iter().copied();
         let inside = depths.filter(|md| (END_M..LENGTH_M - END_M).contains(md));
         let expected: Vec<[f64; 2]> = inside.map(per_metre).collect();
-        let mean =
-            |of: usize| expected.iter().map(|both| both[of]).sum::<f64>() / expected.len() as f64;
+        let mean = |index: usize| {
+            expected.iter().map(|both| both[index]).sum::<f64>() / expected.len() as f64
+        };
         let [axial, torque, _] = middle(outcome);
         for (what, found, expected) in
             [("axial friction", axial, mean(0)), ("torque", torque, mean(1))]

@@ -4,13 +4,13 @@ use wholestring::{dynamics::HoistControl, operation::OperationKind};
 
 use crate::wells::{between, go, np13};
 
-/// A string that was lowered with friction hangs on its wall when the block stops: what the wall
-/// carries then, it carries for ever. From 10 to 60 s after the stop the hook load moves by less
-/// than 0.1 kN.
+/// A string that was lowered with friction hangs on its wall when the block stops: the load on the
+/// wall at that time is permanent. From 10 to 60 s after the stop the hook load moves by less than
+/// 0.1 kN.
 ///
-/// Expected: no drift at all, for Coulomb's friction at rest holds whatever it is requested. 0.1 kN
-/// is a tenth of what weight indicators show; a law that creeps loses all of the drag, 270 kN here.
-/// Found: 0.02 kN, the last of the axial ringing.
+/// Expected: no drift at all, because Coulomb's static friction holds any load up to its limit. 0.1
+/// kN is a tenth of what weight indicators show; a law that creeps loses all of the drag, 270 kN
+/// here. Found: 0.02 kN, the last of the axial ringing.
 #[test]
 fn a_stopped_string_keeps_its_hook_load() {
     let mut case = np13(0.3);

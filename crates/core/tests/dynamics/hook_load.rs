@@ -33,8 +33,8 @@ fn drilling(mu: f64) -> Case {
 
 /// Without friction lift and weight on bit carry the string between them, `F + W = w L cos i`.
 ///
-/// Within 0.1 % of the string's weight: what is left of the momentum that the start gave it, over
-/// the window.
+/// Within 0.1 % of the string's weight: the remainder of the momentum from the start, over the
+/// window.
 #[test]
 fn without_friction_it_is_the_weight_that_the_bit_does_not_bear() {
     let case = drilling(0.0);
@@ -50,8 +50,8 @@ fn without_friction_it_is_the_weight_that_the_bit_does_not_bear() {
 }
 
 /// Where friction holds the string against its lift the weight does not follow it one for one, and
-/// has to be searched. What is found holds for a run with that lift to the last bit, and the
-/// finished run comes with it.
+/// has to be searched. The result holds for a run with that lift to the last bit, and the finished
+/// run is returned with it.
 #[test]
 fn with_friction_it_is_found_and_holds() {
     let mut case = drilling(0.3);
@@ -75,7 +75,7 @@ fn with_friction_it_is_found_and_holds() {
     assert_eq!(lift.weight_on_bit_N.to_bits(), again.weight_on_bit_N.to_bits());
 }
 
-/// Nothing to tune for, a weight that the string does not have, and somebody who asks to stop.
+/// Nothing to tune for, a weight that the string does not have, and a stop request.
 #[test]
 fn what_cannot_be_tuned_says_so() {
     let case = drilling(0.0);
@@ -89,8 +89,8 @@ fn what_cannot_be_tuned_says_so() {
     let heavy = case.operation.weight_on_bit_N(1e6);
     match tuned(&heavy, true) {
         Err(error @ TuningError::NotFound { .. }) => {
-            let told = error.to_string();
-            assert!(told.contains("1000.0 kN") && told.contains("20 runs"), "{told}");
+            let message = error.to_string();
+            assert!(message.contains("1000.0 kN") && message.contains("20 runs"), "{message}");
         }
         other => panic!("{other:?}"),
     }

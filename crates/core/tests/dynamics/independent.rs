@@ -12,8 +12,9 @@ use crate::{
 /// `μ r Σ N` around it; by Coulomb's cone with the parts `V/s` and `Ω r/s` of it,
 /// `s = √(V² + Ω²r²)`.
 ///
-/// `Σ N` is the run's own; the laws are exact for every node at steady motion, whatever presses it.
-/// Within 0.1 %: what is left of the pipe's rolling after twenty seconds changes the sliding speed.
+/// `Σ N` is the run's own; the laws are exact for every node at steady motion, under any contact
+/// force. Within 0.1 %, because the remaining rolling of the pipe after twenty seconds changes the
+/// sliding speed.
 #[test]
 fn reaming_slides_both_ways() {
     let (length, mu, radius) = (300.0, 0.25, 0.06985);

@@ -19,7 +19,7 @@ fn pulled(mu: f64) -> Case {
     let mut trip = operation(OperationKind::TripOut, LENGTH_M);
     trip.trip_speed_m_per_s = 0.2;
     let mut case = Case::new(straight(LENGTH_M, mu), trip);
-    // What rings along the pipe dies within a second; a pipe that slides is not held back.
+    // Axial vibration of the pipe decays within a second; a pipe that slides is not held back.
     case.settings.damping.mass_per_s = 3.0;
     case.lasts(2.0, 10.0);
     case
@@ -56,14 +56,16 @@ fn friction_on_its_way_is_coulombs() {
     let mean = |series: &TimeSeries, values: fn(&TimeSeries) -> &[f64]| {
         mean_between(&series.time_s, values(series), 11.0, 12.0)
     };
-    let [changed_N, same_N] = [series, same.series()].map(|of| mean(of, |of| &of.hook_load_N));
-    let across = [series, same.series()].map(|of| mean(of, |of| &of.side_force_total_N));
+    let [changed_N, same_N] =
+        [series, same.series()].map(|series| mean(series, |series| &series.hook_load_N));
+    let across =
+        [series, same.series()].map(|series| mean(series, |series| &series.side_force_total_N));
     let expected_N = 0.3 * across[0] - 0.2 * across[1];
     assert_close("change of the hook load", changed_N - same_N, expected_N, 1e-6);
     assert_close("side force", across[0], across[1], 1e-3);
 }
 
-/// A run whose friction has changed comes to what a run has whose friction was so from the start,
+/// A run whose friction has changed reaches the state of a run with that friction from the start,
 /// in a well with a build and a turn, cased and open hole of their own.
 ///
 /// The change rings along the string, and dies with the mass damping of 0.1 1/s. Means over 30 s
@@ -90,8 +92,8 @@ fn changed_friction_is_that_of_a_hole_that_has_it() {
     assert_close("axial friction", found[0].axial_friction_N, found[1].axial_friction_N, 4e-4);
 }
 
-/// Written to a checkpoint in the middle of a change and after it, a run continues to the same
-/// bits, in either precision, and nodes that slide on take up the changed friction.
+/// Written to a checkpoint in the middle of a change and after it, a run continues with the same
+/// bits, in either precision, and nodes that slide on get the changed friction.
 #[test]
 fn changed_friction_is_taken_up_where_it_was_left() {
     for precision in [Precision::Double, Precision::Single] {
@@ -116,7 +118,7 @@ fn changed_friction_is_taken_up_where_it_was_left() {
     }
 }
 
-/// Friction at rest keeps its ratio to the kinetic one, and what no wall has is refused.
+/// Friction at rest keeps its ratio to the kinetic one, and an impossible coefficient is rejected.
 #[test]
 fn friction_that_no_wall_has_is_refused() {
     let hole = straight(LENGTH_M, 0.2).well.hole;

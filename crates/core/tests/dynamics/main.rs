@@ -1,7 +1,7 @@
-//! Verification of the dynamics as a whole: what a run of a string in its well must show.
+//! Verification of the dynamics as a whole: the required results of a run of a string in its well.
 //!
-//! "Quiet" means constant speed, smooth wall, vector friction, nothing that excites: what such a
-//! run settles to is known from statics.
+//! "Quiet" means constant speed, smooth wall, vector friction, no excitation: the state to which
+//! such a run settles is known from statics.
 
 #[path = "../common/mod.rs"]
 mod common;

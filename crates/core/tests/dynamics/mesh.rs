@@ -1,5 +1,4 @@
-//! Elements that choose their length: where something asks for shorter ones, and where nothing
-//! does.
+//! Elements of automatic length: where shorter ones are required, and where not.
 
 use std::f64::consts::PI;
 
@@ -54,8 +53,8 @@ fn pipe_that_lies_on_its_joints_goes_from_joint_to_joint() {
     }
 }
 
-/// Where nothing has joints, for pipe and joints were averaged, the pipe is what is long and light,
-/// and what lies below it is the assembly.
+/// Where nothing has joints, because pipe and joints were averaged, the long and light part is the
+/// pipe, and the part below it is the assembly.
 #[test]
 fn a_string_without_joints_has_an_assembly() {
     let plain = [
@@ -64,18 +63,18 @@ fn a_string_without_joints_has_an_assembly() {
         tool("heavy-weight drill pipe", Metres(50.0), 0.1397, 0.0921),
         tool("drill pipe", ToSurface, 0.1397, 0.1214),
     ];
-    let of = |components: &[_]| {
+    let case_of = |components: &[_]| {
         let stations = [[0.0, 0.0, 0.0], [1000.0, 0.0, 0.0]];
         let hole = vec![HoleSection::open(0.0..1010.0, 0.2159, 0.3)];
         let path = path(&stations, Interpolation::Spline);
         let model = model(path, hole, components.to_vec(), 1000.0);
         Case::new(model, operation(OperationKind::RotateOffBottom, 1000.0))
     };
-    let standard = sizing(&of(&plain), Accuracy::Standard);
+    let standard = sizing(&case_of(&plain), Accuracy::Standard);
     assert_eq!(reasons(&standard), [SizeReason::PlainPipe, SizeReason::Assembly]);
     let pipe = standard.intervals().iter().find(|one| one.reason == SizeReason::PlainPipe);
     assert!((pipe.expect("pipe").from_bit_m - 150.3).abs() < 1e-9);
-    let alike = sizing(&of(&plain[3..]), Accuracy::Standard);
+    let alike = sizing(&case_of(&plain[3..]), Accuracy::Standard);
     assert_eq!(reasons(&alike), [SizeReason::PlainPipe]);
 }
 
@@ -105,8 +104,8 @@ fn pushed(weight_N: f64) -> Case {
     Case::new(model, operation(OperationKind::Slide, 1000.0).weight_on_bit_N(weight_N))
 }
 
-/// Where compression is beyond half of Dawson and Paslay's load of a level hole, `2 √(EI w/r)`,
-/// every half wave `π √(2 EI/F)` has four elements at least; far below that load the pipe goes from
+/// In compression beyond half of Dawson and Paslay's load of a level hole, `2 √(EI w/r)`, every
+/// half wave `π √(2 EI/F)` has four elements at least; far below that load the pipe is meshed from
 /// joint to joint.
 #[test]
 fn compression_near_buckling_is_resolved() {
@@ -129,7 +128,7 @@ fn compression_near_buckling_is_resolved() {
 }
 
 /// In a build of 10°/30 m with 600 kN below it the body is pulled onto the wall between its joints:
-/// what bends is cut finer, the straight hole above and below is not.
+/// the bent part is divided more finely, the straight hole above and below is not.
 #[test]
 fn a_body_that_touches_in_a_dogleg_is_resolved() {
     let mut stations = vec![[0.0, 0.0, 0.0]];
@@ -158,8 +157,8 @@ fn a_body_that_touches_in_a_dogleg_is_resolved() {
 }
 
 /// Where a build holds a pushed pipe, its critical load is higher than that of a level hole; but
-/// between its nodes an element has `π² EI/h²` alone. From half of that on it is cut, so that it
-/// bears twice its compression.
+/// between its nodes an element has `π² EI/h²` alone. From half of that on it is cut, so that it is
+/// stable under twice its compression.
 #[test]
 fn elements_bear_twice_their_compression_where_the_hole_holds_the_pipe() {
     let stations = [[0.0, 0.0, 0.0], [300.0, 0.0, 0.0], [1200.0, 90.0, 0.0], [1230.0, 90.0, 0.0]];
@@ -251,7 +250,7 @@ fn the_mesh_serves_what_a_constant_lift_leaves_on_the_bit() {
 fn a_string_without_drill_pipe_is_an_assembly() {
     let blade = || tool("stabiliser", Metres(0.6), 0.2127, 0.07);
     let collar = |length| tool("collar", length, 0.1651, 0.0714);
-    let of = |components: &[ComponentSpec], length_m: f64| {
+    let case_of = |components: &[ComponentSpec], length_m: f64| {
         let stations = [[0.0, 0.0, 0.0], [length_m, 0.0, 0.0]];
         let hole = vec![HoleSection::open(0.0..length_m + 10.0, 0.2159, 0.3)];
         let model =
@@ -261,13 +260,13 @@ fn a_string_without_drill_pipe_is_an_assembly() {
     let lower = [tool("bit", Metres(0.3), 0.2159, 0.06), blade(), collar(Metres(12.0)), blade()];
     let with = |upper: ComponentSpec| lower.iter().cloned().chain([upper]).collect::<Vec<_>>();
     for length_m in [40.0, 250.0] {
-        let sizing = sizing(&of(&with(collar(ToSurface)), length_m), Accuracy::Standard);
+        let sizing = sizing(&case_of(&with(collar(ToSurface)), length_m), Accuracy::Standard);
         assert_eq!(reasons(&sizing), [SizeReason::Assembly], "{length_m}");
         assert!(sizing.at(6.0).element_length_m <= 3.0);
     }
     // Pipe of 140 mm over 100 m ends it.
     let pipe = tool("drill pipe", ToSurface, 0.1397, 0.1214);
-    let piped = sizing(&of(&with(pipe.clone()), 113.5), Accuracy::Standard);
+    let piped = sizing(&case_of(&with(pipe.clone()), 113.5), Accuracy::Standard);
     assert_eq!(reasons(&piped), [SizeReason::PlainPipe, SizeReason::Assembly]);
     assert!((piped.intervals()[1].from_bit_m - 13.5).abs() < 1e-9);
     let eccentricity = Eccentricity { offset_m: 2e-3, phase_rad: 0.0, cavity: Cavity::Sealed };
@@ -276,7 +275,7 @@ fn a_string_without_drill_pipe_is_an_assembly() {
         ..tool("worn pipe", Metres(12.0), 0.1397, 0.1214)
     };
     let below = tool("drill pipe", Metres(100.0), 0.1397, 0.1214);
-    let worn = sizing(&of(&[below, heavy_side, pipe], 200.0), Accuracy::Standard);
+    let worn = sizing(&case_of(&[below, heavy_side, pipe], 200.0), Accuracy::Standard);
     assert!(worn.intervals().iter().any(|one| one.element_length_m <= 3.0));
 }
 

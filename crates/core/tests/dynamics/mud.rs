@@ -72,7 +72,7 @@ fn with_a_motor(mut case: Case) -> Case {
 /// Rotating at constant speed in a weightless Newtonian mud, the string needs Couette's torque,
 /// `4πμ a²R²Ω L/(R² − a²)`.
 ///
-/// What differs is what is left of the start after 20 s of rotation: 1e-4 is held.
+/// The difference is the remainder of the start after 20 s of rotation; the tolerance is 1e-4.
 #[test]
 fn a_rotating_string_needs_couettes_torque() {
     let viscosity = 0.5;
@@ -97,7 +97,7 @@ fn a_rotating_string_needs_couettes_torque() {
 /// circulating, rotating and drilling, in a Bingham and a power-law mud.
 ///
 /// Both take the mud's forces from the same annulus, the dynamics with each element's own motion,
-/// found anew when it has changed by 1 %. Where nothing rubs what remains is what is left of the
+/// recomputed when it has changed by 1 %. Without friction the difference is the remainder of the
 /// start: 0.1 % of the mud's part of hook load and stretch, of all torque and of the pressure is
 /// allowed. The energy balance closes to 1e-5.
 #[test]
@@ -159,7 +159,7 @@ fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
     }
 }
 
-/// When the pumps start the string becomes lighter by what the soft string says: the stream lifts
+/// When the pumps start the string becomes lighter by the soft string's amount: the stream lifts
 /// it, the bit's jets push it up. The work of both is booked, and the energy balance closes.
 #[test]
 fn the_pumps_lift_the_string() {
@@ -185,14 +185,14 @@ fn the_pumps_lift_the_string() {
     assert!(outcome.numerics.energy_residual.abs() < 1e-5, "{energy:?}");
 }
 
-/// Pumps that start by the plan, and what the metal feels when they run: its own weight, the
+/// Pumps that start by the plan, and the loads of the metal when they run: its own weight, the
 /// pressures on its ends and the shear of the mud on its walls, none of which is an effective
 /// tension. In a Newtonian mud all of them have closed forms (Hagen and Poiseuille; Bird, Stewart
 /// and Lightfoot, *Transport Phenomena*, for the annulus).
 ///
-/// 1e-8 of the pressure is held (1e-10 found, what still swings), and 9 N of the tension, where the
-/// momentum of the mud in the bore is 117 N: the string is 0.15 m longer than without load, which
-/// is 5.5 N of pressure, and the swinging leaves 2 N.
+/// The tolerance is 1e-8 of the pressure (1e-10 found, from remaining oscillation), and 9 N of the
+/// tension, where the momentum of the mud in the bore is 117 N: the string is 0.15 m longer than
+/// without load, which is 5.5 N of pressure, and the swinging leaves 2 N.
 #[test]
 fn the_metal_feels_the_pressures_of_a_mud_that_flows() {
     let (viscosity, flow, bit_loss) = (0.6, 0.03, 8e6);
@@ -236,9 +236,9 @@ fn the_metal_feels_the_pressures_of_a_mud_that_flows() {
         close("inside", nodes.inside_pressure_Pa[i], inside(*md_m));
     }
 
-    // On the metal below a depth: its weight, the pressures on the bit less the thrust of what
-    // leaves it faster than it came, the stream's shear on the bore, downwards, and on the outside,
-    // upwards.
+    // On the metal below a depth: its weight, the pressures on the bit less the thrust of the mud
+    // that leaves it faster than it enters, the stream's shear on the bore, downwards, and on the
+    // outside, upwards.
     let steel = case.model.string.components()[0].mass_per_length_kg_per_m;
     let jets = density * flow * ((2.0 * bit_loss / density).sqrt() - flow / bore);
     let end = inside(LENGTH_M) * bore - outside(LENGTH_M) * body - at_rest * LENGTH_M * area - jets;

@@ -22,10 +22,10 @@ fn assert_agree(what: &str, a: &Scalars, b: &Scalars, tolerance: f64) {
 }
 
 /// Hook load and friction torque do not depend on the mesh: elements of 1.6, 3.2 and 4.8 m agree
-/// within 0.1 %, a third of what a driller could notice; those that choose their length, from joint
-/// to joint but for the assembly, too, and from joint to joint everywhere within 0.2 %. Found: 1e-5
-/// and 4e-4; 2e-5 with the assembly at 3 m, 1.1e-3 without, for a bit, a motor and collars of one
-/// element each bend otherwise.
+/// within 0.1 %, a third of the change that a driller could notice; those that choose their length,
+/// from joint to joint but for the assembly, too, and from joint to joint everywhere within 0.2 %.
+/// Found: 1e-5 and 4e-4; 2e-5 with the assembly at 3 m, 1.1e-3 without, for a bit, a motor and
+/// collars of one element each bend otherwise.
 #[test]
 fn element_length_does_not_matter() {
     let uniform = [3.2, 1.6, 4.8].map(MeshSettings::uniform);
@@ -44,10 +44,8 @@ fn element_length_does_not_matter() {
 }
 
 /// Nor on whether the assembly, at 3 m, has steps of its own. Found: 5e-7 for the hook load, 3e-7
-/// for
-/// the torque, what 10 s leave of the start's waves, held to 1e-5, the last digit that is shown;
-/// without any added mass, where one step takes
-/// 0.3 % of the string's.
+/// for the torque, the remainder of the start's waves after 10 s; the tolerance is 1e-5, the last
+/// digit shown; without any added mass, where one step takes 0.3 % of the string's.
 #[test]
 fn steps_of_its_own_do_not_matter_to_the_assembly() {
     let found = each(&[Regions::One, Regions::Auto], |regions| {
@@ -81,13 +79,13 @@ fn wall_stiffness_does_not_matter() {
     }
 }
 
-/// A quiet string carries what the soft string says: its hook load within 0.1 %; its friction
+/// A quiet string carries the loads of the soft string: its hook load within 0.1 %; its friction
 /// torque, lowered by the climb of a turning pipe, within 0.6 % of `1/√(1 + μ²)` of the soft
 /// string's.
 ///
 /// Found: the hook load 0.02 to 0.04 % higher, the torque 0.41 to 0.42 % lower, whatever the
 /// friction factor. Of the torque, 0.35 % are missing within 30 m of the end of the build and 0.08
-/// % at the kick-off, where the string's stiffness bridges what is a sudden change of load to a
+/// % at the kick-off, where the string's stiffness bridges a change of load that is sudden for a
 /// soft string; 0.17 % at the bottom-hole assembly, where the bit, held by its hole without
 /// friction, carries the motor up to the stabiliser; 0.16 % are gained in the build, where bending
 /// adds to the load. Along the tangent the two agree to 0.02 %. The hook load gains from the
@@ -111,7 +109,7 @@ fn quiet_rotation_agrees_with_the_soft_string() {
     }
 }
 
-/// Above the kick-off the string hangs free but for the last 30 m; in the build it lies on the high
+/// Above the kick-off the string hangs free but for the last 30 m; in the build it is on the high
 /// side above the cut-off and on the low side below it.
 #[test]
 fn it_touches_where_it_must() {

@@ -1,4 +1,4 @@
-//! What a run says about itself.
+//! Quality figures that a run reports.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -142,9 +142,9 @@ fn cases() -> Vec<Case> {
 /// A run answers in finite numbers; it gives less than 0.5 % of the axial mass to short elements;
 /// its energy balance closes; it penetrates the wall by less than 0.2 mm, its bit apart.
 ///
-/// The balance closes to the energy that comes and goes within a step: found are 5e-9 to 3e-7 of
-/// what was exchanged, 1e-6 is held. A force, a damping or a moving anchor that were not accounted
-/// for show at 1e-4 or more. 0.2 mm of penetration are a hundredth of the clearance.
+/// The balance closes to the energy that varies within a step: found are 5e-9 to 3e-7 of the
+/// exchanged energy; the tolerance is 1e-6. A force, a damping or a moving anchor that were not
+/// accounted for show at 1e-4 or more. 0.2 mm of penetration are a hundredth of the clearance.
 #[test]
 fn a_run_is_sound() {
     let cases = cases();
@@ -171,7 +171,7 @@ fn a_run_is_sound() {
 }
 
 /// The same case gives the same bits, run after run; another seed gives others, and the same
-/// answer: hook load within 10 N and torque within 0.1 %, what is left of the start after five
+/// result: hook load within 10 N and torque within 0.1 %, the remainder of the start after five
 /// seconds.
 #[test]
 fn the_same_case_gives_the_same_bits() {
@@ -189,8 +189,8 @@ fn the_same_case_gives_the_same_bits() {
 }
 
 /// Absurd set points end a run within a sample of where it left its range, by name and place, and
-/// what was sampled before stays finite: a lift of ten thousand tonnes, and a blow that makes a
-/// node spin at ten million rad/s.
+/// the earlier samples are finite: a lift of ten thousand tonnes, and a blow that makes a node spin
+/// at ten million rad/s.
 #[test]
 fn what_diverges_is_named_and_leaves_numbers() {
     let mut lifted = moderate(OperationKind::TripOut, 0.3);

@@ -1,10 +1,10 @@
 //! Every operation in the dynamics, against the soft string.
 //!
-//! The dynamics and the soft string differ in what is known beforehand. A turning pipe climbs the
+//! The dynamics and the soft string differ in ways that are predictable. A turning pipe climbs the
 //! wall until friction carries it: pressed by the load `q` at the angle `ψ` from its direction,
-//! `tan ψ` the part of the friction that acts around, it feels `q cos ψ`. So the soft string is
-//! solved with `μ cos ψ`. What is left, 1 to 2 % of friction and torque and up to 0.35 % of the
-//! hook load, comes from the bit, which its hole holds to the axis: it carries the collars up to
+//! `tan ψ` the part of the friction that acts around, its wall load is `q cos ψ`. So the soft
+//! string is solved with `μ cos ψ`. The rest, 1 to 2 % of friction and torque and up to 0.35 % of
+//! the hook load, is due to the bit, which its hole holds to the axis: it carries the collars up to
 //! where they touch, `½ q (24 EI c/q)^¼` = 3.5 kN or 1 % of all side force, without friction; and
 //! from the bending stiffness that bridges the place where the string changes sides.
 
@@ -25,7 +25,7 @@ const MU: f64 = 0.25;
 /// Radius of the tool joints, which carry most of the side force, m.
 const RADIUS_M: f64 = 0.0889;
 
-/// Friction and torque: what the bit carries and the stiffness bridges, see above.
+/// Friction and torque: the part of the bit and the bridging by stiffness, see above.
 const FRICTION_TOLERANCE: f64 = 0.02;
 
 /// Hook load: 2 % of at most 106 kN of friction, of 530 kN.
@@ -169,7 +169,8 @@ fn twist_and_stretch_of_the_nodes_end_in_the_scalars() {
             let error = (found - expected).abs();
             assert!(error <= 1e-9 * scale, "{name}: {what} {found} for {expected}");
         };
-        let size = |of: &[f64]| of.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let size =
+            |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         close("twist", nodes.twist_rad[0], scalars.twist_rad, size(&nodes.twist_rad));
         close("stretch", nodes.stretch_m[0], scalars.stretch_m, size(&nodes.stretch_m));
         assert!(size(&nodes.stretch_m) > 1e-4, "{name}");

@@ -27,8 +27,7 @@ fn assert_same(quantity: &str, [expected, computed]: [f64; 2], tolerance: Tolera
 }
 
 /// A string that turns quietly for `duration_s`: torque within 0.05 % and hook load within 0.3 kN
-/// of double precision over the whole of it, and over its last tenth, where what drifts has drifted
-/// farthest.
+/// of double precision over the whole of it, and over its last tenth, where any drift is greatest.
 ///
 /// That is far less than a rig's gauges show. Rounding itself moves a node to and fro, and the
 /// tension of its elements brings it back: found over 10 s and over 600 s alike are a ten-millionth
@@ -50,13 +49,13 @@ fn assert_quiet_rotation_is_the_same(duration_s: f64) {
             &format!("quiet rotation of {duration_s} s: torque{span}, N·m"),
             mean(|outcome| &outcome.series.surface_torque_N_m),
             Tolerance::Relative(5e-4),
-            "asked of it: far below what gauges show",
+            "required: far below the resolution of gauges",
         );
         assert_same(
             &format!("quiet rotation of {duration_s} s: hook load{span}, N"),
             mean(|outcome| &outcome.series.hook_load_N),
             Tolerance::Absolute(300.0),
-            "asked of it: far below what weight indicators show",
+            "required: far below the resolution of weight indicators",
         );
     }
 }
@@ -72,7 +71,7 @@ fn ten_minutes_of_quiet_rotation_do_not_drift_from_double_precision() {
     assert_quiet_rotation_is_the_same(600.0);
 }
 
-/// Node by node, too, the string is that of double precision: as it stands after a second, and in
+/// Node by node, too, the string is that of double precision: in its state after a second, and in
 /// the statistics of that second. Three last digits of a position, 6e-9 m, are a thousandth of the
 /// largest contact force, 6 kN; found: 3e-4 of it.
 #[test]
@@ -136,7 +135,7 @@ fn a_shaken_string_has_the_same_statistics() {
     ] {
         let [double, single] =
             found.each_ref().map(|outcome| *outcome.statistic(name).expect(name));
-        let reason = "asked of it: another seed moves means by 0.1 %, deviations by 5 %";
+        let reason = "required: another seed moves means by 0.1 %, deviations by 5 %";
         assert_same(
             &format!("shaken bit: mean {unit}"),
             [double.mean, single.mean],

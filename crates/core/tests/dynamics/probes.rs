@@ -22,8 +22,7 @@ fn turning(probes: Vec<Probe>) -> Case {
 }
 
 /// Every signal at the top, in the middle and at the bit is that of the frame of the same moment,
-/// at the node that stands there, to the bit; a run written to a checkpoint and resumed continues
-/// with them.
+/// at the node there, to the bit; a run written to a checkpoint and resumed continues with them.
 #[test]
 fn probes_see_what_frames_see() {
     let depths_m = [0.0, 151.0, LENGTH_M];

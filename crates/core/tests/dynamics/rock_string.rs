@@ -31,8 +31,8 @@ fn law() -> RockLaw {
     RockLaw { drilling }
 }
 
-/// Collars and pipe in a vertical hole without friction and mud, the block going down steadily:
-/// what the bit feels is felt above.
+/// Collars and pipe in a vertical hole without friction and mud, the block going down steadily: the
+/// bit's loads appear at the top.
 fn case() -> Case {
     let mut vertical = model(
         path(&[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]], Interpolation::Spline),
@@ -58,8 +58,9 @@ fn case() -> Case {
     case
 }
 
-/// Weight and torque of the rock are what the top of the string lacks and gives, the bit advances
-/// as fast as it says, and as the block, and the energy of the string is accounted for.
+/// Weight and torque of the rock are the deficit and the supply of the top of the string, the bit
+/// advances at its reported rate, and that of the block, and the energy of the string is accounted
+/// for.
 #[test]
 fn what_the_rock_takes_the_top_gives() {
     let case = case();
@@ -123,7 +124,7 @@ fn what_the_rock_takes_the_top_gives() {
     verify("rock", "rate of penetration in solid rock under a block that goes down steadily, m/s")
         .relative(
             0.05,
-            "the string stretches by a tenth of a millimetre under what the weight varies",
+            "the string stretches by a tenth of a millimetre under the variation of the weight",
         )
         .report(case.operation.rate_of_penetration_m_per_s, rate);
     let energy = outcome.numerics.energy.expect("a balance");

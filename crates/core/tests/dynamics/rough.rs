@@ -20,7 +20,7 @@ fn reaming(radius_rms_m: f64, tortuosity_rms_m: f64, seed: u64) -> Case {
     let mut operation = operation(OperationKind::Ream, LENGTH_M);
     operation.trip_speed_m_per_s = 0.1;
     let mut case = Case::new(model, operation);
-    // Asperities of 2 to 20 m take nodes as near to each other: what is expected is that of 94.
+    // Asperities of 2 to 20 m take nodes as near to each other: the expected value is that of 94.
     case.settings.mesh = MeshSettings::uniform(3.2);
     case.settings.settle_s = 20.0;
     case
@@ -36,7 +36,7 @@ fn swing(outcome: &DynamicOutcome) -> f64 {
     let nodes = &outcome.nodes;
     let inside: Vec<usize> =
         (0..nodes.md_m.len()).filter(|i| (50.0..250.0).contains(&nodes.md_m[*i])).collect();
-    let sum = |of: &[f64]| inside.iter().map(|i| of[*i]).sum::<f64>();
+    let sum = |values: &[f64]| inside.iter().map(|i| values[*i]).sum::<f64>();
     sum(&nodes.contact_force_std_N) / sum(&nodes.contact_force_N)
 }
 
@@ -45,11 +45,11 @@ fn swing(outcome: &DynamicOutcome) -> f64 {
 /// last bit with the same. Means stay: a string carries its weight. Energy is accounted for as on a
 /// smooth wall.
 ///
-/// Expected: a smooth run is steady but for what its start leaves, 6e-4 of a contact force. Nodes
-/// that climb and leave asperities of 1 mm in 2 m and more at 0.1 m/s carry half as much or half as
-/// much again (found: 0.33 to 0.56); 94 of them together hardly vary, 1e-3 of the torque. The mean
-/// torque stays within 1 %. The balance of energy closes to 2.4e-5 where the axis winds and to 2e-8
-/// where the radius undulates; 1e-4 is held, a hundredth of what is requested.
+/// Expected: a smooth run is steady except for the remainder of its start, 6e-4 of a contact force.
+/// Nodes that climb and leave asperities of 1 mm in 2 m and more at 0.1 m/s carry half as much or
+/// half as much again (found: 0.33 to 0.56); 94 of them together hardly vary, 1e-3 of the torque.
+/// The mean torque stays within 1 %. The balance of energy closes to 2.4e-5 where the axis winds
+/// and to 2e-8 where the radius undulates; the tolerance is 1e-4, a hundredth of the requirement.
 #[test]
 fn a_rough_wall_makes_a_quiet_run_noisy() {
     let cases = [

@@ -42,12 +42,12 @@ fn start_up() -> Case {
     case
 }
 
-/// Before the first line changes something the string lies untwisted and still; in the end it
+/// Before the first line changes something the string is untwisted and at rest; in the end it
 /// carries the torque of the same string that has turned all along, and its set point is the plan's
 /// at every sample. The drive's inertia is in the energy balance.
 ///
-/// The mean torque of the two windows agrees within 0.5 %, what the contact's slow rolling has left
-/// after ten seconds.
+/// The mean torque of the two windows agrees within 0.5 %, the remainder of the contact's slow
+/// rolling after ten seconds.
 #[test]
 fn a_string_starts_to_turn_by_the_plan() {
     let case = start_up();
@@ -95,7 +95,7 @@ fn assert_same(one: &TimeSeries, other: &TimeSeries) {
         else {
             continue;
         };
-        let bits = |of: &[f64]| of.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+        let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
         let (one, other) = (bits(&one), bits(&other));
         let first = one.iter().zip(&other).position(|(a, b)| a != b);
         assert_eq!((first, one.len()), (None, other.len()), "{}", column.quantity.name);

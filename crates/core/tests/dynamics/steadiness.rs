@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// Ten seconds after the prepared start of a quiet run the string has settled: torque and hook load
-/// stand still to 0.1 kN·m and 0.1 kN, the weight on bit is within 3 % of its target.
+/// are constant to 0.1 kN·m and 0.1 kN, the weight on bit is within 3 % of its target.
 ///
 /// Expected: nothing varies in a quiet run. The limits are a few thousandths of the torque (38
 /// kN·m) and less of the hook load (660 kN). Found: 0.013 kN·m, 0.006 kN, and 0.1 % for the weight
@@ -36,13 +36,13 @@ fn a_prepared_start_is_settled_in_ten_seconds() {
 }
 
 /// Over 600 s of quiet rotation the torque drifts by less than 0.2 %: the means over windows of 30
-/// s all lie within that of the first.
+/// s all agree with that of the first.
 ///
-/// What drift there is belongs to the depth: 1.6 m are drilled. A string initialised anew at the
-/// depth of the last window has the same torque within 1e-5, half of what a string settles by
-/// between 40 and 100 s after its start. (The soft string gains 10 N·m per metre on average; here
-/// the gain swings about that as tool joints enter and leave the ends of the build, and repeats
-/// itself with their spacing.)
+/// Any drift is due to the depth: 1.6 m are drilled. A string initialised anew at the depth of the
+/// last window has the same torque within 1e-5, half of what a string settles by between 40 and 100
+/// s after its start. (The soft string gains 10 N·m per metre on average; here the gain swings
+/// about that as tool joints enter and leave the ends of the build, and repeats itself with their
+/// spacing.)
 #[test]
 fn ten_minutes_of_quiet_rotation_do_not_drift() {
     let long = drilling(NP13_M, 10.0, 600.0).run();
@@ -85,14 +85,15 @@ fn to_its_end(simulation: &mut Simulation) {
 }
 
 /// A string that slides is drilled by its autodriller, whose weight finds its place in tens of
-/// seconds: 3 s after the start what varies is the drift of that, and the window says so. Where it
-/// settles until it is steady, at most 120 s, the weight and what follows it stand.
+/// seconds: 3 s after the start the variation is this drift, and the window reports it. Where it
+/// settles until it is steady, at most 120 s, the weight and the quantities that follow it are
+/// constant.
 ///
 /// In a schedule the string is steady again when its last line is done, not before.
 #[test]
 fn settling_goes_on_until_the_weight_stands() {
     let slide = moderate(OperationKind::Slide, 0.3);
-    let of = |settle_s: f64, steady: Option<UntilSteady>, schedule: Schedule| {
+    let case_of = |settle_s: f64, steady: Option<UntilSteady>, schedule: Schedule| {
         let mut case = slide.clone();
         case.settings.settle_s = settle_s;
         case.settings.steady = steady;
@@ -110,9 +111,9 @@ fn settling_goes_on_until_the_weight_stands() {
         }],
     };
     let cases = [
-        of(3.0, None, Schedule::default()),
-        of(0.0, until, Schedule::default()),
-        of(0.0, until, slower),
+        case_of(3.0, None, Schedule::default()),
+        case_of(0.0, until, Schedule::default()),
+        case_of(0.0, until, slower),
     ];
     let outcomes = each(&cases, |case| {
         let mut simulation = case.start();
@@ -138,12 +139,12 @@ fn settling_goes_on_until_the_weight_stands() {
             assert!(!drifting(outcome).contains(&name), "{:?}", drifting(outcome));
         }
         // The torque of a string that sticks to its wall around may creep for long: then the bound
-        // ends it, and it says so.
+        // ends it, and this is reported.
         let bounded = numerics.settle_s > longest_s - 5.0;
         assert_eq!(numerics.settled, Some(!bounded), "{}", numerics.settle_s);
         assert!(numerics.settle_s > min_s, "{}", numerics.settle_s);
     }
-    // What was told of the window is of the window: no sample before it.
+    // Statistics of the window are those of the window alone: no sample before it.
     let (series, from_s) = (&steady.series, steady.numerics.settle_s - 1e-6);
     let mean_N = mean_between(&series.time_s, &series.hook_load_N, from_s, f64::INFINITY);
     assert_close("hook load", steady.scalars.hook_load_N, mean_N, 1e-12);

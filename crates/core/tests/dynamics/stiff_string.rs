@@ -1,4 +1,4 @@
-//! The stiff string beside the dynamics, which finds its rest by itself.
+//! The stiff string against the dynamics, which finds its rest by itself.
 
 use wholestring::{
     dynamics::MeshSettings,
@@ -28,9 +28,9 @@ fn side(profile: &Profile, node: usize) -> i8 {
 }
 
 /// NP13 drilled at 70 rev/min and a moderate well's operations have the hook load and the torque of
-/// their dynamics within 0.05 %, their side force within 0.1 %: found 1e-6 to 1e-4, what waves of
-/// the start leave after 10 s. Nodes lie on the same side but for 1 % of them, and bend and press
-/// alike, within 2 % of the largest, but for 2 %.
+/// their dynamics within 0.05 %, their side force within 0.1 %: found 1e-6 to 1e-4, the remaining
+/// waves of the start after 10 s. Nodes are on the same side except for 1 % of them, and bend and
+/// press alike, within 2 % of the largest, but for 2 %.
 #[test]
 fn rests_where_the_dynamics_do() {
     use OperationKind::{RotateOffBottom, TripIn, TripOut};
@@ -52,8 +52,8 @@ fn rests_where_the_dynamics_do() {
             let largest = b.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
             share(nodes, |node| (a[node] - b[node]).abs() < 2e-2 * largest)
         };
-        let bent = alike(|of| &of.bending_moment_N_m);
-        let pressed = alike(|of| &of.side_force_N_per_m);
+        let bent = alike(|profile| &profile.bending_moment_N_m);
+        let pressed = alike(|profile| &profile.side_force_N_per_m);
         println!(
             "{kind}: hook {:.1e}, torque {:.1e}, side {:.1e}; sides {sides:.4}, bent {bent:.4}, pressed {pressed:.4}",
             relative_error(found.hook_load_N, expected.hook_load_N),

@@ -16,7 +16,7 @@ use crate::common::{
 };
 pub use crate::common::{mud_with_drag as mud, np13::tool};
 
-/// A model, what is done with it, and how it is computed.
+/// A model, its operation, and the settings of its computation.
 #[derive(Clone)]
 pub struct Case {
     pub model: Model,
@@ -77,13 +77,13 @@ pub fn each<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) -> Vec
     })
 }
 
-/// Mean of the values whose time lies in `from_s..to_s`.
+/// Mean of the values whose time is in `from_s..to_s`.
 pub fn mean_between(time_s: &[f64], values: &[f64], from_s: f64, to_s: f64) -> f64 {
     let chosen: Vec<f64> = between(time_s, values, from_s, to_s);
     chosen.iter().sum::<f64>() / chosen.len() as f64
 }
 
-/// The values whose time lies in `from_s..to_s`.
+/// The values whose time is in `from_s..to_s`.
 pub fn between(time_s: &[f64], values: &[f64], from_s: f64, to_s: f64) -> Vec<f64> {
     time_s
         .iter()
@@ -102,12 +102,12 @@ pub fn line(x: &[f64], y: &[f64]) -> (f64, f64) {
     (sxy / sxx, my - sxy / sxx * mx)
 }
 
-/// What is known of a quantity over the window.
+/// Statistics of a quantity over the window.
 pub fn statistic(outcome: &DynamicOutcome, name: &str) -> Statistic {
     *outcome.statistic(name).expect(name)
 }
 
-/// How fast the bit goes down from a time on, m/s.
+/// Rate at which the bit moves down from a time on, m/s.
 pub fn rate_from(series: &TimeSeries, from_s: f64) -> f64 {
     let from = series.time_s.partition_point(|t| *t < from_s);
     line(&series.time_s[from..], &series.bit_depth_m[from..]).0

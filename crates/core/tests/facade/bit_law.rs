@@ -15,7 +15,7 @@ struct OwnRate {
     name: &'static str,
     /// By which part a revolution makes it slower.
     blunting: f64,
-    /// How curved the rate is against the weight: 1 is a straight line.
+    /// Curvature of the rate against the weight: 1 is a straight line.
     exponent: f64,
 }
 
@@ -62,9 +62,9 @@ fn custom(law: OwnRate) -> DynamicsSettings {
     with(BitLaw::Custom(CustomLaw::new(law, STIFFNESS_N_PER_M)))
 }
 
-/// The rate law written as one's own drills as the engine's. The weight is found to 1e-12 of
-/// itself, and what is left of the difference is rounding, which a string in smooth drilling
-/// amplifies to 1.3e-10 in 4 s.
+/// The rate law as a user-defined law drills like the engine's. The weight is found to 1e-12 of
+/// itself, and the rest of the difference is rounding, which a string in smooth drilling amplifies
+/// to 1.3e-10 in 4 s.
 #[test]
 fn the_rate_law_as_ones_own_is_the_rate_law() {
     let own = run(&custom(OWN));
@@ -88,8 +88,8 @@ fn the_rate_law_as_ones_own_is_the_rate_law() {
     }
 }
 
-/// A curved law drills at the rate that it says of the weight: no step of the search was lost.
-/// Means over a sample differ from the law's by what the weight varies within it, 1e-4 here.
+/// A curved law drills at its own rate for the weight: no step of the search was lost. Means over a
+/// sample differ from the law's by the variation of the weight within it, 1e-4 here.
 #[test]
 fn a_curved_law_drills_at_its_rate() {
     let law = OwnRate { exponent: 1.6, ..OWN };
@@ -129,7 +129,7 @@ fn excitation_shakes_a_law_of_ones_own() {
     assert!(moved > 5.0 * still, "{still} {moved}");
 }
 
-/// What the law keeps comes back from a checkpoint, to the bit.
+/// The state of the law is restored from a checkpoint, to the bit.
 #[test]
 fn a_law_of_ones_own_resumes_with_the_same_bits() {
     let blunting = || custom(OwnRate { blunting: 0.5, ..OWN });

@@ -1,4 +1,4 @@
-//! Constructors give what they say, and refuse what cannot be.
+//! Constructors give the documented values, and reject invalid ones.
 
 use wholestring::{
     mud::CYLINDER_DRAG_COEFFICIENT,
@@ -48,7 +48,7 @@ fn operations_have_their_kind_and_nothing_else() {
     assert_eq!(set, expected);
 }
 
-/// What turns without a rotary speed is refused with the set point's name.
+/// A rotating operation without a rotary speed is rejected with the set point's name.
 #[test]
 fn an_operation_without_its_set_points_is_refused() {
     let model = crate::setup::model();

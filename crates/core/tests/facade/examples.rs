@@ -1,4 +1,4 @@
-//! The example programs run, and show what they say.
+//! The example programs run, and print their documented output.
 
 use std::error::Error;
 

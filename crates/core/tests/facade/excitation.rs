@@ -28,7 +28,7 @@ impl BitExcitation for OwnLobes {
         self.name
     }
 
-    /// How far it has drilled, m.
+    /// Drilled distance, m.
     fn initial_state(&self) -> Vec<f64> {
         vec![0.0]
     }

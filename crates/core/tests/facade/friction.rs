@@ -42,7 +42,7 @@ fn custom(law: impl FrictionCoefficient + 'static) -> DynamicsSettings {
     DynamicsSettings { friction_coefficient: Some(CustomFriction::new(law)), ..settings() }
 }
 
-/// A law that answers what the hole has changes no bit, in either precision.
+/// A law that returns the hole's own coefficient changes no bit, in either precision.
 #[test]
 fn the_holes_own_coefficient_gives_the_same_bits() {
     for precision in [Precision::Double, Precision::Single] {
@@ -52,7 +52,7 @@ fn the_holes_own_coefficient_gives_the_same_bits() {
     }
 }
 
-/// What the law keeps of each node comes back from a checkpoint, to the bit.
+/// The law's state at each node is restored from a checkpoint, to the bit.
 #[test]
 fn a_coefficient_of_ones_own_resumes_with_the_same_bits() {
     let polished = || custom(Polished { half_life_J: 100.0, ..OWN });
@@ -72,7 +72,7 @@ fn a_checkpoint_of_another_coefficient_is_refused() {
     assert_refused("the coefficient of friction", nodes, [&custom(OWN), &other, &settings()]);
 }
 
-/// A coefficient that no wall has ends the run, and says where.
+/// An impossible coefficient ends the run, and the error names the place.
 #[test]
 fn a_coefficient_that_cannot_be_ends_the_run() {
     #[derive(Debug)]

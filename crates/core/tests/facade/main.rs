@@ -1,4 +1,5 @@
-//! What a program meets first: constructors, a run to its end, laws of its own, the examples.
+//! The first parts that a program uses: constructors, a run to its end, laws of its own, the
+//! examples.
 
 // Every example has the well and the string that they share as a module of its own.
 #![allow(clippy::duplicate_mod)]

@@ -49,8 +49,8 @@ pub fn checkpoint(settings: &DynamicsSettings) -> Vec<u8> {
     postcard::to_stdvec(&simulation.checkpoint()).expect("plain data")
 }
 
-/// What a run answers; one that is resumed by a new program, whose settings are equal and not the
-/// same, answers so to the bit.
+/// Results of a run; a run resumed by a new program, with equal but separate settings, gives the
+/// same results to the bit.
 #[track_caller]
 pub fn assert_resumes(settings: impl Fn() -> DynamicsSettings) -> DynamicOutcome {
     let whole = run(&settings());
@@ -65,11 +65,12 @@ pub fn assert_resumes(settings: impl Fn() -> DynamicsSettings) -> DynamicOutcome
 pub fn assert_refused(what: &str, numbers: usize, [own, other, plain]: [&DynamicsSettings; 3]) {
     let bytes = checkpoint(own);
     let error = resumed(other, &bytes).expect_err("another law");
-    let of = format!("(state of length {numbers})");
+    let state = format!("(state of length {numbers})");
     assert_eq!(
         error.to_string(),
         format!(
-            "the checkpoint was written with `own` {of} as {what}, the settings have `other` {of}"
+            "the checkpoint was written with `own` {state} as {what}, the settings have `other` \
+             {state}"
         )
     );
     for (settings, bytes) in [(plain, bytes), (own, checkpoint(plain))] {
@@ -78,7 +79,7 @@ pub fn assert_refused(what: &str, numbers: usize, [own, other, plain]: [&Dynamic
     }
 }
 
-/// What a run answers that is resumed from the bytes of a checkpoint.
+/// Results of a run that is resumed from the bytes of a checkpoint.
 pub fn resumed(settings: &DynamicsSettings, bytes: &[u8]) -> Result<DynamicOutcome, ResumeError> {
     let checkpoint: Checkpoint<'static> = postcard::from_bytes(bytes).expect("a whole checkpoint");
     let mut simulation = Simulation::resume(&model(), &drill(), settings, checkpoint)?;

@@ -59,9 +59,9 @@ fn built_in(torque_limit_N_m: Option<f64>) -> DynamicsSettings {
     })
 }
 
-/// The engine's acts on the speed at the step's end, one's own on that at its beginning: they agree
-/// to the part of the time constant `J/K_p` of 0.1 s that a step of less than 1 ms is, a hundredth,
-/// of what the speed moves by.
+/// The engine's acts on the speed at the step's end, the user-defined one on that at its beginning:
+/// they agree to the part of the time constant `J/K_p` of 0.1 s that a step of less than 1 ms is, a
+/// hundredth, of the change of the speed.
 #[test]
 fn a_pi_controller_of_ones_own_is_the_engines() {
     let (own, engines) = (run(&custom("own", None)), run(&built_in(None)));
@@ -73,7 +73,7 @@ fn a_pi_controller_of_ones_own_is_the_engines() {
     assert!(apart < 0.01 * moved, "{apart} {moved}");
 }
 
-/// A drive that cannot give what the string takes slows down, whoever controls it.
+/// A drive that cannot supply the string's torque slows down, under any controller.
 #[test]
 fn the_limit_holds() {
     let limit_N_m = 1500.0;

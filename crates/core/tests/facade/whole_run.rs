@@ -19,7 +19,7 @@ fn to_end_is_the_whole_window() {
     assert!((whole.series.time_s[whole.series.time_s.len() - 1] - 4.0).abs() < 0.01);
 }
 
-/// Where settling ends by itself the end is not known at the beginning.
+/// Where settling ends by itself, the end is unknown at the beginning.
 #[test]
 fn to_end_waits_until_the_string_is_steady() {
     let settings = DynamicsSettings { steady: Some(UntilSteady { max_s: 30.0 }), ..settings() };

@@ -20,21 +20,21 @@ use crate::{
 /// A pipe so light that its weight does nothing: its frequencies are higher by the root of this.
 const LIGHT: f64 = 1e-4;
 
-/// A shaft of a metre so heavy that it is told from rounding at rest; its weight is 4e-4 of its
+/// A shaft of a metre so heavy that it is distinct from rounding at rest; its weight is 4e-4 of its
 /// buckling load.
 const HEAVY: f64 = 6.0;
 
-/// A pipe in a wide vertical hole under a tension, N, its mass `light` times what it is.
+/// A pipe in a wide vertical hole under a tension, N, its mass `light` times the actual one.
 fn beam(
-    of: &Value,
+    inputs: &Value,
     shear_modulus_Pa: f64,
     light: f64,
     tension_N: f64,
     elements: f64,
 ) -> (SmallMotions, f64) {
-    let input = |key: &str| number(&of[key]);
+    let input = |key: &str| number(&inputs[key]);
     let length_m = input("L");
-    let (od_m, id_m) = match of["r"].as_f64() {
+    let (od_m, id_m) = match inputs["r"].as_f64() {
         Some(radius_m) => (2.0 * radius_m, 0.0),
         None => (input("OD"), input("ID")),
     };
@@ -55,17 +55,17 @@ fn beam(
 }
 
 /// D09: five modes of a pinned pipe, free of axial force, under tension and at half its buckling
-/// load, each twice: across two planes. 240 elements, whose lumped rotary inertia takes
-/// 6e-5 of the fifth mode, four times as much with half of them; the section's own rotary inertia
-/// and what is left of shear, which the file leaves out, take 4e-4.
+/// load, each twice: across two planes. 240 elements, whose lumped rotary inertia takes 6e-5 of the
+/// fifth mode, four times as much with half of them; the section's own rotary inertia and the
+/// remaining shear, which the file leaves out, take 4e-4.
 #[test]
 fn d09_pinned_pipe() {
     let data = verification("D09_linear_frequencies.json");
-    let of = &data["pinned_pinned_DP"];
-    for case in of["cases"].as_array().expect("cases") {
+    let group = &data["pinned_pinned_DP"];
+    for case in group["cases"].as_array().expect("cases") {
         let tension_N = number(&case["axial_N"]);
         // So stiff in shear that it does not count.
-        let (motions, length_m) = beam(&of["inputs"], 1e14, LIGHT, tension_N, 240.0);
+        let (motions, length_m) = beam(&group["inputs"], 1e14, LIGHT, tension_N, 240.0);
         let found = motions.assembly(length_m).lateral(0.0, 10, 0.0).expect("modes");
         let expected = case["freq_Hz"].as_array().expect("frequencies");
         let rows = found.iter().enumerate().map(|(number_of, mode)| {
@@ -123,8 +123,8 @@ fn d09_hanging_chain() {
 /// ρA ω² W = κGA (k² W − k Θ)
 /// (ρI ω² − 2ρI Ω ω) Θ = EI k² Θ + κGA (Θ − k W)
 /// ```
-fn shaft_rad_per_s(of: &Value, shear_N: f64, mode: f64, speed: f64) -> [f64; 2] {
-    let input = |key: &str| number(&of[key]);
+fn shaft_rad_per_s(inputs: &Value, shear_N: f64, mode: f64, speed: f64) -> [f64; 2] {
+    let input = |key: &str| number(&inputs[key]);
     let (radius_m, rho, modulus) = (input("r"), input("rho"), input("E"));
     let (area, second) = (PI * radius_m.powi(2), 0.25 * PI * radius_m.powi(4));
     let k = mode * PI / input("L");
@@ -157,15 +157,15 @@ fn shaft_rad_per_s(of: &Value, shear_N: f64, mode: f64, speed: f64) -> [f64; 2] 
 #[test]
 fn d09_spinning_shaft() {
     let data = verification("D09_linear_frequencies.json");
-    let of = &data["spinning_rayleigh_shaft"];
+    let group = &data["spinning_rayleigh_shaft"];
     let mut rows = Vec::new();
     for (name, shear_modulus, is_files) in [("steel", 80e9, false), ("a stiff shaft", 1e14, true)] {
-        let (motions, length_m) = beam(&of["inputs"], shear_modulus, HEAVY, 0.0, 30.0);
-        let poisson = number(&of["inputs"]["E"]) / (2.0 * shear_modulus) - 1.0;
-        let radius_m = number(&of["inputs"]["r"]);
+        let (motions, length_m) = beam(&group["inputs"], shear_modulus, HEAVY, 0.0, 30.0);
+        let poisson = number(&group["inputs"]["E"]) / (2.0 * shear_modulus) - 1.0;
+        let radius_m = number(&group["inputs"]["r"]);
         let kappa = wholestring::rod::element::shear_factor(poisson, 0.0);
         let shear_N = kappa * shear_modulus * PI * radius_m.powi(2);
-        for case in of["cases"].as_array().expect("cases") {
+        for case in group["cases"].as_array().expect("cases") {
             let [speed, mode] = ["Omega_rad_s", "mode"].map(|key| number(&case[key]));
             let assembly = motions.assembly(length_m);
             let found = assembly.lateral(0.0, 4, speed / HEAVY.sqrt()).expect("modes");
@@ -176,7 +176,7 @@ fn d09_spinning_shaft() {
                 assert!(pair.iter().all(|pair| pair.precession.abs() > 0.99));
             }
             let round = [1, 0].map(|way: usize| TAU * pair[way].frequency_Hz * HEAVY.sqrt());
-            let roots = shaft_rad_per_s(&of["inputs"], shear_N, mode, speed);
+            let roots = shaft_rad_per_s(&group["inputs"], shear_N, mode, speed);
             let what = format!("mode {mode:.0} of {name} at {speed:.0} rad/s");
             for (way, found, root) in
                 [("forward", round[0], roots[0]), ("backward", round[1], roots[1])]

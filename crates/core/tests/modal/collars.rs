@@ -43,7 +43,7 @@ fn collars(elements_m: f64, compression_N: f64) -> SmallMotions {
     let model = common::model(path, hole, parts, common::mud(0.0), LENGTH_M);
     let operation = Operation { weight_on_bit_N: compression_N, ..Operation::slide(LENGTH_M) };
     let found = motions(&model, &operation, &rigid(elements_m));
-    // The blades lie in their hole, the collars between them do not touch it.
+    // The blades are in contact with their hole, the collars between them do not touch it.
     assert_eq!((0..found.nodes()).filter(|node| found.touches(*node)).count(), BLADES_M.len());
     found
 }
@@ -119,7 +119,7 @@ impl Beam {
     /// at the top.
     fn determinant(&self, omega: f64) -> f64 {
         let unknowns = BLADES_M.len() + 2;
-        // What each unknown makes of the state: θ and Q at the bit, then the blades.
+        // Contribution of each unknown to the state: θ and Q at the bit, then the blades.
         let mut state = OMatrix::<f64, Const<4>, Dyn>::zeros(unknowns);
         (state[(1, 0)], state[(3, 1)]) = (1e-3, 1e5);
         let mut conditions = DMatrix::<f64>::zeros(unknowns, unknowns);
@@ -196,7 +196,7 @@ fn stabilised_collars_whirl_as_transfer_matrices_say() {
     }
 }
 
-/// What a mesh errs by falls with the square of its elements: the order of its lumped rotary
+/// The error of a mesh falls with the square of its elements: the order of its lumped rotary
 /// inertia.
 #[test]
 fn frequencies_converge_with_the_square_of_the_elements() {
@@ -210,8 +210,8 @@ fn frequencies_converge_with_the_square_of_the_elements() {
     assert!((1.8..2.4).contains(&order), "{order}");
 }
 
-/// Every mode is there: as many as the count of negative eigenvalues says, at any rotary speed, up
-/// to any frequency.
+/// Every mode is there: as many as the count of negative eigenvalues, at any rotary speed, up to
+/// any frequency.
 #[test]
 fn no_mode_is_left_out() {
     let found = collars(1.0, 100e3);

@@ -22,8 +22,8 @@ use crate::{
 fn d09_hanging_string() {
     const LENGTH_M: f64 = 1000.0;
     let data = verification("D09_linear_frequencies.json");
-    let of = &data["fixed_free_1000m"];
-    let input = |key: &str| number(&of["inputs"][key]);
+    let source = &data["fixed_free_1000m"];
+    let input = |key: &str| number(&source["inputs"][key]);
     let steel = Material {
         density_kg_per_m3: input("rho"),
         youngs_modulus_Pa: input("E"),
@@ -41,7 +41,7 @@ fn d09_hanging_string() {
     let mut rows = Vec::new();
     for (family, key) in [(Family::Axial, "axial_Hz"), (Family::Torsional, "torsional_Hz")] {
         let found = motions.family(family, 3).expect("modes");
-        let expected = of[key].as_array().expect("frequencies");
+        let expected = source[key].as_array().expect("frequencies");
         for (index, (mode, expected)) in found.iter().zip(expected).enumerate() {
             let what = format!("{} mode {} of a string at rest, Hz", family.name(), index + 1);
             rows.push(

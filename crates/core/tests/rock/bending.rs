@@ -1,4 +1,4 @@
-//! A beam of elements: deflection, and what its hourglasses hold.
+//! A beam of elements: deflection, and the stiffness of its hourglasses.
 
 use wholestring::rock::{Block, BlockSpec, Edge, Rock, Stepper};
 
@@ -69,7 +69,7 @@ fn a_beam_bends_as_timoshenkos() {
             "rock",
             format!("energy in hourglasses of a cantilever {deep} elements deep as a part"),
         )
-        .absolute(0.05, "what is asked")
+        .absolute(0.05, "required")
         .report(0.0, hourglass);
     }
     let [coarse, fine] = found.map(|[deflection, _]| deflection - 1.0);

@@ -1,4 +1,4 @@
-//! What turns a bit that stands, against what it takes while it turns.
+//! Torque that turns a stationary bit, against its torque while it turns.
 
 use std::f64::consts::TAU;
 
@@ -13,7 +13,7 @@ use crate::common::{Tolerance, verify};
 const ROTARY_RAD_PER_S: f64 = 4.0 * TAU;
 const STEP_S: f64 = 0.25e-3;
 
-/// How far the bit turns between two stops, revolutions.
+/// Rotation of the bit between two stops, revolutions.
 const BETWEEN: f64 = 0.7;
 
 const WEIGHT_N: f64 = 1000.0;
@@ -22,11 +22,11 @@ const WEIGHT_N: f64 = 1000.0;
 /// next.
 const AWAY_RAD: f64 = 0.5;
 
-/// A bit that turns more slowly than this stands, rad/s: a twenty-fifth of the speed that it drills
-/// at.
+/// A bit that turns more slowly than this is taken as stationary, rad/s: a twenty-fifth of the
+/// speed that it drills at.
 const STANDS_RAD_PER_S: f64 = 1.0;
 
-/// Moment of inertia of a bit that is let go, kg·m².
+/// Moment of inertia of a bit that is released, kg·m².
 const INERTIA_KG_M2: f64 = 0.2;
 
 /// Time in which the torque on it grows by its mean torque, s: a hundred times that in which a wave
@@ -102,7 +102,7 @@ impl Standing {
     }
 }
 
-/// What turned it again, over what turned it.
+/// Ratio of the torque that turned it again to its torque while turning.
 struct Over {
     mean: f64,
     /// Standard error of the mean.
@@ -140,7 +140,7 @@ fn over_the_mean(element_m: f64, weight_N: f64, turns: f64, stops: usize) -> Ove
     over
 }
 
-/// How much less finer elements hold it.
+/// Ratio of the holding torques on coarse and on finer elements.
 fn held_less(coarse_m: f64, coarse: &Over, fine_m: f64, fine: &Over) {
     verify(
         "rock",
@@ -163,9 +163,9 @@ fn coarse_elements_hold_a_bit_that_stands() {
     held_less(6e-3, &coarse, 4e-3, &fine);
 }
 
-/// A bit that stands needs no more than one that turns, against rock whose grain is finer than its
-/// cut. Elements that are coarser than the cut of a blade hold it by more: all that stand in front
-/// of cutters at once, where a bit that turns meets them one by one.
+/// A stationary bit needs no more than one that turns, against rock whose grain is finer than its
+/// cut. Elements that are coarser than the cut of a blade hold it by more: all those in front of
+/// cutters at once, where a bit that turns meets them one by one.
 #[test]
 #[ignore = "minutes: run by cargo xtask verify"]
 fn what_holds_a_bit_that_stands_falls_with_the_elements() {
@@ -174,7 +174,7 @@ fn what_holds_a_bit_that_stands_falls_with_the_elements() {
     held_less(6e-3, &coarse, 4e-3, &middle);
     held_less(4e-3, &middle, 3e-3, &fine);
     assert!(fine.elements > 1.5, "{} elements in a revolution", fine.elements);
-    let shown = (Tolerance::Any, "what so coarse elements add, shown");
+    let shown = (Tolerance::Any, "addition by such coarse elements, shown");
     let held = (
         Tolerance::Absolute(0.4),
         "elements of half the depth of cut of a revolution: twice the standard error of six stops, 0.18",

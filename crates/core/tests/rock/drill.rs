@@ -1,4 +1,4 @@
-//! A rigid ball that is dragged through a block: failure, removal, and what other tests make of it.
+//! A rigid ball that is dragged through a block: failure, removal, and its use in other tests.
 
 use wholestring::rock::{Block, BlockSpec, Executor, Rock, Stepper};
 
@@ -35,7 +35,7 @@ impl Ball {
         stepper: &Stepper,
         executor: &impl Executor,
     ) -> usize {
-        let gone = block.step(stepper, executor);
+        let removed = block.step(stepper, executor);
         for (centre, v) in self.centre_m.iter_mut().zip(self.velocity_m_per_s) {
             *centre += block.dt_s() * v;
         }
@@ -53,6 +53,6 @@ impl Ball {
         for (index, force) in pushes {
             block.push(index, force);
         }
-        gone
+        removed
     }
 }

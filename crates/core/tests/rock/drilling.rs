@@ -21,7 +21,7 @@ const SIZE_M: f64 = 6e-3;
 /// 240 rev/min.
 const ROTARY_RAD_PER_S: f64 = 8.0 * std::f64::consts::PI;
 
-/// What moves along the hole with the bit, kg.
+/// Mass that moves along the hole with the bit, kg.
 const MASS_KG: f64 = 100.0;
 
 fn rock() -> Rock {
@@ -59,7 +59,8 @@ fn momentum(drilling: &Drilling) -> Vector3<f64> {
         .sum()
 }
 
-/// A bit hits a block that nothing holds: what it loses the block gains, along, across and about.
+/// A bit hits a block that nothing holds: the momentum that it loses the block gains, along, across
+/// and about.
 #[test]
 fn momentum_passes_from_the_bit_to_the_rock() {
     let mut spec = small(elastic());
@@ -86,13 +87,13 @@ fn momentum_passes_from_the_bit_to_the_rock() {
     let before = mass * motion.velocity_m_per_s;
     let (mut off, mut passed) = (0.0_f64, 0.0_f64);
     for _ in 0..100 {
-        let came = motion;
+        let previous = motion;
         let advance = drilling.advance(0.1e-3, &motion, &stepper, &Alone);
         motion.velocity_m_per_s = advance.velocity_m_per_s;
         motion.angular_velocity_rad_per_s = advance.angular_velocity_rad_per_s;
-        let gained = mass * (motion.velocity_m_per_s - came.velocity_m_per_s);
+        let gained = mass * (motion.velocity_m_per_s - previous.velocity_m_per_s);
         let spun = inertia.about_axis_kg_m2
-            * (motion.angular_velocity_rad_per_s - came.angular_velocity_rad_per_s).z;
+            * (motion.angular_velocity_rad_per_s - previous.angular_velocity_rad_per_s).z;
         off = off
             .max((gained - advance.force_N * advance.time_s).norm() / before.norm())
             .max((spun - advance.moment_N_m.z * advance.time_s).abs() / 6.0);
@@ -129,7 +130,7 @@ fn a_blunt_insert_meets_the_stiffness_of_a_column() {
         friction: 0.0,
     };
     let mut drilling = Drilling::new(&spec).unwrap();
-    // The lowest of the inserts stands on the middle of the column.
+    // The lowest of the inserts is on the middle of the column.
     let lowest = |cutter: &Cutter| {
         let radius_m = 0.5 * insert.insert_diameter_m;
         cutter.tip_m + (Vector3::z() - cutter.normal) * radius_m
@@ -146,8 +147,7 @@ fn a_blunt_insert_meets_the_stiffness_of_a_column() {
             let advance = driver.drive(drilling, 1e-5, &stepper, &Alone);
             force_N = -advance.force_N.z;
         }
-        // The mean of what the nodes of the top bear, by the share of the area that they bear it
-        // on.
+        // The mean load on the nodes of the top, weighted by the area that carries it.
         let grid = *drilling.block().grid();
         let down = |i: usize, j: usize| {
             drilling.block().displacement_m(grid.node([i, j, 0]))[2]
@@ -190,7 +190,7 @@ fn drilled(weight_N: f64, step_s: f64) -> [Progress; 2] {
     let gained_N_s = MASS_KG * (drilling.pose().velocity_m_per_s.z - came_m_per_s);
     let [first, second] = turns;
     let borne_N_s = first.weight_N() * first.time_s + second.weight_N() * second.time_s;
-    verify("rock", "weight that the rock bears and that moves the bit over the weight given")
+    verify("rock", "weight carried by the rock and accelerating the bit over the weight given")
         .absolute(1e-10, "rounding")
         .report(1.0, (borne_N_s + gained_N_s) / (weight_N * (first.time_s + second.time_s)));
     for turn in &turns {
@@ -207,7 +207,7 @@ fn drilled(weight_N: f64, step_s: f64) -> [Progress; 2] {
     }
     let (rock, bit) = (drilling.block().energies(), drilling.energies());
     verify("rock", "energy that is unaccounted for after a bit has drilled as a part of its work")
-        .absolute(0.01, "what is asked")
+        .absolute(0.01, "required")
         .report(0.0, rock.residual_J() / rock.pushed_J);
     verify("rock", "energy lost between bit and rock as a part of the bit's work")
         .absolute(1e-10, "rounding")
@@ -216,7 +216,7 @@ fn drilled(weight_N: f64, step_s: f64) -> [Progress; 2] {
             (bit.residual_J().abs() + (bit.on_rock_J - rock.pushed_J).abs()) / bit.on_bit_J.abs(),
         );
     verify("rock", "kinetic energy under a drilling bit as a part of the work of deformation")
-        .absolute(0.05, "what density scaling must leave")
+        .absolute(0.05, "condition on density scaling")
         .report(0.0, rock.kinetic_fraction());
     // The block follows: the bit is soon deeper than the block.
     let block = drilling.block();
@@ -331,14 +331,15 @@ fn a_bit_begins_in_its_own_bottom() {
     let bored = drill(&mut drilling, &weight(3000.0), STEP_S, 0.5);
     verify(
         "rock",
-        "weight borne in the first half revolution of a bit in its bottom over the weight",
+        "weight carried in the first half revolution of a bit in its bottom over the weight",
     )
     .absolute(0.2, "the bit of 100 kg begins at rest")
     .report(1.0, bored.weight_N() / 3000.0);
     assert!(bored.depth_m > 0.5 * SIZE_M, "{} m", bored.depth_m);
 }
 
-/// What cannot be drilled is refused with the same reason before anything is built and when it is.
+/// An invalid specification is rejected with the same reason before anything is built and on
+/// building.
 #[test]
 fn what_cannot_be_drilled_is_refused_before_it_is_built() {
     let valid = small(rock());

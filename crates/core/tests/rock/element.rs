@@ -45,10 +45,10 @@ fn a_element_has_the_rocks_elastic_constants() {
     let stress = block.stress_Pa([0, 0, 0]);
     // The strain is the logarithm of the stretch: half of it off.
     verify("rock", "Young's modulus of an element, Pa")
-        .relative(1e-4, "strains of 1e-5, and what the start-up leaves ringing")
+        .relative(1e-4, "strains of 1e-5, and the oscillation after the start")
         .report(rock.youngs_modulus_Pa, stress[2] / along);
     verify("rock", "Poisson's ratio of an element")
-        .relative(1e-3, "what the start-up leaves ringing")
+        .relative(1e-3, "the oscillation after the start")
         .report(rock.poisson_ratio, -across / along);
     let mut block = led(rock);
     let sheared = Matrix3::identity() + 1e-5 * matrix([0.0, 0.0, 0.0, 0.5, 0.0, 0.0]);
@@ -154,25 +154,24 @@ fn a_turned_element_feels_nothing() {
         .report(0.0, error);
 }
 
-/// A node that is held across a face by what is there continues as prescribed when it is pushed,
-/// and the books know who bore it: what the push gives, the holder takes. Along the face it gives
-/// way.
+/// A node that is held across a face continues as prescribed when it is pushed, and the energy
+/// balance includes the support: it absorbs the work of the push. Along the face the node is free.
 #[test]
 fn what_holds_a_node_bears_a_push() {
     let (mut block, stepper) = (press(elastic(), 0.0), Stepper::default());
-    let told = [0.02, 0.0, 0.0];
+    let velocity = [0.02, 0.0, 0.0];
     let index = block.grid().node([0, 1, 1]);
-    block.tell(index, told);
+    block.tell(index, velocity);
     step(&mut block, &stepper);
     let before = block.energies();
     let work = block.push(index, [1e3, 1e3, 0.0]);
     let node = block.exposed().find(|node| node.index == index);
     let [x, y, _] = node.expect("a node of the surface").velocity_m_per_s;
-    assert_eq!(x, told[0]);
+    assert_eq!(x, velocity[0]);
     assert!(y > 1e-3, "{y} m/s along the face");
     let after = block.energies();
-    let given = after.edges_J - before.edges_J;
+    let work_J = after.edges_J - before.edges_J;
     let dt = 1e3 * block.dt_s();
-    assert!((given + dt * told[0]).abs() < 1e-12 * dt, "{given} J by the holder");
+    assert!((work_J + dt * velocity[0]).abs() < 1e-12 * dt, "{work_J} J by the holder");
     assert!((after.pushed_J - before.pushed_J - work).abs() < 1e-12 * work.abs());
 }

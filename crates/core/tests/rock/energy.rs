@@ -20,13 +20,13 @@ fn dragged(steps: usize) -> Block {
 fn energy_balances_through_failure_and_removal() {
     let block = dragged(6000);
     let energies = block.energies();
-    let (gone, _) = block.removed();
-    assert!(gone > 50, "only {gone} elements have gone");
+    let (removed, _) = block.removed();
+    assert!(removed > 50, "only {removed} elements were removed");
     verify(
         "rock",
         "energy that is unaccounted for after a ball has cut a groove as a part of its work",
     )
-    .absolute(0.01, "what is asked")
+    .absolute(0.01, "required")
     .report(0.0, energies.residual_J() / energies.pushed_J);
 }
 
@@ -72,8 +72,8 @@ fn a_block_follows_what_drills_it() {
     let energies = block.energies();
     let scale = energies.absorbed_J + energies.removed_J;
     assert!(energies.residual_J().abs() < 1e-3 * scale, "{energies:?}");
-    // The pressure of the filling still is what the rock bears: nothing moves but what the
-    // confinement lets go.
+    // The rock is still loaded by the fluid's pressure: the only motion is that from the release of
+    // the confinement.
     let fastest =
         block.exposed().flat_map(|node| node.velocity_m_per_s).fold(0.0_f64, |a, v| a.max(v.abs()));
     assert!(fastest < 0.05, "{fastest} m/s");

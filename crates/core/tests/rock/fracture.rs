@@ -1,4 +1,4 @@
-//! What breaking takes, for elements of three sizes.
+//! Energy of breaking, for elements of three sizes.
 
 use wholestring::rock::{Block, BlockSpec, Edge, Energies, Rock, Stepper};
 
@@ -10,7 +10,7 @@ use crate::{
 const LONG_M: f64 = 24e-3;
 const WIDE_M: f64 = 4e-3;
 
-/// How much of its strength the middle layer has.
+/// Relative strength of the middle layer.
 const WEAK: f64 = 0.99;
 
 /// Pulls a bar, guided along its sides so that a crack runs across it, until its middle layer is
@@ -58,7 +58,7 @@ impl Spent for Block {
     }
 }
 
-/// Presses or pulls one element, free at its sides, until it fails; what it took.
+/// Presses or pulls one element, free at its sides, until it fails; returns the energies.
 fn fail(rock: Rock, size_m: f64, speed_m_per_s: f64) -> Energies {
     use Edge::{Free, Guided};
     let spec = BlockSpec {
@@ -102,7 +102,7 @@ fn a_bar_takes_the_same_energy_to_tear_whatever_its_elements() {
     let rock = Rock::of_strength(50e6);
     for wide in [1, 2, 4] {
         verify("rock", format!("energy to tear a bar {wide} elements wide, J/m²"))
-            .relative(0.05, "what the crack's faces shear as it opens")
+            .relative(0.05, "shear of the crack's faces as it opens")
             .report(WEAK * WEAK * rock.tensile_fracture_energy_J_per_m2, tear(rock, wide));
     }
 }

@@ -88,7 +88,7 @@ fn a_sphere_is_borne_as_hertz_has_it() {
         )
         .within(
             if elements < 4.0 { Tolerance::Any } else { Tolerance::Relative(0.05) },
-            "what is asked; the bed of springs that the sphere rests on yields by a \
+            "required; the bed of springs that the sphere rests on yields by a \
                  fourteenth of an element's part of the contact",
         )
         .report(1.0, computed);

@@ -63,7 +63,7 @@ pub fn tell_layer(block: &mut Block, layer: usize, velocity_m_per_s: [f64; 3]) {
     }
 }
 
-/// What a layer (along z) is reported while its other components are free.
+/// Reports a layer (along z) while its other components are free.
 pub fn tell_layer_down(block: &mut Block, layer: usize, velocity_m_per_s: f64) {
     let grid = *block.grid();
     for node in grid.each_node().filter(|node| node[2] == layer) {

@@ -57,18 +57,18 @@ fn the_rock_is_the_same_whoever_works_on_it() {
     assert_eq!(bits(&drilled(&stepper, &Alone, 300)), bits(&drilled(&stepper, &Threads, 300)));
 }
 
-/// Threads of a pool do every piece once, and come to the same rock.
+/// Threads of a pool do every piece once, and give the same rock.
 #[cfg(feature = "rayon")]
 #[test]
 fn the_threads_of_a_pool_come_to_the_same_rock() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("threads");
     let done: Vec<AtomicUsize> = (0..100).map(|_| AtomicUsize::new(0)).collect();
     for _ in 0..50 {
-        pool.each(done.len(), &|index| {
-            done[index].fetch_add(1, Ordering::Relaxed);
+        pool.each(counts.len(), &|index| {
+            counts[index].fetch_add(1, Ordering::Relaxed);
         });
     }
-    assert!(done.iter().all(|done| done.load(Ordering::Relaxed) == 50));
+    assert!(counts.iter().all(|counts| counts.load(Ordering::Relaxed) == 50));
     let stepper = Stepper::default();
     let bits = |block: &Block| postcard::to_allocvec(block).expect("plain data");
     assert_eq!(bits(&drilled(&stepper, &Alone, 300)), bits(&drilled(&stepper, &pool, 300)));

@@ -1,4 +1,5 @@
-//! What a bit takes to drill the solid rock, against what is published, and what it depends on.
+//! Energy that a bit requires to drill the solid rock, against published values, and its
+//! dependences.
 
 use std::f64::consts::{PI, TAU};
 
@@ -66,7 +67,7 @@ impl Mean {
     }
 }
 
-/// What came of it.
+/// Result of drilling.
 struct Drilled {
     depth_of_cut_m: Mean,
     weight_N: Mean,
@@ -168,12 +169,12 @@ impl std::fmt::Display for Drilled {
     }
 }
 
-/// Both against what is published: work per volume about the unconfined strength, where cutters do
+/// Both against published values: work per volume about the unconfined strength, where cutters do
 /// not chip (Richard and others, 2012; Detournay and Defourny, 1992); torque over half of weight
 /// and radius 1/ζ, ζ from 0.5 to 0.8 for sharp cutters (E07 has 0.6). Cuts of less than an element
-/// per revolution bear too little weight: of them the slope is shown.
+/// per revolution carry too little weight: for them only the slope is shown.
 fn as_published(name: &str, case: &Case, drilled: &Drilled) {
-    // What follows a comma would pass for a unit.
+    // Text after a comma would be taken for a unit.
     let name = name.replace(", ", "; ");
     let slope = if drilled.depth_of_cut_m.0 > 0.99 * case.element_m {
         (
@@ -201,12 +202,12 @@ fn as_published(name: &str, case: &Case, drilled: &Drilled) {
             .report(expected, computed);
     }
     verify("rock", format!("kinetic energy over the work of deformation ({name})"))
-        .absolute(0.05, "what density scaling must leave")
+        .absolute(0.05, "condition on density scaling")
         .report(0.0, drilled.kinetic);
 }
 
-/// How far weight, torque and work per volume of one are from those of another, in parts; the
-/// tolerance of the weight and of the other two.
+/// Relative differences of weight, torque and work per volume between two runs; the tolerance of
+/// the weight and of the other two.
 fn moved(name: &str, from: &Drilled, to: &Drilled, tolerance: [Tolerance; 2], reason: &str) {
     let [weight, others] = tolerance;
     for (quantity, expected, computed, tolerance) in [
@@ -264,7 +265,7 @@ fn what_a_bit_takes_depends_little_on_the_scaled_density() {
         &at(100.0),
         &at(400.0),
         [Tolerance::Absolute(0.05); 2],
-        "what is asked",
+        "required",
     );
 }
 
@@ -306,7 +307,8 @@ fn elements_of_three_sizes_take_about_the_same() {
             &fine[0],
             &on(element_m, cut, 3),
             [Tolerance::Any, Tolerance::Absolute(0.2)],
-            "torque is 7 % off on 6 mm; elements of 3 mm fit under the cutter on the axis, which bears on them",
+            "torque is 7 % off on 6 mm; elements of 3 mm fit under the cutter on the axis, which \
+             presses on them",
         );
         let coarse = on(element_m, weight, counted);
         for (quantity, fine, coarse) in [
@@ -338,7 +340,7 @@ fn forces_settle_as_the_density_falls() {
             &pair[0],
             &pair[1],
             [Tolerance::Absolute(0.05); 2],
-            "what is asked",
+            "required",
         );
     }
 }

@@ -26,8 +26,8 @@ fn rocks() -> Vec<(Rock, serde_json::Value)> {
         .collect()
 }
 
-/// Presses an element under a lateral pressure along z to a strain; the largest axial stress beyond
-/// what it bore at first, Pa.
+/// Presses an element under a lateral pressure along z to a strain; returns the largest axial
+/// stress in excess of the initial one, Pa.
 fn strength_Pa(rock: Rock, pressure_Pa: f64, strain: f64) -> f64 {
     let stepper = Stepper::default();
     let mut block = press(rock, pressure_Pa);
@@ -67,7 +67,7 @@ fn the_cone_is_matched_in_compression() {
 fn a_pressed_element_bears_the_unconfined_strength() {
     report_worst(rocks().into_iter().map(|(rock, row)| {
         verify("E07", "strength of an element in uniaxial compression, MPa")
-            .relative(1e-3, "what is asked; the stress that is bounded is Kirchhoff's")
+            .relative(1e-3, "required; the stress that is bounded is Kirchhoff's")
             .row(row["UCS_MPa"].as_f64().expect("a number"), -1e-6 * strength_Pa(rock, 0.0, -3e-3))
     }));
 }
@@ -80,7 +80,7 @@ fn a_confined_element_bears_the_triaxial_strength() {
         let expected = row["UCS_MPa"].as_f64().expect("a number")
             + 1e-6 * confinement_Pa * (1.0 + sin) / (1.0 - sin);
         verify("E07", "strength of an element in triaxial compression under 20 MPa, MPa")
-            .relative(1e-3, "what is asked; the stress that is bounded is Kirchhoff's")
+            .relative(1e-3, "required; the stress that is bounded is Kirchhoff's")
             .row(expected, -1e-6 * strength_Pa(rock, confinement_Pa, -5e-3))
     }));
 }

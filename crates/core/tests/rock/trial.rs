@@ -55,7 +55,7 @@ fn moments(values: &[f64]) -> [f64; 2] {
     [mean, (squares / count).sqrt()]
 }
 
-/// The outcome is what a bit driven by hand comes to, each number by its definition.
+/// The outcome is that of a bit driven by hand, each number by its definition.
 #[test]
 fn a_trial_counts_what_a_driven_bit_does() {
     let (spec, rock) = (trial(1500.0), small(weak()));
@@ -69,15 +69,16 @@ fn a_trial_counts_what_a_driven_bit_does() {
     };
     let mut drilling = Drilling::new(&rock).unwrap();
     let stepper = Stepper::default();
-    let mut went: Vec<Advance> = (0..110 + 3 * 220)
+    let mut advances: Vec<Advance> = (0..110 + 3 * 220)
         .map(|_| driver.drive(&mut drilling, spec.step_time_s(), &stepper, &Alone))
         .collect();
-    went.drain(..110);
-    let of = |what: &dyn Fn(&Advance) -> f64| went.iter().map(what).collect::<Vec<f64>>();
+    advances.drain(..110);
+    let each_step =
+        |what: &dyn Fn(&Advance) -> f64| advances.iter().map(what).collect::<Vec<f64>>();
     let (rate, torque, weight) = (
-        of(&|step| step.displacement_m.z / dt),
-        of(&|step| -step.moment_N_m.z),
-        of(&|step| -step.force_N.z),
+        each_step(&|step| step.displacement_m.z / dt),
+        each_step(&|step| -step.moment_N_m.z),
+        each_step(&|step| -step.force_N.z),
     );
     let error = |values: &[f64]| {
         let turns: Vec<f64> = values.chunks(220).map(|turn| moments(turn)[0]).collect();
@@ -88,10 +89,10 @@ fn a_trial_counts_what_a_driven_bit_does() {
         let means: Vec<f64> = values.chunks(5).map(|mean| moments(mean)[0]).collect();
         moments(&means)[1]
     };
-    let broken: usize = went.iter().map(|step| step.broken).sum();
+    let broken: usize = advances.iter().map(|step| step.broken).sum();
     assert!(broken > 0);
     assert_eq!(outcome.bricks_broken, broken as u64);
-    let work_J = -went.iter().map(|step| step.work_J).sum::<f64>();
+    let work_J = -advances.iter().map(|step| step.work_J).sum::<f64>();
     let way_m = 0.6 * moments(&rate)[0];
     let volume_m3 = broken as f64 * SIZE_M.powi(3);
     for (quantity, expected, computed) in [
@@ -133,7 +134,7 @@ fn a_trial_counts_what_a_driven_bit_does() {
     assert!(outcome.kinetic_fraction > 0.0 && outcome.kinetic_fraction < 0.05);
 }
 
-/// In pieces, stored and taken up on the way: the same bits.
+/// In pieces, stored and resumed on the way: the same bits.
 #[test]
 fn a_trial_goes_on_from_a_checkpoint_with_the_same_bits() {
     let (mut spec, rock) = (trial(1500.0), small(weak()));

@@ -1,4 +1,4 @@
-//! Waves: their speeds, and what open faces send back.
+//! Waves: their speeds, and the reflections at open faces.
 
 use wholestring::rock::{Block, BlockSpec, Edge, Stepper};
 
@@ -7,10 +7,10 @@ use crate::{
     setup::{elastic, step, tell_layer},
 };
 
-/// A pulse sent down from the upper face, and what passes two depths.
+/// A pulse sent down from the upper face, and its values at two depths.
 struct Pulse {
     speed_m_per_s: f64,
-    /// Largest velocity of what comes back, over that of what went down.
+    /// Largest velocity of the reflection, over that of the incident pulse.
     returned: f64,
 }
 
@@ -58,10 +58,10 @@ fn send(edges: [Edge; 6], wide: usize, direction: usize, wave_m_per_s: f64) -> P
 
 fn check(name: &str, pulse: &Pulse, expected: f64) {
     verify("rock", format!("speed of {name} waves, m/s"))
-        .relative(0.01, "what is asked, of waves 24 elements long")
+        .relative(0.01, "required, of waves 24 elements long")
         .report(expected, pulse.speed_m_per_s);
     verify("rock", format!("energy of a {name} pulse that an open face sends back as a part"))
-        .absolute(0.05, "what is asked")
+        .absolute(0.05, "required")
         .report(0.0, pulse.returned * pulse.returned);
 }
 

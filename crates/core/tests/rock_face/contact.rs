@@ -15,8 +15,8 @@ struct Nodes {
     area: Vec<f64>,
 }
 
-fn at(of: &[Vec<f64>; 3], i: usize) -> Vector3<f64> {
-    Vector3::new(of[0][i], of[1][i], of[2][i])
+fn at(columns: &[Vec<f64>; 3], i: usize) -> Vector3<f64> {
+    Vector3::new(columns[0][i], columns[1][i], columns[2][i])
 }
 
 impl Nodes {
@@ -108,7 +108,8 @@ fn turning() -> Pose {
 fn placed(mut nodes: Nodes, pose: &Pose) -> Nodes {
     for i in 0..nodes.mass.len() {
         let position = pose.to_rock(at(&nodes.position, i));
-        let [velocity, force] = [&nodes.velocity, &nodes.force].map(|of| pose.rotation * at(of, i));
+        let [velocity, force] =
+            [&nodes.velocity, &nodes.force].map(|columns| pose.rotation * at(columns, i));
         for axis in 0..3 {
             nodes.position[axis][i] = position[axis];
             nodes.velocity[axis][i] = velocity[axis];
@@ -119,7 +120,8 @@ fn placed(mut nodes: Nodes, pose: &Pose) -> Nodes {
 }
 
 /// Bit and nodes give each other the same force and the same moment, to rounding, about a point 1.5
-/// km away; and the works add up to what the nodes gain, the bit loses and contact takes.
+/// km away; and the works add up to the gain of the nodes, the loss of the bit and the dissipation
+/// of the contact.
 #[test]
 fn momentum_and_energy_pass_exactly() {
     let pose = turning();
@@ -157,7 +159,7 @@ fn momentum_and_energy_pass_exactly() {
     }
 }
 
-/// What a face holds is in its reach; what is not in its reach need not be requested.
+/// Points inside a face are within its reach; points out of reach need not be tested.
 #[test]
 fn what_is_held_is_in_reach() {
     let (pose, law) = (turning(), law());
@@ -181,7 +183,7 @@ fn what_is_held_is_in_reach() {
     }
 }
 
-/// What happens does not depend on where one looks from.
+/// The result does not depend on the frame of reference.
 #[test]
 fn a_turned_world_is_the_same() {
     let face = pdc().face().unwrap();
@@ -277,7 +279,7 @@ fn a_pressed_node_sticks_or_slides() {
             (0..3).for_each(|axis| nodes.force[axis][0] = force[axis]);
             if step == settle {
                 start = (at(&nodes.position, 0), at(&nodes.velocity, 0));
-                // It rests where the stiffness bears it.
+                // It rests where the stiffness supports it.
                 let depth = press / (law.stiffness_Pa_per_m * nodes.area[0]);
                 let sunk = (point - start.0).dot(&out);
                 assert!((sunk / depth - 1.0).abs() < 1e-6, "{sunk} {depth}");

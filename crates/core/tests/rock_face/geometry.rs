@@ -1,4 +1,4 @@
-//! Profiles, cutters, the grid, and what makes no bit.
+//! Profiles, cutters, the grid, and invalid bits.
 
 use std::cell::Cell;
 
@@ -62,8 +62,8 @@ fn middle(cutter: &Cutter, radius: f64) -> Vector3<f64> {
     cutter.tip_m - (cutter.normal - cutter.axis * sin) / cos * radius
 }
 
-/// A sharp cutter's distance is that of the nearest of points 0.1 mm apart on a disc, which lies
-/// beside the true foot by 0.07 mm at most; the sign is that of the disc's inequality.
+/// A sharp cutter's distance is that of the nearest of points 0.1 mm apart on a disc, which is at
+/// most 0.07 mm from the true foot; the sign is that of the disc's inequality.
 #[test]
 fn distance_is_that_of_the_nearest_point() {
     let bit = PdcBit { chamfer_m: 0.0, ..pdc() };
@@ -149,8 +149,8 @@ fn the_way_out_is_the_gradient() {
     }
 }
 
-/// The grid finds what a search through all cutters finds, bit for bit, inside the face and around
-/// it.
+/// The grid gives the result of a search through all cutters, bit for bit, inside the face and
+/// around it.
 #[test]
 fn the_grid_finds_what_a_search_finds() {
     for (name, face) in faces() {
@@ -188,7 +188,7 @@ fn the_short_way_leads_out() {
     }
 }
 
-/// Numbers that make no bit are refused with what is wrong.
+/// Invalid numbers are rejected with the reason.
 #[test]
 fn what_makes_no_bit() {
     let refused = |bit: PdcBit| bit.face().expect_err("no bit");
@@ -200,7 +200,7 @@ fn what_makes_no_bit() {
     assert!(matches!(error, FaceError::Unspread { .. }), "{error}");
     let error = refused(PdcBit { cutters_per_blade: 8, ..pdc() });
     assert!(matches!(error, FaceError::Overlap { .. }), "{error}");
-    // Blades that are alike leave rings between their cutters, the first beside the axis.
+    // Blades that are alike leave rings between their cutters, the first next to the axis.
     let error = refused(PdcBit { cutters_per_track: 6, ..pdc() });
     let FaceError::UncutRing { from_m, to_m } = error else { panic!("{error}") };
     assert!(to_m > from_m && to_m < 0.1);

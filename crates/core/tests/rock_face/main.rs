@@ -1,4 +1,4 @@
-//! Verification of the bit's face: its geometry, what it cuts, and its contact with nodes of rock.
+//! Verification of the bit's face: its geometry, its cuts, and its contact with nodes of rock.
 
 #[path = "../common/mod.rs"]
 mod common;

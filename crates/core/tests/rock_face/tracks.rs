@@ -1,4 +1,4 @@
-//! What the cutters sweep and cut.
+//! Surfaces and cuts of the cutters.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,8 +9,8 @@ use crate::common::relative_error;
 
 use super::{faces, opposed, pdc};
 
-/// The cutters leave no ring standing, and the ridges between their tracks stay below the body.
-/// Near the gauge the profile stands upright, and a height says nothing.
+/// The cutters leave no ring uncut, and the ridges between their tracks stay below the body. Near
+/// the gauge the profile is vertical, and a height has no meaning.
 #[test]
 fn no_ring_is_left_uncut() {
     let mut worst = vec![];
@@ -74,20 +74,20 @@ fn the_face_obeys_detournay_and_defourny() {
 /// A track is the lowest point of the turning solid: found there by turning a point on it through
 /// all angles.
 ///
-/// Tolerance: lines on a cutter's side are 1 mm apart along it, which leaves `1 mm²/(8 r)` of what
-/// bends behind the edge, times the slope of a flank; 5 μm covers it beyond 15 mm from the axis.
-/// Rows of inserts are within 1 μm.
+/// Tolerance: lines on a cutter's side are 1 mm apart along it, which leaves `1 mm²/(8 r)` of the
+/// surface that bends behind the edge, times the slope of a flank; 5 μm covers it beyond 15 mm from
+/// the axis. Rows of inserts are within 1 μm.
 #[test]
 fn a_track_is_the_lowest_point_swept() {
     for (name, face) in faces() {
         let tracks = face.tracks();
-        let mut asked = 0;
+        let mut points = 0;
         for index in (0..face.cutters().len()).step_by(6) {
             let cutter = &face.cutters()[index];
             let tip = cutter.tip_m.xy().norm();
             for ring in (0..tracks.rings()).step_by(5) {
                 let radius = tracks.radius_m(ring);
-                // The flanks stand upright at their ends: no depth there.
+                // The flanks are vertical at their ends: no depth there.
                 let (Some(z), true) = (tracks.track_m(index, ring), radius > 0.015) else {
                     continue;
                 };
@@ -112,14 +112,14 @@ fn a_track_is_the_lowest_point_swept() {
                 }
                 let least = distance(0.5 * (low + high));
                 assert!(least.abs() < 5e-6, "{name} {index} at {radius}: {least}");
-                asked += 1;
+                points += 1;
             }
         }
-        assert!(asked > 20, "{name}: {asked}");
+        assert!(points > 20, "{name}: {points}");
     }
 }
 
-/// Opposed cutters balance; those of a spiral do not, but by little against what they bear.
+/// Opposed cutters balance; those of a spiral do not, but by little compared with their load.
 #[test]
 fn imbalance() {
     let cut = opposed().face().unwrap().tracks().cut(2e-3);
@@ -153,7 +153,7 @@ fn the_bottom_follows_the_bit() {
     assert!(swing > 0.1 * depth_m);
 }
 
-/// Heights are the means of what falls into a cell, and the volume between two bottoms is that of a
+/// Heights are the means of the values in a cell, and the volume between two bottoms is that of a
 /// cylinder.
 #[test]
 fn heights_of_a_bottom() {

@@ -10,7 +10,7 @@ use crate::common::{Tolerance, relative_error, verification, verify};
 /// Young's modulus and Poisson's ratio of steel and rock in the article's Table 1.
 const PAIR: [(f64, f64); 2] = [(210e9, 0.3), (51.5e9, 0.33)];
 
-/// One contact: what (5) and (6) are made of.
+/// One contact: the inputs of (5) and (6).
 struct Contact {
     /// `(1 − ν1²)/(π E1) + (1 − ν2²)/(π E2)`, 1/Pa.
     compliance: f64,
@@ -70,9 +70,9 @@ impl Contact {
 
 /// F02: the printed formula is not the root of (5) and (6), a thousand times too large and more in
 /// every row; with all three corrections it is, and without any one of them some row is 2 % off or
-/// more (`c v_r` under the root neither shows beside Table 1's `K`, whose force at rest is 4e14 N,
-/// nor where `K` is next to nothing). The file's roots are held to 1e-9; the closed form loses
-/// digits where `Y1` and `Y2` cancel, 8e-7 in the file's own evaluation.
+/// more (`c v_r` under the root is neither visible with Table 1's `K`, whose force at rest is 4e14
+/// N, nor where `K` is negligible). The file's roots are held to 1e-9; the closed form loses digits
+/// where `Y1` and `Y2` cancel, 8e-7 in the file's own evaluation.
 #[test]
 fn the_articles_contact_force_needs_three_corrections() {
     let data = verification("F02_seed_paper_eq7_8_check.json");
@@ -95,7 +95,7 @@ fn the_articles_contact_force_needs_three_corrections() {
         let digits = "digits of the source";
         let cancels = "digits lost where Y1 and Y2 cancel, 8e-7 in the file's own evaluation";
         let printed = contact.printed(false, false, false);
-        let gone = "missed, as documented: the formula as printed lacks three corrections";
+        let missed = "missed, as documented: the formula as printed lacks three corrections";
         for (what, expected, computed, tolerance, reason) in [
             (
                 "root of (5) and (6) for",
@@ -125,7 +125,7 @@ fn the_articles_contact_force_needs_three_corrections() {
                 Tolerance::Relative(1e-6),
                 cancels,
             ),
-            ("(7) and (8) as printed for", exact, printed, Tolerance::Any, gone),
+            ("(7) and (8) as printed for", exact, printed, Tolerance::Any, missed),
         ] {
             verify("F02", format!("{what} {at}, N"))
                 .within(tolerance, reason)

@@ -138,7 +138,7 @@ fn the_twist_of_a_bent_body_has_its_rate() {
         let ends = Ends::random(&mut random);
         let angle = |t: f64| {
             let e = ends.after(t);
-            // The mark for the element below stands across the plane of the bend.
+            // The mark for the element below is across the plane of the bend.
             let across = e.d[0].cross(&e.mark[0]);
             twist(across.into(), e.below(), e.mark[1].into(), e.d[1].into())
         };
@@ -193,8 +193,8 @@ fn a_mark_on_the_body_is_carried_with_it() {
     }
 }
 
-/// How far D02's tip moves with `parts` elements: along its first tangent, in its plane across it,
-/// and in the direction of the load.
+/// Displacement of D02's tip with `parts` elements: along its first tangent, in its plane across
+/// it, and in the direction of the load.
 fn bathe(parts: usize, force: f64) -> V {
     let data = verification("D02_bathe_45deg_bend.json");
     let inputs = &data["inputs"];
@@ -220,7 +220,7 @@ fn bathe(parts: usize, force: f64) -> V {
 /// Second order: 8 elements miss the shooting solution by 0.16 to 0.9 % of the tip's path.
 /// Extrapolated twice, from 16, 32 and 64 elements, they meet it within the source's 1e-6 (4e-9 to
 /// 9e-8 were measured). That solution has `GA = GJ/(I_p/A)`, a shear factor of one: with 5/6 the
-/// rod converges to 1.2e-5 beside it.
+/// rod converges to a value 1.2e-5 from it.
 ///
 /// The published numbers are for 600 lbf, printed to three digits and obtained with few elements by
 /// their authors: 8 elements here are within 0.5 % of BeamDyn's and Kynema's; Bathe and Bolourchi's
@@ -260,8 +260,9 @@ fn a_curved_cantilever_is_pulled_out_of_its_plane() {
             let kynema = row(&published["kynema_converged_18nodes"]);
             let half = 5e-3 * exact.norm();
             let source = "the source's: 0.5 % of the tip's path";
-            let missed = "missed: the distance of the three is 0.6 % of the tip's path, where 0.5 % is asked";
-            for (name, mesh, answer, of, tolerance, reason) in [
+            let missed = "missed: the distance of the three is 0.6 % of the tip's path, where \
+                          0.5 % is required";
+            for (name, mesh, answer, tip, tolerance, reason) in [
                 ("BeamDyn", "with 8 elements", a, beamdyn, Tolerance::Absolute(half), source),
                 ("Kynema", "with 8 elements", a, kynema, Tolerance::Absolute(half), source),
                 (
@@ -274,12 +275,12 @@ fn a_curved_cantilever_is_pulled_out_of_its_plane() {
                 ),
                 ("Bathe and Bolourchi", "with 8 elements", a, bathe, Tolerance::Any, missed),
             ] {
-                let off = (answer.abs() - V::from(of)).norm();
+                let off = (answer.abs() - V::from(tip)).norm();
                 assert!(tolerance == Tolerance::Any || off < half, "{name}: {off}");
                 for (i, axis) in AXES.into_iter().enumerate() {
                     verify("D02", format!("tip {axis} under 600 lbf {mesh} for {name}'s, in"))
                         .within(tolerance, reason)
-                        .report(of[i], answer[i].abs());
+                        .report(tip[i], answer[i].abs());
                 }
             }
         }

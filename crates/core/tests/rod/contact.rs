@@ -42,8 +42,8 @@ fn hertz_constants_of_pipe_and_hole() {
         for point in table {
             let force = number(&point["N"]);
             let alpha = number(&point["alpha_m"]);
-            // At rest under that force: the step would end deeper by what the force takes away. The
-            // force is that of the law's end of the step, to the fit's 3e-6.
+            // At rest under that force: the step would end deeper by the part that the force
+            // removes. The force is that of the law's end of the step, to the fit's 3e-6.
             for inertia in [150.0 / 3e-7, 30.0 / 1e-8, 1e12] {
                 let found = hertz(alpha + force / inertia, 0.0, k, 0.5, 1.0 / inertia);
                 assert_close(name, found, force, 3e-6);
@@ -52,8 +52,8 @@ fn hertz_constants_of_pipe_and_hole() {
     }
 }
 
-/// The law's cubic, solved by bisection, over all stiffnesses: 3e-6 below `r = 60`, as its
-/// documentation says; beyond, where all of the force is the penetration's, between zero and that.
+/// The law's cubic, solved by bisection, over all stiffnesses: 3e-6 below `r = 60`, as documented;
+/// beyond, where all of the force is the penetration's, between zero and that.
 #[test]
 fn hertz_is_within_its_stated_error() {
     let mut worst: f64 = 0.0;
@@ -76,7 +76,7 @@ fn hertz_is_within_its_stated_error() {
     assert!(worst < 3e-6, "{worst:e}");
 }
 
-/// What a blow gave.
+/// Result of an impact.
 struct Blow {
     restitution: f64,
     deepest_m: f64,
@@ -102,7 +102,7 @@ fn blow(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64, phase: f64) -> Bl
             contact_s += dt;
         }
         let after = energy(x, v);
-        // The force is right to 3e-6, and so is what it takes.
+        // The force is right to 3e-6, and so is its dissipation.
         let rounding = 3e-6 * force * dt * speed;
         assert!(after <= before * (1.0 + 1e-12) + rounding, "energy grew: {before} {after}");
         before = after;
@@ -136,7 +136,7 @@ fn a_resolved_blow_is_hertzs() {
                 )
                 .report(expected, computed);
         }
-        // First order in the step: halving it halves what is lost.
+        // First order in the step: halving it halves the loss.
         let lost = |dt: f64| 1.0 - blow(m, v, k, 0.0, dt, 0.6).restitution;
         let ratio = lost(dt) / lost(dt / 2.0);
         assert!((ratio - 2.0).abs() < 0.05, "{ratio}");
@@ -157,7 +157,7 @@ fn hunt_crossley(dv: f64) -> f64 {
     low
 }
 
-/// The limits of a resolved step: what the law itself restores.
+/// The limits of a resolved step: the restitution of the law itself.
 #[test]
 fn a_resolved_blow_restores_what_hunt_and_crossley_say() {
     let k = 2.7415e10;

@@ -67,7 +67,7 @@ impl Ends {
         }
     }
 
-    /// As the solver sees it: the anchors of the two ends stand a little off them.
+    /// As the solver sees it: the anchors of the two ends are a little off them.
     fn pose(&self) -> Pose<f64> {
         let anchor = (self.x[1] - self.x[0]) + V::new(0.011, -0.007, 0.004);
         let displacement = (self.x[1] - self.x[0]) - anchor;
@@ -116,7 +116,7 @@ fn slope(f: impl Fn(f64) -> f64, h: f64) -> f64 {
 }
 
 /// The difference is exact to its rounding, 1e-16 U/h, of forces of 1e5 N and more: 1e-7 of the
-/// largest is ten times what was measured while `h` was varied.
+/// largest is ten times the measured value while `h` was varied.
 #[test]
 fn forces_and_moments_are_minus_the_gradient_of_the_energy() {
     let k = Stiffness::new(&pipe(), LENGTH_M);
@@ -158,8 +158,8 @@ fn forces_and_moments_are_minus_the_gradient_of_the_energy() {
     assert!(worst < 1e-7, "{worst:e}");
 }
 
-/// The whole element, twist included, loses what it does on its ends. 1e-8 of the sum of its parts
-/// is the rounding of the difference, `1e-16 U/(P h)`.
+/// The whole element, twist included, loses the work that it does on its ends. 1e-8 of the sum of
+/// its parts is the rounding of the difference, `1e-16 U/(P h)`.
 #[test]
 fn energy_changes_by_the_power_of_the_forces() {
     let k = Stiffness::new(&pipe(), LENGTH_M);
@@ -268,7 +268,8 @@ fn the_total_moment_is_balanced() {
     }
 }
 
-/// What damping adds to the forces takes just the power that is reported, never a negative one.
+/// The damping part of the forces dissipates exactly the power that is reported, never a negative
+/// one.
 #[test]
 fn damping_takes_the_power_that_it_reports() {
     let k = Stiffness::new(&pipe(), LENGTH_M);
@@ -303,8 +304,9 @@ fn a_bent_pipe_that_spins_in_place_loses_nothing() {
     }
 }
 
-/// The whirling bent pipe loses `β EI/L |w2 − w1|²`, small beside any other loss: for a dogleg of
-/// 3° in 30 m at 70 rev/min and β = 1e-5 s, less than a hundredth of a watt in an element of 3.2 m.
+/// The whirling bent pipe loses `β EI/L |w2 − w1|²`, small compared with any other loss: for a
+/// dogleg of 3° in 30 m at 70 rev/min and β = 1e-5 s, less than a hundredth of a watt in an element
+/// of 3.2 m.
 #[test]
 fn a_bent_pipe_that_whirls_rigidly_loses_next_to_nothing() {
     let length = 3.2;

@@ -5,7 +5,7 @@ use wholestring::internals::{independent, vector};
 use crate::random::Random;
 
 /// Coulomb's law at the end of the step: `f_i (g_i + λ) = u_i`, `|f| = limit`, by bisection of λ;
-/// what stops the motion where that is less than the limit.
+/// the force that stops the motion where that is less than the limit.
 fn exact(limit: f64, u: [f64; 2], g: [f64; 2]) -> ([f64; 2], f64) {
     let at = |lambda: f64| [u[0] / (g[0] + lambda), u[1] / (g[1] + lambda)];
     let length = |f: [f64; 2]| f[0].hypot(f[1]);
@@ -21,7 +21,7 @@ fn exact(limit: f64, u: [f64; 2], g: [f64; 2]) -> ([f64; 2], f64) {
 }
 
 /// Largest error of the direction, rad, and of the length over the limit, where `g` about and along
-/// the hole differ by up to `ratio` and `λ` over the larger of them lies between `from` and `to`.
+/// the hole differ by up to `ratio` and `λ` over the larger of them is between `from` and `to`.
 fn worst(ratio: f64, from: f64, to: f64) -> (f64, f64) {
     let mut random = Random(11);
     let (mut direction, mut length): (f64, f64) = (0.0, 0.0);
@@ -29,7 +29,7 @@ fn worst(ratio: f64, from: f64, to: f64) -> (f64, f64) {
         let other = ratio.powf(random.between(-1.0, 1.0));
         let g = [5e-6, 5e-6 * other];
         let limit = 10f64.powf(random.between(-1.0, 5.0));
-        // A point of the law, a force on the cone and what remains of the speed, taken back to the
+        // A point of the law, a force on the cone and the remaining speed, converted back to the
         // speed without friction: no neighbourhood of rest is left out.
         let angle = random.between(0.0, std::f64::consts::TAU);
         let lambda =
@@ -46,10 +46,10 @@ fn worst(ratio: f64, from: f64, to: f64) -> (f64, f64) {
 }
 
 /// The approximate cone against the exact one. Its length is exact. Its direction is off where the
-/// contact all but stops within the step and `g` about the hole is not that along it: by 11° at the
+/// contact almost stops within the step and `g` about the hole is not that along it: by 11° at the
 /// very worst for a ratio of 4, which strings stay below (`1 + m r²/J` of a tube on its joints, mud
-/// included), at `λ = g/5`, when a fifth of the speed is left that a step can take. The bounds are
-/// 1.2 times what was measured; they fall with the third power of `g/λ`, as the second-order
+/// included), at `λ = g/5`, when a fifth of the speed that a step can remove is left. The bounds
+/// are 1.2 times the measured values; they fall with the third power of `g/λ`, as the second-order
 /// expansion should.
 #[test]
 fn the_cone_is_exact_but_for_its_direction_near_rest() {
@@ -98,7 +98,7 @@ fn friction_only_takes_energy() {
         let limit = 10f64.powf(random.between(-6.0, 6.0));
         let scale = 10f64.powf(random.between(-3.0, 4.0));
         let angle = random.between(0.0, std::f64::consts::TAU);
-        // Near what stops it, and far beyond.
+        // Near the force that stops it, and far beyond.
         let u = [scale * limit * g[0] * angle.cos(), scale * limit * g[1] * angle.sin()];
         for f in [
             vector(limit, u[0], u[1], g[0], g[1]),

@@ -1,4 +1,4 @@
-//! The cut of the string: where nodes stand, what elements are made of.
+//! The cut of the string: positions of nodes, and sections of elements.
 
 use proptest::prelude::*;
 use wholestring::{
@@ -76,7 +76,7 @@ fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
 /// them.
 #[test]
 fn an_element_of_several_components_is_their_row() {
-    // None stands out over both its neighbours: that would be a stabiliser, with a node.
+    // None is wider than both its neighbours: that would be a stabiliser, with a node.
     let parts = [(0.20, 0.3), (0.10, 0.9), (0.12, 0.5), (0.15, 4.5)];
     let length: f64 = 6.2;
     let components = parts.iter().map(|&(od, length)| tube(od, Metres(length))).collect();
@@ -149,7 +149,7 @@ fn is_sound(string: &DrillString, element_length: f64) -> Result<(), TestCaseErr
     prop_assert!((steel - string.mass_kg()).abs() < 1e-9 * steel);
 
     // Every node touches with the radius of a component at it, or where a joint gave way in one of
-    // the elements beside it.
+    // the elements next to it.
     for (i, node) in mesh.nodes.iter().enumerate() {
         let highest = mesh.nodes[i.saturating_sub(1)].from_bit_m + 1e-6;
         let lowest = mesh.nodes[(i + 1).min(mesh.elements.len())].from_bit_m - 1e-6;
@@ -200,9 +200,9 @@ fn the_shipped_string_is_cut_soundly() {
     }
 }
 
-/// Whatever is left of a joint at the top and however long a jar is: no element of pipe is shorter
-/// than 0.8 of those that a joint of it is cut into, and none longer than 1.25 of what is
-/// requested, but for those between the bit and the stabiliser, which stay where they are.
+/// Whatever remains of a joint at the top and however long a jar is: no element of pipe is shorter
+/// than 0.8 of those that a joint of it is cut into, and none longer than 1.25 of the requested
+/// length, except for those between the bit and the stabiliser, which are fixed.
 #[test]
 fn no_joint_makes_a_short_element() {
     let above_stabiliser_m = 0.34 + 7.69 + 0.5 + 0.765 - 1e-6;

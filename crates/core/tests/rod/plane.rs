@@ -1,7 +1,7 @@
 //! A chain of elements in a plane, brought to equilibrium by Newton's method.
 //!
 //! The reactions are those of the engine; the tangent is their finite difference. It only steers
-//! the iteration: what is found is where the forces balance.
+//! the iteration: the result is the state in which the forces balance.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 use wholestring::rod::{
@@ -42,7 +42,8 @@ pub fn at_rest(chord: Vector3<f64>, length_m: f64, d: [Vector3<f64>; 2]) -> Pose
     }
 }
 
-/// What moves at a node: across, along, and the turn of its director from "along" to "across".
+/// Degrees of freedom of a node: across, along, and the turn of its director from "along" to
+/// "across".
 pub const FREE: usize = 3;
 
 /// A straight chain, and where it has gone.
@@ -94,7 +95,7 @@ impl Plane {
         std::array::from_fn(|i| self.moved[FREE * element + i])
     }
 
-    /// Load less what the rod holds against it, zero where the motion is fixed.
+    /// Load less the rod's reaction, zero where the motion is fixed.
     fn imbalance(&self) -> DVector<f64> {
         let mut sum = self.load.clone();
         for (e, k) in self.elements.iter().enumerate() {

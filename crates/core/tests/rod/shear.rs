@@ -14,8 +14,8 @@ struct Rod {
     length: f64,
 }
 
-/// How the axis runs and how the section turns, `dr/ds` and `dθ/ds`, where the section's normal has
-/// the angle `turn`, the force is `(0, force)` and the moment `moment`.
+/// Slope of the axis and rate of turn of the section, `dr/ds` and `dθ/ds`, where the section's
+/// normal has the angle `turn`, the force is `(0, force)` and the moment `moment`.
 type Law = fn(&Rod, turn: f64, force: f64, moment: f64) -> [f64; 3];
 
 /// Simo and Reissner: the force along the normal stretches, the force across it shears.
@@ -26,10 +26,10 @@ fn simo_reissner(rod: &Rod, turn: f64, force: f64, moment: f64) -> [f64; 3] {
     [stretch * cosine - shear * sine, stretch * sine + shear * cosine, moment / rod.bending]
 }
 
-/// The rod of the engine, its elements short: the energy is
-/// `½ EA (λ − 1)² + ½ κGA sin² γ + ½ EI cos² γ θ'²`, `λ` the stretch of the axis and `γ` the angle
-/// between axis and normal. The force along the axis stretches it, what is across it works on `γ`,
-/// `λ F_n = ½ sin 2γ (κGA − EI θ'²)`.
+/// The rod of the engine, its elements short: the energy is `½ EA (λ − 1)² + ½ κGA sin² γ + ½ EI
+/// cos² γ θ'²`, `λ` the stretch of the axis and `γ` the angle between axis and normal. The force
+/// along the axis stretches it, the component across it works on `γ`, `λ F_n = ½ sin 2γ (κGA − EI
+/// θ'²)`.
 fn along_the_axis(rod: &Rod, turn: f64, force: f64, moment: f64) -> [f64; 3] {
     let at = |axis: f64| {
         let (sine, cosine) = axis.sin_cos();
@@ -92,10 +92,10 @@ fn shoot(rod: &Rod, law: Law, force: f64, steps: usize) -> [f64; 2] {
 /// Simo and Reissner's rod, shot, is the source's: its own shooting to 1e-8, the published one to
 /// the 1e-6 of its digits. Runge and Kutta's steps leave 1e-9. The engine's rod converges to its
 /// own equations, second order, extrapolated within 1e-6 (1e-10 was found); those differ from Simo
-/// and Reissner's by what tension along the axis means instead of along the normal, and by the
-/// `cos² γ` of bending: by 1.2e-3 of the shortening and 3.6e-4 of the deflection, for a beam four
-/// times as long as deep that is bent by a third of its length. Pipe between two joints is fifty
-/// times as long as thick.
+/// and Reissner's by the definition of tension along the axis instead of along the normal, and by
+/// the `cos² γ` of bending: by 1.2e-3 of the shortening and 3.6e-4 of the deflection, for a beam
+/// four times as long as deep that is bent by a third of its length. Pipe between two joints is
+/// fifty times as long as thick.
 #[test]
 fn a_deep_cantilever_bends_far_by_bending_and_shear() {
     let data = verification("D04_shear_deformable_cantilever.json");

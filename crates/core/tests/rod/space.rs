@@ -16,7 +16,7 @@ use crate::plane::at_rest;
 
 type V = Vector3<f64>;
 
-/// What moves at a node: three displacements, three rotations.
+/// Degrees of freedom of a node: three displacements, three rotations.
 const FREE: usize = 6;
 
 #[derive(Clone, Copy)]
@@ -82,7 +82,7 @@ impl Space {
         }
     }
 
-    /// Where the last node is.
+    /// Position of the last node.
     pub fn tip(&self) -> V {
         self.nodes[self.nodes.len() - 1].at
     }
@@ -116,7 +116,7 @@ impl Space {
         for axis in 0..3 {
             sum[last + axis] += self.force[axis];
         }
-        // What is clamped holds whatever comes.
+        // Clamped nodes carry any load.
         sum.rows(FREE, sum.len() - FREE).into()
     }
 

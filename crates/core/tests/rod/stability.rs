@@ -31,8 +31,8 @@ fn ordinary_pipe_is_lent_nothing() {
         }
         let reported = plan.added_axial_mass_fraction;
         assert!((axial / steel - 1.0 - reported).abs() < 1e-12);
-        // From 300 m above the bit it is drill pipe, joint after joint the same, but for what is
-        // left of the uppermost joint at the surface.
+        // From 300 m above the bit it is drill pipe, joint after joint the same, except for the
+        // rest of the uppermost joint at the surface.
         for i in 0..mesh.nodes.len() - 1 {
             let below_the_rest = mesh.nodes[i].from_bit_m < mesh.length_m() - 9.6;
             if mesh.nodes[i + 1].from_bit_m > 300.0 && below_the_rest {

@@ -32,8 +32,8 @@ fn a_cantilever_deflects_as_timoshenko_says() {
     }
 }
 
-/// Errors at 16, 32 and 64 elements: they fall with the square of the element's turn, and what they
-/// extrapolate to is the answer.
+/// Errors at 16, 32 and 64 elements: they fall with the square of the element's turn, and their
+/// extrapolation is the expected value.
 fn converges(
     case: &str,
     what: &str,
@@ -55,7 +55,7 @@ fn converges(
 
 /// D01: a moment bends a cantilever to an arc; `λ = 2` closes the circle. The element takes the
 /// sine of an angle for the angle, so the error falls with the square of the turn per element: 16
-/// elements (22° each for the circle) miss the tip by 2 % of the length, 64 by 0.2 %. What is left
+/// elements (22° each for the circle) miss the tip by 2 % of the length, 64 by 0.2 %. The error
 /// after extrapolation is of fourth order, `(2π/32)⁴` of that: 1e-4, the tolerance of the source.
 #[test]
 fn an_end_moment_bends_a_cantilever_to_a_circle() {

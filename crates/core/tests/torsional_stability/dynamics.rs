@@ -141,7 +141,7 @@ fn hold_to_the_dynamics(name: &str, model: &Model, settings: &DynamicsSettings, 
         growth
     });
     assert!(below > 0.0 && above < 0.0, "{name}: {below} {above}");
-    // Where the growth crosses zero.
+    // Zero of the growth.
     let dynamics = threshold * (0.95 + 0.1 * below / (below - above));
     verify("torsional stability", format!("threshold of stick-slip, {name}, rad/s"))
         .relative(0.05, "asked for; growth rates differ by less than they change in that")

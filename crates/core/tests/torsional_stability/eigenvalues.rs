@@ -80,7 +80,8 @@ fn string(numbers: &mut Numbers) -> SteadyRotation {
     }
 }
 
-/// The system `y' = A y` of angles, spins, depths, velocities, and what drive, hoist and rock keep.
+/// The system `y' = A y` of angles, spins, depths, velocities, and the states of drive, hoist and
+/// rock.
 fn eigenvalues(rotation: &SteadyRotation) -> Vec<Complex<f64>> {
     let (
         LinearDrive::Tuned { inertia_kg_m2, gains, .. },

@@ -47,10 +47,10 @@ fn string(elements: usize, drive: LinearDrive, slope: f64) -> SteadyRotation {
     in_torsion(pipe(elements), drive, turning(slope))
 }
 
-/// `Z (1 + R e^{−2sT})/(1 − R e^{−2sT}) + T′ = 0` with a dashpot `C` at the top,
-/// `R = (C − Z)/(C + Z)`: every mode grows by `ln(R (Z + d)/(Z − d))/2T` where the torque falls by
-/// `d` per speed, at the odd quarter waves. A held top is `R = 1`; a dashpot of the pipe's own
-/// impedance sends nothing back, and nothing grows however near `d` comes to `Z`.
+/// `Z (1 + R e^{−2sT})/(1 − R e^{−2sT}) + T′ = 0` with a dashpot `C` at the top, `R = (C − Z)/(C +
+/// Z)`: every mode grows by `ln(R (Z + d)/(Z − d))/2T` where the torque falls by `d` per speed, at
+/// the odd quarter waves. A held top is `R = 1`; a dashpot of the pipe's own impedance reflects
+/// nothing, and nothing grows however near `d` is to `Z`.
 #[test]
 fn a_uniform_pipe_grows_by_what_its_ends_send_back() {
     let elements = 800;
@@ -146,8 +146,8 @@ fn a_uniform_pipe_under_a_drive_has_the_roots_of_the_continuous_one() {
 fn a_string_of_pipe_and_assembly_swings_at_its_frequency() {
     let data = verification("E02_aarsnes_shor_synthetic_well.json");
     let case = &data["cases"][0];
-    let part = |of: &Value, [polar, shear]: [&str; 2], length_m: f64| {
-        let (polar, shear) = (number(&of[polar]), number(&of[shear]));
+    let part = |section: &Value, [polar, shear]: [&str; 2], length_m: f64| {
+        let (polar, shear) = (number(&section[polar]), number(&section[shear]));
         (polar * number(&data["rho"]), shear * polar, length_m)
     };
     let low_m = number(&data["bha"]["Lc"]);

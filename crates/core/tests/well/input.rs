@@ -27,7 +27,7 @@ fn says_which_station_and_why() {
     );
     assert_eq!(
         message(&[good, station(30.0, 1.0, 0.0), station(30.0, 2.0, 0.0)]),
-        "the station at 30 m: measured depth must grow, but the station above lies at 30 m"
+        "the station at 30 m: measured depth must grow, but the station above is at 30 m"
     );
     assert_eq!(
         message(&[good, station(30.0, -0.5, 0.0)]),

@@ -18,8 +18,8 @@ fn constant_build() {
 }
 
 /// The reconstructed well of the article: vertical, an arc of radius R to 65°, a tangent. Its true
-/// vertical depth is 322.9 m + R sin 65° + 3230 m cos 65°; the C2 curve's is off by what its two
-/// transitions cost, κh²/27 each.
+/// vertical depth is 322.9 m + R sin 65° + 3230 m cos 65°; the C2 curve's is off by its two
+/// transitions, κh²/27 each.
 #[test]
 fn the_articles_well() {
     let survey = shipped("np13-x1042-survey.csv");

@@ -1,4 +1,5 @@
-//! The rough wall: the same everywhere, as rough as asked, and consistent with its own derivatives.
+//! The rough wall: the same everywhere, as rough as requested, and consistent with its own
+//! derivatives.
 
 use nalgebra::Vector3;
 use wholestring::{
@@ -90,7 +91,7 @@ fn a_seed_gives_the_same_wall_everywhere() {
     }
 }
 
-/// Over 50 km the root mean squares are those requested, and all of the power lies in the band, as
+/// Over 50 km the root mean squares are those requested, and all of the power is in the band, as
 /// much of it in the lower as in the upper half of its octaves.
 ///
 /// A sum of sinusoids has its mean square to the order of (longest wavelength)/length, 1e-3 here;
@@ -103,8 +104,8 @@ fn roughness_has_the_rms_and_the_band_asked_for() {
     for seed in [1, 2, 77] {
         let relief = Relief::new(&rough(seed));
         let points: Vec<_> = (0..count).map(|i| relief.at(step * f64::from(i))).collect();
-        let mean_square = |of: &dyn Fn(usize) -> f64| {
-            (0..points.len()).map(|i| of(i).powi(2)).sum::<f64>() / points.len() as f64
+        let mean_square = |value: &dyn Fn(usize) -> f64| {
+            (0..points.len()).map(|i| value(i).powi(2)).sum::<f64>() / points.len() as f64
         };
         let radius = mean_square(&|i| points[i].radius[0]).sqrt();
         assert!((radius / 0.002 - 1.0).abs() < 5e-3, "{radius}");
@@ -144,9 +145,9 @@ fn roughness_has_the_rms_and_the_band_asked_for() {
 /// Radius, slope, tangent and curvature are each other's derivatives along a hole that builds and
 /// turns, rough and at the border to a smooth section.
 ///
-/// By central differences over 1 and 2 cm, extrapolated: what is left of their own error is
-/// `a k⁵ h⁴/30` of a wave, below 1e-9 here. The curvature leaves out what the path's own bend makes
-/// of the offset: found are 2e-7 1/m, beside the 0.05 1/m of the waves.
+/// By central differences over 1 and 2 cm, extrapolated: their own remaining error is `a k⁵ h⁴/30`
+/// of a wave, below 1e-9 here. The curvature leaves out the effect of the path's own bend on the
+/// offset: found are 2e-7 1/m, against the 0.05 1/m of the waves.
 #[test]
 fn the_wall_and_its_derivatives_agree() {
     let stations = [
@@ -180,7 +181,7 @@ fn the_wall_and_its_derivatives_agree() {
         ];
         worst = std::array::from_fn(|i| worst[i].max(errors[i]));
         assert!(here.axis.tangent.dot(&here.axis.curvature_per_m).abs() < 1e-15);
-        // Across the path, within what 32 waves can reach.
+        // Across the path, within the range of 32 waves.
         let offset = here.axis.position_m - path.at(md).position_m;
         assert!(offset.norm() < 0.04 && offset.dot(&path.at(md).tangent).abs() < 1e-12);
     }

@@ -79,9 +79,10 @@ fn curvature_is_the_derivative_of_direction() {
 }
 
 /// Through stations on a circle the curve is that circle, but for the first and last interval,
-/// where the curvature has to come up from the straight continuation. With spacing `h` its profile
-/// there (from 0 to 1.1 κ in the first sixth, down to κ in the last) turns late: integrated, the
-/// curve is κh²/27 beside the circle after it, but for terms of order (κh)² of that.
+/// where the curvature has to rise from that of the straight continuation. With spacing `h` its
+/// profile there (from 0 to 1.1 κ in the first sixth, down to κ in the last) turns late:
+/// integrated, the curve is κh²/27 off the circle after it, except for terms of order (κh)² of
+/// that.
 #[test]
 fn a_circle_is_a_circle() {
     let curvature = 1e-3;

@@ -1,4 +1,4 @@
-//! Tortuosity of a planned path: what it adds to the doglegs, and those to pull and torque.
+//! Tortuosity of a planned path: its contribution to the doglegs, and theirs to pull and torque.
 
 use std::f64::consts::TAU;
 
@@ -31,8 +31,8 @@ fn the_plan_is_kept_without_amplitude_and_at_its_ends() {
             [[0.0, 0.0, 0.0], [500.0, 0.0, 45.0], [1500.0, 70.0, 45.0], [3000.0, 70.0, 60.0]];
         let plan = path(&stations, interpolation);
         for kind in KINDS {
-            let of = Tortuosity { amplitude_rad: 0.0, ..tortuosity(kind, 3000.0) };
-            let same = plan.with_tortuosity(&of).expect("a path");
+            let zero = Tortuosity { amplitude_rad: 0.0, ..tortuosity(kind, 3000.0) };
+            let same = plan.with_tortuosity(&zero).expect("a path");
             assert_eq!(same.stations(), plan.stations());
             for md_m in [0.0, 333.3, 777.7, 2999.0, 3100.0] {
                 assert_eq!(same.at(md_m), plan.at(md_m));
@@ -82,7 +82,7 @@ fn doglegs_of_waves_are_those_of_their_closed_forms() {
         .report(TAU * angle_rad.sin(), helix_rad);
 }
 
-/// Random angles are even within the amplitude, and half of them lie across the hole; another seed
+/// Random angles are even within the amplitude, and half of them are across the hole; another seed
 /// is another path.
 #[test]
 fn random_angles_are_as_they_are_said_to_be() {
@@ -123,12 +123,13 @@ fn pull_and_torque_are_those_of_a_capstan() {
             (Interpolation::MinimumCurvature, 0.0, "arcs"),
             (Interpolation::Spline, 0.02, "the curve with continuous curvature"),
         ] {
-            let solved = |length_m: f64, of: fn(f64) -> Operation| {
+            let solved = |length_m: f64, operation_at: fn(f64) -> Operation| {
                 let stations = [[0.0, 60.0, 30.0], [length_m, 60.0, 30.0]];
                 let mut model = uniform_model(&stations, 1e-6, radius_m, mu);
                 let plan = slant(length_m, interpolation);
                 model.well.path = plan.with_tortuosity(&tortuosity(kind, length_m)).expect("one");
-                let operation = of(length_m).bit_pull_N(pull_N).rotary_speed_rad_per_s(10.0);
+                let operation =
+                    operation_at(length_m).bit_pull_N(pull_N).rotary_speed_rad_per_s(10.0);
                 soft_string(&model, &operation).expect("an answer").scalars
             };
             let hook = |length_m| solved(length_m, Operation::trip_out).hook_load_N.ln();

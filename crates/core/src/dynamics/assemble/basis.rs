@@ -1,5 +1,5 @@
-//! What a run is before its string is initialised: settings that can be used, the hoist, the mesh
-//! and the step.
+//! Preparation of a run before its string is initialised: checks of the settings, the hoist, the
+//! mesh and the step.
 
 use super::{chain, error::SetupError, foreseen, hoisting::hoisting, numbers::check_numbers};
 use crate::{
@@ -91,7 +91,7 @@ fn check_motor(motor: &MudMotor) -> Result<(), SetupError> {
     check_numbers(&positive, &[("bit.motor.slip", motor.slip)])
 }
 
-/// What must be positive of a top drive.
+/// The numbers of a top drive that must be positive, with their names.
 fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
     let (inertia_kg_m2, torque_limit_N_m, controller) = match *drive {
         TopDriveSettings::Constant => return Vec::new(),
@@ -124,8 +124,9 @@ fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
     numbers
 }
 
-/// Where the bit stands at time zero: half the run above or below the operation's depth, m; at that
-/// depth where a schedule moves the hoist. Where settling ends by itself, the least of it counts.
+/// Measured depth of the bit at time zero, m: half the run above or below the operation's depth, or
+/// at that depth where a schedule moves the hoist. Where settling ends by itself, its shortest
+/// duration counts.
 pub(in crate::dynamics) fn first_bit_md_m(
     operation: &Operation,
     settings: &DynamicsSettings,
@@ -138,10 +139,12 @@ pub(in crate::dynamics) fn first_bit_md_m(
     operation.bit_depth_m - hoisting(operation, settings).1 * middle_s
 }
 
-/// Refuses an excitation of the caller's own under a law that has no rock front to shake.
+/// Returns an error for a user-defined excitation under a law without a rock front.
 fn check_shaken(bit: &BitSettings) -> Result<(), SetupError> {
     let reason = match &bit.law {
-        BitLaw::Regenerative(_) => "the bottom is what the bit's passage before has left",
+        BitLaw::Regenerative(_) => {
+            "the bottom is the surface that the bit's previous passage has left"
+        }
         BitLaw::Rock(_) => "the bottom is solid rock, as the bit has left it",
         // All others cut a rock front.
         _ => return Ok(()),
@@ -149,8 +152,8 @@ fn check_shaken(bit: &BitSettings) -> Result<(), SetupError> {
     bit.excitation.as_ref().map_or(Ok(()), |_| Err(SetupError::Excitation(reason)))
 }
 
-/// How long the elements are: of a length of its own choice, by what the operation does to the
-/// string, and by what its schedule and its hoist may bring.
+/// Sizing of the elements whose length is chosen automatically, from the effect of the operation on
+/// the string and from the extremes that its schedule and its hoist may reach.
 fn sizing(
     model: &Model,
     operation: &Operation,
@@ -182,8 +185,8 @@ fn mesh_and_plan(
     Ok((mesh, settling, plan.dividing(settings.sample_interval_s)))
 }
 
-/// What the model, the operation and the settings of a run determine: the same at its start and
-/// wherever it is resumed.
+/// Everything that follows from the model, the operation and the settings of a run. It is the same
+/// at the start and wherever the run is resumed.
 pub(in crate::dynamics) struct Basis<R: Real> {
     pub(in crate::dynamics) mesh: Mesh,
     pub(in crate::dynamics) settling: Settling,
@@ -195,10 +198,10 @@ pub(in crate::dynamics) struct Basis<R: Real> {
 }
 
 impl<R: Real> Basis<R> {
-    /// Where the chain is divided.
+    /// Border at which the chain is divided.
     pub(in crate::dynamics) fn border(&self) -> Option<Border> {
-        let of = |s: Subcycling| Border { node: s.border_node, parts: s.parts };
-        self.plan.subcycling.map(of)
+        let border = |s: Subcycling| Border { node: s.border_node, parts: s.parts };
+        self.plan.subcycling.map(border)
     }
 }
 
@@ -259,8 +262,8 @@ fn check_bit_end(
     }
 }
 
-/// Refuses a bit on solid rock that is lighter than what it touches: its contact would not be
-/// stable.
+/// Refuses a bit on solid rock that is lighter than the rock nodes that it touches: its contact
+/// would not be stable.
 fn check_weight_of_bit(settings: &DynamicsSettings, plan: &StepPlan) -> Result<(), SetupError> {
     let (BitLaw::Rock(law), Some(lowest)) = (&settings.bit.law, plan.inertia.last()) else {
         return Ok(());
@@ -280,12 +283,12 @@ fn check_weight_of_bit(settings: &DynamicsSettings, plan: &StepPlan) -> Result<(
     Ok(())
 }
 
-/// What a run would cost.
+/// Cost of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Effort {
     /// The string cut into elements.
     pub mesh: Mesh,
-    /// The step, and what holds it.
+    /// The step, and the limit that determines it.
     pub plan: StepPlan,
     /// Simulated time from the start to the end of the window, s, at most.
     pub end_s: f64,
@@ -300,10 +303,11 @@ impl Effort {
         self.plan.element_steps() * self.steps
     }
 
-    /// What the run would cost, found without initialising the string.
+    /// Computes the cost of the run without initialising the string.
     ///
     /// # Errors
-    /// A setting out of range, or a bit on solid rock that is lighter than what it touches.
+    /// A setting out of range, or a bit on solid rock that is lighter than the rock nodes that it
+    /// touches.
     pub fn of(
         model: &Model,
         operation: &Operation,

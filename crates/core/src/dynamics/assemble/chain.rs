@@ -78,7 +78,7 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
 }
 
 /// Frees the axial motion and the spin of all nodes, but for the spin of the top, which the top
-/// drive prescribes. The top does not leave the axis, and what is clamped does not tilt.
+/// drive prescribes. The top does not leave the axis, and clamped ends do not tilt.
 pub fn release(chain: &mut Chain, ends: Ends) {
     for index in 0..chain.nodes() {
         node!(chain, index, inv_mass_axial = 1.0 / node!(chain, index, mass_axial));
@@ -95,7 +95,7 @@ pub fn release(chain: &mut Chain, ends: Ends) {
     }
 }
 
-/// Holds the axial motion and the spin of all nodes: what is left is lateral.
+/// Fixes the axial motion and the spin of all nodes, so that only lateral motion is left.
 pub fn hold(chain: &mut Chain) {
     for block in &mut chain.node_blocks {
         block.inv_mass_axial.0.fill(0.0);

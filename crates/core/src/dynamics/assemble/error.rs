@@ -17,7 +17,7 @@ pub enum SetupError {
         name: &'static str,
         /// Its value.
         value: f64,
-        /// What it should be.
+        /// Expected value or range.
         expected: &'static str,
     },
     /// A bit and solid rock that cannot be.
@@ -56,10 +56,10 @@ pub enum SetupError {
     Schedule {
         /// Which line, counted from one.
         line: usize,
-        /// What is wrong with it.
+        /// Fault of the schedule.
         fault: ScheduleFault,
     },
-    /// The [executor](crate::rock::Executor::stopped) asked to stop before the first step.
+    /// The [executor](crate::rock::Executor::stopped) requested a stop before the first step.
     #[error("stopped before the first step")]
     Stopped,
 }

@@ -127,7 +127,7 @@ fn delivered_N(model: &Model, operation: &Operation, hook_load_N: f64) -> Result
     if spare_now_N <= 0.0 {
         return Ok(own_N);
     }
-    // What the hook gives away arrives at the bit but for the friction that it adds.
+    // Weight released at the hook reaches the bit, less the friction that it adds.
     let mut weights_N = [own_N, own_N + spare_now_N];
     if spare_N(weights_N[1]).is_ok_and(|spare_N| spare_N >= -1e-3 * spare_now_N) {
         return Ok(weights_N[1]);
@@ -141,8 +141,8 @@ fn delivered_N(model: &Model, operation: &Operation, hook_load_N: f64) -> Result
     Ok(weights_N[1])
 }
 
-/// The weight that a block of a given velocity pushes the bit with, N: no more than the bit drills
-/// that fast with, and no more than string and line take up over its travel.
+/// Weight on bit that a block of a given velocity causes, N: limited by the weight at which the bit
+/// drills as fast, and by the compression of string and line over the block's travel.
 fn pushed_N(model: &Model, operation: &Operation, settings: &DynamicsSettings, from_N: f64) -> f64 {
     let lines = &settings.schedule.steps;
     let start = match settings.hoist_control {

@@ -1,11 +1,11 @@
-//! What the hoist does when a run begins.
+//! State of the hoist at the beginning of a run.
 
 use crate::{
     dynamics::settings::{DynamicsSettings, HoistControl, schedule::HoistSetPoint},
     operation::Operation,
 };
 
-/// What the hoist does at time zero, and the axial velocity that the string so has, m/s.
+/// Returns the hoist's motion at time zero and the resulting axial velocity of the string, m/s.
 pub fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (HoistControl, f64) {
     let start = settings.schedule.at_time_zero(operation);
     let own = settings.bit.axial_velocity_m_per_s(

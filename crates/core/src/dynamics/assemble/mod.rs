@@ -1,4 +1,4 @@
-//! From model, operation and settings to what a run is made of.
+//! Builds the parts of a run from model, operation and settings.
 
 pub mod basis;
 pub mod chain;

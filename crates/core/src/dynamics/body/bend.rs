@@ -16,11 +16,12 @@ use crate::{
     simd::{number::Real, vector::Vector},
 };
 
-/// A bend at a node: the element below it, of the same number, stands askew on the node's director.
+/// A bend at a node: the element below it, of the same number, is tilted against the node's
+/// director.
 ///
-/// The step evaluates that element as if there were no bend. What the bend changes in its forces
-/// and moments comes before the step, from the same positions, velocities and twist; what it
-/// changes in its tension, torque and twist comes after it.
+/// The step evaluates that element as if there were no bend. The bend's changes of forces and
+/// moments are applied before the step, from the same positions, velocities and twist; those of
+/// tension, torque and twist after it.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Bend {
     /// The node, and the element below it.
@@ -37,12 +38,12 @@ pub struct Bend {
     element: [f64; 3],
 }
 
-/// What a bend did to the energy of the string in a step, J.
+/// Effect of a bend on the energy of the string in a step, J.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct BendStep {
     /// Work of growing.
     pub work_J: f64,
-    /// Lost to stiffness-proportional damping beyond what the step lost without the bend.
+    /// Energy lost to stiffness-proportional damping in excess of the loss without the bend, J.
     pub loss_J: f64,
 }
 
@@ -66,8 +67,8 @@ impl Bend {
         pose_below(&chain.pose(self.index), node!(chain, self.index, spin), below)
     }
 
-    /// Adds what the bend changes in the forces of the step to come, `part` of its angle being
-    /// there.
+    /// Adds the bend's changes to the forces of the coming step, where `part` is the present
+    /// fraction of its angle.
     pub(in crate::dynamics) fn push(
         &mut self,
         chain: &Chain<impl Real>,
@@ -91,7 +92,7 @@ impl Bend {
         let halfway = Pose { twist: pose.twist, ..half_a_step_before(pose, input.dt) };
         pose.twist = react(&k, &halfway, input.dt, 0.0).twist;
         let bent = react(&k, &pose, 0.0, input.stiffness_damping);
-        // What the step itself will do, which knows of no bend.
+        // The reaction that the step itself computes, without the bend.
         let straight = react(&k, &straight_pose, input.dt, input.stiffness_damping);
         let force = bent.force - straight.force;
         let above = moment_above(&bent, pose.d1) - moment_above(&straight, straight_pose.d1);

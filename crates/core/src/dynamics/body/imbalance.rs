@@ -9,7 +9,7 @@ use crate::{
     simd::{number::Real, vector::Vector},
 };
 
-/// A node whose centre of mass lies off its axis: see [`imbalance`].
+/// A node whose centre of mass is off its axis: see [`imbalance`].
 ///
 /// The chain takes it over for its first step, which does all of this itself. Where something else
 /// acts on the node after the step, as the bit and a bend do, it stays here: a part is loads before
@@ -20,7 +20,7 @@ pub struct Imbalance {
     pub index: usize,
     /// `U`, kg·m.
     pub moment_kg_m: f64,
-    /// `U g`, N·m: what gravity, straight down, has as its lever.
+    /// `U g`, N·m: moment of gravity, which acts straight down, about the axis.
     pub weight_moment_N_m: f64,
     /// `q` at the present position.
     pub toward: Vector<f64>,
@@ -88,7 +88,8 @@ impl Imbalance {
         loads.add(chain, i, throw.outwards.scaled(self.moment_kg_m), moment);
     }
 
-    /// After the step and all else: what its accelerations add, and the direction carried on.
+    /// Runs after the step and everything else: applies the effect of its accelerations and
+    /// advances the direction.
     pub(super) fn follow(&mut self, chain: &mut Chain<impl Real>, dt: f64) {
         let i = self.index;
         let motion = Motion {

@@ -1,4 +1,4 @@
-//! Forces and moments on single nodes beside those of the step.
+//! Forces and moments on single nodes in addition to those of the step.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,14 +11,16 @@ use crate::{
     simd::{number::Real, vector::Vector},
 };
 
-/// Forces and moments on single nodes beside those of the step, all at the positions before it.
+/// Forces and moments on single nodes in addition to those of the step, all evaluated at the
+/// positions before it.
 ///
-/// A force is added to the node's weight for one step, so that the step itself shares it out
-/// between wall, friction and motion and books its losses right. A moment about the director is a
-/// kick of the spin before the step, so that friction can take it back within it; one across the
-/// director a kick after it, for the moments of bends are large and would show as turning in the
-/// twist and the damping of the neighbours. So would the kick of the spin: what twist, damping, mud
-/// and friction make of it is taken out again, so that nothing is lost in a string at rest.
+/// A force is added to the node's weight for one step, so that the step itself distributes it among
+/// wall, friction and motion and accounts for its losses correctly. A moment about the director is
+/// an increment of the spin before the step, so that friction can cancel it within the step. A
+/// moment across the director is an increment after the step, because the moments of bends are
+/// large and would appear as rotation in the twist and the damping of the neighbours. The increment
+/// of the spin would do the same, so its effect on twist, damping, mud and friction is subtracted
+/// again and nothing is lost in a string at rest.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Loads {
     pub(super) loads: Vec<Load>,
@@ -82,7 +84,8 @@ impl Loads {
         });
     }
 
-    /// Loads the nodes. What the step will book too much to stiffness-proportional damping, J.
+    /// Loads the nodes. Returns the energy that the step will book in excess to
+    /// stiffness-proportional damping, J.
     pub(in crate::dynamics) fn apply(
         &mut self,
         chain: &mut Chain<impl Real>,
@@ -96,7 +99,7 @@ impl Loads {
             chain.set_weight(index, load.weight + load.force);
             let mobility = dt * node!(chain, index, inv_polar);
             load.slowed = (mobility * node!(chain, index, mud_spin)).min(MAX_SLOWED);
-            // The mud takes its part of what a node comes with; of a kick it must leave all.
+            // The mud takes its part of the node's own spin, but must leave the added spin whole.
             load.spun = mobility * load.moment.dot(load.director) / (1.0 - load.slowed);
             load.friction = node!(chain, index, sum_torque);
             load.spin = node!(chain, index, spin);
@@ -111,9 +114,9 @@ impl Loads {
         excess_W * dt
     }
 
-    /// Gives the weights back and turns the directors by the moments across them; takes what the
-    /// step booked too much to friction out of its sums. What it booked too much to the mud, J: it
-    /// took the kicks for spin that the nodes had before.
+    /// Restores the weights, turns the directors by the moments across them and removes from the
+    /// step's sums the excess booked to friction. Returns the excess booked to the mud, J, which
+    /// took the increments for spin that the nodes had before.
     pub(in crate::dynamics) fn finish(
         &mut self,
         chain: &mut Chain<impl Real>,

@@ -1,4 +1,4 @@
-//! What is fixed in the body of the string and turns with it: bends and eccentric masses.
+//! Bends and eccentric masses, which are fixed in the body of the string and turn with it.
 
 pub mod bend;
 pub mod imbalance;
@@ -28,9 +28,10 @@ use crate::{
 pub struct BodyStep {
     /// Work put into the string.
     pub work_J: f64,
-    /// Lost to stiffness-proportional damping beyond what the step books.
+    /// Energy lost to stiffness-proportional damping in excess of the amount that the step books,
+    /// J.
     pub damping_loss_J: f64,
-    /// Lost to the mud beyond what the step books.
+    /// Energy lost to the mud in excess of the amount that the step books, J.
     pub mud_loss_J: f64,
 }
 
@@ -46,11 +47,11 @@ pub struct Body {
 }
 
 impl Body {
-    /// Whether stored bends and masses, and those of the stored chain, stand where those of the
-    /// model do.
+    /// Checks that stored bends and masses, and those of the stored chain, are at the nodes where
+    /// the model has them.
     pub(super) fn check(&self, chain: &Chain<impl Real>, fresh: &Self) -> Result<(), Damaged> {
-        let bends = |of: &Self| of.bends.iter().map(|bend| bend.index).collect::<Vec<_>>();
-        let own = |of: &Self| of.imbalances.iter().map(|one| one.index).collect::<Vec<_>>();
+        let bends = |body: &Self| body.bends.iter().map(|bend| bend.index).collect::<Vec<_>>();
+        let own = |body: &Self| body.imbalances.iter().map(|one| one.index).collect::<Vec<_>>();
         let mut masses: Vec<_> =
             own(self).into_iter().chain(chain.imbalances().map(|(index, _)| index)).collect();
         masses.sort_unstable();
@@ -86,9 +87,9 @@ impl Body {
         Self { bends, imbalances, loads: Loads::default() }
     }
 
-    /// The highest node that something acts on beside the step, or whose element below does;
-    /// beyond every one where there is nothing. Eccentric masses that are not at bends move in the
-    /// step.
+    /// The highest node that is loaded in addition to the step, itself or through the element
+    /// below; greater than every node where there is none. Eccentric masses that are not at bends
+    /// move in the step.
     pub fn highest(&self) -> usize {
         self.bends.iter().map(|bend| bend.index).min().unwrap_or(usize::MAX)
     }
@@ -99,7 +100,7 @@ impl Body {
         self.imbalances.push(imbalance);
     }
 
-    /// All eccentric masses, with their nodes: first those that act beside the step.
+    /// All eccentric masses, with their nodes: first those that act in addition to the step.
     pub fn imbalances(
         &self,
         chain: &Chain<impl Real>,
@@ -120,14 +121,14 @@ impl Body {
             let acted_on = bent || index == last;
             if !acted_on {
                 let step_s = chain.step_s(index, dt);
-                let given = imbalance.before_step(chain, step_s);
-                chain.set_imbalance(index, &given);
+                let node_imbalance = imbalance.before_step(chain, step_s);
+                chain.set_imbalance(index, &node_imbalance);
             }
             acted_on
         });
     }
 
-    /// Whether there is nothing to do beside the step.
+    /// Whether nothing acts in addition to the step.
     pub fn is_empty(&self) -> bool {
         self.bends.is_empty() && self.imbalances.is_empty()
     }

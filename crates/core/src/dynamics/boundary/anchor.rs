@@ -1,11 +1,11 @@
-//! Where the nodes' anchors stand on the hole's axis.
+//! Positions of the nodes' anchors on the hole's axis.
 
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use crate::{dynamics::kernel::chain::Chain, simd::number::Real};
 
-/// Where a node's anchor stands on the hole's axis.
+/// Position of a node's anchor on the hole's axis.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Anchor {
     /// Measured depth, m.
@@ -16,7 +16,8 @@ pub struct Anchor {
     pub high_side: Vector3<f64>,
 }
 
-/// Where a node is at the middle of the last step of its region, m; that of the uppermost is `dt`.
+/// Position of a node at the middle of the last step of its region, m; the step of the uppermost
+/// region is `dt`.
 pub fn middle_m(
     chain: &Chain<impl Real>,
     anchors: &[Anchor],

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("the checkpoint was written with {found} as {role}, the settings have {expected}")]
 pub struct AnotherExtension {
-    /// What it is in the run: the law of the bit, the controller of the top drive.
+    /// Role in the run: the law of the bit, the controller of the top drive.
     pub role: &'static str,
     /// Its name and the length of its state, by the checkpoint.
     pub found: String,
@@ -18,8 +18,9 @@ pub struct AnotherExtension {
 
 /// A law of the caller's own in a run.
 ///
-/// The law itself is shared and never changes; what changes is `state`, plain numbers that a
-/// checkpoint holds. One that has been read back has no law until [`Self::attach`] gives it.
+/// The law itself is shared and never changes; only `state` changes, which consists of plain
+/// numbers that a checkpoint stores. An extension that has been read back has no law until
+/// [`Self::attach`] gives it.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(bound = "")]
 pub(in crate::dynamics) struct Extension<L: ?Sized> {

@@ -9,11 +9,11 @@ use crate::well::Friction;
 /// The coefficient of friction between string and wall: a law of the caller's own, for
 /// [`DynamicsSettings::friction_coefficient`](crate::dynamics::DynamicsSettings).
 ///
-/// Before each step the engine asks for the coefficient of every node that touches the wall, or
-/// will at the velocity it has. Contact force and sliding velocity are those that the step before
-/// has left: the coefficient lags by one step, the friction does not. The step takes the
-/// coefficient as it takes the hole's own: friction stops a node but never turns it round, and
-/// takes energy but never gives any, however the coefficient varies.
+/// Before each step the engine requests the coefficient of every node that touches the wall, or
+/// will touch it at its present velocity. Contact force and sliding velocity are those at the end
+/// of the previous step: the coefficient lags by one step, the friction does not. The step uses the
+/// coefficient like that of the hole: friction stops a node but never reverses it, and dissipates
+/// energy but never supplies any, however the coefficient varies.
 ///
 /// The lag counts where the coefficient changes with the sliding speed `v` (m/s). With
 /// `q = dt N |dμ/dv|/m` (step `dt`, contact force `N`, mass of the node `m`) the rate at which the
@@ -23,24 +23,24 @@ use crate::well::Friction;
 /// A coefficient that falls with the speed makes sliding unstable, in the model as in the hole:
 /// that is how a string sticks and slips. See `docs/src/theory/friction.md`.
 ///
-/// A prepared start lays the string with the hole's own coefficients, as the soft string has them.
-/// The law itself does not change. What it keeps between steps are numbers, its `state`, some for
-/// each node, which the engine holds and writes to checkpoints: a run resumes with the same bits.
-/// See the example `friction_law`.
+/// A prepared start places the string with the hole's own coefficients, as the soft string has
+/// them. The law object does not change. Its `state` between steps consists of numbers for each
+/// node, which the engine stores and writes to checkpoints: a run resumes with the same bits. See
+/// the example `friction_law`.
 pub trait FrictionCoefficient: fmt::Debug + Send + Sync {
     /// Name, by which a checkpoint knows the law again.
     fn name(&self) -> &str;
 
-    /// What the law keeps of each node between steps, before the first; as many numbers in every
-    /// run. None by default.
+    /// Initial state of the law at each node, with the same count of numbers in every run. None by
+    /// default.
     fn initial_state(&self) -> Vec<f64> {
         Vec::new()
     }
 
-    /// Coefficient of axial friction, zero or more; around the hole it is multiplied by
-    /// the section's [ratio](Friction::around). One that is negative, infinite or not a number ends
-    /// the run as [diverged](crate::dynamics::Diverged). `state` is the node's own; the node is not
-    /// asked for while it is off the wall.
+    /// Coefficient of axial friction, zero or more; around the hole it is multiplied by the
+    /// section's [ratio](Friction::around). One that is negative, infinite or not a number ends the
+    /// run as [diverged](crate::dynamics::Diverged). `state` belongs to the node. The method is not
+    /// called for a node that is off the wall.
     fn coefficient(&self, state: &mut [f64], contact: &SlidingContact) -> f64;
 }
 
@@ -51,7 +51,7 @@ pub struct SlidingContact {
     pub dt_s: f64,
     /// Measured depth, m.
     pub md_m: f64,
-    /// Where it is on the string: distance from the bit along the unloaded string, m.
+    /// Position on the string: distance from the bit along the unloaded string, m.
     pub from_bit_m: f64,
     /// Contact force, N; zero where the step before was the run's first or left it off the wall.
     pub normal_force_N: f64,

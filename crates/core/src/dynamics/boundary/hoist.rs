@@ -23,13 +23,13 @@ pub struct Hoist {
     block_m: f64,
     velocity_m_per_s: f64,
     filtered_N: f64,
-    /// What the autodriller's integral adds to the speed, m/s.
+    /// Integral part of the autodriller's speed, m/s.
     integral_m_per_s: f64,
-    /// What it pushes with at most, N, the block's weight apart.
+    /// Maximum force of pushing in addition to the block's weight, N.
     push_N: f64,
 }
 
-/// What an autodriller is to hold.
+/// Target of an autodriller.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Target {
     /// Weight on bit, N.
@@ -38,7 +38,7 @@ pub struct Target {
     pub velocity_m_per_s: f64,
 }
 
-/// What the hoist did in a step.
+/// Results of a step for the hoist.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct HoistStep {
     /// Force on the top of the string, N, upwards: the hook load; negative where it pushes.
@@ -66,7 +66,7 @@ impl Hoist {
             control,
             autodriller,
             target,
-            // The line is stretched by what it carries.
+            // The load stretches the line.
             block_m: top_md_m - hook_load_N / line.stiffness_N_per_m,
             velocity_m_per_s,
             filtered_N: target.weight_N,
@@ -80,8 +80,8 @@ impl Hoist {
         Self { push_N, ..self }
     }
 
-    /// Changes what the hoist does from now on. An autodriller that takes over continues from the
-    /// speed that the block has, as far as it has an integral to hold it by.
+    /// Changes the control of the hoist from now on. An autodriller that takes control continues
+    /// from the present speed of the block, as far as it has an integral part to keep it.
     pub fn set_control(&mut self, control: HoistControl) {
         if control == HoistControl::Autodriller
             && self.control != control
@@ -97,12 +97,12 @@ impl Hoist {
         }
     }
 
-    /// Changes what the autodriller holds.
+    /// Changes the autodriller's target.
     pub fn set_target(&mut self, target: Target) {
         self.target = target;
     }
 
-    /// What the hoist does.
+    /// Present control of the hoist.
     pub fn control(&self) -> HoistControl {
         self.control
     }
@@ -152,7 +152,7 @@ impl Hoist {
         } else {
             (moved, end, dt * node!(chain, 0, inv_mass_axial))
         };
-        // What the line pulls beyond the weight of the block.
+        // Pull of the line beyond the weight of the block.
         let force = match self.control {
             HoistControl::HookLoad(force) => force,
             _ => {
@@ -160,7 +160,7 @@ impl Hoist {
                 let HoistLine { stiffness_N_per_m: k, damping_N_s_per_m: c, .. } = self.line;
                 // F = k x + c v with the x and v that F itself leaves at the step's end.
                 let stretch = k * (end - self.block_m) + c * (free - self.velocity_m_per_s);
-                // A line does not push; what snubs does, up to its force.
+                // A line does not push; a snubbing unit does, up to its force.
                 let least = -block_kg * GRAVITY_M_PER_S2 - self.push_N;
                 (stretch / (1.0 + mobility * (k * dt + c))).max(least)
             }
@@ -193,10 +193,10 @@ impl Hoist {
         } = self.autodriller;
         // v = v₀ + K (e + ∫ e dt/T_i).
         let missing = self.target.weight_N - self.filtered_N;
-        let wanted = libm::fma(gain, missing, self.target.velocity_m_per_s) + self.integral_m_per_s;
-        self.velocity_m_per_s = wanted.max(least).min(most);
+        let demand = libm::fma(gain, missing, self.target.velocity_m_per_s) + self.integral_m_per_s;
+        self.velocity_m_per_s = demand.max(least).min(most);
         // The integral does not run on against a limit.
-        let held = (wanted < least && missing < 0.0) || (wanted > most && missing > 0.0);
+        let held = (demand < least && missing < 0.0) || (demand > most && missing > 0.0);
         if !held {
             self.integral_m_per_s += gain * missing * dt / integral_time_s;
         }

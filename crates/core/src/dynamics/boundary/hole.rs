@@ -15,7 +15,7 @@ use crate::{
     well::{Friction, Hole, Path},
 };
 
-/// The hole around the chain: what a node takes up anew as it slides along.
+/// The hole around the chain: the properties that are updated at a node as it slides along.
 #[derive(Debug, Clone)]
 pub struct Borehole {
     path: Path,
@@ -28,7 +28,7 @@ pub struct Borehole {
     touches: Vec<Option<f64>>,
     /// Contact radius of the nodes at the lower end that are held to the hole's axis, m.
     held_radii_m: Vec<f64>,
-    /// A node takes up a new anchor when it has slid this far, m.
+    /// Sliding distance after which a node gets a new anchor, m.
     reach_m: f64,
     /// Whether the wall requires all that a step can do: friction at rest above the kinetic one,
     /// rotational friction other than along it, or a radius that undulates. Only then do cones
@@ -81,9 +81,9 @@ impl Borehole {
         }
     }
 
-    /// How deep the nodes lie in the wall that are held to the hole's axis and so do not feel it,
-    /// m: the deepest, by their offset and their clearance; negative where all of them are inside
-    /// the hole. A bit that cuts sideways takes its hole along: `cut` is how far.
+    /// Greatest penetration into the wall, m, of the nodes that are fixed to the hole's axis and so
+    /// have no contact force, from their offset and their clearance; negative where all of them are
+    /// inside the hole. A bit that cuts sideways moves its hole by `cut`.
     pub fn held_penetration_m(
         &self,
         chain: &Chain<impl Real>,
@@ -124,7 +124,7 @@ impl Borehole {
         }
     }
 
-    /// The same of a run that is taken up again, whose nodes have it.
+    /// The same for a resumed run, whose nodes already have it.
     pub fn resume_friction_of(&mut self, hole: Hole) {
         self.bore.set_friction_of(hole);
     }
@@ -173,7 +173,7 @@ impl Borehole {
             node!(chain, index, clearance = NO_WALL_M);
             return;
         };
-        // Where the wall is rougher than the tool is slim, the hole just holds it.
+        // Where the wall is rougher than the tool is slim, the clearance is zero.
         let clearance = wall.radius_m - radius;
         let closed = clearance < 0.0;
         node!(chain, index, clearance = clearance.max(0.0));

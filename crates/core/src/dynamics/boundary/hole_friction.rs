@@ -14,9 +14,9 @@ pub enum FrictionFault {
     /// Another number of coefficients than the hole has sections.
     #[error("{given} coefficients of friction were given for a hole of {sections} sections")]
     Count {
-        /// How many were given.
+        /// Number of coefficients given.
         given: usize,
-        /// How many sections there are.
+        /// Number of sections.
         sections: usize,
     },
     /// The time of the change is negative or not finite.
@@ -31,7 +31,7 @@ pub enum FrictionFault {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct HoleFriction {
     ramps: Vec<Ramp>,
-    /// What the nodes have been given.
+    /// Present coefficients of the nodes.
     now: Vec<f64>,
 }
 
@@ -61,7 +61,7 @@ impl HoleFriction {
         if !(ramp_s.is_finite() && ramp_s >= 0.0) {
             return Err(FrictionFault::Ramp(ramp_s));
         }
-        // Whatever lies between two sound coefficients is valid.
+        // Any value between two valid coefficients is valid.
         hole.with_friction_of(|section| kinetic[section])?;
         self.ramps = (0..sections)
             .map(|section| Ramp::new([self.now[section], kinetic[section]], time_s, ramp_s))

@@ -1,4 +1,4 @@
-//! What acts on the string at its ends and along it: hole, mud, hoist, top drive and bit.
+//! Boundary conditions and loads of the string: hole, mud, hoist, top drive and bit.
 
 pub mod anchor;
 pub mod bit;

@@ -1,4 +1,4 @@
-//! What turns the top of the string: a constant speed, or a drive with inertia under a controller.
+//! Drive at the top of the string: a constant speed, or a drive with inertia under a controller.
 //!
 //! ```text
 //! J Ω' = T − T_s
@@ -52,7 +52,7 @@ pub struct Gains {
 pub struct Shown {
     /// `Z`, N·m·s.
     pub impedance_N_m_s: f64,
-    /// `ω₁`, rad/s: what varies more slowly is left to the speed control.
+    /// `ω₁`, rad/s: slower variations are left to the speed control.
     pub corner_rad_per_s: f64,
 }
 
@@ -125,11 +125,11 @@ struct Drive {
     limit_N_m: f64,
     /// Torque of the integral part, N·m.
     integral_N_m: f64,
-    /// What varies slowly of the string's torque, N·m.
+    /// Slowly varying part of the string's torque, N·m.
     slow_N_m: f64,
 }
 
-/// What the drive did in a step.
+/// Results of a step for the drive.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct TopDriveStep {
     /// Torque between drive and string, N·m: the surface torque.
@@ -146,7 +146,7 @@ impl TopDrive {
         chain: &mut Chain<impl Real>,
     ) -> Self {
         let half_kg_m2 = node!(chain, 0, polar);
-        // As it lies, the string is held: the drive gives its torque.
+        // At the start the string is held: the drive supplies its torque.
         let torque = -element!(chain, 0, torsion) * element!(chain, 0, twist);
         let drive = match *settings {
             TopDriveSettings::Constant => Kind::Constant,
@@ -192,19 +192,19 @@ impl TopDrive {
         ensure(fits, "the top drive")
     }
 
-    /// Gives a drive with gains others. The integral part takes up what the proportional part gives
-    /// less or more, so that the torque goes on from where it is.
+    /// Replaces the gains of a drive that has gains. The integral part compensates the change of
+    /// the proportional part, so that the torque is continuous.
     pub fn change(&mut self, gains: Gains, chain: &Chain<impl Real>, set_rad_per_s: f64) {
         let Kind::Tuned(drive) = &mut self.drive else { return };
         let string = -element!(chain, 0, torsion) * element!(chain, 0, twist);
         let missing = |gains: &Gains, slow_N_m: f64| {
-            let heard =
+            let feedback =
                 gains.shown.map_or(0.0, |shown| (string - slow_N_m) / shown.impedance_N_m_s);
-            set_rad_per_s - heard - node!(chain, 0, spin)
+            set_rad_per_s - feedback - node!(chain, 0, spin)
         };
         let before = drive.gains.proportional_N_m_s * missing(&drive.gains, drive.slow_N_m);
         if drive.gains.shown.is_none() {
-            // What follows the string's torque begins there.
+            // The filter of the string's torque starts at this value.
             drive.slow_N_m = string;
         }
         let after = gains.proportional_N_m_s * missing(&gains, drive.slow_N_m);
@@ -212,7 +212,7 @@ impl TopDrive {
         drive.gains = gains;
     }
 
-    /// Whether the last step asked for more torque than it gives.
+    /// Whether the last step required more torque than the drive can supply.
     pub fn is_stalled(&self) -> bool {
         self.stalled
     }
@@ -261,18 +261,18 @@ impl TopDrive {
         // K_p + K_i dt: the integral of the step counts at its end.
         let gain = libm::fma(integral_N_m, dt, proportional_N_m_s);
         // The string's torque at the step's end, `M = string + k (Ω − Ω_below) dt + J_½ Ω'`, is
-        // `fixed + stiff Ω`; what is heard of it, part of it less its slow part.
+        // `fixed + stiff Ω`; the feedback is a fraction of it less its slow part.
         let wind = element!(chain, 0, torsion) * dt;
         let start = drive.half_kg_m2 / dt;
         let fixed = string - wind * node!(chain, 1, spin) - start * before;
         let stiff = wind + start;
         // H = s/(s + ω₁): the part below ω₁ follows slowly, the rest over Z lowers the reference.
-        let (slow, heard) = shown.map_or((0.0, 0.0), |s| {
+        let (slow, feedback) = shown.map_or((0.0, 0.0), |s| {
             let slow = s.corner_rad_per_s * dt / libm::fma(s.corner_rad_per_s, dt, 1.0);
             (slow, (1.0 - slow) / s.impedance_N_m_s)
         });
-        let reference = set_rad_per_s - heard * (fixed - drive.slow_N_m);
-        let slope = libm::fma(heard, stiff, 1.0);
+        let reference = set_rad_per_s - feedback * (fixed - drive.slow_N_m);
+        let slope = libm::fma(feedback, stiff, 1.0);
         let per_dt = inertia / dt;
         // J (Ω − Ω₀)/dt = K (Ω_r − Ω) + integral − string, where Ω_r depends on Ω, solved for Ω.
         let mut after = (per_dt * before + gain * reference + drive.integral_N_m - string)

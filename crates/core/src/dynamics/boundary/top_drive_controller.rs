@@ -6,19 +6,19 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use crate::dynamics::boundary::extension::{AnotherExtension, Extension};
 
-/// What turns a top drive: a controller of the caller's own, for
+/// A user-defined controller of the top drive, for
 /// [`TopDriveSettings::Custom`](crate::dynamics::TopDriveSettings).
 ///
-/// It acts once a step, as a digital controller does, on what the step began with: a gain of more
-/// than the drive's inertia over half a step is not stable. The controller itself does not change.
-/// What it keeps between steps are numbers, its `state`, which the engine holds and writes to
+/// It acts once a step, as a digital controller does, on the values at the step's beginning: a gain
+/// of more than the drive's inertia over half a step is not stable. The controller object does not
+/// change. Its `state` between steps consists of numbers, which the engine stores and writes to
 /// checkpoints: a run resumes with the same bits. See the example `top_drive_controller`.
 pub trait TopDriveController: fmt::Debug + Send + Sync {
     /// Name, by which a checkpoint knows the controller again.
     fn name(&self) -> &str;
 
-    /// What the controller keeps between steps, as many numbers in every run. The string is held
-    /// with `torque_N_m` when the run begins: an integral part begins there.
+    /// Initial state of the controller, with the same count of numbers in every run. The string is
+    /// held with `torque_N_m` when the run begins, so an integral part starts at that torque.
     fn initial_state(&self, torque_N_m: f64) -> Vec<f64>;
 
     /// Torque of the drive over the step that follows, N·m, clockwise looking down the hole. The
@@ -26,7 +26,7 @@ pub trait TopDriveController: fmt::Debug + Send + Sync {
     fn torque_N_m(&self, state: &mut [f64], reading: &TopDriveReading) -> f64;
 }
 
-/// What a controller of the top drive sees.
+/// Inputs of a controller of the top drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TopDriveReading {
     /// Length of the step that follows, s.
@@ -46,7 +46,7 @@ pub struct TopDriveReading {
 pub struct CustomTopDrive {
     /// Moment of inertia of everything that turns with the string at its speed, kg·m².
     pub inertia_kg_m2: f64,
-    /// What gives the torque; its name alone in the record of a run.
+    /// The controller of the torque; only its name is in the record of a run.
     #[serde(rename = "name", serialize_with = "name_of")]
     pub controller: Arc<dyn TopDriveController>,
     /// Largest torque that it gives, N·m; `None` sets no limit.
@@ -107,11 +107,11 @@ impl CustomDrive {
             string_torque_N_m,
             torque_limit_N_m: self.limit_N_m,
         };
-        let asked = match self.controller.get_mut() {
+        let demand_N_m = match self.controller.get_mut() {
             Some((controller, state)) => controller.torque_N_m(state, &reading),
             None => string_torque_N_m,
         };
         let limit = self.limit_N_m;
-        (asked.clamp(-limit, limit), asked.abs() > limit)
+        (demand_N_m.clamp(-limit, limit), demand_N_m.abs() > limit)
     }
 }

@@ -29,14 +29,14 @@ pub struct WallFriction {
     fault: Option<(usize, f64)>,
 }
 
-/// Where the nodes of a chain are.
+/// Positions of the nodes of a chain.
 #[derive(Debug, Clone, Copy)]
 pub struct Placement<'a> {
     /// The hole.
     pub borehole: &'a Borehole,
-    /// Where the nodes are in it.
+    /// Anchors of the nodes in the hole.
     pub anchors: &'a [Anchor],
-    /// Where they are on the string.
+    /// Positions of the nodes on the string.
     pub mesh: &'a Mesh,
 }
 
@@ -138,17 +138,17 @@ fn places(layout: Layout) -> usize {
     layout.blocks() * DOUBLES
 }
 
-/// How a node slides on the wall.
+/// Sliding of a node on the wall.
 struct Sliding {
-    /// How far along the hole it is from its anchor, m.
+    /// Distance of the node along the hole from its anchor, m.
     from_anchor_m: f64,
     axial_m_per_s: f64,
     circumferential_m_per_s: f64,
 }
 
 impl Sliding {
-    /// None of a node that the step that follows leaves off the wall if nothing changes its
-    /// velocity: a node that is pressed on the wall lies a little in it.
+    /// None for a node that stays off the wall in the coming step at unchanged velocity. A node
+    /// that is pressed on the wall is slightly inside it.
     fn of<R: Real>(
         n: &NodeBlock<R>,
         state: &StateBlock<R>,

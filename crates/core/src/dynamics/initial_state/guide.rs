@@ -1,4 +1,4 @@
-//! What the soft string says of the string at time zero.
+//! Estimate of the string's state at time zero from the soft string.
 
 use nalgebra::Vector3;
 
@@ -14,7 +14,7 @@ use crate::{
 /// there, it hangs nearer to the axis.
 const LIGHT_N_PER_M: f64 = 10.0;
 
-/// What the soft string says about every element and node.
+/// Soft-string estimate for every element and node.
 pub(super) struct Guide {
     /// Tension of each element, N.
     pub(super) tension_N: Vec<f64>,
@@ -35,7 +35,7 @@ impl Guide {
             .map(|i| if settings.starts_cold() { 0.0 } else { profile.tension_at_N(middle(i)) })
             .collect();
         let turning = settings.start == Start::Prepared && operation_turns(&operation, settings);
-        // Torque from the bit up: what each node rubs off.
+        // Torque from the bit up: the friction torque of each node is added.
         let mut torque_N_m = vec![0.0; mesh.elements.len()];
         let mut torque = operation.bit_torque_now_N_m();
         let mut lean = vec![Vector3::zeros(); mesh.nodes.len()];
@@ -45,7 +45,7 @@ impl Guide {
             let side = profile.contact_direction_at(md);
             let friction = model.well.hole.at(md).friction;
             let friction = friction.kinetic * friction.around;
-            // Wherever the nodes stand, the component touches with its joints.
+            // Wherever the nodes are, the component touches with its joints.
             let radius = model.string.component_at(mesh.nodes[i].from_bit_m).1.contact_radius_m();
             let mu = if turning {
                 around(friction, radius, &operation, settings.friction_law)
@@ -63,7 +63,8 @@ impl Guide {
                 // Friction torque of a climbed pipe, μ q ℓ r/√(1 + μ²).
                 torque += mu * climb * load * length * radius;
                 let mud = viscous.map_or(0.0, |mud| mud.torque_N_m(i - 1));
-                // An element's torque is that at its middle: half of its mud's lies below.
+                // An element's torque is that at its middle: half of the torque of its mud acts
+                // below.
                 torque_N_m[i - 1] = torque + 0.5 * mud;
                 torque += mud;
             }

@@ -1,9 +1,9 @@
-//! The initial condition: how the string lies at time zero.
+//! The initial condition: position and motion of the string at time zero.
 //!
 //! A string that is dropped into its hole needs minutes to find its torque and its tension. The
 //! prepared start takes both from the soft string, places the string on the side where it will
-//! touch and lets it settle laterally, so that what follows is the operation and not the aftermath
-//! of a fall.
+//! touch and lets it settle laterally, so that the run shows the operation and not the transient of
+//! a fall.
 
 mod guide;
 pub mod scene;
@@ -33,8 +33,8 @@ use crate::{
 };
 
 /// Lateral settling of a prepared start, s, and its damping, 1/s: near critical for a joint's span,
-/// whose motion is gone after 0.7 s. What then creeps on, some mm/s at a few nodes that little
-/// presses, would do so for minutes.
+/// whose motion is gone after 0.7 s. The remaining creep, some mm/s at a few nodes with little
+/// contact force, would last for minutes.
 pub const SETTLING_S: f64 = 1.0;
 const SETTLING_DAMPING_PER_S: f64 = 15.0;
 
@@ -50,7 +50,7 @@ const PASSES: usize = 8;
 /// Part of the settling in which bends grow.
 const GROWING: f64 = 0.5;
 
-/// Steps after which it is asked whether to go on: some milliseconds.
+/// Number of steps between checks for a stop request: some milliseconds.
 const LOOK_STEPS: usize = 16;
 
 /// The string at time zero.
@@ -69,7 +69,7 @@ pub struct Initial {
 /// Initialises the string with its bit at `bit_md_m`.
 ///
 /// # Errors
-/// A soft string without solution, and an executor that asks to stop.
+/// A soft string without solution, and an executor that requests a stop.
 pub fn initialise(
     scene: &Scene<'_>,
     chain: Chain,
@@ -146,7 +146,7 @@ impl InitialString<'_> {
             }
             self.span_all();
             self.point_directors();
-            // What the elements below lack adds up towards the top.
+            // The length missing in the elements below adds up towards the top.
             let mut shift = 0.0;
             for i in (0..nodes - 1).rev() {
                 shift += self.shortfall_m(i);
@@ -177,7 +177,7 @@ impl InitialString<'_> {
             .map(|i| self.anchors[i].position_m + Vector3::from(self.chain.displacement(i)))
             .collect();
         for i in 0..=last {
-            // Central difference over the two elements at a node; what is clamped is so to the
+            // Central difference over the two elements at a node; a clamped end is clamped to the
             // hole.
             let clamped = i == 0 && self.ends.top == TopEnd::Clamped
                 || i == last && self.ends.bit == BitEnd::Clamped;
@@ -247,7 +247,8 @@ impl InitialString<'_> {
             coupled_step(&mut chain, input, |chain, region, input| {
                 let lowest = region + 1 == chain.regions();
                 if lowest {
-                    // Bends grow in the first part, so that the rest damps what that stirs up.
+                    // Bends grow in the first part, so that the rest damps the motion that this
+                    // causes.
                     grown = f64::min(grown + growth, 1.0);
                     body.push(chain, input, grown);
                 }

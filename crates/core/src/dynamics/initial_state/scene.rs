@@ -1,4 +1,4 @@
-//! What a string is initialised from.
+//! Inputs of the initial condition.
 
 use crate::{
     dynamics::{
@@ -14,16 +14,16 @@ use crate::{
     rod::mesh::Mesh,
 };
 
-/// What a string is initialised from.
+/// Inputs of the initial condition.
 #[derive(Debug, Clone, Copy)]
 pub struct Scene<'a> {
     /// Well, string and mud.
     pub model: &'a Model,
-    /// What the driller does, as the string moves at time zero: [`motion`].
+    /// Operation that matches the string's motion at time zero: [`motion`].
     pub operation: &'a Operation,
     /// Whether the string neither turns nor slides at time zero.
     pub at_rest: bool,
-    /// How the string starts.
+    /// Settings of the start.
     pub settings: &'a DynamicsSettings,
     /// The string cut into elements.
     pub mesh: &'a Mesh,
@@ -31,22 +31,23 @@ pub struct Scene<'a> {
     pub borehole: &'a Borehole,
     /// The mud that drags on it, if any.
     pub viscous: Option<&'a Viscous>,
-    /// What moves it while it settles.
+    /// Stepper used while the string settles.
     pub stepper: &'a Stepper,
-    /// Where it is divided meanwhile.
+    /// Border at which the chain is divided meanwhile.
     pub border: Option<Border>,
     /// The step of the whole, or of the upper region.
     pub input: &'a StepInput,
     /// Axial velocity of the whole string, m/s.
     pub velocity_m_per_s: f64,
-    /// Who is asked meanwhile whether to go on.
+    /// Executor that is polled for a stop request meanwhile.
     pub executor: &'a SharedExecutor,
 }
 
-/// What `operation` is at time zero by the motion of the string, and whether it is at rest.
+/// Returns the kind of `operation` that matches the string's motion at time zero, and whether it is
+/// at rest.
 ///
-/// Without a schedule it is what it is called. A schedule may begin it otherwise: a string that is
-/// to turn and does not yet is run in or pulled out, or hangs still.
+/// Without a schedule it is unchanged. A schedule may begin with another motion: a string that does
+/// not rotate yet is run in or pulled out, or hangs still.
 pub fn motion(
     operation: &Operation,
     axial_m_per_s: f64,

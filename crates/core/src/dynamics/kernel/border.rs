@@ -1,8 +1,8 @@
-//! How two regions with steps of their own are coupled at the element between them.
+//! Coupling of two regions with different time steps at the element between them.
 //!
-//! Belytschko's nodal partition with linear interpolation: the upper region steps first, the border
-//! element evaluated where all of it stood at the step's beginning; in the lower region's steps
-//! within it, the border node goes straight on with the velocity that this has given it. Theory:
+//! Belytschko's nodal partition with linear interpolation: the upper region steps first, with the
+//! border element evaluated at its position at the step's beginning. In the lower region's steps
+//! within it, the border node moves at the constant velocity from that step. Theory:
 //! `docs/src/theory/time-stepping.md`.
 
 use super::{
@@ -26,8 +26,8 @@ pub struct Coupled {
 }
 
 impl Coupled {
-    /// Before a step of the upper region, whose length is `dt`: what either region sees of the
-    /// other. None where the chain is not divided.
+    /// Before a step of the upper region, of length `dt`: exchanges the data that the regions read
+    /// from each other. Returns none where the chain is not divided.
     pub fn begin<R: Real>(chain: &mut Chain<R>, dt: f64, stiffness_damping: f64) -> Option<Self> {
         let border = chain.border()?;
         chain.set_ghosts();
@@ -45,9 +45,10 @@ impl Coupled {
         Some(Self { border, director: chain.director(index), damping_W })
     }
 
-    /// After the first of the lower region's steps of `dt`, which has moved the ghost of the border
-    /// node as that came into the step of the upper region: from now on it moves as that has left
-    /// it. What goes by velocities (twist, damping) is so half a step behind, at both ends.
+    /// After the first of the lower region's steps of `dt`, which has moved the border node's ghost
+    /// at the velocity before the step of the upper region: from now on it moves at the velocity
+    /// after it. The terms that depend on velocities (twist, damping) therefore lag by half a step
+    /// at both ends.
     pub fn lead<R: Real>(&self, chain: &mut Chain<R>, dt: f64) {
         let Some([_, (row, lane)]) = chain.ghosts() else {
             return;

@@ -1,11 +1,11 @@
 //! The chain of nodes and elements as the time loop holds it: a structure of arrays.
 //!
-//! The chain is cut into as many pieces as there are lanes, and the pieces lie side by side: node
-//! `i` is in row `i mod rows`, lane `i / rows`. What is next along the string so stands in the same
-//! lane of the next row, and one instruction works on all lanes without moving a number between
-//! them; only where a piece ends does its last element reach for the first node of the next lane. A
-//! whole string of thousands of metres fits in the second-level cache. Positions are displacements
-//! from each node's own anchor on the hole's axis.
+//! The chain is cut into as many pieces as there are lanes, and the pieces are stored side by side:
+//! node `i` is in row `i mod rows`, lane `i / rows`. The next node along the string is thus in the
+//! same lane of the next row, and one instruction works on all lanes without moving a number
+//! between them; only where a piece ends does its last element use the first node of the next lane.
+//! A whole string of thousands of metres fits in the second-level cache. Positions are
+//! displacements from each node's own anchor on the hole's axis.
 
 mod blocks;
 mod imbalance;
@@ -44,7 +44,7 @@ pub struct Chain<R: Real = f64> {
     /// Rest length of each element, m: however the chain keeps its numbers, its chords are compared
     /// with these.
     lengths_m: Vec<f64>,
-    /// How the nodes move, row by row; the row after the last of a region repeats its first one
+    /// Motion of the nodes, row by row; the row after the last of a region repeats its first one
     /// lane lower, for the elements where pieces end.
     pub states: Vec<StateBlock<R>>,
     /// Nodes, row by row.
@@ -169,7 +169,7 @@ impl<R: Real> Chain<R> {
         ensure(fits, "the string")
     }
 
-    /// Where what is kept of its nodes in double precision lies.
+    /// Layout of the data of its nodes that are kept in double precision.
     pub fn layout(&self) -> Layout {
         Layout::beside::<R>(self.places)
     }
@@ -185,7 +185,7 @@ impl<R: Real> Chain<R> {
         self.places.index(row, lane)
     }
 
-    /// How the lower ends of a row of elements move, if the states were closed since: after a step
+    /// Motion of the lower ends of a row of elements, if the states were closed since: after a step
     /// the row that [closes](Self::close) them is that of the step's beginning.
     pub fn ends(&self, row: usize) -> &StateBlock<R> {
         &self.states[row + 1]
@@ -270,7 +270,7 @@ impl<R: Real> Chain<R> {
         }
     }
 
-    /// How an element stands and moves.
+    /// Pose and velocities of an element.
     pub fn pose(&self, index: usize) -> Pose<f64> {
         let (one, two) = (index, index + 1);
         Pose {
@@ -287,7 +287,7 @@ impl<R: Real> Chain<R> {
         }
     }
 
-    /// Sets the chord between the anchors of an element, and what follows from it.
+    /// Sets the chord between the anchors of an element, and the values derived from it.
     pub fn set_anchor_chord(&mut self, index: usize, chord: Vector<f64>) {
         let length = self.lengths_m[index];
         self.set_chord(index, chord);

@@ -2,7 +2,7 @@
 
 use crate::{rod::element::Pose, simd::vector::Vector};
 
-/// How an element stood half a step before, where the velocities are.
+/// Pose of an element half a step before, where the velocities are.
 pub fn half_a_step_before(mut pose: Pose<f64>, dt: f64) -> Pose<f64> {
     let half = 0.5 * dt;
     pose.displacement = pose.displacement.minus(pose.velocity, half);

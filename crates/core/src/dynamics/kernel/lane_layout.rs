@@ -1,8 +1,8 @@
-//! How long the pieces are that a chain is cut into.
+//! Lengths of the pieces that a chain is cut into.
 
 use serde::{Deserialize, Serialize};
 
-/// How long the pieces are that a chain is cut into.
+/// Lengths of the pieces that a chain is cut into.
 ///
 /// Every number of a node is looked up by its place, and divisions would take most of the time: the
 /// inverse of the length, rounded up, is multiplied with instead.

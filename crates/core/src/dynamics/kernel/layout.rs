@@ -1,12 +1,12 @@
-//! Where the numbers of a node lie.
+//! Memory layout of a node's numbers.
 
 use serde::{Deserialize, Serialize};
 
 use super::places::Places;
 use crate::simd::{lanes::DOUBLES, number::Real};
 
-/// Where what is kept of the nodes in double precision lies, whatever the chain itself is kept in:
-/// each row of the chain has, part by part, its blocks of doubles.
+/// Layout of the node data that are kept in double precision, whatever the precision of the chain
+/// itself: each row of the chain has, part by part, its blocks of doubles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Layout {
     places: Places,
@@ -14,12 +14,12 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Beside a chain in numbers of kind `R` whose nodes have such places.
+    /// Layout next to a chain in numbers of kind `R` whose nodes have such places.
     pub fn beside<R: Real>(places: Places) -> Self {
         Self { places, parts: R::LANES / DOUBLES }
     }
 
-    /// Row of the chain that a block stands beside, and which part of it.
+    /// Row of the chain that a block belongs to, and its part of that row.
     #[inline(always)]
     pub fn row_of<R: Real>(block: usize) -> (usize, usize) {
         let parts = R::LANES / DOUBLES;

@@ -1,4 +1,4 @@
-//! The inner loop: the chain of nodes and elements as it lies in memory, and a step of it.
+//! The inner loop: the chain of nodes and elements in its memory layout, and a step of it.
 
 pub mod border;
 pub mod chain;

@@ -1,4 +1,4 @@
-//! Where the nodes of a chain stand that may have two regions with steps of their own.
+//! Places of the nodes of a chain, which may have two regions with different time steps.
 
 use std::ops::Range;
 
@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::lane_layout::LaneLayout;
 
-/// Where a string is divided into two regions with steps of their own: the lower one takes several
-/// in one of the upper one (multirate time stepping, subcycling).
+/// Border between two regions of a string with different time steps: the lower one takes several in
+/// one of the upper one (multirate time stepping, subcycling).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Border {
     /// The lowest node of the upper region. The element below it, the border element, is in both.
@@ -18,10 +18,10 @@ pub struct Border {
 
 /// Rows and lanes of the nodes, and of the elements below them.
 ///
-/// A chain with a [`Border`] has its upper region in its first rows, then a row of nobody's, which
-/// lets the states of every region close with a row more, and then the lower region in lanes of its
-/// own. Either region has a ghost, a node that stands for the nearest one of the other: the upper
-/// one's is its last, the lower one's its first.
+/// A chain with a [`Border`] has its upper region in its first rows, then an unused row, which lets
+/// the states of every region close with one more row, and then the lower region in lanes of its
+/// own. Either region has a ghost, a copy of the nearest node of the other: the upper one's is its
+/// last, the lower one's its first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Places {
     upper: LaneLayout,
@@ -49,7 +49,7 @@ impl Places {
         Self { upper, lower: None }
     }
 
-    /// Where the chain is divided.
+    /// Border at which the chain is divided.
     pub fn border(&self) -> Option<Border> {
         self.lower.map(|(border, _)| border)
     }
@@ -111,12 +111,12 @@ impl Places {
     /// Row and lane of each node in turn, from the top down, where there are so many lanes: on into
     /// the lanes that no node fills.
     pub fn in_order(self, lanes: usize) -> impl Iterator<Item = (usize, usize)> {
-        let of = move |region: usize| {
+        let region_places = move |region: usize| {
             let rows = if region < self.regions() { self.rows_of(region) } else { 0..0 };
             (0..lanes).flat_map(move |lane| rows.clone().map(move |row| (row, lane)))
         };
         let upper = self.nodes_of(0, usize::MAX).end;
-        of(0).take(upper).chain(of(1).skip(1))
+        region_places(0).take(upper).chain(region_places(1).skip(1))
     }
 
     /// Row and lane of the ghosts of the upper and of the lower region. The border element has its

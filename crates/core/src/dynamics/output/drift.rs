@@ -1,16 +1,15 @@
-//! Block averages: how well the mean of an interval of samples is known, and whether it stands
-//! still.
+//! Block averages: standard error of the mean of an interval of samples, and test for a drift.
 
 use crate::outcome::samples::{Mapped, Part, Samples, mean, sum};
 
-/// Blocks that are left at the longest: fewer tell no spread.
+/// Number of blocks at the greatest block length: fewer do not determine the spread.
 const MIN_BLOCKS: usize = 8;
 
 /// Standard errors beyond which a change of a mean is no chance.
 pub(in crate::dynamics) const SIGNIFICANT: f64 = 4.0;
 
 /// Part of a quantity's scale below which a drift is of no consequence: half a percent, less than
-/// the gauges of a rig tell.
+/// the gauges of a rig resolve.
 pub(in crate::dynamics) const MATTERS: f64 = 0.005;
 
 /// Standard error of the mean of samples that depend on their neighbours, by block averages.
@@ -34,7 +33,7 @@ pub(in crate::dynamics) fn standard_error(samples: &(impl Samples + ?Sized)) -> 
     errors.fold(0.0, f64::max).sqrt()
 }
 
-/// How many blocks of one sample, of two, of four there are, as long as eight are left.
+/// Numbers of blocks of one sample, of two, of four, as long as eight are left.
 fn block_counts(samples: usize) -> Vec<usize> {
     let halved = |count: &usize| Some(count / 2).filter(|half| *half >= MIN_BLOCKS);
     std::iter::successors(Some(samples).filter(|count| *count >= 2), halved).collect()
@@ -61,21 +60,21 @@ fn each_block(samples: &(impl Samples + ?Sized), levels: usize, mut take: impl F
     });
 }
 
-/// What a stretch of evenly spaced samples does beside scattering.
+/// Drift of a stretch of evenly spaced samples, apart from their scatter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::dynamics) struct Drift {
     /// Change over the stretch by the straight line of least squares.
     pub(in crate::dynamics) change: f64,
-    /// How many of its standard errors that is, or the difference of the halves' means of its own,
-    /// whichever is more. Zero of so few samples that none is known.
+    /// The drift in its standard errors, or the difference of the halves' means of its own,
+    /// whichever is more. Zero where the samples are too few for an error.
     pub(in crate::dynamics) errors: f64,
 }
 
 impl Drift {
     /// Tests samples for drift.
     ///
-    /// The line's change has `√12` times the standard error of the mean, which is taken from what
-    /// scatters about the line. The means of the halves differ by `√2` standard errors of one; a
+    /// The line's change has `√12` times the standard error of the mean, which is computed from the
+    /// scatter about the line. The means of the halves differ by `√2` standard errors of one; a
     /// start that fades inflates that of the first half, so that the smaller one is taken.
     pub(in crate::dynamics) fn of(samples: &(impl Samples + ?Sized)) -> Self {
         let n = samples.count();

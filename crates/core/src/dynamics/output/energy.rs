@@ -1,4 +1,4 @@
-//! Where the energy of a run comes from and where it goes.
+//! Sources and sinks of the energy of a run.
 
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -25,7 +25,8 @@ use crate::{
 ///
 /// Velocities live there already; positions and twist are brought back by half a step, so that the
 /// sums are second-order accurate in the step. Where regions have steps of their own, each is read
-/// at the middle of its own: what crosses the border meanwhile is counted as the region's below.
+/// at the middle of its own: energy that crosses the border meanwhile is counted in the lower
+/// region.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energies {
     pub kinetic: f64,
@@ -42,7 +43,7 @@ impl Energies {
         dt: f64,
     ) -> Self {
         let last = chain.nodes() - 1;
-        // The mud's pull stands among the weights.
+        // The mud's pull is included in the weights.
         let pull = viscous.map_or(0.0, |mud| mud.pull_potential_J(chain, anchors, dt));
         Self {
             kinetic: kinetic_J(chain) + body.imbalances_J(chain),
@@ -91,10 +92,10 @@ fn weight_J(chain: &Chain<impl Real>, anchors: &[Anchor], dt: f64) -> f64 {
         .sum::<f64>()
 }
 
-/// The least energy that a residual is compared with: what lifts the string by this much, m.
+/// Rise of the string, m, that gives the least energy with which a residual is compared.
 const MIN_RISE_M: f64 = 1e-3;
 
-/// What lifts the string of `mesh` in air by a millimetre, J.
+/// Energy that lifts the string of `mesh` in air by a millimetre, J.
 pub fn min_J(mesh: &Mesh) -> f64 {
     let steel_kg: f64 = mesh.elements.iter().map(|e| e.section.steel_kg_per_m * e.length_m).sum();
     steel_kg * GRAVITY_M_PER_S2 * MIN_RISE_M
@@ -139,7 +140,7 @@ pub struct EnergyBalance {
     /// Gain of potential energy: the buoyed weight, lifted.
     #[serde(with = "crate::finite")]
     pub gravity_change_J: f64,
-    /// What the integration itself gained or lost: work less losses less changes.
+    /// Energy gained or lost by the integration itself: work less losses less changes.
     #[serde(with = "crate::finite")]
     pub residual_J: f64,
 }
@@ -159,7 +160,7 @@ impl EnergyBalance {
         self.friction_loss_J + self.contact_loss_J + self.mud_loss_J + self.damping_loss_J
     }
 
-    /// What the string's energy gained, J.
+    /// Gain of the string's energy, J.
     pub fn change_J(&self) -> f64 {
         self.kinetic_change_J + self.elastic_change_J + self.gravity_change_J
     }
@@ -200,12 +201,12 @@ impl Ledger {
         sum.damping_loss_J += losses.damping;
     }
 
-    /// Books what friction took, J.
+    /// Books the loss to friction, J.
     pub fn book_friction(&mut self, taken: f64) {
         self.booked.friction_loss_J += taken;
     }
 
-    /// Books what mass-proportional damping took, J.
+    /// Books the loss to mass-proportional damping, J.
     pub fn book_mass_damping(&mut self, taken: f64) {
         self.booked.mud_loss_J += taken;
     }
@@ -237,9 +238,9 @@ impl Ledger {
 mod tests {
     use super::*;
 
-    /// Of a string at rest nothing but rounding is booked: its residual is compared with what lifts
-    /// the string by a millimetre and not against itself. Where something moves, the larger counts,
-    /// as ever.
+    /// Of a string at rest nothing but rounding is booked: its residual is compared with the energy
+    /// that lifts the string by a millimetre and not against itself. Where something moves, the
+    /// larger counts, as ever.
     #[test]
     fn a_residual_of_rounding_is_small() {
         let min_J = 1000.0;

@@ -1,4 +1,4 @@
-//! What is known of the whole string at one moment.
+//! The state of the whole string at one moment.
 
 use serde::Serialize;
 

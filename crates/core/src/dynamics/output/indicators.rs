@@ -1,4 +1,4 @@
-//! What the motion of a run amounts to, in the figures that the field uses.
+//! Motion of a run in the indicators that the field uses.
 
 use serde::{Deserialize, Serialize};
 
@@ -45,7 +45,7 @@ pub struct Indicators {
     pub top_drive: Option<TorqueUse>,
 }
 
-/// How unsteadily the bit turns.
+/// Unsteadiness of the bit's rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct StickSlip {
     /// `(max − min)/(2 mean)` of the bit's rotary speed: one where it just stops; none where it
@@ -82,7 +82,7 @@ pub struct Whirl {
     pub length_fraction: f64,
 }
 
-/// What of the rated torque is used.
+/// Used fraction of the rated torque.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TorqueUse {
     /// 95th percentile of the surface torque over the rated torque.
@@ -145,7 +145,7 @@ fn period_s(speed: &(impl Samples + ?Sized), moments: &Moments, interval_s: f64)
     Some((last_rise - first_rise) as f64 * interval_s / periods as f64)
 }
 
-/// What the indicators are made from.
+/// Inputs of the indicators.
 pub(in crate::dynamics) struct Motion<'a> {
     pub mesh: &'a Mesh,
     pub nodes: &'a Profile,
@@ -177,10 +177,9 @@ impl Indicators {
             stick_slip: if m.rotates { StickSlip::of(&speed, &torque, interval_s) } else { None },
             backward_whirl: whirl(-1.0),
             forward_whirl: whirl(1.0),
-            top_drive: m
-                .rated_torque_N_m
-                .zip(Statistic::of(&torque))
-                .map(|(rated, of)| TorqueUse { p95: of.p95 / rated, max: of.max / rated }),
+            top_drive: m.rated_torque_N_m.zip(Statistic::of(&torque)).map(|(rated, torque)| {
+                TorqueUse { p95: torque.p95 / rated, max: torque.max / rated }
+            }),
         }
     }
 }
@@ -210,8 +209,8 @@ mod tests {
 
     const INTERVAL_S: f64 = 0.01;
 
-    fn speeds(of: impl Fn(f64) -> f64) -> Vec<f64> {
-        (0..6000).map(|row| of(f64::from(row) * INTERVAL_S)).collect()
+    fn speeds(speed: impl Fn(f64) -> f64) -> Vec<f64> {
+        (0..6000).map(|row| speed(f64::from(row) * INTERVAL_S)).collect()
     }
 
     /// `Ω (1 + a sin ωt)` has severity `a` and the period `2π/ω`. Sampled, its extremes are met to
@@ -231,8 +230,8 @@ mod tests {
         assert_eq!(steady.period_s, None);
     }
 
-    /// A bit that stands for 2 s of every 5 s and slips at 10 rad/s: stuck for 0.4 of the time,
-    /// severity `10/(2·6)`.
+    /// A bit that is stationary for 2 s of every 5 s and slips at 10 rad/s: stuck for 0.4 of the
+    /// time, severity `10/(2·6)`.
     #[test]
     fn of_a_bit_that_sticks() {
         let speed = speeds(|t| if t.rem_euclid(5.0) < 2.0 { 0.0 } else { 10.0 });

@@ -1,4 +1,4 @@
-//! What is recorded of a run, and what is made of it.
+//! Records of a run and the results computed from them.
 
 pub mod drift;
 pub mod energy;

@@ -1,4 +1,4 @@
-//! What a dynamic run answers.
+//! Results of a dynamic run.
 
 use std::borrow::Cow;
 
@@ -12,7 +12,7 @@ use crate::{
     rod::buckled_element::BuckledElement,
 };
 
-/// How the run was computed and how well.
+/// Method and accuracy of the computation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Numerics {
     /// Number of elements.
@@ -33,9 +33,9 @@ pub struct Numerics {
     #[serde(with = "crate::finite::unsigned_zero")]
     pub max_penetration_m: f64,
     /// Work put in at top drive, hoist and bit less the change of energy and every loss, over the
-    /// largest of them, of the kinetic energy and of what lifts the string by a millimetre: what
-    /// the integration itself gained or lost. From the start of the window. 1, and no parts, in a
-    /// run that diverged.
+    /// largest of them, of the kinetic energy and of the energy that lifts the string by a
+    /// millimetre: the gain or loss of the integration itself. From the start of the window. 1, and
+    /// no parts, in a run that diverged.
     #[serde(with = "crate::finite::unsigned_zero")]
     pub energy_residual: f64,
     /// Its parts; none before the window began and in a run that diverged.
@@ -44,7 +44,8 @@ pub struct Numerics {
     /// Instruction set that the time loop was compiled for.
     pub instructions: Cow<'static, str>,
     /// Time at which the window begins, s: that of its first sample, at the earliest. The time
-    /// reached of a run that settles yet. Not a number in files of versions that did not say.
+    /// reached in a run that is still settling. Not a number in files of versions that did not
+    /// write it.
     #[serde(
         with = "crate::finite::unsigned_zero",
         default = "crate::finite::unknown",
@@ -62,7 +63,8 @@ pub struct Numerics {
         skip_serializing_if = "crate::finite::is_unknown"
     )]
     pub mean_bit_depth_m: f64,
-    /// How far the bit went in the window, m, positive downwards; as [`Self::settle_s`].
+    /// Travel of the bit in the window, m, positive downwards; missing values as for
+    /// [`Self::settle_s`].
     #[serde(
         with = "crate::finite::unsigned_zero",
         default = "crate::finite::unknown",
@@ -97,14 +99,14 @@ pub struct DynamicOutcome {
     pub scalars: Scalars,
     /// Distributions over the window of the scalars that vary, by their name.
     pub statistics: Vec<(&'static str, Statistic)>,
-    /// What the mud did, on average over the window; none without a rheology.
+    /// Means of the mud's effects over the window; none without a rheology.
     pub hydraulics: Option<Hydraulics>,
-    /// How it was computed.
+    /// Method of the computation.
     pub numerics: Numerics,
-    /// What the motion amounts to, in the figures of the field.
+    /// Indicators of the motion that the field uses.
     pub indicators: Indicators,
-    /// How often a bit with a table was where the table is not, over the window; none of another
-    /// bit.
+    /// Count of the bit's excursions outside its table over the window; none for a bit without a
+    /// table.
     pub bit_table: Option<TableUse>,
     /// Profile along the string.
     pub nodes: Profile,

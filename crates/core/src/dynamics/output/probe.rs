@@ -40,16 +40,16 @@ pub struct Probe {
     /// Measured depth with the bit at the operation's depth, m. The nearest node is taken, and
     /// moves with the string.
     pub md_m: f64,
-    /// What is recorded.
+    /// Recorded signal.
     pub signal: NodeSignal,
 }
 
-/// What a probe recorded, one value a sample.
+/// Record of a probe, one value per sample.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Probed {
     /// The node.
     pub node: usize,
-    /// What was recorded.
+    /// Recorded signal.
     pub signal: NodeSignal,
     /// Its samples.
     pub samples: Vec<f64>,

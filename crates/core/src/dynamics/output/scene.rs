@@ -16,7 +16,7 @@ use crate::{
     simd::{number::Real, vector::Vector},
 };
 
-/// What a frame is read from.
+/// Sources of a frame.
 pub(in crate::dynamics) struct Scene<'a, R: Real> {
     pub chain: &'a Chain<R>,
     pub anchors: &'a [Anchor],
@@ -37,7 +37,7 @@ struct View<'a, R: Real, F> {
     tangent: Vector<f64>,
     high: Vector<f64>,
     right: Vector<f64>,
-    /// What a sample says of it: not every signal is there.
+    /// Values of a sample: not every signal is there.
     sample: LazyCell<NodeSample, F>,
 }
 
@@ -89,7 +89,7 @@ impl<R: Real> Scene<'_, R> {
 
     /// A signal of a node.
     pub(in crate::dynamics) fn signal(&self, node: usize, signal: NodeSignal) -> f64 {
-        // Below the bit there is no element: it bears what the node above it does.
+        // Below the bit there is no element: it has the loads of the node above it.
         let node = match signal {
             NodeSignal::VonMisesStress => node.min(self.chain.nodes() - 2),
             _ => node,
@@ -133,9 +133,9 @@ impl<'a, R: Real, F: FnOnce() -> NodeSample> View<'a, R, F> {
     }
 
     /// The mean of the two elements at the node; at the ends there is but one.
-    fn at_ends(&self, of: impl Fn(usize) -> f64) -> f64 {
+    fn at_ends(&self, value: impl Fn(usize) -> f64) -> f64 {
         let above = self.node.saturating_sub(1);
         let below = self.node.min(self.scene.chain.elements() - 1);
-        0.5 * (of(above) + of(below))
+        0.5 * (value(above) + value(below))
     }
 }

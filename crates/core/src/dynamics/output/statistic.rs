@@ -44,7 +44,7 @@ pub struct Statistic {
     pub drifts: bool,
 }
 
-/// What is known of samples without their order: enough of many of them.
+/// Moments of samples, independent of their order; sufficient for large numbers of samples.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::dynamics) struct Moments {
     pub(in crate::dynamics) mean: f64,
@@ -64,8 +64,8 @@ impl Moments {
         let mut ends: Option<[f64; 2]> = None;
         let squares = sum(samples, |_, x| {
             let [min, max] = ends.unwrap_or([x; 2]);
-            let of = |a: f64, b: f64, order| if b.total_cmp(&a) == order { b } else { a };
-            ends = Some([of(min, x, Ordering::Less), of(max, x, Ordering::Greater)]);
+            let extreme = |a: f64, b: f64, order| if b.total_cmp(&a) == order { b } else { a };
+            ends = Some([extreme(min, x, Ordering::Less), extreme(max, x, Ordering::Greater)]);
             (x - mean).powi(2)
         });
         let [min, max] = ends?;
@@ -98,8 +98,8 @@ impl Statistic {
         })
     }
 
-    /// The value below which that part of the samples lies, from 0 to 1, interpolated linearly
-    /// between order statistics; none of an empty slice.
+    /// The value below which the fraction `part` of the samples is found, from 0 to 1, interpolated
+    /// linearly between order statistics; none of an empty slice.
     pub fn percentile(samples: &[f64], part: f64) -> Option<f64> {
         let mut shuffled = samples.to_vec();
         (!samples.is_empty()).then(|| percentile(&mut shuffled, part))
@@ -118,8 +118,8 @@ fn percentiles(samples: &(impl Samples + ?Sized), parts: [f64; 2]) -> [f64; 2] {
 }
 
 /// A percentile of samples, at least one, interpolated linearly between order statistics. The
-/// samples are shuffled until these stand where they would if all were sorted, which takes a
-/// quarter of the time of sorting.
+/// samples are partially sorted until these are at their final positions, which takes a quarter of
+/// the time of sorting.
 pub(in crate::dynamics) fn percentile<T: Copy + Into<f64>>(samples: &mut [T], part: f64) -> f64 {
     let order = |a: &T, b: &T| (*a).into().total_cmp(&(*b).into());
     let place = part * (samples.len() - 1) as f64;

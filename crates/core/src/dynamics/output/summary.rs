@@ -27,7 +27,7 @@ use crate::{
     statics::buckling::Place,
 };
 
-/// What the answer is made from.
+/// Sources of the results.
 pub struct Sources<'a> {
     pub model: &'a Model,
     pub operation: &'a Operation,
@@ -46,7 +46,7 @@ pub struct Sources<'a> {
     pub diverged: bool,
     pub hydraulics: Option<Hydraulics>,
     pub pressures: Option<FlowPressures>,
-    /// What the flow's pressures lengthen each element by, on average, m.
+    /// Mean elongation of each element by the flow's pressures, m.
     pub flow_stretches_m: Option<Vec<f64>>,
     pub instructions: &'static str,
     pub settling: Settling,
@@ -171,7 +171,7 @@ fn indicators_of(s: &Sources<'_>, nodes: &Profile) -> Indicators {
     })
 }
 
-/// How a node goes round the hole.
+/// Adds the circulation of a node round the hole.
 fn push_circling(p: &mut Profile, record: &Record, i: usize) {
     let circling = record.circling(i);
     p.lateral_offset_m.push(record.offset(i));
@@ -179,8 +179,8 @@ fn push_circling(p: &mut Profile, record: &Record, i: usize) {
     p.whirl_coherence.push(circling.coherence);
 }
 
-/// How far above its anchors the string was, on average over the window, m: they stand where the
-/// run ended, the string was where its bit was.
+/// Mean height of the string above its anchors over the window, m: the anchors are those at the end
+/// of the run, the string was at the position of its bit.
 fn back_m(s: &Sources<'_>) -> f64 {
     let bit_depths_m = s.window(BIT_DEPTH);
     ends(&bit_depths_m).map_or(0.0, |[_, last]| last - mean(&bit_depths_m))
@@ -282,7 +282,7 @@ fn window_s(s: &Sources<'_>) -> f64 {
     end_s.map_or(0.0, |end_s| end_s - s.record.window_from_s)
 }
 
-/// The mean rates of what was done in a time.
+/// Mean rates of the work over a time.
 fn rates(work: &[f64], seconds: f64) -> Vec<f64> {
     let rate = |w: &f64| if seconds > 0.0 { w / seconds } else { 0.0 };
     work.iter().map(rate).collect()
@@ -302,7 +302,7 @@ fn deformed(s: &Sources<'_>) -> (Vec<f64>, Vec<f64>) {
     (twist_rad, stretch_m)
 }
 
-/// What the metal and the joints bear.
+/// Loads of the metal and the joints.
 fn load(s: &Sources<'_>, p: &mut Profile) {
     let record = s.record;
     let strength = record.strength();
@@ -341,7 +341,7 @@ fn load(s: &Sources<'_>, p: &mut Profile) {
         p.sag_m.push(record.shapes().sag_m(i));
         p.body_contact_fraction.push(record.shapes().touched(i));
         p.bending_stress_Pa.push(bending.max(between) * strength.per_modulus_m3(i));
-        // Below the bit there is no element: it bears what the node above it does.
+        // Below the bit there is no element: it has the loads of the node above it.
         let bearing = i.min(last - 1);
         let stress_max = record.stress_max(bearing);
         p.von_mises_stress_Pa.push(record.stress(bearing));

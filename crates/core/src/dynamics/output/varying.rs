@@ -36,8 +36,8 @@ pub fn varying_from(history: History<'_>, from: usize) -> [VaryingHistory<'_>; V
 /// by the largest of them and by 10 kN at least, torques by the largest and by 1 kN·m: half a
 /// percent of less than that is nothing that a rig shows.
 pub fn scales<const N: usize>(means: [(DriftScale, f64); N]) -> [f64; N] {
-    let largest = |of: DriftScale, least: f64| {
-        let alike = means.iter().filter(|(scale, _)| *scale == of);
+    let largest = |kind: DriftScale, least: f64| {
+        let alike = means.iter().filter(|(scale, _)| *scale == kind);
         alike.fold(least, |most, (_, mean)| most.max(mean.abs()))
     };
     let (force_N, torque_N_m) = (largest(DriftScale::Force, 1e4), largest(DriftScale::Torque, 1e3));

@@ -1,4 +1,4 @@
-//! Where friction works: along the string and along the hole.
+//! Distribution of friction work along the string and along the hole.
 
 use crate::{
     damage::{Damaged, ensure},
@@ -10,13 +10,13 @@ use crate::{
 
 /// Work of friction since the window began: force times sliding distance, J.
 ///
-/// What a node has done is kept with the node, and distributed over the hole whenever the string
-/// has moved by [`HOLE_STEP_M`].
+/// The friction work of a node is summed at the node, and distributed over the hole whenever the
+/// string has moved by [`HOLE_STEP_M`].
 #[derive(Debug, Clone, serde::Serialize, serde::Deserialize)]
 pub struct Wear {
     /// Of each node.
     string_J: Vec<f64>,
-    /// What of that has been distributed over the hole.
+    /// Part of the work that has been distributed over the hole.
     laid_J: Vec<f64>,
     /// Depth of the bit when that was done, m.
     bit_md_m: f64,
@@ -50,8 +50,8 @@ impl Wear {
         self.bit_md_m = bit_md_m;
     }
 
-    /// Takes up what the chain has summed since its last sample, before that is cleared; all of it,
-    /// J. `md_m` gives the measured depth of a node.
+    /// Adds the chain's sums since its last sample, before they are cleared, and returns their
+    /// total, J. `md_m` gives the measured depth of a node.
     pub fn sample(&mut self, chain: &Chain<impl Real>, md_m: impl Fn(usize) -> f64) -> f64 {
         let all = chain.take_up_wear(&mut self.string_J);
         let bit_md_m = md_m(self.string_J.len() - 1);
@@ -74,8 +74,9 @@ impl Wear {
         now.hole_J.iter().map(|work| work / HOLE_STEP_M).collect()
     }
 
-    /// Distributes over the hole what has not been distributed yet. Each node works on half the way
-    /// to the next one that has done something on either side, at most [`LONGEST_REACH_M`].
+    /// Distributes over the hole the work that has not been distributed yet. The work of each node
+    /// is spread over half the distance to the next working node on either side, at most
+    /// [`LONGEST_REACH_M`].
     fn deposit(&mut self, md_m: impl Fn(usize) -> f64) {
         let working: Vec<(f64, f64)> = (0..self.string_J.len())
             .map(|i| (md_m(i), self.string_J[i] - self.laid_J[i]))

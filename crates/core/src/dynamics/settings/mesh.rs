@@ -1,4 +1,4 @@
-//! How the string is cut into elements, and into regions with steps of their own.
+//! Division of the string into elements, and into regions with different time steps.
 
 use serde::Serialize;
 
@@ -15,13 +15,13 @@ pub enum Regions {
     Auto,
 }
 
-/// How the string is cut into elements, and into regions with steps of their own.
+/// Division of the string into elements, and into regions with different time steps.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MeshSettings {
-    /// Length of the elements. A node stands on tool joints and stabilisers; between them the
+    /// Length of the elements. There is a node at every tool joint and stabiliser; between them the
     /// elements are as near to this as whole numbers allow, rather longer than shorter.
     pub element_length: ElementLength,
-    /// What every length is divided by, given or chosen: 1, and more for convergence studies.
+    /// Divisor of every length, given or chosen: 1, and more for convergence studies.
     pub refinement: u32,
     /// Whether parts of the string have steps of their own.
     pub regions: Regions,

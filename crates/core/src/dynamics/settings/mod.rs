@@ -1,4 +1,4 @@
-//! What a dynamic run needs to know beside the model and the operation.
+//! Settings of a dynamic run in addition to the model and the operation.
 
 pub mod mesh;
 pub mod schedule;
@@ -18,20 +18,19 @@ use crate::{
     wall::{contact::ContactLaw, friction::STRIBECK_SPEED_M_PER_S},
 };
 
-/// How far the mean weight on bit may be from what is requested where nobody says, as a fraction of
-/// it.
+/// Default tolerance of the mean weight on bit, as a fraction of the requested weight.
 pub const WEIGHT_TOLERANCE: f64 = 0.01;
 
-/// How the string lies at time zero.
+/// Initial state of the string at time zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Start {
     /// Laid on its contact side with the tension and torque of the soft string, then settled.
     Prepared,
-    /// On the hole's axis, untwisted and at rest, as [`CentredStart`] says.
+    /// On the hole's axis, untwisted and at rest, as defined by [`CentredStart`].
     Centred,
 }
 
-/// How a centred start begins.
+/// Initial tension of a centred start.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CentredStart {
     /// Tension in the string at time zero.
@@ -51,8 +50,8 @@ impl Default for CentredStart {
 /// Tension of a string that starts centred.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum StartTension {
-    /// What it has hanging in its hole without friction, its weight on the bit included: nothing
-    /// moves along the hole but for what friction and the hoist then do.
+    /// The tension of the string hanging in its hole without friction, with its weight on bit: it
+    /// moves along the hole only through friction and the hoist.
     Static,
     /// None: all of its weight comes on at time zero.
     Cold,
@@ -68,7 +67,7 @@ pub enum Precision {
     Single,
 }
 
-/// How wall friction combines its axial and circumferential parts.
+/// Combination of the axial and circumferential parts of wall friction.
 ///
 /// Both are compiled into the inner loop, and no other can be given: a friction of the caller's own
 /// enters by its coefficients, along the hole by
@@ -84,7 +83,7 @@ pub enum FrictionLaw {
     Independent,
 }
 
-/// How the top of the string is moved along the hole.
+/// Control of the top of the string along the hole.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum HoistControl {
     /// The block follows the bit so that the weight on bit holds its target: [`Autodriller`].
@@ -95,9 +94,9 @@ pub enum HoistControl {
     HookLoad(f64),
 }
 
-/// How the autodriller moves the block: `v = v₀ + K (e + ∫e dt/T_i)` within its limits, `e` the
-/// target less the measured weight on bit through a filter, `v₀` the rate of penetration at the
-/// target.
+/// Control law of the autodriller for the block's velocity: `v = v₀ + K (e + ∫e dt/T_i)` within its
+/// limits, `e` the target less the measured weight on bit through a filter, `v₀` the rate of
+/// penetration at the target.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Autodriller {
     /// `K`: block speed per weight on bit that is missing, m/s/N.
@@ -138,7 +137,7 @@ pub struct HoistLine {
     pub block_mass_kg: f64,
 }
 
-/// How the speed of a top drive is controlled.
+/// Control of a top drive's speed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum SpeedController {
     /// Proportional and integral, with gains as they are.
@@ -172,7 +171,7 @@ pub enum SpeedController {
     },
 }
 
-/// What turns the top of the string.
+/// Drive at the top of the string.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum TopDriveSettings {
     /// The spin follows its set point, whatever torque that takes.
@@ -181,7 +180,7 @@ pub enum TopDriveSettings {
     Driven {
         /// Moment of inertia of everything that turns with the string at its speed, kg·m².
         inertia_kg_m2: f64,
-        /// What holds its speed.
+        /// Controller of its speed.
         controller: SpeedController,
         /// Largest torque that it gives, N·m; `None` sets no limit.
         torque_limit_N_m: Option<f64>,
@@ -233,21 +232,21 @@ impl Default for UntilSteady {
     }
 }
 
-/// Everything that a dynamic run needs beside the model and the operation.
+/// All settings of a dynamic run in addition to the model and the operation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DynamicsSettings {
-    /// How the string is cut.
+    /// Division of the string.
     pub mesh: MeshSettings,
     /// Length of the window that the statistics cover, s.
     pub duration_s: f64,
     /// Simulated time before that window, s; at least, where it is to be steady.
     pub settle_s: f64,
-    /// Where the window is to begin only when the string is steady; none begins it after
+    /// Criteria for a window that begins only when the string is steady; with none it begins after
     /// `settle_s`.
     pub steady: Option<UntilSteady>,
-    /// How the string lies at time zero.
+    /// Initial state of the string at time zero.
     pub start: Start,
-    /// How a centred start begins.
+    /// Initial tension of a centred start.
     pub centred: CentredStart,
     /// Friction law.
     pub friction_law: FrictionLaw,
@@ -263,11 +262,11 @@ pub struct DynamicsSettings {
     pub contact_law: ContactLaw,
     /// Rayleigh damping.
     pub damping: RodDamping,
-    /// Hoist control; `None` takes what the operation requires: the autodriller on bottom, a
+    /// Hoist control; `None` selects the control for the operation: the autodriller on bottom, a
     /// constant block velocity otherwise.
     pub hoist_control: Option<HoistControl>,
-    /// How far the mean weight on bit may be from the operation's under a lift that is
-    /// [tuned](super::tune_hook_load) for it, as a part of it. Raising it takes fewer runs.
+    /// Tolerance of the mean weight on bit under a [tuned](super::tune_hook_load) lift, as a
+    /// fraction of the operation's. A higher one takes fewer runs.
     pub lift_tolerance: f64,
     /// The autodriller, wherever it is in control.
     pub autodriller: Autodriller,
@@ -275,8 +274,8 @@ pub struct DynamicsSettings {
     pub hoist_line: HoistLine,
     /// Top drive.
     pub top_drive: TopDriveSettings,
-    /// What the driller changes in the course of the run. Set points of its lines at time zero
-    /// replace the operation's from the beginning.
+    /// Changes of the set points by the driller during the run. Set points of its lines at time
+    /// zero replace the operation's from the beginning.
     pub schedule: Schedule,
     /// The bit on the rock.
     pub bit: BitSettings,

@@ -1,11 +1,11 @@
-//! What the driller changes during a run: set points against time.
+//! Changes of the set points by the driller during a run, against time.
 
 use serde::{Deserialize, Serialize};
 
 use crate::damage::{Damaged, ensure};
 use crate::operation::Operation;
 
-/// What moves the top of the string along the hole.
+/// Set point of the hoist, which moves the top of the string along the hole.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum HoistSetPoint {
     /// The block moves at a speed, m/s, positive downwards.
@@ -14,7 +14,7 @@ pub enum HoistSetPoint {
     WeightOnBit(f64),
 }
 
-/// One line of the plan: from a time on, what it names goes to its new value and stays there.
+/// One line of the plan: from a time on, its set points go to their new values and stay there.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct ScheduleStep {
     /// When it begins, s from time zero of the run.
@@ -24,11 +24,11 @@ pub struct ScheduleStep {
     pub ramp_s: f64,
     /// Rotary speed at surface, rad/s.
     pub rotary_speed_rad_per_s: Option<f64>,
-    /// What the hoist does.
+    /// Set point of the hoist.
     pub hoist: Option<HoistSetPoint>,
-    /// What the pumps deliver, m³/s.
+    /// Flow rate of the pumps, m³/s.
     pub flow_rate_m3_per_s: Option<f64>,
-    /// What it is called in the table against time.
+    /// Label in the table against time.
     pub note: Option<String>,
 }
 
@@ -62,7 +62,7 @@ pub enum ScheduleFault {
     /// A line begins before the one above it.
     #[error("it begins before the line above it")]
     Order,
-    /// A line names what another one is still ramping, or sets at the same time.
+    /// A line names a set point that another line is still ramping, or sets at the same time.
     #[error("it begins while `{0}` is still on its way to the last set point")]
     Ramping(&'static str),
 }
@@ -123,7 +123,7 @@ impl Schedule {
         None
     }
 
-    /// What the hoist is set to at once at time zero.
+    /// Set point of the hoist at time zero, if a line sets it there at once.
     pub fn hoist_at_time_zero(&self) -> Option<HoistSetPoint> {
         let first = self.steps.iter().filter(|step| step.end_s() <= 0.0);
         first.filter_map(|step| step.hoist).next_back()
@@ -140,9 +140,9 @@ impl Schedule {
         self.steps.iter().find(|step| step.end_s() > 0.0 && step.moves()).map(|step| step.at_s)
     }
 
-    /// The operation's set points as they are at time zero: what the first lines set there at once
-    /// holds from the beginning. Where they move the block, a bit on bottom has no weight yet: it
-    /// touches the rock.
+    /// The operation's set points as they are at time zero: values that the first lines set there
+    /// at once apply from the beginning. Where they move the block, a bit on bottom has no weight
+    /// yet: it touches the rock.
     pub fn at_time_zero(&self, operation: &Operation) -> Operation {
         let mut start = *operation;
         for step in self.steps.iter().filter(|step| step.end_s() <= 0.0) {
@@ -193,7 +193,7 @@ impl Ramp {
         Self::new([from, to], step.at_s, step.ramp_s)
     }
 
-    /// Where it ends.
+    /// End of the ramp.
     pub(in crate::dynamics) fn end(&self) -> f64 {
         self.to
     }
@@ -207,7 +207,7 @@ impl Ramp {
     }
 }
 
-/// What a ramp of the hoist begins from where the set point before it was of the other kind.
+/// Starting point of a ramp of the hoist where the set point before it was of the other kind.
 #[derive(Debug, Clone, Copy)]
 pub struct HoistNow {
     /// Speed of the block, m/s, positive downwards.
@@ -237,8 +237,8 @@ impl SetPoints {
         ensure(holds_all && self.next <= self.steps.len(), "the schedule")
     }
 
-    /// Adds a line, in the order of its time. It takes over from one that is still ramping what it
-    /// names too; times that have passed are now.
+    /// Adds a line, in the order of its time. It replaces a line that is still ramping the same set
+    /// point; a time in the past counts as now.
     ///
     /// # Errors
     /// A time or a set point that is not finite, or a time that is negative.
@@ -323,12 +323,12 @@ impl SetPoints {
         self.speed.at(time_s)
     }
 
-    /// What the pumps deliver, m³/s; none while they do as set before the run.
+    /// Flow rate of the pumps, m³/s; none while it is unchanged since before the run.
     pub fn flow_rate_m3_per_s(&self, time_s: f64) -> Option<f64> {
         self.flow.map(|ramp| ramp.at(time_s))
     }
 
-    /// What the hoist does; none while it does as set before the run.
+    /// Set point of the hoist; none while it is unchanged since before the run.
     pub fn hoist_at(&self, time_s: f64) -> Option<HoistSetPoint> {
         self.hoist.map(|(kind, ramp)| match kind {
             HoistSetPoint::BlockVelocity(_) => HoistSetPoint::BlockVelocity(ramp.at(time_s)),

@@ -31,8 +31,8 @@ impl<R: Real> Run<R> {
         self.state.viscous.as_ref().map_or(0.0, work)
     }
 
-    /// Where energy came from and went since the window began, and the relative residual; none
-    /// before it does, and none of a run that diverged.
+    /// Sources and sinks of energy since the window began, and the relative residual; none before
+    /// it begins, and none for a run that diverged.
     pub(super) fn energy_balance(&self) -> Option<(EnergyBalance, f64)> {
         self.state
             .window_open

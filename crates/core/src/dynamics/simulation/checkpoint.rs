@@ -18,8 +18,8 @@ use crate::{
     simd::wide::Registers,
 };
 
-/// Everything of a run that changes in time, as plain data; what the model, the operation and the
-/// settings determine is found anew.
+/// Everything of a run that changes in time, as plain data; everything that follows from the model,
+/// the operation and the settings is computed anew.
 ///
 /// [`Simulation::resume`](crate::dynamics::Simulation::resume) continues from it and ends with the
 /// same bits as the run that was never written to a checkpoint, in double precision on any
@@ -54,7 +54,7 @@ pub enum ResumeError {
     /// The checkpoint is that of a run with another law or controller of the caller's own.
     #[error(transparent)]
     AnotherExtension(#[from] AnotherExtension),
-    /// What the checkpoint holds does not fit together, or not the model.
+    /// The data of the checkpoint are inconsistent, or do not match the model.
     #[error("the checkpoint cannot be continued: {0}")]
     Damaged(#[from] Damaged),
 }
@@ -82,8 +82,8 @@ impl Checkpoint<'_> {
 }
 
 impl<R: Registers> Run<R> {
-    /// The run as it stands, to be written to a checkpoint: between two calls of [`Self::advance`],
-    /// at any time.
+    /// The present state of the run, to be written to a checkpoint: between two calls of
+    /// [`Self::advance`], at any time.
     pub fn checkpoint(&self) -> Checkpoint<'_> {
         Checkpoint {
             chain: self.chain.converted(),
@@ -108,7 +108,7 @@ impl<R: Registers> Run<R> {
         Self::continued(model, operation, settings, basis, checkpoint)
     }
 
-    /// The same of what its input determines.
+    /// The same, from the data that follow from its input.
     pub(super) fn continued(
         model: &Model,
         operation: &Operation,

@@ -9,7 +9,7 @@
 pub struct Diverged {
     /// When, s.
     pub time_s: f64,
-    /// Where: measured depth of the worst node, m.
+    /// Measured depth of the worst node, m.
     pub md_m: f64,
     /// Which quantity.
     pub quantity: &'static str,

@@ -39,11 +39,11 @@ impl<R: Registers> Run<R> {
     /// string that trips at 0.3 m/s for a minute is then, on average, where a static calculation
     /// has it.
     ///
-    /// `executor` is asked meanwhile whether to go on. It runs the bit in, where there is solid rock,
-    /// and works on it from then on.
+    /// `executor` is polled for a stop request meanwhile. It runs the bit in, where there is solid
+    /// rock, and works on it from then on.
     ///
     /// # Errors
-    /// A setting out of range, a soft string without solution, or an executor that asks to stop.
+    /// A setting out of range, a soft string without solution, or an executor that requests a stop.
     pub fn new(
         model: &Model,
         operation: &Operation,
@@ -54,7 +54,7 @@ impl<R: Registers> Run<R> {
         Self::begin(model, operation, settings, executor, basis)
     }
 
-    /// The same of what its input determines.
+    /// The same, from the data that follow from its input.
     pub(super) fn begin(
         model: &Model,
         operation: &Operation,
@@ -129,7 +129,7 @@ impl<R: Registers> Run<R> {
         .pushing(model.rig.push_N());
         let string = TorsionalString::of(mesh);
         let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
-        // The front on which the bit stands with its first weight.
+        // The rock front under the bit with its first weight.
         let lighter_N = operation.weight_on_bit_now_N() - pressed_N;
         let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);

@@ -1,4 +1,4 @@
-//! What benchmarks and tests of the inner loop reach it by: [`crate::internals`].
+//! Access of benchmarks and tests to the inner loop: [`crate::internals`].
 
 use super::{Either, Simulation, either};
 use crate::{
@@ -8,7 +8,7 @@ use crate::{
 
 /// The inner loop of a simulation by itself.
 pub trait KernelAccess {
-    /// Switches to one of [`instruction_sets`]; with what it has if there is none of that name.
+    /// Switches to one of [`instruction_sets`]; unchanged if there is none of that name.
     fn use_instructions(&mut self, name: &str);
 
     /// Takes `steps` steps of the inner loop alone, the top held where it is: a measure of speed.

@@ -49,8 +49,9 @@ use crate::{
     sizing::ElementLength,
 };
 
-/// Shortest elements that single precision serves, m. Positions are known to 2e-9 m, and what that
-/// strains an element of a metre by pulls with a newton or two in a drill pipe, six in a collar.
+/// Shortest elements that single precision serves, m. Positions are known to 2e-9 m, and the
+/// resulting strain of an element of a metre is a force of a newton or two in a drill pipe, six in
+/// a collar.
 const SHORTEST_M: f64 = 1.0;
 
 impl Precision {
@@ -71,7 +72,7 @@ impl Precision {
         if self == Self::Double {
             return Ok(());
         }
-        // A string that comes to turn the other way stands still between.
+        // A string that reverses its rotation is at rest in between.
         let speed = operation.rotation_rad_per_s();
         let lines = settings.schedule.steps.iter();
         let mut scheduled = lines.filter_map(|line| line.rotary_speed_rad_per_s);
@@ -189,20 +190,20 @@ impl Simulation {
         either!(&mut self.0, run => run.apply_impulse(impulse));
     }
 
-    /// Advances by `seconds`, to the nearest sample. What that leaves is carried over to the next
-    /// call, so that many short calls take as long as their sum. On solid rock, where one may take a long time,
-    /// it ends between two steps if the [executor](Self::set_executor) says stop; the next call goes
-    /// on with that sample, to the same bits.
+    /// Advances by `seconds`, to the nearest sample. The remainder is carried over to the next
+    /// call, so that many short calls take as long as their sum. On solid rock, where one may take
+    /// a long time, it ends between two steps if the [executor](Self::set_executor) requests a
+    /// stop; the next call continues with that sample, to the same bits.
     ///
     /// # Errors
-    /// A run that diverged; what it had sampled before stays available.
+    /// A run that diverged; its earlier samples remain available.
     pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
         either!(&mut self.0, run => run.advance(seconds))
     }
 
-    /// Adds a line to the schedule: set points that go to new values, at once or in a ramp. Its time
-    /// is that of the run; one that has passed is now. It takes over from a line that is still
-    /// ramping what it names too. Checkpoints hold it.
+    /// Adds a line to the schedule: set points that go to new values, at once or in a ramp. Its
+    /// time is that of the run; a time in the past counts as now. It replaces a line that is still
+    /// ramping the same set point. Checkpoints contain it.
     ///
     /// # Errors
     /// A time or a set point that is not finite, or a time that is negative.
@@ -222,10 +223,10 @@ impl Simulation {
     }
 
     /// Sets the kinetic coefficient of friction of each section of the hole from now on: cuttings
-    /// that gather, a mud that lubricates. It reaches them in proportion to time within `ramp_s`,
-    /// in steps of 16 of the run's; the coefficients of static and rotational friction keep their
-    /// ratios to it. Checkpoints hold it. A [`FrictionCoefficient`](super::FrictionCoefficient) is
-    /// told of it as of the section's.
+    /// that gather, a mud that lubricates. The change is linear in time over `ramp_s`, updated
+    /// every 16 steps of the run; the coefficients of static and rotational friction keep their
+    /// ratios to it. Checkpoints contain it. A [`FrictionCoefficient`](super::FrictionCoefficient)
+    /// receives it as the section's coefficient.
     ///
     /// # Errors
     /// Another count than the hole has sections, a coefficient that is negative or not finite, or
@@ -234,27 +235,27 @@ impl Simulation {
         either!(&mut self.0, run => run.set_friction(kinetic, ramp_s))
     }
 
-    /// Begins the window anew and forgets what was sampled before, so that a run of hours takes no
+    /// Begins the window anew and discards the earlier samples, so that a run of hours takes no
     /// more memory than one of minutes: the next sample is the window's first, and the first of
-    /// [`series`](Self::series). What moves does not notice. Called between two calls of
+    /// [`series`](Self::series). The motion is unaffected. Called between two calls of
     /// [`Simulation::advance`].
     pub fn restart_window(&mut self) {
         either!(&mut self.0, run => run.restart_window());
     }
 
-    /// Drops the samples of before a time, s: from [`series`](Self::series), from the map of contact
-    /// and from what probes recorded. The last sample stays, and while the string settles those that
-    /// tell whether it is steady. Statistics of scalars are then those of the samples that are left;
-    /// profiles along the string and the energy remain those of the whole window. What moves does
-    /// not notice.
+    /// Drops the samples of before a time, s: from [`series`](Self::series), from the map of
+    /// contact and from the probes. The last sample stays, and, while the string settles, those
+    /// needed for the test of steadiness. Statistics of scalars are then those of the samples that
+    /// are left; profiles along the string and the energy remain those of the whole window. The
+    /// motion is unaffected.
     pub fn forget(&mut self, before_s: f64) {
         either!(&mut self.0, run => run.forget(before_s));
     }
 
     /// Hands over the first rows of [`series`](Self::series), so that a run of hours takes no more
     /// memory than one of minutes: the caller has kept them, and
-    /// [`outcome_with`](Self::outcome_with) reads them from there. No more than the
-    /// [spare rows](Self::spare_rows) go; what probes recorded stays. What moves does not notice.
+    /// [`outcome_with`](Self::outcome_with) reads them from there. No more than the [spare
+    /// rows](Self::spare_rows) go; the records of probes stay. The motion is unaffected.
     pub fn hand_over(&mut self, rows: usize) {
         either!(&mut self.0, run => run.hand_over(rows));
     }
@@ -266,9 +267,9 @@ impl Simulation {
         either!(&self.0, run => run.outcome_with(earlier))
     }
 
-    /// Gives the top drive another controller from now on; its torque goes on from where it is.
-    /// Checkpoints hold it. False where the drive has no controller of ours: where it follows its
-    /// set point whatever torque that takes, or under a controller of the caller's own.
+    /// Gives the top drive another controller from now on; its torque is continuous. Checkpoints
+    /// contain it. Returns false where the drive has no built-in controller: where it follows its
+    /// set point at any torque, or under a user-defined controller.
     pub fn set_speed_controller(&mut self, controller: SpeedController) -> bool {
         either!(&mut self.0, run => run.set_speed_controller(controller))
     }
@@ -278,15 +279,14 @@ impl Simulation {
         either!(&mut self.0, run => run.set_hoist(control));
     }
 
-    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed
-    /// of a mud motor follow. Without a rheology the mud does nothing to the string, however it
-    /// flows.
+    /// Sets the flow rate of the pumps from now on, m³/s; the pressure drop of the bit and the
+    /// speed of a mud motor follow. Without a rheology the mud's flow has no effect on the string.
     pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
         either!(&mut self.0, run => run.set_flow_rate(flow_m3_per_s));
     }
 }
 
-/// What the run of either precision tells.
+/// Accessors of a run of either precision.
 macro_rules! accessors {
     ($($(#[$meaning:meta])* $name:ident: $of:ty,)+) => {
         impl Simulation {
@@ -301,19 +301,19 @@ macro_rules! accessors {
 }
 
 accessors! {
-    /// The run as it stands, to be written to a checkpoint: between two calls of
+    /// The present state of the run, to be written to a checkpoint: between two calls of
     /// [`Simulation::advance`], at any time.
     checkpoint: Checkpoint<'_>,
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
     outcome: DynamicOutcome,
-    /// Indicators of [`outcome`](Self::outcome), without the rest of it: what takes time there are
-    /// the percentiles.
+    /// Indicators of [`outcome`](Self::outcome), without the rest of it: the percentiles take most
+    /// of the time there.
     indicators: Indicators,
-    /// What was sampled so far, from time zero or where the window was
+    /// The samples so far, from time zero or where the window was
     /// [restarted](Self::restart_window): the last row is that of the last sample.
     series: &TimeSeries,
     /// Rows of [`series`](Self::series) that can be [handed over](Self::hand_over): all but the
-    /// last, and while the string settles those that tell whether it is steady.
+    /// last, and while the string settles those needed for the test of steadiness.
     spare_rows: usize,
     /// Rows that were handed over.
     handed_over: usize,
@@ -335,7 +335,7 @@ accessors! {
     is_on_rock: bool,
     /// Whether the window is yet to begin.
     is_settling: bool,
-    /// Whether the last step asked the top drive for more torque than it gives.
+    /// Whether the last step required more torque than the top drive can supply.
     is_top_drive_stalled: bool,
     /// Step, s.
     time_step_s: f64,

@@ -38,7 +38,7 @@ impl Simulation {
     /// does not depend on who looks.
     ///
     /// # Errors
-    /// A run that diverged; what it had sampled before stays available.
+    /// A run that diverged; its earlier samples remain available.
     pub fn advance_with(
         &mut self,
         seconds: f64,
@@ -58,7 +58,7 @@ impl Simulation {
     /// and [`Simulation::series`] stay available.
     ///
     /// # Errors
-    /// A run that diverged; what it had sampled before stays available.
+    /// A run that diverged; its earlier samples remain available.
     pub fn to_end(&mut self) -> Result<DynamicOutcome, Diverged> {
         self.to_end_with(&mut |_: &Self| ControlFlow::Continue(()))
     }

@@ -68,7 +68,7 @@ pub struct Run<R: Real> {
 }
 
 impl<R: Real> Run<R> {
-    /// The run of what its input determines and of how it stands.
+    /// The run, from the data that follow from its input and from its state.
     pub(super) fn of(
         model: &Model,
         operation: &Operation,
@@ -111,7 +111,7 @@ impl<R: Real> Run<R> {
         settle_s + self.settings.duration_s
     }
 
-    /// Whether the top drive was asked for more torque than it gives.
+    /// Whether more torque was required than the top drive can supply.
     pub fn is_top_drive_stalled(&self) -> bool {
         self.state.top_drive.is_stalled()
     }
@@ -180,9 +180,8 @@ impl<R: Real> Run<R> {
         true
     }
 
-    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed
-    /// of a mud motor follow. Without a rheology the mud does nothing to the string, however it
-    /// flows.
+    /// Sets the flow rate of the pumps from now on, m³/s; the pressure drop of the bit and the
+    /// speed of a mud motor follow. Without a rheology the mud's flow has no effect on the string.
     pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
         self.state.flow_m3_per_s = flow_m3_per_s;
         self.state.bit.set_flow(flow_m3_per_s);
@@ -207,17 +206,18 @@ impl<R: Real> Run<R> {
         }
     }
 
-    /// Advances by `seconds`, to the nearest sample; the next call carries on with the rest. On solid rock, where one may take a long time,
-    /// it ends between two steps if the executor says stop; the next call goes on with that sample.
+    /// Advances by `seconds`, to the nearest sample; the remainder is carried over to the next
+    /// call. On solid rock, where one may take a long time, it ends between two steps if the
+    /// executor requests a stop; the next call continues with that sample.
     ///
     /// # Errors
-    /// A run that diverged; what it had sampled before stays available.
+    /// A run that diverged; its earlier samples remain available.
     pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
         let requested_s = std::mem::take(&mut self.state.remainder_s) + seconds;
         let samples = (requested_s / self.sample_interval_s()).round().max(0.0) as u64;
         for _ in 0..samples {
             if self.steps_of_sample() == 0 {
-                // Until here they are what the last sample saw.
+                // Up to this point they are the values of the last sample.
                 if let Some(friction) = &mut self.state.friction {
                     friction.sums_are_cleared(&self.chain);
                 }
@@ -310,7 +310,7 @@ impl<R: Real> Run<R> {
         (along.scaled(1.0 / along.dot(along).sqrt()), z)
     }
 
-    /// Damps the string by what mass-proportional damping takes in `steps`.
+    /// Applies mass-proportional damping for `steps`.
     fn damp(&mut self, steps: u64) {
         let time = self.time_s();
         let fading = match self.settings.start {
@@ -374,7 +374,7 @@ impl<R: Real> Run<R> {
         self.steps_per_sample as f64 * self.plan.dt_s
     }
 
-    /// What was sampled so far.
+    /// The samples so far.
     pub fn series(&self) -> &TimeSeries {
         &self.state.record.series
     }

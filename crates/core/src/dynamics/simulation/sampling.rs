@@ -1,4 +1,4 @@
-//! What a run notes of itself at each sample.
+//! Records of a run at each sample.
 
 use super::{
     run::Run,
@@ -15,7 +15,7 @@ use crate::{
 };
 
 impl<R: Real> Run<R> {
-    /// Ends a sample: what was summed since the last goes to the record.
+    /// Ends a sample: adds the sums since the last one to the record.
     pub(super) fn sample(&mut self) {
         let time = self.time_s();
         let interval_s = self.sample_interval_s();
@@ -116,8 +116,8 @@ impl<R: Real> Run<R> {
         self.state.settled.is_some()
     }
 
-    /// Begins the window anew, whether it had begun or not, and forgets what was sampled before:
-    /// the next sample is its first. A schedule, and all that moves, goes on.
+    /// Begins the window anew, whether it had begun or not, and discards the earlier samples: the
+    /// next sample is its first. The schedule and the motion continue.
     pub fn restart_window(&mut self) {
         let time_s = self.time_s();
         self.open_window_after(time_s);
@@ -127,10 +127,10 @@ impl<R: Real> Run<R> {
         self.state.record.forget_samples();
     }
 
-    /// Drops the samples of before a time, s, so that a run of hours takes no more memory than one of
-    /// minutes, with the lines of the schedule that were added by hand and were replaced before it.
-    /// The last sample stays, and so do those that the test of steadiness uses while the string
-    /// settles. A schedule, and all that moves, goes on.
+    /// Drops the samples of before a time, s, so that a run of hours takes no more memory than one
+    /// of minutes, with the lines of the schedule that were added by hand and were replaced before
+    /// it. The last sample stays, and so do those that the test of steadiness uses while the string
+    /// settles. The schedule and the motion continue.
     pub fn forget(&mut self, before_s: f64) {
         let needed_s = match self.settling {
             _ if self.state.window_open => 0.0,

@@ -1,4 +1,4 @@
-//! How long a run settles before its window: a given time, or until the string is steady.
+//! Settling of a run before its window: for a given time, or until the string is steady.
 
 use crate::{
     dynamics::{
@@ -16,8 +16,8 @@ use crate::{
     statics::soft::{self, SoftSettings},
 };
 
-/// Time over which the extra damping of a prepared start fades, s: what comes before says nothing
-/// of the string without it.
+/// Time over which the extra damping of a prepared start fades, s: earlier samples do not describe
+/// the string without it.
 pub(in crate::dynamics) const FADING_S: f64 = 5.0;
 
 /// Shortest stretch that is tested, s.
@@ -37,7 +37,7 @@ const MIN_SAMPLES: f64 = 128.0;
 /// Time between two tests, s.
 const TEST_INTERVAL_S: f64 = 1.0;
 
-/// Part of what matters in a window that may be left when it opens.
+/// Remaining fraction of the drift that matters in a window when it opens.
 const LEFT: f64 = 0.2;
 
 /// Standard errors beyond which a change of the spread is no chance. The magnitude of a swing's
@@ -45,16 +45,16 @@ const LEFT: f64 = 0.2;
 /// little.
 const SPREAD_SIGNIFICANT: f64 = 2.0;
 
-/// By how much a string that travels may change besides what the soft string foretells, when it is
-/// steady: the part of its length that it travels, of each scale, for what the soft string does not
-/// know, such as joints that pass a place where the hole begins to bend.
+/// Allowed change of a steady travelling string in addition to the soft string's prediction: the
+/// fraction of its length that it travels, of each scale, for effects that the soft string does not
+/// model, such as joints that pass a place where the hole begins to bend.
 const TRAVEL: f64 = 1.0;
 
-/// Distance over which the soft string is asked what travel changes, m.
+/// Distance over which the soft string predicts the effect of travel, m.
 const FORETOLD_OVER_M: f64 = 2.0;
 
-/// A string that travels, and what it settles at least, s: its place in the hole is chosen before
-/// that is known.
+/// Travel of a travelling string, m, and its minimum settling time, s: its place in the hole is
+/// chosen before that is known.
 const TRAVELS_M: f64 = 1.0;
 const TRAVELS_MIN_S: f64 = 30.0;
 
@@ -69,15 +69,15 @@ pub(in crate::dynamics) enum Settling {
         stretch_s: f64,
         /// Time of the first test, s.
         min_s: f64,
-        /// Time at which it opens whatever the test says, s.
+        /// Time at which the window opens regardless of the test, s.
         max_s: f64,
-        /// What each of the scalars that vary changes by for each metre that the bit goes down the
-        /// hole, in a string that travels; SI.
+        /// Change of each varying scalar per metre that the bit moves down the hole, in a string
+        /// that travels; SI.
         per_metre: [f64; VARYING.len()],
     },
 }
 
-/// How settling ended, where it was to end by itself.
+/// End of the settling, where it was to end by itself.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(in crate::dynamics) struct Settled {
     /// Time of the first sample of the window, s.
@@ -87,7 +87,7 @@ pub(in crate::dynamics) struct Settled {
 }
 
 impl Settling {
-    /// What the settings ask for.
+    /// The settling that the settings require.
     ///
     /// A stretch holds three revolutions and two periods of the lowest torsional motion, and five
     /// seconds at least. It begins when the extra damping or the ramp of the start is over and the
@@ -142,7 +142,7 @@ impl Settling {
         }
     }
 
-    /// How many of the last samples, every `interval_s`, the next test needs at most.
+    /// Maximum number of the last samples, every `interval_s`, that the next test needs.
     pub(in crate::dynamics) fn needed_samples(&self, interval_s: f64) -> usize {
         match *self {
             Self::Fixed(_) => 1,
@@ -150,7 +150,7 @@ impl Settling {
         }
     }
 
-    /// Whether what was sampled so far, every `interval_s`, ends the settling before a window of
+    /// Whether the samples so far, every `interval_s`, end the settling before a window of
     /// `duration_s`; a fixed time never does. It depends on the samples alone, so that a run that
     /// was resumed ends it at the same one.
     pub(in crate::dynamics) fn ends(
@@ -179,9 +179,9 @@ impl Settling {
     }
 }
 
-/// What each of the scalars that vary changes by for each metre that the bit goes down the hole,
-/// the string as long as it is, by the soft string. Zero of what the soft string does not know, and
-/// where it has no answer: all of a drift counts then.
+/// Change of each varying scalar per metre that the bit moves down the hole, for a string of
+/// unchanged length, by the soft string. Zero for scalars that the soft string does not model, and
+/// where it has no solution: a drift then counts in full.
 fn per_metre(model: &Model, operation: &Operation) -> [f64; VARYING.len()] {
     let at = |down_m| soft::scalars_at(model, operation, &SoftSettings::default(), down_m).ok();
     let ends = [-0.5, 0.5].map(|part| at(part * FORETOLD_OVER_M));
@@ -197,8 +197,8 @@ fn per_metre(model: &Model, operation: &Operation) -> [f64; VARYING.len()] {
 
 /// Whether the samples from row `from` on drift by less than a fifth of what matters, in their
 /// means and in their spread, so that a window that is longer than they, of which they are the part
-/// `of_window`, would drift by less, too. What the travel of the bit changes, `per_metre` of it, is
-/// no drift, and a string that travels may change besides by the part of its length that it
+/// `of_window`, would drift by less, too. The change with the bit's travel, `per_metre`, is no
+/// drift, and a travelling string may change in addition by the fraction of its length that it
 /// travels, of each scale.
 fn is_steady(
     series: &TimeSeries,

@@ -1,4 +1,4 @@
-//! What is summed between two samples.
+//! Sums between two samples.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +21,7 @@ pub(super) struct SinceSample {
 }
 
 impl SinceSample {
-    /// Adds what the bit did in `part` of a step; `high` and `right` are the directions across the
+    /// Adds the bit's results in `part` of a step; `high` and `right` are the directions across the
     /// hole there.
     pub(super) fn add_bit(
         &mut self,

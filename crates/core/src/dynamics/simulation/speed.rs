@@ -1,4 +1,4 @@
-//! What the speed of a run is measured with.
+//! Measurement of the speed of a run.
 
 use super::run::Run;
 use crate::{
@@ -11,7 +11,7 @@ use crate::{
 };
 
 impl<R: Registers> Run<R> {
-    /// Switches to one of the instruction sets; with what it has if there is none of that name.
+    /// Switches to one of the instruction sets; unchanged if there is none of that name.
     pub fn use_instructions(&mut self, name: &str) {
         let mut all = Stepper::all(self.abilities).into_iter();
         if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {

@@ -1,4 +1,4 @@
-//! How a run stands.
+//! State of a run.
 
 use serde::{Deserialize, Serialize};
 
@@ -26,9 +26,9 @@ use crate::{
     simd::number::Real,
 };
 
-/// Everything of a run, beside its chain, that changes while it continues: plain data, which a
-/// checkpoint holds as it is. What the model, the operation and the settings determine is found
-/// anew.
+/// All data of a run, apart from its chain, that change while it continues: plain data, which a
+/// checkpoint contains unchanged. Data that follow from the model, the operation and the settings
+/// are computed anew.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct State {
     pub(super) anchors: Vec<Anchor>,
@@ -38,9 +38,9 @@ pub(super) struct State {
     pub(super) body: Body,
     pub(super) bit: Bit,
     pub(super) viscous: Option<Viscous>,
-    /// What the pressure of mud at rest shortens the string by.
+    /// Shortening of the string by the pressure of mud at rest.
     pub(super) squeezed: Squeezed,
-    /// What the pumps deliver, m³/s.
+    /// Flow rate of the pumps, m³/s.
     pub(super) flow_m3_per_s: f64,
     pub(super) rigid_velocity_m_per_s: f64,
     /// Time over which the extra damping of the start fades, s.
@@ -56,7 +56,7 @@ pub(super) struct State {
     pub(super) high: Vec<Rows<f64>>,
     pub(super) ledger: Ledger,
     pub(super) window_open: bool,
-    /// How settling ended that was to end by itself; none as long as it continues.
+    /// End of a settling that was to end by itself; none as long as it continues.
     pub(super) settled: Option<Settled>,
     /// The coefficient of friction where that is the caller's.
     pub(super) friction: Option<WallFriction>,

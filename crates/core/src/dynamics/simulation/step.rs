@@ -1,4 +1,4 @@
-//! A step of a run: of the string, with what acts on it.
+//! A step of a run: of the string and its boundary conditions.
 
 use super::run::Run;
 use crate::{
@@ -67,8 +67,8 @@ impl<R: Real> Run<R> {
         Some(coupled)
     }
 
-    /// Takes a step of the lowest region, or of the whole, with what acts at the bit and on the
-    /// body; the weight on bit, N. Bends are there by `ramp`.
+    /// Takes a step of the lowest region, or of the whole string, with the loads at the bit and on
+    /// the body; returns the weight on bit, N. Bends act with the fraction `ramp`.
     fn step_lowest(&mut self, input: &StepInput, ramp: f64) -> f64 {
         let (dt, last) = (input.dt, self.chain.nodes() - 1);
         let step_start =

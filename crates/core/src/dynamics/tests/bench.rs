@@ -35,7 +35,7 @@ pub const PIPE_M: [f64; 2] = [0.127, 0.1086];
 /// Their collar.
 pub const COLLAR_M: [f64; 2] = [0.1715, 0.0714];
 
-/// What a node may do.
+/// Constraints of a node.
 #[derive(Clone, Copy)]
 pub struct Support {
     pub axial: bool,
@@ -59,8 +59,8 @@ pub struct Bench {
     pub input: StepInput,
     /// Mass-proportional damping to rest, 1/s: none, unless the test sets it.
     pub mass_damping_per_s: f64,
-    /// What turns with the rod: nothing, unless the test puts it there. Bends are all there from
-    /// the start.
+    /// Bends and eccentric masses that turn with the rod: none, unless the test adds them. Bends
+    /// are all there from the start.
     pub body: Body,
     pub model: Model,
     stepper: Stepper,
@@ -145,8 +145,8 @@ impl Bench {
 
     /// The same rod in the regions of its plan.
     pub fn divided(mut self) -> Self {
-        let of = |s: Subcycling| Border { node: s.border_node, parts: s.parts };
-        self.chain = self.chain.divided_at(self.plan.subcycling.map(of));
+        let border = |s: Subcycling| Border { node: s.border_node, parts: s.parts };
+        self.chain = self.chain.divided_at(self.plan.subcycling.map(border));
         self
     }
 
@@ -228,7 +228,7 @@ impl Bench {
         self.mesh.length_m() - self.mesh.nodes[index].from_bit_m
     }
 
-    /// Takes a step; what the rod lost in it.
+    /// Takes a step; returns the losses of the rod.
     pub fn step(&mut self) -> StepLosses {
         self.chain.find_drag(self.input.dt);
         let before = self.body.push(&mut self.chain, &self.input, 1.0);
@@ -248,7 +248,7 @@ impl Bench {
         losses
     }
 
-    /// Frequency, Hz, of what `measure` gives: over `periods` from its first zero. Zeros are
+    /// Frequency, Hz, of the values of `measure`: over `periods` from their first zero. Zeros are
     /// interpolated between steps, of which a period has thousands.
     pub fn frequency_Hz(&mut self, periods: usize, measure: impl Fn(&Self) -> f64) -> f64 {
         let mut zeros = Vec::new();

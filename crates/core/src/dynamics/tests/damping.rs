@@ -87,7 +87,7 @@ fn taken(element_length_m: f64) -> [f64; 3] {
 }
 
 /// Differences over an element see a wave of 96 m by `(sin(kh/2)/(kh/2))²`: 8e-3 less for 4.8 m,
-/// 9e-4 for 1.6 m. All are within the 1 % that is requested, and what is missing is this.
+/// 9e-4 for 1.6 m. All are within the required 1 %, and this explains the deficit.
 #[test]
 fn damping_by_stiffness_knows_no_mesh() {
     for element_length in MESHES_M {
@@ -102,10 +102,7 @@ fn damping_by_stiffness_knows_no_mesh() {
                     over the rod's"
                 ),
             )
-            .relative(
-                0.01,
-                "what is requested; differences over an element see 1 − (kh)²/12 of a wave",
-            )
+            .relative(0.01, "required; differences over an element see 1 − (kh)²/12 of a wave")
             .report(1.0, taken);
             assert!((taken / seen - 1.0).abs() < 1e-3, "{what}: {taken} {seen}");
         }

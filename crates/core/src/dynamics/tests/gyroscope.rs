@@ -12,10 +12,10 @@ use crate::{dynamics::kernel::chain::node, simd::vector::Vector};
 /// both: it swings at the mean of the two, and the plane turns with the spin at half of their
 /// difference, `½ J k² Ω/(m + I k²)`.
 ///
-/// `J = m (D² + d²)/8`; `I` is what the mesh has added to its nodes. The mesh's error is of fourth
-/// order in `kh`, 0.24 for 24 elements: `(kh)⁴/180`, 2e-5 for the swing. That of the plane is five
-/// times as large, for the tilt follows the slope less closely. Both fall to an eighth or less for
-/// twice as many elements.
+/// `J = m (D² + d²)/8`; `I` is the inertia that the mesh adds to its nodes. The mesh's error is of
+/// fourth order in `kh`, 0.24 for 24 elements: `(kh)⁴/180`, 2e-5 for the swing. That of the plane
+/// is five times as large, for the tilt follows the slope less closely. Both fall to an eighth or
+/// less for twice as many elements.
 #[test]
 fn a_spinning_pipe_precesses() {
     let length = 30.0;
@@ -50,7 +50,7 @@ fn a_spinning_pipe_precesses() {
             })
         };
         let frequency = rod.frequency_Hz(10, |rod| place(rod)[0]) * std::f64::consts::TAU;
-        // On to the middle of a swing, where the plane shows best: the first zero came after half a
+        // On to the middle of a swing, where the plane shows best: the first zero was after half a
         // period.
         let quarter = (0.25 * std::f64::consts::TAU / mean / rod.input.dt) as usize;
         for _ in 0..quarter {

@@ -91,7 +91,7 @@ fn a_mass_on_the_line_swings_and_settles() {
     }
 }
 
-/// However long the step, a mass at rest stays where it hangs and weighs what it weighs.
+/// However long the step, a mass at rest stays in place, and the hook load equals its weight.
 #[test]
 fn a_hanging_mass_weighs_what_it_weighs() {
     for dt in [1e-5, 5e-4, 0.1] {
@@ -118,8 +118,8 @@ fn a_mass_follows_the_block() {
     assert_eq!(load.hoist.velocity_m_per_s(), 0.3);
 }
 
-/// Its work is the change of kinetic energy, to rounding, and what damping takes is lost: upward
-/// force on a falling mass is negative work.
+/// Its work is the change of kinetic energy, to rounding, and the energy removed by damping is
+/// booked as lost: upward force on a falling mass is negative work.
 #[test]
 fn work_is_the_change_of_kinetic_energy() {
     for control in [HoistControl::BlockVelocity(0.2), HoistControl::HookLoad(7e4)] {
@@ -189,7 +189,7 @@ fn an_autodriller_follows_its_filter() {
 
 /// With an integral, `v = v₀ + K e (1 − e^(−t/τ) + (t − τ(1 − e^(−t/τ)))/T_i)` for a weight that
 /// stays `e` too small. Against a limit the integral waits: once the weight is right again the
-/// speed is back at once, but for what the filter holds.
+/// speed is back at once, except for the filter's state.
 #[test]
 fn an_autodriller_integrates_and_keeps_to_its_limits() {
     let autodriller = Autodriller {
@@ -218,8 +218,8 @@ fn an_autodriller_integrates_and_keeps_to_its_limits() {
     for _ in 0..30_000 {
         load.step(TARGET.weight_N, 1e-3);
     }
-    // The minute at each limit would have moved an integral that runs on by 0.02 m/s; what is left
-    // of the way there and back moves it by less than a filter's time at each side.
+    // The minute at each limit would have moved an integral without a limit by 0.02 m/s; the
+    // approach and the return move it by less than a filter's time at each side.
     let after = load.hoist.velocity_m_per_s();
     assert!((after - before).abs() < 1e-7 * 300e3 / 20.0, "{before} {after}");
 }

@@ -1,4 +1,4 @@
-//! Eccentric masses: a shaft's critical speed, and what a free rod keeps.
+//! Eccentric masses: a shaft's critical speed, and the conserved quantities of a free rod.
 
 use std::f64::consts::{PI, TAU};
 
@@ -23,7 +23,7 @@ use crate::{
 
 const EAST: Vector<f64> = Vector(1.0, 0.0, 0.0);
 
-/// Where the eccentric mass of a node is.
+/// Direction of the eccentric mass of a node.
 fn heavy_side(rod: &Bench, node: usize) -> Vector<f64> {
     let mut all = rod.body.imbalances(&rod.chain);
     all.find(|(index, _)| *index == node).expect("an eccentric node").1.toward
@@ -40,8 +40,8 @@ fn jeffcott(ratio: f64, zeta: f64, part: f64) -> [f64; 2] {
     rod.support(2, Support::ROLLER);
     // Its middle alone has mass, and its spin is given.
     rod.support(1, Support { spin: false, ..Support::FREE });
-    // The ends tilt by three times the deflection over the length: what little inertia they are
-    // left swings along.
+    // The ends tilt by three times the deflection over the length: their small remaining inertia
+    // moves with them.
     let mut mass = node!(rod.chain, 1, mass_lateral);
     for end in [0, 2] {
         let rotary = rod.rotary_kg_m2(end) / 30.0;
@@ -71,11 +71,11 @@ fn jeffcott(ratio: f64, zeta: f64, part: f64) -> [f64; 2] {
     [with.hypot(behind) / e, behind.atan2(with).to_degrees()]
 }
 
-/// D09: Jeffcott's shaft. The step takes the drag at its beginning, half a step late: as if the
-/// mass were less by `c dt/2`, which moves the critical speed by `ζ ω dt/2`, 7e-4. Beside it the
-/// amplitude is off by 0.4 %, the phase at it by half a degree; half the step halves both, and what
-/// two steps extrapolate to is within 2e-4 and 0.01 degrees. Of the start `exp(-2π ζ 50)`, 2e-7, is
-/// left.
+/// D09: Jeffcott's shaft. The step evaluates the drag at its beginning, half a step late: as if the
+/// mass were less by `c dt/2`, which moves the critical speed by `ζ ω dt/2`, 7e-4. Next to it the
+/// amplitude is off by 0.4 %, the phase at it by half a degree; half the step halves both, and the
+/// extrapolation of two steps is within 2e-4 and 0.01 degrees. Of the start `exp(-2π ζ 50)`, 2e-7,
+/// is left.
 #[test]
 fn an_unbalanced_shaft_whirls_as_jeffcotts() {
     let data = verification("D09_linear_frequencies.json");
@@ -165,9 +165,9 @@ fn free(part: f64, size: f64) -> [f64; 3] {
     worst
 }
 
-/// Momentum is kept to what the passes of the step leave, moment of momentum within 1e-6, falling
-/// with the step, and the energy with an error that falls with the square of the step: by half as
-/// much again as without offsets, which are 8 % and 16 % of the pipe's diameter.
+/// Momentum is conserved up to the remainder of the step's passes, moment of momentum within 1e-6,
+/// falling with the step, and the energy with an error that falls with the square of the step: by
+/// half as much again as without offsets, which are 8 % and 16 % of the pipe's diameter.
 #[test]
 fn a_free_rod_keeps_its_momenta_and_its_energy() {
     for size in [0.01, 0.02] {
@@ -202,9 +202,9 @@ fn an_unbalanced_pipe_swings_by_its_weight() {
     assert!((found / exact - 1.0).abs() < 2e-5, "{found} {exact}");
 }
 
-/// Directions keep their angle in single precision: a step turns them by little, and what it rounds
-/// is kept. The angle of a step has the digits of its spin, of the step and of their product, 9e-8
-/// of itself; without what is kept, directions were off by 2e-7 to 2e-6 of it.
+/// Directions keep their angle in single precision: a step turns them by little, and its rounding
+/// error is kept. The angle of a step has the digits of its spin, of the step and of their product,
+/// 9e-8 of itself; without this remainder, directions were off by 2e-7 to 2e-6 of it.
 #[test]
 fn a_direction_does_not_drift_in_single_precision() {
     let abilities = Abilities { laws: Laws { hertz: true, vector: true }, full: false };

@@ -29,11 +29,11 @@ pub fn section(stiffness: [f64; 4], mass: f64, polar: f64) -> Section {
     }
 }
 
-/// How D07's cantilever swings.
+/// Swinging of D07's cantilever.
 struct Swing {
     /// Time, and how far the tip is out of plane.
     tip: Vec<[f64; 2]>,
-    /// How far the elbow gets out of plane before 12 s.
+    /// Deviation of the elbow from the plane before 12 s.
     elbow: f64,
     /// Largest change of the energy after the load has gone, as a part of it.
     drift: f64,
@@ -81,7 +81,7 @@ fn right_angle(parts: usize) -> Swing {
         }
     }
     let mut swing = Swing { tip: Vec::new(), elbow: 0.0, drift: 0.0 };
-    let (mut time, mut given) = (0.0, None);
+    let (mut time, mut initial) = (0.0, None);
     while time < 31.0 {
         let force = 50.0 * (1.0 - (time - 1.0f64).abs()).max(0.0);
         rod.chain.set_weight(parts, Vector(0.0, 0.0, force));
@@ -94,8 +94,8 @@ fn right_angle(parts: usize) -> Swing {
         if time > 2.1 {
             let dt = rod.input.dt;
             let energy = Energies::of(&rod.chain, &[], &rod.body, None, dt).total();
-            let given = *given.get_or_insert(energy);
-            swing.drift = swing.drift.max((energy / given - 1.0f64).abs());
+            let initial = *initial.get_or_insert(energy);
+            swing.drift = swing.drift.max((energy / initial - 1.0f64).abs());
         }
     }
     swing
@@ -121,8 +121,8 @@ fn a_right_angled_cantilever_swings_out_of_its_plane() {
     assert!((coarse.lowest()[1] / trough[1] - 1.0).abs() < 5e-3);
     assert!(coarse.drift < 2e-4, "{:e}", coarse.drift);
 
-    let shift =
-        "missed: the digitised curve runs ahead, by about as much as fits it best; 0.2 s is asked";
+    let shift = "missed: the digitised curve runs ahead, by about as much as fits it best; \
+                 0.2 s is required";
     let elbow = "missed: the source names the curve the elbow's, but the tip follows it";
     for (quantity, expected, computed, tolerance, reason) in [
         ("first peak of the tip, m", 8.3, peak[1], Tolerance::Absolute(0.3), SOURCE),
@@ -214,8 +214,8 @@ fn arm(parts: usize) -> [f64; 2] {
 /// D08: an arm that is spun up to 6 rad/s. Mass in lumps is thrown out as if the arm were longer:
 /// the stretch errs by `1/2n²` parts of itself, which Richardson's extrapolation takes away. The
 /// source's tolerance is 1 %; 16 elements have 0.12 % and the limit is within 1e-3 of the linear
-/// rod: what is left is the swing that the spin-up leaves. The lag of -0.58 is from memory: 1 % of
-/// it is its last digit.
+/// rod: the rest is the swing after the spin-up. The lag of -0.58 is from memory: 1 % of it is its
+/// last digit.
 #[test]
 fn an_arm_is_stretched_by_its_spin() {
     let data = verification("D08_spin_up.json");

@@ -1,4 +1,4 @@
-//! Verification of what the time loop is made of, driven piece by piece.
+//! Verification of the parts of the time loop, driven piece by piece.
 
 mod beams;
 pub mod bench;

@@ -1,4 +1,4 @@
-//! What mud does to lateral motion: it drags on it and takes part in it.
+//! Effect of mud on lateral motion: drag and added mass.
 
 use super::{
     beams::swing,
@@ -156,7 +156,7 @@ fn mud_takes_part_in_lateral_motion_only() {
 }
 
 /// The mud carried along outside is the concentric annulus's up to a pipe that fills 82 % of its
-/// hole, and five times what the pipe displaces in any tighter one.
+/// hole, and five times the pipe's displaced mass in any tighter one.
 #[test]
 fn added_mass_is_confined_up_to_a_cap() {
     let outside_kg_per_m = |od: f64| {

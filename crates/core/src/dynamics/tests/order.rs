@@ -43,7 +43,7 @@ fn distance(a: [f64; 4], b: [f64; 4]) -> f64 {
 }
 
 /// Successive differences fall to a quarter as the elements or the step are halved: second order,
-/// what a rod with lumped mass and a leapfrog promise.
+/// the order of a rod with lumped mass and a leapfrog scheme.
 #[test]
 fn the_rod_converges_with_the_square_of_element_and_step() {
     let by_mesh = [8, 16, 32, 64].map(|parts| struck(parts, 0.25));

@@ -41,7 +41,7 @@ fn hanging(mode: usize, parts: usize, stiff: bool) -> f64 {
         let weight = GRAVITY_M_PER_S2 * node!(rod.chain, i, mass_axial);
         rod.chain.set_weight(i, Vector(0.0, 0.0, weight));
     }
-    // Stretched by what hangs below, from the top down.
+    // Stretched by the weight below, from the top down.
     let mut down = 0.0;
     for i in 0..parts {
         let section = Section { shear_stiffness_N: 1e30, ..rod.mesh.elements[i].section };
@@ -57,7 +57,8 @@ fn hanging(mode: usize, parts: usize, stiff: bool) -> f64 {
         rod.chain.set_displacement(i + 1, Vector(0.0, 0.0, down));
     }
     let zero = ZEROS[mode];
-    // The stiffness changes the shape by what swings in other modes: longer for more of it.
+    // The stiffness changes the shape by the content of other modes: more periods for a greater
+    // content.
     let periods = if stiff { 2 + 2 * mode } else { 2 };
     swing(&mut rod, periods, |z| {
         let part = ((length - z) / length).max(1e-12);

@@ -14,7 +14,7 @@ const NORMAL_N: f64 = 2000.0;
 const KINETIC: f64 = 0.25;
 const AT_REST: f64 = 0.4;
 
-/// A node that lies on its wall under [`NORMAL_N`] and is pushed along it.
+/// A node on its wall under [`NORMAL_N`] and is pushed along it.
 fn pushed(along_N: f64) -> Chain {
     let (clearance, stiffness) = (0.05, 1e10);
     let mut chain = Chain::new(1);

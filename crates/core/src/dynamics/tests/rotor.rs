@@ -48,9 +48,9 @@ fn whirling(spin: f64, mode: usize, whirl: f64, parts: usize) -> f64 {
         })
 }
 
-/// D09: two modes at three speeds, forwards and backwards, no mass scaling. The source asks 0.1 %;
-/// 30 elements are within 2e-6 and 60 within 3e-7, fourth order until the step shows. The split of
-/// the two directions is within 1e-3 of itself, which is 1e-6 to 1e-5 of the frequencies.
+/// D09: two modes at three speeds, forwards and backwards, no mass scaling. The source requires 0.1
+/// %; 30 elements are within 2e-6 and 60 within 3e-7, fourth order until the step shows. The split
+/// of the two directions is within 1e-3 of itself, which is 1e-6 to 1e-5 of the frequencies.
 #[test]
 fn a_spinning_shaft_whirls_at_its_frequencies() {
     let data = verification("D09_linear_frequencies.json");
@@ -68,7 +68,7 @@ fn a_spinning_shaft_whirls_at_its_frequencies() {
                         elements, rad/s"
                     ),
                 )
-                .relative(within, "three times what mesh and step leave; the source asks 0.1 %")
+                .relative(within, "three times mesh and step error; the source requires 0.1 %")
                 .report(exact[i].abs(), computed);
             }
         }

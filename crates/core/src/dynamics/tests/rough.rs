@@ -85,12 +85,12 @@ fn a_wall_does_not_know_the_mesh() {
     }
 }
 
-/// A node that takes up a new anchor at its reach finds the wall where it had it: within 1e-4 of
+/// A node that gets a new anchor at its reach finds the wall at the same position: within 1e-4 of
 /// the rms for the radius, 2e-6 of it for the axis.
 ///
-/// What the reach leaves out is `(k z)²/2` of the shortest waves' radius and `(k z)³/6` of their
-/// offset, 1e-4 and 5e-7 by its choice; the sum of 32 waves has less of it than its rms, and three
-/// times that at its worst.
+/// The truncation error at the reach is `(k z)²/2` of the shortest waves' radius and `(k z)³/6` of
+/// their offset, 1e-4 and 5e-7 by its choice; the sum of 32 waves has less of it than its rms, and
+/// three times that at its worst.
 #[test]
 fn taking_up_an_anchor_moves_no_wall() {
     let model = model();

@@ -106,9 +106,9 @@ fn growth(rod: &mut Bench, dt: f64, steps: usize) -> f64 {
     most
 }
 
-/// The elements' own bound: no frequency of the whole lies above it, whatever the string, and the
-/// plan uses a stated part of it. It is sharp for uniform pipe, whose shortest wave has both halves
-/// of every node's mass in step.
+/// The elements' own bound: no frequency of the whole exceeds it for any string, and the plan uses
+/// a stated part of it. It is sharp for uniform pipe, whose shortest wave has both halves of every
+/// node's mass in step.
 #[test]
 fn no_frequency_of_the_whole_exceeds_the_elements() {
     let pipe = [(PIPE_M, 100.0)];
@@ -127,8 +127,8 @@ fn no_frequency_of_the_whole_exceeds_the_elements() {
     }
 }
 
-/// How much the kinetic energy of one frequency may swing at the part `S` of its limit:
-/// `1/(1 − S²)`.
+/// Maximum variation of the kinetic energy of one frequency at the fraction `S` of its limit: `1/(1
+/// − S²)`.
 fn swing() -> f64 {
     1.0 / (1.0 - SAFETY * SAFETY)
 }
@@ -142,10 +142,10 @@ fn the_planned_step_is_stable_and_a_tenth_beyond_the_limit_is_not() {
     {
         let rod = || Bench::new(parts, element_length, 0.0);
         let planned = rod().plan.dt_s;
-        let kept = growth(&mut rod(), planned, 20_000);
+        let planned_growth = growth(&mut rod(), planned, 20_000);
         let limit = 2.0 / highest(&rod());
         let lost = growth(&mut rod(), 1.1 * limit, 20_000);
-        assert!(kept < swing(), "{kept}");
+        assert!(planned_growth < swing(), "{planned_growth}");
         assert!(lost.is_infinite(), "{lost}");
     }
 }
@@ -168,8 +168,8 @@ fn damping_shortens_the_step_as_its_formula_says() {
     }
 }
 
-/// Uniform pipe gets no added mass, an assembly up to 0.3 %, and what is reported is what the nodes
-/// weigh more than the steel.
+/// Uniform pipe gets no added mass, an assembly up to 0.3 %, and the reported mass is the excess of
+/// the nodes' mass over that of the steel.
 #[test]
 fn added_mass_is_small_and_reported() {
     for beta in [0.0, 1e-5] {

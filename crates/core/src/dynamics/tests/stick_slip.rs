@@ -15,8 +15,8 @@ use crate::{
     string::Material,
 };
 
-fn number(of: &Value, key: &str) -> f64 {
-    of[key].as_f64().unwrap_or_else(|| panic!("`{key}` is a number"))
+fn number(object: &Value, key: &str) -> f64 {
+    object[key].as_f64().unwrap_or_else(|| panic!("`{key}` is a number"))
 }
 
 #[track_caller]
@@ -89,7 +89,7 @@ impl Disc {
         element!(self.rod.chain, 0, twist = -self.limit / self.stiffness);
     }
 
-    /// Whether the disc, once released, comes to rest within `seconds`.
+    /// Whether the disc, once released, stops within `seconds`.
     fn sticks_again(&mut self, seconds: f64) -> bool {
         self.release();
         let steps = (seconds / self.rod.input.dt) as usize;
@@ -233,7 +233,7 @@ fn a_string_swings_at_its_torsional_frequency() {
     let rod = &mut well.rod;
     rod.support(0, Support::CLAMPED);
     let length = rod.mesh.length_m();
-    // Near its lowest mode; what is in others does not cross zero with the bit's mean.
+    // Near its lowest mode; other modes do not cross zero with the bit's mean.
     let k = 0.5 * std::f64::consts::PI / length;
     for i in 0..rod.chain.nodes() {
         let speed = 1e-3 * (k * rod.z_m(i)).sin();
@@ -285,8 +285,8 @@ fn a_string_breaks_off_at_its_friction() {
             let z = rod.z_m(i);
             let inclination = 60f64.to_radians() * ((z - 1500.0) / 600.0).clamp(0.0, 1.0);
             let half = |element: usize| 0.5 * rod.mesh.elements[element].length_m;
-            // What the elements above and below press on the node, by the radius that each rubs
-            // with.
+            // Parts of the node's contact force from the elements above and below, times the
+            // friction radius of each.
             let part = |element: usize| match element < pipe {
                 true => (light * half(element), slim),
                 false => (heavy * half(element), thick),

@@ -1,4 +1,4 @@
-//! A rod that lies on a wall with dry friction, loaded slowly and unloaded again.
+//! A rod on a wall with dry friction, loaded slowly and unloaded again.
 
 use wholestring_verification::{report_worst, verify};
 
@@ -12,7 +12,7 @@ use crate::{
 /// Time of loading and of unloading, s: a hundred times that of a wave.
 const RAMP_S: f64 = 20.0;
 
-/// What the end of a rod moves by when its load comes on and when it has gone again, `turning`
+/// Displacement of the end of a rod when its load is applied and after it is removed, `turning`
 /// about the axis or along it.
 fn loaded(turning: bool, element_length_m: f64) -> [f64; 2] {
     let data = verification("D10_axial_torsional_waves.json");
@@ -36,7 +36,7 @@ fn loaded(turning: bool, element_length_m: f64) -> [f64; 2] {
     let (mut moved, mut peak) = (0.0, 0.0);
     let steps = (RAMP_S / dt) as usize;
     for step in 0..2 * steps {
-        // It comes to rest at its peak and at its end.
+        // The load's rate is zero at its peak and at its end.
         let part = (std::f64::consts::FRAC_PI_2 * step as f64 / steps as f64).sin().powi(2);
         if turning {
             let kick = part * torque * dt * node!(rod.chain, 0, inv_polar);
@@ -57,8 +57,8 @@ fn loaded(turning: bool, element_length_m: f64) -> [f64; 2] {
 
 /// D10: friction lets a load `F` reach `F/f` into the rod and move its end by `F²/2EAf`; half of
 /// that stays when the load has gone; so it is with a torque. The tolerance is the source's 0.5 %.
-/// The front stands on whole elements, `h/l` of which would be 0.7 % for 5 m; it stops halfway
-/// between two on average, which leaves 0.02 to 0.13 %.
+/// The front is at a whole number of elements, `h/l` of which would be 0.7 % for 5 m; it stops
+/// halfway between two on average, which leaves 0.02 to 0.13 %.
 #[test]
 fn friction_keeps_half_of_what_a_load_has_moved() {
     let data = verification("D10_axial_torsional_waves.json");

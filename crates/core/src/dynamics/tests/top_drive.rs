@@ -12,7 +12,7 @@ use crate::{
     rod::torsion,
 };
 
-/// Small for a top drive, so that what SoftTorque leaves to ring dies away within seconds.
+/// Small for a top drive, so that the oscillation that SoftTorque leaves decays within seconds.
 const INERTIA_KG_M2: f64 = 400.0;
 
 /// The gains of the drive of E02 and E08.
@@ -59,13 +59,13 @@ fn size(a: Complex) -> f64 {
 fn reflection(gains: &Gains, pipe: f64, omega: f64) -> f64 {
     let control = (gains.proportional_N_m_s, -gains.integral_N_m / omega);
     let stiff = plus(control, (0.0, INERTIA_KG_M2 * omega));
-    let giving = gains.shown.map_or((1.0, 0.0), |shown| {
+    let divisor = gains.shown.map_or((1.0, 0.0), |shown| {
         let pass = over((0.0, omega), (shown.corner_rad_per_s, omega));
-        let heard = times(control, pass);
+        let feedback = times(control, pass);
         let z = shown.impedance_N_m_s;
-        plus((1.0, 0.0), (heard.0 / z, heard.1 / z))
+        plus((1.0, 0.0), (feedback.0 / z, feedback.1 / z))
     });
-    let drive = over(stiff, giving);
+    let drive = over(stiff, divisor);
     size(over(plus(drive, (-pipe, 0.0)), plus(drive, (pipe, 0.0))))
 }
 
@@ -73,9 +73,9 @@ const ELEMENT_M: f64 = 25.0;
 const WAVE_M_PER_S: f64 = 3178.35;
 
 /// Reflection of a pulse at the top drive, measured at each frequency, Hz: the pipe is so long that
-/// nothing comes back from its lower end. A pulse that runs up is split into what goes up and what
-/// comes down at an element below the top, `(Ω ∓ T/Z)/2`, by the Fourier transforms of its speed
-/// and torque.
+/// no reflection returns from its lower end. A pulse that runs up is split into its upward and
+/// downward parts at an element below the top, `(Ω ∓ T/Z)/2`, by the Fourier transforms of its
+/// speed and torque.
 fn measured(
     controller: SpeedController,
     frequencies_Hz: &[f64],
@@ -128,9 +128,9 @@ fn measured(
     (Gains::of(controller, INERTIA_KG_M2, string), pipe, found)
 }
 
-/// What the drive sends back of a torsional wave, at seven frequencies, for each controller. The
-/// implicit step errs in proportion to its length, by 0.0017 at 1 ms where SoftTorque takes all,
-/// and by half of that at half of it. A stiff controller sends nearly all back; SoftTorque least at
+/// Reflection of a torsional wave at the drive, at seven frequencies, for each controller. The
+/// implicit step errs in proportion to its length, by 0.0017 at 1 ms where SoftTorque absorbs all,
+/// and by half of that at half of it. A stiff controller reflects nearly all; SoftTorque least at
 /// the frequency that it is tuned to; Z-Torque little over a band.
 #[test]
 fn waves_are_thrown_back_as_the_impedances_say() {
@@ -172,7 +172,7 @@ fn boundless_gains_are_a_constant_speed() {
     }
 }
 
-/// Two ends with a spring between; the lower one is held until it is let go.
+/// Two ends with a spring between; the lower one is held until released.
 fn held(stiffness: f64) -> Chain {
     let mut chain = Chain::new(2);
     element!(chain, 0, torsion = stiffness);

@@ -1,4 +1,4 @@
-//! What a viscous mud does to motion along the hole and about the axis.
+//! Effect of a viscous mud on motion along the hole and about the axis.
 
 use nalgebra::Vector3;
 
@@ -79,7 +79,7 @@ impl Wet {
     /// Angular momentum over moment of inertia, rad/s.
     fn mean_spin(&self) -> f64 {
         let chain = &self.bench.chain;
-        let sum = |of: &dyn Fn(usize) -> f64| (0..chain.nodes()).map(of).sum::<f64>();
+        let sum = |term: &dyn Fn(usize) -> f64| (0..chain.nodes()).map(term).sum::<f64>();
         sum(&|i| node!(chain, i, polar) * node!(chain, i, spin)) / sum(&|i| node!(chain, i, polar))
     }
 
@@ -96,12 +96,13 @@ fn spin_drag_and_inertia(wet: &Wet) -> (f64, f64) {
     (drag, section.polar_inertia_kg_m)
 }
 
-/// A free string that spins in a Newtonian mud comes to rest as `exp(−kt/J)`,
-/// `k = 4πμ a²R²/(R² − a²)` and `J` per metre, whatever its elements.
+/// A free string that spins in a Newtonian mud slows down as `exp(−kt/J)`, `k = 4πμ a²R²/(R² − a²)`
+/// and `J` per metre, whatever its elements.
 ///
-/// The step takes the drag at its beginning, an error of `(k/J)² t dt/2`, up to 8e-4. The
-/// neighbours of the two ends bear their share and run ahead of the mean by 1e-4; a fifth of that
-/// is left in it. Meshes of 1.6, 3.2 and 4.8 m agree within their steps' errors, far within 1 %.
+/// The step evaluates the drag at its beginning, an error of `(k/J)² t dt/2`, up to 8e-4. The
+/// neighbours of the two ends carry the ends' share, so the ends are ahead of the mean by 1e-4, a
+/// fifth of which remains in it. Meshes of 1.6, 3.2 and 4.8 m agree within their steps' errors, far
+/// within 1 %.
 #[test]
 fn spin_down_follows_the_closed_form_on_every_mesh() {
     let mut left = vec![];
@@ -125,8 +126,8 @@ fn spin_down_follows_the_closed_form_on_every_mesh() {
     assert!(high / low - 1.0 < 0.01, "{left:?}");
 }
 
-/// In a Bingham mud it comes to rest as `J s' = −T(s)` has it, with Reiner and Riwlin's torque,
-/// integrated by Runge and Kutta's rule.
+/// In a Bingham mud it slows down by `J s' = −T(s)`, with Reiner and Riwlin's torque, integrated by
+/// Runge and Kutta's rule.
 ///
 /// The drag is found anew every 16 steps (10 ms) where the motion has changed by 1 %. Torque over
 /// spin lags behind a spin that falls from 10 rad/s in less than a second, so that the spin is up
@@ -163,9 +164,9 @@ fn a_yield_point_brings_a_string_to_rest() {
     assert!(found.abs() < 0.05, "{found} rad/s is left");
 }
 
-/// A heavy string that falls in a Newtonian mud reaches `v = w/c`,
-/// `c = 2πμ(R² + a²)/((R² + a²) ln(R/a) − R² + a²)`, as `v (1 − exp(−ct/m))`: the drag of a pipe
-/// that pushes aside what it displaces. At first order in the step.
+/// A heavy string that falls in a Newtonian mud reaches `v = w/c`, `c = 2πμ(R² + a²)/((R² + a²)
+/// ln(R/a) − R² + a²)`, as `v (1 − exp(−ct/m))`: the drag of a pipe that displaces its own volume
+/// of mud. At first order in the step.
 #[test]
 fn a_falling_string_reaches_its_terminal_velocity() {
     let weight = 100.0;
@@ -179,7 +180,7 @@ fn a_falling_string_reaches_its_terminal_velocity() {
     for part in [0.5, 2.0] {
         wet.go(part / rate - wet.time_s());
         let found = wet.bench.chain.velocity(wet.middle()).2;
-        // Velocities stand half a step late.
+        // Velocities are those half a step later.
         let expected = weight / drag * (1.0 - (-rate * wet.time_s()).exp());
         assert!(
             (found / expected - 1.0).abs() < first_order,

@@ -20,7 +20,7 @@ fn rows(name: &str) -> Vec<Value> {
     verification(name)["rows"].as_array().expect("rows").clone()
 }
 
-/// What a row of the table says of a number but for the number.
+/// Description of a number in a row of the table, without the number.
 #[derive(Clone, Copy)]
 struct Claim<'a> {
     case: &'a str,
@@ -38,8 +38,9 @@ impl<'a> Claim<'a> {
 /// Steps at which a pipe in its hole is moved: that of a string and one that resolves more.
 const STEPS_S: [f64; 2] = [USUAL_STEP_S, 1e-4];
 
-/// How far a pipe sinks into the rock, and with it what is found at either step.
-const SINKS: &str = "it sinks into the rock by up to 6e-4 of its clearance; the source asks 1 %";
+/// Penetration of a pipe into the rock, with the results at either step.
+const SINKS: &str =
+    "it sinks into the rock by up to 6e-4 of its clearance; the source requires 1 %";
 
 /// A node of 50 kg in a straight hole along the third axis, as Hertz's steel on rock.
 struct Pipe {
@@ -162,9 +163,9 @@ fn named(row: &Value) -> String {
     format!("{geometry} at {} rev/min", row["rpm"])
 }
 
-/// E03's condition: the whirl lasts where friction can give what slows it, `μ N` or more, and dies
+/// E03's condition: the whirl lasts where friction can balance the drag, `μ N` or more, and dies
 /// where it cannot. A drag `c v` slows it here; `μ m (Ω r)²/(R − r) = c Ω r` is the limit, and 2 %
-/// on either side decide: what a whirl lacks or has over it grows e-fold in `(R − r)/(μ Ω r)`, a
+/// on either side decide: the deficit or excess of a whirl grows e-fold in `(R − r)/(μ Ω r)`, a
 /// quarter of a second.
 #[test]
 fn backward_whirl_needs_its_friction() {
@@ -187,7 +188,7 @@ fn backward_whirl_needs_its_friction() {
                     "a drag 2 % above the limit",
                     0.0,
                     0.1,
-                    "what five seconds, twenty e-folds, leave of a whirl that dies",
+                    "remainder of a dying whirl after five seconds, twenty e-folds",
                 ),
             };
             verify("E03", format!("{}: whirl under {quantity} over the rolling one", named(&row)))
@@ -283,7 +284,8 @@ fn a_pipe_swings_across_the_low_side() {
                         "{way} in {medium}: radius {outer} m in one of {hole} m at {inclination}°, rad/s"
                     ),
                     within: 5e-4,
-                    reason: "2° of swing, 8e-5, and sinking into the rock, 2e-4; the source asks 1 %",
+                    reason: "2° of swing, 8e-5, and sinking into the rock, 2e-4; the source \
+                             requires 1 %",
                 };
                 report_worst(found.map(|found| claim.row(expected, found)));
             }
@@ -308,7 +310,7 @@ fn swings_Hz(pipe: &mut Pipe) -> f64 {
 }
 
 /// A blow against the wall: deepest penetration, duration, largest force and the part of the speed
-/// that is given back. `phase` says where in a step it meets the wall.
+/// that is given back. `phase` is the part of a step at which it meets the wall.
 fn impulse(
     mass_kg: f64,
     speed: f64,
@@ -346,8 +348,8 @@ fn impulse(
 
 /// E06: a node that strikes the wall is Hertz's impact where the step resolves it: depth, duration
 /// and force within the file's 1 % at a two-thousandth of the blow (the loss is first-order in the
-/// step). At the usual step nothing is resolved: what is given back is stated, and is what the book
-/// says.
+/// step). At the usual step nothing is resolved: the restitution is stated, and agrees with the
+/// reference.
 #[test]
 fn a_node_strikes_the_wall_as_hertz_says() {
     const STIFFNESS: f64 = 27_415_000_000.0;

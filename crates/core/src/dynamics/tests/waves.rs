@@ -34,9 +34,9 @@ fn speed(rod: &Bench, kind: Kind, i: usize) -> f64 {
 }
 
 /// D09: three modes of 1000 m, held at the top, free at the bottom. Mass in lumps and time in steps
-/// near the limit err by opposite dispersion; what is left is `(kh)²/24 (1 − S²)`, `S` the distance
-/// that a wave runs in a step over the element's length: 1e-5 and 1.7e-4 for the third mode and 100
-/// elements.
+/// near the limit err by opposite dispersion; the remaining error is `(kh)²/24 (1 − S²)`, `S` the
+/// distance that a wave runs in a step over the element's length: 1e-5 and 1.7e-4 for the third
+/// mode and 100 elements.
 #[test]
 fn a_hanging_pipe_rings_at_its_frequencies() {
     let data = verification("D09_linear_frequencies.json");
@@ -70,7 +70,7 @@ fn a_hanging_pipe_rings_at_its_frequencies() {
     }
 }
 
-/// Where a pulse is and how much of it.
+/// Position and size of a pulse.
 struct Pulse {
     sum: f64,
     middle_m: f64,
@@ -122,8 +122,8 @@ fn run(rod: &mut Bench, seconds: f64) -> f64 {
 }
 
 /// D10: speed, impedance, reflection and transmission at the joint of pipe and collar. Its
-/// tolerance is 0.5 %. Sums over a pulse know nothing of dispersion, which changes its shape alone:
-/// the bound of 1e-5 is what its tails leave (4e-7 was measured).
+/// tolerance is 0.5 %. Sums over a pulse are not affected by dispersion, which changes its shape
+/// alone: the bound of 1e-5 is the error of its tails (4e-7 was measured).
 #[test]
 fn pulses_run_and_are_thrown_back_as_their_impedances_say() {
     let expected = &verification("D10_axial_torsional_waves.json")["expected"];
@@ -157,7 +157,8 @@ fn pulses_run_and_are_thrown_back_as_their_impedances_say() {
         };
         holds("speed, m/s", found, c, 1e-5);
 
-        // The pulse presses: what is behind it is pulled by −Z v. In torsion the chain's own sign.
+        // The pulse is compressive: the part behind it is pulled by −Z v. In torsion the chain's
+        // own sign.
         let load: f64 = (0..rod.chain.elements())
             .map(|i| match kind {
                 Kind::Axial => -element!(rod.chain, i, tension),
@@ -225,7 +226,7 @@ fn slip_front(element_length_m: f64) -> (f64, f64) {
         node!(rod.chain, i, clearance = clearance);
         node!(rod.chain, i, friction = 0.5);
         node!(rod.chain, i, stiffness = k);
-        // Where the wall carries it.
+        // Position at which the wall carries it.
         let off = clearance + (load / k).powf(2.0 / 3.0);
         rod.chain.set_displacement(i, Vector(off, 0.0, 0.0));
         let axial = i > 0;

@@ -49,9 +49,9 @@ fn newtonian_mud_is_exact() {
     let torque = 4.0 * PI * viscosity * 7.0 * a2 * r2 / (r2 - a2);
     close("torque", -turned.torque_N(7.0), torque, 1e-12);
 
-    // A pipe that is run in pumps what it displaces and drags mud down: superposed, Couette's flow
-    // along the pipe carries `v π ((R² − a²)/(2 log) − a²)` down, so that the pressure must drive
-    // that up as well.
+    // A pipe that is run in pumps its displaced volume and drags mud down: superposed, Couette's
+    // flow along the pipe carries `v π ((R² − a²)/(2 log) − a²)` down, so that the pressure must
+    // drive that up as well.
     let v = 0.5;
     let run = GAP.drag(&mud, &moving(v, 0.0, 0.0));
     let couette = v * PI * ((r2 - a2) / (2.0 * log) - a2);
@@ -132,8 +132,8 @@ fn slots_meet_their_closed_forms() {
 }
 
 /// Helical flow: with the stresses that were found, the velocities integrated across the gap in
-/// 20000 steps meet the pipe's velocity, its spin and the flow rate. What the points of the
-/// quadrature miss is within 1e-4 of the largest.
+/// 20000 steps meet the pipe's velocity, its spin and the flow rate. The error of the quadrature is
+/// within 1e-4 of the largest.
 #[test]
 fn helical_flow_meets_its_three_conditions() {
     for rheology in [BINGHAM, POWER_LAW] {
@@ -159,14 +159,14 @@ fn helical_flow_meets_its_three_conditions() {
                 spin -= fluidity * around / r * h;
             }
             let area = PI * (HOLE_M * HOLE_M - PIPE_M * PIPE_M);
-            let wanted =
+            let expected =
                 [motion.flow_m3_per_s / area, motion.axial_m_per_s, motion.spin_rad_per_s * PIPE_M];
             let found = [flow / area, velocity, spin * PIPE_M];
-            let largest = wanted.iter().fold(0.0f64, |m, w| m.max(w.abs()));
-            for (found, wanted) in found.iter().zip(wanted) {
+            let largest = expected.iter().fold(0.0f64, |m, w| m.max(w.abs()));
+            for (found, expected) in found.iter().zip(expected) {
                 assert!(
-                    (found - wanted).abs() < 1e-4 * largest,
-                    "{rheology:?} {motion:?}: {found} for {wanted}"
+                    (found - expected).abs() < 1e-4 * largest,
+                    "{rheology:?} {motion:?}: {found} for {expected}"
                 );
             }
         }
@@ -233,10 +233,10 @@ fn turbulent_flow_takes_the_friction_factors_gradient() {
     close("torque", found, wendt, 1e-9);
 }
 
-/// Where the flow up the hole turns turbulent, every mud's gradient is its laminar one times what
-/// API RP 13D has for a slot at Metzner and Reed's Reynolds number: laminar up to 3470 − 1370 n,
-/// turbulent from 4270 − 1370 n on, halfway the mean of the two frictions. Exact but for the root
-/// that finds the laminar gradient.
+/// Where the flow up the hole turns turbulent, every mud's gradient is its laminar one times the
+/// ratio of API RP 13D for a slot at Metzner and Reed's Reynolds number: laminar up to 3470 − 1370
+/// n, turbulent from 4270 − 1370 n on, halfway the mean of the two frictions. Exact but for the
+/// root that finds the laminar gradient.
 #[test]
 fn the_transition_is_that_of_api_rp_13d() {
     let newtonian = Rheology::Newtonian { viscosity_Pa_s: 0.03 };

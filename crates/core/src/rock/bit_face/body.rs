@@ -1,4 +1,4 @@
-//! What carries the cutters: blades, or the whole face.
+//! Body that carries the cutters: blades, or the whole face.
 
 use std::f64::consts::TAU;
 
@@ -6,14 +6,14 @@ use nalgebra::Vector3;
 
 use super::profile::Profile;
 
-/// The bit's body: all that lies behind the profile by an offset, and gauge pads; of a bladed bit
-/// the part of it that lies within a blade's width behind the cutters.
+/// The bit's body: the region behind the profile by an offset, and gauge pads; for a bladed bit
+/// only the part of it within a blade's width behind the cutters.
 ///
 /// The floor between the blades is not there: rock that gets as deep as a blade is high has no
 /// place in this model.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Body {
-    /// How far the cutters stand out of it, m.
+    /// Exposure of the cutters in front of it, m.
     pub offset_m: f64,
     /// Radius of the gauge pads, m.
     pub pad_radius_m: f64,
@@ -21,7 +21,7 @@ pub(super) struct Body {
 }
 
 /// Blades at even angles. The front of the first one is at the angle `−lag r`, and the tips of its
-/// cutters stand above it.
+/// cutters are above it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Blades {
     pub count: usize,
@@ -36,9 +36,9 @@ impl Blades {
         TAU * blade as f64 / self.count as f64 - self.lag_rad_per_m * radius_m
     }
 
-    /// Depth below the front or the back of the nearest blade, m, with the way out; nothing where
-    /// the blades have grown together; `None` beside a blade. Exact for straight blades; of curved
-    /// ones to the first order.
+    /// Depth below the front or the back of the nearest blade, m, with the shortest direction out;
+    /// nothing where the blades have merged; `None` outside a blade. Exact for straight blades; of
+    /// curved ones to the first order.
     fn depth(&self, radius_m: f64, angle_rad: f64) -> Option<Option<(f64, [f64; 2])>> {
         let pitch = TAU / self.count as f64;
         if self.width_m >= radius_m * pitch {
@@ -74,7 +74,7 @@ impl Body {
         if face.0 <= pad.0 { face } else { pad }
     }
 
-    /// How deep a point of the bit's frame is inside, m, and the shortest way out.
+    /// Depth of a point of the bit's frame inside the body, m, and the shortest direction out.
     pub(super) fn depth(
         &self,
         profile: &Profile,

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-/// Heights of a bottom by rings and sectors: the mean of what was put into each cell.
+/// Heights of a bottom by rings and sectors: the mean of the values added to each cell.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BottomHole {
     radii_m: [f64; 2],

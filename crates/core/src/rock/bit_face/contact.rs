@@ -5,16 +5,16 @@ use serde::{Deserialize, Serialize};
 
 use super::{face::BitFace, pose::Pose};
 
-/// How the face pushes back and rubs.
+/// Contact force and friction of the face.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ContactLaw {
     /// Pressure per depth of penetration, Pa/m; times a node's area it is the stiffness that holds
-    /// the node. It stands for the rock that is crushed within an element. Any is stable; more lets
-    /// less penetrate.
+    /// the node. It represents the rock that is crushed within an element. Any value is stable; a
+    /// greater one allows less penetration.
     pub stiffness_Pa_per_m: f64,
-    /// Damping against that of a node on this stiffness that does not swing. Default 0: what it
-    /// takes grows with the speed and the density, also where that is scaled. More keeps nodes from
-    /// bouncing.
+    /// Damping against that of a node on this stiffness that does not swing. Default 0, because its
+    /// dissipation grows with the speed and the density, also where that is scaled. A greater value
+    /// keeps nodes from bouncing.
     pub damping_ratio: f64,
     /// Coefficient of friction between the face and the rock. Default 0.3.
     pub friction: f64,
@@ -22,8 +22,8 @@ pub struct ContactLaw {
 
 impl ContactLaw {
     /// The defaults for a rock of this unconfined strength in elements of this size: the pressure
-    /// is the strength at a 25th of an element. Stiffer, an element breaks as soon as a cutter
-    /// meets it, however little of it is in the way, and bears less weight.
+    /// is the strength at a 25th of an element. With a greater stiffness an element breaks as soon
+    /// as a cutter meets it, however little of it is in the way, and carries less weight.
     pub fn for_rock(ucs_Pa: f64, element_m: f64) -> Self {
         Self { stiffness_Pa_per_m: 25.0 * ucs_Pa / element_m, damping_ratio: 0.0, friction: 0.3 }
     }
@@ -42,16 +42,16 @@ pub struct RockNode {
     pub mass_kg: f64,
 }
 
-/// What the rock does to the bit in a step, and where the energy goes. Works are exact for a step
+/// Forces of the rock on the bit in a step, and the balance of energy. Works are exact for a step
 /// that gives the velocities `dt F/m`: force times the mean of the velocities before and after. The
-/// four add up to nothing.
+/// four sum to zero.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct BitLoad {
     /// Force on the bit, N.
     pub force_N: Vector3<f64>,
     /// Moment on the bit about its reference point, N·m.
     pub moment_N_m: Vector3<f64>,
-    /// Work done on the bit, J, moving as its pose says.
+    /// Work done on the bit, J, for the motion of its pose.
     pub work_on_bit_J: f64,
     /// Work done on the nodes, J.
     pub work_on_nodes_J: f64,
@@ -69,15 +69,15 @@ pub struct BitLoad {
 /// as far in one step, and would be met in the next.
 const NEAR_M: f64 = 2e-3;
 
-/// A face in a step of the rock, and what the nodes that it has met did to the bit.
+/// A face in a step of the rock, and the forces of the touched nodes on the bit.
 ///
 /// With the penetration `α` and the closing speed `v` at the step's end without the face, the node's
 /// mass `m` and area `A`, and the law's stiffness `K` and damping ratio `D`, the normal force is
 ///
 #[doc = include_str!("../../../equations/face-contact.html")]
 ///
-/// and never takes more than all penetration away. Friction is the smaller of `μ N` and what stops
-/// the sliding. The motion of the bit within the step is taken to the first order. Theory:
+/// and never more than removes all penetration. Friction is the smaller of `μ N` and the force that
+/// stops the sliding. The motion of the bit within the step is taken to the first order. Theory:
 /// `docs/src/theory/bit-face.md`.
 #[derive(Debug, Clone, Copy)]
 pub struct Contact<'a> {
@@ -86,7 +86,7 @@ pub struct Contact<'a> {
     law: &'a ContactLaw,
     dt_s: f64,
     axis: Vector3<f64>,
-    /// The cylinder around the face, with what a step may bring in.
+    /// The cylinder around the face, with a margin for the motion in a step.
     z_m: [f64; 2],
     radius2_m2: f64,
     load: BitLoad,
@@ -117,9 +117,9 @@ impl<'a> Contact<'a> {
         z <= low && z >= high && arm.norm_squared() - z * z <= self.radius2_m2
     }
 
-    /// The force of the face on a node, N, its reaction booked; none on one that does not touch.
-    /// Sums run in the order of the calls. Of a node that touches it asks `area_m2`, its part of
-    /// the surface, m².
+    /// The force of the face on a node, N, with its reaction booked; none on one that does not
+    /// touch. Sums run in the order of the calls. For a node that touches, `area_m2` returns its
+    /// part of the surface, m².
     #[inline]
     pub fn touch(
         &mut self,
@@ -167,7 +167,7 @@ impl<'a> Contact<'a> {
         Some(force)
     }
 
-    /// What the nodes that touched did to the bit.
+    /// Forces on the bit of the nodes that touched.
     pub fn load(&self) -> BitLoad {
         self.load
     }

@@ -1,4 +1,4 @@
-//! A cutter or an insert: a tip that stands on the profile.
+//! A cutter or an insert, whose tip is on the profile.
 
 use std::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ use super::{profile::ProfilePoint, revolved::Revolved};
 pub struct Cutter {
     /// The blade that carries it, or the row of inserts.
     pub blade: usize,
-    /// Where it touches the profile, m.
+    /// Point of contact with the profile, m.
     pub tip_m: Vector3<f64>,
     /// Direction of the profile's normal there, into the rock.
     pub normal: Vector3<f64>,
@@ -35,8 +35,8 @@ pub struct Cutter {
     pub(super) lines: Vec<Vec<Vector3<f64>>>,
 }
 
-/// How far off the axis the first track is, of the spacing of the tracks: near enough for its
-/// cutter to cut the axis.
+/// Distance of the first track from the axis as a fraction of the tracks' spacing: near enough for
+/// its cutter to cut the axis.
 pub(super) const OFF_AXIS: f64 = 0.25;
 
 /// Points of a circle around a cutter. On one of 8 mm the straight lines between them are within
@@ -61,7 +61,7 @@ fn around(angle_rad: f64) -> (Vector3<f64>, Vector3<f64>) {
     (Vector3::new(cos, sin, 0.0), Vector3::new(-sin, cos, 0.0))
 }
 
-/// Squared half width, lowest and highest point, with what rounding may take from them.
+/// Squared half width, lowest and highest point, with a tolerance for rounding.
 fn reach(solid: &Revolved) -> (f64, [f64; 2]) {
     let (rho, [low, high]) = solid.extent();
     (rho * rho * (1.0 + 1e-9), [low - 1e-12, high + 1e-12])
@@ -72,7 +72,7 @@ impl Cutter {
     ///
     /// With `t` the way it moves, `s` along the profile outwards and `n` its normal, the face looks
     /// along `f = cos β (cos δ t + sin δ s) + sin β n`, back rake `β`, side rake `δ`, and its tip
-    /// lies from its middle along `m = cos β n − sin β (cos δ t + sin δ s)`.
+    /// is in the direction from its middle `m = cos β n − sin β (cos δ t + sin δ s)`.
     pub(super) fn disc(
         blade: usize,
         point: ProfilePoint,
@@ -123,8 +123,8 @@ impl Cutter {
         }
     }
 
-    /// A solid that stands upright on the profile, its tip the rounding's radius above the origin.
-    /// `outline` is its half section seen from the origin, from the tip on, the rounding included.
+    /// A solid normal to the profile, its tip the rounding's radius above the origin. `outline` is
+    /// its half section seen from the origin, from the tip on, the rounding included.
     pub(super) fn upright(
         row: usize,
         point: ProfilePoint,
@@ -165,10 +165,10 @@ impl Cutter {
         (distance, self.axis * n_zeta + out * n_rho)
     }
 
-    /// How deep a point is inside, m, and the shortest way out.
+    /// Depth of a point inside, m, and the shortest direction out.
     #[inline]
     pub(super) fn depth(&self, position_m: Vector3<f64>) -> Option<(f64, Vector3<f64>)> {
-        // Most points are beside it: they need no root.
+        // Most points are outside: they need no root.
         let from = position_m - self.origin;
         let along = from.dot(&self.axis);
         let (width2, [low, high]) = self.reach;

@@ -9,9 +9,9 @@ pub enum FaceError {
     OutOfRange {
         /// Which of the numbers.
         quantity: &'static str,
-        /// What it is, SI.
+        /// Its value, SI.
         value: f64,
-        /// What it may be.
+        /// Expected range.
         expected: &'static str,
     },
     /// Arcs of these radii do not join the nose to the gauge.
@@ -38,7 +38,7 @@ pub enum FaceError {
         /// Blades.
         blades: usize,
     },
-    /// Two cutters of a blade, or two inserts of neighbouring rows, stand in the same place.
+    /// Two cutters of a blade, or two inserts of neighbouring rows, are in the same place.
     #[error(
         "bit face: cutters {first} and {second} of one blade overlap: {distance_m} m apart, \
          {diameter_m} m wide"
@@ -53,13 +53,13 @@ pub enum FaceError {
         /// Diameter of a cutter, m.
         diameter_m: f64,
     },
-    /// No cutter reaches this ring of the bottom: rock would stand there until the body rests on
+    /// No cutter reaches this ring of the bottom: rock would remain there until the body rests on
     /// it.
     #[error("bit face: no cutter cuts the ring between the radii {from_m} and {to_m} m")]
     UncutRing {
-        /// Where it begins, m.
+        /// Beginning of the ring, m.
         from_m: f64,
-        /// Where it ends, m.
+        /// End of the ring, m.
         to_m: f64,
     },
 }

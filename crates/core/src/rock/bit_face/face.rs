@@ -29,16 +29,16 @@ pub struct BitFace {
 pub enum Part {
     /// The cutter or insert of this index.
     Cutter(usize),
-    /// What carries them.
+    /// The body that carries them.
     Body,
 }
 
-/// Where a point inside the face is.
+/// Position of a point inside the face.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touch {
     /// The part that holds it deepest.
     pub part: Part,
-    /// How deep, m.
+    /// Depth, m.
     pub depth_m: f64,
     /// The shortest way out of that part, a unit vector of the bit's frame.
     pub out: Vector3<f64>,
@@ -65,7 +65,7 @@ impl BitFace {
         Ok(Self { profile, cutters, body, tracks, grid })
     }
 
-    /// The line that the tips stand on.
+    /// The line on which the tips are.
     pub fn profile(&self) -> &Profile {
         &self.profile
     }
@@ -75,7 +75,7 @@ impl BitFace {
         &self.cutters
     }
 
-    /// What the cutters sweep when the bit turns about its axis.
+    /// Surfaces that the cutters sweep when the bit turns about its axis.
     pub fn tracks(&self) -> &Tracks {
         &self.tracks
     }
@@ -93,7 +93,8 @@ impl BitFace {
         self.deepest(position_m, cutters.iter().map(|&c| usize::from(c)), body)
     }
 
-    /// As [`holds`](Self::holds), asking every cutter: what the grid is checked against.
+    /// As [`holds`](Self::holds), by a search through all cutters: the reference for checks of the
+    /// grid.
     pub fn holds_by_search(&self, position_m: Vector3<f64>) -> Option<Touch> {
         self.deepest(position_m, 0..self.cutters.len(), true)
     }

@@ -1,4 +1,4 @@
-//! What is where on the face: a square grid across the axis.
+//! Lookup of the parts of the face: a square grid across the axis.
 
 use nalgebra::Vector3;
 
@@ -11,7 +11,7 @@ pub(super) struct Grid {
     half_width_m: f64,
     cells_per_m: f64,
     cells: usize,
-    /// Where each cell's cutters begin; one more than there are cells.
+    /// Index at which each cell's cutters begin; one more than there are cells.
     starts: Vec<u32>,
     cutters: Vec<u16>,
     lowest_m: Vec<f64>,
@@ -22,7 +22,7 @@ pub(super) struct Grid {
     pub(super) z_m: [f64; 2],
 }
 
-/// What rounding may take from the body's lowest point, m.
+/// Tolerance for rounding of the body's lowest point, m.
 const SLACK_M: f64 = 1e-9;
 
 impl Grid {
@@ -59,8 +59,8 @@ impl Grid {
                 let farther = |a: [f64; 2]| a[1].max(-a[0]);
                 let from = libm::hypot(near(x), near(y));
                 let to = libm::hypot(farther(x), farther(y));
-                // What is the offset behind the profile is at least as far above it; the pads end
-                // where the gauge begins.
+                // A point by the offset behind the profile is at least as far above it; the pads
+                // end where the gauge begins.
                 let body_m = if from <= body.pad_radius_m {
                     let face = profile.lowest_between_m(from, to) - body.offset_m;
                     face.max(profile.gauge_z_m()) + SLACK_M

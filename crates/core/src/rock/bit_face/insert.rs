@@ -38,7 +38,7 @@ pub struct InsertBit {
     pub diameter_m: f64,
     /// Diameter of an insert, m. Default: 0.065 of the bit's. Larger ones leave lower ridges.
     pub insert_diameter_m: f64,
-    /// How far inserts stand out of the body, m. Default: half an insert's diameter.
+    /// Protrusion of the inserts from the body, m. Default: half an insert's diameter.
     pub protrusion_m: f64,
     /// Shape of the tips. Default: hemispheres.
     pub shape: InsertShape,
@@ -57,7 +57,7 @@ pub struct InsertBit {
     pub shoulder_radius_m: f64,
     /// Length of the gauge above the shoulder, m. Default: a quarter of the diameter.
     pub gauge_length_m: f64,
-    /// How far the gauge pads stay behind the gauge, m. Default: 0.4 mm.
+    /// Distance of the gauge pads behind the gauge, m. Default: 0.4 mm.
     pub gauge_relief_m: f64,
 }
 

@@ -4,9 +4,9 @@
 //! profile, `z` down the hole, `x` towards the high side while the bit's angle is zero, `y` to the
 //! right of that, looking down. The bit turns clockwise, from `x` to `y`.
 //!
-//! Parameters ([`PdcBit`], [`InsertBit`]) make a [`BitFace`], once: its cutters, the body that
-//! carries them, and a grid that knows what is where. [`Contact`] then gives nodes their forces and
-//! the bit its own, and [`Tracks`] says what the cutters cut at a given advance per revolution.
+//! Parameters ([`PdcBit`], [`InsertBit`]) define a [`BitFace`], built once: its cutters, the body
+//! that carries them, and a grid for lookup. [`Contact`] then computes the forces on nodes and bit,
+//! and [`Tracks`] the cuts of the cutters at a given advance per revolution.
 
 mod body;
 mod bottom;

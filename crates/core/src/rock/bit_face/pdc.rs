@@ -12,9 +12,9 @@ use super::{
 
 /// A drag bit with discs of polycrystalline diamond on blades, by its numbers.
 ///
-/// Cutters stand along the profile on *tracks*, one after the other on blades that lie opposite
-/// each other. The innermost one cuts the axis, the outermost one the gauge. Defaults are those of
-/// [`PdcBit::for_diameter`].
+/// Cutters are placed along the profile on *tracks*, one after the other on blades that are
+/// opposite each other. The innermost one cuts the axis, the outermost one the gauge. Defaults are
+/// those of [`PdcBit::for_diameter`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PdcBit {
     /// Diameter of the hole that it cuts, m.
@@ -57,12 +57,12 @@ pub struct PdcBit {
     pub shoulder_radius_m: f64,
     /// Length of the gauge above the shoulder, m. Default: a quarter of the diameter.
     pub gauge_length_m: f64,
-    /// How far the gauge pads stay behind the gauge, m. Default: 0.4 mm.
+    /// Distance of the gauge pads behind the gauge, m. Default: 0.4 mm.
     pub gauge_relief_m: f64,
     /// Angle by which a blade's outer end trails its inner one, rad. Default: 20°.
     pub spiral_rad: f64,
-    /// How far the cutters' tips stand out of the blades, m. Default: half a cutter's diameter.
-    /// Less lets the blades bear at a smaller depth of cut.
+    /// Exposure of the cutters' tips in front of the blades, m. Default: half a cutter's diameter.
+    /// With less, the blades carry weight from a smaller depth of cut.
     pub exposure_m: f64,
     /// Width of a blade behind its cutters, m. Default: a fifth of the diameter.
     pub blade_width_m: f64,
@@ -192,7 +192,7 @@ impl PdcBit {
         let mut cutters = Vec::with_capacity(tracks * self.cutters_per_track);
         for (track, length) in self.spread(tracks, profile.length_m()).enumerate() {
             let point = profile.at(length);
-            // Neighbouring tracks go on blades that are no neighbours.
+            // Neighbouring tracks are placed on blades that are no neighbours.
             let turn = track % sets;
             let set = turn / 2 + (turn % 2) * sets.div_ceil(2);
             for blade in (set..self.blades).step_by(sets) {
@@ -237,8 +237,8 @@ impl PdcBit {
         within("centre spacing", self.centre_spacing, 0.2..=5.0, "0.2 to 5")
     }
 
-    /// Where along a profile the tracks are, m. The first is a quarter of a spacing from the axis
-    /// (a core bit's on its core), the last on the gauge.
+    /// Positions of the tracks along a profile, m. The first is a quarter of a spacing from the
+    /// axis (a core bit's on its core), the last on the gauge.
     fn spread(&self, tracks: usize, length_m: f64) -> impl Iterator<Item = f64> {
         let gaps = tracks.saturating_sub(1);
         let weight = |gap: usize| {
@@ -258,7 +258,7 @@ impl PdcBit {
         before.into_iter().chain([length_m])
     }
 
-    /// Whether the cutters of each blade have room beside each other.
+    /// Whether the cutters of each blade have room next to each other.
     fn apart(&self, cutters: &[Cutter]) -> Result<(), FaceError> {
         for (second, outer) in cutters.iter().enumerate() {
             let inner = (0..second).rev().find(|&i| cutters[i].blade == outer.blade);

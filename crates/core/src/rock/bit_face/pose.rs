@@ -1,4 +1,4 @@
-//! Where a bit is and how it moves.
+//! Position and motion of a bit.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use serde::{Deserialize, Serialize};
@@ -18,8 +18,8 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// A bit at rest. `axis` points down the hole, `high_side` says where the bit's `x` is at an
-    /// angle of zero (its part along the axis does not count); `angle_rad` is positive clockwise,
+    /// A bit at rest. `axis` points down the hole, `high_side` is the direction of the bit's `x` at
+    /// an angle of zero (its part along the axis is ignored); `angle_rad` is positive clockwise,
     /// looking down the hole.
     ///
     /// A `high_side` along the axis, as in a vertical hole, leaves the choice to the bit: any
@@ -31,7 +31,7 @@ impl Pose {
         angle_rad: f64,
     ) -> Self {
         let z = axis.normalize();
-        let across = |of: Vector3<f64>| of - z * of.dot(&z);
+        let across = |vector: Vector3<f64>| vector - z * vector.dot(&z);
         let mut high = across(high_side);
         if high.norm() <= 1e-9 * high_side.norm() {
             high = across(Vector3::ith(z.iamin(), 1.0));
@@ -55,7 +55,7 @@ impl Pose {
         Self { velocity_m_per_s, angular_velocity_rad_per_s, ..self }
     }
 
-    /// Where its motion takes it in a time.
+    /// The pose after its motion over a time.
     pub fn after(self, dt_s: f64) -> Self {
         let turn = Rotation3::new(self.angular_velocity_rad_per_s * dt_s);
         let rotation = turn.matrix() * self.rotation;

@@ -1,5 +1,5 @@
-//! The profile of a bit: the line in the plane of radius and depth that the tips of its cutters
-//! stand on.
+//! The profile of a bit: the line in the plane of radius and depth on which the tips of its cutters
+//! are.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,7 +10,7 @@ use super::error::{FaceError, positive, within};
 ///
 /// Depth `z` grows down the hole and is zero at the nose, the lowest point. The nose's arc goes
 /// from `−α`, the cone's angle, to `β`, the shoulder's from there to the right angle; both centres
-/// lie on one line, `(R_n − R_s) sin β = R − R_s − r_n`. A core bit has an inner gauge in the
+/// are on one line, `(R_n − R_s) sin β = R − R_s − r_n`. A core bit has an inner gauge in the
 /// cone's place, `α = π/2`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
@@ -21,11 +21,11 @@ pub struct Profile {
     nose_radius_m: f64,
     shoulder_radius_m: f64,
     gauge_length_m: f64,
-    /// Where the nose's arc ends and the shoulder's begins, rad from straight down.
+    /// Angle at which the nose's arc ends and the shoulder's begins, rad from straight down.
     shoulder_angle_rad: f64,
     /// Tangents, outwards, where the nose's arc begins and ends.
     tangents: [[f64; 2]; 2],
-    /// Where the nose's arc begins.
+    /// Point at which the nose's arc begins.
     cone_end: [f64; 2],
     /// Length of the cone.
     cone_length_m: f64,
@@ -104,7 +104,7 @@ impl Profile {
             "nose radius",
             nose_radius_m,
             0.0..=(nose_m / sin.max(1e-9)) * (1.0 + 1e-9),
-            "no larger than what leaves the nose's arc on its side of the axis",
+            "small enough to keep the nose's arc on its side of the axis",
         )?;
         let reach_m = radius_m - nose_m;
         let difference = nose_radius_m - shoulder_radius_m;
@@ -146,12 +146,13 @@ impl Profile {
         self.core_radius_m
     }
 
-    /// Where the shoulder ends and the gauge begins, m below the reference point: negative.
+    /// Height at which the shoulder ends and the gauge begins, m below the reference point:
+    /// negative.
     pub fn gauge_z_m(&self) -> f64 {
         self.shoulder_centre[1]
     }
 
-    /// Where the gauge ends, m below the reference point: negative.
+    /// Height at which the gauge ends, m below the reference point: negative.
     pub fn top_z_m(&self) -> f64 {
         self.gauge_z_m() - self.gauge_length_m
     }
@@ -223,7 +224,7 @@ impl Profile {
         let from_nose = [radius_m - self.nose_m, z_m + self.nose_radius_m];
         let before = from_nose[0] * inner[0] + from_nose[1] * inner[1] < 0.0;
         let beyond = from_nose[0] * outer[0] + from_nose[1] * outer[1] > 0.0;
-        // Far inside, above the nose's centre, a point lies beside both: the nearer one counts.
+        // Far inside, above the nose's centre, a point is outside both: the nearer one counts.
         let cone = before.then(|| self.cone_distance(radius_m, z_m));
         let shoulder = beyond.then(|| {
             let from = [radius_m - self.shoulder_centre[0], z_m - self.shoulder_centre[1]];

@@ -51,7 +51,7 @@ impl Revolved {
         (distance - self.rounding_m, normal)
     }
 
-    /// How deep a point inside is, m, and the shortest way out.
+    /// Depth of a point inside, m, and the shortest direction out.
     #[inline]
     pub(super) fn depth(&self, rho: f64, zeta: f64) -> Option<(f64, [f64; 2])> {
         let (mut distance, mut normal) = self.farthest_edge(rho, zeta);
@@ -101,8 +101,8 @@ impl Revolved {
     /// Largest distance from the axis, lowest and highest point along it, m.
     pub(super) fn extent(&self) -> (f64, [f64; 2]) {
         let corners = &self.corners[..=self.edges];
-        let fold = |start: f64, pick: fn(f64, f64) -> f64, of: usize| {
-            corners.iter().fold(start, |least, c| pick(least, c[of]))
+        let fold = |start: f64, pick: fn(f64, f64) -> f64, axis: usize| {
+            corners.iter().fold(start, |least, c| pick(least, c[axis]))
         };
         (
             fold(0.0, f64::max, 0) + self.rounding_m,

@@ -1,4 +1,4 @@
-//! What the cutters sweep and cut while the bit turns about its axis.
+//! Surfaces that the cutters sweep, and their cuts, while the bit turns about its axis.
 
 use std::f64::consts::{PI, TAU};
 
@@ -24,14 +24,14 @@ pub struct Tracks {
     sideways: Vec<[f64; 2]>,
 }
 
-/// Where a cutter passes the middle of a ring.
+/// Height at which a cutter passes the middle of a ring.
 #[derive(Debug, Clone, Copy)]
 struct Pass {
     z_m: f64,
     angle_rad: f64,
 }
 
-/// What each cutter takes from the bottom in a revolution.
+/// Cut of each cutter from the bottom in a revolution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cut {
     /// Advance per revolution that it is for, m.
@@ -52,8 +52,8 @@ pub struct Cut {
 /// Rings of the bottom.
 const RINGS: usize = 512;
 
-/// How far from the axis, in half widths of a cutter that holds it, verticals are tested, and their
-/// number around it.
+/// Distance from the axis, in half widths of a cutter that contains it, at which verticals are
+/// tested, and their number around it.
 const AXIS: f64 = 0.25;
 const VERTICALS: usize = 120;
 
@@ -159,7 +159,7 @@ impl Tracks {
         self.ring(ring).iter().fold(f64::NEG_INFINITY, deeper)
     }
 
-    /// How far rock stands above the profile on a ring at no advance, m: the ridge between the
+    /// Height of the rock above the profile on a ring without advance, m: the ridge between the
     /// tracks.
     pub fn ridge_m(&self, ring: usize) -> f64 {
         self.profile_m[ring] - self.envelope_m(ring)
@@ -185,8 +185,8 @@ impl Tracks {
         Some([self.radius_m(first) - half, self.radius_m(last) + half])
     }
 
-    /// What a cutter takes off on a ring: from the deepest that the others, and itself a revolution
-    /// ago, have left.
+    /// Thickness that a cutter removes on a ring: from the deepest surface that the others, and
+    /// itself a revolution ago, have left.
     fn thickness_m(&self, ring: usize, cutter: usize, depth_of_cut_m: f64) -> f64 {
         let passes = self.ring(ring);
         let own = passes[cutter];
@@ -203,8 +203,8 @@ impl Tracks {
         (own.z_m - left.fold(f64::NEG_INFINITY, f64::max)).max(0.0)
     }
 
-    /// What each cutter removes while the bit drills straight on about its axis at an advance per
-    /// revolution.
+    /// Volume and area that each cutter removes while the bit drills straight along its axis at an
+    /// advance per revolution.
     pub fn cut(&self, depth_of_cut_m: f64) -> Cut {
         let mut cut = Cut {
             depth_of_cut_m,
@@ -261,8 +261,8 @@ impl Tracks {
     }
 }
 
-/// Where a vertical enters a cutter from below, m; `None` if it passes by. Each step goes as far as
-/// the cutter is away, which cannot miss a convex solid.
+/// Height at which a vertical enters a cutter from below, m; `None` if it misses the cutter. Each
+/// step has the length of the distance to the cutter, which cannot miss a convex solid.
 fn lowest_above(cutter: &Cutter, x: f64, y: f64) -> Option<f64> {
     let [top, bottom] = cutter.bounds();
     let mut z = bottom.z;

@@ -1,4 +1,4 @@
-//! What a bit has left of the bottom.
+//! Bottom of the hole as left by a bit.
 
 use std::f64::consts::TAU;
 
@@ -11,11 +11,11 @@ use crate::rock::{bit_face::BottomHole, block::Block};
 const FINER: f64 = 2.0;
 
 impl Drilling {
-    /// The bottom of the hole as one looks down it: the upmost rock that stands within the bit's
-    /// radius, a core left out.
+    /// The bottom of the hole as one looks down it: the upmost rock within the bit's radius, a core
+    /// left out.
     ///
     /// Radii are those from the bit's reference point, angles those from the x of the block towards
-    /// y, depths those below the reference point, the nose: the wall beside the bit is above it.
+    /// y, depths those below the reference point, the nose: the wall around the bit is above it.
     /// Cells are half an element wide at most.
     pub fn bottom_hole(&self) -> BottomHole {
         let grid = self.block.grid();
@@ -44,8 +44,9 @@ impl Drilling {
     }
 }
 
-/// Depth of the upmost face of each column of elements, m, row by row; none of one that is empty.
-/// What has come loose, farther from where it stood than it is high, is no bottom.
+/// Depth of the upmost face of each column of elements, m, row by row; none for an empty column. A
+/// loose element, which has moved from its original place by more than its height, is not part of
+/// the bottom.
 fn tops_m(block: &Block) -> Vec<Option<f64>> {
     let grid = block.grid();
     let [nx, ny, nz] = grid.cells;

@@ -1,4 +1,4 @@
-//! What drives a bit on its own.
+//! Drive of a bit on its own.
 
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -29,7 +29,7 @@ pub enum Driver {
 }
 
 impl Driver {
-    /// What the bit comes with.
+    /// Motion of the bit.
     pub fn motion(&self, drilling: &Drilling) -> BitMotion {
         let (rate, weight_N, mass_kg, rotary) = match *self {
             Self::Weight { weight_N, mass_kg, rotary_rad_per_s } => {

@@ -27,7 +27,7 @@ use super::{
     kernel::Stepper,
 };
 
-/// Where the bit's energy goes, J: the four add up to nothing.
+/// Balance of the bit's energy, J: the four sum to zero.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct DrillingEnergies {
     /// Work of the rock on the bit.
@@ -41,7 +41,7 @@ pub struct DrillingEnergies {
 }
 
 impl DrillingEnergies {
-    /// What the books are off by.
+    /// Residual of the energy balance.
     pub fn residual_J(&self) -> f64 {
         self.on_bit_J + self.on_rock_J + self.friction_J + self.contact_J
     }
@@ -99,7 +99,7 @@ impl Drilling {
     /// Whether stored rock and bit are of this kind.
     ///
     /// # Errors
-    /// What of it does not fit: a length, a place, or a number of the rock.
+    /// The part that does not match: a length, a place, or a number of the rock.
     pub fn check(&self, spec: &DrillingSpec) -> Result<(), Damaged> {
         let fits = *self.bit.shape() == spec.bit
             && self.contact == spec.contact
@@ -109,11 +109,11 @@ impl Drilling {
         ensure(self.dropped <= self.block.removed().0, "the number of elements that have gone")
     }
 
-    /// Moves bit and rock through a time, in equal steps that the rock bears.
+    /// Moves bit and rock through a time, in equal steps that are stable for the rock.
     ///
-    /// The bit is pushed by the rock after each step of the rock, as the nodes that it touches are:
-    /// what the one gains in momentum the others lose, and works are forces times the means of the
-    /// velocities before and after. The contact takes the bit's velocity from before the push, so
+    /// The bit is pushed by the rock after each step of the rock, like the nodes that it touches:
+    /// the momentum that the one gains the others lose, and works are forces times the means of the
+    /// velocities before and after. The contact uses the bit's velocity from before the push, so
     /// that the bit must be heavier than the nodes that it touches.
     pub fn advance(
         &mut self,
@@ -164,8 +164,8 @@ impl Drilling {
         advance
     }
 
-    /// The bit moves on and turns; its spin, rad/s. The spin stays with the axis and what tilts
-    /// the bit goes along: how a spinning bit precesses is its string's.
+    /// Moves and turns the bit; returns its spin, rad/s. The spin follows the axis when the bit
+    /// tilts, because the precession of a spinning bit belongs to its string.
     fn go(&mut self, dt: f64) -> f64 {
         let omega = self.pose.angular_velocity_rad_per_s;
         let axis = self.pose.axis();
@@ -204,7 +204,7 @@ impl Drilling {
         &self.bit
     }
 
-    /// Where the bit is and how it moves.
+    /// Position and motion of the bit.
     pub fn pose(&self) -> &Pose {
         &self.pose
     }
@@ -214,7 +214,7 @@ impl Drilling {
         self.pose = pose;
     }
 
-    /// Where the bit's energy went.
+    /// Balance of the bit's energy.
     pub fn energies(&self) -> DrillingEnergies {
         self.energies
     }

@@ -1,17 +1,17 @@
-//! How the bit is moved, and how it moves on.
+//! Motion of the bit and its integration.
 
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-/// What the bit opposes to a push. An infinite inertia goes as prescribed.
+/// Inertia of the bit. With an infinite inertia the motion is as prescribed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Inertia {
     /// Mass along `along`, kg.
     pub mass_kg: f64,
     /// Mass across it, kg.
     pub lateral_mass_kg: f64,
-    /// A unit vector of the hole's frame: z, or where a string that leans in its hole says
-    /// otherwise.
+    /// A unit vector of the hole's frame: z, or another direction for a string that leans in its
+    /// hole.
     pub along: Vector3<f64>,
     /// Moment of inertia about the bit's axis, kg·m².
     pub about_axis_kg_m2: f64,
@@ -29,7 +29,7 @@ impl Inertia {
         across_axis_kg_m2: f64::INFINITY,
     };
 
-    /// What an impulse, N·s, changes of the velocity, m/s.
+    /// Change of the velocity by an impulse, N·s, in m/s.
     pub(crate) fn moved(&self, impulse_N_s: Vector3<f64>) -> Vector3<f64> {
         let along = self.along * self.along.dot(&impulse_N_s);
         along / self.mass_kg + (impulse_N_s - along) / self.lateral_mass_kg
@@ -41,30 +41,30 @@ impl Inertia {
         along * self.mass_kg + (change_m_per_s - along) * self.lateral_mass_kg
     }
 
-    /// What the impulse of a moment, N·m·s, changes of the angular velocity of a bit with an axis,
-    /// rad/s.
+    /// Change of the angular velocity, rad/s, of a bit with an axis by the impulse of a moment,
+    /// N·m·s.
     pub(super) fn turned(&self, impulse_N_m_s: Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
         let about = axis * axis.dot(&impulse_N_m_s);
         about / self.about_axis_kg_m2 + (impulse_N_m_s - about) / self.across_axis_kg_m2
     }
 }
 
-/// What a bit comes with, in the frame of the hole: z down along it.
+/// Initial motion and loads of a bit, in the frame of the hole: z down along it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BitMotion {
     /// Velocity of the bit's reference point, m/s.
     pub velocity_m_per_s: Vector3<f64>,
     /// Angular velocity, rad/s; positive about z is clockwise, looking down.
     pub angular_velocity_rad_per_s: Vector3<f64>,
-    /// What pushes the bit besides the rock, N, the same all the time.
+    /// Constant force on the bit in addition to that of the rock, N.
     pub force_N: Vector3<f64>,
     /// Moment on the bit besides the rock's, N·m.
     pub moment_N_m: Vector3<f64>,
-    /// What it opposes.
+    /// Inertia of the bit.
     pub inertia: Inertia,
 }
 
-/// What became of the bit in a time.
+/// Result of the bit's motion over a time.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Advance {
     /// The time, s.
@@ -88,8 +88,7 @@ pub struct Advance {
 }
 
 impl Advance {
-    /// Joins what became of the bit in the time that follows: forces and moments are means over
-    /// both.
+    /// Appends the result of the time that follows: forces and moments are means over both.
     pub fn join(&mut self, next: &Self) {
         let time_s = self.time_s + next.time_s;
         let mean = |before: Vector3<f64>, after: Vector3<f64>| {

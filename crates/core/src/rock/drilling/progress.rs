@@ -1,4 +1,4 @@
-//! How a bit gets on.
+//! Progress of a bit.
 
 use std::f64::consts::TAU;
 
@@ -29,7 +29,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Takes up what became of the bit in a time.
+    /// Adds the result of the bit's motion over a time.
     pub fn add(&mut self, drilling: &Drilling, advance: &Advance) {
         let time_s = advance.time_s;
         self.time_s += time_s;

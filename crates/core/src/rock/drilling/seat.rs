@@ -4,15 +4,17 @@ use nalgebra::Vector3;
 
 use super::Drilling;
 
-/// How far the bit goes down at a time to find its bottom, as a part of an element's height.
+/// Step of the search by which the bit is lowered to its bottom, as a fraction of an element's
+/// height.
 const FINE: f64 = 1.0 / 64.0;
 
-/// How far at most, elements: no pattern of elements leaves more room under it.
+/// Maximum distance of the search, in elements: no pattern of elements leaves more room under it.
 const FAR: f64 = 4.0;
 
 impl Drilling {
-    /// Takes away what is in the way of the bit turned about its axis, its nose as deep as the wall
-    /// is high, and lowers it until the face, as it stands, touches. What goes counts as dropped.
+    /// Removes the elements in the way of the bit turned about its axis, with its nose as deep as
+    /// the wall is high, and lowers it until the face in its present position touches. Removed
+    /// elements count as dropped.
     pub(super) fn seat(&mut self) {
         let grid = *self.block.grid();
         let nose_m = self.pose.position_m + Vector3::z() * self.wall_m;

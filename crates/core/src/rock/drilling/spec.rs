@@ -1,4 +1,4 @@
-//! What a bit is to drill.
+//! Specification of a bit that drills.
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -18,9 +18,9 @@ pub struct DrillingSpec {
     pub block: BlockSpec,
     /// The bit.
     pub bit: BitShape,
-    /// How bit and rock touch.
+    /// Contact of bit and rock.
     pub contact: ContactLaw,
-    /// Height of the hole's wall above the bit's lowest point that is kept, m; what is higher is
+    /// Height of the hole's wall above the bit's lowest point that is kept, m; higher elements are
     /// dropped while the block follows the bit.
     pub wall_m: f64,
     /// Whether the bit begins in the hole that it would have drilled (default), its nose as deep as

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{rock::grid::GROUP, simd::number::Number};
 
-/// Where the state of a block lies.
+/// Pointers to the state of a block.
 #[derive(Debug, Clone, Copy)]
 pub struct Fields {
     /// Displacement, m, velocity, m/s, one over mass, 1/kg, of the nodes.

@@ -1,14 +1,14 @@
 //! One step of a block: the inner loop of the rock.
 //!
-//! Central differences: nodes drift with their velocities, elements answer to where they got and
-//! how fast, nodes are kicked. The three follow each other layer by layer, so that a layer is still
-//! in the cache. A row of elements along x writes what its near and its far corners get side by
-//! side, in the order of the elements, and the rows of nodes take it up: nothing is gathered or
-//! scattered.
+//! Central differences: nodes drift with their velocities, element forces follow from positions and
+//! velocities, nodes receive their impulses. The three follow each other layer by layer, so that a
+//! layer is still in the cache. A row of elements along x writes the forces on its near and its far
+//! corners side by side, in the order of the elements, and the rows of nodes add them: nothing is
+//! gathered or scattered.
 //!
 //! A block is cut into slabs along z. Between two slabs a layer of nodes is shared: it drifts
-//! before the slabs are worked on and is kicked after them, by what both have found. So slabs may
-//! be worked on at the same time, and the sums are taken in one order.
+//! before the slabs are processed and receives the impulses of both after them. So slabs may be
+//! processed at the same time, and the sums are taken in one order.
 
 mod fields;
 mod nodes;
@@ -107,8 +107,8 @@ impl Stepper {
     /// The elements of a slab answer, and its own nodes move.
     ///
     /// # Safety
-    /// `fields` point to the state of a block of this grid, of which nothing else uses what is this
-    /// slab's.
+    /// `fields` point to the state of a block of this grid, and nothing else uses this slab's part
+    /// of it.
     pub(in crate::rock) unsafe fn work(
         &self,
         fields: &Fields,

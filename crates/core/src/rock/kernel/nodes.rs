@@ -20,7 +20,7 @@ pub unsafe fn drift<N: Number<Real = f64>>(fields: &Fields, grid: &Grid, dt: f64
     }
 }
 
-/// The nodes of a layer are kicked by what the elements below and above pull.
+/// Applies the impulses of the elements below and above to the nodes of a layer.
 ///
 /// # Safety
 /// As for [`drift`]; each of `pulls` and `more` is as long as a layer.

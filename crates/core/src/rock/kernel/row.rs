@@ -10,12 +10,12 @@ use crate::{
     simd::number::Number,
 };
 
-/// What a row of elements pulls at its nodes, N.
+/// Forces of a row of elements on its nodes, N.
 #[derive(Debug, Clone)]
 pub struct Pulls {
     /// One after the other: near and far corners in x of the four edges along x, by component. A
-    /// group of zeros stands before and after each.
-    of: Vec<f64>,
+    /// group of zeros precedes and follows each.
+    forces_N: Vec<f64>,
     length: usize,
 }
 
@@ -25,17 +25,17 @@ const STREAMS: usize = 4 * 2 * 3;
 impl Pulls {
     pub fn new(grid: &Grid) -> Self {
         let length = grid.element_row() + 2 * GROUP;
-        Self { of: vec![0.0; STREAMS * length], length }
+        Self { forces_N: vec![0.0; STREAMS * length], length }
     }
 
-    /// Where those of an element stand: corner and component.
+    /// Index of the forces of an element: corner and component.
     #[inline(always)]
     fn place(&self, corner: usize, axis: usize, element: usize) -> usize {
         (3 * corner + axis) * self.length + GROUP + element
     }
 
-    /// Nodes take up what the elements between them pull: the two rows of nodes above the elements
-    /// or those below.
+    /// Adds the forces of the elements to their nodes: the two rows of nodes above the elements or
+    /// those below.
     ///
     /// # Safety
     /// `layer` is a layer of nodes of this grid.
@@ -58,8 +58,9 @@ impl Pulls {
                     // SAFETY: a row of nodes is a group longer than one of elements, as are the
                     // pulls.
                     unsafe {
-                        let sum = N::load(pulls.add(at)) + N::load(self.of.as_ptr().add(near + at));
-                        (sum + N::load(self.of.as_ptr().add(far + at))).store(pulls.add(at));
+                        let sum =
+                            N::load(pulls.add(at)) + N::load(self.forces_N.as_ptr().add(near + at));
+                        (sum + N::load(self.forces_N.as_ptr().add(far + at))).store(pulls.add(at));
                     }
                 }
             }
@@ -118,7 +119,8 @@ pub unsafe fn work<N: Number<Real = f64>>(
                 } else {
                     for corner in 0..8 {
                         for axis in 0..3 {
-                            N::zero().store(out.of.as_mut_ptr().add(out.place(corner, axis, at)));
+                            N::zero()
+                                .store(out.forces_N.as_mut_ptr().add(out.place(corner, axis, at)));
                         }
                     }
                 }
@@ -127,7 +129,7 @@ pub unsafe fn work<N: Number<Real = f64>>(
     }
     let of_all = |part: fn(&Books<N>) -> N| in_lanes(books.each_ref().map(part));
     let (plastic, viscous, least) =
-        (of_all(|of| of.plastic), of_all(|of| of.viscous), of_all(|of| of.least));
+        (of_all(|sums| sums.plastic), of_all(|sums| sums.viscous), of_all(|sums| sums.least));
     // SAFETY: the book of this row.
     let book: &mut RowBook = unsafe { &mut *fields.books.add(k * grid.element_rows() + j) };
     book.plastic_J += constants.volume_m3 * plastic.iter().sum::<f64>();
@@ -176,7 +178,7 @@ unsafe fn corners<N: Number<Real = f64>>(
 /// # Safety
 /// As for [`work`].
 #[inline(always)]
-// Indices say which component meets which.
+// Indices say which components are combined.
 #[allow(clippy::too_many_arguments, clippy::needless_range_loop)]
 unsafe fn elements<N: Number<Real = f64>>(
     fields: &Fields,
@@ -216,7 +218,8 @@ unsafe fn elements<N: Number<Real = f64>>(
     };
     // Jaumann's rate: the stress turns with the element, then takes the strain of the step.
     let update = constants.law.return_map(turned(motion.turn, stress), motion.strain, intact);
-    // One squeezed beyond what the step bears fails; one that is gone (negative) stays as it is.
+    // An element compressed beyond the stability limit of the step fails; a removed one (negative)
+    // is unchanged.
     let fit = N::splat(MAX_SQUEEZED) - square(motion.inverse);
     let new_intact = intact.if_positive(fit.if_positive(update.intact, zero), intact);
     // SAFETY: as above.
@@ -230,7 +233,8 @@ unsafe fn elements<N: Number<Real = f64>>(
     books.plastic = books.plastic + intact.if_positive(update.plastic, zero);
     books.least = books.least.min(intact.if_positive(new_intact, N::splat(1.0)));
 
-    // Bulk viscosity, and the pressure of the hole: elements pull by τ + p J, so free faces bear p.
+    // Bulk viscosity, and the pressure of the hole: elements pull by τ + p J, so p acts on free
+    // faces.
     let swelling = motion.strain[0] + motion.strain[1] + motion.strain[2];
     let viscous = N::splat(constants.viscosity) * swelling;
     let held = motion.volume.mul_add(N::splat(constants.pressure_Pa), viscous);
@@ -252,7 +256,7 @@ unsafe fn elements<N: Number<Real = f64>>(
             // An element that is gone pulls at nothing.
             let pull = intact.if_positive(pull[corner], zero);
             // SAFETY: the pulls are as long as a row of elements.
-            unsafe { pull.store(out.of.as_mut_ptr().add(out.place(corner, axis, at))) };
+            unsafe { pull.store(out.forces_N.as_mut_ptr().add(out.place(corner, axis, at))) };
         }
     }
     // Work of the bulk viscosity and of the hourglass dashpots in the step.

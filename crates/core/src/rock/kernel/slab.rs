@@ -8,7 +8,7 @@ use super::{
 use crate::rock::{constants::Constants, grid::Grid};
 use crate::simd::number::Number;
 
-/// Layers of elements that are worked on together, and room for what they do to their nodes.
+/// Layers of elements that are processed together, and memory for their forces on the nodes.
 #[derive(Debug, Clone)]
 pub struct Slab {
     /// First layer of elements, and the first one below.
@@ -56,8 +56,8 @@ impl Slab {
 /// The elements of a slab answer, and the nodes between them move.
 ///
 /// # Safety
-/// `fields` point to the state of a block of this grid, of which nothing else uses what is this
-/// slab's.
+/// `fields` point to the state of a block of this grid, and nothing else uses this slab's part of
+/// it.
 #[inline(always)]
 pub unsafe fn work<N: Number<Real = f64>>(
     fields: &Fields,

@@ -28,8 +28,8 @@ const SAMPLES_PER_REVOLUTION: u64 = 8;
 /// A trial under way: the bit is held to the hole's axis and turned at a constant speed under a
 /// constant weight, first until it has made its bottom, then for the count.
 ///
-/// It is plain data: one that is stored and resumed comes to the same bits. It ends after its
-/// revolutions, whether the bit gets on or not.
+/// It is plain data: one that is stored and resumed gives the same bits. It ends after its
+/// revolutions, whether the bit advances or not.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Trial {
     spec: TrialSpec,
@@ -57,14 +57,14 @@ impl Trial {
     /// Whether a stored trial is this one of this bit.
     ///
     /// # Errors
-    /// What of it does not fit.
+    /// The part that does not match.
     pub fn check(&self, spec: &TrialSpec, drilling: &DrillingSpec) -> Result<(), Damaged> {
         ensure(self.spec == *spec, "the trial")?;
         self.drilling.check(drilling)
     }
 
-    /// Takes at most so many steps, as far as there are any left. The pieces do not matter:
-    /// the same steps come to the same bits.
+    /// Takes at most this number of steps, as long as any are left. The division into calls does
+    /// not matter: the same steps give the same bits.
     ///
     /// # Errors
     /// Forces that are not finite.
@@ -78,9 +78,9 @@ impl Trial {
         let [settle, all] = self.spec.steps();
         let (per_turn, per_mean) = (self.spec.steps_per_turn(), self.spec.steps_per_mean());
         for _ in self.steps..all.min(self.steps.saturating_add(steps)) {
-            let went = driver.drive(&mut self.drilling, dt, stepper, executor);
+            let advance = driver.drive(&mut self.drilling, dt, stepper, executor);
             self.steps += 1;
-            let force = went.force_N + went.moment_N_m + went.velocity_m_per_s;
+            let force = advance.force_N + advance.moment_N_m + advance.velocity_m_per_s;
             if !force.iter().all(|x| x.is_finite()) {
                 return Err(TrialError::Diverged { revolutions: self.revolutions() });
             }
@@ -88,8 +88,8 @@ impl Trial {
                 continue;
             };
             let count = &mut self.count;
-            count.mean.join(&went);
-            count.bricks_broken += went.broken as u64;
+            count.mean.join(&advance);
+            count.bricks_broken += advance.broken as u64;
             if counted.is_multiple_of(per_mean) {
                 let mean = std::mem::take(&mut count.mean);
                 count.whole.add(&self.drilling, &mean);
@@ -123,14 +123,14 @@ impl Trial {
         self.steps as f64 * self.spec.step_time_s()
     }
 
-    /// What was counted so far; none while the bit is settling.
+    /// Results so far; none while the bit is settling.
     pub fn outcome(&self) -> Option<TrialOutcome> {
         let profile = self.drilling.bit().face().profile();
         let section_m2 = PI * (profile.radius_m().powi(2) - profile.core_radius_m().powi(2));
         (self.count.whole.time_s > 0.0).then(|| self.count.outcome(&self.spec, section_m2))
     }
 
-    /// What is tried.
+    /// Specification of the trial.
     pub fn spec(&self) -> &TrialSpec {
         &self.spec
     }

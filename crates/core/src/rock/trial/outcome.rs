@@ -1,4 +1,4 @@
-//! What came of a trial.
+//! Results of a trial.
 
 use std::f64::consts::TAU;
 
@@ -11,8 +11,8 @@ use crate::rock::drilling::{Advance, Progress};
 ///
 /// Standard deviations are those of means over [`averaging_time_s`](Self::averaging_time_s). The
 /// errors are standard errors of the means, each revolution being one measurement; none where less
-/// than two whole revolutions were counted. A revolution cuts what the one before has left, so that
-/// they are somewhat too small.
+/// than two whole revolutions were counted. Successive revolutions are not independent, because
+/// each cuts the surface left by the one before, so that the errors are somewhat too small.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TrialOutcome {
     /// Weight that was put on the bit, N.
@@ -37,7 +37,8 @@ pub struct TrialOutcome {
     /// Standard deviation of the torque, N·m.
     #[serde(with = "crate::finite")]
     pub torque_std_N_m: f64,
-    /// Mean weight that the rock bore, N: that put on the bit but for what speeds it up.
+    /// Mean weight carried by the rock, N: the weight on the bit less the force that accelerates
+    /// it.
     #[serde(with = "crate::finite")]
     pub weight_borne_N: f64,
     /// Standard deviation of the weight that the rock bore, N.
@@ -65,7 +66,7 @@ pub struct TrialOutcome {
     pub averaging_time_s: f64,
 }
 
-/// What is counted while a bit is tried.
+/// Sums taken during a trial.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Count {
     /// All of it but the average under way.

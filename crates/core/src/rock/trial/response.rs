@@ -1,4 +1,4 @@
-//! What trials of one bit on one rock have in common.
+//! Common results of the trials of one bit on one rock.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,8 +9,8 @@ use crate::rock::drilling::BitShape;
 /// speeds.
 ///
 /// Detournay and Defourny (*International Journal of Rock Mechanics and Mining Sciences* 29, 1992)
-/// have `T = ½ μ γ a W` of what bears on wear flats, `T = a W/2ζ` of what cuts, and a specific
-/// energy of the order of the rock's strength.
+/// have `T = ½ μ γ a W` for the weight on wear flats, `T = a W/2ζ` for the weight of cutting, and a
+/// specific energy of the order of the rock's strength.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DrillingResponse {
     /// Slope of the line `T = s W + t` with the least squares of the torque, m, `W` the weight that
@@ -20,9 +20,9 @@ pub struct DrillingResponse {
     pub torque_over_weight_and_radius: Option<f64>,
     /// Torque of that line where there is no weight, N·m.
     pub torque_at_no_weight_N_m: Option<f64>,
-    /// Weight over a blade's depth of cut `d/n`, by the least squares of the weight, N/m: against
-    /// what the blade before has left, the bottom is as stiff. None of a bit without blades, or
-    /// where none got on.
+    /// Weight over a blade's depth of cut `d/n`, by the least squares of the weight, N/m: the
+    /// stiffness of the bottom against the surface left by the blade before. None for a bit without
+    /// blades, or where no bit advanced.
     pub bottom_stiffness_N_per_m: Option<f64>,
     /// Work per volume broken, of all trials together, Pa; none where nothing was broken.
     pub specific_energy_Pa: Option<f64>,
@@ -41,11 +41,12 @@ impl DrillingResponse {
         let [weight, torque] = [mean(&|one| one.weight_borne_N), mean(&|one| one.torque_N_m)];
         let spread = mean(&|one| (one.weight_borne_N - weight).powi(2));
         let together = mean(&|one| (one.weight_borne_N - weight) * (one.torque_N_m - torque));
-        // What the rock bore scatters about one weight: a line through that says nothing.
-        let put_on = outcomes.iter().map(|one| one.weight_on_bit_N);
+        // The weights carried by the rock scatter about one value, and a line through them has no
+        // meaning.
+        let weights_N = outcomes.iter().map(|one| one.weight_on_bit_N);
         let [least, most] = [
-            put_on.clone().fold(f64::INFINITY, f64::min),
-            put_on.fold(f64::NEG_INFINITY, f64::max),
+            weights_N.clone().fold(f64::INFINITY, f64::min),
+            weights_N.fold(f64::NEG_INFINITY, f64::max),
         ];
         let slope = (most - least > 1e-6 * most).then(|| together / spread);
         // Every element is as large as the others, so that their number is as good as their volume.
@@ -111,27 +112,27 @@ mod tests {
             outcome(3e4, line(3e4), Some((20e6, 100))),
         ];
         let bit = PdcBit::for_diameter(0.2);
-        let of = DrillingResponse::of(&outcomes, &BitShape::Pdc(bit), 50e6);
+        let response = DrillingResponse::of(&outcomes, &BitShape::Pdc(bit), 50e6);
         let near = |value: Option<f64>, expected: f64| {
             let value = value.expect("a value");
             assert!((value / expected - 1.0).abs() < 1e-12, "{value} for {expected}");
         };
-        near(of.torque_over_weight_m, 0.08);
-        near(of.torque_over_weight_and_radius, 0.8);
-        near(of.torque_at_no_weight_N_m, 40.0);
+        near(response.torque_over_weight_m, 0.08);
+        near(response.torque_over_weight_and_radius, 0.8);
+        near(response.torque_at_no_weight_N_m, 40.0);
         // All of them cut 1 mm: the mean of the weights over a blade's.
-        near(of.bottom_stiffness_N_per_m, 2e4 / (1e-3 / bit.blades as f64));
-        near(of.specific_energy_Pa, 29e6);
-        near(of.specific_energy_over_strength, 0.58);
+        near(response.bottom_stiffness_N_per_m, 2e4 / (1e-3 / bit.blades as f64));
+        near(response.specific_energy_Pa, 29e6);
+        near(response.specific_energy_over_strength, 0.58);
     }
 
     #[test]
     fn one_weight_has_no_slope_and_nothing_broken_no_energy() {
         let bit = BitShape::Insert(InsertBit::for_diameter(0.2));
-        let of =
+        let response =
             DrillingResponse::of(&[outcome(1e4, 9.0, None), outcome(1e4, 8.0, None)], &bit, 50e6);
         assert_eq!(
-            of,
+            response,
             DrillingResponse {
                 torque_over_weight_m: None,
                 torque_over_weight_and_radius: None,
@@ -141,10 +142,10 @@ mod tests {
                 specific_energy_over_strength: None,
             }
         );
-        assert_eq!(DrillingResponse::of(&[], &bit, 50e6), of);
+        assert_eq!(DrillingResponse::of(&[], &bit, 50e6), response);
     }
 
-    /// Under one weight at three speeds the rock bears it but for some newtons: a line through
+    /// Under one weight at three speeds the rock carries it to within some newtons: a line through
     /// these had a slope of hundreds of radii.
     #[test]
     fn what_scatters_about_one_weight_is_no_second_weight() {
@@ -154,9 +155,9 @@ mod tests {
         };
         let outcomes = [trial(59_990.0, 3100.0), trial(60_004.0, 2900.0), trial(59_998.0, 3050.0)];
         let bit = BitShape::Pdc(PdcBit::for_diameter(0.2));
-        let of = DrillingResponse::of(&outcomes, &bit, 50e6);
-        assert_eq!(of.torque_over_weight_m, None);
-        assert_eq!(of.torque_at_no_weight_N_m, None);
-        assert_eq!(of.torque_over_weight_and_radius, None);
+        let response = DrillingResponse::of(&outcomes, &bit, 50e6);
+        assert_eq!(response.torque_over_weight_m, None);
+        assert_eq!(response.torque_at_no_weight_N_m, None);
+        assert_eq!(response.torque_over_weight_and_radius, None);
     }
 }

@@ -1,4 +1,4 @@
-//! What a trial is to be.
+//! Specification of a trial.
 
 use std::f64::consts::TAU;
 
@@ -42,7 +42,7 @@ pub enum TrialError {
         name: &'static str,
         /// Its value.
         value: f64,
-        /// What it should be.
+        /// Expected range.
         expected: &'static str,
     },
     /// The forces are beyond all numbers.
@@ -90,7 +90,7 @@ impl TrialSpec {
         Ok(())
     }
 
-    /// What drives the bit.
+    /// Drive of the bit.
     pub(super) fn driver(&self) -> Driver {
         Driver::Weight {
             weight_N: self.weight_N,

@@ -15,14 +15,14 @@ use crate::{sizing::Sizing, string::DrillString};
 /// elements are rather longer than requested than shorter: short ones bound the step.
 const SLACK: f64 = 0.2;
 
-/// How much longer than requested an element may be.
+/// Maximum ratio of an element's length to the requested length.
 const LONGEST: f64 = 1.25;
 
 /// Part of its neighbours' length, or of the length requested where that is less, below which an
 /// element is short.
 const SHORTEST: f64 = 0.8;
 
-/// Most gaps beside a short one over which it is spread.
+/// Maximum number of gaps next to a short one over which it is spread.
 const MAX_SPREAD: usize = 3;
 
 /// The nodes of a string with such marks, from the bit up.
@@ -38,7 +38,7 @@ pub(super) fn nodes(string: &DrillString, marks: Vec<Mark>, sizing: &Sizing) -> 
     let mut nodes = vec![node(&marks[0])];
     let mut gap = 0;
     while gap < gaps.len() {
-        // The first short gap whose joints can give way, and what is spread with it.
+        // The first short gap whose joints can be moved, and the gaps that are spread with it.
         let group = (gap..gaps.len().min(gap + MAX_SPREAD + 1))
             .filter(|short| is_short(&gaps, *short))
             .find_map(|short| spread(&gaps, &marks, short, gap))
@@ -70,7 +70,8 @@ pub(super) fn nodes(string: &DrillString, marks: Vec<Mark>, sizing: &Sizing) -> 
     nodes
 }
 
-/// Whether the elements of a gap are short beside those of its neighbours and the length requested.
+/// Whether the elements of a gap are short compared with those of its neighbours and with the
+/// requested length.
 fn is_short(gaps: &[f64], gap: usize) -> bool {
     let below = if gap > 0 { element_of(gaps[gap - 1]) } else { 0.0 };
     let above = gaps.get(gap + 1).copied().map_or(0.0, element_of);
@@ -106,7 +107,7 @@ fn spread(
         })
 }
 
-/// What elements of a group are to be as long as, in element lengths.
+/// Length that elements of a group should have, in element lengths.
 fn unit_of(gaps: &[f64], group: &RangeInclusive<usize>) -> f64 {
     gaps[group.clone()].iter().fold(0.0_f64, |most, gap| most.max(element_of(*gap))).min(1.0)
 }

@@ -1,5 +1,4 @@
-//! The places where nodes must stand: ends, blades, bends, lateral forces, and joints where they
-//! can.
+//! Mandatory positions of nodes: ends, blades, bends, lateral forces, and joints where they can.
 
 use super::node::MeshNode;
 use crate::{
@@ -7,7 +6,7 @@ use crate::{
     string::{Blades, Component, DrillString, NEAREST_BEND_M, Span},
 };
 
-/// A place where a node must stand.
+/// A mandatory position of a node.
 pub(super) struct Mark {
     pub(super) from_bit_m: f64,
     pub(super) contact_radius_m: f64,
@@ -20,8 +19,8 @@ pub(super) struct Mark {
 /// they allow in their clearance is more than a string bends over their length.
 const SHORT_BLADE_M: f64 = 0.5;
 
-/// A component without blades of its own that stands out over both its neighbours and is no longer
-/// than this touches as one point, at its middle, m.
+/// A component without blades of its own that is wider than both its neighbours and no longer than
+/// this touches as one point, at its middle, m.
 const LONGEST_BLADE_M: f64 = 4.0;
 
 /// A joint nearer to the bit, the top, a stabiliser or the joint below than this part of the
@@ -37,10 +36,10 @@ const SAME_M: f64 = 0.05;
 /// Radii that differ by less are the same, m.
 const RADIUS_M: f64 = 1e-9;
 
-/// How far a blade stands out over its neighbours, m.
+/// Minimum height of a blade over its neighbours, m.
 pub(super) const BLADE_HEIGHT_M: f64 = 1e-3;
 
-/// What touches between marks: the blades, where they are, or the body.
+/// Contact radius between marks: that of the blades, where there are blades, or of the body.
 pub(super) fn body_radius_m(string: &DrillString, from_bit_m: f64) -> f64 {
     let (index, component) = string.component_at(from_bit_m);
     if let Some(blades) = component.blades
@@ -80,8 +79,8 @@ pub(super) fn touching_component(string: &DrillString, node: &MeshNode) -> usize
     near.max_by_key(rank).map_or(above, |(index, _)| index)
 }
 
-/// What touches between two nodes that stay where they are: blades only between nodes on them, so
-/// that what touches at its middle alone goes on to do so.
+/// Contact radius between two nodes that are not moved: that of blades only between nodes on them,
+/// so that a component that touches at its middle alone continues to do so.
 pub(super) fn radius_between_m(string: &DrillString, from_bit_m: f64, ends: [&MeshNode; 2]) -> f64 {
     let touching = body_radius_m(string, from_bit_m);
     if ends.iter().all(|node| node.contact_radius_m >= touching - BLADE_HEIGHT_M) {
@@ -96,8 +95,8 @@ pub(super) fn radius_between_m(string: &DrillString, from_bit_m: f64, ends: [&Me
     beside.map(|other| 0.5 * other.od_m).fold(0.0, f64::max)
 }
 
-/// Where the blades of a component touch that reaches from `bottom` to `top`: distances from the
-/// bit, m.
+/// Contact positions of the blades of a component from `bottom` to `top`: distances from the bit,
+/// m.
 fn blade_places_m(blades: &Blades, bottom: f64, top: f64, element_length_m: f64) -> Vec<f64> {
     let middle = 0.5 * (bottom + top);
     let half = 0.5 * blades.length_m;
@@ -152,7 +151,7 @@ pub(super) fn of(string: &DrillString, sizing: &Sizing) -> Vec<Mark> {
         .spans()
         .filter_map(|span| span.component.bend.map(|bend| span.from_bit_m + bend.from_lower_end_m));
     let forces = string.spans().filter_map(|span| {
-        span.component.lateral_force.map(|of| span.from_bit_m + of.from_lower_end_m)
+        span.component.lateral_force.map(|force| span.from_bit_m + force.from_lower_end_m)
     });
     for from_bit_m in bends.chain(forces) {
         let taken = |m: &Mark| m.fixed && (m.from_bit_m - from_bit_m).abs() < NEAREST_BEND_M;
@@ -168,8 +167,8 @@ pub(super) fn of(string: &DrillString, sizing: &Sizing) -> Vec<Mark> {
     thin(marks, sizing)
 }
 
-/// Whether a component stands out over both its neighbours over a short length: a stabiliser, a
-/// reamer. The bit is no neighbour to stand out from, and is none itself.
+/// Whether a component is wider than both its neighbours over a short length: a stabiliser, a
+/// reamer. The bit is neither such a neighbour nor such a component.
 fn is_blade(components: &[Component], index: usize) -> bool {
     let radius = components[index].contact_radius_m();
     let over = |other: Option<&Component>| {
@@ -184,16 +183,16 @@ fn is_blade(components: &[Component], index: usize) -> bool {
 /// Drops joints that crowd a fixed mark or the joint below.
 fn thin(marks: Vec<Mark>, sizing: &Sizing) -> Vec<Mark> {
     let fixed: Vec<f64> = marks.iter().filter(|m| m.fixed).map(|m| m.from_bit_m).collect();
-    let mut kept: Vec<Mark> = Vec::with_capacity(marks.len());
+    let mut result: Vec<Mark> = Vec::with_capacity(marks.len());
     for mark in marks {
         let length_m = sizing.at(mark.from_bit_m).element_length_m;
         let near = (CROWDED * length_m).min(CROWDED_M);
         let crowds_fixed = !mark.fixed && fixed.iter().any(|f| (f - mark.from_bit_m).abs() < near);
-        let crowds_last =
-            !mark.fixed && kept.last().is_some_and(|last| mark.from_bit_m - last.from_bit_m < near);
+        let crowds_last = !mark.fixed
+            && result.last().is_some_and(|last| mark.from_bit_m - last.from_bit_m < near);
         if !crowds_fixed && !crowds_last {
-            kept.push(mark);
+            result.push(mark);
         }
     }
-    kept
+    result
 }

@@ -1,4 +1,4 @@
-//! Where the nodes stand.
+//! Positions of the nodes.
 
 mod cut;
 mod halve;
@@ -21,12 +21,12 @@ pub struct MeshElement {
     pub length_m: f64,
     /// Its mean section.
     pub section: Section,
-    /// What asked for its length; nodes that must stand where they do make it shorter.
+    /// Reason for its length; nodes at mandatory positions make it shorter.
     pub reason: SizeReason,
 }
 
 /// The string cut into elements, from the surface down to the bit: node 0 is the top, the last node
-/// the bit, element `i` lies between nodes `i` and `i + 1`.
+/// the bit, element `i` is between nodes `i` and `i + 1`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     /// Nodes, one more than elements.
@@ -40,8 +40,8 @@ impl Mesh {
     /// top, on every stabiliser, at every bend of a body, at every lateral force and on the tool
     /// joints.
     ///
-    /// Elements are between 0.8 and 1.25 of those lengths wherever tool joints alone stand in the
-    /// way: a joint that would leave a shorter element gives way to nodes at equal distances. Only
+    /// Elements are between 0.8 and 1.25 of those lengths wherever only tool joints restrict them:
+    /// a joint that would leave a shorter element is replaced by nodes at equal distances. Only
     /// ends, stabilisers, bends and lateral forces make shorter ones.
     ///
     /// Blades touch at both edges where they are longer than half a metre and half an element, so
@@ -72,9 +72,9 @@ impl Mesh {
     #[must_use]
     pub fn lower_end(mut self, length_m: f64) -> Self {
         let beyond = self.nodes.partition_point(|node| node.from_bit_m > length_m);
-        let gone = beyond.min(self.elements.len().saturating_sub(2));
-        self.nodes.drain(..gone);
-        self.elements.drain(..gone);
+        let removed = beyond.min(self.elements.len().saturating_sub(2));
+        self.nodes.drain(..removed);
+        self.elements.drain(..removed);
         self
     }
 
@@ -99,8 +99,8 @@ impl Mesh {
             .expect("bends and lateral forces have a node between the ends")
     }
 
-    /// From how many nodes to how many most of the string has a node that stands out over the one
-    /// below it, as tool joints do; one where there is no such rule.
+    /// Period in nodes with which most of the string has a node that is wider than the one below
+    /// it, as tool joints are; one where there is no such period.
     pub fn nodes_per_joint(&self) -> usize {
         let stands_out = |pair: &[MeshNode]| {
             pair[0].contact_radius_m > pair[1].contact_radius_m + BLADE_HEIGHT_M
@@ -118,16 +118,16 @@ impl Mesh {
     }
 
     /// The body with the smallest section modulus within half an element on either side of a node:
-    /// what bears the stress there.
+    /// the body that governs the stress there.
     pub(crate) fn weakest_body<'a>(&self, string: &'a DrillString, node: usize) -> &'a Component {
         let half = |element: Option<usize>| {
             let element = element.and_then(|index| self.elements.get(index));
-            element.map_or(0.0, |of| 0.5 * of.length_m)
+            element.map_or(0.0, |element| 0.5 * element.length_m)
         };
         let from_bit_m = self.nodes[node].from_bit_m;
         let (first, lowest) = string.component_at(from_bit_m - half(Some(node)));
         let (last, _) = string.component_at(from_bit_m + half(node.checked_sub(1)));
-        let modulus = |of: &&Component| of.section_modulus_m3();
+        let modulus = |component: &&Component| component.section_modulus_m3();
         let bodies = string.components()[first..=last].iter();
         bodies.min_by(|a, b| modulus(a).total_cmp(&modulus(b))).unwrap_or(lowest)
     }

@@ -61,16 +61,16 @@ impl Largest {
     }
 }
 
-/// The nodes of what was solved, from the bit up. `places` are their distances from the bit, m, and
+/// The nodes of the solved part, from the bit up. `places` are their distances from the bit, m, and
 /// the components that touch there, from the top down.
 pub(super) fn nodes(
     model: &Model,
-    of: &StiffProfile,
+    profile: &StiffProfile,
     places: &[(f64, usize)],
 ) -> Vec<AssemblyNode> {
-    let axis = &of.axis;
+    let axis = &profile.axis;
     let node = |index: usize| AssemblyNode {
-        md_m: of.md_m[index],
+        md_m: profile.md_m[index],
         from_bit_m: places[index].0,
         component: model.string.component_at(places[index].0).0,
         touching: places[index].1,
@@ -79,10 +79,10 @@ pub(super) fn nodes(
         tilt_rad: axis.tilt_rad[index],
         push_N: axis.push_N[index],
         moment_N_m: axis.moment_N_m[index],
-        tension_N: of.tension_N[index],
-        torque_N_m: of.torque_N_m[index],
-        bending_stress_Pa: of.bending_stress_Pa[index],
-        von_mises_stress_Pa: of.von_mises_stress_Pa[index],
+        tension_N: profile.tension_N[index],
+        torque_N_m: profile.torque_N_m[index],
+        bending_stress_Pa: profile.bending_stress_Pa[index],
+        von_mises_stress_Pa: profile.von_mises_stress_Pa[index],
     };
     (0..places.len()).rev().map(node).collect()
 }

@@ -1,11 +1,11 @@
-//! Where the assembly touches.
+//! Contacts of the assembly.
 
 use serde::{Deserialize, Serialize};
 
 use super::axis::AssemblyNode;
 use crate::string::{Component, DrillString};
 
-/// What of the string touches.
+/// Touching part of the string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Touching {
@@ -35,11 +35,11 @@ impl Touching {
 /// component.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
-    /// What touches.
+    /// The touching part.
     pub touching: Touching,
     /// Component, counted from the bit.
     pub component: usize,
-    /// What that is called.
+    /// Its name.
     pub name: String,
     /// Measured depth of the middle of its force, m.
     pub md_m: f64,
@@ -75,7 +75,7 @@ impl Contact {
     }
 }
 
-/// What touches at a node of a component.
+/// Returns the part that touches at a node of a component.
 fn touching(component: &Component, index: usize) -> Touching {
     match component {
         _ if index == 0 => Touching::Bit,
@@ -85,7 +85,7 @@ fn touching(component: &Component, index: usize) -> Touching {
     }
 }
 
-/// The contacts of nodes that stand from the bit up: the bit first, pressing or not.
+/// The contacts of nodes, ordered from the bit up: the bit first, whether in contact or not.
 pub(super) fn contacts(string: &DrillString, nodes: &[AssemblyNode]) -> Vec<Contact> {
     let mut contacts: Vec<Contact> = Vec::new();
     // Of the last contact, where its stretch ended: only the next node may lengthen it.
@@ -95,14 +95,14 @@ pub(super) fn contacts(string: &DrillString, nodes: &[AssemblyNode]) -> Vec<Cont
         if index > 0 && force_N <= 0.0 {
             continue;
         }
-        let of = touching(&string.components()[node.touching], index);
+        let part = touching(&string.components()[node.touching], index);
         match contacts.last_mut() {
             Some(last)
                 if last.component == node.touching
-                    && last.touching == of
+                    && last.touching == part
                     && last.same_side(&node.push_N)
-                    && (of == Touching::Blades
-                        || last_node + 1 == index && of == Touching::Body) =>
+                    && (part == Touching::Blades
+                        || last_node + 1 == index && part == Touching::Body) =>
             {
                 let before_N = last.size_N();
                 last.md_m = (last.md_m * before_N + node.md_m * force_N) / (before_N + force_N);
@@ -110,7 +110,7 @@ pub(super) fn contacts(string: &DrillString, nodes: &[AssemblyNode]) -> Vec<Cont
                 last.force_N[0] += node.push_N[0];
                 last.force_N[1] += node.push_N[1];
             }
-            _ => contacts.push(Contact::begin(string, node, of)),
+            _ => contacts.push(Contact::begin(string, node, part)),
         }
         last_node = index;
     }
@@ -121,7 +121,7 @@ pub(super) fn contacts(string: &DrillString, nodes: &[AssemblyNode]) -> Vec<Cont
     contacts
 }
 
-/// Where contacts of bodies begin and end, from the bit, m: half-way to the node that is free.
+/// Ends of the contacts of bodies, from the bit, m: half-way to the node that is free.
 pub(super) fn ends_m(string: &DrillString, nodes: &[AssemblyNode], to_m: f64) -> Vec<f64> {
     let on = |node: &AssemblyNode| node.push_N != [0.0; 2];
     let is_body = |node: &AssemblyNode| {

@@ -1,4 +1,4 @@
-//! How much of the string is solved, and in which elements.
+//! Extent of the solved part of the string, and its elements.
 
 use super::settings::{AssemblySettings, Extent};
 use crate::{
@@ -19,16 +19,17 @@ const PLAIN: f64 = 4.0;
 /// Blades no longer than this are a point, m; longer ones touch at both edges.
 const POINT_M: f64 = 0.1;
 
-/// How many elements on either side of the end of a contact are made shorter, and how much.
+/// Number of elements on either side of the end of a contact that are made shorter, and by how
+/// much.
 const AROUND: f64 = 3.0;
 const SHORTER: f64 = 3.0;
 
-/// How far the assembly reaches.
+/// Extent of the assembly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Reach {
     /// Its upper end from the bit, m: where ordinary pipe begins.
     pub(super) assembly_m: f64,
-    /// What is solved, from the bit, m.
+    /// Length of the solved part, from the bit, m.
     pub(super) solved_m: f64,
 }
 
@@ -40,14 +41,15 @@ impl Reach {
             Extent::Whole => whole_m,
             Extent::PipeAbove(pipe_m) => (top_m + pipe_m).min(whole_m),
         };
-        // Of a string that is the same from end to end the upper half bears what holds its top.
+        // In a string that is uniform from end to end the upper half is affected by the constraint
+        // of its top.
         let assembly_m = if top_m > 0.0 { top_m.min(solved_m) } else { 0.5 * solved_m };
         Self { assembly_m, solved_m }
     }
 }
 
-/// The elements of what is solved: shorter where contacts end, at places from the bit, m, and every
-/// length divided by `refinement`.
+/// The elements of the solved part: shorter where contacts end, at places from the bit, m, and
+/// every length divided by `refinement`.
 pub(super) fn mesh(
     model: &Model,
     operation: &Operation,
@@ -57,7 +59,7 @@ pub(super) fn mesh(
 ) -> Result<Mesh, SoftError> {
     let reach = Reach::of(model, settings);
     let element_m = settings.element_length_m;
-    let length_m = |of: &Component| match of.joints {
+    let length_m = |component: &Component| match component.joints {
         Some(joints) => (joints.spacing_m / PER_JOINT).max(element_m),
         None => element_m,
     };

@@ -43,7 +43,7 @@ pub fn in_straight_hole(
     let path = Path::new(&stations, Interpolation::MinimumCurvature, TieIn::default())?;
     let at_bit = *model.well.hole.at(bit_m);
     let section = HoleSection { from_md_m: 0.0, to_md_m: bit_m, ..at_bit };
-    // What the case has checked already.
+    // Already checked with the case.
     let hole = Hole::new(vec![section]).unwrap_or_else(|_| model.well.hole.clone());
     Ok(Model { well: Well { path, hole }, ..model.clone() })
 }

@@ -1,5 +1,5 @@
-//! Static analysis of the bottom-hole assembly: what it does to the bit, where it touches, how it
-//! bends, and by how much its survey sensor is off the hole's axis.
+//! Static analysis of the bottom-hole assembly: the loads of the bit, the contacts, the bending,
+//! and the misalignment of the survey sensor with the hole's axis.
 //!
 //! The lower end of the [stiff string](crate::statics::stiff) in fine elements. Theory:
 //! `docs/src/theory/stiff-string.md`.

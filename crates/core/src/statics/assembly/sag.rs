@@ -1,4 +1,4 @@
-//! What a survey sensor measures too much or too little, for the string's axis is not the hole's.
+//! Error of a survey sensor because the string's axis is not the hole's.
 
 use std::f64::consts::PI;
 
@@ -13,12 +13,12 @@ const LEAST_INCLINATION_RAD: f64 = PI / 180.0;
 
 /// Sag of the string at a survey sensor.
 ///
-/// The corrections are added to what the sensor measures: measured + correction = hole.
+/// The corrections are added to the sensor's measurements: measured + correction = hole.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sag {
     /// Component that holds the sensor, counted from the bit.
     pub component: usize,
-    /// What that is called.
+    /// Its name.
     pub name: String,
     /// Distance of the sensor from the bit, m.
     pub from_bit_m: f64,
@@ -32,7 +32,7 @@ pub struct Sag {
     pub azimuth_rad: Option<f64>,
 }
 
-/// The sag at every sensor in what was solved.
+/// The sag at every sensor in the solved part.
 pub(super) fn sag(model: &Model, nodes: &[AssemblyNode]) -> Vec<Sag> {
     let solved_m = nodes.last().map_or(0.0, |top| top.from_bit_m);
     let sensors = model.string.spans().enumerate().filter_map(|(index, span)| {
@@ -48,7 +48,8 @@ pub(super) fn sag(model: &Model, nodes: &[AssemblyNode]) -> Vec<Sag> {
         let [up, aside] = tilt_rad;
         let along = (1.0 - up * up - aside * aside).max(0.0).sqrt();
         let string = hole * along + high * up + right * aside;
-        let [hole_inclination_rad, measured_rad] = [hole, string].map(|of| inclination_rad(&of));
+        let [hole_inclination_rad, measured_rad] =
+            [hole, string].map(|axis| inclination_rad(&axis));
         let azimuth_rad = (hole_inclination_rad > LEAST_INCLINATION_RAD).then(|| {
             let turn = libm::atan2(hole.y, hole.x) - libm::atan2(string.y, string.x);
             (turn + PI).rem_euclid(2.0 * PI) - PI
@@ -66,11 +67,11 @@ pub(super) fn sag(model: &Model, nodes: &[AssemblyNode]) -> Vec<Sag> {
     sensors.map(at).collect()
 }
 
-fn inclination_rad(of: &Vector3<f64>) -> f64 {
-    libm::atan2(libm::hypot(of.x, of.y), of.z)
+fn inclination_rad(axis: &Vector3<f64>) -> f64 {
+    libm::atan2(libm::hypot(axis.x, axis.y), axis.z)
 }
 
-/// Measured depth, m, and tilt, rad, between two nodes. A bend stands at a node, whose tilt is that
+/// Measured depth, m, and tilt, rad, between two nodes. A bend is at a node, whose tilt is that
 /// above it.
 fn between(nodes: &[AssemblyNode], from_bit_m: f64) -> (f64, [f64; 2]) {
     let above = nodes.partition_point(|node| node.from_bit_m < from_bit_m);

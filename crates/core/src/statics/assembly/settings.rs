@@ -1,8 +1,8 @@
-//! How the assembly is solved.
+//! Settings of the assembly's solution.
 
 use crate::statics::stiff::StiffSettings;
 
-/// How much of the string is solved with the assembly.
+/// Part of the string that is solved with the assembly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent {
     /// All of it.
@@ -11,12 +11,12 @@ pub enum Extent {
     PipeAbove(f64),
 }
 
-/// How the assembly is solved.
+/// Settings of the assembly's solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AssemblySettings {
     /// Wall, bit and upper end. Its element lengths are not used.
     pub stiff: StiffSettings,
-    /// How much of the string is solved.
+    /// Part of the string that is solved.
     pub extent: Extent,
     /// Length of the elements of the assembly, m. Those of jointed pipe are an eighth of a joint.
     pub element_length_m: f64,

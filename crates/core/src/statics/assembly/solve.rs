@@ -27,7 +27,7 @@ pub struct Assembly {
     pub bit_side_force_N: [f64; 2],
     /// Tilt of the bit against the hole's axis, rad.
     pub bit_tilt_rad: [f64; 2],
-    /// Where it touches, from the bit up; the bit first.
+    /// Contacts, from the bit up; the bit first.
     pub contacts: Vec<Contact>,
     /// Sag at the survey sensors.
     pub sag: Vec<Sag>,
@@ -41,13 +41,13 @@ pub struct Assembly {
     pub nodes: Vec<AssemblyNode>,
     /// Upper end of the assembly from the bit, m: where ordinary pipe begins.
     pub length_m: f64,
-    /// How the equilibrium was found.
+    /// Convergence of the equilibrium.
     pub convergence: Convergence,
-    /// What elements half as long change; none where that was not tried.
+    /// Changes with elements of half the length; none where that was not computed.
     pub errors: Option<AssemblyErrors>,
 }
 
-/// What elements half as long change: an estimate of what is left of the error.
+/// Changes with elements of half the length: an estimate of the remaining error.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct AssemblyErrors {
     /// Of the side force, N.
@@ -63,7 +63,7 @@ pub struct AssemblyErrors {
 }
 
 /// The assembly of a string at rest in one operation: in elements that are shorter where contacts
-/// begin or end, and once more with every element halved, which says how far to trust it.
+/// begin or end, and once more with every element halved, which gives an estimate of the error.
 ///
 /// # Errors
 /// Those of the [stiff string](stiff::solve).
@@ -139,14 +139,14 @@ impl Assembly {
 
 impl AssemblyErrors {
     fn between(a: &Assembly, b: &Assembly) -> Self {
-        let apart = |of: fn(&Assembly) -> [f64; 2]| {
-            let ([x, y], [u, v]) = (of(a), of(b));
+        let apart = |value: fn(&Assembly) -> [f64; 2]| {
+            let ([x, y], [u, v]) = (value(a), value(b));
             libm::hypot(x - u, y - v)
         };
-        let sag = |of: &Assembly| of.sag.first().map_or(0.0, |sag| sag.inclination_rad);
+        let sag = |assembly: &Assembly| assembly.sag.first().map_or(0.0, |sag| sag.inclination_rad);
         Self {
-            side_force_N: apart(|of| of.bit_side_force_N),
-            tilt_rad: apart(|of| of.bit_tilt_rad),
+            side_force_N: apart(|assembly| assembly.bit_side_force_N),
+            tilt_rad: apart(|assembly| assembly.bit_tilt_rad),
             largest_moment_N_m: (a.largest_moment_N_m.value - b.largest_moment_N_m.value).abs(),
             largest_von_mises_Pa: (a.largest_von_mises_Pa.value - b.largest_von_mises_Pa.value)
                 .abs(),

@@ -1,7 +1,7 @@
-//! Where a quantity changes its sign.
+//! Zeros of a quantity.
 
-/// Where a quantity is zero between points of growing abscissa, by straight lines: the inclination
-/// at which an assembly neither builds nor drops.
+/// Zeros of a quantity between points of growing abscissa, by linear interpolation: for example the
+/// inclination at which an assembly neither builds nor drops.
 pub fn zeros(points: &[(f64, f64)]) -> Vec<f64> {
     let pairs = points.windows(2).filter(|pair| pair[0].1 * pair[1].1 <= 0.0);
     let pairs = pairs.filter(|pair| pair[0].1 != pair[1].1 && pair[1].1 != 0.0);

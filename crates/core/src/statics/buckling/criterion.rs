@@ -32,7 +32,7 @@ impl Criterion {
         self.shapes()[1]
     }
 
-    /// Whether what the hole's curvature presses to the wall counts.
+    /// Whether the wall load from the hole's curvature is included.
     pub const fn counts_curvature(self) -> bool {
         matches!(self, Self::HeKyllingstad)
     }

@@ -11,8 +11,8 @@ use super::{
 const STEPS: usize = 200;
 
 impl Place {
-    /// `√(β EI w_n/r)` under a wall load `w_n`, N/m, or what the pipe's weight holds in a vertical
-    /// hole, whichever is more, N: the load that a compression is compared with. Infinite where
+    /// `√(β EI w_n/r)` under a wall load `w_n`, N/m, or the load supported by the pipe's weight in
+    /// a vertical hole, whichever is greater, N: the threshold of a compression. Infinite where
     /// there is no clearance.
     pub fn threshold_N(&self, shape: Shape, wall_load_N_per_m: f64) -> f64 {
         if self.clearance_m <= 0.0 {
@@ -135,13 +135,18 @@ impl Place {
     }
 }
 
-/// Where a function changes sign between two places where its signs differ: by Newton's method from
-/// the upper place, by halves where that leads out.
-fn zero(of: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let begins_positive = of(low) > 0.0;
+/// Zero of a function between two places where its signs differ: by Newton's method from the upper
+/// place, by bisection where that leaves the interval.
+fn zero(
+    function: impl Fn(f64) -> f64,
+    slope: impl Fn(f64) -> f64,
+    mut low: f64,
+    mut high: f64,
+) -> f64 {
+    let begins_positive = function(low) > 0.0;
     let mut at = high;
     for _ in 0..STEPS {
-        let value = of(at);
+        let value = function(at);
         if (value > 0.0) == begins_positive {
             low = at;
         } else {

@@ -6,7 +6,7 @@ pub(super) struct CriticalLoads {
     /// From the least up, N; only so many of them.
     loads_N: [f64; 3],
     count: usize,
-    /// What is the least that counts, N.
+    /// The least load that counts, N.
     least_N: f64,
 }
 
@@ -47,7 +47,7 @@ impl BucklingLoads {
     /// that it has passed, else the next that it would pass; never less than in a vertical hole.
     /// None where there is no clearance.
     pub fn compared_with_N(&self, compression_N: f64) -> Option<[f64; 2]> {
-        let loads_N = self.0.map(|of| of.compared_with_N(compression_N));
+        let loads_N = self.0.map(|loads| loads.compared_with_N(compression_N));
         loads_N[0].is_finite().then_some(loads_N)
     }
 }

@@ -11,7 +11,8 @@
 #![doc = include_str!("../../../equations/buckling.html")]
 //!
 //! (He and Kyllingstad 1995), and never below Lubinski's and Wu and Juvkam-Wold's loads of a
-//! vertical hole. A [`Criterion`] says whose loads are meant. Theory and sources: `docs/src/findings.md`.
+//! vertical hole. A [`Criterion`] selects the author of the loads. Theory and sources:
+//! `docs/src/findings.md`.
 
 mod criterion;
 mod critical;

@@ -4,15 +4,15 @@ use nalgebra::Vector3;
 
 use crate::{model::Model, string::Component, well::PathPoint};
 
-/// More than what rounding makes of a depth, m.
+/// More than the rounding error of a depth, m.
 const JUST_ABOVE_M: f64 = 1e-6;
 
-/// What the buckling of a pipe depends on at one measured depth.
+/// Parameters of a pipe's buckling at one measured depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
     /// Bending stiffness `EI` of the body, N·m².
     pub bending_stiffness_N_m2: f64,
-    /// Radial clearance between hole and what touches it, m.
+    /// Radial clearance between hole and contact surface, m.
     pub clearance_m: f64,
     /// Magnitude of the buoyed weight per length `w`, N/m.
     pub weight_N_per_m: f64,
@@ -48,9 +48,9 @@ impl Pipe {
         helix_load_N_per_m(self.bending_stiffness_N_m2, self.clearance_m, compression_N)
     }
 
-    /// Where the hole has that unit tangent and curvature vector, 1/m.
+    /// The same place in a hole with that unit tangent and curvature vector, 1/m.
     pub fn at(&self, tangent: &Vector3<f64>, curvature_per_m: &Vector3<f64>) -> Place {
-        // What floats presses to the high side as it would press to the low one if it sank.
+        // A floating pipe loads the high side in the same way as a sinking one loads the low side.
         let down = Vector3::z() * self.weight_N_per_m.signum();
         let across = down - tangent * tangent.dot(&down);
         let sin_inclination = across.norm();
@@ -93,8 +93,8 @@ impl Place {
         pipe.at(&point.tangent, &point.curvature_per_m)
     }
 
-    /// `w_n`: what presses a straight pipe against the wall under a compression, N/m; a negative
-    /// compression is a tension.
+    /// `w_n`: wall load of a straight pipe under a compression, N/m; a negative compression is a
+    /// tension.
     pub fn wall_load_N_per_m(&self, compression_N: f64) -> f64 {
         let built = self.weight_across_N_per_m + compression_N * self.build_rad_per_m;
         libm::hypot(built, compression_N * self.turn_rad_per_m)

@@ -6,8 +6,8 @@
 //! dF/dx = μ (w_n(F) + [helical] r F²/(4 EI)) − w cos θ
 //! ```
 //!
-//! (Mitchell 1986). `F` becomes infinite within a finite length: the string locks up. The angle
-//! `φ = atan(F/F₀)`, which goes to a right angle there, is what is integrated. Theory:
+//! (Mitchell 1986). `F` becomes infinite within a finite length: the string locks up. The angle `φ
+//! = atan(F/F₀)`, which approaches a right angle there, is the integrated variable. Theory:
 //! `docs/src/findings.md`.
 
 use std::f64::consts::FRAC_PI_2;
@@ -30,7 +30,7 @@ pub struct Segment {
     pub weight_along_N_per_m: f64,
 }
 
-/// What a push from the bit up comes to.
+/// Result of a push from the bit up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pushed {
     /// Compression at the upper end, N; negative where the string hangs there.
@@ -117,7 +117,7 @@ pub fn push_through(segments: &[Segment], at_bit_N: f64, by: Criterion) -> Pushe
 }
 
 /// Compression at the lower end of the same stretches under a compression at their upper end, N,
-/// which may be infinite: what of a push arrives at the bit.
+/// which may be infinite: the part of a push that reaches the bit.
 pub fn weight_at_bit_N(segments: &[Segment], at_top_N: f64, by: Criterion) -> f64 {
     let mut angle = libm::atan(at_top_N / SCALE_N);
     for segment in segments.iter().rev() {

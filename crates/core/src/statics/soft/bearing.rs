@@ -1,4 +1,4 @@
-//! What a stretch of the string bears at a depth: its metal, its joints, its surface.
+//! Loads of a stretch of the string at a depth: its metal, its joints, its surface.
 
 use nalgebra::Vector3;
 
@@ -13,12 +13,12 @@ use crate::{
 /// A share of the load below this is rounding, not a direction.
 const NO_SIDE: f64 = 1e-9;
 
-/// What a stretch of one component in one hole section carries its loads with.
+/// Load-carrying properties of a stretch of one component in one hole section.
 pub(super) struct Carrier<'a> {
     component: &'a Component,
     section: BodySection,
     span: Option<JointSpan>,
-    /// Distance of the component's axis from the hole's where it lies on the wall, m.
+    /// Distance of the component's axis from the hole's where it is on the wall, m.
     clearance_m: f64,
     /// `ρ Q²`, N·m².
     stream_N_m2: f64,
@@ -26,7 +26,7 @@ pub(super) struct Carrier<'a> {
     rotation_rad_per_s: f64,
 }
 
-/// What it bears at a depth.
+/// Its loads at a depth.
 pub(super) struct Bearing {
     pub(super) climb_rad: Option<f64>,
     pub(super) lateral_offset_m: f64,
@@ -66,7 +66,7 @@ impl<'a> Carrier<'a> {
         }
     }
 
-    /// What it bears at a point of the path, with the pressures outside and inside, Pa.
+    /// Computes its loads at a point of the path, with the pressures outside and inside, Pa.
     pub(super) fn bears(
         &self,
         point: &Point,
@@ -124,8 +124,8 @@ impl<'a> Carrier<'a> {
         bent.curvatures_per_m.map(|per_m| stiffness_N_m2 * per_m)
     }
 
-    /// How the body bends near a point: as the hole, and where tool joints hold it off the wall
-    /// besides.
+    /// Bending of the body near a point: that of the hole, plus its own where tool joints hold it
+    /// off the wall.
     fn bent(&self, point: &Point, load: &Load, totals: &Totals) -> Bent {
         let hole_per_m = point.curvature_per_m;
         let Some(span) = &self.span else {
@@ -146,7 +146,7 @@ impl<'a> Carrier<'a> {
     }
 }
 
-/// How the body of a component bends near a point.
+/// Bending of a component's body near a point.
 struct Bent {
     /// Curvature at the joints and half-way between them, 1/m.
     curvatures_per_m: [f64; 2],

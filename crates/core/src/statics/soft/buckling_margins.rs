@@ -1,4 +1,4 @@
-//! How much more compression a string bears before it buckles.
+//! Additional compression of a string up to buckling.
 
 use super::{
     hole::Node,

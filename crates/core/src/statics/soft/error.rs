@@ -1,4 +1,4 @@
-//! What the soft string refuses.
+//! Errors of the soft string.
 
 use super::SoftSettings;
 use crate::{model::Model, operation::Operation};
@@ -23,9 +23,9 @@ pub enum SoftError {
     /// A set point of the operation, or the mud's density, is out of its range.
     #[error("the {quantity} must be {expected}, got {value}")]
     SetPoint {
-        /// What it is.
+        /// Name of the quantity.
         quantity: &'static str,
-        /// What was expected, with its unit.
+        /// Expected range, with its unit.
         expected: &'static str,
         /// Value, SI.
         value: f64,

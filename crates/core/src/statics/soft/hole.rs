@@ -1,5 +1,5 @@
-//! The hole as the integration steps through it, with the buckling loads of the string there: what
-//! no operation and no friction changes.
+//! The hole as the integration steps through it, with the buckling loads of the string there: the
+//! data that do not depend on operation or friction.
 
 use nalgebra::Vector3;
 
@@ -42,8 +42,8 @@ pub(super) struct Stretch {
 /// The stretches of a hole, from the bit up, in steps of a length at the most, m.
 pub(super) fn stretches(model: &Model, bit_depth_m: f64, longest_m: f64) -> Vec<Stretch> {
     let ends = ends(model, bit_depth_m);
-    let of = |pair: &[f64]| stretch(model, bit_depth_m, [pair[0], pair[1]], longest_m);
-    ends.windows(2).map(of).collect()
+    let stretch_between = |pair: &[f64]| stretch(model, bit_depth_m, [pair[0], pair[1]], longest_m);
+    ends.windows(2).map(stretch_between).collect()
 }
 
 /// Ends of the stretches, from the bit up: where the path's curvature or its slope, the component or
@@ -63,7 +63,7 @@ fn ends(model: &Model, bit_depth_m: f64) -> Vec<f64> {
     ends
 }
 
-/// Boundaries that lie closer together than this are one, m. The path's headings are taken as far
+/// Boundaries that are closer together than this are one, m. The path's headings are taken as far
 /// inside a stretch.
 const SHORTEST_M: f64 = 1e-6;
 

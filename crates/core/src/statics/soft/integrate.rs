@@ -19,12 +19,12 @@ use crate::{
     well::Path,
 };
 
-/// What is kept of the integration on its way up.
+/// Values kept during the integration on its way up.
 pub(super) trait Keep {
     /// The state at a node, the bit's first. Where two segments meet, it is of the one above.
     fn node(&mut self, segment: &Segment<'_>, node: &Node, totals: &Totals, load: &Load);
 
-    /// A step from a lower node, with what had accumulated there, to an upper one.
+    /// A step from a lower node, with the totals accumulated there, to an upper one.
     fn step(
         &mut self,
         _segment: &Segment<'_>,
@@ -35,13 +35,13 @@ pub(super) trait Keep {
     }
 }
 
-/// What the integration found.
+/// Result of the integration.
 pub(super) struct Integral {
-    /// What has accumulated at the surface.
+    /// Totals accumulated at the surface.
     pub(super) totals: Totals,
-    /// What of it the uppermost metre adds.
+    /// Increase of the totals over the uppermost metre.
     pub(super) per_metre_at_surface: Totals,
-    /// What the mud does, if it flows.
+    /// Effect of the mud, if it flows.
     pub(super) hydraulics: Option<Hydraulics>,
 }
 
@@ -70,8 +70,8 @@ struct Climb<'a> {
 }
 
 impl Climb<'_> {
-    /// A step from a lower to an upper depth, halved wherever the wall load has a kink: what has
-    /// accumulated, and the load there. `load` is the one at its lower end.
+    /// A step from a lower to an upper depth, halved wherever the wall load has a kink: returns the
+    /// accumulated totals and the load there. `load` is the one at its lower end.
     fn step(
         &self,
         [lower_md_m, upper_md_m]: [f64; 2],
@@ -111,12 +111,13 @@ const KINK_N: f64 = 2e-8;
 /// Most halvings of a step: each makes the error of a kink a quarter.
 const MAX_HALVINGS: usize = 20;
 
-/// By how much Simpson's rule errs on the size of a vector that goes from one value to another over a
-/// step, N: what the fourth derivative is at most, `step⁵/2880` times. With the change `δ`, the
-/// distance `d` of the straight line between the two from zero, the least size `r` on it, and `b` by
-/// which the vector is off that line half-way, that is `12 d² δ⁴/r⁵`, `192 b²/r` and `96 b δ²/r²` over
-/// `step⁴`. Where the vector goes through zero its size has a kink, which costs `δ step/16` at most.
-/// `b` is read only where the least size is much less than the largest: elsewhere it costs nothing.
+/// Error of Simpson's rule for the size of a vector that changes from one value to another over a
+/// step, N: the maximum of the fourth derivative, times `step⁵/2880`. With the change `δ`, the
+/// distance `d` of the straight line between the two from zero, the least size `r` on it, and `b`
+/// by which the vector is off that line half-way, that is `12 d² δ⁴/r⁵`, `192 b²/r` and `96 b
+/// δ²/r²` over `step⁴`. Where the vector goes through zero its size has a kink, which costs `δ
+/// step/16` at most. `b` is read only where the least size is much less than the largest: elsewhere
+/// it costs nothing.
 fn kink_N([from, to]: [&Vector3<f64>; 2], bend: impl Fn() -> f64, step_m: f64) -> f64 {
     let by = to - from;
     let square = by.norm_squared();
@@ -195,8 +196,10 @@ pub(super) fn from_bit(
     let path = &model.well.path;
     let sliding = Sliding::of(operation);
     let mud = model.mud_column();
-    let mut segments: Vec<Segment<'_>> =
-        stretches.iter().map(|of| Segment::new(model, mud, operation, sliding, of)).collect();
+    let mut segments: Vec<Segment<'_>> = stretches
+        .iter()
+        .map(|stretch| Segment::new(model, mud, operation, sliding, stretch))
+        .collect();
     let passages: Vec<Passage> = segments.iter().map(Segment::passage).collect();
     let (circulating, hydraulics) = circulation::along(model, operation, &passages);
     for (segment, circulating) in segments.iter_mut().zip(circulating) {

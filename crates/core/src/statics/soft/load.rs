@@ -1,4 +1,4 @@
-//! What accumulates along the string, and what loads the wall at a point.
+//! Quantities accumulated along the string, and the wall load at a point.
 
 use std::ops::{Add, Mul};
 
@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::well::Heading;
 
-/// What accumulates from the bit up. Its derivative has the same fields, per metre upwards.
+/// Totals accumulated from the bit up. Its derivative has the same fields, per metre upwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Totals {
     pub(super) tension_N: f64,
@@ -50,7 +50,7 @@ impl Mul<f64> for Totals {
 pub(super) struct Load {
     /// Of weight and tension.
     pub(super) q_N_per_m: Vector3<f64>,
-    /// Its magnitude and what a helix adds.
+    /// Its magnitude and the part of a helix.
     pub(super) side_force_N_per_m: f64,
     pub(super) axial_friction_N_per_m: f64,
     pub(super) friction_torque_N_m_per_m: f64,

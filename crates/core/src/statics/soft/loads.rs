@@ -1,4 +1,4 @@
-//! What loads the string, and nothing else of the answer.
+//! Loads of the string, without the other results.
 
 use super::{
     hole::Node,
@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{mud::Hydraulics, outcome::Profile};
 
-/// What loads the string and the rig: less than a [`SoftProfile`](super::SoftProfile), in less than
+/// Loads of the string and the rig: less than a [`SoftProfile`](super::SoftProfile), in less than
 /// half of its time, and the same to the last digit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoftLoads {
@@ -18,7 +18,7 @@ pub struct SoftLoads {
     pub surface_torque_N_m: f64,
     /// Friction along the hole, N, positive where it adds to the hook load.
     pub axial_friction_N: f64,
-    /// What the mud does; none without a rheology.
+    /// Effect of the mud; none without a rheology.
     pub hydraulics: Option<Hydraulics>,
     /// Along the string: depth, tension, torque, bending moments, pressures and buckling loads. The
     /// other columns are empty.
@@ -26,8 +26,8 @@ pub struct SoftLoads {
 }
 
 impl SoftLoads {
-    pub(super) fn new(kept: Loads, integral: &Integral) -> Self {
-        let Loads(mut profile) = kept;
+    pub(super) fn new(loads: Loads, integral: &Integral) -> Self {
+        let Loads(mut profile) = loads;
         let Profile {
             md_m,
             tension_N,

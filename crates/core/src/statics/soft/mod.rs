@@ -1,4 +1,4 @@
-//! The soft string: a string without bending stiffness that lies on the wall everywhere.
+//! The soft string: a string without bending stiffness that is on the wall everywhere.
 //!
 //! With `s` the measured depth, `t` the hole's tangent (towards the bit), `κ n` its curvature
 //! vector, `F` the effective tension, `w` the buoyed weight per length, `k` the downward vertical,
@@ -11,7 +11,7 @@
 #![doc = include_str!("../../../equations/soft-string.html")]
 //!
 //! from `F = P − WOB` and `M = M_bit` at the bit, `P` the pull on it (Johancsik, Friesen and Dawson
-//! 1984). The wall load of a helix is counted if asked. Theory: `docs/src/theory/soft-string.md`;
+//! 1984). The wall load of a helix is counted on request. Theory: `docs/src/theory/soft-string.md`;
 //! of a flowing mud: `docs/src/theory/mud.md`.
 
 mod bearing;

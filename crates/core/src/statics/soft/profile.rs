@@ -1,4 +1,4 @@
-//! What the soft string answers with.
+//! Results of the soft string.
 
 use std::ops::Deref;
 
@@ -17,13 +17,13 @@ use crate::{
     },
 };
 
-/// What the soft string answers: loads along the string, from the surface to the bit, and their
+/// Results of the soft string: loads along the string, from the surface to the bit, and their
 /// scalars.
 ///
 /// Its profile's columns are read as its own: `soft.tension_N`. `md_m` goes from 0 to the depth of
 /// the bit. Where a property jumps (a station of a minimum-curvature path, the end of a component
-/// or hole section), side force and friction are those of the stretch above. The string lies on the
-/// wall all the time, wherever anything presses it there.
+/// or hole section), side force and friction are those of the stretch above. The string is on the
+/// wall all the time, wherever a load presses it there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoftProfile {
     /// Along the string.
@@ -35,7 +35,7 @@ pub struct SoftProfile {
     pub wear: HoleWear,
     /// The operation's scalars.
     pub scalars: Scalars,
-    /// What the mud does; none without a rheology.
+    /// Effect of the mud; none without a rheology.
     pub hydraulics: Option<Hydraulics>,
 }
 
@@ -51,14 +51,14 @@ impl SoftProfile {
     pub(super) fn new(
         model: &Model,
         operation: &Operation,
-        kept: Rows,
+        row_set: Rows,
         &Integral { totals, hydraulics, .. }: &Integral,
     ) -> Self {
-        let Rows { mut rows, hole_W, .. } = kept;
+        let Rows { mut rows, hole_W, .. } = row_set;
         rows.reverse();
-        let column = |of: fn(&Row) -> f64| rows.iter().map(of).collect::<Vec<f64>>();
+        let column = |value: fn(&Row) -> f64| rows.iter().map(value).collect::<Vec<f64>>();
         let md_m = column(|row| row.md_m);
-        let maybe = |of: fn(&Row) -> Option<f64>| rows.iter().map(of).collect::<Vec<_>>();
+        let maybe = |value: fn(&Row) -> Option<f64>| rows.iter().map(value).collect::<Vec<_>>();
         let tension_N = column(|row| row.totals.tension_N);
         let side_force_N_per_m = column(|row| {
             let side = row.load.q_N_per_m.dot(&row.high_side);
@@ -114,12 +114,12 @@ impl SoftProfile {
             von_mises_stress_Pa: column(|row| row.bearing.von_mises_stress_Pa),
             yield_use: maybe(|row| row.bearing.yield_use),
             wear_power_W_per_m: column(|row| row.bearing.wear_power_W_per_m),
-            sinusoidal_load_N: maybe(|row| row.buckling_loads_N.map(|of| of[0])),
-            helical_load_N: maybe(|row| row.buckling_loads_N.map(|of| of[1])),
+            sinusoidal_load_N: maybe(|row| row.buckling_loads_N.map(|loads_N| loads_N[0])),
+            helical_load_N: maybe(|row| row.buckling_loads_N.map(|loads_N| loads_N[1])),
             md_m,
             tension_N,
             side_force_N_per_m,
-            // What varies in time is left out.
+            // Quantities that vary in time are left out.
             ..Profile::default()
         };
         Self {

@@ -18,7 +18,7 @@ use crate::{
 pub(super) struct Row {
     pub(super) md_m: f64,
     pub(super) totals: Totals,
-    /// What the tension gains per metre upwards, N/m.
+    /// Increase of the tension per metre upwards, N/m.
     pub(super) tension_rate_N_per_m: f64,
     pub(super) load: Load,
     pub(super) high_side: Vector3<f64>,
@@ -72,7 +72,7 @@ impl Keep for Rows {
     ) {
         let mud_N_m = segment.circulating.torque_N_m_per_m * step_m;
         let rubbed_N_m = totals.torque_N_m - before.torque_N_m - mud_N_m;
-        // Force times sliding speed, about and along; what the mud takes does not rub the wall.
+        // Force times sliding speed, about and along; the work on the mud is not wall friction.
         let rubbed_W = self.rotation_rad_per_s * rubbed_N_m
             - self.axial_m_per_s * (totals.axial_friction_N - before.axial_friction_N);
         spread(&mut self.hole_W, upper_md_m, lower_md_m, rubbed_W);

@@ -1,4 +1,4 @@
-//! A stretch of hole with the string in it, and what an operation loads it with.
+//! A stretch of hole with the string in it, and its loads in an operation.
 
 use super::{
     bearing::Carrier,

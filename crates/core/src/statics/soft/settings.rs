@@ -1,8 +1,8 @@
-//! How the soft string is integrated.
+//! Settings of the soft string's integration.
 
 use serde::Serialize;
 
-/// How the soft string is integrated.
+/// Settings of the soft string's integration.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SoftSettings {
     /// Longest step along the hole, m, from 0.05 to 100. Steps also end at survey stations, at the

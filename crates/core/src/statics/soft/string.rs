@@ -11,9 +11,9 @@ use super::{
 };
 use crate::{model::Model, operation::Operation};
 
-/// A soft string with its bit at one depth, ready for any number of operations: it holds what none
-/// of them changes, the hole step by step and the buckling loads there, which are most of the work
-/// of one.
+/// A soft string with its bit at one depth, ready for any number of operations: it contains the
+/// data that none of them changes, the hole step by step and the buckling loads there, which are
+/// most of the work of one solution.
 ///
 /// ```
 /// use wholestring::{prelude::*, statics::soft::{SoftSettings, SoftString, solve}};
@@ -71,34 +71,34 @@ impl<'a> SoftString<'a> {
         Ok(SoftProfile::new(self.model, &self.here(operation), rows, &integral))
     }
 
-    /// What loads string and rig in an operation, and nothing else of [`Self::solve`].
+    /// Loads of string and rig in an operation, without the other results of [`Self::solve`].
     ///
     /// # Errors
     /// Those of [`Self::solve`].
     pub fn loads(&self, operation: &Operation) -> Result<SoftLoads, SoftError> {
         error::check_operation(self.model, operation)?;
-        let mut kept = Loads::new(self.nodes());
-        let integral = self.integrate(operation, &mut kept)?;
-        Ok(SoftLoads::new(kept, &integral))
+        let mut loads = Loads::new(self.nodes());
+        let integral = self.integrate(operation, &mut loads)?;
+        Ok(SoftLoads::new(loads, &integral))
     }
 
-    /// How much more compression the string bears in an operation where it bears least more, before
-    /// a sinusoid and before a helix, N; infinite where nothing can buckle.
+    /// Least additional compression along the string in an operation up to a sinusoid and up to a
+    /// helix, N; infinite where nothing can buckle.
     ///
     /// # Errors
     /// Those of [`Self::solve`].
     pub fn buckling_margins_N(&self, operation: &Operation) -> Result<[f64; 2], SoftError> {
         error::check_operation(self.model, operation)?;
-        let mut kept = BucklingMargins::NONE;
-        self.integrate(operation, &mut kept)?;
-        Ok(kept.0)
+        let mut margins = BucklingMargins::NONE;
+        self.integrate(operation, &mut margins)?;
+        Ok(margins.0)
     }
 
     /// Everything of an operation whose set points are in their ranges.
     pub(super) fn rows(&self, operation: &Operation) -> Result<(Rows, Integral), SoftError> {
-        let mut kept = Rows::new(&self.here(operation), self.nodes());
-        let integral = self.integrate(operation, &mut kept)?;
-        Ok((kept, integral))
+        let mut rows = Rows::new(&self.here(operation), self.nodes());
+        let integral = self.integrate(operation, &mut rows)?;
+        Ok((rows, integral))
     }
 
     fn integrate(
@@ -117,7 +117,7 @@ impl<'a> SoftString<'a> {
 
     /// One at the end of each step, and one at the bit.
     fn nodes(&self) -> usize {
-        self.stretches.iter().map(|of| of.steps.len()).sum::<usize>() + 1
+        self.stretches.iter().map(|stretch| stretch.steps.len()).sum::<usize>() + 1
     }
 }
 

@@ -6,9 +6,9 @@ use crate::{model::Model, operation::Operation, outcome::Scalars};
 /// The scalars of the same string, no longer and no shorter, with its bit deeper by `down_m`, or
 /// shallower where that is negative.
 ///
-/// The integral reaches from the bit to the surface. What a metre adds to it at the surface is
-/// taken off for the metres of hole that the string's top has left behind, and added for those by
-/// which it stands above: as if the hole continued there as it begins, to first order in `down_m`.
+/// The integral reaches from the bit to the surface. The contribution per metre at the surface is
+/// subtracted for the metres of hole that the string's top has left behind, and added for those by
+/// which it is above: as if the hole continued there unchanged, to first order in `down_m`.
 ///
 /// # Errors
 /// Those of [`solve`](super::solve), and a bit that would not be in the hole.

@@ -1,4 +1,4 @@
-//! How worn a drill pipe may be.
+//! Wear classes of drill pipe.
 
 use serde::Serialize;
 
@@ -35,7 +35,7 @@ impl PipeClass {
         matches!(self, Self::New)
     }
 
-    /// What a designation ends with; nothing for new pipe.
+    /// Suffix of a designation; empty for new pipe.
     pub const fn suffix(self) -> &'static str {
         match self {
             Self::New => "",

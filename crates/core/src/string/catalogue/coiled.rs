@@ -24,7 +24,7 @@ const SIZES: [(&str, f64, &[&str]); 9] = [
     ("3-1/2", 3.5, &["0.190", "0.204", "0.250"]),
 ];
 
-/// What a reading calls the grade of a yield strength in ksi; `None` where there is no such grade.
+/// Name in a reading of the grade of a yield strength in ksi; `None` where there is no such grade.
 pub(super) fn grade(ksi: f64) -> Option<String> {
     GRADES_KSI.contains(&ksi).then(|| format!("ct{ksi}"))
 }

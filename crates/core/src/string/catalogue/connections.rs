@@ -1,5 +1,5 @@
-//! Threads of rotary shouldered connections, in inches as API Spec 7-2 prints them, and what the
-//! connections of the catalogue's tubulars bear.
+//! Threads of rotary shouldered connections, in inches as API Spec 7-2 prints them, and the
+//! strength of the connections of the catalogue's tubulars.
 
 use super::inches::{INCH_M, PSI_PA};
 use crate::string::{ConnectionStrength, RotaryConnection, Shoulder};
@@ -68,7 +68,7 @@ const HEAVY_WEIGHT_YIELD_PSI: f64 = 110_000.0;
 /// as makers commonly print it.
 const COLLAR_MAKE_UP_PSI: f64 = 62_500.0;
 
-/// What a connection yields under, and is made up with to a stress, Pa.
+/// Yield loads of a connection, and its make-up torque to a stress, Pa.
 fn strength(
     name: &str,
     od_m: f64,
@@ -88,7 +88,7 @@ fn strength(
     }
 }
 
-/// What the connection of a tool joint of these diameters bears, m, where it is an API one: of
+/// Strength of the connection of a tool joint of these diameters, m, where it is an API one: of
 /// metal that yields at 120 000 psi (827 MPa), made up to 60 % of its torsional yield (API RP 7G).
 pub fn tool_joint(name: &str, od_m: f64, id_m: f64) -> ConnectionStrength {
     let make_up_psi = TOOL_JOINT_MAKE_UP * TOOL_JOINT_YIELD_PSI;
@@ -152,8 +152,8 @@ mod tests {
     }
 
     /// Tensile yields of the same joints, lbf, as commonly printed (from memory): those are of the
-    /// pin 5/8 in from its shoulder, though the standard's errata say 3/4 in. There, as here, the
-    /// pin bears 1.2 to 2.1 % less.
+    /// pin 5/8 in from its shoulder, though the standard's errata give 3/4 in. There, as here, the
+    /// pin's strength is 1.2 to 2.1 % less.
     #[test]
     fn pins_bear_a_little_less_than_commonly_printed() {
         for (id_in, printed) in

@@ -13,7 +13,7 @@ const WEIGHT_TOLERANCE_LB_PER_FT: f64 = 0.15;
 /// Two walls of coiled tubing closer than this are the same, in; makers round 0.190 to 0.19 and
 /// 0.188.
 const WALL_TOLERANCE_IN: f64 = 0.0025;
-/// How many entries an error names.
+/// Number of entries that an error lists.
 const NEAREST: usize = 4;
 
 /// The entry of a designation.
@@ -103,7 +103,7 @@ fn edit_distance(a: &[char], b: &[char]) -> usize {
     row[b.len()]
 }
 
-/// What a designation says.
+/// Parts of a designation.
 #[derive(Debug, PartialEq)]
 struct Reading {
     kind: TubularKind,
@@ -113,7 +113,7 @@ struct Reading {
     second: Option<f64>,
     /// Letter of the grade, `e`, `x`, `g`, `s`, or `ct90` of coiled tubing.
     grade: Option<String>,
-    /// How worn it is.
+    /// Wear class.
     class: PipeClass,
 }
 
@@ -135,7 +135,7 @@ impl Reading {
             }
     }
 
-    /// How far apart two readings are; the outside diameter counts most.
+    /// Distance between two readings; the outside diameter has the greatest weight.
     fn distance(&self, other: &Self) -> f64 {
         let differs = |differs: bool, by: f64| if differs { by } else { 0.0 };
         differs(self.kind != other.kind, 100.0)
@@ -159,8 +159,8 @@ impl Reading {
                     "collar" | "collars" | "dc" | "dcs" | "nmdc" => kind = TubularKind::Collar,
                     "ct" | "coiled" | "coil" => {
                         kind = TubularKind::CoiledTubing;
-                        if let (None, Some(&Part::Number(of))) = (&grade, parts.peek())
-                            && let Some(name) = coiled::grade(of)
+                        if let (None, Some(&Part::Number(ksi))) = (&grade, parts.peek())
+                            && let Some(name) = coiled::grade(ksi)
                         {
                             grade = Some(name);
                             parts.next();

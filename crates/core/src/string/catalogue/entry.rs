@@ -8,7 +8,7 @@ use crate::string::{
     component::ring_area_m2,
 };
 
-/// What a catalogue entry is.
+/// Kind of a catalogue entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TubularKind {
     /// Drill pipe with welded tool joints.
@@ -24,9 +24,9 @@ pub enum TubularKind {
 /// The connections of a catalogue entry.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EntryConnection {
-    /// What they are called: `NC50`.
+    /// Their name: `NC50`.
     pub name: Cow<'static, str>,
-    /// What they bear.
+    /// Their strength.
     pub strength: ConnectionStrength,
 }
 
@@ -53,13 +53,13 @@ pub struct JointDimensions {
 pub struct CatalogueEntry {
     /// Name: `5-1/2 in 21.90 lb/ft S-135`, `HWDP 5 in 49.3 lb/ft`, `8 in x 2-13/16 in collar`.
     pub designation: String,
-    /// What it is.
+    /// Kind of the tubular.
     pub kind: TubularKind,
     /// Outside diameter of the body, m.
     pub od_m: f64,
     /// Inside diameter of the body, m.
     pub id_m: f64,
-    /// How worn it is.
+    /// Wear class.
     pub class: PipeClass,
     /// Tool joints; `None` for collars and coiled tubing.
     pub joints: Option<JointDimensions>,
@@ -69,7 +69,7 @@ pub struct CatalogueEntry {
     pub given_mass_kg_per_m: Option<f64>,
     /// Minimum yield strength of the body, Pa.
     pub yield_strength_Pa: f64,
-    /// Where the dimensions come from.
+    /// Source of the dimensions.
     pub source: Cow<'static, str>,
 }
 
@@ -116,7 +116,7 @@ impl CatalogueEntry {
         density_kg_per_m3 * volume_m3 / joint.spacing_m
     }
 
-    /// The same worn evenly from outside to what its class allows, its joints as new.
+    /// The same worn evenly from outside to the limit of its class, its joints as new.
     #[must_use]
     pub fn worn(&self, class: PipeClass) -> Self {
         let wall_m = class.wall_left() * (self.od_m - self.id_m) / 2.0;

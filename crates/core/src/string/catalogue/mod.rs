@@ -37,7 +37,7 @@ pub enum CatalogueError {
     /// No entry of that name.
     #[error("the catalogue has no `{designation}`; the nearest entries are {}", quoted(.nearest))]
     Unknown {
-        /// What was requested.
+        /// The requested designation.
         designation: String,
         /// Designations of the nearest entries, the nearest first.
         nearest: Vec<String>,

@@ -7,7 +7,7 @@ use crate::string::Material;
 const SAME_DIAMETER_M: f64 = 3e-4;
 const SAME_LB_PER_FT: f64 = 0.06;
 
-/// A nominal weight that is this near to the weight with tool joints need not be told from it.
+/// A nominal weight that is this near to the weight with tool joints is not distinguished from it.
 const ALIKE: f64 = 0.02;
 
 impl CatalogueEntry {
@@ -23,8 +23,8 @@ impl CatalogueEntry {
     }
 }
 
-/// The pipe of which a mass per length, kg/m, is the nominal one, where that is not what it weighs with its tool joints: a
-/// known entry, or else drill pipe of these diameters, m.
+/// The pipe of which a mass per length, kg/m, is the nominal one, where that differs from its
+/// weight with tool joints: a known entry, or else drill pipe of these diameters, m.
 pub fn nominal_pipe(
     entry: Option<&CatalogueEntry>,
     od_m: f64,

@@ -5,7 +5,7 @@ use super::parts::{Part, parts};
 /// Two numbers closer than this are the same: `5.88` is 5-7/8.
 const NUMBER_TOLERANCE: f64 = 0.006;
 
-/// Words that say what a number is, which a description need not repeat.
+/// Words that name the unit of a number, which a description need not repeat.
 const UNITS: [&str; 10] = ["in", "inch", "inches", "lb", "lbs", "ft", "ppf", "per", "x", "by"];
 
 /// Whether a description has every word and every number that is requested.

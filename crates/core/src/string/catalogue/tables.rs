@@ -19,8 +19,8 @@ const HEAVY_WEIGHT_SOURCE: &str =
 const COLLAR_SOURCE: &str = "API Spec 7-1 (outside diameter, bore, yield strength), API RP 7G \
     (torques; the connection is a usual one)";
 
-/// Distance between joints of range 2 drill pipe, m: a third of a stand of 28.8 m. API Spec 5DP
-/// lets a range 2 pipe be 8.84 to 9.75 m long with its tool joint.
+/// Distance between joints of range 2 drill pipe, m: a third of a stand, which is 28.8 m. API Spec
+/// 5DP lets a range 2 pipe be 8.84 to 9.75 m long with its tool joint.
 const PIPE_SPACING_M: f64 = 9.6;
 /// Distance between joints of range 2 heavy-weight drill pipe, m (30-1/2 ft).
 const HEAVY_WEIGHT_SPACING_M: f64 = 9.3;

@@ -8,11 +8,11 @@ const POINTS: usize = 1024;
 
 /// The cut surface ahead of a blade, up to the next one: measured depth against angle.
 ///
-/// All blades are alike and spaced evenly, so what stands ahead of one of them is what the blade
-/// before it has left, and one such sector reports the whole bottom. The surface is kept as a ring
+/// All blades are alike and spaced evenly, so the rock ahead of each is the surface left by the
+/// blade before it, and one such sector describes the whole bottom. The surface is kept as a ring
 /// of points at fixed angles, straight lines between: a blade that passes a point lowers it to
 /// where it passed, if it reached that deep. So the delay between the blades needs no search in the
-/// past, holds while the bit stands or jumps, and does not know of the step.
+/// past, remains valid while the bit is stationary or jumps, and does not depend on the step.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Bottom {
     surface_m: Vec<f64>,
@@ -20,14 +20,14 @@ pub(super) struct Bottom {
     spacing_rad: f64,
     /// The point that a blade passed last.
     passed: usize,
-    /// How deep the rock stood there before it did, m.
+    /// Depth of the rock surface there before the passage, m.
     stood_m: f64,
     /// Angle since then, rad.
     since_rad: f64,
 }
 
 impl Bottom {
-    /// Whether a stored bottom has all its points, and the blades stand at one of them.
+    /// Whether a stored bottom has all its points, and the blades are at one of them.
     pub(super) fn check(&self) -> Result<(), Damaged> {
         let fits = self.surface_m.len() == POINTS && self.passed < POINTS;
         ensure(fits && self.spacing_rad > 0.0, "the bottom under the bit")
@@ -38,7 +38,7 @@ impl Bottom {
     pub(super) fn new(blades: u32, depth_m: f64, depth_of_cut_m: f64) -> Self {
         let ramp = |i: usize| depth_m - depth_of_cut_m * (1.0 - i as f64 / POINTS as f64);
         Self {
-            // Point 0 lies under the blade, and a sector ahead.
+            // Point 0 is under the blade, and the last point a sector ahead.
             surface_m: (0..POINTS).map(|i| if i == 0 { depth_m } else { ramp(i) }).collect(),
             spacing_rad: std::f64::consts::TAU / (f64::from(blades) * POINTS as f64),
             passed: 0,
@@ -52,7 +52,7 @@ impl Bottom {
         let place = (self.since_rad + turn_rad.max(0.0)) / self.spacing_rad;
         let points = (place as usize).min(POINTS - 1);
         let point = |i: usize| self.surface_m[(self.passed + i) % POINTS];
-        // What the blade passed last it has cut itself.
+        // The last passage has cut this part itself.
         let here = if points == 0 { self.stood_m } else { point(points) };
         let next = point(points + 1);
         here + (place - points as f64).min(1.0) * (next - here)
@@ -66,7 +66,7 @@ impl Bottom {
         while since >= self.spacing_rad && passed < POINTS as f64 {
             since -= self.spacing_rad;
             passed += 1.0;
-            // Where the blade was when it passed the point, linear within the step.
+            // Position of the blade when it passed the point, linear within the step.
             let part = ((passed * self.spacing_rad - before) / turn_rad).clamp(0.0, 1.0);
             self.passed = (self.passed + 1) % POINTS;
             let point = &mut self.surface_m[self.passed];

@@ -10,28 +10,28 @@ use crate::{
     dynamics::boundary::extension::{AnotherExtension, Extension},
 };
 
-/// What shakes the bit: an excitation of the caller's own, for
+/// A user-defined excitation of the bit, for
 /// [`BitSettings::excitation`](crate::dynamics::BitSettings), under any law that cuts at a given
 /// rate ([`BitLaw::Rate`](crate::dynamics::BitLaw), `DetournayDefourny`, `Table` and `Custom`).
 ///
-/// It comes on top of what the law itself has. The excitation itself does not change. What it keeps
-/// between steps are numbers, its `state`, which the engine holds and writes to checkpoints: a run
-/// resumes with the same bits. See the example `excitation`.
+/// It is added to the excitation of the law itself. The excitation object does not change. Its
+/// `state` between steps consists of numbers, which the engine stores and writes to checkpoints: a
+/// run resumes with the same bits. See the example `excitation`.
 pub trait BitExcitation: fmt::Debug + Send + Sync {
     /// Name, by which a checkpoint knows the excitation again.
     fn name(&self) -> &str;
 
-    /// What the excitation keeps between steps, before the first; as many numbers in every run.
-    /// None by default.
+    /// Initial state of the excitation, with the same count of numbers in every run. None by
+    /// default.
     fn initial_state(&self) -> Vec<f64> {
         Vec::new()
     }
 
-    /// What shakes the bit when it has turned through an angle, rad, at a time, s, both from the
-    /// start of the run.
+    /// Returns the excitation after the bit has turned through an angle, rad, at a time, s, both
+    /// from the start of the run.
     fn shake(&self, state: &[f64], bit_angle_rad: f64, time_s: f64) -> Shake;
 
-    /// After each step: what the excitation keeps of it. Nothing by default.
+    /// Updates the state after each step. Does nothing by default.
     fn advance(&self, _state: &mut [f64], _step: &BitRockStep) {}
 }
 
@@ -65,7 +65,7 @@ impl CustomExcitation {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct CustomShaker {
     excitation: Extension<dyn BitExcitation>,
-    /// How much deeper the front stands at the start: the operation begins with its weight.
+    /// Additional depth of the front at the start, m, because the operation begins with its weight.
     start_m: f64,
     angle_rad: f64,
     time_s: f64,

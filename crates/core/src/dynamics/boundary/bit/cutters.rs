@@ -1,4 +1,4 @@
-//! What cutting takes and what wear flats bear: the law that drag bits have in common.
+//! Weight and torque of cutting and of wear flats: the law that drag bits have in common.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,9 +7,9 @@ use crate::dynamics::assemble::{error::SetupError, numbers::check_numbers};
 /// The cutters of a bit in a rock, by Detournay and Defourny (*International Journal of Rock
 /// Mechanics* 29, 1992).
 ///
-/// A bit that takes the depth `d` per revolution cuts with `W_c = ζ (a − b) ε d` and
-/// `T_c = (a² − b²) ε d/2`; wear flats that bear `W_f` rub with `T_f = μ γ (a + b) W_f/2`, and bear
-/// no more than `σ (a − b) l` by themselves. `b` is the radius of the core that a core bit leaves,
+/// A bit that takes the depth `d` per revolution cuts with `W_c = ζ (a − b) ε d` and `T_c = (a² −
+/// b²) ε d/2`; wear flats under the weight `W_f` rub with `T_f = μ γ (a + b) W_f/2`, and carry no
+/// more than `σ (a − b) l` by themselves. `b` is the radius of the core that a core bit leaves,
 /// zero of others.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Cutters {
@@ -56,12 +56,12 @@ impl Cutters {
         self.cutter_inclination * self.width_m() * self.intrinsic_specific_energy_Pa
     }
 
-    /// Weight that the wear flats bear in full contact, `σ (a − b) l`, N.
+    /// Weight on the wear flats in full contact, `σ (a − b) l`, N.
     pub fn wear_flat_weight_N(&self) -> f64 {
         self.contact_strength_Pa * self.width_m() * self.wear_flat_m
     }
 
-    /// Torque of cutting with `cutting_N` while the wear flats bear `bearing_N`, N·m: both act, on
+    /// Torque of cutting with `cutting_N` while the wear flats carry `bearing_N`, N·m: both act, on
     /// average, halfway between the core and the gauge.
     pub fn torque_N_m(&self, cutting_N: f64, bearing_N: f64) -> f64 {
         let rubbing_N = self.friction * self.bit_geometry * bearing_N;
@@ -75,7 +75,7 @@ impl Cutters {
     }
 }
 
-/// What a bit does that drills steadily.
+/// Steady drilling of a bit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SteadyCut {
     /// Depth of cut per revolution `d`, m.

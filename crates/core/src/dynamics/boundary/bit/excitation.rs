@@ -1,4 +1,5 @@
-//! What shakes a bit that drills at a given rate: the pattern that it leaves on bottom, and noise.
+//! Excitation of a bit that drills at a given rate: the pattern that it leaves on bottom, and
+//! noise.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,29 +8,29 @@ use crate::{
     random::Random,
 };
 
-/// What shakes the bit.
+/// Excitation of the bit.
 ///
-/// The rock front under the bit stands `A sin(m φ) + r g(x)` deeper than it would, `φ` the angle
-/// through which the bit has turned, `m` the lobes, `g` seeded noise of mean zero and variance one.
-/// The torque is multiplied by `1 + q g'(x)`, but never turned round.
+/// The rock front under the bit is deeper by `A sin(m φ) + r g(x)`, with `φ` the angle through
+/// which the bit has turned, `m` the lobes, `g` seeded noise of mean zero and variance one. The
+/// torque is multiplied by `1 + q g'(x)`, but never changes its sign.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Excitation {
     /// Lobes `m` of the bottom pattern per revolution: three of a tricone bit.
     pub lobes: u32,
-    /// Amplitude `A` of the lobes, m: half of what lies between crest and trough.
+    /// Amplitude `A` of the lobes, m: half the height from trough to crest.
     pub amplitude_m: f64,
     /// Roughness `r` of the bottom, m rms.
     pub roughness_m: f64,
     /// Fluctuation `q` of the torque, rms, as a fraction of the torque.
     pub torque_fluctuation: f64,
-    /// What the noise goes by, and how fast.
+    /// Variable and bandwidth of the noise.
     pub band: Band,
 }
 
-/// What the noise goes by, and where its power density has fallen to half.
+/// Variable of the noise, and the value at which its power density has fallen to half.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Band {
-    /// By the bit's angle: waves per revolution. A bit that stands is not shaken.
+    /// By the bit's angle: waves per revolution. A stationary bit is not excited.
     PerRevolution(f64),
     /// By time, 1/s, whatever the bit does.
     PerSecond(f64),
@@ -38,7 +39,7 @@ pub enum Band {
 /// Spacing of the noise's knots, in wavelengths at half power: `sinc⁸(0.2275) = 1/2`.
 const KNOT_SPACING: f64 = 0.227_53;
 
-/// Where the excitation stands.
+/// State of the excitation.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Shaker {
     excitation: Excitation,
@@ -48,7 +49,7 @@ pub(super) struct Shaker {
     time_s: f64,
 }
 
-/// How much of the noise there is.
+/// Amplitudes of the noise.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Spread {
     /// Roughness of the front, m rms.
@@ -79,7 +80,7 @@ impl Excitation {
 /// The excitation at one moment.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Shake {
-    /// How much deeper the rock front stands, m.
+    /// Additional depth of the rock front, m.
     pub front_m: f64,
     /// By which fraction the torque is larger.
     pub torque: f64,

@@ -19,18 +19,18 @@ use crate::{
     },
 };
 
-/// Relative tolerance of the weight under a law of the caller's own, and the most times that it is
-/// asked for it in a step.
+/// Relative tolerance of the weight under a user-defined law, and the maximum number of its
+/// evaluations in a step.
 const ROOT_TOLERANCE: f64 = 1e-12;
 const MAX_ITERATIONS: usize = 100;
 
 /// The rock front that the bit cuts away.
 ///
-/// The rock front lies where the bit has cut to. Pressed against it with a force, the bit advances
-/// it at the rate that the law says of force and speed, which straight stretches make: so the force
-/// at the step's end is found exactly. The bit leaves the rock freely. Its torque is against the
-/// rotation and holds the bit when nothing turns it any more. An excitation raises and lowers the
-/// front under the bit.
+/// The rock front is at the depth that the bit has cut. A bit pressed against it with a force
+/// advances it at the law's rate for that force and speed. The rate is piecewise linear in the
+/// force, so the force at the step's end is found exactly. The bit leaves the rock freely. Its
+/// torque opposes the rotation and holds the bit when nothing turns it any more. An excitation
+/// raises and lowers the front under the bit.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct FrontCut<L> {
     law: L,
@@ -41,7 +41,7 @@ pub(super) struct FrontCut<L> {
     shaker: Option<Shaker>,
 }
 
-/// A law that says how fast the front advances under a weight, at a speed.
+/// A law for the rate at which the front advances under a weight, at a speed.
 pub(super) trait FrontRule {
     /// The law with its numbers.
     type Law;
@@ -60,7 +60,7 @@ pub(super) trait FrontRule {
     /// Torque, N·m, and depth of cut, m, under a weight at a speed, in each step once.
     fn cut(&mut self, weight_N: f64, turning_rad_per_s: f64) -> (f64, f64);
 
-    /// What shakes the bit after a turn and a time more; `weight_N` is that of the step before.
+    /// Returns the excitation after a further turn and time; `weight_N` is that of the step before.
     fn shake(
         &self,
         shaker: Option<&Shaker>,
@@ -72,15 +72,15 @@ pub(super) trait FrontRule {
         shaker.map_or_else(Shake::default, |shaker| shaker.next(turn_rad, dt))
     }
 
-    /// What a torque makes of the rotation. Rock stops a bit but never turns it back.
-    fn turn(&self, at: &Approach, drive: &mut Drive, wanted_N_m: f64) -> Turned {
-        drive.turn(at.spin_rad_per_s, at.turning_mobility, wanted_N_m, 0.0)
+    /// Effect of a torque on the rotation. Rock stops a bit but never turns it back.
+    fn turn(&self, at: &Approach, drive: &mut Drive, required_N_m: f64) -> Turned {
+        drive.turn(at.spin_rad_per_s, at.turning_mobility, required_N_m, 0.0)
     }
 
-    /// What the law keeps of a step.
+    /// Updates the law's state after a step.
     fn advance(&mut self, _step: &BitRockStep) {}
 
-    /// How often the bit was where its table is not, and how far.
+    /// Count and extent of the bit's excursions outside its table.
     fn table_use(&self) -> Option<TableUse> {
         None
     }
@@ -101,7 +101,7 @@ pub(super) fn check_front(
 /// A bit on its rock in a step that the rock is to end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Press {
-    /// How far the bit would be past the front, m.
+    /// Penetration of the bit beyond the front without the rock's force, m.
     over_m: f64,
     stiffness_N_per_m: f64,
     /// Velocity per axial force, s/kg.
@@ -118,7 +118,8 @@ impl Press {
         for s in segments {
             // W = k (over − dt · mobility · W − dt v(W)), on a straight stretch of v(W).
             let yielding = 1.0 + k * dt * (self.mobility_s_per_kg + s.slope_m_per_s_per_N);
-            // Where the rate falls so steeply with the weight, more of it compresses the rock less.
+            // Where the rate falls so steeply with the weight, more weight compresses the rock
+            // less.
             if yielding <= 0.0 {
                 continue;
             }
@@ -196,7 +197,7 @@ impl<L: FrontRule> FrontCut<L> {
             weight_N,
             shaker: excitation.map(|excitation| Shaker::new(excitation, start.seed)),
         };
-        // The operation begins with its weight, wherever the excitation stands.
+        // The operation begins with its weight, whatever the phase of the excitation.
         cut.front_m -= cut.shake(turning, 0.0, 0.0).front_m;
         cut
     }
@@ -232,8 +233,8 @@ impl<L: FrontRule> CutState for FrontCut<L> {
         self.weight_N = weight;
         let (steady, depth_of_cut_m) = self.law.cut(weight, turning);
         // A fluctuation never makes the rock turn the bit.
-        let wanted = steady * (1.0 + shake.torque).max(0.0);
-        let turned = self.law.turn(at, drive, wanted);
+        let required_N_m = steady * (1.0 + shake.torque).max(0.0);
+        let turned = self.law.turn(at, drive, required_N_m);
         if let Some(shaker) = &mut self.shaker {
             shaker.advance(turned.bit_rad_per_s * at.dt, at.dt);
         }

@@ -1,4 +1,4 @@
-//! The bit on the rock: what every law shares.
+//! The bit on the rock: the parts common to all laws.
 
 mod bottom;
 mod custom_excitation;
@@ -53,9 +53,9 @@ pub struct Bit {
     drive: Drive,
     /// None off bottom.
     cut: Option<Cut>,
-    /// What pulls it down the hole off bottom, N.
+    /// Force that pulls the bit down the hole off bottom, N.
     pull_N: f64,
-    /// What shakes it besides its law.
+    /// Excitation in addition to that of the law.
     shaker: Option<CustomShaker>,
 }
 
@@ -120,7 +120,7 @@ impl Bit {
         }
     }
 
-    /// Changes what flows through the motor, m³/s.
+    /// Sets the flow through the motor, m³/s.
     pub fn set_flow(&mut self, flow_m3_per_s: f64) {
         self.drive.set_flow(flow_m3_per_s);
     }
@@ -130,7 +130,7 @@ impl Bit {
         self.motor.pressure_Pa(torque_N_m)
     }
 
-    /// How far the bit has cut its hole off the axis, m.
+    /// Lateral displacement of the cut hole from the axis at the bit, m.
     pub fn side_cut_m(&self) -> Vector<f64> {
         self.side.cut_m()
     }
@@ -140,7 +140,7 @@ impl Bit {
         self.motor != Motor::Speed(0.0)
     }
 
-    /// How often the bit was where its table is not, if it has one.
+    /// Count of the bit's excursions outside its table, if it has one.
     pub fn table_use(&self) -> Option<TableUse> {
         self.cut.as_ref().and_then(Cut::table_use)
     }
@@ -165,7 +165,8 @@ impl Bit {
     ) -> BitStep {
         let index = chain.nodes() - 1;
         let tangent = chain.tangent(index);
-        // Sideways first: the rock ahead meets the bit where the rock beside has left it.
+        // Lateral motion first: the rock ahead meets the bit at the position that the side rock has
+        // left.
         let held = self.side.hold(
             chain.velocity(index),
             chain.displacement(index),
@@ -177,7 +178,7 @@ impl Bit {
         if let Some(Cut::Rock(cut)) = &mut self.cut {
             chain.set_velocity(index, held.velocity);
             let mut step = cut.drill(chain, anchor, step_start, &mut self.drive, executor, dt);
-            // The spring beside the bit works on the mean of the velocities, like every force.
+            // The lateral spring does its work on the mean of the velocities, like every force.
             let mean = (step_start.velocity + chain.velocity(index)).scaled(0.5);
             step.work_J += held.force_N.dot(mean) * dt;
             step.force_N = step.force_N + held.force_N;

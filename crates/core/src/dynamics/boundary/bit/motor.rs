@@ -1,4 +1,4 @@
-//! What turns the bit against the string: a mud motor.
+//! Mud motor that turns the bit against the string.
 
 use std::f64::consts::TAU;
 
@@ -74,13 +74,14 @@ impl MudMotor {
         }
     }
 
-    /// Torque at which a bit stands that turns at `turning_rad_per_s` without one, each unit of
-    /// torque slowing the string under it by `mobility`; no more than the stall torque.
+    /// Torque that stops a bit that turns at `turning_rad_per_s` without one, each unit of torque
+    /// slowing the string under it by `mobility`; no more than the stall torque.
     fn holding_N_m(&self, flow_m3_per_s: f64, spin_rad_per_s: f64, mobility: f64) -> f64 {
         let turning = |torque: f64| {
             spin_rad_per_s - mobility * torque + self.speed_rad_per_s(flow_m3_per_s, torque)
         };
-        // The speed of the bit falls along each straight part: it stands where it crosses zero.
+        // The speed of the bit falls along each straight part: it stops where the speed crosses
+        // zero.
         for below in [true, false] {
             let [(from, _), (to, _)] = self.segment(below);
             let (fast, slow) = (turning(from), turning(to));
@@ -103,7 +104,7 @@ pub(super) struct Drive {
     speed_rad_per_s: f64,
 }
 
-/// How string and bit turn under a torque between them.
+/// Rotation of string and bit under a torque between them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Turned {
     /// Against the string's rotation.
@@ -139,8 +140,7 @@ impl Motor {
     }
 
     /// Speed at which a bit drills steadily under a string that turns at `string_rad_per_s`, rad/s,
-    /// where it takes the torque that `torque_N_m` says of its speed; zero where that stalls the
-    /// motor.
+    /// where its torque is `torque_N_m` of its speed; zero where that torque stalls the motor.
     pub(super) fn steady_rad_per_s(
         &self,
         flow_m3_per_s: f64,

@@ -9,7 +9,7 @@ pub(super) struct RateSegment {
     pub(super) to_N: f64,
     /// Rate at its beginning, m/s.
     pub(super) from_m_per_s: f64,
-    /// How the rate grows with the weight, m/s/N.
+    /// Increase of the rate with the weight, m/s/N.
     pub(super) slope_m_per_s_per_N: f64,
 }
 

@@ -12,17 +12,17 @@ use crate::operation::Operation;
 /// The bit on the rock.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BitSettings {
-    /// How the rock answers.
+    /// Law of the rock's reaction.
     pub law: BitLaw,
     /// Lateral stiffness that holds the bit to the hole's axis, N/m. On solid rock the elements
     /// that it meets hold it besides.
     pub lateral_stiffness_N_per_m: f64,
-    /// What the bit cuts sideways per force, over what it cuts along the hole per weight: its
-    /// steerability. Zero of one that does not cut sideways.
+    /// Steerability of the bit: its lateral cut per force over its axial cut per weight. Zero for a
+    /// bit that does not cut sideways.
     pub steerability: f64,
-    /// What turns the bit against the string.
+    /// Motor that turns the bit against the string.
     pub motor: Motor,
-    /// What shakes the bit besides its law, of the caller's own. Its name alone is serialised.
+    /// User-defined excitation in addition to that of the law. Only its name is serialised.
     #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
     pub excitation: Option<CustomExcitation>,
 }
@@ -63,8 +63,8 @@ impl BitSettings {
     }
 
     /// The operation with the torque and the rate of penetration of steady drilling, where the law
-    /// knows them from weight and speed; the rate law takes the operation's. With them comes what a
-    /// motor takes off the mud.
+    /// computes them from weight and speed; the rate law takes the operation's. They include the
+    /// pressure that a motor takes from the mud.
     #[must_use]
     pub fn drilling_steadily(&self, mut operation: Operation) -> Operation {
         let speed = self.drilling_speed_rad_per_s(&operation);
@@ -94,7 +94,7 @@ impl BitSettings {
         }
     }
 
-    /// What the bit of an operation cuts sideways per force and angle, m/N/rad.
+    /// Lateral cut of the bit of an operation per force and angle, m/N/rad.
     pub(super) fn side_cut_m_per_N(&self, operation: &Operation) -> f64 {
         let speed = self.drilling_speed_rad_per_s(operation);
         let along = operation.rate_of_penetration_m_per_s / operation.weight_on_bit_N;

@@ -1,10 +1,10 @@
-//! What holds the bit to the hole's axis, and how it cuts the hole sideways.
+//! Lateral support of the bit by the rock, and side cutting.
 
 use serde::{Deserialize, Serialize};
 
 use crate::{ends::BitEnd, simd::vector::Vector};
 
-/// The rock beside the bit.
+/// The rock at the side of the bit.
 ///
 /// The bit is held by `F = k (u − s)`, `u` its place across the hole and `s` that to which it has
 /// cut the hole; `k` is infinite where it does not leave its hole's axis, and zero of a free end.
@@ -17,7 +17,7 @@ pub(super) struct Side {
     axis_m: Vector<f64>,
 }
 
-/// What the rock beside the bit did in a step.
+/// Reaction of the side rock on the bit in a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Held {
     pub(super) velocity: Vector<f64>,
@@ -36,12 +36,12 @@ impl Side {
         Self { stiffness_N_per_m: end.stiffness_N_per_m(self.stiffness_N_per_m), ..self }
     }
 
-    /// How far the bit has cut its hole off the axis, m.
+    /// Lateral displacement of the cut hole from the axis at the bit, m.
     pub(super) fn cut_m(&self) -> Vector<f64> {
         self.axis_m
     }
 
-    /// The bit's node at the step's end, from what the step gave it without this rock.
+    /// Position of the bit's node at the step's end, from its position without this rock.
     pub(super) fn hold(
         &mut self,
         velocity: Vector<f64>,
@@ -61,7 +61,8 @@ impl Side {
             1.0 / ((mobility + rate) * dt)
         };
         let pressed = if rate > 0.0 {
-            // The hole moves on with the bit: its cut lies across it wherever the bit is.
+            // The hole advances with the bit, so its cut is always across the hole's direction at
+            // the bit.
             let axis = self.axis_m.minus(tangent, self.axis_m.dot(tangent));
             let pressed = across.minus(axis, 1.0);
             self.axis_m = axis.plus(pressed, dt * rate * hold);

@@ -1,9 +1,9 @@
-//! How the bit's node comes into a step and what bit and rock make of it.
+//! State of the bit's node at the beginning of a step, and the results of the step.
 
 use super::excitation::Shake;
 use crate::simd::vector::Vector;
 
-/// How the bit's node came into a step.
+/// State of the bit's node at the beginning of a step.
 #[derive(Debug, Clone, Copy)]
 pub struct StepStart {
     /// Its velocity, m/s.
@@ -27,13 +27,13 @@ pub(super) struct Approach {
     pub(super) spin_rad_per_s: f64,
     /// Spin per torque, 1/(N·m·s).
     pub(super) turning_mobility: f64,
-    /// What shakes the rock front besides the law.
+    /// Excitation of the rock front in addition to the law.
     pub(super) shake: Shake,
     /// Step, s.
     pub(super) dt: f64,
 }
 
-/// What the rock answers.
+/// Reaction of the rock.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct RockReaction {
     pub(super) weight_N: f64,
@@ -46,7 +46,7 @@ pub(super) struct RockReaction {
     pub(super) rate_m_per_s: f64,
 }
 
-/// What the bit did in a step.
+/// Results of a step for the bit.
 #[derive(Debug, Clone, Copy)]
 pub struct BitStep {
     /// Weight on bit, N.
@@ -82,7 +82,7 @@ impl Default for BitStep {
     }
 }
 
-/// What bit and rock did in a step, as a law of the caller's own is told.
+/// Results of a step for bit and rock, as passed to a user-defined law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BitRockStep {
     /// Length of the step, s.
@@ -93,6 +93,6 @@ pub struct BitRockStep {
     pub torque_N_m: f64,
     /// Speed of the bit, motor included, rad/s.
     pub bit_speed_rad_per_s: f64,
-    /// How far the rock front has advanced, m.
+    /// Advance of the rock front, m.
     pub advance_m: f64,
 }

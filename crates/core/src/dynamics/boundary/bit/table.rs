@@ -25,7 +25,7 @@ pub struct TablePoint {
     pub weight_on_bit_std_N: Option<f64>,
 }
 
-/// What is wrong with a table.
+/// Fault in a table.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum TableFault {
     /// No lines.
@@ -45,7 +45,7 @@ pub enum TableFault {
         /// The second.
         second: usize,
     },
-    /// A weight and a speed that stand in the table, but not together.
+    /// A weight and a speed that are both in the table, but not in one row.
     #[error("there is no line for {weight_on_bit_N} N at {rotary_speed_rad_per_s} rad/s")]
     Missing {
         /// The weight, N.
@@ -80,13 +80,13 @@ pub struct BitTable {
     weight_std_N: Option<Vec<f64>>,
 }
 
-/// Where a speed lies among the table's.
+/// Position of a speed among those of the table.
 #[derive(Debug, Clone, Copy)]
 struct Column {
     below: usize,
     above: usize,
     part: f64,
-    /// By what the rate is to be multiplied below the least speed.
+    /// Factor of the rate below the least speed.
     rate_factor: f64,
 }
 
@@ -197,14 +197,14 @@ impl BitTable {
         Some(if mean > 0.0 { std / mean } else { 0.0 })
     }
 
-    /// Whether a weight and a speed lie within the table.
+    /// Whether a weight and a speed are within the table.
     pub fn holds(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> bool {
         let within = |value: f64, [least, largest]: [f64; 2]| (least..=largest).contains(&value);
         within(weight_on_bit_N, self.weights_N())
             && within(rotary_speed_rad_per_s, self.speeds_rad_per_s())
     }
 
-    /// How the bit drills steadily under a weight on bit, turning at a speed.
+    /// Steady drilling of the bit under a weight on bit, at a speed.
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
         let column = self.column(rotary_speed_rad_per_s);
         let rate = column.rate_factor * self.down(&self.rate_m_per_s, weight_on_bit_N, column);
@@ -291,7 +291,7 @@ impl BitTable {
     }
 }
 
-/// How often a bit on the rock was where its table is not, and how far.
+/// Count and extent of the excursions of a bit on the rock outside its table.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TableUse {
     /// Part of the time on the rock that the bit was outside its table, in weight or in speed.
@@ -340,7 +340,7 @@ impl Counter {
         self.outside += u64::from(!table.holds(weight_N, speed_rad_per_s));
     }
 
-    /// What was counted; none of a bit that was never on the rock.
+    /// Counted excursions; none for a bit that was never on the rock.
     pub(super) fn table_use(&self, table: &BitTable) -> Option<TableUse> {
         (self.steps > 0).then(|| TableUse {
             outside_fraction: self.outside as f64 / self.steps as f64,

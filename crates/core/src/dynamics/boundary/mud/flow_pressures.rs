@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What the flow adds at each node, from the top down.
+/// Pressures added by the flow at each node, from the top down.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct FlowPressures {
     /// Pressure in the annulus, Pa.
@@ -66,7 +66,7 @@ impl FlowPressures {
 
     /// Everything times a factor.
     pub fn scaled(&self, factor: f64) -> Self {
-        let times = |of: &[f64]| of.iter().map(|x| factor * x).collect();
+        let times = |values: &[f64]| values.iter().map(|x| factor * x).collect();
         Self {
             outside_Pa: times(&self.outside_Pa),
             inside_Pa: times(&self.inside_Pa),
@@ -79,7 +79,7 @@ impl FlowPressures {
         self.inside_Pa[0]
     }
 
-    /// What the pressure inside has over that outside, at a node, Pa.
+    /// Pressure inside less that outside added by the flow at a node, Pa.
     pub fn difference_Pa(&self, node: usize) -> f64 {
         self.inside_Pa[node] - self.outside_Pa[node]
     }

@@ -1,4 +1,4 @@
-//! What the pressure of the mud at rest shortens the string by.
+//! Shortening of the string by the pressure of the mud at rest.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,8 +8,8 @@ use crate::{
     rod::mesh::{Mesh, MeshElement},
 };
 
-/// What the pressure `p` of mud at rest shortens each element by against the unloaded one,
-/// `(1 − 2ν)p/E` of its length.
+/// Shortening of each element by the pressure `p` of mud at rest against the unloaded one, `(1 −
+/// 2ν)p/E` of its length.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(in crate::dynamics) struct Squeezed {
     /// From the top down, m.

@@ -1,13 +1,13 @@
 //! The mud's drag along the hole and about the axis, in time.
 //!
-//! Each element has its annulus and the mean motion of its two nodes; [`Annulus::drag`] says what
-//! the mud does to it: a pull, a drag per velocity and a torque per spin, which go half to either
-//! node. The kernel applies drag and torque at each step with the node's own velocity and spin;
-//! they are found anew when the motion has changed.
+//! Each element has its annulus and the mean motion of its two nodes; [`Annulus::drag`] returns the
+//! effect of the mud on it: a pull, a drag per velocity and a torque per spin, half of each for
+//! either node. The kernel applies drag and torque at each step with the node's own velocity and
+//! spin; they are recomputed when the motion has changed.
 //!
 //! Hoist and bit correct the two end nodes after the kernel, and the top's spin is prescribed: drag
-//! booked there would be booked with velocities that the nodes do not keep. What is the ends' goes
-//! to their neighbours.
+//! booked there would be booked with velocities that the nodes do not keep. The parts of the end
+//! nodes are therefore added to their neighbours.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -37,7 +37,7 @@ const STALE: f64 = 0.003;
 /// The same part beyond which a sample does not follow the drag along its slope.
 const FAR: f64 = 0.1;
 
-/// What the mud is sheared by when nothing moves, as far as that comparison goes, m/s.
+/// Shear velocity of the mud in a string at rest, for that comparison, m/s.
 const STILL_M_PER_S: f64 = 0.01;
 
 /// Distance that an element slides until its hole is looked at again, m.
@@ -52,8 +52,8 @@ const STRONGEST: f64 = 0.025;
 /// one update to the next.
 const STRONGEST_BEYOND: f64 = 0.5;
 
-/// What a node has of the mud's drag along the hole beyond what a step bears: a constant pull, of a
-/// velocity that follows the node's own from update to update, so slowly that this is stable.
+/// The excess of a node's axial mud drag over the drag that is stable in a step: a constant pull
+/// for a velocity that follows the node's own from update to update, slowly enough to be stable.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 struct Beyond {
     drag_N_s_per_m: f64,
@@ -69,7 +69,7 @@ struct Passage {
     od_m: f64,
     bore_m2: f64,
     pressure_strain_per_Pa: f64,
-    /// Where the hole was looked at, m.
+    /// Measured depth at which the hole was evaluated, m.
     md_m: f64,
     conduit: Conduit,
     /// Mean speed at which the pumps drive the mud up, m/s.
@@ -78,7 +78,7 @@ struct Passage {
     /// The motion that the drag was found for.
     motion: Motion,
     drag: AnnulusDrag,
-    /// What friction took from the pressure in the annulus at the last sample, Pa.
+    /// Friction loss of the pressure in the annulus at the last sample, Pa.
     annulus_loss_Pa: f64,
 }
 
@@ -93,11 +93,11 @@ pub struct Viscous {
     weight_N: Vec<[f64; 3]>,
     /// The mud's pull on each node, N.
     pull_N: Vec<[f64; 3]>,
-    /// Drag of each node that a step does not bear.
+    /// Excess drag of each node, beyond the drag that is stable in a step.
     beyond: Vec<Beyond>,
-    /// What the pulls' potential lost when they changed, J.
+    /// Potential energy that the pulls lost when they changed, J.
     dropped_J: f64,
-    /// What the flow adds to the pressures at each node, at the last sample.
+    /// Pressures added by the flow at each node, at the last sample.
     pressures: FlowPressures,
     sum: Hydraulics,
     sum_pressures: FlowPressures,
@@ -112,9 +112,9 @@ impl Viscous {
             && self.passages.iter().all(|passage| passage.conduit.is_whole())
             && [&self.weight_N, &self.pull_N].iter().all(|each| each.len() == nodes)
             && self.beyond.len() == nodes
-            && [&self.pressures, &self.sum_pressures]
-                .iter()
-                .all(|of| of.outside_Pa.len() == nodes && of.inside_Pa.len() == nodes);
+            && [&self.pressures, &self.sum_pressures].iter().all(|pressures| {
+                pressures.outside_Pa.len() == nodes && pressures.inside_Pa.len() == nodes
+            });
         ensure(fits, "the mud")
     }
 
@@ -189,7 +189,7 @@ impl Viscous {
         }
     }
 
-    /// Changes what the pumps deliver, m³/s, from the next update on, and with it the bit's
+    /// Sets the flow rate of the pumps, m³/s, from the next update on, and with it the bit's
     /// pressure drop, Pa.
     pub fn set_flow(&mut self, flow_m3_per_s: f64, bit_loss_Pa: f64) {
         (self.flow_m3_per_s, self.bit_loss_Pa) = (flow_m3_per_s, bit_loss_Pa);
@@ -206,7 +206,7 @@ impl Viscous {
         every_s: f64,
     ) {
         let Motions { axial_m_per_s, spin_rad_per_s } = chain.motions();
-        let mean = |of: &[f64], index: usize| 0.5 * (of[index] + of[index + 1]);
+        let mean = |values: &[f64], index: usize| 0.5 * (values[index] + values[index + 1]);
         let mut changed_above = false;
         for index in 0..self.passages.len() {
             let motion = Motion {
@@ -243,7 +243,7 @@ impl Viscous {
         }
     }
 
-    /// Gives a node what the elements above and below it have from the mud.
+    /// Applies the mud forces of the elements above and below to a node.
     fn load(&mut self, chain: &mut Chain<impl Real>, anchors: &[Anchor], index: usize, dt: f64) {
         let (mut pull, mut drag, mut spin_drag) = (0.0, 0.0, 0.0);
         let last = self.passages.len();
@@ -279,15 +279,15 @@ impl Viscous {
             pull -= self.mud.jet_thrust_N(self.flow_m3_per_s, self.bit_loss_Pa);
         }
         let pull_N = pull * Vector3::from(tangent);
-        // A constant pull has a potential: what that loses as the pull changes is work.
+        // A constant pull has a potential, whose loss as the pull changes is work.
         let place = middle_m(chain, anchors, index, dt);
         self.dropped_J += (Vector3::from(self.pull_N[index]) - pull_N).dot(&place);
         self.pull_N[index] = pull_N.into();
         chain.set_weight(index, (Vector3::from(self.weight_N[index]) + pull_N).into());
     }
 
-    /// What the pulls would do on the way from the origin to where the string is, J: the negative
-    /// of the potential that they add to that of the weights.
+    /// Work of the pulls on the way from the origin to the string's position, J: the negative of
+    /// the potential that they add to that of the weights.
     pub fn pull_potential_J(&self, chain: &Chain<impl Real>, anchors: &[Anchor], dt: f64) -> f64 {
         let nodes = self.pull_N.iter().enumerate();
         nodes.map(|(i, pull)| Vector3::from(*pull).dot(&middle_m(chain, anchors, i, dt))).sum()
@@ -298,13 +298,13 @@ impl Viscous {
         self.pull_potential_J(chain, anchors, dt) + self.dropped_J
     }
 
-    /// Forgets what was sampled: a window begins.
+    /// Discards the samples at the beginning of a window.
     pub fn open_window(&mut self) {
         (self.sum, self.samples) = (Hydraulics::default(), 0);
         self.sum_pressures.clear();
     }
 
-    /// Samples forces and pressures; `motor_loss_Pa` is what a mud motor takes.
+    /// Samples forces and pressures; `motor_loss_Pa` is the pressure drop of a mud motor.
     pub fn sample(&mut self, chain: &Chain<impl Real>, motor_loss_Pa: f64) {
         let mut now = Hydraulics {
             jet_thrust_N: self.mud.jet_thrust_N(self.flow_m3_per_s, self.bit_loss_Pa),
@@ -339,34 +339,34 @@ impl Viscous {
         self.samples += 1;
     }
 
-    /// Means of what was sampled.
+    /// Means of the samples.
     pub fn mean(&self) -> Hydraulics {
         self.sum * (1.0 / f64::from(self.samples.max(1)))
     }
 
-    /// What the flow added to the pressures at the last sample.
+    /// Pressures added by the flow at the last sample.
     pub fn pressures(&self) -> &FlowPressures {
         &self.pressures
     }
 
-    /// Means of what it added.
+    /// Means of the added pressures.
     pub fn mean_pressures(&self) -> FlowPressures {
         self.sum_pressures.scaled(1.0 / f64::from(self.samples.max(1)))
     }
 
-    /// What the pressures that the flow added at the last sample lengthen the string by, m.
+    /// Elongation of the string by the pressures that the flow added at the last sample, m.
     pub fn stretch_m(&self) -> f64 {
         self.stretches_m(&self.pressures).sum()
     }
 
-    /// What the pressures that the flow added lengthen each element by, on average, m.
+    /// Mean elongation of each element by the pressures that the flow added, m.
     pub fn mean_stretches_m(&self) -> Vec<f64> {
         self.stretches_m(&self.mean_pressures()).collect()
     }
 
     fn stretches_m<'a>(&'a self, pressures: &'a FlowPressures) -> impl Iterator<Item = f64> + 'a {
         let FlowPressures { outside_Pa, inside_Pa, .. } = pressures;
-        let middle = |of: &[f64], i: usize| 0.5 * (of[i] + of[i + 1]);
+        let middle = |values: &[f64], i: usize| 0.5 * (values[i] + values[i + 1]);
         self.passages.iter().enumerate().map(move |(i, passage)| {
             passage.length_m
                 * pressure_strain(
@@ -403,7 +403,7 @@ impl Passage {
     fn has_changed(&self, motion: &Motion, part: f64) -> bool {
         let radius = 0.5 * self.od_m;
         let known = &self.motion;
-        // Speeds of the pipe's surface: what shears the mud.
+        // Speeds of the pipe's surface, which shear the mud.
         let change = (motion.axial_m_per_s - known.axial_m_per_s).abs()
             + radius * (motion.spin_rad_per_s - known.spin_rad_per_s).abs();
         let shear = known.axial_m_per_s.abs()
@@ -421,7 +421,7 @@ impl Passage {
             Conduit::between(string, hole, self.from_bit_m, [md_m + half_m, md_m - half_m]);
     }
 
-    /// Finds what the mud does at a motion.
+    /// Computes the effect of the mud at a motion.
     fn find(&mut self, mud: &Mud, motion: Motion) {
         self.motion = motion;
         self.drag = self.conduit.drag(mud, &motion);

@@ -1,4 +1,4 @@
-//! What a prepared start takes from the soft string.
+//! The parts of a prepared start that come from the soft string.
 
 use super::*;
 use crate::{
@@ -28,8 +28,8 @@ fn model(friction: f64) -> Model {
 }
 
 /// A pipe that turns clockwise is laid to the right of the low side, looking down the hole, by the
-/// angle `atan μ` at which friction carries its weight: what a rigid cylinder climbs to. To
-/// rounding.
+/// angle `atan μ` at which friction carries its weight: the angle to which a rigid cylinder climbs.
+/// To rounding.
 #[test]
 fn a_turning_pipe_is_laid_where_it_climbs_to() {
     let operation = operation(OperationKind::RotateOffBottom, LENGTH_M)

@@ -69,8 +69,8 @@ impl<R: Real> StateBlock<R> {
 }
 
 block! {
-    /// A row of nodes: what they are, what is summed up between samples, and last what a plain step
-    /// does not need.
+    /// A row of nodes: their properties, the sums between samples, and last the data that a plain
+    /// step does not need.
     pub struct NodeBlock<R> {
         /// Tangent of the hole's axis at the anchor.
         pub tangent: Rows<R>,
@@ -116,9 +116,9 @@ block! {
         pub mass_axial: Row<R>,
         /// Moment of inertia about the director, kg·m².
         pub polar: Row<R>,
-        /// What the clearance gains per metre below the anchor.
+        /// Increase of the clearance per metre below the anchor.
         pub clearance_slope: Row<R>,
-        /// What the friction coefficient gains at rest.
+        /// Increase of the friction coefficient at rest.
         pub friction_rise: Row<R>,
         /// Friction around the hole over friction along it.
         pub friction_around: Row<R>,
@@ -132,7 +132,7 @@ block! {
 }
 
 block! {
-    /// A row of elements; element `i` lies between nodes `i` and `i + 1`.
+    /// A row of elements; element `i` is between nodes `i` and `i + 1`.
     pub struct ElementBlock<R> {
         /// Twist, rad.
         pub twist: Row<R>,
@@ -162,7 +162,7 @@ block! {
 }
 
 block! {
-    /// A row of nodes: what is eccentric of them, if anything is.
+    /// A row of nodes: their eccentric masses, if there are any.
     pub struct ImbalanceBlock<R> {
         /// Imbalance `U = Σ m e`, kg·m; zero of a node that has none.
         pub moment: Row<R>,
@@ -172,7 +172,7 @@ block! {
         pub toward: Rows<R>,
         /// That direction half a step before, where the velocities are.
         pub half: Rows<R>,
-        /// What the direction lacks where numbers are single.
+        /// Rounding error of the direction in single precision.
         pub rest: Rows<R>,
     }
 }
@@ -186,7 +186,7 @@ impl<R: Real> ImbalanceBlock<R> {
 }
 
 impl<R: Real> NodeBlock<R> {
-    /// Clears what is summed up between samples.
+    /// Clears the sums between samples.
     pub fn clear_sums(&mut self) {
         let zero = Row::filled(0.0);
         (self.sum_normal, self.sum_axial) = (zero, zero);

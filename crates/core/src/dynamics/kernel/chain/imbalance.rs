@@ -33,15 +33,15 @@ impl<R: Real> ImbalanceBlock<R> {
 
     /// The imbalance of the node of a lane, if it has one.
     pub(super) fn get(&self, lane: usize) -> Option<NodeImbalance> {
-        let of = |[x, y, z]: &Rows<R>| {
+        let vector = |[x, y, z]: &Rows<R>| {
             Vector(x.0[lane].to_f64(), y.0[lane].to_f64(), z.0[lane].to_f64())
         };
         let moment_kg_m = self.moment.0[lane].to_f64();
         (moment_kg_m > 0.0).then(|| NodeImbalance {
             moment_kg_m,
             weight_moment_N_m: self.weight_moment.0[lane].to_f64(),
-            toward: of(&self.toward) + of(&self.rest),
-            half: of(&self.half),
+            toward: vector(&self.toward) + vector(&self.rest),
+            half: vector(&self.half),
         })
     }
 }

@@ -5,7 +5,7 @@ use crate::{dynamics::kernel::places::Border, simd::number::Real};
 
 /// The rows of a region.
 pub struct RegionRows<'a, R: Real> {
-    /// How its nodes move: a row more than the others, which [closes](Self::close) them.
+    /// States of its nodes: one row more than the others, which [closes](Self::close) them.
     pub states: &'a mut [StateBlock<R>],
     /// Its nodes.
     pub node_blocks: &'a mut [NodeBlock<R>],
@@ -27,7 +27,7 @@ impl<R: Real> RegionRows<'_, R> {
 }
 
 impl<R: Real> Chain<R> {
-    /// Where the chain is divided.
+    /// Border at which the chain is divided.
     pub fn border(&self) -> Option<Border> {
         self.places.border()
     }
@@ -95,7 +95,7 @@ impl<R: Real> Chain<R> {
         self.places.ghosts()
     }
 
-    /// Gives each ghost position and velocity of the node that it stands for.
+    /// Copies to each ghost the position and velocity of the node that it represents.
     pub fn set_ghosts(&mut self) {
         let Some((border, ghosts)) = self.border().zip(self.ghosts()) else {
             return;
@@ -109,8 +109,8 @@ impl<R: Real> Chain<R> {
         }
     }
 
-    /// Lets nothing but their own velocity move the ghosts, and nothing of what lies between the
-    /// regions slide along a hole.
+    /// Lets the ghosts move at their own velocity only, and lets nothing between the regions slide
+    /// along a hole.
     pub(super) fn unbind_ghosts(&mut self) {
         let Some([upper, lower]) = self.ghosts() else {
             return;
@@ -123,7 +123,7 @@ impl<R: Real> Chain<R> {
         }
     }
 
-    /// Where the lower region has an element that it shares: elsewhere the same as
+    /// Place of an element in the lower region, if it is shared; for other elements the same as
     /// [`Self::place`].
     pub(super) fn lower_place_of_element(&self, index: usize) -> (usize, usize) {
         match self.border().zip(self.ghosts()) {
@@ -138,8 +138,8 @@ impl<R: Real> Chain<R> {
         self.element_blocks[row].twist.0[lane].to_f64()
     }
 
-    /// Gives the lower region what the upper one knows of an element, if they share it: all but its
-    /// twist, which the lower one carries on.
+    /// Copies to the lower region the upper one's data of an element, if they share it: all but its
+    /// twist, which the lower one integrates itself.
     pub(super) fn share_element(&mut self, index: usize) {
         let (row, lane) = self.lower_place_of_element(index);
         let (from, from_lane) = self.place(index);
@@ -152,8 +152,8 @@ impl<R: Real> Chain<R> {
         self.element_blocks[row].twist.0[lane] = twist;
     }
 
-    /// What `of` gives at the rows of a region, lane by lane from `lane` on: in the order of the
-    /// string. Of a region that is not there, nothing.
+    /// Values of `copy` for the rows of a region, lane by lane from `lane` on: in the order of the
+    /// string; none for a region that does not exist.
     pub(super) fn along<'a>(
         &'a self,
         region: usize,

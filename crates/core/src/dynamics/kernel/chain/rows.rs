@@ -31,7 +31,7 @@ impl<R: Real> Row<R> {
         self.0[end] = last.0[end];
     }
 
-    /// The part of the row that stands beside a block of doubles: [`Layout`].
+    /// The part of the row next to a block of doubles: [`Layout`].
     #[inline(always)]
     pub fn part(&self, part: usize) -> &[R; DOUBLES] {
         &self.0.as_ref().as_chunks().0[part]
@@ -41,7 +41,7 @@ impl<R: Real> Row<R> {
 /// A vector for each lane.
 pub type Rows<R> = [Row<R>; 3];
 
-/// What takes over the numbers of a lane from rows of another kind of number.
+/// Copies the numbers of a lane from rows of another kind of number.
 pub(super) trait CopyLane<Rows> {
     fn copy_lane(&mut self, lane: usize, from: &Rows, from_lane: usize);
 }

@@ -1,4 +1,4 @@
-//! What is done to the whole chain, and asked of it, between steps.
+//! Maintenance and queries of the whole chain between steps.
 //!
 //! Loops over every lane of every row, compiled for each instruction set. A question looks at every
 //! number: a loop that ends early is none that looks at eight at once.
@@ -20,9 +20,9 @@ impl<R: Real> Chain<R> {
         with_fastest_instruction_set!(slid(self, R::from_f64(reach_m)))
     }
 
-    /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of their region,
-    /// as they move now; that of the uppermost is `dt`. A hundredth in any mud; a brake still at
-    /// any speed.
+    /// Computes the fraction of the nodes' velocities that the mud's lateral drag removes in a step
+    /// of their region, at their present motion; the step of the uppermost is `dt`. It is a
+    /// hundredth in any mud, and remains dissipative at any speed.
     pub fn find_drag(&mut self, dt: f64) {
         with_fastest_instruction_set!(find_drag(self, dt))
     }
@@ -54,9 +54,9 @@ impl<R: Real> Chain<R> {
         with_fastest_instruction_set!(slower(self, limit_m_per_s, limit_rad_per_s))
     }
 
-    /// Takes out what rounding has added to the directors' lengths and to the angular velocities
-    /// along them. The step preserves both but for the damping of bending: once in a hundred steps
-    /// is plenty.
+    /// Removes the rounding errors of the directors' lengths and of the angular velocities along
+    /// them. The step preserves both except for the damping of bending, so once in a hundred steps
+    /// is sufficient.
     pub fn renormalise(&mut self) {
         with_fastest_instruction_set!(renormalise(self))
     }
@@ -90,13 +90,13 @@ impl<R: Real> Chain<R> {
         all
     }
 
-    /// Clears what is summed up between samples.
+    /// Clears the sums between samples.
     pub fn clear_sums(&mut self) {
         with_fastest_instruction_set!(clear_sums(self))
     }
 }
 
-/// How the nodes move along the hole and about its axis, from the top down.
+/// Motion of the nodes along the hole and about its axis, from the top down.
 #[derive(Debug, Clone)]
 pub struct Motions {
     /// Velocity along the hole, m/s.
@@ -239,8 +239,8 @@ fn above_N<R: Real>(chain: &Chain<R>, least: R) -> [bool; SINGLES] {
     above
 }
 
-/// Rows in which friction has worked. Most lie between the joints and touch nothing: nothing is
-/// added of them.
+/// Rows in which friction has worked. Most rows are between the joints and touch nothing, so they
+/// add nothing.
 #[inline(always)]
 fn rubbed<R: Real>(chain: &Chain<R>) -> Vec<usize> {
     let mut rubbed = Vec::with_capacity(chain.node_blocks.len());

@@ -1,4 +1,4 @@
-//! How the wall pushes back.
+//! Contact force of the wall.
 
 use super::{
     input::StepInput,

@@ -1,5 +1,5 @@
-//! Mass-proportional damping: it is slow beside a step, and so acts once in several, between two of
-//! them. What precession has lengthened by then is taken out.
+//! Mass-proportional damping: its time scale is long compared with a step, so it acts once in
+//! several steps, between two of them. The length that precession has added by then is removed.
 
 use super::lane::{add, at, at3, lanes, put, put3};
 use crate::{
@@ -7,14 +7,14 @@ use crate::{
     simd::number::{Number, Real},
 };
 
-/// What mass-proportional damping does over some time.
+/// Effect of mass-proportional damping over a time.
 #[derive(Debug, Clone, Copy)]
 pub struct MassDamping {
     /// That time `T`, s.
     pub time_s: f64,
     /// The steps that it is made of, s.
     pub dt: f64,
-    /// What is left of the motion relative to the rigid one: `exp(−αT)`.
+    /// Remaining fraction of the motion relative to the rigid one: `exp(−αT)`.
     pub left: f64,
     /// Axial velocity of the rigid motion, m/s.
     pub rigid_velocity: f64,
@@ -37,10 +37,10 @@ pub(super) fn damp<N: Number>(region: RegionRows<'_, N::Real>, mass_damping: &Ma
             let th = at3::<N>(&n.tangent, lane);
             let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
             let axial0 = th.dot(v0);
-            // What fills the last lane stays where it is.
+            // Padding in the last lane stays in place.
             let free = at::<N>(&n.inv_mass_axial, lane).if_positive(damped, zero);
-            // Along the hole and about the axis what exceeds the rigid motion decays, across it
-            // everything.
+            // Along the hole and about the axis only the motion in excess of the rigid one decays,
+            // across it all motion.
             let axial1 = free.neg_mul_add(axial0 - rigid_v, axial0);
             let v1 = v0.scaled(left).plus(th, left.neg_mul_add(axial0, axial1));
             let free = at::<N>(&n.inv_polar, lane).if_positive(damped, zero);

@@ -1,4 +1,4 @@
-//! What the elements do to their ends.
+//! Forces and moments of the elements on their ends.
 
 use super::{
     input::StepInput,
@@ -11,7 +11,8 @@ use crate::{
     simd::number::{Number, Real},
 };
 
-/// What a row of elements does to its ends, named as in [`crate::rod::element::Reaction`].
+/// Forces and moments of a row of elements on its ends, named as in
+/// [`crate::rod::element::Reaction`].
 #[derive(Clone, Copy)]
 pub(super) struct Pull<R: Real> {
     pub(super) force: Rows<R>,
@@ -33,8 +34,8 @@ impl<R: Real> Pull<R> {
         }
     }
 
-    /// What the last row does to the first, where one piece ends and the next begins: each goes to
-    /// the lane above.
+    /// Reaction of the last row on the first, where one piece ends and the next begins: each lane's
+    /// goes to the next higher lane.
     #[inline(always)]
     pub(super) fn follow_in_lanes(&mut self, last: &Self) {
         let Self { force, bend1: _, bend2, couple, torque } = self;

@@ -1,7 +1,7 @@
-//! What eccentric masses do in a step.
+//! Effect of eccentric masses in a step.
 //!
-//! A row that has none is passed over, and so are the registers of a row that have none; lanes
-//! beside those that have one gain nothing and keep every digit.
+//! A row without any is skipped, and so are the registers of a row without any; lanes next to those
+//! with one receive zero and keep every digit.
 
 use super::{
     elements::Pull,
@@ -67,7 +67,7 @@ pub(super) fn throw<N: Number>(
     put3(&mut before.led, lane, throw.led);
 }
 
-/// What the accelerations of the step add, and the directions carried on.
+/// Adds the effect of the step's accelerations and advances the directions.
 #[inline(always)]
 pub(super) fn follow<N: Number>(
     before: &Before<N::Real>,

@@ -1,6 +1,6 @@
-//! What is the same for all nodes in a step.
+//! Inputs that are the same for all nodes in a step.
 
-/// What is the same for all nodes in a step.
+/// Inputs that are the same for all nodes in a step.
 #[derive(Debug, Clone, Copy)]
 pub struct StepInput {
     /// Step, s.

@@ -8,7 +8,7 @@ use crate::{
     },
 };
 
-/// Where the numbers of a row begin.
+/// First lane of each register of a row.
 #[inline(always)]
 pub(super) fn lanes<N: Number>() -> impl Iterator<Item = usize> {
     (0..N::Real::LANES).step_by(N::WIDTH)

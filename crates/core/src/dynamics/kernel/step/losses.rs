@@ -2,7 +2,7 @@
 
 use crate::{dynamics::kernel::chain::Row, simd::number::Real};
 
-/// Energies that left the string in a step, J. What friction on the wall took is summed with the
+/// Energies that left the string in a step, J. The losses to wall friction are summed with the
 /// nodes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepLosses {

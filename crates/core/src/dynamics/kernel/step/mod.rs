@@ -6,11 +6,11 @@
 //! evaluated from positions that no node has left yet, and the row of nodes above it is moved,
 //! while all of it is still in the first-level cache.
 //!
-//! A row is worked on in short loops, and those of the elements stand between those of the nodes,
-//! for neither waits for the other. What one register of lanes waits for (a root or a division
-//! takes twenty cycles) is then hidden behind the others; in one long loop the processor does not
-//! see far enough ahead. Where roots and divisions follow one another, two registers are worked on
-//! in turn.
+//! A row is worked on in short loops, and the loops of the elements alternate with those of the
+//! nodes, because neither depends on the other. The latency of one register of lanes (a root or a
+//! division takes twenty cycles) is then hidden behind the others; in one long loop the processor
+//! does not see far enough ahead. Where roots and divisions follow one another, two registers are
+//! processed alternately.
 //!
 //! Directors move on the sphere by Cayley's rotation, which keeps their length and the right angle
 //! to their angular velocity to rounding.
@@ -47,8 +47,8 @@ pub use losses::StepLosses;
 use nodes::{correct, friction, gap, predict, rotate_directors};
 use scratch::Scratch;
 
-/// Laws of contact. A row of nodes is asked once which they are: code for each would make the
-/// compiler's work four times as much, and the step no faster.
+/// Laws of contact. They are selected once per row of nodes: separate code for each would quadruple
+/// the compile time without a faster step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Laws {
     /// Hertz contact, not the linear one.
@@ -57,7 +57,7 @@ pub struct Laws {
     pub vector: bool,
 }
 
-/// What the stepper must be able to do; less is faster.
+/// Required features of the stepper; fewer are faster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Abilities {
     /// Laws of contact.
@@ -134,7 +134,7 @@ fn counting<R: Real, const FULL: bool>(
 }
 
 impl<R: Registers> Stepper<R> {
-    /// The fastest code for this processor that does what is requested.
+    /// The fastest code for this processor with the requested features.
     pub fn new(abilities: Abilities) -> Self {
         Self::all(abilities).swap_remove(0)
     }
@@ -164,7 +164,7 @@ impl<R: Registers> Stepper<R> {
 
 impl<R: Real> Stepper<R> {
     /// Advances the chain by one step of such code, its lower region by all of its own within it,
-    /// and counts what that takes.
+    /// and counts the operations.
     pub fn count(abilities: Abilities, chain: &mut Chain<R>, input: &StepInput) -> Flops {
         let step = if abilities.full { counting::<R, true> } else { counting::<R, false> };
         counted::count(|| {
@@ -181,8 +181,8 @@ impl<R: Real> Stepper<R> {
         unsafe { (self.peak)(rounds) }
     }
 
-    /// Takes what mass-proportional damping takes; how much, J. Its step is that of the uppermost
-    /// region.
+    /// Applies mass-proportional damping and returns the energy that it removes, J. Its step is
+    /// that of the uppermost region.
     pub fn damp(&self, chain: &mut Chain<R>, mass_damping: &MassDamping) -> f64 {
         let mut taken = 0.0;
         for region in 0..chain.regions() {
@@ -231,8 +231,8 @@ pub fn coupled_step<R: Real>(
     losses
 }
 
-/// Where a node lies from the hole's axis as its wall has it, and the clearance there, m: without a
-/// step in time.
+/// Offset of a node from the hole's axis as used for its wall, and the clearance there, m: without
+/// a time step.
 #[cfg(test)]
 pub fn met(chain: &Chain, index: usize) -> (crate::simd::vector::Vector<f64>, f64) {
     use crate::simd::vector::Vector;
@@ -278,14 +278,14 @@ fn sweep<N: Number, const FULL: bool>(
             1 => (a, b, c),
             _ => (b, c, a),
         };
-        // The next row of elements lies between the nodes below these.
+        // The next row of elements is between the nodes below these.
         let (state, under) = states[row..].split_first_mut().expect("a row of nodes");
         let mut elements = if row + 2 < rows {
             Some((&mut element_blocks[row + 1], ends(under, 0)))
         } else {
             None
         };
-        // A single row lies above and below itself.
+        // A single row is above and below itself.
         let below = if row + 1 == rows { &*last } else { &*below };
         let mut imbalances = imbalance_blocks.get_mut(row);
         if let Some(imbalances) = &imbalances {
@@ -357,8 +357,8 @@ fn sweep<N: Number, const FULL: bool>(
             rotate_directors::<N>(n, state, above, below, input, lane);
         }
         if let Some(imbalances) = &mut imbalances {
-            // Two registers at a time hide the division of doubles. What single precision keeps
-            // besides leaves no room for two.
+            // Two registers at a time hide the division of doubles. The additional data of single
+            // precision leave no registers for two.
             if N::Real::FINE {
                 for lane in lanes::<Pair<N>>() {
                     follow::<Pair<N>>(before, imbalances, n, state, input, lane);
@@ -379,7 +379,7 @@ fn sweep<N: Number, const FULL: bool>(
     }
 }
 
-/// A row of elements from their chords to what they do to their ends.
+/// A row of elements, from their chords to the forces and moments on their ends.
 #[inline(always)]
 fn pull<N: Number>(
     into: &mut Pull<N::Real>,

@@ -1,4 +1,4 @@
-//! What a step does to the nodes.
+//! Update of the nodes in a step.
 
 use super::{
     elements::Pull,
@@ -13,26 +13,27 @@ use crate::{
     wall::friction,
 };
 
-/// A row of nodes on their way: what the rod, gravity, mud and damping make of the step before the
-/// wall has its say, and what the wall says. Made and used in short loops over the row, so that the
+/// A row of nodes during the step: the prediction from rod, gravity, mud and damping before the
+/// wall's reaction, and the reaction. Computed and used in short loops over the row, so that the
 /// processor works on several lanes while it waits for a root or a division.
 #[derive(Clone, Copy)]
 pub(super) struct Prediction<R: Real> {
-    /// What one newton gives across the hole and along it, m/s, and one newton metre about the
+    /// Velocity per newton across the hole and along it, m/s, and spin per newton metre about the
     /// director, rad/s.
     pub(super) mobility: Row<R>,
     mobility_axial: Row<R>,
     mobility_spin: Row<R>,
     /// Velocity along the hole at the step's beginning.
     axial0: Row<R>,
-    /// What viscous mud takes on the way of the velocity along the hole, and of the spin.
+    /// Fraction of the velocity along the hole, and of the spin, that viscous mud removes in the
+    /// step.
     slowed_axial: Row<R>,
     slowed_spin: Row<R>,
     /// Velocity, its part along the hole, and spin, before the wall acts.
     v: Rows<R>,
     axial: Row<R>,
     spin: Row<R>,
-    /// Where the step would end, from the hole's axis, and the clearance there.
+    /// Offset from the hole's axis at the step's end, and the clearance there.
     pub(super) offset: Rows<R>,
     pub(super) clearance: Row<R>,
     /// Speed towards the wall times the distance from the axis.
@@ -95,11 +96,11 @@ pub(super) fn predict<N: Number, const FULL: bool>(
     let along = th.dot(force);
     let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
     let gained = mobility_axial * along;
-    // Drag acts on the velocity that the node came with. The kick of rod and gravity is left whole:
-    // a wall or a hoist that takes it back within the step must feel all of it.
+    // Drag acts on the node's velocity before the step. It leaves the impulse of rod and gravity
+    // unchanged, because a wall or a hoist that cancels it within the step must receive all of it.
     let slowed = at::<N>(&n.slowed, lane);
-    let kept = N::splat(1.0) - slowed;
-    // What drag and the mass across the hole make of the part along it is replaced.
+    let remaining = N::splat(1.0) - slowed;
+    // This replaces the axial part as computed with the drag and the mass across the hole.
     let mut instead = slowed.mul_add(axial0, mobility.neg_mul_add(along, gained));
     let mut axial = axial0 + gained;
     let mut spin = mobility_spin.mul_add(torque, s0);
@@ -113,7 +114,7 @@ pub(super) fn predict<N: Number, const FULL: bool>(
         put(&mut prediction.slowed_axial, lane, slowed_axial);
         put(&mut prediction.slowed_spin, lane, slowed_spin);
     }
-    let v = v0.scaled(kept).plus(force, mobility).plus(th, instead);
+    let v = v0.scaled(remaining).plus(force, mobility).plus(th, instead);
     put(&mut prediction.mobility, lane, mobility);
     put(&mut prediction.mobility_axial, lane, mobility_axial);
     put(&mut prediction.mobility_spin, lane, mobility_spin);
@@ -123,7 +124,8 @@ pub(super) fn predict<N: Number, const FULL: bool>(
     put(&mut prediction.spin, lane, spin);
 }
 
-/// Where a row of nodes would end, against the curved wall; whether one of them would be in it.
+/// Computes the position of a row of nodes against the curved wall at the step's end; returns
+/// whether one of them would be inside the wall.
 #[inline(always)]
 pub(super) fn gap<N: Number, const FULL: bool>(
     prediction: &mut Prediction<N::Real>,
@@ -260,7 +262,7 @@ pub(super) fn correct<N: Number, const FULL: bool, const TOUCHES: bool>(
         slowed = drag_axial.mul_add(both_axial, drag_spin.mul_add(s0 + s3, slowed));
     }
     add(&mut losses.mud, lane, slowed);
-    // Positions go on with the new velocity: the drift of the leapfrog.
+    // Positions advance with the new velocity: the drift of the leapfrog.
     let u0 = at3::<N>(&state.u, lane);
     put3(&mut state.u, lane, u0.plus(v3, dt));
     put3(&mut state.v, lane, v3);

@@ -1,4 +1,4 @@
-//! What a step keeps of the rows that it is at.
+//! Buffers of a step for the current rows.
 
 use super::{
     elements::{Pull, Strains},
@@ -7,8 +7,8 @@ use super::{
 };
 use crate::simd::number::Real;
 
-/// What a step keeps of the rows that it is at. Kept from step to step: to make it anew took a
-/// tenth of the step of a short region.
+/// Buffers of a step for the current rows. They are reused from step to step because allocating
+/// them anew took a tenth of the step of a short region.
 #[derive(Clone)]
 pub(super) struct Scratch<R: Real> {
     pub(super) strains: Strains<R>,

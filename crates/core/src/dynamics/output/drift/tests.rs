@@ -5,7 +5,7 @@ use crate::random::Random;
 
 const SAMPLES: usize = 512;
 
-/// Series of each kind: what holds on average is read from as many.
+/// Series of each kind: averages are taken over this number.
 const SERIES: usize = 400;
 
 /// Normal numbers whose autocorrelation falls by `e` in `time` samples: `x' = a x + √(1 − a²) ξ`,
@@ -52,7 +52,7 @@ fn the_standard_error_is_that_of_the_closed_form() {
     }
 }
 
-/// Of four hundred stretches that stand still hardly one is said to drift: four standard errors
+/// Of four hundred stretches without drift hardly one is reported to drift: four standard errors
 /// leave one in 16 000 of a normal variable, and one in a hundred where the error itself is known
 /// from eight blocks and the samples remember a fiftieth of the stretch.
 #[test]

@@ -1,5 +1,5 @@
-//! What elements hand down to the nodes below them, while the rows are gone through from the top
-//! down: of a row the row above, of the first the last, a lane higher.
+//! Data that elements pass to the nodes below them while the rows are processed from the top down.
+//! For a row they come from the row above; for the first from the last, one lane higher.
 
 use super::lane::{Lane, at, put};
 use crate::simd::{
@@ -7,7 +7,7 @@ use crate::simd::{
     number::Doubles,
 };
 
-/// Blocks beside a row of the chain, at most.
+/// Maximum number of blocks next to a row of the chain.
 const PARTS: usize = SINGLES / DOUBLES;
 
 /// So many numbers of each element above a row of nodes.

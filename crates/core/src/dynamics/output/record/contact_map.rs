@@ -19,7 +19,7 @@ const MAX_ROWS: u64 = 200;
 /// Stretches of string in a row, at most.
 const MAX_INTERVALS: usize = 200;
 
-/// Neighbouring nodes and the string that they stand for.
+/// Neighbouring nodes and the length of string that they represent.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct MapInterval {
     first: usize,
@@ -29,7 +29,7 @@ struct MapInterval {
     bottom_m: f64,
 }
 
-/// The map so far, and what the sums were when its last row was closed.
+/// The map so far, and the sums at the time when its last row was closed.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct MapKeeper {
     intervals: Vec<MapInterval>,
@@ -129,8 +129,8 @@ impl MapKeeper {
         let per_metre = self.per_metre(&since.collect::<Vec<_>>());
         self.before = sums;
         let map = &mut self.map;
-        for (of, [side, contact]) in self.intervals.iter().zip(per_metre) {
-            let ends_m = anchors[of.first].md_m + anchors[of.last].md_m;
+        for (interval, [side, contact]) in self.intervals.iter().zip(per_metre) {
+            let ends_m = anchors[interval.first].md_m + anchors[interval.last].md_m;
             map.time_s.push(time_s);
             map.md_m.push(0.5 * ends_m);
             map.side_force_N_per_m.push(side);
@@ -143,7 +143,7 @@ impl MapKeeper {
         &self.map
     }
 
-    /// What the nodes' contact forces are of each stretch, per metre. A joint carries the string
+    /// Contact force of each stretch per metre, from the nodes' forces. A joint carries the string
     /// about it: by stretches of so few joints that one has two of them and the next has three, the
     /// map would have stripes.
     fn per_metre(&self, forces: &[[f64; 2]]) -> Vec<[f64; 2]> {
@@ -213,7 +213,7 @@ mod tests {
             assert_eq!(*side, -contact);
         }
         let lengths = keeper.intervals.iter().map(|interval| interval.top_m - interval.bottom_m);
-        let total: f64 = found.iter().zip(lengths).map(|([_, of], m)| of * m).sum();
+        let total: f64 = found.iter().zip(lengths).map(|([_, contact], m)| contact * m).sum();
         assert!((total / (100.0 * FORCE_N) - 1.0).abs() < 1e-12, "{total} N");
     }
 }

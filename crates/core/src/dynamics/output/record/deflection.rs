@@ -1,4 +1,4 @@
-//! How elements are bent and where they are: read from the chain.
+//! Bending and position of elements, read from the chain.
 
 use super::lane::{Lane, at, at3, put};
 use crate::{
@@ -25,8 +25,8 @@ pub struct Ends<'a, R: Real> {
     pub bent: &'a [BentNode],
 }
 
-/// A node with a bend. The element below stands on another face of the body: what is bent without
-/// stress bears none.
+/// A node with a bend. The element below is attached to another face of the body: a body that is
+/// bent without stress has none.
 #[derive(Debug, Clone, Copy)]
 pub struct BentNode {
     block: usize,
@@ -47,7 +47,7 @@ impl BentNode {
     }
 }
 
-/// How an element is bent by its ends, and what loads it across its chord.
+/// Bending of an element by its ends, and its load across its chord.
 #[derive(Debug, Clone, Copy)]
 pub struct Deflection<N> {
     /// Sum of the angles of its ends with the chord.
@@ -76,7 +76,7 @@ impl<N: Doubles> Deflection<N> {
     }
 }
 
-/// Where the middle of an element is in its hole.
+/// Position of the middle of an element in its hole.
 #[derive(Debug, Clone, Copy)]
 pub struct Around<N> {
     /// From the hole's axis to the middle of the chord, m.
@@ -86,7 +86,7 @@ pub struct Around<N> {
 }
 
 impl<R: Real> Ends<'_, R> {
-    /// How elements are bent; of what inverse of a rest length, 1/m, and buoyed weight, N/m.
+    /// Bending of elements, from the inverse of their rest length, 1/m, and buoyed weight, N/m.
     #[inline(always)]
     pub fn deflection<N: Doubles>(
         &self,
@@ -116,7 +116,7 @@ impl<R: Real> Ends<'_, R> {
         }
     }
 
-    /// Where the middles of the chords of elements are. Between its anchors the hole is the
+    /// Positions of the middles of the elements' chords. Between its anchors the hole is the
     /// parabola that has its tangent at the upper one. `rest` is the inverse of their rest lengths,
     /// 1/m.
     #[inline(always)]
@@ -134,7 +134,8 @@ impl<R: Real> Ends<'_, R> {
         let moved = (u1 + u2).scaled(half);
         let along = chord.scaled(rest);
         let z = moved.dot(along);
-        // A quarter of what the hole leaves its tangent by is what it leaves its chord by half-way.
+        // The deviation of the hole from its chord half-way is a quarter of its deviation from the
+        // tangent.
         let bowed = chord.minus(tangent, chord.dot(tangent)).scaled(quarter);
         let offset = moved.minus(along, z).minus(curvature, half * z * z) + bowed;
         let slope = at::<N, R>(nodes.clearance_slope.part(part), lane);
@@ -177,7 +178,7 @@ fn replaced<N: Doubles>(vectors: Vector<N>, index: usize, other: [f64; 3]) -> Ve
     Vector(x, y, z)
 }
 
-/// The part of rows that stands beside a block.
+/// The part of rows next to a block.
 #[inline(always)]
 pub fn parts<R: Real>(rows: &Rows<R>, part: usize) -> [&[R; DOUBLES]; 3] {
     rows.each_ref().map(|row| row.part(part))

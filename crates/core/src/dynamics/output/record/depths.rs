@@ -48,8 +48,8 @@ impl Sides {
         due
     }
 
-    /// Where the side force changed from the high to the low side since the last sample, m. `sum`
-    /// is that of a node's signed contact force, N.
+    /// Measured depth at which the side force changed from the high to the low side since the last
+    /// sample, m. `sum` is that of a node's signed contact force, N.
     pub(super) fn cutoff_depth_m(
         &mut self,
         mesh: &Mesh,

@@ -1,24 +1,25 @@
-//! How elements resist being turned by an end.
+//! Rotational stiffness of elements at an end.
 
 use super::deflection::Deflection;
 use crate::simd::number::Doubles;
 
-/// What turns an end of elements by one radian, N·m.
+/// Moment that turns an end of elements by one radian, N·m.
 #[derive(Debug, Clone, Copy)]
 pub struct EndStiffness<N> {
-    /// Where the other end turns as much the other way: `EI/L` without tension, nothing from Euler's
-    /// load of the element on.
+    /// If the other end turns by the same angle the other way: `EI/L` without tension, zero from
+    /// Euler's load of the element on.
     pub even: N,
-    /// Where it turns as much the same way: `3 EI/L` without tension.
+    /// If it turns by the same angle the same way: `3 EI/L` without tension.
     pub odd: N,
     /// Moment half-way as one end turns.
     pub half_way: N,
 }
 
 impl<N: Doubles> EndStiffness<N> {
-    /// Of elements by the moments at their ends and half-way over the load, m², and by what turns
-    /// both ends alike, N·m. Compressed beyond Euler's load an element holds its ends by the latter
-    /// alone: a negative stiffness would leave a node with nothing to share its moment out by.
+    /// Stiffness of elements from the moments at their ends and half-way over the load, m², and
+    /// from the moment that turns both ends alike, N·m. An element compressed beyond Euler's load
+    /// has only the latter, because with a negative stiffness a node could not distribute its
+    /// moment.
     #[inline(always)]
     pub fn of(deflection: &Deflection<N>, [at_ends, half_way]: [N; 2], odd: N) -> Self {
         let with = |part: N| deflection.bending + deflection.pull * part;
@@ -31,7 +32,7 @@ impl<N: Doubles> EndStiffness<N> {
         self.even + self.odd
     }
 
-    /// Part of the moment of the end that turns which comes to the end that stays: half without
+    /// Part of the moment of the turning end that is carried over to the fixed end: half without
     /// tension.
     #[inline(always)]
     pub fn carry_over(&self) -> N {

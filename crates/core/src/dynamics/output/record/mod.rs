@@ -1,4 +1,4 @@
-//! What is kept of a run while it goes on: sums per node, samples of the scalars.
+//! Record of a run in progress: sums per node, samples of the scalars.
 
 mod above;
 mod contact_map;
@@ -60,14 +60,14 @@ pub struct Spread {
     pub std: f64,
 }
 
-/// How a node goes round the hole's axis, over the window.
+/// Circulation of a node round the hole's axis, over the window.
 #[derive(Debug, Clone, Copy)]
 pub struct Circling {
     /// Mean angular velocity of the offset, weighted with its square, rad/s; clockwise looking down
     /// the hole is positive.
     pub rate_rad_per_s: f64,
-    /// How much of the lateral motion that is: one for a circle about the hole's axis, zero for a
-    /// string that swings to and fro.
+    /// Fraction of the lateral motion that is circulation: one for a circle about the hole's axis,
+    /// zero for a string that swings to and fro.
     pub coherence: f64,
 }
 
@@ -78,7 +78,7 @@ pub struct Record {
     strength: Strength,
     shapes: Shapes,
     sums: Vec<SumBlock>,
-    /// Sums of what the pressure of the mud at rest shortens each element by, m.
+    /// Sums of each element's shortening by the pressure of the mud at rest, m.
     squeezed_m: Vec<f64>,
     reservoir: Reservoir,
     sides: Sides,
@@ -97,8 +97,8 @@ pub struct Record {
 }
 
 impl Record {
-    /// Whether a stored record is one of so many nodes: what it sums and keeps is as long as its
-    /// layout requires.
+    /// Checks that a stored record has this number of nodes, so that its sums and samples have the
+    /// length that its layout requires.
     pub(in crate::dynamics) fn check(&self, nodes: usize) -> Result<(), Damaged> {
         let rows = self.series.check(nodes, self.handed_over)?;
         let all_rows = rows.saturating_add(self.handed_over);
@@ -114,8 +114,8 @@ impl Record {
         self.contact.check(nodes)
     }
 
-    /// An empty record of a string, beside a chain of that layout, whose window is expected to take
-    /// so many `samples`.
+    /// An empty record of a string, for a chain of that layout, with the expected number of
+    /// `samples` in its window.
     pub fn new(model: &Model, mesh: &Mesh, layout: Layout, samples: u64) -> Self {
         Self {
             layout,
@@ -135,8 +135,8 @@ impl Record {
         }
     }
 
-    /// Begins the window after the sample of `before_s`: what was summed before it, in case it never
-    /// began, goes.
+    /// Begins the window after the sample of `before_s`: the sums before it, kept in case it never
+    /// began, are discarded.
     pub fn open_window(&mut self, before_s: f64) {
         self.sums.fill(SumBlock::EMPTY);
         self.squeezed_m.fill(0.0);
@@ -226,20 +226,19 @@ impl Record {
         self.shapes.restart();
     }
 
-    /// Notes how deep a node lies in the wall, m; negative where it is off it.
+    /// Records the penetration of a node into the wall, m; negative where it is off it.
     pub fn note_penetration(&mut self, depth_m: f64) {
         self.max_penetration_m = self.max_penetration_m.max(depth_m);
     }
 
-    /// Adds what the pressure of the mud at rest shortens each element by at the sample, m.
+    /// Adds the shortening of each element by the pressure of the mud at rest at the sample, m.
     pub fn squeeze(&mut self, each_m: &[f64]) {
         for (sum, squeezed) in self.squeezed_m.iter_mut().zip(each_m) {
             *sum += squeezed;
         }
     }
 
-    /// Presses the bodies, from the next sample on, by what the pressure inside has over that
-    /// outside at each node, Pa.
+    /// Sets, from the next sample on, the pressure inside less that outside at each node, Pa.
     pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
         self.strength.press(difference_Pa);
     }
@@ -249,12 +248,12 @@ impl Record {
         &self.strength
     }
 
-    /// How the elements bend between their ends.
+    /// Bending of the elements between their ends.
     pub fn shapes(&self) -> &Shapes {
         &self.shapes
     }
 
-    /// Where what is kept of each node lies.
+    /// Layout of the data of each node.
     pub fn layout(&self) -> Layout {
         self.layout
     }
@@ -350,8 +349,7 @@ impl Record {
     pub fn twist(&self, index: usize) -> f64 {
         self.mean_of(index, |s| &s.twist)
     }
-    /// What its tension lengthens an element by, less what the mud at rest shortens it by, on
-    /// average, m.
+    /// Mean elongation of an element by its tension less its shortening by the mud at rest, m.
     pub fn longer_m(&self, index: usize) -> f64 {
         let pulled_m = self.tension(index).mean * self.strength.compliance_m_per_N(index);
         pulled_m - self.squeezed_m[index] / self.samples.max(1) as f64
@@ -418,7 +416,7 @@ impl Record {
     pub fn lateral_speed(&self, index: usize) -> f64 {
         self.mean_of(index, |s| &s.speed_square).sqrt()
     }
-    /// How a node goes round the hole's axis; not at all where it never left it.
+    /// Circulation of a node round the hole's axis; zero where it never left it.
     pub fn circling(&self, index: usize) -> Circling {
         let moment = self.mean_of(index, |s| &s.circling);
         let offset_square = self.mean_of(index, |s| &s.offset_square);

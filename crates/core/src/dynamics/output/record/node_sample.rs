@@ -1,5 +1,5 @@
-//! What nodes, and the elements below them, show at a moment: the one place that reads the chain
-//! for the record.
+//! Values at nodes, and in the elements below them, at a moment: the only place that reads the
+//! chain for the record.
 
 use super::{
     above::Above,
@@ -18,7 +18,7 @@ use crate::{
     },
 };
 
-/// What samples are read from.
+/// Sources of the samples.
 #[derive(Debug)]
 pub struct Source<'a, R: Real> {
     /// The ends of the elements.
@@ -27,13 +27,13 @@ pub struct Source<'a, R: Real> {
     pub high: &'a [Rows<f64>],
     /// The bodies that carry the stresses.
     pub strength: &'a Strength,
-    /// How the elements bend between their ends.
+    /// Bending of the elements between their ends.
     pub shapes: &'a Shapes,
     /// Inverse of the number of steps of the uppermost region since the last sample.
     pub per_step: f64,
 }
 
-/// How nodes lie and move in the hole.
+/// Position and motion of nodes in the hole.
 #[derive(Debug, Clone, Copy)]
 pub struct Place<N> {
     tangent: Vector<N>,
@@ -41,7 +41,7 @@ pub struct Place<N> {
     square: N,
     /// Distance from the hole's axis, m.
     pub offset: N,
-    /// How deep they are in the wall, m; zero where no wall acts.
+    /// Penetration of the nodes into the wall, m; zero where no wall acts.
     pub penetration: N,
     /// Moment of the lateral velocity about the hole's axis, m²/s, clockwise looking down the hole.
     pub circling: N,
@@ -49,7 +49,7 @@ pub struct Place<N> {
     pub speed_square: N,
 }
 
-/// Where nodes lie around the hole's axis.
+/// Direction of nodes from the hole's axis.
 #[derive(Debug, Clone, Copy)]
 pub struct Direction<N> {
     /// Cosine of the direction of the offset with the high side.
@@ -58,7 +58,7 @@ pub struct Direction<N> {
     pub right: N,
 }
 
-/// What the string carries at nodes.
+/// Loads of the string at nodes.
 #[derive(Debug, Clone, Copy)]
 pub struct Bearing<N> {
     /// Effective tension of the element below, N.
@@ -67,7 +67,7 @@ pub struct Bearing<N> {
     pub torque: N,
     /// Twist of the element below, rad, in the sign of the chain.
     pub twist: N,
-    /// What its tension lengthens the element below, m.
+    /// Elongation of the element below by its tension, m.
     pub longer: N,
     /// Bending moment, N·m.
     pub bending: N,
@@ -102,8 +102,8 @@ pub struct NodeSample {
 const SHOWN: usize = 8;
 
 impl NodeSample {
-    fn of(shown: [f64; SHOWN]) -> Self {
-        let [normal, axial, friction_torque, offset, up, right, bending, stress] = shown;
+    fn of(values: [f64; SHOWN]) -> Self {
+        let [normal, axial, friction_torque, offset, up, right, bending, stress] = values;
         Self { normal, axial, friction_torque, offset, up, right, bending, stress }
     }
 }
@@ -146,11 +146,11 @@ impl<R: Real> Source<'_, R> {
             {
                 let mut lanes = [[0.0; DOUBLES]; SHOWN];
                 for lane in (0..DOUBLES).step_by(N::WIDTH) {
-                    let (shown, lower) =
+                    let (values, lower) =
                         self.shown::<N>(row * parts + part, lane, above.at(part, lane));
                     above.put(part, lane, lower);
-                    for (lanes, shown) in lanes.iter_mut().zip(shown) {
-                        put(lanes, lane, shown);
+                    for (lanes, value) in lanes.iter_mut().zip(values) {
+                        put(lanes, lane, value);
                     }
                 }
                 for lane in 0..DOUBLES {
@@ -196,7 +196,7 @@ impl<R: Real> Source<'_, R> {
         ]
     }
 
-    /// How nodes lie and move in the hole.
+    /// Position and motion of nodes in the hole.
     #[inline(always)]
     pub fn place<N: Doubles>(&self, block: usize, lane: usize) -> Place<N> {
         let (row, part) = Layout::row_of::<R>(block);
@@ -224,7 +224,7 @@ impl<R: Real> Source<'_, R> {
         }
     }
 
-    /// Where nodes at a place lie around the hole's axis.
+    /// Direction from the hole's axis of nodes at a place.
     #[inline(always)]
     pub fn direction<N: Doubles>(
         &self,
@@ -242,9 +242,9 @@ impl<R: Real> Source<'_, R> {
         }
     }
 
-    /// What the string carries at nodes, and the moment of the elements below at their lower ends;
-    /// `above` is that of the elements above. The bit, below which there is none,
-    /// carries none unless it is clamped.
+    /// Loads of the string at nodes, and the moment of the elements below at their lower ends;
+    /// `above` is that of the elements above. The bit, with no element below, has no moment unless
+    /// it is clamped.
     #[inline(always)]
     pub fn bearing<N: Doubles>(
         &self,
@@ -257,8 +257,8 @@ impl<R: Real> Source<'_, R> {
         let metal: &Metal = self.strength.block(block);
         let shape = self.shapes.block(block);
         let moments = self.shapes.moments::<N, R>(&self.ends, block, lane);
-        // What one side has more than the other the node hands on by its turning: each takes of it
-        // what it resists that with.
+        // The node balances the difference between the two sides by turning: each side receives a
+        // part in proportion to its rotational stiffness.
         let above = Vector(x, y, z);
         let moment = above + (moments.upper - above).scaled(at(&shape.below, lane));
         let bending = moment.dot(moment).sqrt();

@@ -8,7 +8,7 @@ use crate::{
     simd::{lanes::DOUBLES, number::Doubles},
 };
 
-/// What is kept of every node.
+/// Quantities recorded for every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// Tension of the element below.
@@ -25,22 +25,21 @@ pub enum Quantity {
 
 const QUANTITIES: usize = 4;
 
-/// Percentiles that are told of each.
+/// Percentiles that are reported for each.
 const PARTS: [f64; 3] = [0.05, 0.5, 0.95];
 
 /// Numbers kept of one quantity: 3 MB.
 const MAX_NUMBERS: usize = 3 << 18;
 
-/// Samples kept at least, and at most: more of them, a few milliseconds apart, would tell little
-/// more.
+/// Samples kept at least, and at most: more of them, a few milliseconds apart, would add little
+/// information.
 const ROWS: [usize; 2] = [64, 640];
 
 /// Kept samples.
 ///
-/// Of every `stride` samples one is kept, at a place in them that a fixed sequence of random
-/// numbers chooses, so that nothing periodic hides between. The stride is such that what a window
-/// is expected to take fits. When memory is full nevertheless, one of each pair of kept samples
-/// stays and the stride doubles.
+/// Of every `stride` samples one is kept, at a random position from a fixed sequence, so that no
+/// periodic motion is missed. The stride is chosen so that the expected samples of a window fit.
+/// When memory is full nevertheless, one of each pair of kept samples stays and the stride doubles.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Reservoir {
     /// Numbers in a row: the lanes of all blocks.
@@ -67,9 +66,9 @@ impl ReservoirRow<'_> {
     pub fn put<N: Doubles>(&mut self, block: usize, lane: usize, values: [N; QUANTITIES]) {
         let from = block * DOUBLES + lane;
         for (row, values) in self.0.iter_mut().zip(values) {
-            let kept = &mut row[from..from + N::WIDTH];
+            let slots = &mut row[from..from + N::WIDTH];
             // SAFETY: there is room for so many numbers.
-            unsafe { values.narrow(kept.as_mut_ptr()) };
+            unsafe { values.narrow(slots.as_mut_ptr()) };
         }
     }
 }
@@ -160,17 +159,17 @@ impl Reservoir {
     /// 5th, 50th and 95th percentile of a quantity at every place, block by block; zeros where
     /// nothing was kept.
     pub fn percentiles(&self, quantity: Quantity) -> Vec<[[f64; 3]; DOUBLES]> {
-        let (of, magnitude) = match quantity {
+        let (stored, magnitude) = match quantity {
             Quantity::Contact => (Quantity::Side, true),
             other => (other, false),
         };
-        let values = &self.values[of as usize];
+        let values = &self.values[stored as usize];
         let mut places = vec![[[0.0; 3]; DOUBLES]; self.width / DOUBLES];
         if self.rows == 0 {
             return places;
         }
-        // The samples of a place lie far apart: those of a block are read together, as many rows
-        // at a time as fill a line of the cache.
+        // The samples of a place are far apart in memory: those of a block are read together, as
+        // many rows at a time as fill a line of the cache.
         let mut samples = vec![0; DOUBLES * self.rows];
         for (block, places) in places.iter_mut().enumerate() {
             for (first, rows) in (0..).step_by(DOUBLES).zip(values.chunks(DOUBLES * self.width)) {
@@ -219,7 +218,7 @@ fn percentiles(samples: &mut [i32]) -> [f64; 3] {
         samples.sort_unstable();
         [low, middle, high].map(|at| [samples[at], samples[(at + 1).min(last)]])
     } else {
-        // The others lie on either side of the median.
+        // The others are on either side of the median.
         let (below, median, above) = samples.select_nth_unstable(middle);
         let next = least(above, *median);
         let middle_pair = [*median, next];

@@ -1,4 +1,4 @@
-//! How the elements below a block of nodes bend between them.
+//! Bending between the nodes of the elements below a block of nodes.
 
 use serde::{Deserialize, Serialize};
 
@@ -41,7 +41,7 @@ pub struct ShapeBlock {
     pub radius: Lane,
     /// Sum of the sag, m.
     pub sag: Lane,
-    /// How often the body touched.
+    /// Number of samples in which the body touched.
     pub touched: Lane,
     /// Compression over the element's own buckling load, averaged over the last looks.
     pub compressed: Lane,
@@ -74,7 +74,7 @@ impl ShapeBlock {
         most_compressed: NONE,
     };
 
-    /// What moments at the lower ends are made with.
+    /// Coefficients from which the moments at the lower ends are computed.
     pub fn handed_on(&mut self) -> [&mut Lane; 8] {
         let Self { per_length, weight, at_ends, half_way, odd, column, stiffness, radius, .. } =
             self;
@@ -82,7 +82,7 @@ impl ShapeBlock {
     }
 }
 
-/// What elements bear, N·m, towards the centre of curvature.
+/// Moments in elements, N·m, towards the centre of curvature.
 #[derive(Debug, Clone, Copy)]
 pub struct Moments<N> {
     /// At their upper ends.
@@ -132,7 +132,7 @@ impl ShapeBlock {
         let (row, part) = Layout::row_of::<R>(block);
         let elements = &ends.chain.element_blocks[row];
         let [length, far] =
-            [&elements.length, &elements.bending_far].map(|of| at::<N, R>(of.part(part), lane));
+            [&elements.length, &elements.bending_far].map(|row| at::<N, R>(row.part(part), lane));
         let tension = deflection.pull * length;
         let column = BeamColumn::of(tension * at(&self.column, lane));
         let middle = Middle {
@@ -160,8 +160,8 @@ impl ShapeBlock {
         EndStiffness::of(&deflection, [shape.at_ends, shape.half_way], odd)
     }
 
-    /// How elements at lanes of a block resist being turned by their ends, as they did when last
-    /// looked at.
+    /// Rotational end stiffness of elements at lanes of a block, from the last update of their
+    /// shapes.
     pub fn end_stiffness<N: Doubles, R: Real>(
         &self,
         ends: &Ends<'_, R>,
@@ -173,8 +173,8 @@ impl ShapeBlock {
         EndStiffness::of(&deflection, parts, at(&self.odd, lane))
     }
 
-    /// Shares what a node has to hand on out between the elements above and below it, in proportion
-    /// to what they hold it with, N·m.
+    /// Distributes a node's unbalanced moment, N·m, to the elements above and below it, in
+    /// proportion to their stiffness.
     #[inline(always)]
     pub fn distribute<N: Doubles>(&mut self, lane: usize, [above, below]: [N; 2], tilts: N) {
         let part = above / (above + below).max(N::splat(N::TINY));

@@ -1,4 +1,4 @@
-//! How the elements bend between their nodes, as it was when that was last looked at.
+//! Bending of the elements between their nodes, from the last update of their shapes.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,8 +20,8 @@ use crate::{
     },
 };
 
-/// Samples from one look at the elements' shapes to the next: what tension and wall make of a load
-/// changes slowly, the load itself and the ends are those of every sample.
+/// Number of samples between updates of the elements' shapes: the effect of tension and wall on a
+/// load changes slowly, while the load itself and the ends are evaluated at every sample.
 const SAMPLES: u64 = 32;
 
 /// The shapes of all elements.
@@ -32,7 +32,7 @@ pub struct Shapes {
     ends_of_string: Vec<StringEnd>,
     /// Blocks with elements that carry moments over from the string's ends.
     carry: Vec<bool>,
-    /// How many looks the sums hold.
+    /// Number of updates in the sums.
     looks: u64,
     /// Samples since the last look.
     samples: u64,
@@ -44,33 +44,33 @@ impl Shapes {
         let mut blocks = vec![ShapeBlock::EMPTY; layout.blocks()];
         for (index, element) in mesh.elements.iter().enumerate() {
             let (block, lane) = layout.place(index);
-            let (of, section) = (&mut blocks[block], &element.section);
+            let (shape, section) = (&mut blocks[block], &element.section);
             let stiffness = section.bending_stiffness_N_m2;
-            of.per_length[lane] = 1.0 / element.length_m;
-            of.weight[lane] = section.buoyed_weight_N_per_m(model.mud.density_kg_per_m3);
-            of.column[lane] = element.length_m.powi(2) / (64.0 * stiffness);
-            of.stiffness[lane] = stiffness;
-            of.radius[lane] = 0.5 * section.od_m;
+            shape.per_length[lane] = 1.0 / element.length_m;
+            shape.weight[lane] = section.buoyed_weight_N_per_m(model.mud.density_kg_per_m3);
+            shape.column[lane] = element.length_m.powi(2) / (64.0 * stiffness);
+            shape.stiffness[lane] = stiffness;
+            shape.radius[lane] = 0.5 * section.od_m;
         }
         let ends_of_string = StringEnd::both(layout, mesh.elements.len());
         let mut carry = vec![false; layout.blocks()];
-        for of in ends_of_string.iter().flat_map(StringEnd::carry_overs) {
-            carry[of.block()] = true;
+        for carry_over in ends_of_string.iter().flat_map(StringEnd::carry_overs) {
+            carry[carry_over.block()] = true;
         }
         let mut shapes = Self { layout, blocks, ends_of_string, carry, looks: 0, samples: 0 };
         shapes.share();
         shapes
     }
 
-    /// Gives the lower region what the upper one knows of the element that both have.
+    /// Copies to the lower region the upper one's data of the shared element.
     fn share(&mut self) {
         let Some((index, (block, lane))) = self.layout.shared() else {
             return;
         };
         let (from, from_lane) = self.layout.place(index);
         let mut element = self.blocks[from];
-        for (to, of) in self.blocks[block].handed_on().into_iter().zip(element.handed_on()) {
-            to[lane] = of[from_lane];
+        for (to, source) in self.blocks[block].handed_on().into_iter().zip(element.handed_on()) {
+            to[lane] = source[from_lane];
         }
     }
 
@@ -125,7 +125,8 @@ impl Shapes {
         self.blocks[block].most_compressed[lane]
     }
 
-    /// How often the middle of the element below a node touched the wall, from 0 to 1.
+    /// Fraction of samples in which the middle of the element below a node touched the wall, from 0
+    /// to 1.
     pub fn touched(&self, index: usize) -> f64 {
         let (block, lane) = self.layout.place(index);
         self.blocks[block].touched[lane] / self.looks.max(1) as f64
@@ -137,8 +138,8 @@ impl Shapes {
         let parts = R::LANES / DOUBLES;
         for region in 0..chain.regions() {
             let rows = chain.rows_of(region);
-            // What holds the nodes of the first row from above is found first, and once more as its
-            // own row comes.
+            // The data from above for the nodes of the first row are computed first, and again with
+            // their own row.
             let mut above = Above::<1>::NONE;
             for (row, counts) in
                 [(rows.end - 1, false)].into_iter().chain(rows.map(|row| (row, true)))
@@ -170,7 +171,7 @@ impl Shapes {
 }
 
 impl Shapes {
-    /// What the elements at lanes of a block bear, in the shape that they had when last looked at.
+    /// Moments in the elements at lanes of a block, with the shapes of the last update.
     #[inline(always)]
     pub fn moments<N: Doubles, R: Real>(
         &self,
@@ -181,16 +182,16 @@ impl Shapes {
         let mut moments = self.blocks[block].moments::<N, R>(ends, block, lane);
         if self.carry[block] {
             let all = self.ends_of_string.iter().flat_map(StringEnd::carry_overs);
-            for of in all.filter(|of| of.is_at::<N>(block, lane)) {
-                of.act(&mut moments, lane);
+            for carry_over in all.filter(|carry_over| carry_over.is_at::<N>(block, lane)) {
+                carry_over.act(&mut moments, lane);
             }
         }
         moments
     }
 
-    /// Where the top is free to tilt, what the first element and the second differ by at the node
-    /// between them is carried over to the far end of the second, as a part of what that one has at
-    /// the node, so that it turns with it; at the bit likewise.
+    /// Where the top is free to tilt, the difference between the first and the second element at
+    /// the node between them is carried over to the far end of the second, as a fraction of the
+    /// second's moment at the node, so that it turns with it; at the bit likewise.
     fn carry_on(&mut self, ends: &Ends<'_, impl Real>) {
         let mut ends_of_string = std::mem::take(&mut self.ends_of_string);
         for end in &mut ends_of_string {

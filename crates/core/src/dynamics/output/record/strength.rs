@@ -33,9 +33,9 @@ pub struct Metal {
     pub bore_part: Lane,
     /// Area of the bore over that of the metal.
     pub bore_per_area: Lane,
-    /// Square of what the pressure inside has over that outside, Pa².
+    /// Square of the pressure inside less that outside, Pa².
     pub burst_square: Lane,
-    /// What a newton lengthens the element below by, m/N; zero below the bit, where there is none.
+    /// Elongation of the element below per newton, m/N; zero below the bit, where there is none.
     pub compliance: Lane,
 }
 
@@ -99,7 +99,7 @@ impl Strength {
         Self { layout, blocks, yield_Pa }
     }
 
-    /// Presses the bodies by what the pressure inside has over that outside at each node, Pa.
+    /// Sets the pressure inside less that outside at each node, Pa.
     pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
         for (index, (block, lane)) in self.layout.places().take(self.yield_Pa.len()).enumerate() {
             let difference_Pa = difference_Pa(index);
@@ -119,7 +119,7 @@ impl Strength {
         self.blocks[block].per_modulus[lane]
     }
 
-    /// What a newton lengthens the element below a node by, m/N; zero below the bit.
+    /// Elongation of the element below a node per newton, m/N; zero below the bit.
     pub fn compliance_m_per_N(&self, index: usize) -> f64 {
         let (block, lane) = self.layout.place(index);
         self.blocks[block].compliance[lane]

@@ -1,5 +1,5 @@
-//! The ends of the string, whence moment distribution goes a step further than elsewhere: an end
-//! that is free to turn bears no moment.
+//! The ends of the string, where moment distribution takes one step more than elsewhere, because an
+//! end that is free to turn has no moment.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,8 +21,8 @@ use crate::{
 pub type Place = (usize, usize);
 
 /// Where the top or the bit is free to tilt, the moment is released that the first or the last
-/// element would have there if it were held, and carried over to its other end. What that end and
-/// the next element differ by is carried on to the next element's far end.
+/// element would have there if it were held, and carried over to its other end. The difference
+/// between that end and the next element is then carried over to the next element's far end.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct StringEnd {
     /// Whether it is the top.
@@ -31,11 +31,11 @@ pub struct StringEnd {
     node: Place,
     /// The first or last element; that of both regions has two places.
     pub own: Vec<CarryOver>,
-    /// The element beside it, likewise.
+    /// The same for the element next to it.
     pub next: Vec<CarryOver>,
 }
 
-/// What an element carries over from one of its ends.
+/// Moment that an element carries over from one of its ends.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct CarryOver {
     element: Place,
@@ -43,9 +43,9 @@ pub struct CarryOver {
     from_upper: bool,
     /// Part of that end's moment that stays there; all in the lanes of other elements.
     stays: Lane,
-    /// What the other end takes over of it.
+    /// Fraction carried over to the other end.
     carried: Lane,
-    /// What the middle loses of it.
+    /// Loss at the middle.
     half_way: Lane,
 }
 
@@ -89,9 +89,9 @@ impl StringEnd {
         ends.tilts::<f64>(block, lane) > 0.0
     }
 
-    /// Looks at how elements at lanes of a block resist being turned by their ends. What the first
-    /// and the last one hold their other ends with is less where they are free: three quarters
-    /// without tension.
+    /// Updates the rotational end stiffness of elements at lanes of a block. The first and the last
+    /// element are less stiff at their other ends where they are free: three quarters without
+    /// tension.
     #[cold]
     #[inline(always)]
     pub fn look<N: Doubles>(
@@ -103,15 +103,17 @@ impl StringEnd {
     ) {
         let is_free = self.is_free(ends);
         let is_upper = self.is_upper;
-        for of in self.own.iter_mut().filter(|of| of.is_at::<N>(block, lane)) {
+        for carry_over in
+            self.own.iter_mut().filter(|carry_over| carry_over.is_at::<N>(block, lane))
+        {
             let mut here: Lane = [0.0; DOUBLES];
-            here[of.element.1] = f64::from(u8::from(is_free));
-            of.stays = here.map(|part| 1.0 - part);
+            here[carry_over.element.1] = f64::from(u8::from(is_free));
+            carry_over.stays = here.map(|part| 1.0 - part);
             let here = at::<N, f64>(&here, lane);
             let carried = here * stiffness.carry_over();
-            put(&mut of.carried, lane, carried);
+            put(&mut carry_over.carried, lane, carried);
             let held_with = stiffness.held().max(N::splat(N::TINY));
-            put(&mut of.half_way, lane, here * stiffness.half_way / held_with);
+            put(&mut carry_over.half_way, lane, here * stiffness.half_way / held_with);
             let other = &mut held[usize::from(is_upper)];
             *other = *other * (N::splat(1.0) - carried * carried);
         }
@@ -140,7 +142,7 @@ impl CarryOver {
         self.element.0 == block && (lane..lane + N::WIDTH).contains(&self.element.1)
     }
 
-    /// Carries so much of the end's moment over, and leaves the end what it has.
+    /// Carries this fraction of the end's moment over, and leaves the end's own moment unchanged.
     pub fn carry_on(&mut self, part: f64) {
         self.carried[self.element.1] = part;
     }

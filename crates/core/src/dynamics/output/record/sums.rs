@@ -122,7 +122,7 @@ fn square_up<N: Doubles>([first, second]: &mut [Lane; 2], lane: usize, value: N)
     add(second, lane, value * value);
 }
 
-/// What a wall does to nodes, some of which at least touch it.
+/// Contact of nodes, at least one of which touches the wall.
 #[derive(Debug, Clone, Copy)]
 struct Contact<N> {
     normal: N,
@@ -145,7 +145,7 @@ pub struct Totals {
     pub tension_N: f64,
     /// Twist of all elements, rad, in the sign of the chain.
     pub twist_rad: f64,
-    /// What the tension lengthens the string, m.
+    /// Elongation of the string by its tension, m.
     pub longer_m: f64,
 }
 
@@ -192,7 +192,7 @@ pub struct Pass<'a, R: Real> {
     pub source: Source<'a, R>,
     /// Whether it is the first sample of the window.
     pub first: bool,
-    /// Where its values are kept, if they are.
+    /// Storage of its values, if they are kept.
     pub reservoir: Option<ReservoirRow<'a>>,
     /// Sums over the blocks.
     pub totals: &'a mut TotalBlock,
@@ -223,7 +223,7 @@ impl<R: Real> Pass<'_, R> {
         }
     }
 
-    /// Adds nodes, and the elements below them; `above` and what comes back are the moments of
+    /// Adds nodes, and the elements below them; `above` and the returned value are the moments of
     /// elements at their lower ends.
     #[inline(always)]
     fn add_nodes<N: Doubles>(&mut self, block: usize, lane: usize, above: [N; 3]) -> [N; 3] {
@@ -234,7 +234,7 @@ impl<R: Real> Pass<'_, R> {
         keep_larger(&mut self.totals.penetration, lane, place.penetration);
         // While the place is at hand: there are not registers enough to keep it for later.
         let mut side = N::zero();
-        // To what does not touch nothing is added.
+        // Nodes without contact add nothing.
         if normal.any_positive() {
             let friction @ [axial, torque] = self.source.friction(block, lane);
             let direction = self.source.direction(&place, block, lane);
@@ -242,7 +242,7 @@ impl<R: Real> Pass<'_, R> {
             add(&mut self.totals.normal, lane, normal);
             add(&mut self.totals.axial, lane, axial);
             add(&mut self.totals.torque, lane, torque);
-            // By the side on which the node lies, as the sums count it; what does not touch is +0.
+            // Signed by the side of the node, like the sums; +0 for a node without contact.
             side = (-direction.up).if_positive(N::zero() - normal, normal);
         }
         let (bearing, lower) = self.source.bearing::<N>(block, lane, above);

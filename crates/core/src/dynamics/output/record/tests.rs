@@ -1,4 +1,4 @@
-//! What the record says of a string whose state is known.
+//! Record of a string whose state is known.
 
 mod joints;
 
@@ -16,7 +16,7 @@ use crate::{
     string::{ComponentLength, ComponentSpec},
 };
 
-/// Pipe of 5 in over thicker pipe, 60 m each, straight down, in mud that bears all of its weight.
+/// Pipe of 5 in over thicker pipe, 60 m each, straight down, in mud that carries all of its weight.
 fn model() -> Model {
     let part = |od, id| ComponentSpec {
         yield_strength_Pa: Some(724e6),
@@ -92,11 +92,11 @@ fn whirl_goes_round_at_its_rate() {
     }
 }
 
-/// A string bent to a circle of 200 m, under tension and torque: the bending moment is, since what
-/// holds it there holds it at the nodes, `x coth x EI/ρ` at them, `x = (L/2)√(T/EI)` (`T L²/12ρ`
+/// A string bent to a circle of 200 m, under tension and torque: the bending moment is, since the
+/// forces that hold it act at the nodes, `x coth x EI/ρ` at them, `x = (L/2)√(T/EI)` (`T L²/12ρ`
 /// more, where they are near to each other), and `x/sinh x EI/ρ` half-way; the stress is that of
-/// the textbook. The element's moment goes with the sine of half its bend `L/ρ`: it is less by
-/// `(L/ρ)²/24` = 1e-5.
+/// the textbook. The element's moment is proportional to the sine of half its bend `L/ρ`: it is
+/// less by `(L/ρ)²/24` = 1e-5.
 #[test]
 fn moment_and_stress_of_a_circle() {
     const RADIUS_M: f64 = 200.0;
@@ -143,7 +143,7 @@ fn moment_and_stress_of_a_circle() {
         close(record.stress(index), stress);
         close(record.stress_max(index), stress);
     }
-    // Where the two pipes meet, the weaker one bears.
+    // Where the two pipes meet, the weaker one governs.
     let joint = middle(60.0);
     let strength = record.strength();
     let thin = strength.per_modulus_m3(middle(90.0));
@@ -153,8 +153,8 @@ fn moment_and_stress_of_a_circle() {
 
 /// A tube under tension, bending, torque and different pressures inside and outside has von Mises'
 /// stress of all six components, with Lamé's radial and hoop stresses and the real axial force, at
-/// the surface that bears more: the outer one while the pressures are alike, the inner one when it
-/// is about to burst.
+/// the surface with the greater stress: the outer one while the pressures are alike, the inner one
+/// when it is about to burst.
 #[test]
 fn pressures_stress_the_tube_as_lame_has_it() {
     let (model, mesh, chain, _) = string();

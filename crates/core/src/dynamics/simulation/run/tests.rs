@@ -150,7 +150,7 @@ fn no_node_knows_who_shares_its_row() {
     assert!(part > 0.2 && part < 1.0, "{part} of the nodes touched");
 }
 
-/// What the nodes have rubbed is all found again on the hole, to rounding, with either law.
+/// The friction work of the nodes equals that on the hole, to rounding, with either law.
 #[test]
 fn wear_is_laid_on_the_hole() {
     for friction_law in [FrictionLaw::Vector, FrictionLaw::Independent] {
@@ -171,8 +171,8 @@ fn wear_is_laid_on_the_hole() {
     }
 }
 
-/// What counts arithmetic does the same arithmetic, to the last bit. There is no branch in it, so
-/// that every step and every lane takes as much.
+/// The counting step gives the same results to the last bit. It has no branch, so every step and
+/// every lane takes the same number of operations.
 #[test]
 fn counting_leaves_the_step_as_it_is() {
     let mut totals = Vec::new();

@@ -10,7 +10,7 @@ const INTERVAL_S: f64 = 0.01;
 const LENGTH_M: f64 = 3000.0;
 const HOOK_LOAD_N: f64 = 300e3;
 
-/// What the hook load changes by for each metre that the bit goes down the hole, N.
+/// Change of the hook load per metre that the bit moves down the hole, N.
 const HOOK_LOAD_PER_M: f64 = -500.0;
 
 fn settling() -> Settling {
@@ -19,8 +19,8 @@ fn settling() -> Settling {
     Settling::UntilSteady { stretch_s: 5.0, min_s: 10.0, max_s: 120.0, per_metre }
 }
 
-/// How the settling of a string ends whose hook load is that against time, on a noise of 100 N; the
-/// bit goes down at a speed, m/s.
+/// End of the settling of a string with this hook load against time, plus a noise of 100 N; the bit
+/// goes down at a speed, m/s.
 fn ends(hook_load_N: impl Fn(f64) -> f64, speed_m_per_s: f64, duration_s: f64) -> Option<Settled> {
     let settling = settling();
     let mut random = Random::new(2);
@@ -100,18 +100,18 @@ fn a_vibration_that_builds_up_is_waited_for() {
     }
 }
 
-/// What never stands still ends with the bound, and says so.
+/// Settling that never becomes steady ends at the bound, and reports it.
 #[test]
 fn the_bound_ends_what_never_is_steady() {
     let settled = ends(|t| HOOK_LOAD_N + 200.0 * t, 0.0, 5.0).expect("it ends");
     assert!(!settled.steady && (settled.settle_s - 120.01).abs() < 1e-9, "{settled:?}");
 }
 
-/// A string that trips at 0.3 m/s changes its hook load by what its travel changes, 150 N/s, and by
-/// a share of its length that it travels besides, 1.5 m of 3000 m in a stretch of 5 s or 30 N/s,
-/// beside the tenth of a percent, another 60 N/s, of a window as long: 80 N/s more or less than
-/// foretold is steady, and is not where the string stays. 100 N/s more or less is not, nor is a
-/// hook load that stands still while it should change.
+/// A string that trips at 0.3 m/s changes its hook load with its travel, 150 N/s, and in addition
+/// by the fraction of its length that it travels, 1.5 m of 3000 m in a stretch of 5 s or 30 N/s,
+/// plus the tenth of a percent, another 60 N/s, of a window as long: 80 N/s more or less than
+/// predicted is steady, and is not at the bound. 100 N/s more or less is not, nor is a hook load
+/// that is constant while it should change.
 #[test]
 fn a_string_that_travels_may_change() {
     let rates = [(-230.0, true), (-70.0, true), (-250.0, false), (-50.0, false), (0.0, false)];
@@ -125,8 +125,8 @@ fn a_string_that_travels_may_change() {
     }
 }
 
-/// What a rig's gauges do not show is no drift: torques of a few N·m in a string that does not
-/// turn.
+/// Changes below the resolution of a rig's gauges are no drift: torques of a few N·m in a string
+/// that does not turn.
 #[test]
 fn small_scalars_have_a_least_scale() {
     let [force, torque, own, same] = scales([

@@ -5,13 +5,13 @@
 //! `2C/(ε a²)`. Runge-Kutta of fourth order between events; the surface that the bit leaves is kept
 //! against the angle for good, and looked up a blade's sector back.
 
-/// A mass and a wheel on a torsion spring with a drag bit, and what drives them.
+/// A mass and a wheel on a torsion spring with a drag bit, and their drive.
 #[derive(Clone, Copy)]
 pub(super) struct System {
     pub(super) blades: f64,
     /// `ψ = ζ ε a I/(M C)`.
     pub(super) psi: f64,
-    /// Weight that the wear flats bear, `nλ`.
+    /// Weight on the wear flats, `nλ`.
     pub(super) bearing: f64,
     /// `β = μ γ ζ`.
     pub(super) beta: f64,
@@ -43,7 +43,7 @@ struct Mode {
     turns: bool,
 }
 
-/// What one run showed.
+/// Results of one run.
 pub(super) struct Seen {
     /// When the bit stopped turning.
     pub(super) sticks: Vec<f64>,

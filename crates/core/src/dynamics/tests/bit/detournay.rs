@@ -39,8 +39,8 @@ fn check(quantity: &str, expected: f64, computed: f64) {
         .report(expected, computed);
 }
 
-/// Led down at the rate of E07 and turned at its speed, the bit takes the weight and torque of E07
-/// and cuts its depth, and given the weight the law says the depth and the rate.
+/// Lowered at the rate of E07 and turned at its speed, the bit takes the weight and torque of E07
+/// and cuts its depth, and for that weight the law returns the depth and the rate.
 #[test]
 fn the_identities_hold_in_full_contact() {
     let (_, file) = identities();
@@ -74,7 +74,7 @@ fn the_identities_hold_in_full_contact() {
 }
 
 /// Pushed with a weight of each regime, the bit drills at the closed form's rate with its torque.
-/// E07: `ζ a ε` is 3.888 MN/m, the flats bear 71.28 kN, full contact comes with 79.056 kN and the
+/// E07: `ζ a ε` is 3.888 MN/m, the flats carry 71.28 kN, full contact begins at 79.056 kN and the
 /// cleaning limit with 149.04 kN.
 #[test]
 fn each_regime_drills_by_its_closed_form() {
@@ -105,8 +105,8 @@ fn each_regime_drills_by_its_closed_form() {
     }
 }
 
-/// The depth that a weight cuts is the depth that takes the weight, from the first touch to the
-/// cleaning limit, also where the flats need no depth at all to bear; nothing beyond the limit cuts
+/// The depth cut under a weight is the depth that requires this weight, from the first touch to the
+/// cleaning limit, also where the flats carry weight at zero depth; nothing beyond the limit cuts
 /// more.
 #[test]
 fn weight_and_depth_are_each_others_inverse() {
@@ -120,14 +120,13 @@ fn weight_and_depth_are_each_others_inverse() {
         let limit = law.weight_on_bit_N(20e-3);
         assert_eq!(law.depth_of_cut_m(1.5 * limit), law.depth_of_cut_m(limit * 1.01));
     }
-    // Where there is no limit, there is none.
+    // Without a cleaning limit there is no limit of the weight.
     let endless = DetournayDefournyLaw { cleaning_limit_m: None, ..law() };
     assert!((endless.depth_of_cut_m(71.28e3 + 3.888e6) - 1.0).abs() < 1e-12);
 }
 
-/// A core bit in the scaled forces of Detournay and Defourny, `w = W/a(1 − ρ)` and
-/// `t = 2T/a²(1 − ρ²)`: whatever it bears, it drills on the friction line
-/// `t = (1 − μγζ) ε d + μγ w`.
+/// A core bit in the scaled forces of Detournay and Defourny, `w = W/a(1 − ρ)` and `t = 2T/a²(1 −
+/// ρ²)`: at any weight on the flats, it drills on the friction line `t = (1 − μγζ) ε d + μγ w`.
 #[test]
 fn a_core_bit_drills_on_the_same_friction_line() {
     let whole = law();
@@ -150,8 +149,8 @@ fn a_core_bit_drills_on_the_same_friction_line() {
     }
 }
 
-/// Led down at a rate, the weight goes to what that takes as `e^(−k s t)`, `s = Ω/2π ζ a ε` in full
-/// contact; the error of the implicit front is of first order in the step.
+/// Lowered at a rate, the bit's weight approaches that of the rate as `e^(−k s t)`, `s = Ω/2π ζ a
+/// ε` in full contact; the error of the implicit front is of first order in the step.
 #[test]
 fn the_weight_follows_a_change_of_rate_in_first_order() {
     let (speed, rate, start) = (7.0, 0.012, 100e3);
@@ -174,8 +173,8 @@ fn the_weight_follows_a_change_of_rate_in_first_order() {
     assert!(errors[1] < 0.01 * (end - start).abs(), "{errors:?}");
 }
 
-/// A bit that less turns than its torque stands, and cuts nothing however long it is pushed; turned
-/// with more it continues from where it was.
+/// A bit driven with less than its torque stops and cuts nothing however long it is pushed; driven
+/// with more it continues from its position.
 #[test]
 fn a_stalled_bit_waits_and_goes_on() {
     let dt = 5e-4;
@@ -196,7 +195,7 @@ fn a_stalled_bit_waits_and_goes_on() {
         cut += dt * rig.step(dt).rate_of_penetration_m_per_s;
     }
     assert!(rig.spin() > 0.0 && cut > 1e-3);
-    // The front lies under the bit by what the weight compresses it.
+    // The front is below the bit by its compression under the weight.
     assert!((rig.chain.displacement(0).2 - cut).abs() < 1e-4);
 }
 

@@ -131,7 +131,7 @@ fn the_step_does_not_change_the_bottom() {
         rig.set_spin(SPIN);
         let mut weights = Vec::new();
         for i in 0..5000 * steps_per_ms {
-            // What pushes is a weight and a dashpot: nothing rings for long.
+            // The push consists of a weight and a dashpot, so no oscillation lasts.
             let damped = rig.chain.velocity(0).2 - 0.003;
             rig.push = Vector(0.0, 0.0, (60e3 - 2e5 * damped) * 1e-4 * MASS_KG);
             let step = rig.step(1e-3 / steps_per_ms as f64);
@@ -142,8 +142,8 @@ fn the_step_does_not_change_the_bottom() {
         weights
     };
     let finest = weights(32);
-    let apart = |of: &[f64]| {
-        let sum: f64 = of.iter().zip(&finest).map(|(a, b)| (a - b).powi(2)).sum();
+    let apart = |series: &[f64]| {
+        let sum: f64 = series.iter().zip(&finest).map(|(a, b)| (a - b).powi(2)).sum();
         (sum / finest.len() as f64).sqrt()
     };
     let mean = finest.iter().sum::<f64>() / finest.len() as f64;

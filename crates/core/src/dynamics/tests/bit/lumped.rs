@@ -94,7 +94,7 @@ fn growth_per_s(law: RegenerativeLaw, weight: f64, speed: f64, damping: f64, dt:
     (late / early).ln() / 10.0
 }
 
-/// Steady drilling is stable above the speed that the roots of the characteristic equation say, and
+/// Steady drilling is stable above the speed given by the roots of the characteristic equation, and
 /// unstable below, with three, four and six blades under three weights.
 ///
 /// Expected to come later by `2 dt/τ`, `τ` the delay between blades, for the rock is met at the
@@ -144,7 +144,7 @@ fn steady_drilling_is_stable_where_the_characteristic_roots_say() {
 /// A string that sticks and slips, and how it is run.
 struct StickSlip {
     wear_flat_m: f64,
-    /// Weight beyond what the wear flats bear, N.
+    /// Weight in excess of that on the wear flats, N.
     cutting_N: f64,
     friction: f64,
     rpm: f64,
@@ -218,8 +218,7 @@ fn period(sticks: &[f64], after: f64) -> f64 {
     (late[late.len() - 1] - late[0]) / (late.len() - 1) as f64
 }
 
-/// Where every cycle is like the last one, period and largest spin are those of the independent
-/// integration.
+/// For a periodic cycle, period and largest spin are those of the independent integration.
 ///
 /// Found at steps of 0.1 ms: periods of 2.1783, 2.3444 and 2.1971 s within 0.01, 0.06 and 0.03 %,
 /// twice that at 0.2 ms; spins within 2 %. The spring of the string alone would swing in 2.2096 s.
@@ -232,7 +231,7 @@ fn a_regular_stick_slip_has_the_period_of_an_independent_integration() {
         let (found, found_fastest) = case.found(1e-4);
         let what = format!("stick-slip at {rpm} rev/min and {cutting_N:e} N");
         verify("regenerative", format!("period of regular {what}, s"))
-            .relative(2e-3, "three times what a step of 0.1 ms leaves, which halves with it")
+            .relative(2e-3, "three times the error of a step of 0.1 ms, which halves with it")
             .report(period, found);
         verify("regenerative", format!("largest spin of regular {what}, rad/s"))
             .relative(0.03, "as above: it comes from the start")
@@ -241,8 +240,8 @@ fn a_regular_stick_slip_has_the_period_of_an_independent_integration() {
 }
 
 /// A heavier and slower bit sticks longer, each time differently: its mean period over 500 cycles,
-/// 2.80 s, is that of the independent integration within the 2 % that is asked; 0.6 % apart at most
-/// with three steps, for the means scatter by 0.5 %.
+/// 2.80 s, is that of the independent integration within the required 2 %; 0.6 % apart at most with
+/// three steps, for the means scatter by 0.5 %.
 #[test]
 fn an_irregular_stick_slip_has_its_mean_period() {
     let case = StickSlip {

@@ -154,7 +154,7 @@ fn the_bit_leaves_the_rock_freely() {
     let velocity = rig.chain.velocity(0).2;
     assert_eq!((rig.step(5e-4).work_J, rig.chain.velocity(0).2), (0.0, velocity));
     assert!(lifted < -0.09);
-    // The front lies where its 60 kN compressed the rock from: 0.6 mm above the start.
+    // The front is 0.6 mm above the start, the compression of the rock under its 60 kN.
     rig.chain.set_velocity(0, Vector::zero());
     rig.chain.set_displacement(0, Vector(0.0, 0.0, -0.601e-3));
     assert_eq!(rig.step(1e-6).weight_on_bit_N, 0.0);
@@ -229,8 +229,8 @@ fn the_hole_holds_the_bit_to_its_axis() {
     }
 }
 
-/// What the rock and the hole do is the change of the bit's kinetic energy, to rounding, however it
-/// moves; cutting takes energy.
+/// The work of the rock and the hole is the change of the bit's kinetic energy, to rounding,
+/// however it moves; cutting takes energy.
 #[test]
 fn work_is_the_change_of_kinetic_energy() {
     let mut rig = Rig::new(OPERATION);

@@ -73,8 +73,8 @@ fn the_curve_goes_through_its_corners() {
     assert!((MOTOR.pressure_Pa(MOTOR.torque_N_m(5e6)) / 5e6 - 1.0).abs() < 1e-12);
 }
 
-/// Under the weight that takes a torque the bit turns at the curve's speed and drills what the law
-/// cuts at it.
+/// Under the weight that requires a torque, the bit turns at the curve's speed and drills at the
+/// law's rate for it.
 #[test]
 fn the_bit_turns_on_the_curve() {
     for weight in [40e3, 90e3, 150e3, 190e3] {
@@ -98,8 +98,8 @@ fn the_bit_turns_on_the_curve() {
     }
 }
 
-/// Too much weight stalls the motor: the bit stands under its stall torque and cuts nothing. Lifted
-/// to a bearable weight it continues at once.
+/// Too much weight stalls the motor: the bit stops under its stall torque and cuts nothing. Lifted
+/// to a lower weight it continues at once.
 #[test]
 fn the_motor_stalls_and_recovers() {
     let mut rig = sliding(150e3);
@@ -122,8 +122,8 @@ fn the_motor_stalls_and_recovers() {
     }
 }
 
-/// Without flow the motor gives no torque; a string that turns drags a held bit no harder than what
-/// leaks.
+/// Without flow the motor gives no torque; a string that turns drags a held bit no harder than the
+/// leakage allows.
 #[test]
 fn without_flow_there_is_no_torque() {
     let mut rig = sliding(150e3);
@@ -132,13 +132,13 @@ fn without_flow_there_is_no_torque() {
     assert_eq!((step.torque_N_m, step.rate_of_penetration_m_per_s), (0.0, 0.0));
     rig.set_spin(1.0);
     let step = settled(&mut rig, 100);
-    // 12 L/rev at 1 rad/s are 1.91 L/s, 53 % of what leaks at 12.2 kN·m.
+    // 12 L/rev at 1 rad/s are 1.91 L/s, 53 % of the leakage at 12.2 kN·m.
     let expected = MOTOR.max_torque_N_m() * (12.0 / TAU) / (0.12 * 30.0);
     assert!((step.torque_N_m / expected - 1.0).abs() < 1e-9, "{step:?}");
     assert_eq!(step.rate_of_penetration_m_per_s, 0.0);
 }
 
-/// A string that turns with its motor stalled turns on around the bit, which stands.
+/// A string that turns with its motor stalled continues to turn around the stationary bit.
 #[test]
 fn a_turning_string_slips_around_a_stalled_motor() {
     let mut rig = sliding(230e3);

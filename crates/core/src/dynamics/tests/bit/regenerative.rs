@@ -39,8 +39,8 @@ pub(super) fn identities() -> (RegenerativeLaw, Value) {
     (RegenerativeLaw { cutters, blades }, file)
 }
 
-/// Led down at the rate of E07 and turned at its speed, the bit takes the weight and torque of E07
-/// and cuts its depth; given the weight, the law says the rate. Rounding only: the file prints all
+/// Lowered at the rate of E07 and turned at its speed, the bit takes the weight and torque of E07
+/// and cuts its depth; for that weight the law returns the rate. Rounding only: the file prints all
 /// digits.
 #[test]
 fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
@@ -108,8 +108,8 @@ fn the_cut_is_what_the_blade_before_has_left() {
     }
 }
 
-/// Lifted, the bit leaves the rock, and what it did not cut is there when it comes back: the next
-/// blade cuts twice as deep.
+/// Lifted, the bit leaves the rock, and the rock that it did not cut is there when it returns: the
+/// next blade cuts twice as deep.
 #[test]
 fn a_lifted_bit_leaves_rock_standing() {
     let mut rig = Rig::with(pressed(80e3), settings(LAW));
@@ -142,8 +142,8 @@ fn a_lifted_bit_leaves_rock_standing() {
     assert!((again.depth_of_cut_m / steady.depth_of_cut_m - 1.0).abs() < 1e-6);
 }
 
-/// The wear flats bear while the bit goes down, not while it goes up, and what is needed while it
-/// stands.
+/// The wear flats carry their full weight while the bit moves down, none while it moves up, and the
+/// weight needed for equilibrium while it is stationary.
 #[test]
 fn wear_flats_bear_on_the_way_down() {
     let bearing = LAW.cutters.wear_flat_weight_N();
@@ -156,14 +156,14 @@ fn wear_flats_bear_on_the_way_down() {
     };
     assert!((moving(1e-3) - bearing).abs() < 1e-6 * bearing);
     assert!(moving(-1e-3).abs() < 1e-6 * bearing);
-    // It stands, does not turn, and is pushed by less than it was: nothing moves.
+    // It is stationary, does not turn, and is pushed with less than before: nothing moves.
     for push in [79e3, 75e3, 73e3] {
         let mut rig = Rig::with(pressed(80e3), settings(LAW));
         rig.push = Vector(0.0, 0.0, push);
         let step = (0..2000).map(|_| rig.step(1e-4)).last().expect("a step");
         assert!((step.weight_on_bit_N - push).abs() < 1e-6 * push, "{step:?}");
         assert!(rig.chain.velocity(0).2.abs() < 1e-12);
-        // At the steady depth of cut, the flats give way by what is missing.
+        // At the steady depth of cut, the flats yield by the missing force.
         let needed = push - (80e3 - bearing);
         let torque = 0.5 * 0.108 * ((80e3 - bearing) / 0.6 + 0.6 * needed);
         rig.turn = 0.999 * torque;
@@ -200,15 +200,15 @@ fn a_bit_turned_back_cuts_where_it_left() {
     assert!((on.torque_N_m / cutting - 1.0).abs() < 1e-3);
 }
 
-/// What the rock does is the change of the bit's kinetic energy, to rounding, through stick, jumps
-/// and turning back.
+/// The work of the rock is the change of the bit's kinetic energy, to rounding, through stick,
+/// jumps and turning back.
 #[test]
 fn work_is_the_change_of_kinetic_energy() {
     assert_work_is_the_change_of_energy(&mut Rig::with(pressed(80e3), settings(LAW)));
 }
 
-/// A motor turns the bit while the string stands: it drills at the motor's speed, and the string
-/// carries the reaction.
+/// A motor turns the bit while the string does not rotate: it drills at the motor's speed, and the
+/// string carries the reaction.
 #[test]
 fn a_motor_cuts_while_the_string_stands() {
     let operation = Operation { kind: OperationKind::Slide, ..pressed(80e3) };

@@ -1,4 +1,4 @@
-//! Solid rock under the bit's node: what passes between the two.
+//! Solid rock under the bit's node: exchange of momentum and energy.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -114,10 +114,10 @@ impl Slant {
     }
 }
 
-/// A bit that is thrown into a block which nothing holds, tilted, turning and tilting on: what it
-/// loses in momentum the block gains, what the rock does to it is the change of its kinetic energy,
-/// and its bending moment is what tilts it. The string's part of the work of a bit that a motor
-/// turns is the change of the string's energy.
+/// A bit that is thrown into a block which nothing holds, tilted, turning and tilting on: the
+/// momentum that it loses the block gains, the rock's work on it is the change of its kinetic
+/// energy, and its bending moment is that which tilts it. The string's part of the work of a bit
+/// that a motor turns is the change of the string's energy.
 #[test]
 fn momentum_and_energy_pass_exactly() {
     let displacement = Motor::Displacement(MOTOR);
@@ -156,14 +156,14 @@ fn momentum_and_energy_pass_exactly() {
             let off = (bit + rock - first).norm();
             assert!(off < 1e-10 * all, "{off}");
         }
-        // What the string pushes with arrives too, its even part and the rest.
+        // The string's impulse is transmitted too, its even part and the rest.
         let before = slant.momentum().iter().sum::<Vector3<f64>>();
         for step in 0..20 {
             slant.step(1000.0 * f64::from(step % 7));
         }
-        let given = Vector3::from(slant.chain.tangent(0)) * (DT_S * 1000.0 * 57.0);
+        let impulse = Vector3::from(slant.chain.tangent(0)) * (DT_S * 1000.0 * 57.0);
         let gained = slant.momentum().iter().sum::<Vector3<f64>>() - before;
-        assert!((gained - given).norm() < 1e-10 * all, "{gained} {given}");
+        assert!((gained - impulse).norm() < 1e-10 * all, "{gained} {impulse}");
         assert!(passed > 0.1 && bent > 10.0, "{passed} {bent}");
         // The node is where the bit is.
         let drilling = slant.bit.drilling().expect("rock");

@@ -2,8 +2,8 @@
 
 use super::*;
 
-/// Pushed sideways, the bit moves with `s (v/W)/Ω |Ω| F`: by its steerability of what the same
-/// weight would have drilled, and with the speed.
+/// Pushed sideways, the bit moves with `s (v/W)/Ω |Ω| F`: by its steerability times the axial rate
+/// under the same force, and with the speed.
 #[test]
 fn the_bit_cuts_sideways_with_force_and_speed() {
     for (steerability, speed, side) in [(0.05, 7.0, 4e3), (0.05, 3.5, 4e3), (0.01, 7.0, -9e3)] {

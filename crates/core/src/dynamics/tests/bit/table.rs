@@ -73,8 +73,8 @@ fn between_its_points_the_table_is_bilinear() {
     edge(80e3, -1.0, (80e3, 4.0), 0.0, 1.0);
 }
 
-/// Pushed with a weight and turned at a speed, the bit drills as the table says, also where it is
-/// outside, and shows how often and how far that was.
+/// Pushed with a weight and turned at a speed, the bit drills at the table's rate, also outside it,
+/// and reports the count and the extent of the excursions.
 #[test]
 fn the_bit_drills_as_the_table_says() {
     for (weight, speed, at) in
@@ -113,8 +113,8 @@ fn a_table_of_one_point_is_the_rate_law_below_it() {
         torque_fluctuation: 0.1,
         ..SMOOTH
     });
-    // The rate law's operation is 60 kN at 7 rad/s; the point lies on its line, above all that
-    // happens.
+    // The rate law's operation is 60 kN at 7 rad/s; the point is on its line, above all weights of
+    // the run.
     let one = [point(300e3, 28.0, 0.003 * 20.0, 15e3)];
     let rate = BitLaw::Rate(RateLaw { rock_stiffness_N_per_m: 1e8, excitation });
     for turn in [0.0, 3.0e3] {

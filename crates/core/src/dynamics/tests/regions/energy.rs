@@ -1,4 +1,4 @@
-//! What the coupling does to the energy of a string without any loss.
+//! Effect of the coupling on the energy of a string without any loss.
 
 use super::refined;
 use crate::{
@@ -13,7 +13,7 @@ use crate::{
     simd::vector::Vector,
 };
 
-/// What a string is stirred up in.
+/// Kind of motion excited in a string.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Motion {
     Axial,
@@ -48,8 +48,9 @@ fn energy_J(rod: &Bench) -> f64 {
     Energies::of(&rod.chain, &anchors, &Body::default(), None, rod.input.dt).total()
 }
 
-/// Mean energy of the last tenth of so many steps over that of the first, less one. What is read at
-/// a step swings with every wave: averaged over thousands of steps, all of them read, that is gone.
+/// Mean energy of the last tenth of so many steps over that of the first, less one. The energy at
+/// one step fluctuates with every wave; the average over thousands of consecutive steps removes
+/// this.
 fn drift(rod: &mut Bench, steps: usize) -> f64 {
     let tenth = steps / 10;
     let mean = |rod: &mut Bench, read: bool| {
@@ -73,9 +74,9 @@ fn drift(rod: &mut Bench, steps: usize) -> f64 {
 }
 
 /// A string that loses nothing, stirred up in all its waves, those included that the border's
-/// longer step cannot carry, keeps its energy over so many steps: within 1e-4, of which the mean of
-/// what is read leaves a few hundred thousandths, with one step for all of it as well. The bands of
-/// an unstable coupling, 1e-3 a step, would have ended it in ten thousand.
+/// longer step cannot carry, keeps its energy over so many steps: within 1e-4, of which the mean
+/// itself has an uncertainty of a few hundred thousandths, with one step for all of it as well. The
+/// bands of an unstable coupling, 1e-3 a step, would have ended it in ten thousand.
 fn energy_is_kept(steps: usize) {
     for parts in [2, 3, 4] {
         for motion in [Motion::Axial, Motion::Torsional, Motion::All] {

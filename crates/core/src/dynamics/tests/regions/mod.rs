@@ -54,9 +54,9 @@ fn refined(long: usize, pieces: usize, parts: usize) -> Bench {
 /// A rod of equal elements whose lower region, below `border_node`, takes `parts` steps in one of
 /// the others. The longest step is used to `part_of_step`, the inertia that the coupling lacks is
 /// added to its `part_of_inertia`.
-fn equal(elements: usize, border_node: usize, parts: u32, of: [f64; 2]) -> Bench {
+fn equal(elements: usize, border_node: usize, parts: u32, fractions: [f64; 2]) -> Bench {
     rod_of(&vec![LONG_M; elements], |mesh, lateral| {
-        let [part_of_step, part_of_inertia] = of;
+        let [part_of_step, part_of_inertia] = fractions;
         let mut plan = stability::plan(mesh, lateral, 0.0);
         plan.dt_s *= part_of_step;
         let k = Stiffness::new(&mesh.elements[0].section, LONG_M);

@@ -34,12 +34,12 @@ fn struck(part: f64) -> Vec<f64> {
         rod.step();
     }
     let places = [UPPER - 3, UPPER, UPPER + 1, UPPER + 4, 2 * UPPER];
-    let of = |i: usize| {
+    let motion = |i: usize| {
         let u = rod.chain.displacement(i);
         let turned = rod.chain.director(i);
         [u.0, u.1, u.2, turned.0, turned.1]
     };
-    places.into_iter().flat_map(of).collect()
+    places.into_iter().flat_map(motion).collect()
 }
 
 /// Successive differences fall to a quarter as both steps are halved: second order, as without a

@@ -1,4 +1,4 @@
-//! Where the plan divides a string, and with which steps.
+//! Position of the border in a plan, and its steps.
 
 use super::{LONG_M, mesh_of, model_of};
 use crate::{
@@ -33,9 +33,9 @@ fn lengths(long: usize, short: usize, short_m: f64) -> Vec<f64> {
 }
 
 /// The border leaves three ordinary elements above the first short one, the upper region takes the
-/// step of ordinary pipe and the lower one a whole part of it that it bears: short elements of a
-/// third take three. What the coupling lacks of inertia is `EA/L DT²/12 (1 − 1/M²)`, and as much of
-/// `GJ/L`.
+/// step of ordinary pipe and the lower one a whole fraction of it within its own limit: short
+/// elements of a third take three. The inertia that the coupling lacks is `EA/L DT²/12 (1 − 1/M²)`,
+/// and as much of `GJ/L`.
 #[test]
 fn the_border_lies_three_elements_above_the_first_short_one() {
     let lengths = lengths(100, 60, LONG_M / 3.0);
@@ -54,8 +54,8 @@ fn the_border_lies_three_elements_above_the_first_short_one() {
     assert!((found.polar_kg_m2 / (k.twist * beside) - 1.0).abs() < 1e-12);
 }
 
-/// No regions where all elements are alike, where nearly all are short, and where what acts on the
-/// body leaves no room above it; a border higher up where that is enough.
+/// No regions where all elements are alike, where nearly all are short, and where the loads on the
+/// body leave no room above it; a border higher up where that suffices.
 #[test]
 fn a_string_is_divided_where_that_pays_and_nowhere_else() {
     let long = lengths(160, 0, LONG_M);
@@ -68,8 +68,9 @@ fn a_string_is_divided_where_that_pays_and_nowhere_else() {
     assert_eq!([usize::MAX, 98, 97, 60].map(border), [96, 96, 95, 58].map(Some));
 }
 
-/// What holds the steps: the pipe's own speed of sound; and below, of one element of a metre that
-/// can be given mass but no polar inertia, its torsion, `L √(ρJ/GJ)` but for the last hundredth.
+/// Limits of the steps: the pipe's own speed of sound, and below, for one element of a metre to
+/// which mass but no polar inertia can be added, its torsion, `L √(ρJ/GJ)` but for the last
+/// hundredth.
 #[test]
 fn the_plan_says_which_element_holds_each_step() {
     let mut lengths = lengths(200, 40, LONG_M / 3.0);

@@ -99,14 +99,15 @@ impl Line {
 const PARTS_OF_LIMIT: [f64; 6] = [0.9, 0.92, 0.94, 0.95, 0.97, 0.99];
 
 /// With the buffer that the plan gives it the coupling gains nothing, for any number of steps, up
-/// to the limit, whatever stands below: the spectral radius is one within 1e-9, of which rounding
+/// to the limit, for any string below: the spectral radius is one within 1e-9, of which rounding
 /// takes 1e-12. Without the buffer bands of steps gain 1e-3 a step, for every number of steps.
 #[test]
 fn a_buffer_of_three_elements_keeps_the_coupling_stable() {
     for parts in 2..=8 {
         let gain = |buffer: usize, impedance: f64| {
-            let of = |dt: f64| Line::new(buffer, parts, impedance).corrected(dt).radius(dt) - 1.0;
-            PARTS_OF_LIMIT.map(of).into_iter().fold(0.0, f64::max)
+            let excess =
+                |dt: f64| Line::new(buffer, parts, impedance).corrected(dt).radius(dt) - 1.0;
+            PARTS_OF_LIMIT.map(excess).into_iter().fold(0.0, f64::max)
         };
         for impedance in [1.0, 4.6, 20.0] {
             let gain = gain(3, impedance);

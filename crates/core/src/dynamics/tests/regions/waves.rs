@@ -1,4 +1,4 @@
-//! What the border throws back of a wave that runs through it.
+//! Reflection at the border of a wave that runs through it.
 
 use super::{LONG_M, equal};
 use crate::{
@@ -70,8 +70,8 @@ fn struck(kind: Kind, frequency_Hz: f64, parts: u32, corrected: bool) -> Bench {
     rod
 }
 
-/// What the border throws back of a burst, over the largest of what came: against the same pipe
-/// with one step for all of it, whose own dispersion is that of both.
+/// Reflection of a burst at the border, over the largest incident value: against the same pipe with
+/// one step for all of it, whose own dispersion is that of both.
 fn thrown_back(kind: Kind, frequency_Hz: f64, parts: u32, corrected: bool) -> f64 {
     let mut whole = struck(kind, frequency_Hz, parts, corrected);
     whole.plan.subcycling = None;
@@ -86,7 +86,7 @@ fn thrown_back(kind: Kind, frequency_Hz: f64, parts: u32, corrected: bool) -> f6
         Kind::Axial => rod.chain.velocity(i).2,
         Kind::Torsional => node!(rod.chain, i, spin),
     };
-    // Until all of it is through and what comes back is above the border, before it meets the top.
+    // Until all of it is through and the reflection is above the border, before it meets the top.
     let time_s = 3.0 / frequency_Hz + 500.0 / speed_m_per_s(kind);
     for _ in 0..(time_s / whole.input.dt) as usize {
         whole.step();
@@ -97,10 +97,10 @@ fn thrown_back(kind: Kind, frequency_Hz: f64, parts: u32, corrected: bool) -> f6
 }
 
 /// Without the inertia that the coupling lacks the border is a missing mass `m = k DT²/12 (1 −
-/// 1/M²)`, which throws `ω m/2Z` of a wave back: in the same proportion to the ordinary element's
-/// own mass along and about the axis, as `k L/Z = c`. Within 15 %: the next order in the frequency,
-/// and the burst's width in it. With that inertia what is left is of second order, a quarter at
-/// half the frequency (0.25 to 0.28), and below 0.4 % at 20 Hz.
+/// 1/M²)`, which reflects the fraction `ω m/2Z` of a wave: in the same proportion to the ordinary
+/// element's own mass along and about the axis, as `k L/Z = c`. Within 15 %: the next order in the
+/// frequency, and the burst's width in it. With that inertia the rest is of second order, a quarter
+/// at half the frequency (0.25 to 0.28), and below 0.4 % at 20 Hz.
 #[test]
 fn the_border_throws_little_back() {
     for kind in [Kind::Axial, Kind::Torsional] {
@@ -126,10 +126,10 @@ fn momentum(rod: &Bench) -> [f64; 2] {
     each.fold([0.0; 2], |[sum, size], p| [sum + p, size + p.abs()])
 }
 
-/// What the two sides of the border feel differs within a step by the change of its tension over
-/// it, which adds up to nothing once a wave is through: a burst leaves the momentum of a free pipe
-/// within 1e-4 of its own, while on its way through it is off by as much as 2 %, half of that with
-/// half the step.
+/// The forces on the two sides of the border differ within a step by the change of its tension over
+/// it, which sums to zero once a wave is through: a burst leaves the momentum of a free pipe within
+/// 1e-4 of its own, while on its way through it is off by as much as 2 %, half of that with half
+/// the step.
 #[test]
 fn a_wave_through_the_border_takes_its_momentum_along() {
     let swing = |part: f64| {
@@ -151,9 +151,9 @@ fn a_wave_through_the_border_takes_its_momentum_along() {
     assert!((whole / half - 2.0).abs() < 0.4, "{whole:e} {half:e}");
 }
 
-/// What a burst brings to the border goes on below it. Read as kinetic energy it changes there in
-/// the second order of the step, for wave speed and impedance of the chain do: below 1 % at 20 Hz
-/// and a quarter of that at 10 Hz.
+/// The energy that a burst brings to the border is transmitted. Read as kinetic energy it changes
+/// there in the second order of the step, for wave speed and impedance of the chain do: below 1 %
+/// at 20 Hz and a quarter of that at 10 Hz.
 #[test]
 fn a_wave_through_the_border_takes_its_energy_along() {
     for (kind, parts) in [(Kind::Axial, 2), (Kind::Axial, 3), (Kind::Torsional, 3)] {

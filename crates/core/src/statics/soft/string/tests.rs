@@ -22,8 +22,8 @@ fn winding() -> Model {
     model(arcs(&stations), hole, np13::components(), viscous_mud(1200.0, rheology), DEPTH_M)
 }
 
-/// What operations have in common is found once, and changes no digit of any of them, in whichever
-/// order they come.
+/// The data common to operations are computed once, and change no digit of any of them, in any
+/// order.
 #[test]
 fn operations_on_one_string_answer_as_each_alone() {
     let model = winding();
@@ -76,16 +76,16 @@ fn operations_on_one_string_answer_as_each_alone() {
     }
 }
 
-/// What is wrong with the string is said of the string, what is wrong with an operation of it.
+/// A fault of the string is reported as such, and a fault of an operation as one of the operation.
 #[test]
 fn string_and_operation_are_checked() {
     let (model, settings) = (winding(), SoftSettings::default());
-    let of = |bit_depth_m, step_m| {
+    let error_for = |bit_depth_m, step_m| {
         SoftString::new(&model, bit_depth_m, &SoftSettings { step_m, ..settings }).err()
     };
-    assert_eq!(of(-1.0, 1.0), Some(SoftError::BitDepth(-1.0)));
-    assert_eq!(of(DEPTH_M, 0.0), Some(SoftError::Step(0.0)));
-    assert!(matches!(of(900.0, 1.0), Some(SoftError::StringLength { .. })));
+    assert_eq!(error_for(-1.0, 1.0), Some(SoftError::BitDepth(-1.0)));
+    assert_eq!(error_for(DEPTH_M, 0.0), Some(SoftError::Step(0.0)));
+    assert!(matches!(error_for(900.0, 1.0), Some(SoftError::StringLength { .. })));
     let string = SoftString::new(&model, DEPTH_M, &settings).expect("a string");
     let still = operation(Drill, DEPTH_M).rotary_speed_rad_per_s(0.0);
     let is_refused = |error: Option<SoftError>| matches!(error, Some(SoftError::SetPoint { .. }));

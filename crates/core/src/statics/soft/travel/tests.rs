@@ -25,21 +25,24 @@ fn a_straight_hole_is_the_same_everywhere() {
     for kind in [OperationKind::TripOut, OperationKind::TripIn, OperationKind::Ream] {
         for down_m in [1.0, 30.0] {
             let ends = [-down_m, down_m].map(|down_m| at(&model, kind, down_m));
-            for scalar in SCALARS.iter().filter(|of| of.quantity.kind != QuantityKind::Depth) {
+            for scalar in
+                SCALARS.iter().filter(|scalar| scalar.quantity.kind != QuantityKind::Depth)
+            {
                 let name = scalar.quantity.name;
-                let [above, below] = ends.each_ref().map(|of| (scalar.of)(of).expect(name));
+                let [above, below] =
+                    ends.each_ref().map(|scalars| (scalar.of)(scalars).expect(name));
                 assert!((below - above).abs() <= 1e-9 * above.abs(), "{name}: {below}, {above}");
             }
         }
     }
 }
 
-/// A string that is pulled out of a lateral through a build of 90°, against whose upper side it
-/// lies all along: of each metre further in, the lateral takes `μ w`, the build makes
-/// `μ w e^(μ π/2)` of it, and `w` no longer hangs in the vertical part.
+/// A string that is pulled out of a lateral through a build of 90°, in contact with the upper side
+/// all along: of each metre further in, the lateral takes `μ w`, the build makes `μ w e^(μ π/2)` of
+/// it, and `w` no longer hangs in the vertical part.
 ///
-/// Where it lies against one side of a build in one plane the soft string is linear in the tension
-/// below: the tolerance is that of its steps, 3e-7 left, and of the difference, 1e-9.
+/// Where it is in contact with one side of a build in one plane the soft string is linear in the
+/// tension below: the tolerance is that of its steps, 3e-7 left, and of the difference, 1e-9.
 #[test]
 fn a_lateral_takes_the_weight_and_the_build_multiplies_its_drag() {
     const BUILD_RADIUS_M: f64 = 300.0;
@@ -52,12 +55,12 @@ fn a_lateral_takes_the_weight_and_the_build_multiplies_its_drag() {
     ];
     let model = uniform_model(&stations, W_N_PER_M, RADIUS_M, MU);
     let [above, below] = [-1.0, 1.0].map(|down_m| at(&model, OperationKind::TripOut, down_m));
-    let per_metre = |of: fn(&Scalars) -> f64| 0.5 * (of(&below) - of(&above));
+    let per_metre = |scalar: fn(&Scalars) -> f64| 0.5 * (scalar(&below) - scalar(&above));
     let drag = MU * W_N_PER_M * (MU * PI / 2.0).exp();
     for (what, found, expected) in [
-        ("hook load", per_metre(|of| of.hook_load_N), drag - W_N_PER_M),
-        ("axial friction", per_metre(|of| of.axial_friction_N), drag),
-        ("side force", per_metre(|of| of.side_force_total_N), drag / MU),
+        ("hook load", per_metre(|scalar| scalar.hook_load_N), drag - W_N_PER_M),
+        ("axial friction", per_metre(|scalar| scalar.axial_friction_N), drag),
+        ("side force", per_metre(|scalar| scalar.side_force_total_N), drag / MU),
     ] {
         assert_close(what, found, expected, 1e-6);
     }

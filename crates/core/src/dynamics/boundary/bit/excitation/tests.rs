@@ -124,7 +124,7 @@ fn a_seed_is_a_bottom() {
     assert!(correlation(&front, &|x| here.next(x, 0.0).torque).abs() < 0.02);
 }
 
-/// In time, the noise continues while the bit stands, and turning does not matter.
+/// In time, the noise continues while the bit is stationary, and rotation has no influence.
 #[test]
 fn noise_in_time_needs_no_rotation() {
     let shaker = Shaker::new(Excitation { band: Band::PerSecond(5.0), ..ROUGH }, 1);

@@ -18,44 +18,42 @@ use crate::dynamics::{
     },
 };
 
-/// How rock answers a bit: a law of the caller's own, for
-/// [`BitLaw::Custom`](crate::dynamics::BitLaw).
+/// A user-defined law of the bit on rock, for [`BitLaw::Custom`](crate::dynamics::BitLaw).
 ///
-/// The rock front lies where the bit has cut to and is as stiff as [`CustomLaw`] says. In each step
-/// the engine finds the weight at which the front's compression and its advance agree, asks
-/// [`cut`](Self::cut) for rate and torque on the way, and never lets the rock pull the bit down or
-/// turn it back. The bit's side force, its motor and the noise of [`Excitation`] are the engine's;
-/// an excitation that does without the law is a [`BitExcitation`](crate::dynamics::BitExcitation).
+/// The rock front is at the depth that the bit has cut, with the stiffness of [`CustomLaw`]. In
+/// each step the engine finds the weight at which the front's compression and its advance agree,
+/// evaluates rate and torque with [`cut`](Self::cut), and never lets the rock pull the bit down or
+/// turn it back. The bit's side force, its motor and the noise of [`Excitation`] are modelled by
+/// the engine; an excitation that does not need the law is a
+/// [`BitExcitation`](crate::dynamics::BitExcitation).
 ///
-/// The law itself does not change. What it keeps between steps are numbers, its `state`, which the
-/// engine holds and writes to checkpoints: a run resumes with the same bits. See the example
-/// `bit_law`.
+/// The law object does not change. Its `state` between steps consists of numbers, which the engine
+/// stores and writes to checkpoints: a run resumes with the same bits. See the example `bit_law`.
 pub trait BitRockLaw: fmt::Debug + Send + Sync {
     /// Name, by which a checkpoint knows the law again.
     fn name(&self) -> &str;
 
-    /// What the law keeps between steps, before the first; as many numbers in every run. None by
-    /// default.
+    /// Initial state of the law, with the same count of numbers in every run. None by default.
     fn initial_state(&self) -> Vec<f64> {
         Vec::new()
     }
 
-    /// How the bit drills under a weight on bit, N, and at its speed, motor included, rad/s. The
-    /// rate of penetration must not fall as the weight grows, and counts as zero where it is
-    /// negative.
+    /// Returns the bit's torque and rate of penetration under a weight on bit, N, and at its speed,
+    /// motor included, rad/s. The rate of penetration must not fall as the weight grows, and is
+    /// taken as zero where it is negative.
     fn cut(&self, state: &[f64], weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut;
 
-    /// What shakes the bit when it has turned through an angle, rad, at a time, s, both from the
-    /// start of the run. Nothing by default.
+    /// Returns the excitation after the bit has turned through an angle, rad, at a time, s, both
+    /// from the start of the run. Nothing by default.
     fn shake(&self, _state: &[f64], _bit_angle_rad: f64, _time_s: f64) -> Shake {
         Shake::default()
     }
 
-    /// After each step: what the law keeps of it. Nothing by default.
+    /// Updates the state after each step. Does nothing by default.
     fn advance(&self, _state: &mut [f64], _step: &BitRockStep) {}
 }
 
-/// A law of the caller's own with the rock's stiffness and what shakes the bit.
+/// A user-defined law with the stiffness of the rock and an excitation of the bit.
 #[derive(Debug, Clone, Serialize)]
 pub struct CustomLaw {
     /// The law; its name alone in the record of a run.
@@ -63,7 +61,7 @@ pub struct CustomLaw {
     pub law: Arc<dyn BitRockLaw>,
     /// Stiffness of the contact between bit and rock front, N/m.
     pub rock_stiffness_N_per_m: f64,
-    /// What shakes the bit besides the law; `None` for nothing.
+    /// Excitation of the bit in addition to the law; `None` for none.
     pub excitation: Option<Excitation>,
 }
 
@@ -86,7 +84,7 @@ impl CustomLaw {
         Self { law: Arc::new(law), rock_stiffness_N_per_m, excitation: None }
     }
 
-    /// How it drills from its initial state under a weight on bit, turning at a speed.
+    /// Steady drilling from the law's initial state under a weight on bit, at a speed.
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
         let state = self.law.initial_state();
         self.law.cut(&state, weight_on_bit_N, rotary_speed_rad_per_s)

@@ -18,9 +18,9 @@ use crate::dynamics::{
 /// The law of Detournay and Defourny for drag bits, with the three regimes that Detournay, Richard
 /// and Shepherd measured (*International Journal of Rock Mechanics and Mining Sciences* 45, 2008).
 ///
-/// The weight is what cutting takes and what the wear flats bear, `W = ζ a ε d + W_f`, with
-/// `W_f = σ a l d/d*` up to the depth of cut `d*`, `W_f = σ a l` from there, and all further weight
-/// at the cleaning limit `d†`. Theory: `docs/src/theory/bit.md`.
+/// The weight is the sum of the weight for cutting and the weight on the wear flats, `W = ζ a ε d +
+/// W_f`, with `W_f = σ a l d/d*` up to the depth of cut `d*`, `W_f = σ a l` from there, and all
+/// further weight at the cleaning limit `d†`. Theory: `docs/src/theory/bit.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DetournayDefournyLaw {
     /// Cutters and rock.
@@ -32,7 +32,7 @@ pub struct DetournayDefournyLaw {
     pub cleaning_limit_m: Option<f64>,
     /// Stiffness of the contact between bit and rock front, N/m.
     pub rock_stiffness_N_per_m: f64,
-    /// What shakes the bit; `None` for a smooth bottom.
+    /// Excitation of the bit; `None` for a smooth bottom.
     pub excitation: Option<Excitation>,
 }
 
@@ -64,7 +64,7 @@ impl DetournayDefournyLaw {
         self.cutters.torque_N_m(cutting, weight_on_bit_N - cutting)
     }
 
-    /// How it drills steadily under a weight on bit, turning at a speed.
+    /// Steady drilling under a weight on bit, at a speed.
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
         let depth_of_cut_m = self.depth_of_cut_m(weight_on_bit_N);
         SteadyCut {

@@ -41,7 +41,7 @@ pub use super::rock::RockLaw;
 /// Makes of the list of laws their enum, that of the rock under the bit, and the choice among both.
 macro_rules! laws {
     ($( $(#[$about:meta])+ $name:ident($law:ty) => $cut:ty, )+) => {
-        /// How the rock answers a bit.
+        /// Law of the bit on rock.
         #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
         pub enum BitLaw {
             $( $(#[$about])+ $name($law), )+
@@ -55,8 +55,8 @@ macro_rules! laws {
                 }
             }
 
-            /// How a bit drills steadily under a weight on bit, turning at a speed; the rate law
-            /// does not know, and of solid rock it is an [estimate](RockLaw::estimate).
+            /// Steady drilling under a weight on bit, at a speed. The rate law cannot compute it,
+            /// and for solid rock it is an [estimate](RockLaw::estimate).
             pub fn steady(
                 &self,
                 weight_on_bit_N: f64,
@@ -108,7 +108,7 @@ macro_rules! laws {
                 }
             }
 
-            /// Gives rock that has been read back what the law has of the caller's.
+            /// Attaches the caller's parts of the law to rock that has been read back.
             pub(super) fn attach(&mut self, law: &BitLaw) -> Result<(), AnotherExtension> {
                 match (self, law) {
                     $( (Self::$name(cut), BitLaw::$name(law)) => cut.attach(law), )+
@@ -116,14 +116,14 @@ macro_rules! laws {
                 }
             }
 
-            /// What the rock answers to the bit's node; none of solid rock.
+            /// Reaction of the rock on the bit's node; none for solid rock.
             pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> Option<RockReaction> {
                 match self {
                     $( Self::$name(cut) => cut.meet(at, drive), )+
                 }
             }
 
-            /// How often the bit was where its table is not, if it has one.
+            /// Count of the bit's excursions outside its table, if it has one.
             pub(super) fn table_use(&self) -> Option<TableUse> {
                 match self {
                     $( Self::$name(cut) => cut.table_use(), )+

@@ -18,14 +18,14 @@ use crate::{
     operation::{Operation, OperationKind},
 };
 
-/// The rate law: on rock that lies where the bit has cut to, pressed with the force `W`, the bit
-/// advances at the rate `v = v₀ (W/W₀)(Ω/Ω₀)`, its torque is `T₀ W/W₀`; `v₀`, `W₀`, `Ω₀`, `T₀` are
-/// the operation's.
+/// The rate law: the rock front is at the depth that the bit has cut, and under the force `W` the
+/// bit advances at the rate `v = v₀ (W/W₀)(Ω/Ω₀)`, its torque is `T₀ W/W₀`; `v₀`, `W₀`, `Ω₀`, `T₀`
+/// are the operation's.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RateLaw {
     /// Stiffness of the contact between bit and rock front, N/m.
     pub rock_stiffness_N_per_m: f64,
-    /// What shakes the bit; `None` for a smooth bottom.
+    /// Excitation of the bit; `None` for a smooth bottom.
     pub excitation: Option<Excitation>,
 }
 
@@ -60,8 +60,8 @@ impl LawRules for RateLaw {
 /// its motor: the front advances at the motor's pace and the string carries the reaction.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Rate {
-    /// Whether the string stands and a motor of which no more is known than its speed does all the
-    /// turning.
+    /// Whether the string does not rotate and a motor, of which only the speed is known, provides
+    /// all the rotation.
     slides: bool,
     /// Advance of the front per force and second at nominal speed, m/s/N.
     rate_m_per_s_per_N: f64,
@@ -126,13 +126,13 @@ impl FrontRule for Rate {
     }
 
     /// The reaction of a motor that does all the turning does turn the string.
-    fn turn(&self, at: &Approach, drive: &mut Drive, wanted_N_m: f64) -> Turned {
+    fn turn(&self, at: &Approach, drive: &mut Drive, required_N_m: f64) -> Turned {
         if !self.slides {
-            return drive.turn(at.spin_rad_per_s, at.turning_mobility, wanted_N_m, 0.0);
+            return drive.turn(at.spin_rad_per_s, at.turning_mobility, required_N_m, 0.0);
         }
-        let string = at.spin_rad_per_s - at.turning_mobility * wanted_N_m;
+        let string = at.spin_rad_per_s - at.turning_mobility * required_N_m;
         Turned {
-            torque_N_m: wanted_N_m,
+            torque_N_m: required_N_m,
             string_rad_per_s: string,
             bit_rad_per_s: string + drive.speed_rad_per_s(),
         }

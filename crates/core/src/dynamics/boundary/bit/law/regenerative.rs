@@ -1,4 +1,5 @@
-//! The regenerative law: the depth of cut is what the bit's passage before has left.
+//! The regenerative law: the depth of cut depends on the surface that the bit's previous passage
+//! has left.
 
 use serde::{Deserialize, Serialize};
 
@@ -36,8 +37,8 @@ impl RegenerativeLaw {
         f64::from(self.blades) * self.cutters.cutting_N_per_m()
     }
 
-    /// How it drills steadily under a weight on bit, turning at a speed: `W = ζ a ε d + σ a l`.
-    /// Under a weight that the wear flats bear alone it turns without cutting.
+    /// Steady drilling under a weight on bit, at a speed: `W = ζ a ε d + σ a l`. Under a weight
+    /// that the wear flats carry alone it turns without cutting.
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
         let bearing = self.cutters.wear_flat_weight_N().min(weight_on_bit_N);
         let cutting = weight_on_bit_N - bearing;
@@ -87,7 +88,7 @@ pub struct RegenerativeCut {
     bottom: Bottom,
     /// Depth of the bit at the end of the step before, m.
     depth_m: f64,
-    /// Angle by which the bit stands back from where it has cut to, rad.
+    /// Angle by which the bit is behind the position that it has cut to, rad.
     back_rad: f64,
 }
 
@@ -113,8 +114,8 @@ impl CutState for RegenerativeCut {
             // W = k d and W = k d + W_f, with the depth of cut d that W itself leaves.
             let going_up = k * over / yielding;
             let going_down = (k * over + law.cutters.wear_flat_weight_N()) / yielding;
-            // Between the two the wear flats bear what stops the bit; nothing pulls it into the
-            // rock.
+            // Between the two limits the wear flats carry the force that stops the bit; nothing
+            // pulls it into the rock.
             let stops = at.velocity_m_per_s / mobility;
             weight = stops.max(going_up).min(going_down).min(over / (at.dt * mobility));
             depth_of_cut = (over - at.dt * mobility * weight).max(0.0);

@@ -1,4 +1,4 @@
-//! What every law of the bit tells the engine.
+//! Interface between the laws of the bit and the engine.
 
 use crate::{
     damage::Damaged,
@@ -17,13 +17,13 @@ use crate::{
     operation::Operation,
 };
 
-/// How a bit begins a run.
+/// Initial conditions of a bit in a run.
 pub(in crate::dynamics::boundary::bit) struct CutStart<'a> {
     pub(in crate::dynamics::boundary::bit) operation: &'a Operation,
     pub(in crate::dynamics::boundary::bit) drive: &'a Drive,
     /// Measured depth of the bit, m.
     pub(in crate::dynamics::boundary::bit) depth_m: f64,
-    /// Seed of what shakes the bit.
+    /// Seed of the excitation.
     pub(in crate::dynamics::boundary::bit) seed: u64,
 }
 
@@ -38,8 +38,8 @@ pub(in crate::dynamics::boundary::bit) trait LawRules {
     /// Stiffness of the rock under the bit, N/m.
     fn stiffness_N_per_m(&self) -> f64;
 
-    /// How a bit drills steadily under a weight on bit, turning at a speed; none of a law that
-    /// takes the operation's.
+    /// Steady drilling under a weight on bit, at a speed; none for a law that takes the operation's
+    /// torque and rate.
     fn steady_cut(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> Option<SteadyCut>;
 
     /// Whether the bit's angle counts, and with it the speed of a motor that turns the bit.
@@ -59,16 +59,16 @@ pub(in crate::dynamics::boundary::bit) trait CutState {
     /// Whether stored rock is one of this law.
     fn check(&self, law: &Self::Law) -> Result<(), Damaged>;
 
-    /// Gives what the caller has made to rock that has been read back.
+    /// Attaches the caller's extensions to rock that has been read back.
     fn attach(&mut self, _law: &Self::Law) -> Result<(), AnotherExtension> {
         Ok(())
     }
 
-    /// What the rock answers to the bit's node, which the step has moved without it; none of rock
-    /// that takes the node through the step by itself.
+    /// Reaction of the rock on the bit's node, which the step has moved without it; none for rock
+    /// that moves the node through the step by itself.
     fn meet(&mut self, at: &Approach, drive: &mut Drive) -> Option<RockReaction>;
 
-    /// How often the bit was where its table is not, and how far.
+    /// Count and extent of the bit's excursions outside its table.
     fn table_use(&self) -> Option<TableUse> {
         None
     }

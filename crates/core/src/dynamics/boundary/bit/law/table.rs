@@ -13,21 +13,21 @@ use crate::dynamics::{
     },
 };
 
-/// The table and what goes with it.
+/// The table and its settings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TableLaw {
-    /// What was measured.
+    /// Measured values.
     pub table: BitTable,
     /// Stiffness of the contact between bit and rock front, N/m.
     pub rock_stiffness_N_per_m: f64,
-    /// What shakes the bit; `None` for a smooth bottom. A spread that the table has takes the place
-    /// of `roughness_m` and `torque_fluctuation`.
+    /// Excitation of the bit; `None` for a smooth bottom. A spread in the table replaces
+    /// `roughness_m` and `torque_fluctuation`.
     pub excitation: Option<Excitation>,
 }
 
 impl TableLaw {
     /// The noise under a weight at a speed: of the torque, the standard deviation over the mean; of
-    /// the front, what changes the weight of a bit that does not give way by the standard
+    /// the front, the displacement that changes the weight on a fixed bit by the standard
     /// deviation.
     fn spread(&self, weight_N: f64, speed_rad_per_s: f64) -> Spread {
         let excitation = self.excitation.as_ref();

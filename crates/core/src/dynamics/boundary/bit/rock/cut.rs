@@ -22,8 +22,8 @@ use crate::{
     simd::{number::Real, vector::Vector},
 };
 
-/// Time over which what pushes and turns the bit is averaged, s: that average acts on the bit
-/// evenly, and a motor follows that of the torque. Some dozens of steps.
+/// Time over which the forces and torques on the bit are averaged, s: the average acts on the bit
+/// evenly, and a motor follows that of the torque. It spans some dozens of steps.
 const EVEN_S: f64 = 0.02;
 
 /// A bit on its bottom, run in as the string moves at time zero.
@@ -42,18 +42,19 @@ impl RunIn {
     }
 }
 
-/// The rock under a bit, and where it stands in the world.
+/// The rock under a bit, and its position in space.
 ///
-/// The block stands along the bit as it was placed, x to the hole's high side, and stays so: a bit
-/// that leans in its hole has cut it leaning, and leaves that axis where the rock lets it.
+/// The block is aligned with the bit as placed, x to the hole's high side, and keeps this
+/// orientation: a bit that leans in its hole has cut it leaning, and leaves that axis where the
+/// rock lets it.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RockCut {
     drilling: Drilling,
     /// Turns the block's frame into the world's.
     frame: Matrix3<f64>,
-    /// Where the block's frame has its origin, m.
+    /// Origin of the block's frame, m.
     origin_m: Vector3<f64>,
-    /// What the string pushes and turns the bit with, on average, in the block's frame.
+    /// Average force of the string on the bit, in the block's frame, N.
     even_N: Vector3<f64>,
     even_N_m: f64,
     /// Torque of the rock against the bit, on average, N·m.
@@ -93,8 +94,8 @@ impl RockCut {
     ///
     /// The string's impulse is applied in two parts: its recent average evenly over the step, the
     /// rest at the step's beginning. So the string's own motion stays that of central differences,
-    /// and the rock feels no blow at each step of the string. What the bit has turned beyond its
-    /// last spin goes to the twist. A motor keeps its speed in the step. Theory:
+    /// and the rock receives no impact at each step of the string. The bit's rotation in excess of
+    /// its last spin is added to the twist. A motor keeps its speed in the step. Theory:
     /// `docs/src/theory/rock.md`.
     pub(in crate::dynamics) fn drill(
         &mut self,
@@ -117,7 +118,7 @@ impl RockCut {
         let [before, velocity, tilting] =
             [step_start.velocity, chain.velocity(index), chain.turning(index)].map(into);
         let part = dt / (EVEN_S + dt);
-        // What the string gave in this step, and its running average.
+        // The string's impulse in this step, and its running average.
         let push_N = inertia.impulse_N_s(velocity - before) / dt;
         let spin = node!(chain, index, spin);
         let turn_N_m = (spin - step_start.spin) * inertia.about_axis_kg_m2 / dt;
@@ -129,10 +130,10 @@ impl RockCut {
         let motor = drive.speed_rad_per_s();
         let axis = self.drilling.pose().axis();
         // The average acts in the rock's own steps: the kick that the node has had is less by it.
-        let kept = spin - dt * self.even_N_m / inertia.about_axis_kg_m2;
+        let string_spin = spin - dt * self.even_N_m / inertia.about_axis_kg_m2;
         let motion = BitMotion {
             velocity_m_per_s: velocity - inertia.moved(self.even_N * dt),
-            angular_velocity_rad_per_s: tilting + axis * (kept + motor),
+            angular_velocity_rad_per_s: tilting + axis * (string_spin + motor),
             force_N: self.even_N,
             moment_N_m: axis * self.even_N_m,
             inertia,
@@ -173,7 +174,7 @@ impl RockCut {
             force_N: out(advance.force_N),
             moment_N_m: (moment - axis * moment.dot(&axis)).norm(),
             motor_speed_rad_per_s: motor,
-            // What the motor gives the bit does not come from the string.
+            // The work of the motor on the bit does not come from the string.
             work_J: advance.work_J + torque_N_m * motor * dt,
         }
     }

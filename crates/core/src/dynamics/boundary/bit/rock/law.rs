@@ -19,14 +19,14 @@ use crate::{
     rock::{BitShape, DrillingSpec},
 };
 
-/// Part of the nodes of the bottom that a bit touches at the most: twice what bits of 60 and 216 mm
-/// on elements of 3 to 12 mm did.
+/// Maximum fraction of the bottom's nodes that a bit touches: twice the fraction of bits of 60 and
+/// 216 mm on elements of 3 to 12 mm.
 const TOUCHED: f64 = 0.125;
 
 /// Inclination of the force on an insert that scrapes, over that around: a face raked back by 45°.
 const INSERT_RAKE_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Solid rock: the face of the bit breaks elements, and feels what they answer in all six
+/// Solid rock: the face of the bit breaks elements, and receives their reaction in all six
 /// components.
 ///
 /// Sideways the bit's own spring holds it besides: a wall of elements leaves its gauge room to bang
@@ -38,8 +38,8 @@ pub struct RockLaw {
 }
 
 impl RockLaw {
-    /// What Detournay and Defourny's law would have for it: an **estimate**, by which the hoist
-    /// begins and the soft string is twisted, and nothing more.
+    /// Equivalent cutters of Detournay and Defourny's law: an **estimate**, which only sets the
+    /// hoist's start and the twist of the soft string.
     ///
     /// Sharp cutters whose intrinsic specific energy is the rock's unconfined strength, as it is
     /// about (Richard, Dagrain, Poyol and Detournay, *Engineering Geology* 147, 2012);
@@ -62,8 +62,7 @@ impl RockLaw {
         }
     }
 
-    /// How it may be expected to drill under a weight on bit, turning at a speed:
-    /// [`Self::estimate`].
+    /// Expected steady drilling under a weight on bit, at a speed: [`Self::estimate`].
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
         let cutters = self.estimate();
         let depth_of_cut_m = weight_on_bit_N / cutters.cutting_N_per_m();
@@ -111,7 +110,7 @@ impl LawRules for RockLaw {
         Some(self.steady(weight_on_bit_N, rotary_speed_rad_per_s))
     }
 
-    /// The bit is run in first: [`Bit::stand`](crate::dynamics::boundary::bit::Bit::stand).
+    /// The bit is run in first, see [`Bit::stand`](crate::dynamics::boundary::bit::Bit::stand).
     fn begin(&self, _start: &CutStart<'_>) -> Option<RockCut> {
         None
     }

@@ -18,17 +18,17 @@ use crate::{
     rock::{Advance, BitMotion, Drilling, Driver, Executor, Inertia},
 };
 
-/// Revolutions on its bottom before the start: one in which each blade meets what it has left
-/// itself and the elements begin to go, and one that is typical.
+/// Revolutions on its bottom before the start: one in which each blade reaches the surface that it
+/// has left itself and the first elements erode, and one that is typical.
 const REVOLUTIONS: usize = 2;
 
-/// How long the weight on a bit that does not turn grows before the start, s, how long it presses
-/// at the most, and what damps it, 1/s.
+/// For a bit that does not turn before the start: duration of the increase of the weight, s,
+/// maximum duration of pressing, s, and damping, 1/s.
 const GROWING_S: f64 = 0.015;
 const PRESSING_S: f64 = 0.3;
 const PRESSING_DAMPING_PER_S: f64 = 2000.0;
 
-/// It rests once the rock bears the weight to this part.
+/// The bit is at rest once the rock supports the weight to this fraction.
 const RESTS: f64 = 0.01;
 
 /// A bit that turns more slowly, rad/s, is pressed alone: its two revolutions would take longer
@@ -38,12 +38,12 @@ const SLOWEST_RAD_PER_S: f64 = 1.0;
 /// Step before the start, s.
 const STEP_S: f64 = 2e-4;
 
-/// How a bit stands on its rock at time zero.
+/// State of a bit on its rock at time zero.
 #[derive(Debug, Clone, Copy)]
 pub struct Standing {
     /// Weight on it, N.
     pub weight_N: f64,
-    /// How fast it goes down, m/s.
+    /// Rate of penetration, m/s.
     pub rate_m_per_s: f64,
     /// Speed of the string, rad/s.
     pub string_rad_per_s: f64,
@@ -56,7 +56,7 @@ impl RunIn {
     /// torque that `first` expects.
     ///
     /// # Errors
-    /// A bit or a block of rock that cannot be, and an executor that asks to stop.
+    /// A bit or a block of rock that is invalid, and an executor that requests a stop.
     pub fn new(
         settings: &BitSettings,
         first: &Operation,
@@ -89,7 +89,7 @@ impl RunIn {
 }
 
 impl RockLaw {
-    /// How long a bit that turns so fast is run in at the most, before the first step of a run, s.
+    /// Maximum duration of running in a bit at this speed before the first step of a run, s.
     pub fn run_in_s(turning_rad_per_s: f64) -> f64 {
         if turning_rad_per_s >= SLOWEST_RAD_PER_S {
             REVOLUTIONS as f64 * TAU / turning_rad_per_s
@@ -99,8 +99,9 @@ impl RockLaw {
     }
 }
 
-/// Drills under the weight at a constant speed; what came of the last revolution. What weighs as
-/// much as the weight, or the bit's node if that is more, goes down with the bit.
+/// Drills under the weight at a constant speed and returns the means over the last revolution. The
+/// mass that moves down with the bit is that of the weight, or of the bit's node if that is
+/// greater.
 fn turn(
     drilling: &mut Drilling,
     standing: Standing,
@@ -128,7 +129,7 @@ fn turn(
     Ok(last)
 }
 
-/// Refuses to continue where the executor asks to stop.
+/// Returns an error where the executor requests a stop.
 fn check_running(executor: &RockExecutor) -> Result<(), SetupError> {
     if executor.shared.stopped() {
         return Err(SetupError::Stopped);
@@ -136,7 +137,7 @@ fn check_running(executor: &RockExecutor) -> Result<(), SetupError> {
     Ok(())
 }
 
-/// Lets a bit that only goes along the hole sink until the rock bears it.
+/// Lets a bit that only moves along the hole sink until the rock supports its weight.
 fn press(
     drilling: &mut Drilling,
     standing: Standing,

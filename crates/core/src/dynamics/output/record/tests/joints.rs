@@ -1,4 +1,5 @@
-//! S1a: elements from tool joint to tool joint bear what the pipe does that hangs between them.
+//! S1a: elements from tool joint to tool joint have the moments of the pipe that hangs between
+//! them.
 
 use serde_json::Value;
 
@@ -161,8 +162,8 @@ fn s1a_elements_from_joint_to_joint() {
     }));
 }
 
-/// A string that is divided bears at every node what it bears as a whole, whatever numbers it is
-/// kept in: to rounding, of the chords' in single precision.
+/// A string that is divided has the same loads at every node as the undivided string, in either
+/// precision: to rounding, of the chords' in single precision.
 #[test]
 fn a_divided_string_bears_what_the_whole_does() {
     let data = verification(DOWN);
@@ -194,10 +195,10 @@ fn a_divided_string_bears_what_the_whole_does() {
 
 /// A piece of twelve joints whose ends are pinned, its joints where the file has them and its
 /// directors where the coarse chain's own moments balance, without those that the load has between
-/// the joints: they are out by as much as the load changes from element to element, which is what a
-/// node hands on. Most at the ends, where half an element meets a whole one, and where one step of
-/// moment distribution goes on by another: without it the joint before the last was 2.9 % out.
-/// Found are 0.22 % under 400 kN, 0.70 % under 20 kN.
+/// the joints: they are out by as much as the load changes from element to element, which is the
+/// moment that a node distributes. Most at the ends, where half an element meets a whole one, and
+/// where moment distribution takes a second step: without it the joint before the last was 2.9 %
+/// out. Found are 0.22 % under 400 kN, 0.70 % under 20 kN.
 #[test]
 fn s1a_a_piece_of_twelve_elements() {
     let data = verification(DOWN);
@@ -212,17 +213,17 @@ fn s1a_a_piece_of_twelve_elements() {
             (input("dls_deg_30m").to_radians() / 30.0, input("inc_top_deg").to_radians());
         let nodes_m = [&[0.0], &at("s_m")[..], &[input("length_m")]].concat();
         let high_m = [&[0.0], &at("y_m")[..], &[0.0]].concat();
-        let mut of = Piece::new(&data, &nodes_m);
+        let mut twelve = Piece::new(&data, &nodes_m);
         for (index, ends) in nodes_m.windows(2).enumerate() {
             let middle_rad = top_rad + hole_per_m * 0.5 * (ends[0] + ends[1]);
             let lost_N = weight * (middle_rad.sin() - top_rad.sin()) / hole_per_m;
-            element!(of.chain, index, tension = input("T_top_N") - lost_N);
+            element!(twelve.chain, index, tension = input("T_top_N") - lost_N);
         }
         // The top is pinned.
-        node!(of.chain, 0, inv_rotary = 1.0);
-        let lean_rad = balanced(&of.chain, hole_per_m, &nodes_m, &high_m);
-        of.lie(hole_per_m, top_rad, &high_m, &lean_rad);
-        let record = of.record();
+        node!(twelve.chain, 0, inv_rotary = 1.0);
+        let lean_rad = balanced(&twelve.chain, hole_per_m, &nodes_m, &high_m);
+        twelve.lie(hole_per_m, top_rad, &high_m, &lean_rad);
+        let record = twelve.record();
         for (index, expected) in (1..).zip(at("curvature_rad_m")) {
             let what = format!(
                 "curvature at the joint {:.1} m down a piece of twelve elements under {:.0} kN, 1/m",

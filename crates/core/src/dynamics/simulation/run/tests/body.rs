@@ -57,9 +57,9 @@ fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
 /// A string that hangs still with a bend and an eccentric collar loses nothing, neither to the
 /// damping of its steel nor to friction nor to the mud, and its residual is that of rounding.
 ///
-/// The kicks that the bend and the collar give the spin in each step are taken back by the twist
-/// and the wall in the same step: booked as turning they were 0.01 to 0.5 W. What is left after 15
-/// time constants of a strong damping is below 1e-9 W.
+/// The increments of the spin from the bend and the collar in each step are cancelled by the twist
+/// and the wall in the same step: booked as turning they were 0.01 to 0.5 W. The loss after 15 time
+/// constants of a strong damping is below 1e-9 W.
 #[test]
 fn a_bent_string_at_rest_loses_nothing() {
     let rheology = Rheology::Newtonian { viscosity_Pa_s: 0.03 };
@@ -91,7 +91,7 @@ fn a_bent_string_at_rest_loses_nothing() {
     }
 }
 
-/// Where the bend points: its part towards the high side and that to the right of it.
+/// Direction of the bend: its part towards the high side and that to the right of it.
 fn toolface_rad(simulation: &Run<f64>) -> f64 {
     let bend = &simulation.state.body.bends[0];
     let high = Vector::from(simulation.state.anchors[bend.index].high_side);
@@ -99,7 +99,7 @@ fn toolface_rad(simulation: &Run<f64>) -> f64 {
     bend.toward.dot(right).atan2(bend.toward.dot(high))
 }
 
-/// A node stands at the bend, and the eccentric masses add up to `m L e (1 − ρ_m/ρ_s)`.
+/// There is a node at the bend, and the eccentric masses add up to `m L e (1 − ρ_m/ρ_s)`.
 #[test]
 fn bends_and_eccentric_masses_find_their_nodes() {
     let simulation = start(OperationKind::RotateOffBottom, 60.0);
@@ -133,10 +133,10 @@ fn place_along(simulation: &mut Run<f64>, below: impl Fn(Vector<f64>, Vector<f64
     simulation.chain.close();
 }
 
-/// A body that lies as it is bent bears its tension alone, at the bend as elsewhere, where it
-/// weighs nothing; held straight, it bears at the bend what two elements have whose one end is
-/// turned against the other's by the bend's angle `θ`: of `K sin θ`, `K = EI/L (4 + φ)/(1 + φ)`
-/// with Timoshenko's `φ`, what is left when the node between has turned. Exact but for rounding.
+/// A body in its own bent shape carries its tension only, at the bend as elsewhere, where it weighs
+/// nothing; held straight, its moment at the bend is that of two elements whose ends are turned
+/// against each other by the bend's angle `θ`: the part of `K sin θ`, `K = EI/L (4 + φ)/(1 + φ)`
+/// with Timoshenko's `φ`, that remains when the node between has turned. Exact but for rounding.
 #[test]
 fn a_bend_bears_no_stress_of_its_own() {
     const TENSION_N: f64 = 1e5;
@@ -176,7 +176,7 @@ fn a_bend_bears_no_stress_of_its_own() {
         per_turn * (4.0 + phi) / (1.0 + phi)
     });
     let expected = above * below / (above + below) * angle.sin();
-    // The sums of the record see what the frame sees.
+    // The sums of the record use the same values as the frame.
     simulation.state.since_sample.steps = 1;
     simulation.sample();
     let held = simulation.frame().bending_moment_N_m[bend];
@@ -186,8 +186,8 @@ fn a_bend_bears_no_stress_of_its_own() {
     }
 }
 
-/// A string that does not turn keeps its tool face within 0.3° for 10 s of tripping: 0.1° is what
-/// the string untwists while it settles.
+/// A string that does not turn keeps its tool face within 0.3° for 10 s of tripping: the string
+/// untwists by 0.1° while it settles.
 #[test]
 fn a_tool_face_holds_while_the_string_does_not_turn() {
     let mut simulation = start(OperationKind::TripIn, 0.0);

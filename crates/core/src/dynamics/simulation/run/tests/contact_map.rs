@@ -3,9 +3,9 @@
 use super::*;
 use crate::dynamics::MeshSettings;
 
-/// Over each row's samples, what the stretches carry together is the mean of the whole string's
-/// side force: the same sums in another order. Rows end where the window begins, however many
-/// samples they have by then.
+/// Over each row's samples, the total force on the stretches is the mean of the whole string's side
+/// force: the same sums in another order. Rows end where the window begins, however many samples
+/// they have by then.
 #[test]
 fn rows_of_the_map_hold_what_the_samples_hold() {
     let model = model(0.25);

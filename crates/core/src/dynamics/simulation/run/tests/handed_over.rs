@@ -28,14 +28,14 @@ impl EarlierRows for Kept {
 
     fn each(&self, columns: &[&'static str], from: usize, take: &mut dyn FnMut(&[&[f64]])) {
         let mut first = 0;
-        for kept in &self.0 {
-            let rows = kept[0].1.len();
+        for block in &self.0 {
+            let rows = block[0].1.len();
             let skipped = from.saturating_sub(first).min(rows);
-            let wanted = columns.iter().map(|name| {
-                let column = kept.iter().find(|(known, _)| known == name);
+            let values = columns.iter().map(|name| {
+                let column = block.iter().find(|(known, _)| known == name);
                 &column.expect("it is a column of the series").1[skipped..]
             });
-            take(&wanted.collect::<Vec<_>>());
+            take(&values.collect::<Vec<_>>());
             first += rows;
         }
     }
@@ -54,25 +54,25 @@ fn who_keeps_the_samples_makes_no_difference() {
     ] {
         let mut plain = new_run(&model(0.25), &REAM, &settings);
         let mut hands_over = plain.clone();
-        let mut kept = Kept::default();
+        let mut storage = Kept::default();
         let mut turns = 0;
         while turns < 5 || waits && plain.is_settling() {
             assert!(turns < 200, "it settles");
             plain.advance(0.7).unwrap();
             hands_over.advance(0.7).unwrap();
-            kept.take(&mut hands_over, 16);
+            storage.take(&mut hands_over, 16);
             turns += 1;
         }
         for run in [&mut plain, &mut hands_over] {
             run.advance(2.0).unwrap();
         }
-        kept.take(&mut hands_over, 16);
+        storage.take(&mut hands_over, 16);
         assert_eq!(plain.frame(), hands_over.frame());
         let all = plain.series().time_s.len();
         let left = hands_over.series().time_s.len();
-        assert_eq!((left + kept.rows(), hands_over.handed_over()), (all, kept.rows()));
+        assert_eq!((left + storage.rows(), hands_over.handed_over()), (all, storage.rows()));
         assert!(left <= 17, "{left} of {all}");
-        let [expected, mut found] = [plain.outcome(), hands_over.outcome_with(&kept)];
+        let [expected, mut found] = [plain.outcome(), hands_over.outcome_with(&storage)];
         assert_eq!(expected.series.hook_load_N[all - left..], found.series.hook_load_N);
         found.series = expected.series.clone();
         assert!(expected.indicators.stick_slip.is_some());
@@ -84,8 +84,8 @@ fn who_keeps_the_samples_makes_no_difference() {
         for run in [&mut plain, &mut resumed] {
             run.advance(0.5).unwrap();
         }
-        kept.take(&mut resumed, 16);
-        let [expected, found] = [plain.outcome(), resumed.outcome_with(&kept)];
+        storage.take(&mut resumed, 16);
+        let [expected, found] = [plain.outcome(), resumed.outcome_with(&storage)];
         assert_eq!(format!("{:?}", expected.statistics), format!("{:?}", found.statistics));
         // Forgotten are those that were handed over, too.
         resumed.forget(resumed.time_s());

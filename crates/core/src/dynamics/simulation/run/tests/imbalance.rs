@@ -28,7 +28,7 @@ fn eccentric_model(pipe_m: Option<f64>) -> Model {
     model
 }
 
-/// A second after its start: it turns, and much of it lies on the wall.
+/// A second after its start: it rotates, and much of it is on the wall.
 fn turning(pipe_m: Option<f64>) -> Run<f64> {
     // More than eighty nodes that have a mass each.
     let settings =
@@ -43,7 +43,7 @@ fn unit(v: Vector<f64>) -> Vector<f64> {
     v.scaled(1.0 / v.dot(v).sqrt())
 }
 
-/// An eccentric mass as plainly as can be: forces before the step, what follows from it after it,
+/// The simplest model of an eccentric mass: forces before the step and their consequences after it,
 /// in passes until momentum and moment of momentum agree.
 struct Plain {
     /// Not quite as the step has it: thrown by the change of `ω × q` from middle to middle, and the
@@ -108,7 +108,7 @@ impl Plain {
     }
 }
 
-/// A chain and what its steps have lost.
+/// A chain and the losses of its steps.
 struct Steps {
     chain: Chain,
     body: Body,
@@ -165,24 +165,24 @@ impl Steps {
     }
 
     fn toward(&self, index: usize) -> Vector<f64> {
-        let mut kept = self.body.imbalances(&self.chain);
+        let mut imbalances = self.body.imbalances(&self.chain);
         match self.plain.iter().find(|one| one.index == index) {
             Some(one) => one.imbalance.toward,
-            None => kept.find(|(i, _)| *i == index).map_or(Vector::zero(), |(_, x)| x.toward),
+            None => imbalances.find(|(i, _)| *i == index).map_or(Vector::zero(), |(_, x)| x.toward),
         }
     }
 
-    /// Where that of the loss in contact stands in [`Self::apart`].
+    /// Index of the loss in contact in [`Self::apart`].
     const CONTACT: usize = 6;
 
     /// Largest difference of each that a node has from its motion in `other`, and those of the
     /// losses, J.
     fn apart(&self, other: &Self) -> [f64; 10] {
-        let nodes = |of: fn(&Self, usize) -> Vector<f64>| {
-            let apart = |i| of(self, i) - of(other, i);
+        let nodes = |value: fn(&Self, usize) -> Vector<f64>| {
+            let apart = |i| value(self, i) - value(other, i);
             (0..self.chain.nodes()).map(|i| apart(i).dot(apart(i)).sqrt()).fold(0.0, f64::max)
         };
-        let sums = |of: fn(&Self) -> f64| (of(self) - of(other)).abs();
+        let sums = |sum: fn(&Self) -> f64| (sum(self) - sum(other)).abs();
         [
             nodes(|s, i| s.chain.displacement(i)),
             nodes(|s, i| s.chain.velocity(i)),
@@ -198,12 +198,12 @@ impl Steps {
     }
 }
 
-/// Held against what the offsets do to the string, losses included, in 200 steps of much contact:
-/// within 1e-7 of it where each mass does the same by itself (2e-8 is what the wall makes of the
-/// rounding of 1e-15 of a step), within 2e-5 where it takes its force and its moment otherwise: a
-/// director turns by 1e-6 in a step, and the square of the pipe's own turn in it is 4e-6. What
-/// contact loses then, 52 J, is within 1e-6 of itself: 2e-3 of the 0.04 J by which the offsets
-/// change it.
+/// Compared with the effect of the offsets on the string, losses included, in 200 steps of much
+/// contact: within 1e-7 of it where each mass is computed by itself in the same way (a step's
+/// rounding of 1e-15 grows to 2e-8 at the wall), within 2e-5 where its force and its moment are
+/// computed otherwise: a director turns by 1e-6 in a step, and the square of the pipe's own turn in
+/// it is 4e-6. The loss in contact then, 52 J, is within 1e-6 of itself: 2e-3 of the 0.04 J by
+/// which the offsets change it.
 #[test]
 fn the_step_does_what_each_mass_would_do_by_itself() {
     let run = turning(Some(2e-3));

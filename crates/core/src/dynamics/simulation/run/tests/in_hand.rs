@@ -1,4 +1,4 @@
-//! What a front does to a run that it holds in its hand.
+//! Operations that a front end performs on a run in progress.
 
 use super::*;
 use crate::dynamics::{settings::SpeedController, simulation::settling::Settling};
@@ -12,8 +12,8 @@ fn driven(controller: SpeedController) -> DynamicsSettings {
     DynamicsSettings { top_drive, settle_s: 3.0, ..DynamicsSettings::default() }
 }
 
-/// What moves does not notice that the window begins anew, to the last bit; what was sampled before
-/// is gone, and the answer is that of the samples since.
+/// A restart of the window does not affect the motion, to the last bit; the earlier samples are
+/// gone, and the results are those of the samples since.
 #[test]
 fn a_window_that_begins_anew_forgets_and_moves_nothing() {
     for settings in [
@@ -35,7 +35,7 @@ fn a_window_that_begins_anew_forgets_and_moves_nothing() {
         let from = plain.series().time_s.len() - rows;
         assert_eq!(plain.series().time_s[from..], anew.series().time_s);
         assert_eq!(plain.series().hook_load_N[from..], anew.series().hook_load_N);
-        // Moments between the ends of elements are looked at anew; what moves is the same.
+        // Moments between the ends of elements are updated anew; the motion is the same.
         let motion = |run: &Run<f64>| {
             let frame = run.frame();
             let forces = [frame.tension_N, frame.torque_N_m, frame.contact_force_N];
@@ -50,7 +50,7 @@ fn a_window_that_begins_anew_forgets_and_moves_nothing() {
         let is_until = matches!(anew.settling, Settling::UntilSteady { .. });
         assert_eq!(answer.numerics.settled, is_until.then_some(false));
         assert_eq!(anew.indicators(), answer.indicators);
-        // It is resumed as it stands.
+        // It is resumed in its present state.
         let bytes = postcard::to_stdvec(&anew.checkpoint()).unwrap();
         let read = postcard::from_bytes(&bytes).unwrap();
         let mut resumed = Run::resume(&anew.model, &REAM, &settings, read).unwrap();
@@ -61,9 +61,9 @@ fn a_window_that_begins_anew_forgets_and_moves_nothing() {
     }
 }
 
-/// A controller that takes over goes on from the torque that there is. Without it the torque would
-/// jump at once by the difference of the gains times what is missing of the speed: the rotary speed
-/// is set 2 rad/s higher just before, 38 kN·m·s less four impedances of 0.37 kN·m·s give 73 kN·m.
+/// A new controller continues from the present torque. Without it the torque would jump at once by
+/// the difference of the gains times the error of the speed: the rotary speed is set 2 rad/s higher
+/// just before, 38 kN·m·s less four impedances of 0.37 kN·m·s give 73 kN·m.
 #[test]
 fn a_controller_goes_on_from_the_torque_of_the_one_before() {
     let soft = SpeedController::SoftTorque { impedance_ratio: 4.0, frequency_Hz: None };
@@ -92,11 +92,12 @@ fn a_controller_goes_on_from_the_torque_of_the_one_before() {
         }
         let change = |run: &Run<f64>| node!(run.chain, 0, spin) - before;
         let (expected, found) = (change(&plain), change(&run));
-        // `J ΔΩ/dt = N + K_i dt e − (K_p + K_i dt) ΔΩ` with `N` what the drive gave more than the
-        // string took, which both begin with, and `e` what was missing of the speed.
+        // `J ΔΩ/dt = N + K_i dt e − (K_p + K_i dt) ΔΩ` with `N` the initial excess of the drive's
+        // torque over the string's, which is the same for both, and `e` the error of the speed.
         let dt_s = run.time_step_s();
         let missing = 9.0 - before;
-        let [old, new] = [from, to].map(|of| Gains::of(of, 2900.0, TorsionalString::of(&run.mesh)));
+        let [old, new] = [from, to]
+            .map(|controller| Gains::of(controller, 2900.0, TorsionalString::of(&run.mesh)));
         let inertia = node!(run.chain, 0, polar);
         let gain = |gains: &Gains| gains.integral_N_m.mul_add(dt_s, gains.proportional_N_m_s);
         let push = expected * (inertia / dt_s + gain(&old)) - old.integral_N_m * dt_s * missing;
@@ -104,8 +105,8 @@ fn a_controller_goes_on_from_the_torque_of_the_one_before() {
         // A drive that shows an impedance gives way to the string's torque within the step besides.
         // Had it not begun with the torque that there was, it would be as fast in no time, or turn
         // back: the string's torque over the pipe's impedance is 5 rad/s.
-        let shown = old.shown.is_some() || new.shown.is_some();
-        let tolerance = if shown { 0.3 } else { 1e-9 };
+        let has_feedback = old.shown.is_some() || new.shown.is_some();
+        let tolerance = if has_feedback { 0.3 } else { 1e-9 };
         assert!((found / due - 1.0).abs() < tolerance, "{from:?} to {to:?}: {found}, due {due}");
         // From then on it is the other's: the same after a checkpoint.
         let bytes = postcard::to_stdvec(&run.checkpoint()).unwrap();
@@ -121,8 +122,8 @@ fn a_controller_goes_on_from_the_torque_of_the_one_before() {
     assert!(!constant.set_speed_controller(STIFF));
 }
 
-/// A thousand requests of 3 ms take three seconds, as one does, though samples are 10 ms apart; and a
-/// checkpoint holds what is left of the last one.
+/// A thousand requests of 3 ms take three seconds, as one does, though samples are 10 ms apart; and
+/// a checkpoint contains the remainder of the last one.
 #[test]
 fn short_requests_add_up() {
     let settings = DynamicsSettings { settle_s: 3.0, ..DynamicsSettings::default() };
@@ -145,10 +146,9 @@ fn short_requests_add_up() {
     }
 }
 
-/// Samples are exactly as far apart as the settings require, whether the interval is a few steps, one
-/// step or less than the longest stable step. Dropped samples change nothing that moves, the memory
-/// that remains is that of what is kept, and lines that were added by hand go with the samples that
-/// they belong to.
+/// Samples are exactly as far apart as the settings require, whether the interval is a few steps,
+/// one step or less than the longest stable step. Dropped samples do not affect the motion, only
+/// the kept samples use memory, and lines that were added by hand are dropped with their samples.
 #[test]
 fn dropped_samples_move_nothing() {
     for interval_s in [0.01, 0.013, 2e-4] {
@@ -179,7 +179,7 @@ fn dropped_samples_move_nothing() {
         assert_eq!(drops.series().schedule_line, [[1; 10], [2; 10]].concat());
         let map = drops.outcome().contact;
         assert!(map.time_s.iter().all(|time_s| *time_s >= drops.series().time_s[0]));
-        // It is resumed as it stands, and it goes on as the other does.
+        // It is resumed in its present state and continues like the other.
         let bytes = postcard::to_stdvec(&drops.checkpoint()).unwrap();
         let read = postcard::from_bytes(&bytes).unwrap();
         let mut resumed = Run::resume(&drops.model, &REAM, &settings, read).unwrap();

@@ -1,4 +1,4 @@
-//! Where a run begins.
+//! Beginning of a run.
 
 use super::*;
 use crate::{
@@ -21,7 +21,8 @@ fn on_rock() -> DynamicsSettings {
             law: BitLaw::Rock(Box::new(RockLaw { drilling })),
             ..BitSettings::default()
         },
-        // What the lowest node rubs off and weighs is held against the bit's torque and weight.
+        // The friction torque and the weight of the lowest node are compared with the bit's torque
+        // and weight.
         mesh: MeshSettings::uniform(3.2),
         ..DynamicsSettings::default()
     }
@@ -33,7 +34,7 @@ fn drill(kind: OperationKind) -> Operation {
         kind,
         rotary_speed_rad_per_s: 20.0,
         weight_on_bit_N: WEIGHT_N,
-        // Far from what the rock takes.
+        // Far from the torque of the rock.
         bit_torque_N_m: 900.0,
         rate_of_penetration_m_per_s: 0.02,
         ..REAM
@@ -55,7 +56,7 @@ fn the_bit_begins_on_the_axis() {
     };
     let begins_m = across_m(&run);
     assert!(begins_m < 1e-12, "{begins_m} m off the axis");
-    // What the last element weighs presses the spring by so much.
+    // Compression of the spring by the weight of the last element.
     let weight_N = node!(run.chain, last, mass_lateral) * crate::GRAVITY_M_PER_S2;
     let pressed_m = 2.0 * weight_N / settings.bit.lateral_stiffness_N_per_m;
     run.advance(0.5).unwrap();
@@ -63,8 +64,8 @@ fn the_bit_begins_on_the_axis() {
     assert!(gets_m < pressed_m, "{gets_m} m, expected {pressed_m} m");
 }
 
-/// The string is wound up by what the rock took of the bit that was run in, not by what was
-/// expected.
+/// The string is wound up by the torque of the rock on the bit that was run in, not by the expected
+/// torque.
 #[test]
 fn the_rock_winds_the_string_up() {
     let (settings, drill) = (on_rock(), drill(OperationKind::Drill));
@@ -79,7 +80,7 @@ fn the_rock_winds_the_string_up() {
     let run_in = RunIn::new(&settings.bit, &drill, standing, &RockExecutor::default());
     let expected_N_m = run_in.unwrap().expect("rock").torque_N_m();
     assert!((10.0..100.0).contains(&expected_N_m), "{expected_N_m}");
-    // Half of what the lowest node rubs off is above the bit.
+    // Half of the lowest node's friction torque acts above the bit.
     let twist_rad = element!(run.chain, last - 1, twist);
     let wound_N_m = -twist_rad * element!(run.chain, last - 1, torsion);
     let rubbed_N_m = 10.0;
@@ -89,21 +90,21 @@ fn the_rock_winds_the_string_up() {
     );
 }
 
-/// A bit that does not turn, of a string that slides or starts centred, rests on its rock, bears
-/// its weight and takes no torque.
+/// A bit that does not turn, of a string that slides or starts centred, rests on its rock, which
+/// carries its weight, and has no torque.
 #[test]
 fn a_bit_that_does_not_turn_rests_on_its_rock() {
     for (start, kind) in
         [(Start::Prepared, OperationKind::Slide), (Start::Centred, OperationKind::Drill)]
     {
         let settings = DynamicsSettings { start, ..on_rock() };
-        // The block stands still.
+        // The block is stationary.
         let still = drill(kind).rate_of_penetration_m_per_s(0.0);
         let mut run = new_run(&model(0.25), &still, &settings);
         assert!(element!(run.chain, run.chain.nodes() - 2, twist) == 0.0);
         run.advance(0.02).unwrap();
-        // The string has only been settled across the hole: along it, it gives by a tenth. A bit
-        // that hung would bear nothing.
+        // The string has only been settled across the hole: along it, it gives by a tenth. A
+        // hanging bit would have no weight.
         for weight_N in &run.outcome().series.weight_on_bit_N {
             assert!((weight_N / WEIGHT_N - 1.0).abs() < 0.2, "{weight_N} N");
         }

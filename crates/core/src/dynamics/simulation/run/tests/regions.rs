@@ -68,8 +68,8 @@ fn refined(model: &Model, joints: usize, parts: usize) -> Mesh {
     }
 }
 
-/// What a run on the refined mesh is made of, with the steps and the inertia of the plan in
-/// regions; `divided`, or with the shorter step for all.
+/// Basis of a run on the refined mesh, with the steps and the inertia of the plan in regions;
+/// `divided`, or with the shorter step for all.
 fn basis<R: Registers>(case: &Case, divided: bool) -> Basis<R> {
     let Case { model, operation, settings, mesh } = case;
     let settling = Settling::of(model, operation, settings, mesh);
@@ -126,11 +126,11 @@ fn md_m(run: &Run<f64>, i: usize) -> f64 {
     run.state.anchors[i].md_m + run.chain.displacement(i).dot(run.chain.tangent(i))
 }
 
-/// A string that was lowered and stopped is held by friction: nothing of it creeps, no more at the
-/// border than elsewhere, and it hangs on the hook with what it has with one step for all of it,
-/// within 1e-4 (7e-5 was found). It is stopped in ten seconds: a stop at once sends waves down that
-/// go by the step in all of the pipe, and where friction then holds it is decided by them, to 2e-3
-/// by the step of a string with but one.
+/// A string that was lowered and stopped is held by friction: no part of it creeps, not even at the
+/// border, and its hook load is that with one step for the whole string, within 1e-4 (7e-5 was
+/// found). It is stopped in ten seconds: a stop at once sends waves down that depend on the step in
+/// the whole pipe, and they decide where friction then holds it, to 2e-3 by the step of a string
+/// with but one.
 #[test]
 fn a_string_that_was_stopped_does_not_creep() {
     let case = tripping();
@@ -175,10 +175,10 @@ fn shaken() -> Case {
     Case { model, operation, settings, mesh }
 }
 
-/// What shakes the bit is felt as with one step for all of the string: weight on bit, hook load and
-/// torque have the same means, within 1e-4, and spread within 0.5 %. The line of the hoist is soft:
-/// taken at the step's end it damps by its stiffness times half a step, which the longer step of
-/// the pipe would change.
+/// The excitation of the bit has the same effect as with one step for the whole string: weight on
+/// bit, hook load and torque have the same means, within 1e-4, and spread within 0.5 %. The line of
+/// the hoist is soft: evaluated at the step's end it damps by its stiffness times half a step,
+/// which the longer step of the pipe would change.
 #[test]
 fn the_bit_shakes_the_string_alike() {
     let case = shaken();
@@ -197,9 +197,9 @@ fn the_bit_shakes_the_string_alike() {
     }
 }
 
-/// The start lets the string settle across the hole in the steps that the run takes: it comes to
-/// lie where it lies with one step for all of it, within 10 µm (1.2 µm was found, of a clearance of
-/// 19 mm; the seed moves every node by one), and either region has the twist that it is to have.
+/// The start lets the string settle across the hole in the steps that the run takes: its position
+/// is the same as with one step for the whole string, within 10 µm (1.2 µm was found, of a
+/// clearance of 19 mm; the seed moves every node by one), and either region has the correct twist.
 #[test]
 fn a_string_in_regions_is_laid_alike() {
     for case in [tripping(), shaken()] {
@@ -250,10 +250,10 @@ fn contact_is_averaged_over_the_steps_of_each_region() {
 }
 
 /// A string whose stabilisers divide its assembly into short elements is stepped in regions where
-/// the settings leave that to the plan, in a quarter of the steps or fewer, and answers what it
-/// answers with one step for all of it: a hook load within 1e-3 while it is reamed, the friction
-/// torque within 1 %, for it whirls between its stabilisers as it likes. Its bend is below the
-/// border; what is eccentric of it, above and below.
+/// the settings leave that to the plan, in a quarter of the steps or fewer, and gives the same
+/// results as with one step for the whole string: a hook load within 1e-3 while it is reamed, the
+/// friction torque within 1 %, because it whirls freely between its stabilisers. Its bend is below
+/// the border; its eccentric masses are above and below it.
 #[test]
 fn the_plan_divides_a_string_where_that_is_asked_for() {
     let stabiliser = || tool("stabiliser", ComponentLength::Metres(0.3), 0.21, 0.0714);
@@ -330,19 +330,19 @@ fn a_run_in_single_precision_is_repeated_and_resumed() {
     a_run_is_repeated_and_resumed::<f32>();
 }
 
-/// A coefficient of friction of the caller's own, that of the hole, changes no bit: each region
-/// asks for it at its own steps.
+/// A user-defined coefficient of friction equal to that of the hole changes no bit: each region
+/// evaluates it at its own steps.
 #[test]
 fn the_callers_friction_is_asked_for_in_both_regions() {
     let case = tripping();
     let mut plain: Run<f64> = case.begin(true);
     let mut own = tripping();
     own.settings.friction_coefficient = Some(CustomFriction::new(Own));
-    let mut asked: Run<f64> = own.begin(true);
-    for run in [&mut plain, &mut asked] {
+    let mut with_law: Run<f64> = own.begin(true);
+    for run in [&mut plain, &mut with_law] {
         run.advance(0.5).unwrap();
     }
-    assert_same(&plain, &asked);
+    assert_same(&plain, &with_law);
 }
 
 /// Friction of 0.3, on whatever touches with the force that its weight gives it.

@@ -6,7 +6,7 @@ use crate::simd::vector::Vector;
 /// The clamp holds the top on the curved axis wherever it has slid to within the reach of its
 /// anchor, and its director along it, with the speed that it had along it.
 ///
-/// The clamp knows the axis to the third order of the distance `z` from the anchor: `κ' z³/6` of
+/// The clamp follows the axis to the third order of the distance `z` from the anchor: `κ' z³/6` of
 /// the place and `κ' z²/2` of the direction, with the change of curvature `κ'`, here below 1e-5
 /// 1/m². The tolerances are a hundredth of what a straight axis would miss, `κ z²/2` and `κ z`: the
 /// wrong sign misses by twice that.
