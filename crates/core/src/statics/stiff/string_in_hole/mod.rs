@@ -56,7 +56,9 @@ impl StringInHole {
         let high_rad = high_side_rad(model, &nodes);
         element::bend(&mut elements, model, mesh, high_rad);
         load::add_weight(&mut nodes, mesh, &circulating, model.mud.density_kg_per_m3);
-        load::add_couples(&mut elements, &nodes, mesh, model.mud.density_kg_per_m3);
+        if !settings.lumped_weight {
+            load::add_couples(&mut elements, &nodes, mesh, model.mud.density_kg_per_m3);
+        }
         let jet_N = hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
         load::add_pull(&mut nodes, operation.tension_at_bit_N() - jet_N);
         load::add_lateral(&mut nodes, model, mesh, high_rad);
