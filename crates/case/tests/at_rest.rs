@@ -15,7 +15,7 @@ use wholestring::{
     prelude::*,
     statics::{
         soft::{self, SoftSettings},
-        stiff::{self, StiffError, StiffProfile},
+        stiff::{self, StiffError, StiffProfile, StiffSettings},
     },
 };
 use wholestring_case::{Case, load};
@@ -258,7 +258,9 @@ fn try_job(job: &Job) -> Tried {
         at.bit_torque_N_m = moving.scalars.bit_torque_N_m;
     }
     let over = over_sinusoidal(job);
-    let stiff = stiff::solve(&job.model, &at, &job.settings.stiff_string());
+    // The dynamics have the weight at the nodes alone.
+    let settings = StiffSettings { lumped_weight: true, ..job.settings.stiff_string() };
+    let stiff = stiff::solve(&job.model, &at, &settings);
     let apart = stiff.as_ref().ok().zip(moving.as_ref().ok());
     let apart = apart.map(|(stiff, moving)| Apart::of(stiff, moving, at.kind));
     let reason = reason(job, over, &stiff, apart.as_ref());

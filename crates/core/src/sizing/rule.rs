@@ -186,6 +186,19 @@ fn joint_m(component: &Component) -> Option<f64> {
     (spacing_m >= MIN_JOINT_M).then(|| spacing_m / (spacing_m / MAX_JOINT_M).ceil())
 }
 
+/// The tool joint nearest to a place, both measured from the bit, m; the place itself where the
+/// component there has no joints of a pipe.
+fn nearest_joint_m(string: &DrillString, from_bit_m: f64) -> f64 {
+    let (index, component) = string.component_at(from_bit_m);
+    let (Some(joints), Some(_), Some(span)) =
+        (component.joints, joint_m(component), string.spans().nth(index))
+    else {
+        return from_bit_m;
+    };
+    let number = ((from_bit_m - span.from_bit_m) / joints.spacing_m).round();
+    (span.from_bit_m + number * joints.spacing_m).min(span.to_bit_m)
+}
+
 /// Upper end of the bottom-hole assembly, from the bit, m: where ordinary drill pipe begins, which
 /// has joints unless nothing in the string has; zero where there is none.
 pub(crate) fn assembly_top_m(string: &DrillString) -> f64 {
@@ -249,10 +262,12 @@ fn loaded(
             (profile.tension_N[row], profile.side_force_N_per_m[row].abs());
         let joint = joint_m(component);
         let mut ask = |element_length_m: f64, reason: SizeReason| {
-            // Whole parts of a joint, and a joint to either side.
+            // Whole parts of a joint, and a joint to either side. From joint to joint: a joint that
+            // has elements of two lengths beside it would give way to nodes at equal distances.
             let joint_m = joint.unwrap_or(PLAIN_M);
             let element_length_m = joint_m / (joint_m / (coarser * element_length_m)).ceil();
-            let stretch_m = [(from_bit_m - joint_m).max(0.0), from_bit_m + joint_m];
+            let stretch_m = [(from_bit_m - joint_m).max(0.0), from_bit_m + joint_m]
+                .map(|end_m| nearest_joint_m(&model.string, end_m));
             match demands.last_mut() {
                 Some(last)
                     if (last.reason, last.element_length_m) == (reason, element_length_m)

@@ -28,6 +28,7 @@ fn at_rest(case: &Case) -> StiffProfile {
         element_length: case.settings.mesh.element_length,
         contact_law: case.settings.contact_law,
         bit_lateral_stiffness_N_per_m: case.settings.bit.lateral_stiffness_N_per_m,
+        lumped_weight: true,
         ..StiffSettings::default()
     };
     stiff::solve(&case.model, &case.operation, &settings).expect("an equilibrium")

@@ -4,7 +4,7 @@ use wholestring::{
     dynamics::MeshSettings,
     operation::OperationKind,
     outcome::Profile,
-    statics::stiff::{self, StiffProfile},
+    statics::stiff::{self, StiffProfile, StiffSettings},
 };
 
 use crate::{
@@ -13,7 +13,7 @@ use crate::{
 };
 
 fn at_rest(case: &Case) -> StiffProfile {
-    let settings = case.settings.stiff_string();
+    let settings = StiffSettings { lumped_weight: true, ..case.settings.stiff_string() };
     stiff::solve(&case.model, &case.operation, &settings).expect("an equilibrium")
 }
 

@@ -4,8 +4,13 @@ use serde_json::Value;
 use wholestring::{
     ends::BitEnd,
     prelude::*,
-    statics::assembly::{self, AssemblySettings, Extent, Touching},
+    sizing::ElementLength,
+    statics::{
+        assembly::{self, AssemblySettings, Extent, Touching},
+        stiff::StiffSettings,
+    },
     string::{Blades, ComponentLength, ComponentSpec, Material},
+    wall::contact::ContactLaw,
 };
 
 use crate::{
@@ -13,6 +18,11 @@ use crate::{
     common::{number, report_worst, verification, verify},
     force_N, nearest, piece, pressed, settings, solve,
 };
+
+/// Stiffness of a wall whose penetration is negligible beside a clearance of 1.6 mm, N/m. With
+/// 1e10 N/m the blades of the fulcrum penetrate by a thousandth of that, which changes the force of
+/// the bit by 2.7e-4 of the largest force; with 1e12 and 1e13 N/m it agrees to 4e-6.
+const RIGID_N_PER_M: f64 = 1e12;
 
 /// An assembly of S1b.
 struct Case {
@@ -95,12 +105,20 @@ fn s1b_assemblies_in_a_straight_hole() {
 
 /// The same as the assembly's page has them: shorter elements where collars lie down, 100 m of them
 /// above the highest blade, every element halved once more. Forces of bit and blades within 2e-4 of
-/// the largest; what halving changes is no less than a third of what is left.
+/// the largest; what halving changes is no less than a third of what is left of the bit's, against
+/// elements of 0.1 m everywhere.
 #[test]
 fn s1b_by_the_assembly_alone() {
     for Case { id, model, operation, blades_from_bit_m, expected } in cases() {
-        let settings =
-            AssemblySettings { stiff: settings(0.3), extent: Extent::Whole, ..Default::default() };
+        let stiff = StiffSettings {
+            contact_law: ContactLaw::Linear {
+                stiffness_N_per_m: RIGID_N_PER_M,
+                damping_ratio: 0.0,
+            },
+            bit_lateral_stiffness_N_per_m: RIGID_N_PER_M,
+            ..settings(0.3)
+        };
+        let settings = AssemblySettings { stiff, extent: Extent::Whole, ..Default::default() };
         let found = assembly::solve(&model, &operation, &settings).expect("an equilibrium");
         let expected_blades = list(&expected["stabiliser_force_on_wall_N_pos_high"]);
         let expected_bit = number(&expected["bit_side_force_on_rock_N_pos_high"]);
@@ -118,7 +136,10 @@ fn s1b_by_the_assembly_alone() {
             rows.push(row(&format!("force of the blade at {from_bit_m} m"), force_N, expected));
         }
         let errors = found.errors.expect("an estimate");
-        let left_N = (found.bit_side_force_N[0] - expected_bit).abs();
+        // The file has small slopes: 3e-5 of the largest force in the level holes.
+        let even = StiffSettings { element_length: ElementLength::Uniform(0.1), ..stiff };
+        let limit_N = solve(&model, &operation, &even).bit_side_force_N[0];
+        let left_N = (found.bit_side_force_N[0] - limit_N).abs();
         assert!(left_N < 3.0 * errors.side_force_N + 1e-5 * largest, "{id}: {left_N} {errors:?}");
         report_worst(rows);
     }

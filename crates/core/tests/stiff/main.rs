@@ -6,9 +6,11 @@ mod common;
 mod assemblies;
 mod buckled;
 mod circulation;
+mod compression;
 mod criteria;
 
 mod ends;
+mod forced_straight;
 mod friction;
 mod inside_of_bends;
 mod joints;

@@ -299,6 +299,7 @@ impl DynamicsSettings {
             refinement: self.mesh.refinement,
             contact_law: self.contact_law,
             bit_lateral_stiffness_N_per_m: self.bit.lateral_stiffness_N_per_m,
+            ..StiffSettings::default()
         }
     }
 

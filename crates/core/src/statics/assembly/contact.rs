@@ -121,7 +121,9 @@ pub(super) fn contacts(string: &DrillString, nodes: &[AssemblyNode]) -> Vec<Cont
     contacts
 }
 
-/// Ends of the contacts of bodies, from the bit, m: half-way to the node that is free.
+/// Ends of the contacts of bodies, from the bit, m: half-way to the node that is free. Those of the
+/// assembly, up to `to_m`, and the first above it: the touch-down point sets the length that hangs
+/// free above the highest blades.
 pub(super) fn ends_m(string: &DrillString, nodes: &[AssemblyNode], to_m: f64) -> Vec<f64> {
     let on = |node: &AssemblyNode| node.push_N != [0.0; 2];
     let is_body = |node: &AssemblyNode| {
@@ -129,7 +131,11 @@ pub(super) fn ends_m(string: &DrillString, nodes: &[AssemblyNode], to_m: f64) ->
         component.blades.is_none() && component.joints.is_none()
     };
     let pairs = nodes.windows(2).skip(1);
-    let pairs = pairs.filter(|pair| pair[1].from_bit_m <= to_m && on(&pair[0]) != on(&pair[1]));
+    let pairs = pairs.filter(|pair| on(&pair[0]) != on(&pair[1]));
     let bodies = pairs.filter(|pair| pair.iter().any(|node| on(node) && is_body(node)));
-    bodies.map(|pair| 0.5 * (pair[0].from_bit_m + pair[1].from_bit_m)).collect()
+    let mut ends_m: Vec<f64> =
+        bodies.map(|pair| 0.5 * (pair[0].from_bit_m + pair[1].from_bit_m)).collect();
+    let above = ends_m.partition_point(|end_m| *end_m <= to_m);
+    ends_m.truncate(above + 1);
+    ends_m
 }

@@ -26,7 +26,41 @@ struct Bent {
     carry_over: f64,
     /// Moment half-way as one end is turned, over what turns it.
     to_half_way: f64,
+    /// `cosh (L/4)√(T/EI)`, in compression a cosine, down to that of Euler's load.
+    quarter: f64,
 }
+
+impl Bent {
+    /// Excess of the largest moment along the element over those at its ends and half-way, N·m.
+    /// Between `M1`, `M2` and `Mh` half-way the beam-column has at the quarter points
+    /// `Mh + (E − Mh)/(2 (c + 1)) ± O/(2 c)`, with `E` and `O` the mean and half the difference of
+    /// the ends and `c = cosh (L/4)√(T/EI)`. The peak is that of the parabola through each end, the
+    /// quarter point beside it and the middle.
+    fn peak_excess_N_m(&self, [upper, lower]: [Vector3<f64>; 2]) -> f64 {
+        let half_way = self.half_way_N_m;
+        let (mean, half) = ((upper + lower) * 0.5, (upper - lower) * 0.5);
+        let even = half_way + (mean - half_way) / (2.0 * (self.quarter + 1.0));
+        let odd = half / (2.0 * self.quarter);
+        let known_N_m = upper.norm().max(lower.norm()).max(half_way.norm());
+        let halves = [[upper, even + odd, half_way], [lower, even - odd, half_way]];
+        let peak_N_m = halves.map(|half| {
+            let largest = half.iter().max_by(|a, b| a.norm().total_cmp(&b.norm()));
+            let along = largest.and_then(|of| of.try_normalize(0.0)).unwrap_or_default();
+            peak(half.map(|moment| moment.dot(&along)))
+        });
+        peak_N_m[0].max(peak_N_m[1]) - known_N_m
+    }
+}
+
+/// Peak of the parabola through three values at equal distances, where it is between them; else the
+/// middle value.
+fn peak([before, middle, after]: [f64; 3]) -> f64 {
+    let (rises, bends) = (0.5 * (after - before), before - 2.0 * middle + after);
+    if bends < 0.0 && rises.abs() <= -bends { middle - 0.5 * rises * rises / bends } else { middle }
+}
+
+/// Largest `(L/4)√(T/EI)` that counts: beyond it the quarter points bend as half-way.
+const MOST_ROOT: f64 = 30.0;
 
 /// An element's ends.
 const UPPER: usize = 0;
@@ -70,6 +104,9 @@ pub(super) struct Bending {
     pub(super) towards_N_m: Vec<Vector3<f64>>,
     /// Half-way to the next, N·m; at the bit nothing.
     pub(super) between_N_m: Vec<f64>,
+    /// Excess of the largest moment on the way to the next node over those at both nodes and
+    /// half-way, N·m.
+    pub(super) peak_excess_N_m: Vec<f64>,
     /// Sag half-way, m.
     pub(super) sag_m: Vec<f64>,
     /// One where the body touches half-way.
@@ -114,6 +151,10 @@ impl Bending {
             bending.between_N_m.push(below.map_or(0.0, |of| of.half_way_N_m.norm()));
             bending.sag_m.push(below.map_or(0.0, |of| of.sag_m));
             bending.touches.push(below.map_or(0.0, |of| of.touches));
+        }
+        for (index, element) in elements.iter().enumerate() {
+            let ends = [bending.towards_N_m[index], bending.towards_N_m[index + 1]];
+            bending.peak_excess_N_m.push(element.peak_excess_N_m(ends));
         }
         bending
     }
@@ -165,5 +206,15 @@ fn bent(
         holds_N_m: [holds_N_m; 2],
         carry_over: (turned - stiff(shape.at_ends)) / holds_N_m,
         to_half_way: stiff(shape.half_way) / holds_N_m,
+        quarter: quarter(tension_N * length_m * length_m / (16.0 * stiffness_N_m2)),
+    }
+}
+
+/// `cosh z` of `z²`, a cosine where that is negative.
+fn quarter(square: f64) -> f64 {
+    if square < 0.0 {
+        libm::cos((-square).sqrt().min(std::f64::consts::FRAC_PI_4))
+    } else {
+        libm::cosh(square.sqrt().min(MOST_ROOT))
     }
 }

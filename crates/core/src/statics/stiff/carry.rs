@@ -76,6 +76,16 @@ impl Equilibrium {
         Place { element, part: ((upper_m - from_bit_m) / (upper_m - lower_m)).clamp(0.0, 1.0) }
     }
 
+    /// How far the body of an element bulges through the wall between its nodes, m: beyond its
+    /// clearance, and farther from the hole's axis than both nodes. By the cubic between them, at
+    /// its quarter points.
+    pub(super) fn bulges_m(&self, element: usize) -> f64 {
+        let ends = [element, element + 1].map(|node| self.state.offset_m[node].xy().norm());
+        let inside_m = self.string.elements[element].body_clearance_m.max(ends[0]).max(ends[1]);
+        let off_m = |part: f64| self.shape(&Place { element, part })[0].xy().norm();
+        [0.25, 0.5, 0.75].into_iter().map(off_m).fold(0.0, f64::max) - inside_m
+    }
+
     /// Offset, m, and direction across the hole for one along it, by the cubic between the nodes.
     fn shape(&self, place: &Place) -> [Vector3<f64>; 2] {
         let Place { element, part: t } = *place;

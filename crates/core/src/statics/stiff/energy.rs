@@ -28,5 +28,7 @@ fn element_J(string: &StringInHole, state: &State, index: usize) -> f64 {
     let own = across[0].norm_squared() + across[1].norm_squared();
     let bent_J = 0.5 * k.bending_near() * own + k.bending_far * across[0].dot(&across[1]);
     let tension_N = state.tension_N[index];
-    0.5 * tension_N * tension_N / k.axial + bent_J
+    // The weight between its nodes sinks by what the directors bow.
+    let sunk_J = element.couple_N_m().dot(&(upper - lower));
+    0.5 * tension_N * tension_N / k.axial + bent_J - sunk_J
 }

@@ -96,7 +96,12 @@ impl Equations {
         let directors = [seen[0].along, seen[1].along];
         let ends = Ends { chord_m: state.chord_m(string, index), directors };
         let tension_N = state.tension_N[index];
-        let of = Tangent::of(&element.stiffness, &ends, tension_N);
+        let mut of = Tangent::of(&element.stiffness, &ends, tension_N);
+        let couple_N_m = element.couple_N_m();
+        for (end, load_N_m) in [(0, couple_N_m), (1, -couple_N_m)] {
+            of.gradient.directors[end] -= load_N_m;
+            of.pull_N_m[end] -= load_N_m.dot(&directors[end]);
+        }
         let axial_N_per_m = element.stiffness.axial;
         let excess_m = of.longer_m - element.slack_m - tension_N / axial_N_per_m;
         let axes = nodes.map(|node| Matrix3::from_columns(&node.axes));

@@ -2,19 +2,26 @@
 
 use super::{
     bending::Bending, equilibrium::Equilibrium, mesh_error::MeshError, profile::hook_and_torque,
+    string_in_hole::STANDS_OUT_M,
 };
 use crate::model::Model;
 
-/// How much farther than the body a node of a joint or a blade stands out, m.
-const STANDS_OUT_M: f64 = 1e-4;
+/// Part of the tolerance by which the peak of an element's moment may exceed its moments at the nodes
+/// and half-way.
+const PEAK: f64 = 0.5;
+
+/// Part of its clearance by which the body of an element may bulge through the wall between its
+/// nodes, and the least that counts, m.
+const BULGE: f64 = 0.02;
+const LEAST_BULGE_M: f64 = 2e-4;
 
 /// Elements that are shorter are not cut, m.
 const SHORTEST_M: f64 = 0.2;
 
 impl Equilibrium {
     /// The elements that are too long: in which a contact of the body begins or ends, whose body
-    /// touches between nodes that do not lie on the wall, and which are apart from their neighbours
-    /// about the moment by more than a part of the largest one.
+    /// touches between nodes that do not lie on the wall, which are apart from their neighbours about
+    /// the moment by more than a part of the largest one, and whose nodes miss what is between them.
     pub(super) fn too_long(&self, model: &Model, tolerance: f64) -> Vec<bool> {
         let bending = self.bending(model);
         let most_N_m = tolerance * bending.at_node_N_m.iter().copied().fold(0.0, f64::max);
@@ -28,7 +35,10 @@ impl Equilibrium {
             let lifts =
                 [(0, 1), (1, 0)].iter().any(|(on, off)| lies[ends[*on]] && !touches(ends[*off]));
             let cut = self.mesh.elements[element].length_m > SHORTEST_M
-                && (between || lifts || ends.iter().any(|node| apart(*node)));
+                && (between
+                    || lifts
+                    || ends.iter().any(|node| apart(*node))
+                    || self.misses(element, &bending, most_N_m));
             long[element] |= cut;
             // It may lift off on the other side of the node, too.
             if cut && lifts {
@@ -39,6 +49,25 @@ impl Equilibrium {
             }
         }
         long
+    }
+
+    /// Whether any element needs to be cut, however little the last halving changed at the nodes.
+    pub(super) fn any_unresolved(&self, model: &Model, tolerance: f64) -> bool {
+        let bending = self.bending(model);
+        let most_N_m = tolerance * bending.at_node_N_m.iter().copied().fold(0.0, f64::max);
+        let long = |element: &usize| self.mesh.elements[*element].length_m > SHORTEST_M;
+        let mut elements = (0..self.mesh.elements.len()).filter(long);
+        elements.any(|element| self.misses(element, &bending, most_N_m))
+    }
+
+    /// Whether nodes and middle of an element miss what is between them: a peak of the moment, or a
+    /// body that bulges through the wall.
+    fn misses(&self, element: usize, bending: &Bending, most_N_m: f64) -> bool {
+        let clearance_m = self.string.elements[element].body_clearance_m;
+        let in_hole = [element, element + 1].iter().any(|node| self.string.nodes[*node].has_wall());
+        let bulges =
+            || in_hole && self.bulges_m(element) > (BULGE * clearance_m).max(LEAST_BULGE_M);
+        bending.peak_excess_N_m[element] > PEAK * most_N_m || bulges()
     }
 
     /// Whether the body of a node, and no joint or blade, lies on the wall.

@@ -14,6 +14,9 @@ pub struct StiffSettings {
     /// What holds the bit to the axis of its hole, N/m, where its end of the string is
     /// [held](crate::ends::BitEnd::Held) so.
     pub bit_lateral_stiffness_N_per_m: f64,
+    /// Whether the weight between nodes acts on them by its forces alone, as in the dynamics, and
+    /// not by its fixed-end moments too: for comparisons of the two on the same elements.
+    pub lumped_weight: bool,
 }
 
 impl Default for StiffSettings {
@@ -23,6 +26,7 @@ impl Default for StiffSettings {
             refinement: 1,
             contact_law: ContactLaw::Hertz { dissipation_s_per_m: 0.0 },
             bit_lateral_stiffness_N_per_m: 1e7,
+            lumped_weight: false,
         }
     }
 }

@@ -35,6 +35,9 @@ const HALVED: usize = 3;
 /// for: of those of a thousand random wells none rests in a state that would stay.
 const FAR_BEYOND: f64 = 25.0;
 
+/// How often the elements that lie on the wall are found anew at most.
+const HANGS: usize = 4;
+
 /// Steps of the soft string with which it begins, m: it says where the nodes stand, and no force comes
 /// of it.
 const SOFT: SoftSettings = SoftSettings { step_m: 4.0, helix_side_force: false };
@@ -155,15 +158,18 @@ impl Task<'_> {
     /// The equilibrium on a mesh, begun with another one where there is one, and in the middle of
     /// the hole where that leads nowhere.
     fn found(&self, mesh: Mesh, near: Option<&Equilibrium>) -> Result<Equilibrium, StiffError> {
-        let string = self.string_in_hole(&mesh);
+        let mut string = self.string_in_hole(&mesh);
         let mut equations = Equations::new(string.nodes.len());
         let mut iterations = 0;
         let warm = near.and_then(|near| {
-            warm_start(&string, near.carried_to(&string, &mesh), &mut equations, &mut iterations)
+            let carried = near.carried_to(&string, &mesh);
+            string.hang(|node| carried.normal_N[node] > 0.0);
+            warm_start(&string, carried, &mut equations, &mut iterations)
         });
         let (convergence, state) = match warm {
             Some(found) => found,
             None => {
+                string.hang(|_| true);
                 if self.is_far_beyond() {
                     self.locks_up()?;
                 }
@@ -176,7 +182,7 @@ impl Task<'_> {
                 }
             }
         };
-        let found = self.equilibrium(mesh, string, state, &equations, convergence);
+        let found = self.equilibrium(mesh, string, state, &mut equations, convergence);
         Ok(of_least_energy(found, &mut equations))
     }
 
@@ -209,27 +215,29 @@ impl Task<'_> {
         let string = self.string_in_hole(&mesh);
         let mut equations = Equations::new(string.nodes.len());
         let (convergence, state) = released(&string, &mut equations).map_err(|lost| lost.error)?;
-        let found = self.equilibrium(mesh, string, state, &equations, convergence);
+        let found = self.equilibrium(mesh, string, state, &mut equations, convergence);
         Ok(of_least_energy(found, &mut equations))
     }
 
     /// The same, begun with another one alone.
     fn found_near(&self, mesh: Mesh, near: &Equilibrium) -> Option<Equilibrium> {
-        let string = self.string_in_hole(&mesh);
+        let mut string = self.string_in_hole(&mesh);
         let mut equations = Equations::new(string.nodes.len());
         let carried = near.carried_to(&string, &mesh);
+        string.hang(|node| carried.normal_N[node] > 0.0);
         let (convergence, state) = warm_start(&string, carried, &mut equations, &mut 0)?;
-        Some(self.equilibrium(mesh, string, state, &equations, convergence))
+        Some(self.equilibrium(mesh, string, state, &mut equations, convergence))
     }
 
     /// The same on the other one's mesh, and only where it is so near that few contacts change.
     fn found_beside(&self, near: &Equilibrium) -> Option<Equilibrium> {
         let mesh = near.mesh.clone();
-        let string = self.string_in_hole(&mesh);
+        let mut string = self.string_in_hole(&mesh);
         let mut equations = Equations::new(string.nodes.len());
         let carried = near.carried_to(&string, &mesh);
+        string.hang(|node| carried.normal_N[node] > 0.0);
         let (convergence, state) = settle(&string, carried, &mut equations, &mut 0)?;
-        let found = self.equilibrium(mesh, string, state, &equations, convergence);
+        let found = self.equilibrium(mesh, string, state, &mut equations, convergence);
         Some(of_least_energy(found, &mut equations))
     }
 
@@ -240,12 +248,25 @@ impl Task<'_> {
     fn equilibrium(
         &self,
         mesh: Mesh,
-        string: StringInHole,
-        state: State,
-        equations: &Equations,
-        convergence: Convergence,
+        mut string: StringInHole,
+        mut state: State,
+        equations: &mut Equations,
+        mut convergence: Convergence,
     ) -> Equilibrium {
-        let (settings, hook_load_N) = (*self.settings, equations.hook_load_N);
+        let mut hook_load_N = equations.hook_load_N;
+        // The weight between its nodes turns the nodes of what hangs, and of that alone.
+        for _ in 0..HANGS {
+            let mut next = string.clone();
+            if !next.hang(|node| state.normal_N[node] > 0.0) {
+                break;
+            }
+            let mut iterations = convergence.iterations;
+            let settled = settle(&next, state.clone(), equations, &mut iterations);
+            let Some((settled, moved)) = settled else { break };
+            hook_load_N = equations.hook_load_N;
+            (convergence, state, string) = (settled, moved, next);
+        }
+        let settings = *self.settings;
         let found = Equilibrium { settings, mesh, string, state, hook_load_N, convergence };
         found.with_buckled_element()
     }
@@ -293,7 +314,9 @@ impl Task<'_> {
             finer.convergence.mesh_error = Some(error);
             let largest_N_m = finer.largest_moment_N_m(self.model);
             found = finer;
-            if error.bending_moment_N_m < tolerance * largest_N_m {
+            if error.bending_moment_N_m < tolerance * largest_N_m
+                && !found.any_unresolved(self.model, *tolerance)
+            {
                 break;
             }
         }

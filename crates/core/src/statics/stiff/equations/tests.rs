@@ -23,7 +23,8 @@ fn bent_string() -> (StringInHole, State) {
     let operation = Operation::trip_out(30.0);
     let soft = soft_string(&model, &operation).expect("a soft string");
     let mesh = Mesh::uniform(&model.string, 3.0);
-    let string = StringInHole::new(&model, &operation, &StiffSettings::default(), &mesh, &soft);
+    let mut string = StringInHole::new(&model, &operation, &StiffSettings::default(), &mesh, &soft);
+    string.hang(|_| false);
     let mut state = State::centred(&string);
     let mut random = Random::new(5);
     let step: Vec<Entry> = (0..string.nodes.len())

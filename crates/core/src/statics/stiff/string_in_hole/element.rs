@@ -21,6 +21,16 @@ use crate::{
     wall::Bore,
 };
 
+/// Fixed-end moments of the loads between the nodes of an element, N·m.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in super::super) struct Couples {
+    /// Of its buoyed weight `q` per length across its chord, `q L²/12`.
+    pub(in super::super) hanging_N_m: Vector3<f64>,
+    /// Of weight and wall where its body lies along the hole: together they balance the tension in
+    /// the hole's curvature, `−T κ L²/12`.
+    pub(in super::super) lying_N_m: Vector3<f64>,
+}
+
 /// An element between a node and the next.
 #[derive(Debug, Clone)]
 pub(in super::super) struct Element {
@@ -40,6 +50,10 @@ pub(in super::super) struct Element {
     pub(in super::super) bend: Option<Vector3<f64>>,
     /// How far its body may go from the hole's axis half-way, m.
     pub(in super::super) body_clearance_m: f64,
+    /// Loads on its upper director, N·m, reversed on the lower one: what acts between its nodes.
+    pub(in super::super) couples: Couples,
+    /// Whether it hangs between its nodes, off the wall.
+    pub(in super::super) hangs: bool,
 }
 
 impl Element {
@@ -48,6 +62,11 @@ impl Element {
         let [b1, b2] = heading.across;
         let parts = self.bend.unwrap_or_else(Vector3::z);
         b1 * parts.x + b2 * parts.y + heading.along * parts.z
+    }
+
+    /// The load on its upper director of what acts between its nodes, N·m.
+    pub(in super::super) fn couple_N_m(&self) -> Vector3<f64> {
+        if self.hangs { self.couples.hanging_N_m } else { self.couples.lying_N_m }
     }
 }
 
@@ -76,6 +95,8 @@ pub(super) fn between(
             mud_torque_N_m: of.length_m * flow.torque_N_m_per_m,
             bend: None,
             body_clearance_m: bore.smooth_radius_m(middle_m) - 0.5 * of.section.od_m,
+            couples: Couples::default(),
+            hangs: true,
         }
     };
     pairs.map(element).collect()

@@ -2,7 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::node::Node;
+use super::{
+    element::{Couples, Element},
+    node::Node,
+};
 use crate::{model::Model, rod::mesh::Mesh, statics::circulation::Circulating};
 
 /// Adds the buoyed weight of the elements and the pull of the mud to the nodes at their ends.
@@ -19,6 +22,26 @@ pub(super) fn add_weight(
             // A pull that adds to hook load points to the bit.
             node.load_N += Vector3::z() * weight_N + node.axes[2] * pull_N;
         }
+    }
+}
+
+/// Gives each element the fixed-end moments of what acts between its nodes.
+pub(super) fn add_couples(
+    elements: &mut [Element],
+    nodes: &[Node],
+    mesh: &Mesh,
+    mud_kg_per_m3: f64,
+) {
+    for (index, (element, cut)) in elements.iter_mut().zip(&mesh.elements).enumerate() {
+        let part_m = cut.length_m / 12.0;
+        let weight_N = cut.section.buoyed_weight_N_per_m(mud_kg_per_m3) * cut.length_m;
+        let chord = element.anchor_chord_m.normalize();
+        let across = Vector3::z() - chord * chord.z;
+        let turn = nodes[index + 1].axes[2] - nodes[index].axes[2];
+        element.couples = Couples {
+            hanging_N_m: across * (weight_N * part_m),
+            lying_N_m: turn * (-element.guess_N * part_m),
+        };
     }
 }
 

@@ -18,6 +18,9 @@ use crate::{
 pub(super) use element::Element;
 pub(super) use node::Node;
 
+/// How much farther than the body a node of a joint or a blade stands out, m.
+pub(super) const STANDS_OUT_M: f64 = 1e-4;
+
 /// The string in its hole.
 #[derive(Debug, Clone)]
 pub(super) struct StringInHole {
@@ -53,17 +56,39 @@ impl StringInHole {
         let high_rad = high_side_rad(model, &nodes);
         element::bend(&mut elements, model, mesh, high_rad);
         load::add_weight(&mut nodes, mesh, &circulating, model.mud.density_kg_per_m3);
+        if !settings.lumped_weight {
+            load::add_couples(&mut elements, &nodes, mesh, model.mud.density_kg_per_m3);
+        }
         let jet_N = hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
         load::add_pull(&mut nodes, operation.tension_at_bit_N() - jet_N);
         load::add_lateral(&mut nodes, model, mesh, high_rad);
-        Self {
+        let mut string = Self {
             nodes,
             elements,
             ends: model.ends,
             bit_torque_N_m: operation.bit_torque_now_N_m(),
             hydraulics,
             circulating,
+        };
+        string.hang(|_| true);
+        string
+    }
+
+    /// Marks the elements that hang between their nodes: all but those whose body touches the wall at
+    /// both ends. `touches` is the contact of a node; returns whether any element
+    /// changed.
+    pub(super) fn hang(&mut self, touches: impl Fn(usize) -> bool) -> bool {
+        let mut changed = false;
+        for index in 0..self.elements.len() {
+            let body = self.elements[index].body_clearance_m;
+            let lies = [index, index + 1].into_iter().all(|node| {
+                let of = &self.nodes[node];
+                touches(node) && of.has_wall() && of.clearance_m > body - STANDS_OUT_M
+            });
+            changed |= self.elements[index].hangs == lies;
+            self.elements[index].hangs = !lies;
         }
+        changed
     }
 
     /// Mean weight of a node over its mean clearance, N/m: the elastic foundation on which a pipe
