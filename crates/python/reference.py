@@ -13,7 +13,7 @@ from typing import Any
 
 import wholestring as ws
 
-# It has no types of its own.
+# The package has no types.
 NumpyDocString: Any = import_module("numpydoc.docscrape").NumpyDocString
 
 PAGE = Path(__file__).parents[2] / "docs/src/python-reference.md"
@@ -21,8 +21,8 @@ PAGE = Path(__file__).parents[2] / "docs/src/python-reference.md"
 HEAD = """\
 # Python, name by name
 
-Written from the docstrings of the package by `crates/python/reference.py`; a test holds this page
-to them. [Python](python.md) says how to begin.
+Generated from the docstrings of the package by `crates/python/reference.py`; a test compares this
+page with them. Start with [Python](python.md).
 """
 
 GROUPS: dict[str, tuple[str, ...]] = {
@@ -34,25 +34,25 @@ GROUPS: dict[str, tuple[str, ...]] = {
 
 
 def public() -> Iterator[tuple[str, Any]]:
-    """Give the public names of the package and of its figures, with what they are."""
-    for name in sorted(ws.__all__, key=lambda of: (of[0].islower(), of.lower())):
-        of = getattr(ws, name)
-        if inspect.isclass(of) or inspect.isfunction(of):
-            yield f"wholestring.{name}", of
+    """Return the public names of the package and of its figures, with their objects."""
+    for name in sorted(ws.__all__, key=lambda key: (key[0].islower(), key.lower())):
+        item = getattr(ws, name)
+        if inspect.isclass(item) or inspect.isfunction(item):
+            yield f"wholestring.{name}", item
     for name in sorted(ws.plot.__all__):
-        of = getattr(ws.plot, name)
-        if inspect.isfunction(of):
-            yield f"wholestring.plot.{name}", of
+        item = getattr(ws.plot, name)
+        if inspect.isfunction(item):
+            yield f"wholestring.plot.{name}", item
 
 
-def members(of: type) -> Iterator[tuple[str, Any]]:
-    """Give the public methods and properties of a class, those of its private bases too."""
-    bases = [base for base in reversed(of.__mro__) if base is of or _is_private(base)]
+def members(kind: type) -> Iterator[tuple[str, Any]]:
+    """Return the public methods and properties of a class and of its private bases."""
+    bases = [base for base in reversed(kind.__mro__) if base is kind or _is_private(base)]
     names = dict.fromkeys(name for base in bases for name in vars(base))
     for name in names:
         if name.startswith("_"):
             continue
-        member = inspect.getattr_static(of, name)
+        member = inspect.getattr_static(kind, name)
         if isinstance(member, classmethod | staticmethod):
             yield name, member.__func__
         elif isinstance(member, property) or inspect.isfunction(member):
@@ -60,32 +60,32 @@ def members(of: type) -> Iterator[tuple[str, Any]]:
 
 
 def page() -> str:
-    """Give the page."""
+    """Return the page."""
     parts = [HEAD]
-    for name, of in public():
+    for name, item in public():
         parts.append(f"## `{name}`\n")
-        parts.append(_entry(name.rsplit(".", 1)[-1], of))
-        if not inspect.isclass(of):
+        parts.append(_entry(name.rsplit(".", 1)[-1], item))
+        if not inspect.isclass(item):
             continue
-        bases = [base.__name__ for base in of.__mro__[1:] if base.__name__ in ws.__all__]
+        bases = [base.__name__ for base in item.__mro__[1:] if base.__name__ in ws.__all__]
         if bases:
-            parts.append(f"All of `{bases[0]}` besides.\n")
-        properties = [(at, one) for at, one in members(of) if isinstance(one, property)]
+            parts.append(f"Also all members of `{bases[0]}`.\n")
+        properties = [(at, one) for at, one in members(item) if isinstance(one, property)]
         if properties:
-            parts.append("| attribute | is |\n|---|---|")
+            parts.append("| attribute | meaning |\n|---|---|")
             parts.extend(f"| `{at}` | {_row(one)} |" for at, one in properties)
             parts.append("")
-        for at, one in members(of):
+        for at, one in members(item):
             if not isinstance(one, property):
                 parts.append(f"### `{name.rsplit('.', 1)[-1]}.{at}`\n")
                 parts.append(_entry(at, one))
     return "\n".join(parts).rstrip() + "\n"
 
 
-def _entry(name: str, of: Any) -> str:
-    doc: Any = NumpyDocString(inspect.getdoc(of) or "")
+def _entry(name: str, item: Any) -> str:
+    doc: Any = NumpyDocString(inspect.getdoc(item) or "")
     parts: list[str] = []
-    signature = _signature(name, of)
+    signature = _signature(name, item)
     if signature:
         parts.append(f"```python\n{signature}\n```\n")
     parts.append(_prose("\n".join(doc["Summary"])) + "\n")
@@ -104,39 +104,39 @@ def _entry(name: str, of: Any) -> str:
     return "\n".join(parts)
 
 
-def _signature(name: str, of: Any) -> str:
-    if inspect.isclass(of) and issubclass(of, BaseException):
+def _signature(name: str, item: Any) -> str:
+    if inspect.isclass(item) and issubclass(item, BaseException):
         return ""
     try:
-        signature = inspect.signature(of)
+        signature = inspect.signature(item)
     except (TypeError, ValueError):
         return ""
-    if inspect.isclass(of):
+    if inspect.isclass(item):
         own = ("core", "data", "place")
         private = [at for at in signature.parameters if at in own or at.startswith("_")]
-        if private or getattr(of, "_is_protocol", False):
+        if private or getattr(item, "_is_protocol", False):
             return ""
-    kept = [one for at, one in signature.parameters.items() if at not in ("self", "cls")]
-    given = ", ".join(_parameters(kept))
+    parameters = [one for at, one in signature.parameters.items() if at not in ("self", "cls")]
+    listed = ", ".join(_parameters(parameters))
     gives = "" if signature.return_annotation is signature.empty else signature.return_annotation
-    end = f" -> {gives}" if gives and not inspect.isclass(of) else ""
-    whole = f"{name}({given}){end}"
+    end = f" -> {gives}" if gives and not inspect.isclass(item) else ""
+    whole = f"{name}({listed}){end}"
     if len(whole) > 100:
-        given = ",\n    ".join(_parameters(kept))
-        whole = f"{name}(\n    {given},\n){end}"
+        listed = ",\n    ".join(_parameters(parameters))
+        whole = f"{name}(\n    {listed},\n){end}"
     return whole
 
 
-def _parameters(kept: list[inspect.Parameter]) -> list[str]:
-    made: list[str] = []
+def _parameters(parameters: list[inspect.Parameter]) -> list[str]:
+    parts: list[str] = []
     starred = False
-    for one in kept:
+    for one in parameters:
         text = one.name
-        # A named tuple wraps what is written.
+        # A named tuple wraps the annotation.
         written = getattr(one.annotation, "__forward_arg__", one.annotation)
         typed = "" if written is one.empty else f": {written}"
         if one.kind is one.KEYWORD_ONLY and not starred:
-            made.append("*")
+            parts.append("*")
             starred = True
         if one.kind is one.VAR_POSITIONAL:
             text = f"*{text}{typed}"
@@ -148,32 +148,32 @@ def _parameters(kept: list[inspect.Parameter]) -> list[str]:
             text = f"{text}{typed}{equals}{one.default!r}"
         else:
             text = f"{text}{typed}"
-        made.append(text)
-        following = kept[len([of for of in made if of not in ("*", "/")]) :]
+        parts.append(text)
+        following = parameters[len([part for part in parts if part not in ("*", "/")]) :]
         if one.kind is one.POSITIONAL_ONLY and (
             not following or following[0].kind is not one.POSITIONAL_ONLY
         ):
-            made.append("/")
-    return made
+            parts.append("/")
+    return parts
 
 
 def _item(row: Any) -> str:
     name = row.name or row.type
-    said = _prose("\n".join(row.desc)).replace("\n", "\n  ")
-    return f"- `{name}`: {said}" if said else f"- `{name}`"
+    text = _prose("\n".join(row.desc)).replace("\n", "\n  ")
+    return f"- `{name}`: {text}" if text else f"- `{name}`"
 
 
-def _row(of: property) -> str:
-    doc: Any = NumpyDocString(inspect.getdoc(of.fget) or "")
+def _row(item: property) -> str:
+    doc: Any = NumpyDocString(inspect.getdoc(item.fget) or "")
     parts = [_prose("\n".join(doc[section])) for section in ("Summary", "Extended Summary")]
     for raised in doc["Raises"]:
-        said = _prose("\n".join(raised.desc))
-        parts.append(f"Raises `{raised.type}` {said[:1].lower()}{said[1:]}")
+        text = _prose("\n".join(raised.desc))
+        parts.append(f"Raises `{raised.type}` {text[:1].lower()}{text[1:]}")
     return " ".join(filter(None, parts)).replace("\n", " ").replace("|", "\\|")
 
 
 def _prose(text: str) -> str:
-    """Give a docstring's text as Markdown."""
+    """Return the text of a docstring as Markdown."""
     text = re.sub(r":(?:class|meth|attr|func|mod):`~?([^`]+)`", r"`\1`", text)
     text = text.replace("``", "`")
     blocks: list[str] = []
@@ -188,7 +188,7 @@ def _prose(text: str) -> str:
 
 
 def _code(example: str) -> str:
-    """Give an example's code with what it gives as comments, and its prose as comments too."""
+    """Return the code of an example, with its output and its prose as comments."""
     lines: list[str] = []
     for line in example.splitlines():
         if line.startswith(">>> ") or line.startswith("... "):
@@ -201,19 +201,19 @@ def _code(example: str) -> str:
 
 
 def _is_private(base: type) -> bool:
-    """Tell whether a base is the package's and has no entry of its own."""
+    """Return whether a base class is private to the package, without an entry of its own."""
     return base.__module__.startswith("wholestring") and base.__name__ not in ws.__all__
 
 
 def main() -> int:
-    """Write the page, or say that it is not what the docstrings make of it."""
-    made = page()
+    """Write the page, or print that it differs from the docstrings."""
+    text = page()
     if os.environ.get("WHOLESTRING_UPDATE_DOCS") == "1":
-        PAGE.write_text(made, encoding="utf-8")
+        PAGE.write_text(text, encoding="utf-8")
         return 0
-    there = PAGE.read_text(encoding="utf-8") if PAGE.is_file() else ""
-    if there != made:
-        print(f"{PAGE} is not what the docstrings say: WHOLESTRING_UPDATE_DOCS=1 writes it")
+    current = PAGE.read_text(encoding="utf-8") if PAGE.is_file() else ""
+    if current != text:
+        print(f"{PAGE} differs from the docstrings: WHOLESTRING_UPDATE_DOCS=1 writes it")
         return 1
     return 0
 

@@ -1,4 +1,4 @@
-// The page's colours from where the program declares them: `import "virtual:palette.css"`.
+// The colours of the page, from their declaration in the program: `import "virtual:palette.css"`.
 import { readFileSync } from "node:fs";
 
 const DECLARED = new URL("../../crates/report/src/draw/palette.rs", import.meta.url);
@@ -7,7 +7,7 @@ const LINE = /^\s*colour\("([\w-]+)", 0x([0-9a-f]{6}), 0x([0-9a-f]{6})\),$/gm;
 /** Custom properties, light and dark. */
 export function paletteCss() {
   const colours = [...readFileSync(DECLARED, "utf8").matchAll(LINE)];
-  if (colours.length < 20) throw new Error(`${DECLARED.pathname} declares ${colours.length} colours: is its form another?`);
+  if (colours.length < 20) throw new Error(`${DECLARED.pathname} declares ${colours.length} colours: has its form changed?`);
   const properties = (place) => colours.map((colour) => `--${colour[1]}:#${colour[place]};`).join("");
   return `:root{${properties(2)}color-scheme:light}\n:root[data-theme=dark]{${properties(3)}color-scheme:dark}\n`;
 }

@@ -1,4 +1,4 @@
-// Bundles the page that needs no server of its own into target/playground, with the engine in WebAssembly, whose file is the argument.
+// Bundles the page without a server into target/playground, with the engine in WebAssembly, whose file is the argument.
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -10,7 +10,7 @@ const folder = fileURLToPath(new URL("../../target/playground/", import.meta.url
 process.chdir(fileURLToPath(new URL(".", import.meta.url)));
 await build({ mode: "alone", logLevel: "warn" });
 const bytes = readFileSync(engine);
-// Compressed here: not every server of files compresses.
+// Compressed here, because not every file server compresses.
 writeFileSync(`${folder}engine.bin`, gzipSync(bytes, { level: 9 }));
 
 const kB = (bytes) => (bytes / 1024).toFixed(0).padStart(6);

@@ -3,10 +3,10 @@ import { defineConfig } from "vite";
 import { fileURLToPath } from "node:url";
 import { palette } from "./palette.plugin.mjs";
 
-// The address of a served app, for `npm run dev`: what it prints at its start.
+// The address of a served app, for `npm run dev`: the one printed at its start.
 const served = process.env.WHOLESTRING_APP ?? "http://127.0.0.1:8480";
 
-// The components that the report's pages share have no packages of their own: theirs are those of this folder.
+// The components shared with the pages of reports have no packages of their own: they use those of this folder.
 const here = fileURLToPath(new URL("index.html", import.meta.url));
 const packagesOfComponents = {
   name: "packages-of-components",
@@ -19,7 +19,7 @@ const packagesOfComponents = {
   },
 };
 
-/** Whom the page asks, by the mode of the build: `alone`, an engine of its own, else the server that has served it. */
+/** Module for requests of the page, by the mode of the build: `alone`, its own engine, otherwise the server. */
 const asked = (mode) => fileURLToPath(new URL(`src/${mode === "alone" ? "alone" : "served"}/asked.ts`, import.meta.url));
 
 export default defineConfig(({ mode }) => ({

@@ -1,4 +1,4 @@
-// The bottom-hole assembly in its hole, from the side and from above, drawn wider than it is.
+// The bottom-hole assembly in its hole, from the side and from above, with exaggerated width.
 
 import { type Place, valueAt } from "./curve.ts";
 import { svg } from "./dom.ts";
@@ -30,18 +30,18 @@ export interface AssemblyAtRest {
   };
 }
 
-/** Half of what a view shows over the radius of the hole. */
+/** Half of the height of a view over the radius of the hole. */
 const AROUND = 1.6;
-/** Part of a contact force from which it is marked in a plane. */
+/** Component of a contact force in a plane above which it is marked, as a part of the force. */
 const SEEN = 0.1;
-/** Most forces that are written into a view. */
+/** Largest number of forces written into a view. */
 const NAMED = 6;
 
 const [LEFT, RIGHT, TOP, GAP, VIEW, BOTTOM] = [58, 10, 20, 30, 118, 34];
 
 /**
- * How far from the bit the views go, m: a little above its collars, below the jointed pipe, where it has any; its end
- * otherwise.
+ * Upper end of the views, m from the bit: a little above the collars and below the jointed pipe, if there is any;
+ * otherwise the end of the assembly.
  */
 export function viewedTo(assembly: AssemblyAtRest): number {
   const jointed = assembly.parts.find((part) => part.joint_od_m !== null)?.from_bit_m ?? 0;
@@ -49,7 +49,7 @@ export function viewedTo(assembly: AssemblyAtRest): number {
   return Math.min(1.1 * Math.min(collars, assembly.length_m), assembly.axis.from_bit_m.at(-1) ?? 0);
 }
 
-/** Where a view stands in the picture: what it looks at, its middle and its two scales. */
+/** Position of a view in the picture: its plane, its middle and its two scales. */
 interface View {
   side: 0 | 1;
   offset: readonly number[];
@@ -60,7 +60,7 @@ interface View {
 
 const points = (places: readonly Pair[]): string => places.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L");
 
-/** A stretch of the string with a diameter, along the string's axis. */
+/** A section of the string with a diameter, along the axis of the string. */
 function body(assembly: AssemblyAtRest, view: View, from: number, to: number, od: number, look: string): SVGElement[] {
   const end = Math.min(to, view.to);
   if (end <= from) return [];
@@ -87,20 +87,20 @@ function walls(assembly: AssemblyAtRest, view: View, half: number): SVGElement[]
   });
 }
 
-/** Contacts on the side of the wall that they press in this plane, the largest with their forces. */
+/** Contacts on the side of the wall that they press in this plane; the largest with their forces. */
 function touches(assembly: AssemblyAtRest, view: View): SVGElement[] {
   const { from_bit_m, hole_radius_m } = assembly.axis;
   const seen = assembly.contacts
-    .map((of) => ({ of, at: (of.from_bit_m[0] + of.from_bit_m[1]) / 2, force: of.force_N[view.side] }))
-    .filter(({ of, at, force }) => at <= view.to && Math.abs(force) >= SEEN * Math.hypot(...of.force_N) && force !== 0)
+    .map((contact) => ({ contact, at: (contact.from_bit_m[0] + contact.from_bit_m[1]) / 2, force: contact.force_N[view.side] }))
+    .filter(({ contact, at, force }) => at <= view.to && Math.abs(force) >= SEEN * Math.hypot(...contact.force_N) && force !== 0)
     .sort((a, b) => Math.abs(b.force) - Math.abs(a.force));
   let taken: [number, number][] = [];
-  return seen.flatMap(({ of, at, force }, rank) => {
+  return seen.flatMap(({ contact, at, force }, rank) => {
     const side = Math.sign(force);
     const [x, y] = [view.x(at), view.y(side * valueAt(from_bit_m, hole_radius_m, at))];
     // Screen coordinates grow downwards: towards the high side is up.
     const mark = svg("path", { d: `M${x} ${y}l-4.5 ${-side * 8}h9Z`, class: "touch" });
-    mark.append(svg("title", {}, `${of.name}, ${of.touching}: ${quantity(Math.abs(force), "force", 3)}`));
+    mark.append(svg("title", {}, `${contact.name}, ${contact.touching}: ${quantity(Math.abs(force), "force", 3)}`));
     const text = quantity(Math.abs(force), "force", 3);
     const wide = 3.4 * text.length;
     const free = taken.every(([left, right]) => x + wide < left || x - wide > right);
@@ -113,7 +113,7 @@ function touches(assembly: AssemblyAtRest, view: View): SVGElement[] {
 
 function view(assembly: AssemblyAtRest, side: 0 | 1, top: number, width: number, to: number, half: number): SVGElement[] {
   const wide = width - LEFT - RIGHT;
-  const of: View = {
+  const frame: View = {
     side,
     offset: side === 0 ? assembly.axis.offset_high_m : assembly.axis.offset_right_m,
     x: (at) => LEFT + (at / to) * wide,
@@ -121,36 +121,36 @@ function view(assembly: AssemblyAtRest, side: 0 | 1, top: number, width: number,
     to,
   };
   const clip = svg("svg", { x: LEFT, y: top, width: wide, height: VIEW, viewBox: `${LEFT} ${top} ${wide} ${VIEW}` });
-  clip.append(...walls(assembly, of, half));
-  for (const part of assembly.parts) clip.append(...body(assembly, of, part.from_bit_m, part.to_bit_m, part.od_m, "body"));
+  clip.append(...walls(assembly, frame, half));
+  for (const part of assembly.parts) clip.append(...body(assembly, frame, part.from_bit_m, part.to_bit_m, part.od_m, "body"));
   for (const { from_bit_m, to_bit_m, blades_m } of assembly.parts) {
     if (!blades_m) continue;
     const middle = (from_bit_m + to_bit_m) / 2;
-    clip.append(...body(assembly, of, middle - blades_m[1] / 2, middle + blades_m[1] / 2, blades_m[0], "blades"));
+    clip.append(...body(assembly, frame, middle - blades_m[1] / 2, middle + blades_m[1] / 2, blades_m[0], "blades"));
   }
-  const axis = assembly.axis.from_bit_m.flatMap((at, i): Pair[] => (at <= to ? [[of.x(at), of.y(of.offset[i] ?? NaN)]] : []));
+  const axis = assembly.axis.from_bit_m.flatMap((at, i): Pair[] => (at <= to ? [[frame.x(at), frame.y(frame.offset[i] ?? NaN)]] : []));
   clip.append(svg("path", { d: `M${points(axis)}`, class: "string-axis" }));
   for (const at of assembly.sensors_m)
-    if (at <= to) clip.append(svg("line", { x1: of.x(at), x2: of.x(at), y1: top, y2: top + VIEW, class: "chosen" }));
+    if (at <= to) clip.append(svg("line", { x1: frame.x(at), x2: frame.x(at), y1: top, y2: top + VIEW, class: "chosen" }));
   for (const { bend_m } of assembly.parts) {
     if (bend_m === null || bend_m > to) continue;
-    const [x, y] = [of.x(bend_m), of.y(valueAt(assembly.axis.from_bit_m, of.offset, bend_m))];
+    const [x, y] = [frame.x(bend_m), frame.y(valueAt(assembly.axis.from_bit_m, frame.offset, bend_m))];
     clip.append(svg("path", { d: `M${x} ${y - 5}l5 5l-5 5l-5 -5Z`, class: "bend" }, svg("title", {}, "bend")));
   }
-  clip.append(...touches(assembly, of));
+  clip.append(...touches(assembly, frame));
   const scale: Interval = [shown(-half, "diameter"), shown(half, "diameter")];
   const marks = ticks(scale[0], scale[1], 4);
   return [
     svg("text", { x: LEFT, y: top - 6, class: "title" }, side === 0 ? "From the side, high side up" : "From above, right side up"),
     ...marks.values.map((value) =>
-      svg("text", { x: LEFT - 6, y: of.y(si(value, "diameter")) + 4, class: "tick end" }, tickText(value, marks.step)),
+      svg("text", { x: LEFT - 6, y: frame.y(si(value, "diameter")) + 4, class: "tick end" }, tickText(value, marks.step)),
     ),
     clip,
     svg("rect", { x: LEFT, y: top, width: wide, height: VIEW, class: "frame" }),
   ];
 }
 
-/** Both views, so wide in pixels. */
+/** Both views, for a width in pixels. */
 export function assemblyViews(assembly: AssemblyAtRest, width: number): SVGSVGElement {
   const to = viewedTo(assembly);
   const radii = assembly.axis.hole_radius_m.filter((_, i) => (assembly.axis.from_bit_m[i] ?? Infinity) <= to);

@@ -15,14 +15,14 @@ export interface Path {
   high: readonly [ArrayLike<number>, ArrayLike<number>, ArrayLike<number>];
 }
 
-/** A place on the path, and the directions to the high side and to the right. */
+/** A position on the path, and the directions to the high side and to the right. */
 export interface Spot {
   place: Vector;
   high: Vector;
   right: Vector;
 }
 
-/** Places along the path, in the scene's axes. */
+/** Positions along the path, in the axes of the scene. */
 export class Course {
   readonly well: Path;
 
@@ -30,14 +30,14 @@ export class Course {
     this.well = well;
   }
 
-  /** What is at a depth. */
+  /** Position and directions at a depth. */
   at(depth: number): Spot {
     const { md_m, north_m, east_m, tvd_m, high } = this.well;
     const next = Math.min(Math.max(below(md_m, depth), 1), md_m.length - 1);
-    const of = (values: ArrayLike<number>, index: number): number => values[index] as number;
-    const part = (depth - of(md_m, next - 1)) / (of(md_m, next) - of(md_m, next - 1) || 1);
-    const step = (values: ArrayLike<number>): number => of(values, next) - of(values, next - 1);
-    const mix = (values: ArrayLike<number>): number => of(values, next - 1) + part * step(values);
+    const entry = (values: ArrayLike<number>, index: number): number => values[index] as number;
+    const part = (depth - entry(md_m, next - 1)) / (entry(md_m, next) - entry(md_m, next - 1) || 1);
+    const step = (values: ArrayLike<number>): number => entry(values, next) - entry(values, next - 1);
+    const mix = (values: ArrayLike<number>): number => entry(values, next - 1) + part * step(values);
     const up = unit([mix(high[1]), -mix(high[2]), -mix(high[0])]);
     const along = unit([step(east_m), -step(tvd_m), -step(north_m)]);
     return { place: [mix(east_m), -mix(tvd_m), -mix(north_m)], high: up, right: unit(cross(along, up)) };
@@ -50,7 +50,7 @@ const unit = ([x, y, z]: Vector): Vector => {
 };
 const cross = (a: Vector, b: Vector): Vector => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-/** A tube of rings, each with a place, two directions across and a radius; its colours may change. */
+/** A tube of rings, each with a position, two directions across and a radius; its colours may change. */
 export class Tube extends BufferGeometry {
   readonly rings: number;
   readonly sides: number;

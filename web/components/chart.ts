@@ -1,4 +1,4 @@
-// What every chart of curves or points has alike.
+// Common parts of all charts of curves or points.
 
 import type uPlot from "uplot";
 import { colour } from "./palette.ts";
@@ -7,13 +7,13 @@ import { digits, grouped, shown } from "./units.ts";
 
 const number = (value: number): string => grouped(String(Number(value.toFixed(6))));
 
-/** Width on paper, where two charts stand side by side. */
+/** Width on paper, with two charts side by side. */
 const PAPER = 364;
 
-/** As wide as what holds the chart, or as paper. */
+/** Width of the element with the chart, or of paper. */
 export const widthOf = (body: HTMLElement): number => (isPrinting() ? PAPER : Math.max(body.clientWidth, 200));
 
-/** The axis below a chart, with its label, and the one beside it. */
+/** The horizontal axis of a chart, with its label, and the vertical one. */
 export function axes(label: string): uPlot.Axis[] {
   const axis: uPlot.Axis = {
     stroke: colour("muted"),
@@ -38,8 +38,8 @@ export const LEGEND: uPlot.Legend = {
   markers: {
     width: 2,
     stroke: (plot, i) => {
-      const given = plot.series[i]?.stroke;
-      const stroke = typeof given === "function" ? given(plot, i) : given;
+      const source = plot.series[i]?.stroke;
+      const stroke = typeof source === "function" ? source(plot, i) : source;
       return typeof stroke === "string" ? stroke : "";
     },
     dash: (plot, i) => {
@@ -50,7 +50,7 @@ export const LEGEND: uPlot.Legend = {
   },
 };
 
-/** The interval with air, no shorter than the quantity's least span, SI: what hardly moves is not blown up to drama. */
+/** The interval with margins, no shorter than the least span of the quantity, SI, so that nearly constant curves look flat. */
 export function air(low: number | null, high: number | null, dimension: string, least: number): [number, number] {
   if (low === null || high === null) return [0, 1];
   const span = Math.max(high - low, shown(least, dimension));

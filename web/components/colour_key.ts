@@ -1,11 +1,11 @@
-// What the colours of a view mean.
+// Colour key of a view.
 
 import { el } from "./dom.ts";
 import type { ColourScale } from "./palette.ts";
 import { type Interval, ticks, tickText } from "./ticks.ts";
 import { shown } from "./units.ts";
 
-/** The words over a ramp of colours from the one end of a range to the other, and round numbers below it. */
+/** A title, a ramp of colours over a range, and round numbers below it. */
 export function colourKey(words: string, dimension: string, range: Interval, scale: ColourScale): HTMLElement[] {
   const stops = Array.from({ length: 21 }, (_, i) => `rgb(${scale(i / 20).join(" ")}) ${i * 5}%`);
   const [low, high] = [shown(range[0], dimension), shown(range[1], dimension)];

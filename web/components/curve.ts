@@ -1,15 +1,15 @@
-// A column against depth as a path, with no more points than pixels can show.
+// A column against depth as a path, with no more points than the pixels resolve.
 
 import type { Interval } from "./ticks.ts";
 
-/** Numbers of a column, from the surface down; what is missing is NaN. */
+/** Numbers of a column, from the surface down; NaN for missing ones. */
 export type Column = Float32Array | Float64Array | number[];
 
-/** Where a value stands along an axis, pixels. */
+/** Position of a value along an axis, pixels. */
 export type Place = (value: number) => number;
 
-/** A number at an index that is there. */
-const of = (column: ArrayLike<number>, index: number): number => column[index] as number;
+/** The number at an existing index. */
+const entry = (column: ArrayLike<number>, index: number): number => column[index] as number;
 
 /** First index whose depth is not above `depth`. */
 export function below(depths: ArrayLike<number>, depth: number): number {
@@ -17,13 +17,13 @@ export function below(depths: ArrayLike<number>, depth: number): number {
   let high = depths.length;
   while (low < high) {
     const middle = (low + high) >> 1;
-    if (of(depths, middle) < depth) low = middle + 1;
+    if (entry(depths, middle) < depth) low = middle + 1;
     else high = middle;
   }
   return low;
 }
 
-/** Indices that show between two depths, one more on either side. */
+/** Indices in view between two depths, with one more on either side. */
 export function inView(depths: ArrayLike<number>, [from, to]: Interval): [number, number] {
   return [Math.max(below(depths, from) - 1, 0), Math.min(below(depths, to) + 1, depths.length)];
 }
@@ -31,12 +31,12 @@ export function inView(depths: ArrayLike<number>, [from, to]: Interval): [number
 /** The value at a depth, between its neighbours. */
 export function valueAt(depths: ArrayLike<number>, values: ArrayLike<number>, depth: number): number {
   const last = depths.length - 1;
-  if (last < 0 || depth < of(depths, 0) - 1 || depth > of(depths, last) + 1) return NaN;
-  if (last === 0) return of(values, 0);
+  if (last < 0 || depth < entry(depths, 0) - 1 || depth > entry(depths, last) + 1) return NaN;
+  if (last === 0) return entry(values, 0);
   const next = Math.min(Math.max(below(depths, depth), 1), last);
-  const span = of(depths, next) - of(depths, next - 1);
-  const part = span > 0 ? Math.min(Math.max((depth - of(depths, next - 1)) / span, 0), 1) : 0;
-  return of(values, next - 1) + part * (of(values, next) - of(values, next - 1));
+  const span = entry(depths, next) - entry(depths, next - 1);
+  const part = span > 0 ? Math.min(Math.max((depth - entry(depths, next - 1)) / span, 0), 1) : 0;
+  return entry(values, next - 1) + part * (entry(values, next) - entry(values, next - 1));
 }
 
 /** Smallest and largest of the values in view. */
@@ -44,17 +44,17 @@ export function extent(depths: ArrayLike<number>, values: ArrayLike<number>, vie
   let [low, high] = [Infinity, -Infinity];
   const [first, end] = inView(depths, view);
   for (let i = first; i < end; i++) {
-    if (of(values, i) < low) low = of(values, i);
-    if (of(values, i) > high) high = of(values, i);
+    if (entry(values, i) < low) low = entry(values, i);
+    if (entry(values, i) > high) high = entry(values, i);
   }
   return [low, high];
 }
 
-/** A tenth of a pixel; `toFixed` takes several times as long. */
+/** Rounds to a tenth of a pixel; `toFixed` takes several times as long. */
 const tenth = (value: number): number => Math.round(10 * value) / 10;
 const point = (x: number, y: number): string => `${tenth(x)} ${tenth(y)}`;
 
-/** A path of the values in view; where several points fall on one row of pixels, the extremes of it. */
+/** A path of the values in view; only the extremes of several points in one row of pixels. */
 export function path(
   depths: ArrayLike<number>,
   values: ArrayLike<number>,
@@ -67,7 +67,7 @@ export function path(
   let text = "";
   let pen = "M";
   const add = (i: number): void => {
-    text += pen + point(x(of(values, i)), y(of(depths, i)));
+    text += pen + point(x(entry(values, i)), y(entry(depths, i)));
     pen = "L";
   };
   let i = first;
@@ -81,12 +81,12 @@ export function path(
       add(i++);
       continue;
     }
-    const row = Math.round(y(of(depths, i)));
+    const row = Math.round(y(entry(depths, i)));
     let [low, high, last] = [i, i, i];
-    while (last + 1 < end && Math.round(y(of(depths, last + 1))) === row && Number.isFinite(values[last + 1])) {
+    while (last + 1 < end && Math.round(y(entry(depths, last + 1))) === row && Number.isFinite(values[last + 1])) {
       last++;
-      if (of(values, last) < of(values, low)) low = last;
-      if (of(values, last) > of(values, high)) high = last;
+      if (entry(values, last) < entry(values, low)) low = last;
+      if (entry(values, last) > entry(values, high)) high = last;
     }
     for (const k of new Set([i, Math.min(low, high), Math.max(low, high), last])) add(k);
     i = last + 1;
@@ -108,15 +108,15 @@ export function area(
   const there = [];
   const back = [];
   for (let i = first; i < end; i += step) {
-    // Of rows that are left out the widest stays.
+    // The widest of the omitted rows is kept.
     let [low, high] = [Infinity, -Infinity];
     for (let k = i; k < Math.min(i + step, end); k++) {
-      if (of(lows, k) < low) low = of(lows, k);
-      if (of(highs, k) > high) high = of(highs, k);
+      if (entry(lows, k) < low) low = entry(lows, k);
+      if (entry(highs, k) > high) high = entry(highs, k);
     }
     if (!(low <= high)) continue;
-    there.push(point(x(high), y(of(depths, i))));
-    back.push(point(x(low), y(of(depths, i))));
+    there.push(point(x(high), y(entry(depths, i))));
+    back.push(point(x(low), y(entry(depths, i))));
   }
   return there.length > 1 ? `M${there.join("L")}L${back.reverse().join("L")}Z` : "";
 }
@@ -126,23 +126,23 @@ export function largestNear(depths: ArrayLike<number>, values: ArrayLike<number>
   const largest = new Float32Array(values.length);
   let from = 0;
   for (let i = 0; i < values.length; i++) {
-    while (of(depths, from) < of(depths, i) - reach) from++;
+    while (entry(depths, from) < entry(depths, i) - reach) from++;
     let high = -Infinity;
-    for (let k = from; k < values.length && of(depths, k) <= of(depths, i) + reach; k++)
-      high = Math.max(high, of(values, k));
+    for (let k = from; k < values.length && entry(depths, k) <= entry(depths, i) + reach; k++)
+      high = Math.max(high, entry(values, k));
     largest[i] = high;
   }
   return largest;
 }
 
-/** Of the rows within `reach` of each depth the one with the largest value: a joint, of what joints do. */
+/** The row with the largest value within `reach` of each depth, such as that of a joint. */
 export function rowOfLargest(depths: ArrayLike<number>, values: ArrayLike<number>, reach: number): Uint32Array {
   let [from, to] = [0, 0];
   return Uint32Array.from(values, (_, i) => {
-    while (of(depths, from) < of(depths, i) - reach) from++;
-    while (to < values.length && of(depths, to) <= of(depths, i) + reach) to++;
+    while (entry(depths, from) < entry(depths, i) - reach) from++;
+    while (to < values.length && entry(depths, to) <= entry(depths, i) + reach) to++;
     let row = from;
-    for (let k = from; k < to; k++) if (of(values, k) >= of(values, row)) row = k;
+    for (let k = from; k < to; k++) if (entry(values, k) >= entry(values, row)) row = k;
     return row;
   });
 }

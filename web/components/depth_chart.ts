@@ -1,4 +1,4 @@
-// Loads against the depth of the bit, which points down: a broomstick. Each line says at its end what it is.
+// Loads against the depth of the bit, which points down: a broomstick. Each line has its label at its end.
 
 import { extent, path, type Place, valueAt } from "./curve.ts";
 import { svg } from "./dom.ts";
@@ -12,23 +12,23 @@ import { quantity, shown, si, symbol } from "./units.ts";
 /** A line of a chart, SI. */
 export interface DepthLine {
   name: string;
-  /** What stands at its end; nothing where it is empty. */
+  /** Label at its end; none if empty. */
   end: string;
   depths: readonly number[];
   values: readonly number[];
   colour: string;
   dash?: Dash;
-  /** As it was before something was changed. */
+  /** Whether it is the curve before a change. */
   ghost?: boolean;
 }
 
-/** A load that must not be passed, SI. */
+/** A load that must not be exceeded, SI. */
 export interface LoadLimit {
   name: string;
   value: number;
 }
 
-/** What a chart shows. */
+/** Content of a chart. */
 export interface DepthChart {
   title: string;
   dimension: string;
@@ -36,9 +36,9 @@ export interface DepthChart {
   limits: readonly LoadLimit[];
   /** All depths. */
   depths: Interval;
-  /** The depth that the case has, m. */
+  /** Depth of the case, m. */
   now: number | null;
-  /** The least that the axis spans, SI. */
+  /** Least span of the axis, SI. */
   leastSpan: number;
 }
 
@@ -49,7 +49,7 @@ const ROW = 13;
 const ROWS = 4;
 const FOOT = 8 + ROW * ROWS;
 
-/** Names of the ends of lines in rows below the chart; of those that find no room the ones of a number alone go first. */
+/** Labels of the ends of lines in rows below the chart; without space, labels that are only a number are dropped first. */
 function endNames(lines: readonly DepthLine[], x: Place, box: Box): SVGElement[] {
   const rows: (readonly [from: number, to: number])[][] = Array.from({ length: ROWS }, () => []);
   const bottom = box.top + box.height;
@@ -83,7 +83,7 @@ function limitLine({ name, value }: LoadLimit, x: Place, box: Box): SVGElement[]
   ];
 }
 
-/** The chart, so wide and high in pixels. */
+/** The chart, for a width and height in pixels. */
 export function depthChart(chart: DepthChart, width: number, height: number): SVGSVGElement {
   const { title, dimension, lines, limits, depths, now } = chart;
   const box: Box = { left: AXIS, width: width - AXIS - 8, top: HEAD, height: height - HEAD - FOOT };
@@ -93,7 +93,7 @@ export function depthChart(chart: DepthChart, width: number, height: number): SV
   const high = Math.max(...ends.map((end) => end[1]));
   const range = domain(
     low,
-    // A limit that is far away would press the lines together: it shows where it is within reach.
+    // A distant limit would compress the lines, so it is drawn only if it is near.
     Math.max(high, ...limits.map(({ value }) => value).filter((value) => value < 1.6 * high)),
     false,
     si(1, dimension),
@@ -142,7 +142,7 @@ export function depthChart(chart: DepthChart, width: number, height: number): SV
   return picture;
 }
 
-/** The same numbers for those who do not see the lines: heads and rows at round depths. */
+/** The same numbers as a table for readers who cannot see the lines: headings and rows at round depths. */
 export function depthTable(chart: DepthChart): { heads: string[]; rows: string[][] } {
   const lines = chart.lines.filter((line) => !line.ghost);
   const [from, to] = chart.depths;

@@ -1,10 +1,10 @@
-// Elements in one line. Text is always set as text: no name in a report is ever read as HTML.
+// Creation of elements. Text is always set as text, so that no name in a report is parsed as HTML.
 
 const SVG = "http://www.w3.org/2000/svg";
 
-/** What listens to an event; which kind it is, the attribute's name says: `onclick`. */
+/** Listener of an event; the attribute name has its kind: `onclick`. */
 export type Listener = (event: never) => void;
-/** What an attribute may be: nothing leaves it out, true gives it without a value. */
+/** Value of an attribute: null or undefined omits it, true sets it without a value. */
 export type Attributes = Readonly<Record<string, string | number | boolean | null | undefined | Listener>>;
 export type Child = Node | string | number | false | null | undefined | readonly Child[];
 
@@ -19,7 +19,7 @@ function filled<E extends HTMLElement | SVGElement>(element: E, attributes: Attr
   for (const [name, value] of Object.entries(attributes)) {
     if (value === null || value === undefined || value === false) continue;
     if (typeof value === "function") element.addEventListener(name.slice(2), value as EventListener);
-    // As an attribute it would be refused where a policy forbids styles in the text of a page.
+    // As an attribute it would be refused under a policy that forbids inline styles.
     else if (name === "style") element.style.cssText = String(value);
     else element.setAttribute(name, value === true ? "" : String(value));
   }
@@ -43,7 +43,7 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   return filled(document.createElementNS(SVG, name), attributes, children);
 }
 
-/** A choice among a few, side by side: value, what stands on the button, and what it says aloud if that is another. */
+/** A choice among a few buttons: value, text of the button, and its accessible label if different. */
 export function choice(
   label: string,
   options: readonly (readonly [value: string, text: Child, label?: string | null])[],

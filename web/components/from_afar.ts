@@ -1,9 +1,9 @@
-// A curve that swings from joint to joint, seen from afar.
+// A curve that oscillates from joint to joint, at small scale.
 
 import { largestNear, rowOfLargest } from "./curve.ts";
 import type { TrackCurve } from "./track.ts";
 
-/** How far joints are apart, m, and from which part of the largest value on a difference is seen. */
+/** Distance between joints, m, and smallest visible difference as a part of the largest value. */
 export interface SwingRule {
   joint_reach_m: number;
   min_difference: number;
@@ -12,8 +12,8 @@ export interface SwingRule {
 const negative = (values: ArrayLike<number>): Float32Array => Float32Array.from(values, (value) => -value);
 
 /**
- * What is drawn of a curve from afar: its values at the joints, with their own band, and the least of what lies between
- * them where that is seen beside it.
+ * The form of a curve at small scale: its values at the joints with their own band, and the smallest values between
+ * them if they can be distinguished.
  */
 export function fromAfar({ depths, values, low, high }: TrackCurve, rule: SwingRule): Omit<TrackCurve, "depths"> {
   const { joint_reach_m, min_difference } = rule;

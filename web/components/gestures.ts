@@ -2,14 +2,14 @@
 
 import type { Interval } from "./ticks.ts";
 
-/** A pointer that has moved by less has only clicked, pixels. */
+/** Movement of a pointer below which it is a click, pixels. */
 const STILL = 4;
 
-/** Where depth is in a picture, and what becomes of it. */
+/** Position of the depth axis in a picture, and callbacks. */
 export interface DepthPicture {
-  /** Lies over `height` of the `total` units of `picture` from `head` down. */
+  /** Covers `height` of the `total` units of `picture` from `head` down. */
   cover: SVGElement;
-  /** Shows what is being chosen. */
+  /** Marks the interval being selected. */
   band: SVGElement;
   picture: SVGElement;
   head: number;
@@ -18,17 +18,17 @@ export interface DepthPicture {
   /** All depths, and those in view. */
   full: Interval;
   view: () => Interval;
-  /** Changes what is in view, within all of it. */
+  /** Changes the interval in view, within the full one. */
   zoom: (view: Interval) => void;
-  /** A depth is pointed at; null: none any more. */
+  /** Called with the depth at the pointer; null when the pointer leaves. */
   point: (depth: number | null) => void;
-  /** A depth is chosen. */
+  /** Called with a selected depth. */
   choose: (depth: number) => void;
 }
 
 /** Listens to the pointer. */
-export function listenToDepths(of: DepthPicture): void {
-  const { cover, band, picture, head, height, total, full, view, zoom, point, choose } = of;
+export function listenToDepths(options: DepthPicture): void {
+  const { cover, band, picture, head, height, total, full, view, zoom, point, choose } = options;
   const place = (depth: number): number => {
     const [from, to] = view();
     return head + ((depth - from) / (to - from)) * height;
@@ -41,14 +41,14 @@ export function listenToDepths(of: DepthPicture): void {
   };
   let begun: { depth: number; y: number } | null = null;
 
-  /** Moves the view until the pointer is let go; the picture under it is drawn anew meanwhile. */
+  /** Moves the view until the pointer is released; the picture is redrawn meanwhile. */
   function drag(begin: PointerEvent): void {
     const [from, to] = view();
     const perPixel = ((total / picture.getBoundingClientRect().height) * (to - from)) / height;
     const move = (event: PointerEvent): void => {
       const by = (begin.clientY - event.clientY) * perPixel;
-      const kept = Math.min(Math.max(by, full[0] - from), full[1] - to);
-      zoom([from + kept, to + kept]);
+      const shift = Math.min(Math.max(by, full[0] - from), full[1] - to);
+      zoom([from + shift, to + shift]);
     };
     addEventListener("pointermove", move);
     addEventListener("pointerup", () => removeEventListener("pointermove", move), { once: true });

@@ -1,18 +1,18 @@
-// Values so far from all others that an axis that reached them would flatten what it is about.
+// Values so far from all others that an axis that includes them would flatten the curves.
 
 import { inView, type Place } from "./curve.ts";
 import { svg } from "./dom.ts";
 import type { Interval } from "./ticks.ts";
 import { digits, shown } from "./units.ts";
 
-/** What is an outlier; the program that made the page says it. */
+/** Rule for outliers, from the program that made the page. */
 export interface OutlierRule {
   tail: number;
   times_as_long: number;
   fewest: number;
 }
 
-/** Where a track is in a picture. */
+/** Position of a track in a picture. */
 export interface Box {
   left: number;
   width: number;
@@ -21,9 +21,9 @@ export interface Box {
 }
 
 /**
- * The interval that an axis has to reach, without outliers, by the rule of all figures (`figure/outliers.rs`): the inner
- * interval holds all but the lowest and the highest `tail` of the values, and zero where the axis goes there; a value is an
- * outlier where it is further from the inner interval than `times_as_long` less one of its lengths.
+ * The interval that an axis must include, without outliers, by the rule of all figures (`figure/outliers.rs`): the inner
+ * interval contains all but the lowest and the highest `tail` of the values, and zero if the axis includes it; a value is
+ * an outlier if its distance from the inner interval is more than `times_as_long` minus one of its lengths.
  */
 export function withoutOutliers(values: readonly number[], zero: boolean, rule: OutlierRule): Interval {
   const { tail, times_as_long, fewest } = rule;
@@ -44,7 +44,7 @@ export function withoutOutliers(values: readonly number[], zero: boolean, rule: 
 const ARROW = 7;
 const HALF = 4;
 
-/** A curve that may go beyond its axis. */
+/** A curve that may exceed its axis. */
 export interface Reaching {
   depths: ArrayLike<number>;
   columns: readonly ArrayLike<number>[];
@@ -52,8 +52,8 @@ export interface Reaching {
 }
 
 /**
- * An arrow at the edge of a track for the outermost point of every run of points beyond it, and at the outermost of all its
- * value in numbers.
+ * An arrow at the edge of a track for the outermost point of every run of points beyond it, and the value of the
+ * outermost of all.
  */
 export function beyond(
   curves: readonly Reaching[],

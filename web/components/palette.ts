@@ -1,10 +1,10 @@
-// The page's colours, which the program that made it declares.
+// Colours of the page, declared by the program that made it.
 
 /** The value of a custom property of the page. */
 export const colour = (name: string): string =>
   getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
-/** The colour of a curve by its place. */
+/** The colour of a curve by its index. */
 export const line = (index: number): string => colour(`line-${index % 7}`);
 
 /** Red, green and blue, from 0 to 255. */
@@ -16,7 +16,7 @@ export function rgb(hex: string): Rgb {
   return [number >> 16, (number >> 8) & 255, number & 255];
 }
 
-/** Names of the colours from little to much, and from the low side over nothing to the high side. */
+/** Names of the colours from low to high values, and from the low side over zero to the high side. */
 const AMOUNTS = Array.from({ length: 10 }, (_, i) => `amount-${i}`);
 const SIDES = ["low-side-strong", "low-side", "middle", "high-side", "high-side-strong"];
 
@@ -32,10 +32,10 @@ function between(stops: readonly Rgb[], part: number): Rgb {
 /** Steps of a scale of colours. */
 const STEPS = 512;
 
-/** Gives a colour for a part from 0 to 1. */
+/** Returns a colour for a part from 0 to 1. */
 export type ColourScale = (part: number) => Rgb;
 
-/** A scale of colours. A signed one goes from the low side over nothing to the high side. */
+/** A scale of colours. A signed one ranges from the low side over zero to the high side. */
 export function colourScale(signed: boolean): ColourScale {
   const stops = (signed ? SIDES : AMOUNTS).map((name) => rgb(colour(name)));
   const table = Array.from({ length: STEPS + 1 }, (_, i) => between(stops, i / STEPS));

@@ -1,9 +1,9 @@
-// Whether the page is on its way to paper, which is light and of a width of its own.
+// Whether the page is being printed, on a light background and with its own width.
 
 let printing = false;
 
 addEventListener("beforeprint", () => (printing = true));
 addEventListener("afterprint", () => (printing = false));
 
-/** Whether what is drawn now goes to paper. */
+/** Whether the current drawing is for print. */
 export const isPrinting = (): boolean => printing;

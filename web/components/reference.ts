@@ -1,4 +1,4 @@
-// Signs by which to find one's way in space: depths along the well, and a box with vertical depth, north and east.
+// Reference marks in space: depths along the well, and a box with vertical depth, north and east.
 
 import {
   BufferGeometry,
@@ -26,14 +26,14 @@ export interface Bounds {
 /** East and south. */
 type Across = [number, number];
 
-/** Height of a label, of which its letters are three quarters, pixels. */
+/** Height of a label, pixels; its letters are three quarters of it. */
 const LETTERS = 17;
 
-/** Words that face the reader, so many pixels high; `anchor` is the part of them that lies left of their place. */
+/** Text that faces the viewer, with a height in pixels; `anchor` is the part of it left of its position. */
 export function label(text: string, place: Vector, high: number, ink = "text", anchor = 0.5): Sprite {
   const buffer = el("canvas", {});
   const pen = buffer.getContext("2d");
-  if (!pen) throw new Error("the browser gives no canvas to write on");
+  if (!pen) throw new Error("this browser does not support canvas drawing");
   const font = "600 44px system-ui, sans-serif";
   pen.font = font;
   buffer.width = Math.ceil(pen.measureText(text).width) + 8;
@@ -43,7 +43,7 @@ export function label(text: string, place: Vector, high: number, ink = "text", a
   pen.fillStyle = colour(ink);
   pen.fillText(text, 4, 30);
   const map = new CanvasTexture(buffer);
-  // Or its colours would be taken for linear ones, and pale.
+  // Otherwise its colours would be interpreted as linear, and look pale.
   map.colorSpace = SRGBColorSpace;
   const sprite = new Sprite(new SpriteMaterial({ map, depthTest: false, transparent: true }));
   sprite.position.set(...place);
@@ -72,7 +72,7 @@ export function bounds(course: Course, [from, to]: Interval): Bounds {
   return { low, high };
 }
 
-/** Corners, across, of the two walls of the box that lie behind the well to a reader who looks from there. */
+/** Horizontal corners of the two walls of the box behind the well, seen from a direction. */
 export function walls({ low, high }: Bounds, [x, , z]: Vector): [Across, Across, Across] {
   const [west, east] = x >= 0 ? ([low.x, high.x] as const) : ([high.x, low.x] as const);
   const [north, south] = z >= 0 ? ([low.z, high.z] as const) : ([high.z, low.z] as const);
@@ -83,7 +83,7 @@ export function walls({ low, high }: Bounds, [x, , z]: Vector): [Across, Across,
   ];
 }
 
-/** How far the well is from an edge of the box at a height, seen from the reader's side; endless where it does not pass. */
+/** Distance of the well from an edge of the box at a height, seen from the viewer; infinite if it does not pass. */
 function gap(
   course: Course,
   [from, to]: Interval,
@@ -100,12 +100,12 @@ function gap(
   return least;
 }
 
-/** The signs for the depths in view, beside a hole of this radius in the scene, to a reader who looks from there. */
+/** The marks for the depths in view, next to a hole of this radius in the scene, seen from a direction. */
 export function reference(course: Course, range: Interval, radius: number, from: Vector): (LineSegments | Sprite)[] {
   const box = bounds(course, range);
   const { low, high } = box;
   const [behind, one, other] = walls(box, from);
-  // What the reader sees to the left: up crosses the way to the reader to the right.
+  // Direction to the left of the view: the cross product of up and the direction to the viewer points right.
   const along = ([x, z]: Across): number => x * from[2] - z * from[0];
   const [left, right] = along(one) <= along(other) ? [one, other] : [other, one];
   const size = high.clone().sub(low).length();
@@ -127,7 +127,7 @@ export function reference(course: Course, range: Interval, radius: number, from:
     lines.push(...a, ...b);
   };
   const down = ticks(shown(-high.y, "length"), shown(-low.y, "length"), 5);
-  // Vertical depths stand to the left, or to the right where the well is much nearer to the left.
+  // Vertical depths are on the left, or on the right if the well is much nearer to the left.
   const near = (edge: Across): number => Math.min(...down.values.map((value) => gap(course, range, -si(value, "length"), along, edge)));
   const beside = near(right) > near(left) + 0.1 * size ? right : left;
   const levels = down.values.map((value) => {
@@ -142,7 +142,7 @@ export function reference(course: Course, range: Interval, radius: number, from:
   frame.setAttribute("position", new Float32BufferAttribute(lines, 3));
   return [
     new LineSegments(frame, new LineBasicMaterial({ color: colour("frame"), transparent: true, opacity: 0.35 })),
-    // Of labels that would lie on each other the first stays.
+    // Of overlapping labels the first is kept.
     label("N", [(low.x + high.x) / 2, high.y, low.z - 0.04 * size], LETTERS + 2),
     label("E", [high.x + 0.04 * size, high.y, (low.z + high.z) / 2], LETTERS + 2),
     ...levels,

@@ -1,4 +1,4 @@
-// Hole and string drawn beside the tracks.
+// Drawing of hole and string next to the tracks.
 
 import type { Place } from "./curve.ts";
 import { svg } from "./dom.ts";
@@ -25,7 +25,7 @@ export interface StringPart {
   contact_od_m: number;
 }
 
-/** What is drawn, from the surface down. */
+/** Hole and string to draw, from the surface down. */
 export interface Bore {
   hole: readonly HoleSection[];
   string: readonly StringPart[];
@@ -36,7 +36,7 @@ const LONGEST_BIT_M = 5;
 
 const name = (section: HoleSection): string => (section.kind === "casing" ? "casing" : "open hole");
 
-/** What lies at a depth, in a few words. */
+/** Hole and string at a depth, in a few words. */
 export function lies(bore: Bore, depth: number): string[] {
   const within = (part: { from_m: number; to_m: number }): boolean => depth >= part.from_m && depth <= part.to_m;
   const section = bore.hole.find(within);
@@ -71,7 +71,7 @@ export function schematic(bore: Bore, { left, width, top, height }: Box, [from, 
         group.append(svg("path", { d: `M${x} ${y2}h${side * 8}L${x} ${y2 - 9}Z`, class: "shoe" }));
     }
   }
-  // What is last may be plain pipe, and is no bit then.
+  // The last component may be plain pipe instead of a bit.
   const last = bore.string.at(-1);
   const bit = last && last.to_m - last.from_m < LONGEST_BIT_M ? last : null;
   for (const part of bore.string) {

@@ -1,4 +1,4 @@
-// A view in space: a scene with light from the reader's side that turns by hand, and a copy of it for paper.
+// A view in space: a scene with light from the side of the viewer, rotated by the pointer, and a copy of it for print.
 
 import {
   AmbientLight,
@@ -19,16 +19,16 @@ import type { Vector } from "./bore.ts";
 import { el } from "./dom.ts";
 import { isPrinting } from "./printing.ts";
 
-/** Said where the browser gives no WebGL. */
-export const noSpace = (): HTMLElement => el("p", { class: "warning" }, "This view needs WebGL, which this browser does not give.");
+/** Message for a browser without WebGL. */
+export const noSpace = (): HTMLElement => el("p", { class: "warning" }, "This view requires WebGL, which this browser does not provide.");
 
-/** The middle of the box around some places. */
+/** The centre of the box around some positions. */
 const centreOf = (places: readonly Vector[]): Vector3 => new Box3().setFromArray(places.flat()).getCenter(new Vector3());
 
-/** What one does to look around. */
-export const LOOK_AROUND = "drag to turn, right-drag to move, Ctrl + wheel to go nearer";
+/** Instructions for moving the view. */
+export const LOOK_AROUND = "drag to rotate, right-drag to move, Ctrl + wheel to zoom";
 
-/** Where a label stands, pixels. */
+/** Box of a label, pixels. */
 interface Room {
   left: number;
   top: number;
@@ -36,27 +36,27 @@ interface Room {
   bottom: number;
 }
 
-/** A stage, and what may be done on it. */
+/** A stage and its operations. */
 export interface Stage {
   holder: HTMLElement;
   canvas: HTMLCanvasElement;
-  /** What these places span, in parts of the stage across and up. */
+  /** Extent of these positions, as parts of the stage horizontally and vertically. */
   spans: (places: readonly Vector[]) => [number, number];
   add: <T extends Object3D>(item: T) => T;
   has: (item: Object3D) => boolean;
-  /** Takes these off the stage and out of memory; all where none is named. */
+  /** Removes these from the stage and from memory; all by default. */
   remove: (gone?: readonly Object3D[]) => void;
   render: () => void;
   lookAt: (places: readonly Vector[], direction: Vector, middle?: Vector3, margins?: [number, number]) => void;
-  /** Fits the picture to the room that there is. */
+  /** Fits the picture to the available space. */
   size: () => void;
-  /** From where the reader looks, as a vector from what is looked at. */
+  /** Position of the viewer, as a vector from the target. */
   from: () => Vector3;
-  /** Gives back what the browser lends to few stages at a time. */
+  /** Releases the graphics context, of which the browser allows few at a time. */
   end: () => void;
 }
 
-/** What an item on the stage holds of the graphics card. */
+/** Resources of an item in graphics memory. */
 function release(item: Object3D): void {
   if (!(item instanceof Mesh || item instanceof LineSegments || item instanceof Sprite)) return;
   if (!(item instanceof Sprite)) item.geometry.dispose();
@@ -66,11 +66,11 @@ function release(item: Object3D): void {
 }
 
 /**
- * A stage as wide as it is let be and so high in pixels; null where the browser has none. `aside` is how far the light comes
- * from above and from the left of the reader, in parts of the distance: what is rough throws no shade in light from the eye.
+ * A stage with the available width and a height in pixels; null if the browser has no WebGL. `aside` is the offset of the
+ * light above and to the left of the viewer, as a part of the distance, because light from the viewer casts no shadows.
  */
-export function stage(what: string, height: number, aside = 0): Stage | null {
-  const canvas = el("canvas", { class: "space", style: `height:${height}px`, role: "img", "aria-label": what });
+export function stage(label: string, height: number, aside = 0): Stage | null {
+  const canvas = el("canvas", { class: "space", style: `height:${height}px`, role: "img", "aria-label": label });
   let renderer: WebGLRenderer;
   try {
     renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
@@ -84,7 +84,7 @@ export function stage(what: string, height: number, aside = 0): Stage | null {
   orbit.enableZoom = false;
   const sun = new DirectionalLight(0xffffff, 2.2);
   world.add(new AmbientLight(0xffffff, 1.6), sun);
-  // Browsers print the picture that was last on the screen: paper gets a copy of the one that is meant for it.
+  // Browsers print the last picture on the screen, so a separate copy is made for print.
   const paper = el("canvas", { class: "space-paper" });
   const holder = el("div", { class: "space-holder" }, canvas, paper);
   let items: Object3D[] = [];
@@ -132,8 +132,8 @@ export function stage(what: string, height: number, aside = 0): Stage | null {
   }
 
   /**
-   * Looks from a direction at places: as near as they allow, so that they fill the stage but for `margins`, pixels to the left
-   * and right and above and below. `middle` is where to look first.
+   * Looks from a direction at positions, as near as possible, so that they fill the stage except for `margins`, pixels to
+   * the left and right and above and below. `middle` is the initial target.
    */
   function lookAt(
     places: readonly Vector[],
@@ -149,7 +149,7 @@ export function stage(what: string, height: number, aside = 0): Stage | null {
     const high = Math.max(1 - (2 * margins[1]) / height, 0.3);
     const target = middle.clone();
     let far = 2 * Math.max(...points.map((point) => point.distanceTo(middle)), 1e-3);
-    // Perspective bends the fit a little: each round is nearer by far than the last.
+    // Because of perspective the fit is iterative; each iteration is much more accurate than the last.
     for (let round = 0; round < 12; round++) {
       camera.position.copy(target).addScaledVector(towards, far);
       camera.near = far / 1000;
@@ -173,7 +173,7 @@ export function stage(what: string, height: number, aside = 0): Stage | null {
     render();
   }
 
-  /** Labels are as large as letters are to be read, and of two that would lie on each other the first stays. */
+  /** Scales labels to a readable size; of two overlapping labels the first is kept. */
   function arrangeLabels(): Room[] {
     camera.updateMatrixWorld();
     const [width, tall] = [canvas.clientWidth || 1200, Math.tan((camera.fov * Math.PI) / 360)];
@@ -196,7 +196,7 @@ export function stage(what: string, height: number, aside = 0): Stage | null {
     return taken;
   }
 
-  /** Fits the picture to the room that there is. */
+  /** Fits the picture to the available space. */
   function size(): void {
     const width = holder.clientWidth || 1200;
     renderer.setPixelRatio(Math.min(devicePixelRatio * (devicePixelRatio < 1.5 ? 1.5 : 1), 2.5));

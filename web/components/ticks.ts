@@ -2,7 +2,7 @@
 
 import { grouped } from "./units.ts";
 
-/** Round numbers and what lies between two of them. */
+/** Round numbers and their step. */
 export interface Scale {
   values: number[];
   step: number;
@@ -23,14 +23,14 @@ export function ticks(from: number, to: number, count: number): Scale {
   return { values, step };
 }
 
-/** Parts of a text to the left of its place. */
+/** Parts of a text to the left of its position. */
 const LEFT_OF = { start: 0, middle: 0.5, end: 1 };
 
-/** How a number over a track so many pixels wide is aligned: what stands at an edge goes inwards. */
+/** Alignment of a number above a track of a width in pixels: inwards at an edge. */
 export const alignment = (at: number, width: number): keyof typeof LEFT_OF =>
   at < 8 ? "start" : at > width - 8 ? "end" : "middle";
 
-/** As many round numbers as stand side by side over so many pixels, in letters of a track. */
+/** As many round numbers as fit next to each other in a width in pixels, in the font of a track. */
 export function roomyTicks(from: number, to: number, width: number): Scale {
   const LETTER = 6.2;
   const APART = 5;
@@ -50,7 +50,7 @@ export function roomyTicks(from: number, to: number, width: number): Scale {
   return ticks(from, to, 1);
 }
 
-/** A tick as text, with no more decimals than the step needs. */
+/** A tick as text, with no more decimals than the step requires. */
 export function tickText(value: number, step: number): string {
   const rounded = Math.abs(value) < step * 1e-6 ? 0 : value;
   let decimals = 0;
@@ -59,8 +59,8 @@ export function tickText(value: number, step: number): string {
 }
 
 /**
- * The interval with some air, and round zero where values keep to one side of it and come near; of nothing, or nothing
- * but zeros, the interval up to `one`. It is no shorter than `least`, so that what hardly changes looks so.
+ * The interval with margins, extended to zero if the values are on one side of it and near; without values, or with zeros
+ * only, the interval up to `one`. It is no shorter than `least`, so that nearly constant curves look flat.
  */
 export function domain(low: number, high: number, withZero: boolean, one: number, least: number): Interval {
   if (!(low <= high) || (low === 0 && high === 0)) return [0, one];
@@ -68,7 +68,7 @@ export function domain(low: number, high: number, withZero: boolean, one: number
   if (withZero || (high < 0 && high > 0.35 * low)) high = Math.max(high, 0);
   const short = least - (high - low);
   if (short > 0) {
-    // To the other side of zero lies rounding.
+    // Values on the other side of zero are rounding errors.
     const rounding = 1e-3 * least;
     if (low >= -rounding && low < short / 2) return [0, Math.max(high, least)];
     if (high <= rounding && -high < short / 2) return [Math.min(low, -least), 0];

@@ -1,4 +1,4 @@
-// What a chart says beside the pointer: names and values.
+// Tooltip of a chart at the pointer: names and values.
 
 import { el } from "./dom.ts";
 
@@ -11,7 +11,7 @@ export interface TipRow {
 
 const box = el("div", { class: "tip noprint", role: "status", hidden: true });
 
-/** Shows a title and rows beside the pointer. */
+/** Displays a title and rows at the pointer. */
 export function showTip(at: { clientX: number; clientY: number }, title: string, rows: readonly TipRow[]): void {
   if (!box.isConnected) document.body.append(box);
   box.replaceChildren(

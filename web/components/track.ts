@@ -1,4 +1,4 @@
-// One track: a frame with an axis of its own over depths that it shares with others, and curves in it.
+// One track: a frame with its own axis over depths shared with others, and its curves.
 
 import { area, path, type Place } from "./curve.ts";
 import { svg } from "./dom.ts";
@@ -14,27 +14,27 @@ export interface TrackCurve {
   /** A band around it. */
   low?: ArrayLike<number> | undefined;
   high?: ArrayLike<number> | undefined;
-  /** The least of what lies between joints, where the curve shows what is at them. */
+  /** Smallest values between joints, if the curve has the values at the joints. */
   between?: ArrayLike<number> | undefined;
 }
 
-/** How a curve looks. */
+/** Look of a curve. */
 export interface CurveLook {
   colour: string;
   dash?: Dash | undefined;
-  /** Not what the reader looks at. */
+  /** Whether it is not in focus. */
   faint?: boolean;
-  /** As it was before something was changed. */
+  /** Whether it is the curve before a change. */
   ghost?: boolean;
 }
 
-/** The inside of a track: where values stand, and what holds all that is drawn at them. */
+/** The inside of a track: positions of values, and the element for its content. */
 export interface TrackInside {
   x: Place;
   clip: SVGSVGElement;
 }
 
-/** Numbers and lines of a track's axis; what is drawn into `clip` ends at the frame, which `closeTrack` draws. */
+/** Numbers and lines of the axis of a track; content of `clip` ends at the frame, which `closeTrack` draws. */
 export function openTrack(picture: SVGElement, dimension: string, range: Interval, box: Box): TrackInside {
   const x: Place = (value) => box.left + ((value - range[0]) / (range[1] - range[0])) * box.width;
   const clip = svg("svg", {
@@ -67,11 +67,11 @@ export function closeTrack(picture: SVGElement, { clip }: TrackInside, title: st
   );
 }
 
-/** The path of each column as it was drawn last: what did not change is not made again. */
+/** The last path of each column, so that unchanged paths are not computed again. */
 const made = new WeakMap<object, { key: string; d: string }>();
 
 function pathOf(depths: ArrayLike<number>, values: ArrayLike<number>, view: Interval, x: Place, y: Place): string {
-  // Both places are straight lines, which two of their points tell.
+  // Both scales are linear, so two points determine each.
   const key = [...view, x(0), x(1e6), y(0), y(1e6)].join(" ");
   const known = made.get(values);
   if (known?.key === key) return known.d;

@@ -1,10 +1,10 @@
-// Numbers in the reader's units.
+// Numbers in the units of the reader.
 
 /** The sets of units that a reader chooses among. */
 export const UNIT_SETS = ["si", "metric", "field"] as const;
 export type UnitSet = (typeof UNIT_SETS)[number];
 
-/** How people see a dimension in a set of units: a number times `factor` is SI. */
+/** Display unit of a dimension in a set of units: a number times `factor` is SI. */
 export interface DisplayUnit {
   symbol: string;
   factor: number;
@@ -16,13 +16,13 @@ export type Dimensions = Readonly<Record<string, readonly DisplayUnit[]>>;
 let dimensions: Dimensions = {};
 let chosen: () => UnitSet = () => "si";
 
-/** Takes the units of a page, and what tells which set its reader has chosen. */
+/** Sets the units of a page, and the function that returns the set chosen by the reader. */
 export function useDimensions(table: Dimensions, set: () => UnitSet): void {
   dimensions = table;
   chosen = set;
 }
 
-/** What is written in a set of units in place of the reader's. */
+/** Runs a function with another set of units than that of the reader. */
 export function inUnits<T>(set: UnitSet, write: () => T): T {
   const readers = chosen;
   chosen = () => set;
@@ -41,15 +41,15 @@ export const symbol = (dimension: string): string => unit(dimension).symbol;
 export const shown = (si: number, dimension: string): number => si / unit(dimension).factor;
 export const si = (value: number, dimension: string): number => value * unit(dimension).factor;
 
-/** Values of a column in the reader's units; what is missing becomes null where plots want it so. */
+/** Values of a column in the units of the reader; missing ones are null, as plots require. */
 export function shownAll(values: ArrayLike<number | null>, dimension: string): (number | null)[] {
   const factor = unit(dimension).factor;
   return Array.from(values, (value) => (value !== null && Number.isFinite(value) ? value / factor : null));
 }
 
 /**
- * A number in so many significant digits, its thousands apart, without exponents where that reads better: 27 953 ft·lbf in
- * four digits is 27,950.
+ * A number with a count of significant digits and grouped thousands, without an exponent if that is more readable:
+ * 27 953 ft·lbf in four digits is 27,950.
  */
 export function digits(value: number, significant = 4): string {
   if (!Number.isFinite(value)) return "–";
@@ -74,8 +74,8 @@ function raised(number: number): string {
 const minus = (text: string): string => text.replace("-", "\u2212");
 
 /**
- * Thousands apart as the reader's units have it, and a true minus: by a thin space from five digits on, in field units by a
- * comma.
+ * Grouped thousands by the convention of the units, and a true minus sign: a thin space from five digits on, in field
+ * units a comma.
  */
 export function grouped(text: string): string {
   const [whole = "", part] = text.split(".");

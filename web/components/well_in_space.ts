@@ -1,4 +1,4 @@
-// The hole in space, and from where to look at it: across the hole everything is larger than along it.
+// The hole in space and its views, exaggerated across the hole.
 
 import { DoubleSide, Mesh, MeshLambertMaterial } from "three";
 import { type Course, Tube, type Vector } from "./bore.ts";
@@ -8,30 +8,30 @@ import type { HoleSection } from "./schematic.ts";
 import type { Stage } from "./stage.ts";
 import type { Interval } from "./ticks.ts";
 
-/** How far from above one looks at the whole well. */
+/** Elevation of the view of the whole well. */
 export const ABOVE = 0.3;
 
-/** Rings of the hole between the ends of what is in view. */
+/** Number of rings of the hole in view. */
 const RINGS = 300;
 const SIDES = 28;
 
-/** 1, 2 or 5 times a power of ten that is not above. */
+/** The largest of 1, 2 or 5 times a power of ten that is not above a number. */
 function niceBelow(value: number): number {
   const power = 10 ** Math.floor(Math.log10(Math.max(value, 1)));
   return [5, 2, 1].map((m) => m * power).find((m) => m <= Math.max(value, 1)) ?? 1;
 }
 
-/** So many times as wide that the hole is as thick as an eye can tell the sides of. */
+/** Exaggeration at which the sides of the hole can be distinguished. */
 export const exaggerationFor = (deepest: number, widest: number): number => niceBelow((0.03 * deepest) / widest);
 
-/** Depths at which rings of the hole stand. */
+/** Depths of the rings of the hole. */
 function depthsOf(course: Course, [from, to]: Interval): number[] {
   const within = Array.from(course.well.md_m).filter((depth) => depth > from && depth < to);
   const even = Array.from({ length: RINGS + 1 }, (_, i) => from + (i * (to - from)) / RINGS);
   return [...even, ...within].sort((a, b) => a - b);
 }
 
-/** The wall of each section in view, seen through. */
+/** The transparent wall of each section in view. */
 export function holeTubes(course: Course, hole: readonly HoleSection[], [from, to]: Interval, exaggeration: number): Mesh[] {
   return hole.flatMap((section) => {
     const range: Interval = [Math.max(section.from_m, from), Math.min(section.to_m, to)];
@@ -57,7 +57,7 @@ export function holeTubes(course: Course, hole: readonly HoleSection[], [from, t
   });
 }
 
-/** Across the vertical plane in which the well goes, so much from above. */
+/** Direction across the vertical plane of the well, with an elevation. */
 export function across(course: Course, view: Interval, above: number): Vector {
   const [a, b] = [course.at(view[0]).place, course.at(view[1]).place];
   const [x, z] = [b[0] - a[0], b[2] - a[2]];
@@ -67,7 +67,7 @@ export function across(course: Course, view: Interval, above: number): Vector {
   return [(-z / flat) * side, above, (x / flat) * side];
 }
 
-/** Looks at the depths in view from a direction, the box around them and the labels beside it with them. */
+/** Looks at the depths in view from a direction, including the box around them and its labels. */
 export function lookAtWell(space: Stage, course: Course, view: Interval, direction: Vector): void {
   const { low, high } = bounds(course, view);
   const middle = low.clone().add(high).multiplyScalar(0.5);
@@ -78,7 +78,7 @@ export function lookAtWell(space: Stage, course: Course, view: Interval, directi
   const [from, to] = view;
   const along = Array.from({ length: 41 }, (_, i) => course.at(from + ((to - from) * i) / 40).place);
   const places = [...corners, ...along];
-  // Depths stand to the right of the well, vertical depths to the left of the box.
+  // Depths are on the right of the well, vertical depths on the left of the box.
   space.lookAt(places, direction, middle, [84, 16]);
   space.holder.dataset.spans = space
     .spans(places)

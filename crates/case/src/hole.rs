@@ -115,6 +115,14 @@ table! {
         /// Casing of API Spec 5CT by its size and weight, such as "9-5/8 in 40 lb/ft": gives the
         /// inside diameter.
         casing: String = optional(Text);
+        /// Diameter of the drift mandrel that passes every joint of the casing, for a casing of a
+        /// special drift. Default: that of API Spec 5CT for `casing`. A wider part of the string is
+        /// warned of.
+        drift: f64 = optional(Quantity::si(
+            Dimension::Diameter,
+            Range::from_to(0.02, 2.0).usual(0.06, 1.3),
+            "8.75 in",
+        ));
         /// Coefficient of friction between string and wall, or
         /// { kinetic = 0.25, static = 0.3, around = 0.2 }.
         friction: Friction = required(FrictionRule);

@@ -15,11 +15,19 @@ use crate::{catalogue::OwnCatalogue, component::ComponentTable, fit::od_place, h
 /// of 9-5/8 in casing make its lower bore 4 % wider; the next size is 10 % wider.
 const TAPER: f64 = 1.08;
 
-/// Reports casings that do not pass the section above, and rock above a casing.
+/// Reports casings that do not pass the section above, rock above a casing, and a drift that is wider
+/// than its bore.
 pub(crate) fn check(hole: &Hole, tables: &[Spanned<HoleTable>], reader: &mut Reader) {
     let sections: Vec<(&HoleSection, &Spanned<HoleTable>)> =
         hole.sections().iter().zip(tables).collect();
     for (index, (section, table)) in sections.iter().enumerate() {
+        if let Some(drift) = table.value.drift.given()
+            && drift.value > section.diameter_m
+        {
+            Diagnostic::error("the drift mandrel does not pass the casing")
+                .at(drift.place, width(section, reader))
+                .report(reader);
+        }
         if section.kind != HoleKind::Casing {
             continue;
         }
@@ -71,23 +79,35 @@ pub(crate) fn check_drift(
         let passed = hole.sections().iter().zip(tables);
         let tight = passed.filter(|(section, _)| section.from_md_m < bottom_md_m).find_map(
             |(section, table)| {
-                let name = table.value.casing.given()?;
-                let casing = own.find_casing(&name.value).ok()?;
-                (od_m > casing.drift_m && od_m <= section.diameter_m).then_some((casing, name))
+                let (drift_m, place) = drift(&table.value, own)?;
+                (od_m > drift_m && od_m <= section.diameter_m).then_some((
+                    drift_m,
+                    section.diameter_m,
+                    place,
+                ))
             },
         );
-        let Some((casing, name)) = tight else { continue };
+        let Some((drift_m, bore_m, place)) = tight else { continue };
         let diameter = |m: f64| reader.shown(Dimension::Diameter, m);
-        let [od, drift, bore] = [od_m, casing.drift_m, casing.id_m].map(diameter);
+        let [od, drift, bore] = [od_m, drift_m, bore_m].map(diameter);
         Diagnostic::warning(format!(
             "`{}` is wider than the drift of a casing that it passes",
             short(&span.component.name)
         ))
         .at(od_place(component, span.component.joints.is_some()), format!("{od} across"))
-        .at(name.place, format!("drift {drift}, bore {bore}"))
-        .help("every joint passes the drift mandrel only; casing of a special drift can be listed in a catalogue of your own")
+        .at(place, format!("drift {drift}, bore {bore}"))
+        .help("for a casing of a special drift, give its `drift`")
         .report(reader);
     }
+}
+
+/// Drift diameter of a casing, m, and the key that gives it; `None` where it is not known.
+fn drift(table: &HoleTable, own: &OwnCatalogue) -> Option<(f64, Span)> {
+    if let Some(drift) = table.drift.given() {
+        return Some((drift.value, drift.place));
+    }
+    let name = table.casing.given()?;
+    own.find_casing(&name.value).ok().map(|casing| (casing.drift_m, name.place))
 }
 
 /// Warns of an operation that drills with its bit in a casing.

@@ -59,7 +59,7 @@ table! {
         to: GivenAmount = optional(AmountRule);
         /// Most likely value.
         mode: GivenAmount = optional(AmountRule);
-        /// Mean.
+        /// Mean of the distribution.
         mean: GivenAmount = optional(AmountRule);
         /// Standard deviation.
         std: GivenAmount = optional(AmountRule);

@@ -1,8 +1,8 @@
-"""How long Python waits after an interrupt: ``python benchmarks/interrupt.py``.
+"""Waiting time of Python after an interrupt: ``python benchmarks/interrupt.py``.
 
-Of each verb so many interrupts, each at another time while it works on a case that takes longer:
-the time from the signal to the exception that holds what was computed, median and maximum. An
-interrupt is to be over within 0.2 s. Nothing else should run on the machine meanwhile.
+Each method is interrupted several times, each at another time of a case that takes longer. The
+result is the time from the signal to the exception with the results so far, median and maximum. An
+interrupt must end within 0.2 s. No other work should run on the machine meanwhile.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ Work = Callable[[], object]
 
 @dataclass(frozen=True)
 class Verb:
-    """Something that is interrupted, from so long after it began to so long, s."""
+    """Work that is interrupted, within an interval of times after its start, s."""
 
     work: Work
     first_s: float = 0.3
@@ -45,7 +45,7 @@ def interrupt() -> None:
 
 
 def waited_s(work: Work, after_s: float) -> float:
-    """Interrupt some work after a time, and give how long it took to end, s."""
+    """Interrupt some work after a time, and return the time that it took to end, s."""
     sent = 0.0
 
     def send() -> None:
@@ -59,8 +59,8 @@ def waited_s(work: Work, after_s: float) -> float:
         work()
     except ws.Interrupted as error:
         waited = time.perf_counter() - sent
-        kept = error.results if error.sweep is None else error.sweep
-        assert kept is not None or after_s < 0.3, "what was computed is kept"
+        results = error.results if error.sweep is None else error.sweep
+        assert results is not None or after_s < 0.3, "the results so far are lost"
         return waited
     finally:
         timer.join()
@@ -68,7 +68,7 @@ def waited_s(work: Work, after_s: float) -> float:
 
 
 def alone() -> dict[str, Verb]:
-    """Give the verbs that need nothing beside them."""
+    """Return the methods that need no executor."""
     np13 = ws.Case.load(CASES / "np13-x1042.toml").with_(dynamics__duration="1 h")
     rock = ws.Case.load(CASES / "np13-x1042-rock.toml").with_(dynamics__duration="1 h")
     statics = np13.with_({"plan.models": "stiff", "plan.depths": 200})
@@ -98,7 +98,7 @@ def swept(case: ws.Case, vary: dict[str, Any], executor: Any, **keywords: Any) -
 
 @contextmanager
 def pool() -> Generator[Executor, None, None]:
-    """Give two processes that have the package."""
+    """Return two processes that have the package."""
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as made:
         for done in [made.submit(_imports) for _ in range(4)]:
             done.result()
@@ -110,7 +110,7 @@ def _imports() -> None:
 
 
 def on_processes(executor: Executor) -> dict[str, Verb]:
-    """Give the sweeps on two processes."""
+    """Return the sweeps on two processes."""
     np13 = ws.Case.load(CASES / "np13-x1042.toml").with_(dynamics__duration="1 h")
     many = {"friction": [0.01 * i for i in range(5, 60)]}
     return {
@@ -121,7 +121,7 @@ def on_processes(executor: Executor) -> dict[str, Verb]:
 
 
 def measure(name: str, verb: Verb, count: int) -> dict[str, float | str]:
-    """Interrupt it so often, at times spread evenly."""
+    """Interrupt the work ``count`` times, at evenly spaced times."""
     times: list[float] = []
     for number in range(count):
         part = (number + 0.5) / count
@@ -136,10 +136,10 @@ def measure(name: str, verb: Verb, count: int) -> dict[str, float | str]:
 
 
 def main() -> None:
-    """Measure, and print a line of JSON for each verb."""
-    parser = argparse.ArgumentParser(description="How long Python waits after an interrupt.")
+    """Measure, and print a line of JSON for each method."""
+    parser = argparse.ArgumentParser(description="Waiting time of Python after an interrupt.")
     parser.add_argument("--count", type=int, default=20)
-    parser.add_argument("--only", default="", help="verbs whose name has this")
+    parser.add_argument("--only", default="", help="only the methods whose name contains this text")
     given = parser.parse_args()
     for name, verb in alone().items():
         if given.only in name:

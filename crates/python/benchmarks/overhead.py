@@ -1,10 +1,10 @@
-"""What Python costs over Rust, measured on this machine: ``python benchmarks/overhead.py``.
+"""Overhead of Python over Rust, measured on this machine: ``python benchmarks/overhead.py``.
 
-Each pair does the same work in turns, through the package and without its Python: the runner
-alone, by a call of the compiled half in the same process. The least times count.
+Each pair does the same work in turn, through the package and without its Python: the runner alone,
+by a call of the compiled module in the same process. The least times are compared.
 
 =============================  =================================================  =======
-what                           measured                                           at most
+work                           measured                                           at most
 =============================  =================================================  =======
 advance of 1 s                 ``sim.advance(1.0)`` of NP13 over the runner's     3 %
 soft solve of NP13             ``case.soft("drill")["drill"].hook_load_N`` over   20 %
@@ -40,14 +40,14 @@ Pair = tuple[float, float]
 
 
 def timed(work: Callable[[], object]) -> Pair:
-    """Give how long it takes, s: on the clock, and of the processor."""
+    """Return wall-clock time and processor time of a call, s."""
     start, cpu = time.perf_counter(), time.process_time()
     work()
     return time.perf_counter() - start, time.process_time() - cpu
 
 
 def advance(repeats: int) -> dict[str, float]:
-    """Measure an advance by 1 s: two runs of the same, second by second in turns."""
+    """Measure an advance by 1 s: two equal runs, advanced second by second in turn."""
     case = ws.Case.load(NP13)
     ours = case.simulation()
     ours.advance(0.1)
@@ -70,7 +70,7 @@ def soft(repeats: int) -> dict[str, float]:
 
 
 def soft_of_a_new_case(repeats: int) -> dict[str, float]:
-    """Measure a soft solve of a case that was not there before: each time with other friction."""
+    """Measure a soft solve of a new case, with another friction each time."""
     case = ws.Case.load(NP13)
     frictions = (0.2 + 1e-6 * number for number in itertools.count())
 
@@ -88,12 +88,12 @@ def soft_of_a_new_case(repeats: int) -> dict[str, float]:
 def over(
     repeats: int, ours: Callable[[], object], theirs: Callable[[], object]
 ) -> dict[str, float]:
-    """Give the least wall-clock times, s, and by which part the first is more than the second.
+    """Return the least wall-clock times, s, and the relative excess of the first over the second.
 
-    By processor time, which other programs disturb less, it is the median of all pairs.
+    The excess by processor time, which other programs disturb less, is the median of all pairs.
     """
     pairs = [(timed(ours), timed(theirs)) for _ in range(repeats)]
-    clock = [min(pair[of][0] for pair in pairs) for of in range(2)]
+    clock = [min(pair[side][0] for pair in pairs) for side in range(2)]
     parts = [ours_s[1] / theirs_s[1] for ours_s, theirs_s in pairs]
     return {
         "python_s": clock[0],
@@ -104,8 +104,8 @@ def over(
 
 
 def table(repeats: int) -> dict[str, float]:
-    """Measure the way of a table of 1e6 rows to polars, and look whether its numbers moved."""
-    # Neither has types.
+    """Measure the transfer of a table of 1e6 rows to polars, and check that no number is copied."""
+    # Neither package has types.
     pyarrow: Any = import_module("pyarrow")
     parquet: Any = import_module("pyarrow.parquet")
     with tempfile.TemporaryDirectory() as place:
@@ -117,22 +117,22 @@ def table(repeats: int) -> dict[str, float]:
         rows = parquet.read_table(file)
         many = pyarrow.concat_tables([rows] * (ROWS // len(rows) + 1)).slice(0, ROWS)
         parquet.write_table(many, file)
-        of = ws.Results.load(Path(place) / "run").time
-    assert len(of) == ROWS
-    took = min(timed(of.to_polars)[0] for _ in range(repeats))
-    frame = of.to_polars()
-    numbers = [name for name in of.columns if of[name].dtype == np.float64]
+        series = ws.Results.load(Path(place) / "run").time
+    assert len(series) == ROWS
+    took = min(timed(series.to_polars)[0] for _ in range(repeats))
+    frame = series.to_polars()
+    numbers = [name for name in series.columns if series[name].dtype == np.float64]
     moved = sum(
-        not np.shares_memory(of[name], frame[name].to_numpy(allow_copy=False))
+        not np.shares_memory(series[name], frame[name].to_numpy(allow_copy=False))
         for name in numbers
         if frame[name].null_count() == 0
     )
-    return {"took_s": took, "columns": len(of.columns), "moved": moved}
+    return {"took_s": took, "columns": len(series.columns), "moved": moved}
 
 
 def main() -> None:
-    """Measure, and print a line of JSON each."""
-    parser = argparse.ArgumentParser(description="What Python costs over Rust.")
+    """Measure, and print a line of JSON for each measurement."""
+    parser = argparse.ArgumentParser(description="Overhead of Python over Rust.")
     parser.add_argument("--repeats", type=int, default=20)
     repeats = parser.parse_args().repeats
     measured = {
@@ -141,8 +141,8 @@ def main() -> None:
         "soft solve of a new case": soft_of_a_new_case,
         "table": table,
     }
-    for name, of in measured.items():
-        print(json.dumps({"what": name, **of(repeats)}), flush=True)
+    for name, measure in measured.items():
+        print(json.dumps({"what": name, **measure(repeats)}), flush=True)
 
 
 if __name__ == "__main__":

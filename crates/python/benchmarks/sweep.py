@@ -1,13 +1,13 @@
-"""What a case of a sweep costs beside its solution: on threads, processes and Dask's workers.
+"""Overhead of a case of a sweep over its solution: on threads, processes and workers of Dask.
 
-    python benchmarks/sweep.py overhead            # short cases: the cost of handing one out
+    python benchmarks/sweep.py overhead            # short cases: the cost of submitting one
     python benchmarks/sweep.py speed               # 15 depths x 4 friction factors, dynamics
     python benchmarks/sweep.py many                # 100 000 points: in flight, memory, time
 
-``speed`` sweeps by the command line and on Dask in turn, in the same run, and gives the ratio of
-their speeds: ``--wholestring PATH`` is the command line's program, and must be of the same build
-as the package. Nothing else should run on the machine meanwhile: the load at the beginning and at
-the end is printed.
+``speed`` sweeps by the command line and on Dask in turn, in the same run, and prints the ratio of
+their speeds: ``--wholestring PATH`` is the program of the command line, which must be of the same
+build as the package. No other work should run on the machine meanwhile: the load at the beginning
+and at the end is printed.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ CASES = Path(__file__).parents[3] / "cases"
 
 @contextmanager
 def dask(workers: int) -> Generator[Any, None, None]:
-    """Give a client of so many workers of one thread each, on this machine."""
-    distributed: Any = import_module("distributed")  # it has no types
+    """Return a client with workers of one thread each, on this machine."""
+    distributed: Any = import_module("distributed")  # the package has no types
     cluster = distributed.LocalCluster(
         n_workers=workers,
         threads_per_worker=1,
@@ -54,27 +54,28 @@ def dask(workers: int) -> Generator[Any, None, None]:
 
 @contextmanager
 def nothing() -> Generator[None, None, None]:
-    """Give no executor: threads of this process, without Python."""
+    """Return no executor, which means threads of this process, without Python."""
     yield None
 
 
 def processes(workers: int) -> ProcessPoolExecutor:
-    """Give a pool of processes."""
+    """Return a pool of processes."""
     return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
 
 
 def swept_s(case: ws.Case, vary: dict[str, Any], executor: Any, **keywords: Any) -> float:
-    """Sweep into a new folder, and give the wall-clock time, s."""
+    """Sweep into a new folder, and return the wall-clock time, s."""
     return swept(case, vary, executor, **keywords)[0]
 
 
 def swept(
     case: ws.Case, vary: dict[str, Any], executor: Any, **keywords: Any
 ) -> tuple[float, float]:
-    """Sweep into a new folder, and give the wall-clock time and this process's processor time, s.
+    """Sweep into a new folder, and return wall-clock and processor time of this process, s.
 
-    Of an executor of processes the latter is what handing out and taking back costs, the check of
-    the cases, the table and the page; of Dask the scheduler too, which is in this process.
+    For an executor of processes, the processor time is the cost of submitting and recording, the
+    check of the cases, the table and the page; for Dask it includes the scheduler, which is in this
+    process.
     """
     with tempfile.TemporaryDirectory() as place:
         begin, begin_cpu = time.perf_counter(), time.process_time()
@@ -85,7 +86,7 @@ def swept(
 
 
 def overhead(arguments: argparse.Namespace) -> dict[str, Any]:
-    """Measure short cases, and what of their time is the solution's."""
+    """Measure short cases, and the share of the solution in their time."""
     case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
     count: int = arguments.cases or 1000
     vary = {"friction": [0.1 + 0.3 * i / count for i in range(count)]}
@@ -110,11 +111,11 @@ def overhead(arguments: argparse.Namespace) -> dict[str, Any]:
                     swept(case, vary, executor, jobs=jobs, bundle=bundle)
                     for _ in range(arguments.repeat)
                 ]
-                clock, processor = (statistics.median(of) for of in zip(*times, strict=True))
+                clock, processor = map(statistics.median, zip(*times, strict=True))
                 row[f"{how}, ms a case"] = 1e3 * clock / count
                 row[f"{how}, ms of processor here"] = 1e3 * processor / count
         found[name] = row
-        print(f"{name:24s}", *(f"{how}: {of:.2f};" for how, of in row.items()), flush=True)
+        print(f"{name:24s}", *(f"{how}: {value:.2f};" for how, value in row.items()), flush=True)
     return found
 
 
@@ -138,15 +139,15 @@ def speed(arguments: argparse.Namespace) -> dict[str, Any]:
             if arguments.wholestring:
                 row["command_line_s"] = command_line_s(arguments)
             rows.append(row)
-            print({name: round(of, 2) for name, of in row.items()}, flush=True)
+            print({name: round(value, 2) for name, value in row.items()}, flush=True)
     best = {name: min(row[name] for row in rows) for name in rows[0]}
-    ratios = {f"{name} / dask_s": of / best["dask_s"] for name, of in best.items()}
-    print("speed of Dask over that of:", {name: round(of, 3) for name, of in ratios.items()})
+    ratios = {f"{name} / dask_s": value / best["dask_s"] for name, value in best.items()}
+    print("speed of Dask relative to:", {name: round(value, 3) for name, value in ratios.items()})
     return {"rows": rows, "ratios": ratios}
 
 
 def command_line_s(arguments: argparse.Namespace) -> float:
-    """Give the time of the same sweep by the command line, s."""
+    """Return the time of the same sweep by the command line, s."""
     program = [arguments.wholestring, "sweep", str(CASES / "np13-x1042.toml"), "-q", "-j", "2"]
     for setting in (
         "model=dynamic",
@@ -163,7 +164,7 @@ def command_line_s(arguments: argparse.Namespace) -> float:
 
 
 class Counting(Executor):
-    """A pool that counts what it has in flight."""
+    """A pool that counts its tasks in flight."""
 
     def __init__(self, pool: Executor) -> None:
         self._pool = pool
@@ -172,7 +173,7 @@ class Counting(Executor):
         self.tasks = 0
 
     def submit(self, work: Any, /, *arguments: Any, **keywords: Any) -> Future[Any]:
-        """Submit, and count."""
+        """Submit a task, and count it."""
         self._now += 1
         self.tasks += 1
         self.most = max(self.most, self._now)
@@ -185,14 +186,14 @@ class Counting(Executor):
 
 
 def many(arguments: argparse.Namespace) -> dict[str, Any]:
-    """Sweep as many points as there may be."""
+    """Sweep the largest number of points."""
     case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
     count: int = arguments.cases or 100_000
     vary = {"friction": [0.1 + 0.3 * i / count for i in range(count)]}
     with processes(2) as pool:
         counting = Counting(pool)
         took_s = swept_s(case, vary, counting)
-    # Of what is no pool the cores are taken to be its workers.
+    # For an executor that is no pool, the number of workers is that of the cores.
     most = PER_WORKER * (os.cpu_count() or 1)
     assert counting.most <= most, f"{counting.most} in flight, {most} at most"
     found = {
@@ -207,13 +208,13 @@ def many(arguments: argparse.Namespace) -> dict[str, Any]:
 
 
 def main() -> None:
-    """Measure, and print what was found, as JSON too where that is asked for."""
+    """Measure, and print the results; with ``--json``, also write them as JSON."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("what", choices=["overhead", "speed", "many"])
-    parser.add_argument("--cases", type=int, help="1000 of overhead, 100000 of many")
+    parser.add_argument("--cases", type=int, help="1000 for overhead, 100000 for many by default")
     parser.add_argument("--repeat", type=int, default=3)
-    parser.add_argument("--duration", type=float, default=60.0, help="of a dynamic case, s")
-    parser.add_argument("--settle", type=float, default=20.0, help="before it, s")
+    parser.add_argument("--duration", type=float, default=60.0, help="length of a dynamic case, s")
+    parser.add_argument("--settle", type=float, default=20.0, help="settling time before it, s")
     parser.add_argument("--wholestring", default=shutil.which("wholestring"))
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()

@@ -1,19 +1,19 @@
-"""An environment to learn in: keep a string from sticking and slipping by its rotary speed.
+"""A learning environment: prevent stick-slip of a string by its rotary speed.
 
 The interface is Gymnasium's. The string is that of ``controller.py``: the example well, and a bit
-whose torque falls as it turns faster.
+whose torque falls with its speed.
 
 Observation (four numbers, SI)
     surface torque (N·m), its swing (N·m, largest less smallest), rotary speed that is set (rad/s),
-    weight on bit (N): what a driller sees, nothing from the bit. Mean and swing are over the last
-    2.5 s, a period of stick-slip.
+    weight on bit (N): the quantities that a driller sees, none from the bit. Mean and swing are
+    over the last 2.5 s, a period of stick-slip.
 Action (one number from -1 to 1)
-    by how much the set rotary speed changes over the next step: 1 is 10 rev/min more.
+    change of the set rotary speed over the next step: 1 is an increase of 10 rev/min.
 Reward (no unit)
-    rate of penetration in parts of 10 m/h, less the swing of the bit's speed over twice its mean:
-    1 where the bit just comes to stand. Both are over the last 2.5 s.
+    rate of penetration in parts of 10 m/h, less the swing of the bit speed over twice its mean,
+    which is 1 at the onset of sticking. Both are over the last 2.5 s.
 Episode
-    30 s in steps of 0.5 s, from a string that sticks and slips after a stop of the top drive.
+    30 s in steps of 0.5 s, from a string in stick-slip after a stop of the top drive.
 
 Run it: ``python gymnasium_env.py``.
 """
@@ -44,13 +44,13 @@ Action = NDArray[np.float64]
 
 
 def falling_torque(bit: ws.BitReading) -> tuple[float, float]:
-    """Depth of cut per revolution, m, and torque, N·m: it falls as the bit turns faster."""
+    """Return depth of cut per revolution, m, and torque, N·m, which falls with the bit speed."""
     rise = 0.6 / (1.0 + abs(bit.rotary_speed_rad_per_s) / 4.0)
     return 2e-8 * bit.weight_on_bit_N, 0.05 * bit.weight_on_bit_N * (1.0 + rise)
 
 
 class StickSlip(gymnasium.Env[Observation, Action]):
-    """A string that sticks and slips, and the rotary speed of its top."""
+    """A string in stick-slip, controlled by the rotary speed of its top."""
 
     def __init__(self) -> None:
         self.observation_space = gymnasium.spaces.Box(LEAST, MOST, dtype=np.float64)
@@ -69,7 +69,7 @@ class StickSlip(gymnasium.Env[Observation, Action]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Observation, dict[str, Any]]:
-        """Begin anew, at a rotary speed of 60 to 90 rev/min by the seed."""
+        """Restart, at a rotary speed of 60 to 90 rev/min from the seed."""
         super().reset(seed=seed)
         rpm = 10.0 * float(self.np_random.integers(6, 10))
         if rpm not in self._begun:
@@ -85,10 +85,10 @@ class StickSlip(gymnasium.Env[Observation, Action]):
         return self._observe(self._sim)[0], {}
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
-        """Set the rotary speed, and go on by half a second."""
+        """Set the rotary speed, and advance by half a second."""
         sim = self._sim
         if sim is None:
-            raise RuntimeError("the first step comes after a reset")
+            raise RuntimeError("call reset before the first step")
         change = float(np.clip(action[0], -1.0, 1.0)) * LARGEST_CHANGE
         self._set = min(max(self._set + change, SLOWEST), FASTEST)
         sim.set(rotary_speed=self._set, ramp=STEP_S)
@@ -103,7 +103,7 @@ class StickSlip(gymnasium.Env[Observation, Action]):
         return case.simulation("drill", bit_law=falling_torque, checkpoint=checkpoint)
 
     def _observe(self, sim: ws.Simulation) -> tuple[Observation, float, float]:
-        """Give the observation, the rate of penetration and the severity of the last seconds."""
+        """Return the observation, the rate of penetration and the severity of the last seconds."""
         last = sim.since(sim.time_s - SEEN_S)
         torque = last["surface_torque_N_m"]
         speed = last["bit_rotary_speed_rad_per_s"]
@@ -122,9 +122,9 @@ def main() -> None:
     while not is_over:
         swings = observation[1] > 1000.0
         action = np.array([1.0 if swings else 0.0])
-        observation, reward, _, is_over, told = env.step(action)
+        observation, reward, _, is_over, info = env.step(action)
         total += reward
-        print(f"{observation[2] / RPM:5.0f} rev/min, severity {told['severity']:.2f}")
+        print(f"{observation[2] / RPM:5.0f} rev/min, severity {info['severity']:.2f}")
     print(f"reward {total:.1f}")
 
 

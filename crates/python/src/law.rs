@@ -39,8 +39,8 @@ impl Raised {
     }
 
     /// An invalid return value is raised as an exception of the function.
-    fn refuse<T>(&self, what: &str, [one, other]: [f64; 2]) -> Option<T> {
-        let message = format!("{what}, and not ({one}, {other})");
+    fn refuse<T>(&self, expected: &str, [one, other]: [f64; 2]) -> Option<T> {
+        let message = format!("{expected}, not ({one}, {other})");
         self.keep(error::bad_input(message));
         None
     }
@@ -64,8 +64,9 @@ pub(crate) fn laws(bit_law: Option<Function>, excitation: Option<Function>) -> (
             ];
             let answer @ [depth_of_cut_m, torque_N_m] = raised.ask(&function, inputs)?;
             if answer.iter().any(|answer| !answer.is_finite() || *answer < 0.0) {
-                let what = "a bit law gives a depth of cut and a torque, finite and zero or more";
-                return raised.refuse(what, answer);
+                let expected =
+                    "a bit law returns a depth of cut and a torque, finite and zero or more";
+                return raised.refuse(expected, answer);
             }
             Some(BitAnswer { depth_of_cut_m, torque_N_m })
         };
@@ -77,8 +78,8 @@ pub(crate) fn laws(bit_law: Option<Function>, excitation: Option<Function>) -> (
             let answer @ [front_m, torque] =
                 raised.ask(&function, [reading.time_s, reading.angle_rad])?;
             if answer.iter().any(|answer| !answer.is_finite()) {
-                let what = "an excitation gives a length and a part of the torque, finite";
-                return raised.refuse(what, answer);
+                let expected = "an excitation returns a length and a part of torque, finite";
+                return raised.refuse(expected, answer);
             }
             Some(Shake { front_m, torque })
         };

@@ -1,4 +1,4 @@
-"""What several tests need."""
+"""Fixtures of several tests."""
 
 import signal
 from pathlib import Path
@@ -11,9 +11,9 @@ CASES = Path(__file__).parents[3] / "cases"
 
 @pytest.fixture(autouse=True)
 def _interrupts() -> None:
-    """Interrupts go to Python, whoever has taken them over.
+    """Route interrupts to Python, whichever handler is installed.
 
-    A shell has what it runs in the background ignore them, and dask_jobqueue takes them when it is
+    Background jobs of a shell ignore them, and dask_jobqueue installs a handler when it is
     imported.
     """
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -31,7 +31,7 @@ def np13() -> ws.Case:
 
 @pytest.fixture(scope="session")
 def np13_rock() -> ws.Case:
-    """A run on solid rock, slower than real time; the bit is run in on it within seconds."""
+    """A run on solid rock, slower than real time; the run-in of the bit takes seconds."""
     case = ws.Case.load(CASES / "np13-x1042-rock.toml")
     return case.with_(rock__element_size="24 mm", rock__density_factor=500)
 

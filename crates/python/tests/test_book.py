@@ -1,4 +1,4 @@
-"""The book: every block of Python runs, and the reference is what the docstrings say."""
+"""The book: every block of Python runs, and the reference agrees with the docstrings."""
 
 import os
 import re
@@ -10,11 +10,11 @@ import pytest
 
 BOOK = Path(__file__).parents[3] / "docs/src"
 PACKAGE = Path(__file__).parents[1]
-PAGES = sorted(of for of in BOOK.glob("python*.md") if of.name != "python-reference.md")
+PAGES = sorted(path for path in BOOK.glob("python*.md") if path.name != "python-reference.md")
 BLOCK = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda of: of.stem)
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
 def test_every_block_runs(
     page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -23,7 +23,7 @@ def test_every_block_runs(
     text = page.read_text(encoding="utf-8")
     blocks = list(BLOCK.finditer(text))
     assert blocks
-    # As a reader does: from the top of the page down.
+    # In the order of the page.
     names: dict[str, object] = {"__name__": "__page__"}
     for block in blocks:
         line = text[: block.start(1)].count("\n")
@@ -48,7 +48,7 @@ def test_the_reference_is_what_the_docstrings_say(monkeypatch: pytest.MonkeyPatc
         if os.environ.get("WHOLESTRING_UPDATE_DOCS") == "1":
             reference.PAGE.write_text(reference.page(), encoding="utf-8")
         written = reference.PAGE.read_text(encoding="utf-8")
-        assert written == reference.page(), "WHOLESTRING_UPDATE_DOCS=1 writes it anew"
+        assert written == reference.page(), "WHOLESTRING_UPDATE_DOCS=1 rewrites it"
     finally:
         sys.modules.pop("reference", None)
 

@@ -1,4 +1,4 @@
-"""Broomsticks without a folder: what a plan has, with frictions and depths as arguments."""
+"""Broomsticks without a folder: curves of a plan, with frictions and depths as arguments."""
 
 import time
 
@@ -58,7 +58,7 @@ def test_a_point_takes_milliseconds(np13: ws.Case) -> None:
         frictions=[0.1, 0.2, 0.3], bit_depths="1000m..4305m/661m", operations="trip_out", jobs=1
     )
     each_ms = 1e3 * (time.perf_counter() - begun) / len(table)
-    # A millisecond or two when it is optimised; a loaded machine and a debug build are given more.
+    # A millisecond or two if optimised; the limit allows for a loaded machine and a debug build.
     assert each_ms < 100.0, each_ms
 
 

@@ -1,4 +1,4 @@
-"""Friction from readings: whatever they come in, and what is made of it."""
+"""Friction from readings in every form of input, and the resulting case."""
 
 from pathlib import Path
 from typing import Any, cast
@@ -25,19 +25,19 @@ def rig(slant: ws.Case) -> ws.Case:
 
 @pytest.fixture(scope="module")
 def data(rig: ws.Case) -> dict[str, Any]:
-    """What would be read with the friction of the case, 0.2 in casing and 0.3 in open hole."""
+    """Readings computed with the friction of the case, 0.2 in casing and 0.3 in open hole."""
     table = rig.with_({"plan.bit_depths": DEPTHS}).broomstick().to_polars()
     expected = table.filter(polars.col("friction") == "expected")
 
-    def of(operation: str, column: str) -> Any:
+    def column_of(operation: str, column: str) -> Any:
         return expected.filter(polars.col("operation") == operation)[column].to_numpy()
 
     return {
         "bit_depth_m": DEPTHS,
-        "pick_up_kN": of("trip_out", "hook_load_with_block_N") / 1e3,
-        "slack_off_kN": of("trip_in", "hook_load_with_block_N") / 1e3,
-        "rotating_N": of("rotate_off_bottom", "hook_load_with_block_N"),
-        "torque_kN_m": of("rotate_off_bottom", "surface_torque_N_m") / 1e3,
+        "pick_up_kN": column_of("trip_out", "hook_load_with_block_N") / 1e3,
+        "slack_off_kN": column_of("trip_in", "hook_load_with_block_N") / 1e3,
+        "rotating_N": column_of("rotate_off_bottom", "hook_load_with_block_N"),
+        "torque_kN_m": column_of("rotate_off_bottom", "surface_torque_N_m") / 1e3,
     }
 
 
@@ -46,15 +46,19 @@ def found(rig: ws.Case, data: dict[str, Any]) -> ws.Calibration[ws.Case]:
     return rig.calibrate(data, **ERRORS)
 
 
+def parameters(found: ws.Calibration[ws.Case]) -> list[str]:
+    return [estimate.parameter for estimate in found.estimates]
+
+
 def test_friction_is_found_again(found: ws.Calibration[ws.Case]) -> None:
-    assert [of.parameter for of in found.estimates] == ["friction_cased", "friction_open"]
-    # The soft string of the plan is that of the fit, but between nodes of its friction.
+    assert parameters(found) == ["friction_cased", "friction_open"]
+    # The plan and the fit use the same soft string, except between nodes of the friction.
     assert found.friction_cased == pytest.approx(0.2, abs=2e-3)
     assert found.friction_open == pytest.approx(0.3, abs=2e-3)
     assert found["friction_open"].value == found.friction_open
     error = found["friction_open"].standard_error
     assert error is not None and 0.0 < error < 0.05
-    with pytest.raises(KeyError, match="looked for were friction_cased, friction_open"):
+    with pytest.raises(KeyError, match="there are friction_cased, friction_open"):
         found["fish"]
     assert found.block_weight_N is None or found.block_weight_N == BLOCK_N
 
@@ -76,7 +80,8 @@ def test_its_tables(found: ws.Calibration[ws.Case]) -> None:
 def test_the_case_has_what_was_found(
     found: ws.Calibration[ws.Case], rig: ws.Case, tmp_path: Path
 ) -> None:
-    cased, open_hole = (of["friction"]["kinetic"] for of in found.case.settings["well"]["hole"])
+    hole = found.case.settings["well"]["hole"]
+    cased, open_hole = (section["friction"]["kinetic"] for section in hole)
     assert cased == round(found.friction_cased or 0.0, 4)
     assert open_hole == round(found.friction_open or 0.0, 4)
     assert "# 9-5/8 in 40 lb/ft" in found.toml
@@ -103,7 +108,7 @@ def test_whatever_the_readings_come_in(
         for name in ours.tables:
             written = polars.read_parquet(tmp_path / "out" / f"{name}.parquet")
             assert at == 0 or written.equals(ours.table(name).to_polars()), name
-    # The same fit of the same readings may be made again there, no other may.
+    # The same fit of the same readings may be repeated in the folder, no other fit may.
     rig.calibrate(frame, tmp_path / "out", **ERRORS)
     with pytest.raises(ws.FolderError, match="other settings or data"):
         rig.calibrate(frame, tmp_path / "out", one_factor=True)
@@ -113,15 +118,15 @@ def test_whatever_the_readings_come_in(
 
 def test_what_is_held_and_looked_for(rig: ws.Case, data: dict[str, Any]) -> None:
     held = rig.calibrate(data, hold={"friction_cased": 0.2}, block_weight=True, **ERRORS)
-    assert [of.parameter for of in held.estimates] == ["friction_open", "block_weight_N"]
+    assert parameters(held) == ["friction_open", "block_weight_N"]
     assert held.held["friction_cased"] == 0.2
     assert held.block_weight_N == pytest.approx(BLOCK_N, rel=1e-3)
     hold: dict[str, Any] = {"block_weight": BLOCK_N}
     both = rig.calibrate(data, hold=hold, block_weight=True, one_factor=True, **ERRORS)
     assert both.held["block_weight_N"] == BLOCK_N
-    assert [of.parameter for of in both.estimates] == ["friction"]
+    assert parameters(both) == ["friction"]
     around = rig.calibrate(data, friction_around=True, **ERRORS)
-    assert any("around" in of.parameter for of in around.estimates)
+    assert any("around" in name for name in parameters(around))
 
 
 def test_several_strings_are_told_apart_by_name(rig: ws.Case, data: dict[str, Any]) -> None:
@@ -139,7 +144,7 @@ def test_several_strings_are_told_apart_by_name(rig: ws.Case, data: dict[str, An
         ({"hold": {"fish": 1.0}}, ws.InputError, "`hold`: there is no parameter 'fish'"),
         ({"hold": {"friction_cased": 3.0}}, ws.InputError, "expected 0 to 2"),
         ({"hold": {"block_weight": "3 m"}}, ws.InputError, "`hold`: `block_weight`: .*force"),
-        ({"hold": {"bit_torque": 1.0}}, ws.InputError, "is not a parameter of this fit and cannot be kept fixed"),
+        ({"hold": {"bit_torque": 1.0}}, ws.InputError, "is not a parameter of this fit and cannot"),
         ({"weight_error": 0.0}, ws.InputError, "`weight_error`: .*expected more than zero"),
         ({"rotating_error": "3 m"}, ws.InputError, "`rotating_error`: .*force"),
         ({"torque_error": "x"}, ws.InputError, "`torque_error`"),
@@ -188,9 +193,10 @@ def test_readings_that_no_string_gives(rig: ws.Case, data: dict[str, Any]) -> No
     deep = np.asarray(DEPTHS) > 800.0
     zeros = {**data, "slack_off_kN": np.where(deep, 0.0, down)}
     found = rig.calibrate(zeros, **ERRORS)
-    kinds = [of["kind"] for of in found.summary["checks"]]
+    kinds = [check["kind"] for check in found.summary["checks"]]
     assert "zero" in kinds
-    assert any("no reading" in of.sentence for of in found.findings if of.severity == "warning")
+    warned = [finding for finding in found.findings if finding.severity == "warning"]
+    assert any("no reading" in finding.sentence for finding in warned)
     assert found.friction_open == pytest.approx(0.3, abs=2e-3)
 
 
@@ -204,7 +210,7 @@ def test_outliers_with_and_without(rig: ws.Case, data: dict[str, Any]) -> None:
     assert not comparison["left_out"]
     without = rig.calibrate(wrong, without_outliers=True, **errors)
     assert without.summary["comparison"]["left_out"]
-    other = {of["parameter"]: of["value"] for of in comparison["estimates"]}
+    other = {estimate["parameter"]: estimate["value"] for estimate in comparison["estimates"]}
     assert without["friction_open"].value == pytest.approx(other["friction_open"])
 
 

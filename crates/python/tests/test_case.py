@@ -1,4 +1,4 @@
-"""Cases: how they are made, changed, written and kept."""
+"""Cases: made, changed, written and pickled."""
 
 import pickle
 import subprocess
@@ -35,7 +35,7 @@ def test_the_path_of_a_well_is_that_of_its_stations(np13: ws.Case) -> None:
     rows = np.searchsorted(path["md_m"], np.array(stations["md_m"]) - 1e-3)
     inclination, azimuth = path["inclination_rad"][rows], path["azimuth_rad"][rows]
     np.testing.assert_allclose(inclination, stations["inclination_rad"], atol=1e-6)
-    # What is vertical has no azimuth.
+    # Vertical hole has no azimuth.
     inclined = inclination > 1e-3
     assert inclined.sum() > 100
     np.testing.assert_allclose(
@@ -52,7 +52,7 @@ def test_the_path_of_a_well_is_that_of_its_stations(np13: ws.Case) -> None:
 
 
 def test_the_path_of_a_quarter_of_a_circle() -> None:
-    """Closed form: minimum curvature from down to level is a quarter of a circle."""
+    """Closed form: minimum curvature from vertical to horizontal is a quarter of a circle."""
     length_m = 900.0
     made = ws.Case.example().with_(
         {"well.stations": [[0, 0, 90], [length_m, 90, 90]], "well.path": "minimum-curvature"},
@@ -65,7 +65,7 @@ def test_the_path_of_a_quarter_of_a_circle() -> None:
     east_m = radius_m * (1 - np.cos(path["md_m"] / radius_m))
     np.testing.assert_allclose(path["east_m"], east_m, atol=1e-6)
     np.testing.assert_allclose(path["vertical_section_m"], east_m, atol=1e-6)
-    # Behind the last station the path is straight.
+    # Beyond the last station the path is straight.
     np.testing.assert_allclose(path["dogleg_severity_rad_per_m"][:-1], 1 / radius_m, rtol=1e-9)
 
 
@@ -126,7 +126,7 @@ def test_a_case_of_python_objects_is_the_case_of_a_file() -> None:
         "operation": {"kind": ["trip_out", "trip_in"]},
     }
     made = ws.Case.from_dict(table)
-    # Of a vertical string the hook load is its weight in mud, whatever the friction.
+    # The hook load of a vertical string is its weight in mud, independent of friction.
     solved = made.soft()
     assert solved["trip_out"].hook_load_N == pytest.approx(solved["trip_in"].hook_load_N, rel=1e-12)
     steel = made.settings["string"][0]["density_kg_per_m3"]
@@ -135,9 +135,9 @@ def test_a_case_of_python_objects_is_the_case_of_a_file() -> None:
 
 
 def test_a_real_case_is_made_of_python_objects(np13: ws.Case) -> None:
-    tomllib = pytest.importorskip("tomllib", reason="of Python 3.11")
+    tomllib = pytest.importorskip("tomllib", reason="requires Python 3.11")
     table: dict[str, Any] = tomllib.loads(np13.to_toml())
-    # What a case file takes in rev/min and means so.
+    # A rotary speed in rev/min, as in a case file.
     table["operation"]["rpm"] = "70 rpm"
     made = ws.Case.from_dict(table, files=np13.files)
     assert made == np13
@@ -189,14 +189,14 @@ def test_its_text_is_the_case(np13: ws.Case, slant: ws.Case) -> None:
 
 def test_a_pickle_opens_in_a_fresh_interpreter(np13: ws.Case, tmp_path: Path) -> None:
     case = np13.with_(friction=0.22)
-    kept = tmp_path / "case.pickle"
-    kept.write_bytes(pickle.dumps(case))
+    pickled = tmp_path / "case.pickle"
+    pickled.write_bytes(pickle.dumps(case))
     script = (
         "import pickle, sys; case = pickle.load(open(sys.argv[1], 'rb'));"
         "print(case.soft('trip_out')['trip_out'].hook_load_N.hex())"
     )
     ran = subprocess.run(
-        [sys.executable, "-c", script, str(kept)], capture_output=True, text=True, check=True
+        [sys.executable, "-c", script, str(pickled)], capture_output=True, text=True, check=True
     )
     assert ran.stdout.strip() == case.soft("trip_out")["trip_out"].hook_load_N.hex()
 
@@ -220,17 +220,17 @@ def test_it_cannot_be_changed(slant: ws.Case) -> None:
 def test_none_removes_a_key(slant: ws.Case) -> None:
     weighted = slant.with_(rig__block_weight="20 kN")
     assert weighted != slant
-    # The table stays, without its key.
+    # The table remains, without its key.
     assert weighted.with_({"rig.block_weight": None}) == slant.with_({"rig": {}})
     assert "block_weight" not in weighted.with_(rig__block_weight=None).to_toml()
     with pytest.raises(ws.CaseError, match=r"the case has no `rig\.block_weight`"):
         slant.with_(rig__block_weight=None)
     with pytest.raises(ws.CaseError, match=r"the case has no `string\.0`"):
         slant.with_({"string.0": None})
-    # A key that is needed is missed.
+    # A missing required key is reported.
     with pytest.raises(ws.CaseError, match="density"):
         slant.with_(mud__density=None)
-    # A case that goes to another process keeps what it lacks.
+    # A case sent to another process keeps its removed keys removed.
     without = weighted.with_(rig__block_weight=None)
     assert pickle.loads(pickle.dumps(without)) == without
 
@@ -251,14 +251,14 @@ def test_keys_that_set_the_same_thing_are_refused(
         slant.with_(changes, **keywords)
     with pytest.raises(ws.InputError, match="set the same key"):
         ws.sweep(slant, {"wob": [5e4], "operation.wob": [6e4]}, folder="never")
-    # One after the other there is no doubt which holds.
+    # Successive changes are unambiguous.
     assert slant.with_({"well.hole.1.friction": 0.3}).with_(friction=0.2) == slant.with_(
         friction=0.2
     )
 
 
 def test_a_rotary_speed_is_in_rev_per_min(slant: ws.Case) -> None:
-    """120 rev/min are 4 pi rad/s; the case's limit of 1000 rev/min holds."""
+    """120 rev/min are 4 pi rad/s; the limit of 1000 rev/min of the case applies."""
     for value in (120, 120.0, np.float32(120.0), np.int64(120), np.array(120)):
         speed = slant.with_(rpm=value).settings["operation"]["rotary_speed_rad_per_s"]
         assert speed == pytest.approx(4 * np.pi, rel=1e-15)

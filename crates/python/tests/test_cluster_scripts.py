@@ -1,4 +1,4 @@
-"""What ships for clusters: scripts, rendered and checked but not run on one."""
+"""Scripts for clusters, rendered and checked but not run on one."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import pytest
 EXAMPLES = Path(__file__).parents[1] / "examples" / "cluster"
 
 
-# Windows has a program of this name that starts a Linux, where there is one.
+# On Windows, a program of this name starts a Linux subsystem, if one is installed.
 needs_bash = pytest.mark.skipif(
     os.name != "posix" or shutil.which("bash") is None, reason="this system has no bash"
 )
@@ -24,9 +24,9 @@ needs_bash = pytest.mark.skipif(
 def test_the_array_of_slurm_hands_its_shares_to_the_command_line(tmp_path: Path) -> None:
     script = EXAMPLES / "slurm-array.sh"
     subprocess.run(["bash", "-n", str(script)], check=True)
-    told = tmp_path / "wholestring"
-    told.write_text('#!/bin/bash\nprintf "%s\\n" "$@"\n')
-    told.chmod(0o755)
+    program = tmp_path / "wholestring"
+    program.write_text('#!/bin/bash\nprintf "%s\\n" "$@"\n')
+    program.chmod(0o755)
 
     def arguments(task: int) -> list[str]:
         path = f"{tmp_path}{os.pathsep}{os.environ['PATH']}"
@@ -58,7 +58,7 @@ def test_dask_jobqueue_renders_the_job(tmp_path: Path) -> None:
         assert isinstance(cluster, jobqueue.SLURMCluster)
         script = cluster.job_script()
     subprocess.run(["bash", "-n"], input=script, text=True, check=True)
-    for wanted in (
+    for line in (
         "#SBATCH -J wholestring",
         "#SBATCH --cpus-per-task=8",
         "#SBATCH -t 04:00:00",
@@ -68,4 +68,4 @@ def test_dask_jobqueue_renders_the_job(tmp_path: Path) -> None:
         "tls://127.0.0.1:",
         "--tls-key",
     ):
-        assert wanted in script, script
+        assert line in script, script

@@ -1,4 +1,4 @@
-"""What the command line's commands do: in a temporary folder, in a given one, saved and loaded."""
+"""Commands of the command line: in a temporary folder, in a given one, saved and loaded."""
 
 import signal
 import threading
@@ -14,7 +14,7 @@ import wholestring as ws
 
 @pytest.fixture(scope="module")
 def small(slant: ws.Case) -> ws.Case:
-    """A well in whose plan little is computed."""
+    """A well whose plan requires little computation."""
     changes: dict[str, ws.Value] = {
         "plan.depths": 3,
         "mesh.element_length": 20.0,
@@ -24,8 +24,8 @@ def small(slant: ws.Case) -> ws.Case:
     return slant.with_(changes)
 
 
-# What each verb gives, and what makes it quick: a case that does not drill has no map of torsional
-# stability.
+# Result type of each method, and the settings that make it fast: a case without drilling has no map
+# of torsional stability.
 VERBS: dict[str, tuple[type[ws.BaseResults], dict[str, Any], dict[str, ws.Value]]] = {
     "plan": (ws.Plan, {}, {}),
     "reach": (ws.Reach, {"to": "3 km"}, {}),
@@ -35,7 +35,7 @@ VERBS: dict[str, tuple[type[ws.BaseResults], dict[str, Any], dict[str, ws.Value]
 
 
 def done(verb: str, case: ws.Case, folder: Path | None = None) -> ws.BaseResults:
-    """Do what a verb says."""
+    """Call a method by its name."""
     kind, options, changes = VERBS[verb]
     results: ws.BaseResults = getattr(case.with_(changes), verb)(folder, **options)
     assert type(results) is kind
@@ -43,8 +43,8 @@ def done(verb: str, case: ws.Case, folder: Path | None = None) -> ws.BaseResults
 
 
 def same_tables(ours: ws.BaseResults, folder: Path) -> None:
-    """Hold all tables against the Parquet files of a folder."""
-    files = {of.stem for of in folder.glob("*.parquet")}
+    """Compare all tables with the Parquet files of a folder."""
+    files = {file.stem for file in folder.glob("*.parquet")}
     assert set(ours.tables) == files
     for name in files:
         written = polars.read_parquet(folder / f"{name}.parquet")
@@ -61,12 +61,13 @@ def test_in_a_temporary_folder_as_in_a_given_one(verb: str, small: ws.Case, tmp_
     same_tables(own, tmp_path / "given")
     assert own.summary == given.summary
     assert (tmp_path / "given" / "report.html").is_file()
-    # Saved, it is the folder that the command itself writes, and nothing stays behind.
+    # The saved folder equals that of the command itself, and no temporary folder remains.
     saved = own.save(tmp_path / "saved")
     assert own.folder == saved
     assert not temporary.exists()
-    names = {of.relative_to(saved) for of in saved.rglob("*")}
-    assert names == {of.relative_to(tmp_path / "given") for of in (tmp_path / "given").rglob("*")}
+    names = {path.relative_to(saved) for path in saved.rglob("*")}
+    target = tmp_path / "given"
+    assert names == {path.relative_to(target) for path in target.rglob("*")}
     loaded = ws.load(saved)
     assert type(loaded) is type(own)
     assert isinstance(loaded, ws.BaseResults)
@@ -85,7 +86,7 @@ def test_other_results_are_protected(verb: str, small: ws.Case, tmp_path: Path) 
     with pytest.raises(ws.FolderError, match="here"):
         own.save(tmp_path / "here")
     own.save(tmp_path / "here", overwrite=True)
-    # The same again is no other.
+    # Repeating the same command is allowed.
     done(verb, small, tmp_path / "here")
     with pytest.raises(ws.ResultsError, match=r"and not a run: wholestring\.load"):
         ws.Results.load(tmp_path / "here")
@@ -112,7 +113,7 @@ def test_what_a_plan_says(small: ws.Case) -> None:
     assert order == sorted(order)
     weak = small.with_(rig__top_drive_torque="1 kN.m").plan()
     assert weak.findings[0].severity == "error"
-    assert any(of.kind == "top_drive" and of.verdict == "exceeded" for of in weak.checks)
+    assert any(check.kind == "top_drive" and check.verdict == "exceeded" for check in weak.checks)
 
 
 def test_a_plan_is_resumed(small: ws.Case, tmp_path: Path) -> None:
@@ -147,7 +148,7 @@ def test_an_interrupted_plan_keeps_what_it_has(slant: ws.Case, tmp_path: Path) -
 
 @pytest.mark.parametrize("verb", ["modes", "bha", "reach", "broomstick"])
 def test_an_interrupt_does_not_wait(verb: str, np13: ws.Case) -> None:
-    # Much to do, so that it is under way.
+    # A large task, so that it is running when interrupted.
     much: dict[str, dict[str, Any]] = {
         "bha": {"weight": [1e3 * i for i in range(1, 2000)]},
         "broomstick": {"model": "stiff", "bit_depths": "500m..4300m/10m"},
@@ -164,26 +165,26 @@ def test_an_interrupt_does_not_wait(verb: str, np13: ws.Case) -> None:
     threading.Timer(0.3, interrupt).start()
     with pytest.raises(ws.Interrupted) as caught:
         getattr(np13, verb)(**much[verb])
-    # Asked: within 0.2 s; a loaded machine is given more.
+    # The requirement is 0.2 s; the limit allows for a loaded machine.
     assert time.monotonic() - sent < 1.0
-    kept = caught.value.results
+    results = caught.value.results
     match verb:
         case "bha":
-            assert isinstance(kept, ws.Bha)
-            found, missing = len(kept.summary["sweep"]), kept.summary["missing"]
+            assert isinstance(results, ws.Bha)
+            found, missing = len(results.summary["sweep"]), results.summary["missing"]
             assert found > 0
             assert found + missing > 1999
         case "reach":
-            assert isinstance(kept, ws.Reach)
-            frictions = kept.summary["frictions"]
-            assert any(of["limits"] for of in frictions)
-            assert any(of.get("missing") for of in frictions)
+            assert isinstance(results, ws.Reach)
+            frictions = results.summary["frictions"]
+            assert any(row["limits"] for row in frictions)
+            assert any(row.get("missing") for row in frictions)
         case "broomstick":
-            assert isinstance(kept, ws.Table)
-            assert 0 < len(kept) < 3 * 4 * 381
+            assert isinstance(results, ws.Table)
+            assert 0 < len(results) < 3 * 4 * 381
         case _:
-            # Before the natural modes there is nothing to keep.
-            assert kept is None or kept.summary["missing"]
+            # There are no results before the natural modes.
+            assert results is None or results.summary["missing"]
 
 
 def test_a_reach_says_what_stops_the_well(small: ws.Case) -> None:
@@ -217,7 +218,7 @@ def test_an_assembly_says_what_the_bit_does(small: ws.Case) -> None:
 def test_modes_are_those_of_a_rod(small: ws.Case) -> None:
     modes = small.modes(operation="rotate_off_bottom")
     lowest = modes.frequencies_Hz("torsional")
-    # Of a rod of one section held at its top; collars make it somewhat lower.
+    # A uniform rod fixed at its top; collars lower its frequency somewhat.
     shear_m_per_s = (76.923e9 / 7860.0) ** 0.5
     assert 0.6 * shear_m_per_s / 4800.0 < lowest[0] < shear_m_per_s / 4800.0
     assert (modes.critical_speeds_rad_per_s > 0.0).all()

@@ -26,62 +26,63 @@ CHECKED = {"GL08", "SS01", "PR01", "PR02", "PR03", "PR07", "YD01"}
 
 
 def public() -> Iterator[tuple[str, Any]]:
-    """Give every public name, with methods and properties."""
-    for name, of in reference.public():
-        yield name, of
-        if inspect.isclass(of):
-            for member, one in reference.members(of):
+    """Return every public name, with methods and properties."""
+    for name, item in reference.public():
+        yield name, item
+        if inspect.isclass(item):
+            for member, one in reference.members(item):
                 yield f"{name}.{member}", one
 
 
-def example(of: Any) -> str:
-    doc: Any = reference.NumpyDocString(inspect.getdoc(of) or "")
+def example(item: Any) -> str:
+    doc: Any = reference.NumpyDocString(inspect.getdoc(item) or "")
     return "\n".join(doc["Examples"])
 
 
 NAMES = dict(public())
-CALLED = [name for name, of in NAMES.items() if not isinstance(of, property)]
+CALLED = [name for name, item in NAMES.items() if not isinstance(item, property)]
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_it_is_documented(name: str) -> None:
-    of = NAMES[name]
-    if isinstance(of, property):
-        text = inspect.getdoc(of.fget) or ""
+    item = NAMES[name]
+    if isinstance(item, property):
+        text = inspect.getdoc(item.fget) or ""
         assert text.strip().endswith("."), "a sentence"
         return
-    found = [(code, said) for code, said in validate(name)["errors"] if code in CHECKED]
+    found = [(code, text) for code, text in validate(name)["errors"] if code in CHECKED]
     last = name.rsplit(".", 1)[-1]
-    # Of classes that the package alone makes, what makes them is no part of what they are; fields
-    # of dataclasses and of named tuples are attributes.
-    made_here = inspect.isclass(of) and not reference._signature(last, of)
-    has_fields = dataclasses.is_dataclass(of) or (inspect.isclass(of) and issubclass(of, tuple))
+    # Constructors of classes that only the package instantiates are not documented; fields of
+    # dataclasses and of named tuples are attributes.
+    made_here = inspect.isclass(item) and not reference._signature(last, item)
+    is_tuple = inspect.isclass(item) and issubclass(item, tuple)
+    has_fields = dataclasses.is_dataclass(item) or is_tuple
     if made_here or has_fields:
-        found = [(code, said) for code, said in found if not code.startswith("PR")]
+        found = [(code, text) for code, text in found if not code.startswith("PR")]
     assert not found
 
 
 @pytest.mark.parametrize("name", CALLED)
 def test_it_has_an_example_of_its_own(name: str) -> None:
-    """In its own docstring, where doctest runs it; of what is called, one that calls it."""
-    of = NAMES[name]
-    shown = example(of)
-    assert ">>> " in shown
+    """Require an example in the docstring, run by doctest, that calls the function."""
+    item = NAMES[name]
+    text = example(item)
+    assert ">>> " in text
     last = name.rsplit(".", 1)[-1]
-    if not inspect.isclass(of):
-        assert re.search(rf"\b{last}\(", shown)
+    if not inspect.isclass(item):
+        assert re.search(rf"\b{last}\(", text)
 
 
 def test_every_example_is_run() -> None:
-    """Doctest finds those of the modules alone: each name's lies in one that is collected."""
+    """Require that doctest collects the docstring of each name, as it collects modules only."""
     finder = doctest.DocTestFinder(exclude_empty=True)
     found: set[str] = set()
     for module in pkgutil.walk_packages(ws.__path__, "wholestring."):
         if module.name != "wholestring._core":
             tests = finder.find(import_module(module.name))
-            found |= {of.docstring or "" for of in tests if of.examples}
+            found |= {test.docstring or "" for test in tests if test.examples}
     for name in CALLED:
-        assert inspect.getdoc(NAMES[name]) in {inspect.cleandoc(of) for of in found}, name
+        assert inspect.getdoc(NAMES[name]) in {inspect.cleandoc(text) for text in found}, name
 
 
 def test_names_are_public_on_purpose() -> None:

@@ -25,7 +25,7 @@ def test_a_mistaken_case_names_every_mistake(slant: ws.Case) -> None:
     error = caught.value
     assert "did you mean `density`?" in str(error)
     assert "well.toml:" in str(error)
-    (found,) = (of for of in error.diagnostics if "densty" in of.message)
+    (found,) = (diagnostic for diagnostic in error.diagnostics if "densty" in diagnostic.message)
     assert found.severity == "error"
     assert found.file == "well.toml"
     assert found.line is not None
@@ -36,10 +36,10 @@ def test_a_mistaken_case_names_every_mistake(slant: ws.Case) -> None:
 
 
 def test_the_text_is_the_command_lines(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """That which the command line's own test holds its output to, and the diagnostics with it."""
+    """Compare with the snapshot of the command line's own test, and with the diagnostics."""
     tests = CASES.parent / "crates/cli/tests"
-    shown = (tests / "cli/snapshots/cli__check__mistakes_are_underlined.snap").read_text("utf-8")
-    _, text = shown.split("--- standard error\n")
+    snapshot = (tests / "cli/snapshots/cli__check__mistakes_are_underlined.snap").read_text("utf-8")
+    _, text = snapshot.split("--- standard error\n")
     case = (tests / "data/slant.toml").read_text("utf-8")
     case = case.replace('"1.2 sg"', '"1.2 bar"').replace("rpm", "rmp")
     (tmp_path / "slant.toml").write_text(case, "utf-8")
@@ -93,13 +93,13 @@ def test_frames_need_a_folder(short: ws.Case) -> None:
 
 
 def test_an_operation_without_equilibrium_keeps_the_others(slant: ws.Case) -> None:
-    # More weight than the string can take.
+    # A weight above the capacity of the string.
     locked = slant.with_(friction=1.2, wob="900 kN")
     with pytest.raises(ws.NoAnswerError) as caught:
         locked.stiff()
     results = caught.value.results
     assert results is not None
-    assert {"failed", "complete"} == {of.status for of in results}
+    assert {"failed", "complete"} == {result.status for result in results}
 
 
 def test_an_interrupt_keeps_what_was_computed(slant: ws.Case) -> None:
@@ -120,7 +120,7 @@ def test_an_interrupt_keeps_what_was_computed(slant: ws.Case) -> None:
     results = caught.value.results
     assert results is not None
     assert results["rotate_off_bottom"].status == "interrupted"
-    # Asked: within 0.2 s; a loaded machine is given more.
+    # The requirement is 0.2 s; the limit allows for a loaded machine.
     assert took < 2.0, took
 
 
@@ -139,7 +139,7 @@ def test_python_runs_beside_it(short: ws.Case) -> None:
     short.with_(dynamics__duration=3.0).dynamic()
     done.set()
     beside.join()
-    # Once, if Python waited for the run.
+    # Only once if Python waited for the run.
     assert turns > 3
 
 
@@ -163,7 +163,7 @@ def _everything_that_is_refused(case: ws.Case, sim: ws.Simulation) -> dict[str, 
         "no jobs": lambda: case.dynamic(jobs=0),
         "half a job": lambda: case.dynamic(jobs=wrong),
         "a track": lambda: ws.plot.tracks(soft, "tensoin"),
-        "a thing to draw": lambda: ws.plot.tracks(wrong),
+        "an object to draw": lambda: ws.plot.tracks(wrong),
         "friction": lambda: sim.set(friction="low"),
         "frictions": lambda: case.broomstick(frictions=wrong),
         "a table": lambda: soft.table("fish"),
@@ -173,7 +173,7 @@ def _everything_that_is_refused(case: ws.Case, sim: ws.Simulation) -> dict[str, 
         "an example": lambda: ws.Case.example("fish"),
         "readings": lambda: case.calibrate(wrong),
         "a survey": lambda: ws.Case.from_dict({}, survey=[1.0]),
-        "what is varied": lambda: ws.sweep(case, {"friction": wrong}),
+        "varied values": lambda: ws.sweep(case, {"friction": wrong}),
         "nothing varied": lambda: ws.sweep(case, {}),
         "resume": lambda: case.run(resume=True),
         "a folder": lambda: ws.load("no such folder"),
@@ -184,16 +184,16 @@ def _everything_that_is_refused(case: ws.Case, sim: ws.Simulation) -> dict[str, 
 
 def test_all_errors_are_ours(short: ws.Case, tmp_path: Path) -> None:
     sim = short.simulation()
-    for what, ask in _everything_that_is_refused(short, sim).items():
+    for label, call in _everything_that_is_refused(short, sim).items():
         with pytest.raises(Exception) as caught:
-            ask()
-        assert isinstance(caught.value, ws.Error), (what, repr(caught.value))
-        assert str(caught.value), what
+            call()
+        assert isinstance(caught.value, ws.Error), (label, repr(caught.value))
+        assert str(caught.value), label
     ws.Case.example()
 
 
 def test_no_error_of_python_is_raised_by_the_package() -> None:
-    """Of the classes in the sources, all are ours."""
+    """Check that all raised classes in the sources are those of the package."""
     raised = re.compile(r"raise (\w+)\(")
     ours = {name for name in dir(ws) if name.endswith("Error") or name == "Interrupted"}
     for source in Path(ws.__file__).parent.rglob("*.py"):
@@ -205,8 +205,8 @@ def test_no_error_of_python_is_raised_by_the_package() -> None:
 def test_a_package_that_is_missing_is_named(
     short: ws.Case, monkeypatch: pytest.MonkeyPatch, package: str
 ) -> None:
-    """The hint installs what is missing from any registry: a name that ours has or not."""
-    for name in [of for of in sys.modules if of.split(".")[0] == package]:
+    """Check that the hint names the missing package itself, not an extra of this package."""
+    for name in [name for name in sys.modules if name.split(".")[0] == package]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, package, None)
     soft = short.soft("drill")
@@ -221,7 +221,7 @@ def test_a_package_that_is_missing_is_named(
 
 
 def test_a_refused_thread_is_an_error_of_ours(tmp_path: Path) -> None:
-    """A stack that no system has room for: the system refuses the thread."""
+    """Request a stack larger than any memory, so that the system refuses the thread."""
     code = (
         "import sys, wholestring as ws\n"
         "try:\n"

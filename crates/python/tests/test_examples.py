@@ -1,4 +1,4 @@
-"""The examples beside the package."""
+"""The examples next to the package."""
 
 import importlib.util
 import sys
@@ -22,14 +22,14 @@ def example(name: str) -> ModuleType:
 
 
 def test_a_controller_stops_stick_slip() -> None:
-    """At a constant speed the bit stands in each cycle; softened, its speed swings by a tenth at
-    most after 20 s."""
+    """At a constant speed the bit stops in each cycle; with the controller, its speed varies by a
+    tenth at most after 20 s."""
     controller = example("controller")
     sim = controller.sticking_string()
-    kept = sim.time_s
+    start_s = sim.time_s
     sim.advance(5.0)
-    assert sim.since(kept)["bit_rotary_speed_rad_per_s"].min() < 0.1
-    assert controller.severity(sim, kept) > 0.9
+    assert sim.since(start_s)["bit_rotary_speed_rad_per_s"].min() < 0.1
+    assert controller.severity(sim, start_s) > 0.9
     controller.soften(sim, 20.0)
     assert controller.severity(sim, sim.time_s - 5.0) < 0.1
     controller.main()
@@ -58,6 +58,6 @@ def test_an_environment_to_learn_in() -> None:
     still, faster = played(7, 0.0), played(7, 1.0)
     assert played(7, 1.0) == faster
     assert played(8, 1.0) != faster
-    # Turning faster ends stick-slip, and drills faster.
+    # A higher rotary speed ends stick-slip, and drills faster.
     assert faster[0] > still[0] + 10.0
     environment.main()

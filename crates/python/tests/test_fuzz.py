@@ -1,8 +1,8 @@
-"""Odd arguments to everything that is public: a value or an exception of a known class, no crash.
+"""Odd arguments to all public functions: a value or an exception of a known class, no crash.
 
 The calls are seeded and made in a process of their own, so that one that ended the process would
-fail this test and say which call it was. A panic of the engine that became an exception fails it
-too.
+fail this test with the name of the call. A panic of the engine that became an exception also fails
+it.
 """
 
 import inspect
@@ -29,7 +29,7 @@ SEED = 19
 
 
 class Quantity:
-    """What passes for a quantity of pint, and may lie."""
+    """An imitation of a quantity of pint, whose value may be invalid."""
 
     def __init__(self, magnitude: object) -> None:
         self.magnitude = magnitude
@@ -39,7 +39,7 @@ class Quantity:
 
 
 class Liar:
-    """Raises whatever is asked of it."""
+    """An object that raises an error in every method."""
 
     def __getattr__(self, name: str) -> object:
         raise RuntimeError(name)
@@ -53,8 +53,8 @@ class Liar:
     __repr__ = __str__
 
 
-def odd(of: random.Random, depth: int = 0) -> Any:
-    """Give an odd argument."""
+def odd(rng: random.Random, depth: int = 0) -> Any:
+    """Return an odd argument."""
     numbers: list[object] = [
         0,
         -1,
@@ -74,21 +74,21 @@ def odd(of: random.Random, depth: int = 0) -> Any:
     texts += ["drill", "trip_out", "md_m", "hook_load_N", "torque_N_m", "nodes", "time", "rpm"]
     texts += ["well.hole.0.friction", "a.b.c", "...", "[]", '"', "\\", "\ud800", "é" * 300, "'''"]
     texts += ["operation.bit_depth", "string.3.od", "\n", "=", "# x", "length", "rotary speed"]
-    picked = of.random()
+    picked = rng.random()
     if picked < 0.35:
-        return of.choice(numbers)
+        return rng.choice(numbers)
     if picked < 0.7:
-        return of.choice(texts)
+        return rng.choice(texts)
     if picked < 0.85 and depth < 3:
-        items = [odd(of, depth + 1) for _ in range(of.randrange(4))]
-        if of.random() < 0.4:
-            return {str(of.choice(texts)): item for item in items}
-        return tuple(items) if of.random() < 0.5 else items
+        items = [odd(rng, depth + 1) for _ in range(rng.randrange(4))]
+        if rng.random() < 0.4:
+            return {str(rng.choice(texts)): item for item in items}
+        return tuple(items) if rng.random() < 0.5 else items
     others: list[Callable[[], Any]] = [
         lambda: None,
         object,
         Liar,
-        lambda: Quantity(of.choice(numbers)),
+        lambda: Quantity(rng.choice(numbers)),
         lambda: Quantity(Liar()),
         lambda: b"\x00\xff",
         lambda: bytearray(8),
@@ -98,60 +98,60 @@ def odd(of: random.Random, depth: int = 0) -> Any:
         lambda: Path("nowhere"),
         lambda: iter(()),
     ]
-    return of.choice(others)()
+    return rng.choice(others)()
 
 
 Call = Callable[[random.Random], object]
 
 
 class Targets:
-    """What is called: how often, and by which name; few of what takes a tenth of a second."""
+    """Calls with their weights and names; a call of a tenth of a second has a low weight."""
 
     def __init__(self) -> None:
         self.weights: list[int] = []
         self.calls: list[tuple[str, Call]] = []
 
     def add(self, weight: int, name: str, call: Call) -> None:
-        """Add a call that finds its odd arguments itself."""
+        """Add a call that draws its own odd arguments."""
         self.weights.append(weight)
         self.calls.append((name, call))
 
     def plain(self, weight: int, count: int, name: str, function: Callable[..., object]) -> None:
-        """Add a function of so many arguments, all of them odd, and now and then of others."""
+        """Add a function of ``count`` arguments, all odd, sometimes with another number of them."""
 
-        def call(of: random.Random) -> object:
-            given = count if of.random() < 0.95 else of.randrange(4)
-            return function(*[odd(of) for _ in range(given)])
+        def call(rng: random.Random) -> object:
+            arity = count if rng.random() < 0.95 else rng.randrange(4)
+            return function(*[odd(rng) for _ in range(arity)])
 
         self.add(weight, name, call)
 
     def keywords(
         self, often: int, label: str, function: Callable[..., object], /, **sound: object
     ) -> None:
-        """Add a function with a sound call, of which one or two arguments become odd."""
+        """Add a function with a valid call, of which one or two arguments become odd."""
         kinds = (inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY)
         parameters = inspect.signature(function).parameters.values()
         names = [one.name for one in parameters if one.kind in kinds]
 
-        def call(of: random.Random) -> object:
-            chosen = of.sample(names, min(len(names), of.choice((1, 1, 2))))
-            return function(**{**sound, **{one: odd(of) for one in chosen}})
+        def call(rng: random.Random) -> object:
+            chosen = rng.sample(names, min(len(names), rng.choice((1, 1, 2))))
+            return function(**{**sound, **{one: odd(rng) for one in chosen}})
 
         self.add(often, label, call)
 
 
 def one(function: Callable[[Any], object]) -> Callable[..., object]:
-    """Give a function of one argument."""
+    """Return a function of one argument."""
     return function
 
 
 def two(function: Callable[[Any, Any], object]) -> Callable[..., object]:
-    """Give a function of two arguments."""
+    """Return a function of two arguments."""
     return function
 
 
 def targets() -> Targets:
-    """Give all targets."""
+    """Return all targets."""
     found = Targets()
     small: dict[str, ws.Value] = {
         "mesh.element_length": 30.0,
@@ -174,9 +174,9 @@ def targets() -> Targets:
 
 
 def helpers(found: Targets) -> None:
-    """Add what all arguments go through."""
+    """Add the conversions of all arguments."""
     found.plain(1400, 2, "quantity", _core.quantity)
-    found.plain(1400, 1, "time", one(lambda of: _core.quantity(of, "time")))
+    found.plain(1400, 1, "time", one(lambda text: _core.quantity(text, "time")))
     found.plain(700, 1, "si_unit", _core.si_unit)
     found.plain(700, 1, "unit_of", _core.unit_of)
     found.plain(300, 3, "values", _core.values)
@@ -187,7 +187,7 @@ def helpers(found: Targets) -> None:
 
 
 def of_cases(found: Targets, case: ws.Case) -> None:
-    """Add how cases are made and solved: the settings of a whole string take time to read."""
+    """Add the making and solving of cases: the settings of a whole string take time to read."""
     Path("survey.csv").write_text("MD (m),Inc,Azi\n0,0,0\n300,0,0\n330,3,45\n")
     imported = ws.import_files("survey.csv")
     found.plain(60, 1, "Case.load", ws.Case.load)
@@ -219,17 +219,17 @@ def of_cases(found: Targets, case: ws.Case) -> None:
 
 
 def of_part(make: Callable[..., object], part: str) -> Callable[..., object]:
-    """Give how a case is made of a survey, with one thing that is said of it."""
-    return one(lambda given: make("survey.csv", **{part: given}))
+    """Return a function that makes a case from a survey with one more argument."""
+    return one(lambda value: make("survey.csv", **{part: value}))
 
 
-def arguments(of: Callable[..., object]) -> set[str]:
-    """Give the names of the arguments of a function."""
-    return set(inspect.signature(of).parameters)
+def arguments(function: Callable[..., object]) -> set[str]:
+    """Return the names of the arguments of a function."""
+    return set(inspect.signature(function).parameters)
 
 
 def of_results(found: Targets, case: ws.Case) -> None:
-    """Add what is asked of results."""
+    """Add the methods of results."""
     solved = case.soft()
     folder = solved.save("solved")
     loaded = ws.Results.load(folder)
@@ -255,14 +255,14 @@ def of_results(found: Targets, case: ws.Case) -> None:
 
 
 def readings(case: ws.Case) -> dict[str, object]:
-    """Give what is calibrated with."""
+    """Return readings for a calibration."""
     depths = [500.0, 700.0, 900.0, 1050.0, 1200.0]
     table = case.broomstick(frictions=0.25, bit_depths=depths, operations="trip_out", model="soft")
     return {"bit_depth_m": depths, "pick_up_N": table["hook_load_with_block_N"]}
 
 
 def of_tables(found: Targets, nodes: ws.Table) -> None:
-    """Add what is asked of a table."""
+    """Add the methods of a table."""
     found.plain(900, 1, "Table[]", nodes.__getitem__)
     found.plain(900, 1, "Table.unit", nodes.unit)
     found.plain(900, 1, "Table.meaning", nodes.meaning)
@@ -276,30 +276,30 @@ def of_tables(found: Targets, nodes: ws.Table) -> None:
 
 
 def of_simulations(found: Targets, case: ws.Case) -> None:
-    """Add simulations in hand."""
+    """Add simulations that the caller advances."""
     sim = case.simulation()
     sim.advance(0.02)
-    kept = sim.checkpoint()
-    sims = [sim, case.simulation(checkpoint=kept)]
+    checkpoint = sim.checkpoint()
+    sims = [sim, case.simulation(checkpoint=checkpoint)]
 
-    def damaged(of: random.Random) -> object:
-        data = bytearray(kept)
-        for _ in range(of.randrange(1, 4)):
-            data[of.randrange(len(data))] ^= 1 << of.randrange(8)
-        cut = bytes(data[: of.randrange(len(data))] if of.random() < 0.3 else data)
+    def damaged(rng: random.Random) -> object:
+        data = bytearray(checkpoint)
+        for _ in range(rng.randrange(1, 4)):
+            data[rng.randrange(len(data))] ^= 1 << rng.randrange(8)
+        cut = bytes(data[: rng.randrange(len(data))] if rng.random() < 0.3 else data)
         return case.simulation(checkpoint=cut)
 
-    def changed(of: random.Random) -> object:
-        """Give it a set point that there is, or time that it takes a moment to pass."""
-        name = of.choice(
+    def changed(rng: random.Random) -> object:
+        """Change an existing set point."""
+        name = rng.choice(
             ["rpm", "block_velocity", "weight_on_bit", "flow_rate", "friction", "ramp", "odd"]
         )
-        asked: Callable[..., object] = of.choice(sims).set
-        return asked(**{name: odd(of)})
+        setter: Callable[..., object] = rng.choice(sims).set
+        return setter(**{name: odd(rng)})
 
-    def advanced(of: random.Random) -> None:
-        time = odd(of)
-        # What is a time at all would be waited for.
+    def advanced(rng: random.Random) -> None:
+        time = odd(rng)
+        # Long valid times are shortened.
         small: dict[Any, Any] = {"10 s": "0.1 s", 10**400: 1e-3}
         small |= dict.fromkeys((1e300, 2**63, 1, 0.3), 1e-3)
         try:
@@ -308,16 +308,16 @@ def of_simulations(found: Targets, case: ws.Case) -> None:
             pass
         if isinstance(time, Quantity | bool):
             time = 1e-3
-        which = of.randrange(len(sims))
+        which = rng.randrange(len(sims))
         try:
             sims[which].advance(time)
         except ws.NoAnswerError:
-            # One that diverged stays so: another, from where all was well.
-            sims[which] = case.simulation(checkpoint=kept)
+            # A diverged simulation remains so; replace it from the checkpoint.
+            sims[which] = case.simulation(checkpoint=checkpoint)
             raise
 
-    def reading(of: random.Random) -> object:
-        one = of.choice(sims)
+    def reading(rng: random.Random) -> object:
+        one = rng.choice(sims)
         asks: list[Callable[[], object]] = [
             lambda: one.now,
             lambda: one.time_s,
@@ -328,28 +328,28 @@ def of_simulations(found: Targets, case: ws.Case) -> None:
             lambda: one.operation,
             lambda: one.sample_interval_s,
         ]
-        return of.choice(asks)()
+        return rng.choice(asks)()
 
-    def lazily(ask: Callable[[ws.Simulation], object]) -> Call:
-        return lambda of: ask(of.choice(sims))
+    def lazily(read: Callable[[ws.Simulation], object]) -> Call:
+        return lambda rng: read(rng.choice(sims))
 
     def law(answer: Any) -> Callable[[Any], Any]:
         return lambda reading: answer
 
     made = "Case.simulation"
     found.plain(10, 1, made, case.simulation)
-    found.plain(30, 1, made, one(lambda of: case.simulation(checkpoint=of)))
+    found.plain(30, 1, made, one(lambda value: case.simulation(checkpoint=value)))
     found.add(20, made, damaged)
-    found.plain(15, 1, made, one(lambda of: case.simulation(bit_law=law((1e-3, 1e3)), rate=of)))
-    found.plain(10, 1, made, one(lambda of: case.simulation(bit_law=law(of))))
-    found.plain(10, 1, made, one(lambda of: case.simulation(excitation=law(of))))
-    found.plain(10, 1, made, one(lambda of: case.simulation(bit_law=of)))
-    found.plain(10, 1, made, one(lambda of: case.simulation(jobs=of)))
+    found.plain(15, 1, made, one(lambda rate: case.simulation(bit_law=law((1e-3, 1e3)), rate=rate)))
+    found.plain(10, 1, made, one(lambda value: case.simulation(bit_law=law(value))))
+    found.plain(10, 1, made, one(lambda value: case.simulation(excitation=law(value))))
+    found.plain(10, 1, made, one(lambda value: case.simulation(bit_law=value)))
+    found.plain(10, 1, made, one(lambda value: case.simulation(jobs=value)))
     found.add(900, "Simulation.set", changed)
     found.add(300, "Simulation.advance", advanced)
     found.add(2000, "reading", reading)
-    found.add(300, "Simulation.since", lambda of: of.choice(sims).since(odd(of)))
-    found.add(20, "Simulation.forget", lambda of: of.choice(sims).forget(odd(of)))
+    found.add(300, "Simulation.since", lambda rng: rng.choice(sims).since(odd(rng)))
+    found.add(20, "Simulation.forget", lambda rng: rng.choice(sims).forget(odd(rng)))
     found.add(20, "Simulation.state", lazily(lambda one: one.state()))
     found.add(10, "Simulation.results", lazily(lambda one: one.results()))
     found.add(10, "Simulation.history", lazily(lambda one: one.history))
@@ -379,7 +379,7 @@ ROCK: dict[str, ws.Value] = {
 
 
 def of_commands(found: Targets, case: ws.Case) -> None:
-    """Add the verbs that solve more than a moment takes: a few of each."""
+    """Add the methods with a long solution time, a few calls of each."""
     Path("slant.toml").write_text(ws.Case.example().to_toml())
     Path("study.toml").write_text(STUDY)
     soft = case.with_(model="soft")
@@ -397,7 +397,7 @@ def of_commands(found: Targets, case: ws.Case) -> None:
 
 
 def of_figures(found: Targets, case: ws.Case) -> None:
-    """Add every figure, of results that it draws, and of none."""
+    """Add every figure, with results that it can draw and with others."""
     from matplotlib import pyplot
 
     drawn: dict[str, object] = {
@@ -414,24 +414,25 @@ def of_figures(found: Targets, case: ws.Case) -> None:
         "well": case,
     }
     pair = [case.soft(), case.with_(friction=0.1).soft()]
-    for name in (of for of in ws.plot.__all__ if of != "Units"):
+    for name in (name for name in ws.plot.__all__ if name != "Units"):
         function = getattr(ws.plot, name)
 
-        def call(of: random.Random, function: Any = function, name: str = name) -> object:
+        def call(rng: random.Random, function: Any = function, name: str = name) -> object:
             every = inspect.signature(function).parameters.values()
             others = [one.name for one in every if one.kind is one.KEYWORD_ONLY]
-            given = {one: odd(of) for one in of.sample(others, min(len(others), of.randrange(3)))}
-            shown = odd(of) if of.random() < 0.3 else drawn[name]
-            is_pair = name == "compare" and shown is drawn[name]
+            names = rng.sample(others, min(len(others), rng.randrange(3)))
+            options = {one: odd(rng) for one in names}
+            subject = odd(rng) if rng.random() < 0.3 else drawn[name]
+            is_pair = name == "compare" and subject is drawn[name]
             try:
-                return function(*pair, **given) if is_pair else function(shown, **given)
+                return function(*pair, **options) if is_pair else function(subject, **options)
             finally:
                 pyplot.close("all")
 
         found.add(6, f"plot.{name}", call)
 
 
-# What a caller may expect of odd arguments.
+# Exceptions that a caller may expect from odd arguments.
 KNOWN = (
     TypeError,
     ValueError,
@@ -444,28 +445,28 @@ KNOWN = (
 
 
 def fuzz(calls: int, seed: int) -> Iterator[str]:
-    """Make so many calls, and say which would have been the last."""
+    """Make ``calls`` calls, and yield the name of each before it is made."""
     warnings.simplefilter("ignore")
-    of = random.Random(seed)
+    rng = random.Random(seed)
     chosen = targets()
-    for call, (name, function) in enumerate(of.choices(chosen.calls, chosen.weights, k=calls)):
+    for call, (name, function) in enumerate(rng.choices(chosen.calls, chosen.weights, k=calls)):
         yield f"call {call}, {name}"
         try:
-            function(of)
+            function(rng)
         except ws.Error as error:
-            # Of no class of its own: the engine panicked.
+            # An error of the base class itself means that the engine panicked.
             if type(error) is ws.Error:
                 raise
         except KNOWN:
             pass
         except RuntimeError as error:
-            # The liar's own.
+            # Errors of `Liar` itself.
             if type(error) is not RuntimeError:
                 raise
 
 
 def main(calls: int, seed: int, trace: bool) -> None:
-    """Make so many calls in this folder."""
+    """Make ``calls`` calls in this folder."""
     name = "the targets"
     try:
         for name in fuzz(calls, seed):
@@ -502,15 +503,15 @@ def test_everything_that_is_public_is_called(
     monkeypatch.chdir(tmp_path)
     called = {name for name, _ in targets().calls}
     public: set[str] = set()
-    for name, of in reference.public():
+    for name, item in reference.public():
         short = name.removeprefix("wholestring.")
-        if not inspect.isclass(of):
+        if not inspect.isclass(item):
             public.add(short)
             continue
-        for member, one in reference.members(of):
+        for member, one in reference.members(item):
             if inspect.isfunction(one):
                 public.add(f"{short}.{member}")
-    # A protocol: others have it.
+    # A method of a protocol, implemented elsewhere.
     assert public - called == {"Quantity.to"}
 
 

@@ -1,4 +1,4 @@
-"""Tables and results as a notebook shows them."""
+"""Tables and results as HTML for notebooks."""
 
 from html.parser import HTMLParser
 
@@ -6,12 +6,12 @@ import pytest
 import wholestring as ws
 from vision import contrast
 
-# Grounds and text of JupyterLab, light and dark, and of VS Code's dark theme.
+# Background and text of JupyterLab, light and dark, and of VS Code's dark theme.
 NOTEBOOKS = [("#ffffff", "#212121"), ("#111111", "#e0e0e0"), ("#1e1e1e", "#cccccc")]
 
 
 class Tags(HTMLParser):
-    """Checks that every element ends, and counts them."""
+    """Checks that every element is closed, and counts elements."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -74,7 +74,7 @@ def test_words_of_others_stay_words(slant: ws.Case) -> None:
 
 def test_it_is_read_in_light_and_dark_notebooks(slant: ws.Case) -> None:
     html = slant.soft()._repr_html_()
-    # No colour of its own: text and lines are the notebook's.
+    # No colours of its own: text and lines have those of the notebook.
     style = html.split("<style scoped>")[1].split("</style>")[0]
     assert "#" not in style
     assert "rgb(" not in style
@@ -101,6 +101,6 @@ def test_a_case_and_a_simulation_show_what_they_are(slant: ws.Case, short: ws.Ca
     sim = short.with_(units="field").simulation()
     assert "Simulation: drill" in Tags(sim._repr_html_()).text
     sim.advance(0.1)
-    shown = Tags(sim._repr_html_()).text
-    assert "0.1 s" in shown
-    assert f"{sim.now['hook_load_N'] / 4448.2216152605:.4g} klbf" in shown
+    text = Tags(sim._repr_html_()).text
+    assert "0.1 s" in text
+    assert f"{sim.now['hook_load_N'] / 4448.2216152605:.4g} klbf" in text

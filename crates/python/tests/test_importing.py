@@ -46,7 +46,7 @@ DOUBTFUL = """MD (ft),Inc,Azi,TVD (ft)
 
 
 def test_doubtful_surveys_are_noted_and_warned_of(tmp_path: Path) -> None:
-    """Turns that no pipe endures, and positions of the file that are not those of the path."""
+    """Doglegs beyond the limit of any pipe, and positions in the file that differ from the path."""
     (tmp_path / "survey.csv").write_text(DOUBTFUL)
     doubts = ["deg/100ft above the station at 1100 ft", "true vertical depth of the file is"]
     imported = ws.import_files(tmp_path / "survey.csv")

@@ -1,8 +1,8 @@
-"""Interrupts: the work ends long before it would by itself, with what was computed.
+"""Interrupts: the work ends long before its regular end, with the results so far.
 
-How soon is a matter of measuring: ``benchmarks/interrupt.py`` has medians and maxima, which are to
-be below 0.2 s on a quiet machine. Here the limit only tells an interrupt from work that goes on to
-its end, whatever else the machine does.
+``benchmarks/interrupt.py`` measures medians and maxima, which must be below 0.2 s on a quiet
+machine. The limit here only distinguishes an interrupt from work that runs to its end, under
+any load of the machine.
 """
 
 import importlib.util
@@ -30,7 +30,7 @@ def benchmark() -> ModuleType:
 
 
 def waited_s(work: Callable[[], object], after_s: float) -> float:
-    """Give how long the work took to end after an interrupt, s."""
+    """Return the time that the work took to end after an interrupt, s."""
     return float(benchmark().waited_s(work, after_s))
 
 
@@ -52,7 +52,7 @@ def test_a_dynamic_run(long: ws.Case) -> None:
 
 
 def test_a_string_that_is_being_initialised(long: ws.Case) -> None:
-    # Finely cut, it settles for longer than the test waits.
+    # With a fine mesh, settling takes longer than the test waits.
     fine = long.with_(mesh__element_length="0.5 m")
     assert waited_s(lambda: fine.dynamic(), 0.29) <= LIMIT_S
 

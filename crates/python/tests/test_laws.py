@@ -1,4 +1,4 @@
-"""Laws of the bit that are Python functions."""
+"""Bit-rock laws as Python functions."""
 
 import math
 import re
@@ -20,7 +20,7 @@ LOBES: dict[str, ws.Value] = {"lobes": 3, "amplitude": "0.1 mm"}
 
 
 def rate_law(bit: ws.BitReading) -> tuple[float, float]:
-    """The case's law: rate of penetration and torque in proportion to the weight."""
+    """The law of the case: rate of penetration and torque in proportion to the weight."""
     part = bit.weight_on_bit_N / WEIGHT_N
     return RATE_M_PER_S * math.tau / SPEED * part, TORQUE_N_M * part
 
@@ -33,7 +33,7 @@ def weights(sim: ws.Simulation) -> NDArray[np.float64]:
 def errors(
     exact: ws.Simulation, steps: Sequence[int], run: Callable[[float], ws.Simulation]
 ) -> list[float]:
-    """Root mean square of the error of the weight, asked every so many steps."""
+    """Return the root mean square error of the weight for an interval of calls, in steps."""
 
     right = weights(exact)
     assert np.ptp(right) > 1e3
@@ -47,8 +47,8 @@ def errors(
 
 
 def test_the_rate_law_as_a_function_is_the_rate_law(short: ws.Case) -> None:
-    """Both answers are in proportion to the weight, as what is held between two questions: at any
-    rate nothing is lost but rounding, which smooth drilling amplifies to less than 1e-8."""
+    """Both results are in proportion to the weight, as is the scaling between two calls. At any
+    rate the only error is rounding, which smooth drilling amplifies to less than 1e-8."""
     built_in = short.simulation()
     built_in.advance(1.0)
     for rate in ("20 1/s", 1000.0, "50 kHz"):
@@ -62,9 +62,10 @@ def test_a_law_with_wear_flats_converges_with_the_rate(short: ws.Case) -> None:
     """Detournay and Defourny's law in full contact, with the case's defaults, and lobes that make
     the weight swing: the cutters take W - W_f at the depth (W - W_f)/k, and W_f rubs.
 
-    Between two questions depth of cut and torque follow the weight through zero and not along the
-    law. An answer is one step old to so many as lie between two questions, (n + 1)/2 on average,
-    and the error is in proportion to that: of the first order. Found is 2.87 N to 2.98 N of each.
+    Between two calls depth of cut and torque follow the weight through zero and not along the
+    law. The age of a result is from one step to the number of steps between two calls, (n + 1)/2 on
+    average, and the error is in proportion to it: of the first order. Measured are 2.87 N to 2.98 N
+    per step.
     """
     radius = 0.5 * 8.5 * 0.0254
     cutting_N_per_m = 0.6 * radius * 60e6
@@ -88,8 +89,8 @@ def test_a_law_with_wear_flats_converges_with_the_rate(short: ws.Case) -> None:
 
 
 def test_an_excitation_converges_with_the_rate(short: ws.Case) -> None:
-    """The engine's lobes as a function: straight lines between values of a sine err by the second
-    order of the time between."""
+    """The lobes of the engine as a function: the error of linear interpolation of a sine is of
+    second order in the interval."""
 
     def lobes(bit: ws.ShakeReading) -> tuple[float, float]:
         return 0.1e-3 * math.sin(3.0 * bit.angle_rad), 0.0
@@ -100,7 +101,7 @@ def test_an_excitation_converges_with_the_rate(short: ws.Case) -> None:
         lambda rate: short.simulation(excitation=lobes, rate=rate),
     )
     orders = [math.log2(coarse / fine) for coarse, fine in pairwise(found)]
-    assert all(of > 1.8 for of in orders), orders
+    assert all(order > 1.8 for order in orders), orders
 
 
 def test_what_a_law_raises_stops_the_run_and_keeps_what_was_computed(short: ws.Case) -> None:
@@ -134,8 +135,8 @@ def test_what_a_law_raises_stops_the_run_and_keeps_what_was_computed(short: ws.C
         ((-1e-3, 0.0), "finite and zero or more"),
         ((1e-3, math.inf), "finite and zero or more"),
         ((1e-3,), "two numbers"),
-        (None, "two numbers, and not None"),
-        (("x", 1.0), "two numbers, and not"),
+        (None, "two numbers, not None"),
+        (("x", 1.0), "two numbers, not"),
     ],
 )
 def test_an_answer_that_is_none(short: ws.Case, answer: object, error: str) -> None:
@@ -180,15 +181,15 @@ def test_a_run_with_laws_is_taken_up_to_the_same_bits(short: ws.Case) -> None:
 
     sim, same = begin(), begin()
     sim.advance(0.4)
-    kept = sim.checkpoint()
-    again = begin(kept)
+    state = sim.checkpoint()
+    again = begin(state)
     sim.advance(0.4)
     again.advance(0.4)
     same.advance(0.8)
-    for of in (again, same):
-        assert of.time_s == sim.time_s
+    for run in (again, same):
+        assert run.time_s == sim.time_s
         for name in sim.history.columns:
-            assert np.array_equal(of.history[name], sim.history[name], equal_nan=True), name
+            assert np.array_equal(run.history[name], sim.history[name], equal_nan=True), name
 
     def other(bit: ws.BitReading) -> tuple[float, float]:
         return rate_law(bit)
@@ -200,7 +201,7 @@ def test_a_run_with_laws_is_taken_up_to_the_same_bits(short: ws.Case) -> None:
         (other, lobes, 333.0),
     ):
         with pytest.raises(ws.FolderError, match="rate_law at 333 Hz"):
-            short.simulation(checkpoint=kept, bit_law=own, excitation=shaking, rate=rate)
+            short.simulation(checkpoint=state, bit_law=own, excitation=shaking, rate=rate)
     plain = short.simulation().checkpoint()
     with pytest.raises(ws.FolderError, match="no user law, not with the bit law"):
         short.simulation(bit_law=rate_law, checkpoint=plain)
@@ -208,7 +209,7 @@ def test_a_run_with_laws_is_taken_up_to_the_same_bits(short: ws.Case) -> None:
 
 def test_where_a_law_has_no_place(short: ws.Case, slant: ws.Case) -> None:
     def never(bit: ws.BitReading) -> tuple[float, float]:
-        raise AssertionError("asked off bottom")
+        raise AssertionError("called off bottom")
 
     with pytest.raises(ws.InputError, match="off bottom"):
         slant.simulation("trip_out", bit_law=never)

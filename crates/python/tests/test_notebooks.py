@@ -12,8 +12,8 @@ import wholestring as ws
 FOLDER = Path(__file__).parents[1] / "notebooks"
 NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
 
-# What they say in the end.
-SAID = {"ensemble-on-dask": "90 % of the draws hang on less than"}
+# Text in the final output.
+SAID = {"ensemble-on-dask": "90 % of the draws have less than"}
 
 
 def read(path: Path) -> Any:
@@ -24,7 +24,7 @@ def test_they_are_there() -> None:
     assert NOTEBOOKS
 
 
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda of: of.stem)
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_no_outputs_are_committed(path: Path) -> None:
     for cell in read(path).cells:
         if cell.cell_type == "code":
@@ -33,28 +33,28 @@ def test_no_outputs_are_committed(path: Path) -> None:
     assert "widgets" not in read(path).metadata
 
 
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda of: of.stem)
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_it_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """In any folder: what it needs comes with the package."""
+    """Run in an empty folder: all required files are in the package."""
     # The kernel of this environment: `python3` is the interpreter that runs the tests.
     monkeypatch.setenv("MPLBACKEND", "module://matplotlib_inline.backend_inline")
-    # The kernel works in a folder of its own, and must find the package all the same.
+    # The kernel works in a folder of its own, and must still find the package.
     search = [str(Path(ws.__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
-    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(of for of in search if of))
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(part for part in search if part))
     notebook = read(path)
     client = nbclient.NotebookClient(
         notebook,
-        # 60 s where the package is built with optimisation; tests take it as other tests are built.
+        # 60 s with an optimised build of the package; tests may use a debug build.
         timeout=240,
         kernel_name="python3",
         resources={"metadata": {"path": str(tmp_path)}},
     )
     client.execute()
-    shown = [
+    outputs = [
         output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs
     ]
-    drawn = [of for of in shown if "image/png" in of.get("data", {})]
-    asked = [cell for cell in notebook.cells if "ws.plot." in cell.source]
-    assert len(drawn) >= sum(cell.cell_type == "code" for cell in asked)
-    said = "".join(of.text for of in shown if of.output_type == "stream")
-    assert SAID.get(path.stem, "") in said
+    pictures = [output for output in outputs if "image/png" in output.get("data", {})]
+    cells = [cell for cell in notebook.cells if "ws.plot." in cell.source]
+    assert len(pictures) >= sum(cell.cell_type == "code" for cell in cells)
+    text = "".join(output.text for output in outputs if output.output_type == "stream")
+    assert SAID.get(path.stem, "") in text

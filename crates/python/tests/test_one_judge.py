@@ -1,4 +1,4 @@
-"""One state has one verdict: in memory, in a folder, in a sweep and in a plan, word for word."""
+"""One state has one verdict, word for word: in memory, in a folder, in a sweep and in a plan."""
 
 import random
 import warnings
@@ -11,7 +11,7 @@ from conftest import CASES
 
 STATES = 200
 EACH = 5
-"""Of so many states one has a folder and a plan of its own, which write pages."""
+"""Interval of the states that have a folder and a plan of their own, which write pages."""
 
 OPERATIONS = ("trip_out", "trip_in", "rotate_off_bottom", "drill", "slide")
 
@@ -24,7 +24,7 @@ def words(checks: Iterable[ws.Check]) -> Words:
 
 @pytest.fixture(scope="module")
 def well() -> ws.Case:
-    """A string that is light for its well, so that states of all severities come up."""
+    """A string that is light for its well, so that states of all severities occur."""
     changes: Mapping[str, ws.Value] = {
         "model": "soft",
         "operation.kind": list(OPERATIONS),
@@ -58,7 +58,7 @@ def plan_of(case: ws.Case, state: Mapping[str, ws.Value]) -> ws.Plan:
 
 
 def test_all_fronts_judge_two_hundred_states_alike(well: ws.Case, tmp_path: Path) -> None:
-    # Some of these states are what the checker of cases warns of.
+    # The check of cases issues warnings for some of these states.
     warnings.simplefilter("ignore", UserWarning)
     drawn = states()
     vary = {key: [state[key] for state in drawn] for key in drawn[0]}

@@ -21,8 +21,8 @@ def pool() -> Iterator[ProcessPoolExecutor]:
         yield pool
 
 
-def again(of: Any) -> Any:
-    return pickle.loads(pickle.dumps(of))
+def again(value: Any) -> Any:
+    return pickle.loads(pickle.dumps(value))
 
 
 def same_table(ours: ws.Table, theirs: ws.Table) -> None:
@@ -31,8 +31,8 @@ def same_table(ours: ws.Table, theirs: ws.Table) -> None:
     for column in ours.columns:
         assert ours.unit(column) == theirs.unit(column)
         assert ours.meaning(column) == theirs.meaning(column)
-        kept, given = ours[column], theirs[column]
-        assert np.array_equal(kept, given, equal_nan=kept.dtype.kind == "f")
+        expected, actual = ours[column], theirs[column]
+        assert np.array_equal(expected, actual, equal_nan=expected.dtype.kind == "f")
 
 
 def same(ours: ws.BaseResults, theirs: ws.BaseResults) -> None:
@@ -44,7 +44,7 @@ def same(ours: ws.BaseResults, theirs: ws.BaseResults) -> None:
     assert repr(ours) == repr(theirs)
 
 
-# What another process does for this one.
+# Functions that the other process runs.
 
 
 def soft(case: ws.Case) -> ws.Results:
@@ -95,17 +95,17 @@ def test_results_in_memory_come_from_another_process(
     theirs = pool.submit(soft, slant).result()
     assert theirs.folder is None
     same(ours, theirs)
-    # They are saved as if they were computed here.
-    for of, name in ((ours, "ours"), (theirs, "theirs")):
-        of.save(tmp_path / name, csv=True)
+    # They are saved in the same form as results computed here.
+    for results, name in ((ours, "ours"), (theirs, "theirs")):
+        results.save(tmp_path / name, csv=True)
     for file in sorted((tmp_path / "ours").iterdir()):
-        # The page tells when it was made.
+        # The page has the time at which it was made.
         if file.suffix != ".html":
             assert file.read_bytes() == (tmp_path / "theirs" / file.name).read_bytes(), file.name
     assert (tmp_path / "theirs" / "report.html").is_file()
-    asked = short.with_(records__spectra=["hook_load"])
-    theirs = pool.submit(moved, asked).result()
-    ours = asked.dynamic()
+    case = short.with_(records__spectra=["hook_load"])
+    theirs = pool.submit(moved, case).result()
+    ours = case.dynamic()
     assert theirs.tables == ours.tables
     assert "spectra" in theirs.tables
     for table in ours.tables:
@@ -123,7 +123,7 @@ def test_results_of_a_temporary_folder_bring_its_files(
     same(ours, theirs)
     assert isinstance(ws.load(theirs.save(tmp_path / "saved")), ws.Plan)
     folder = again(ours).folder
-    assert folder is not None and not folder.exists(), "it goes with its results"
+    assert folder is not None and not folder.exists(), "the folder is removed with its results"
 
 
 def test_results_of_a_folder_are_that_folder(slant: ws.Case, tmp_path: Path) -> None:
@@ -131,11 +131,11 @@ def test_results_of_a_folder_are_that_folder(slant: ws.Case, tmp_path: Path) -> 
     folder = saved.save(tmp_path / "here")
     assert again(saved).folder == folder
     same(saved, again(saved))
-    kept = pickle.dumps(saved)
-    assert len(kept) < 1000
+    pickled = pickle.dumps(saved)
+    assert len(pickled) < 1000
     folder.rename(tmp_path / "gone")
     with pytest.raises(ws.ResultsError, match="here"):
-        pickle.loads(kept)
+        pickle.loads(pickled)
 
 
 def test_a_table_comes_from_another_process(slant: ws.Case, pool: ProcessPoolExecutor) -> None:
@@ -143,7 +143,7 @@ def test_a_table_comes_from_another_process(slant: ws.Case, pool: ProcessPoolExe
     ours = nodes(slant)
     same_table(ours, theirs)
     nulls = [name for name in ours.columns if ours.to_polars()[name].null_count()]
-    assert nulls, "what does not apply is there"
+    assert nulls, "the table has values that do not apply"
     assert not theirs["tension_N"].flags.writeable
 
 
@@ -168,7 +168,7 @@ def test_errors_bring_what_was_computed(
 ) -> None:
     with pytest.raises(ws.NoAnswerError) as caught:
         pool.submit(locked, slant.with_(friction=1.2, wob="900 kN")).result()
-    assert {"failed", "complete"} == {of.status for of in caught.value.results}
+    assert {"failed", "complete"} == {result.status for result in caught.value.results}
     with pytest.raises(ws.Interrupted) as stopped:
         pool.submit(interrupted, short.with_(dynamics__duration="1 h")).result()
     assert stopped.value.results["drill"].status == "interrupted"
@@ -193,10 +193,10 @@ def test_pickles_open_in_a_fresh_interpreter(slant: ws.Case, tmp_path: Path) -> 
     sweep = swept(slant.with_(model="soft", operation__kind="trip_out"), str(tmp_path / "sweep"))
     with pytest.raises(ws.NoAnswerError) as caught:
         slant.with_(friction=1.2, wob="900 kN").stiff("drill")
-    kept = tmp_path / "all.pickle"
-    kept.write_bytes(pickle.dumps((results, results.nodes, sweep, caught.value)))
+    pickled = tmp_path / "all.pickle"
+    pickled.write_bytes(pickle.dumps((results, results.nodes, sweep, caught.value)))
     ran = subprocess.run(
-        [sys.executable, "-c", SCRIPT, str(kept)],
+        [sys.executable, "-c", SCRIPT, str(pickled)],
         capture_output=True,
         text=True,
         check=True,

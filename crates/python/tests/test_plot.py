@@ -1,4 +1,4 @@
-"""Figures: axes, limits, what is drawn, colours, and what is said where something is missing."""
+"""Figures: axes, limits, curves, colours, and errors for missing data."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from wholestring.plot import _house, _labels
 
 matplotlib.use("agg")
 
-# Types of matplotlib leave out what is asked of figures here.
+# The types of matplotlib lack the methods of figures in use here.
 plot: Any = ws.plot
 pyplot: Any = matplotlib.pyplot
 
@@ -54,13 +54,13 @@ def of_operation(results: ws.Results, operation: str, column: str) -> NDArray[np
 
 
 def drawn(ax: Any, colour: str) -> Any:
-    """Give the curve of this colour."""
-    lines = [of for of in ax.get_lines() if to_hex(of.get_color()) == colour]
-    return max(lines, key=lambda of: len(of.get_xdata()))
+    """Return the curve of this colour."""
+    lines = [line for line in ax.get_lines() if to_hex(line.get_color()) == colour]
+    return max(lines, key=lambda line: len(line.get_xdata()))
 
 
 def texts(ax: Any) -> set[str]:
-    return {of.get_text() for of in ax.texts}
+    return {text.get_text() for text in ax.texts}
 
 
 def test_tracks_draw_what_the_table_holds(soft: ws.Results) -> None:
@@ -96,7 +96,7 @@ def test_units_are_the_readers_and_the_cases(soft: ws.Results) -> None:
 
 def test_the_sides_of_the_hole_are_filled_where_one_curve_is_drawn(soft: ws.Results) -> None:
     (alone,) = plot.tracks(soft, "side-force", operations=["trip_out"])
-    filled = {to_hex(of.get_facecolor()[0]) for of in alone.collections}
+    filled = {to_hex(area.get_facecolor()[0]) for area in alone.collections}
     assert filled == {_house.colour("high-side"), _house.colour("low-side")}
     assert {"low side", "high side"} <= texts(alone)
     (several,) = plot.tracks(soft, "side-force")
@@ -146,7 +146,7 @@ def test_what_is_not_there_is_named(soft: ws.Results, moving: ws.Results) -> Non
         plot.tracks(soft, "tension", models=["dynamic"])
     with pytest.raises(ValueError, match="needs the table `time`: there are nodes"):
         plot.time(soft)
-    with pytest.raises(ValueError, match="no 'slide' is there: there are drill"):
+    with pytest.raises(ValueError, match="there is no 'slide': there are drill"):
         plot.time(moving, operation="slide")
     with pytest.raises(ValueError, match="needs the column `operation`"):
         plot.broomstick({"bit_depth_m": [1.0], "hook_load_N": [1.0]})
@@ -169,7 +169,7 @@ def test_time_stands_below_time(moving: ws.Results) -> None:
     curve = drawn(hook_load, _house.line_colour(0))
     assert np.array_equal(curve.get_xdata(), moving.time["time_s"])
     assert np.array_equal(curve.get_ydata(), moving.time["hook_load_N"] / 1e3)
-    # What hardly moves is not blown up.
+    # A nearly constant curve is not enlarged.
     assert np.ptp(hook_load.get_ylim()) >= 20.0
     assert texts(torque) == {"surface", "friction", "bit"}
     (depths,) = plot.time(moving, "depths")
@@ -182,13 +182,13 @@ def test_the_window_of_the_statistics_is_set_apart(moving: ws.Results) -> None:
     settle_s = moving["drill"].data["numerics"]["settle_s"]
     assert settle_s > 0.0
     (ax,) = plot.time(moving, "hook-load")
-    assert max(of.get_window_extent().x1 for of in ax.patches) == pytest.approx(
+    assert max(patch.get_window_extent().x1 for patch in ax.patches) == pytest.approx(
         ax.transData.transform((settle_s, 0.0))[0]
     )
 
 
 def broom() -> Rows:
-    rows: Rows = {of: [] for of in ("operation", "friction", "bit_depth_m", "hook_load_N")}
+    rows: Rows = {column: [] for column in ("operation", "friction", "bit_depth_m", "hook_load_N")}
     for operation, sign in (("trip_out", 1.0), ("trip_in", -1.0), ("rotate_off_bottom", 0.0)):
         for level, friction in (("low", 0.1), ("expected", 0.2), ("high", 0.3)):
             for depth in (500.0, 1000.0, 1500.0):
@@ -206,15 +206,16 @@ def test_a_broomstick_has_operations_by_colour_and_friction_by_stroke() -> None:
     assert ax.get_ylim() == (1500.0, 500.0)
     assert ax.get_xlim()[0] == 0.0
     assert ax.get_xlim()[1] > 500.0
-    curves = [of for of in ax.get_lines() if len(of.get_xdata()) == 3]
+    curves = [line for line in ax.get_lines() if len(line.get_xdata()) == 3]
     assert len(curves) == 9
-    assert len({of.get_color() for of in curves}) == 3
-    assert len({str(of._dash_pattern) for of in curves}) == 3
-    high = next(of for of in curves if of.get_xdata()[-1] == max(broom()["hook_load_N"]) / 1e3)
+    assert len({line.get_color() for line in curves}) == 3
+    assert len({str(line._dash_pattern) for line in curves}) == 3
+    largest_kN = max(broom()["hook_load_N"]) / 1e3
+    high = next(line for line in curves if line.get_xdata()[-1] == largest_kN)
     assert high.get_color() == _house.operation_colour("trip_out")
     assert texts(ax) == {"trip out", "trip in", "rotate off bottom"}
     legend = ax.figure.legends[0]
-    assert [of.get_text() for of in legend.get_texts()] == [
+    assert [text.get_text() for text in legend.get_texts()] == [
         "low friction",
         "expected friction",
         "high friction",
@@ -242,8 +243,8 @@ def test_a_well_is_to_scale_and_deep_is_down(soft: ws.Results) -> None:
         along = abs(np.diff(ax.get_ylim())[0]) / box.height
         assert across == pytest.approx(along, rel=1e-9)
     assert section.get_ylim()[0] > section.get_ylim()[1]
-    # The end of a slant well's section: vertical, arc, tangent.
-    ends = [of.get_ydata()[-1] for of in section.get_lines() if len(of.get_xdata()) > 2]
+    # The end of the section of a slant well: vertical, arc, tangent.
+    ends = [line.get_ydata()[-1] for line in section.get_lines() if len(line.get_xdata()) > 2]
     assert max(ends) < 1200.0
     assert "1\N{NARROW NO-BREAK SPACE}200" in texts(section)
     assert [ax.get_xlabel() for ax in plot.well(soft)] == ["East, m", "Along the section, m"]
@@ -264,7 +265,7 @@ def test_spectra_are_densities_in_the_readers_units(moving: ws.Results) -> None:
 
 def test_runs_are_told_apart_by_colour_and_stroke(soft: ws.Results) -> None:
     case = ws.Case.example()
-    runs = [case.with_(friction=of).soft("drill") for of in (0.1, 0.2, 0.3)]
+    runs = [case.with_(friction=friction).soft("drill") for friction in (0.1, 0.2, 0.3)]
     tension, torque, _ = plot.compare(*runs, names=["0.1", "0.2", "0.3"])
     named = texts(tension) | texts(torque)
     assert {"0.1", "0.2", "0.3"} <= named
@@ -300,11 +301,11 @@ def test_a_calibration_has_readings_and_bands() -> None:
     assert weights.get_xlabel() == "Weight with block, kN"
     assert torques.get_xlabel() == "Torque, kN·m"
     assert weights.yaxis_inverted()
-    points = [of for of in weights.get_lines() if of.get_linestyle() == "None"]
-    colours = {to_hex(of.get_color()) for of in points if len(of.get_xdata())}
+    points = [line for line in weights.get_lines() if line.get_linestyle() == "None"]
+    colours = {to_hex(line.get_color()) for line in points if len(line.get_xdata())}
     assert _house.colour("muted") in colours
     assert _house.operation_colour("trip_out") in colours
-    curve = next(of for of in weights.get_lines() if of.get_linestyle() == "-")
+    curve = next(line for line in weights.get_lines() if line.get_linestyle() == "-")
     assert np.array_equal(curve.get_xdata(), [800.0, 900.0])
     assert len(weights.collections) == 2
 
@@ -321,8 +322,8 @@ def test_a_reach_shows_what_is_left() -> None:
     assert ax.get_ylabel() == "Drill: margin, %"
     assert ax.get_xlim() == (2000.0, 4000.0)
     assert texts(ax) == {"top drive", "helix"}
-    met = [of for of in ax.get_lines() if len(of.get_xdata()) == 1]
-    assert [float(of.get_xdata()[0]) for of in met] == [pytest.approx(3000.0)]
+    met = [line for line in ax.get_lines() if len(line.get_xdata()) == 1]
+    assert [float(line.get_xdata()[0]) for line in met] == [pytest.approx(3000.0)]
 
 
 def test_a_campbell_diagram_has_orders_and_critical_speeds() -> None:
@@ -343,10 +344,11 @@ def test_a_campbell_diagram_has_orders_and_critical_speeds() -> None:
     assert ax.get_xlabel() == "Rotary speed, rpm"
     assert ax.get_xlim() == (0.0, pytest.approx(20.0 * 60.0 / (2.0 * np.pi)))
     assert {"1x", "lateral", "torsional"} == texts(ax)
-    point = next(of for of in ax.get_lines() if of.get_marker() == "o" and len(of.get_xdata()))
+    points = (line for line in ax.get_lines() if line.get_marker() == "o")
+    point = next(line for line in points if len(line.get_xdata()))
     assert float(point.get_ydata()[0]) == 1.91
-    order = next(of for of in ax.get_lines() if of.get_color() == _house.colour("muted"))
-    # Once a turn: 60 rpm is 1 Hz.
+    order = next(line for line in ax.get_lines() if line.get_color() == _house.colour("muted"))
+    # Once per revolution: 60 rpm is 1 Hz.
     x, y = order.get_xdata()[-1], order.get_ydata()[-1]
     assert x / 60.0 == pytest.approx(y)
 
@@ -365,7 +367,7 @@ def test_modes_have_their_frequency() -> None:
     with pytest.raises(ValueError, match="there is no 'lateral': there are axial"):
         plot.modes(shapes)
     with pytest.raises(ValueError, match="needs the column `along_m`"):
-        plot.modes({of: shapes[of] for of in ("family", "number", "md_m")}, family="axial")
+        plot.modes({name: shapes[name] for name in ("family", "number", "md_m")}, family="axial")
 
 
 def test_a_sweep_draws_a_curve_a_value() -> None:
@@ -390,7 +392,7 @@ def test_a_sweep_draws_a_curve_a_value() -> None:
 
 
 def test_a_sweep_of_keys_names_its_units(slant: ws.Case, tmp_path: Path) -> None:
-    """Numbers of a key are SI in the table and in the reader's units in a figure."""
+    """Numbers of a key are SI in the table and in the units of the reader in a figure."""
     case = slant.with_(model="soft", operation__kind="drill")
     vary: dict[str, Any] = {"rpm": [60, 120], "wob": ["20 kN", "50 kN"]}
     swept = ws.sweep(case, vary, folder=tmp_path / "swept")
@@ -420,7 +422,7 @@ def test_given_axes_are_drawn_in_and_given_back(soft: ws.Results) -> None:
 def test_names_do_not_lie_on_one_another(soft: ws.Results) -> None:
     for axes in (plot.tracks(soft, "tension", "torque"), [plot.broomstick(broom())]):
         for ax in axes:
-            boxes = [of.get_window_extent() for of in ax.texts]
+            boxes = [text.get_window_extent() for text in ax.texts]
             frame = ax.get_window_extent()
             for place, box in enumerate(boxes):
                 assert frame.x0 - 1 <= box.x0 and box.x1 <= frame.x1 + 1
@@ -435,12 +437,12 @@ def test_labels_stay_within_the_figure(soft: ws.Results, moving: ws.Results) -> 
         figure.canvas.draw()
         whole = figure.bbox
         for ax in figure.axes:
-            for of in (ax.xaxis.label, ax.yaxis.label):
-                box = of.get_window_extent()
-                if not of.get_text():
+            for label in (ax.xaxis.label, ax.yaxis.label):
+                box = label.get_window_extent()
+                if not label.get_text():
                     continue
-                assert box.x0 >= -0.5 and box.x1 <= whole.x1 + 0.5, of.get_text()
-                assert box.y0 >= -0.5 and box.y1 <= whole.y1 + 0.5, of.get_text()
+                assert box.x0 >= -0.5 and box.x1 <= whole.x1 + 0.5, label.get_text()
+                assert box.y0 >= -0.5 and box.y1 <= whole.y1 + 0.5, label.get_text()
 
 
 def test_the_difference_of_colours_is_that_of_its_authors() -> None:
@@ -456,15 +458,15 @@ def test_every_eye_tells_the_curves_of_a_figure_apart(soft: ws.Results) -> None:
     (ax,) = plot.tracks(soft, "tension")
     paper = _house.colour("paper")
     assert to_hex(ax.get_facecolor()) == paper
-    curves = {to_hex(of.get_color()) for of in ax.get_lines()} - {_house.colour("frame")}
+    curves = {to_hex(line.get_color()) for line in ax.get_lines()} - {_house.colour("frame")}
     assert len(curves) == 5
     # 20 of CIEDE2000 is the report's own bound; lines have a contrast of 3 and text of 4.5.
     for place, colour in enumerate(sorted(curves)):
         assert contrast(colour, paper) >= 3.0
         for other in sorted(curves)[:place]:
             assert difference(colour, other) >= 20.0
-    for of in (ax.xaxis.label, ax.yaxis.label):
-        assert contrast(to_hex(of.get_color()), paper) >= 4.5
+    for label in (ax.xaxis.label, ax.yaxis.label):
+        assert contrast(to_hex(label.get_color()), paper) >= 4.5
     sides = [_house.colour("high-side"), _house.colour("low-side")]
     for side in sides:
         assert all(difference(side, colour) >= 20.0 for colour in curves)

@@ -1,4 +1,4 @@
-"""Results: the answers, and the folder that the command line writes."""
+"""Results in memory, and in the folder of the command line."""
 
 import json
 from pathlib import Path
@@ -41,8 +41,8 @@ def test_every_scalar_is_an_attribute_with_its_meaning(slant: ws.Case) -> None:
     for name, unit, _ in _core.SCALARS:
         value = getattr(solved, name)
         assert value is None or isinstance(value, float), name
-        said = getattr(type(solved), name).__doc__ or ""
-        assert f", {unit.replace('·', '.')}" in said, f"{name} says its unit, {unit}"
+        text = getattr(type(solved), name).__doc__ or ""
+        assert f", {unit.replace('·', '.')}" in text, f"{name} lacks its unit, {unit}"
         assert solved.data[name] == value
 
 

@@ -1,4 +1,4 @@
-"""A simulation in hand."""
+"""A simulation that the caller advances."""
 
 import math
 import signal
@@ -31,17 +31,17 @@ def test_a_checkpoint_continues_to_the_same_bits(short: ws.Case) -> None:
     sim = short.simulation("drill")
     sim.set(rpm="130 rpm", ramp="0.5 s")
     sim.advance("0.4 s")
-    kept = sim.checkpoint()
-    again = short.simulation(checkpoint=kept)
+    checkpoint = sim.checkpoint()
+    again = short.simulation(checkpoint=checkpoint)
     assert again.time_s == sim.time_s
-    for of in (sim, again):
-        of.advance("0.5 s")
+    for run in (sim, again):
+        run.advance("0.5 s")
     assert np.array_equal(list(sim.now.values()), list(again.now.values()), equal_nan=True)
     assert np.array_equal(sim.state()["torque_N_m"], again.state()["torque_N_m"])
     with pytest.raises(ws.FolderError, match="another case"):
-        short.with_(friction=0.1).simulation(checkpoint=kept)
+        short.with_(friction=0.1).simulation(checkpoint=checkpoint)
     with pytest.raises(ws.ResultsError, match="damaged"):
-        short.simulation(checkpoint=kept[:-1] + bytes([kept[-1] ^ 1]))
+        short.simulation(checkpoint=checkpoint[:-1] + bytes([checkpoint[-1] ^ 1]))
 
 
 def test_set_points_go_where_they_are_sent(short: ws.Case) -> None:
@@ -73,7 +73,7 @@ def test_the_state_is_the_whole_string(short: ws.Case) -> None:
     assert state["md_m"][0] < 20.0
     assert state["md_m"][-1] == pytest.approx(1200.0, abs=1.0)
     assert state.unit("tension_N") == "N"
-    # The top carries what hangs on the hook.
+    # The tension at the top is the hook load.
     assert state["tension_N"][0] == pytest.approx(sim.now["hook_load_N"], rel=0.05)
 
 
@@ -101,31 +101,31 @@ def test_reading_looks_at_nothing_older(short: ws.Case) -> None:
     assert np.array_equal(new["hook_load_N"], sim.history["hook_load_N"][len(history) :])
     assert not history["hook_load_N"].flags.writeable
     # A view outlives the run.
-    shown = history["time_s"]
+    view = history["time_s"]
     del sim, history
-    assert shown[-1] == before
+    assert view[-1] == before
 
 
 def test_friction_changes_as_the_run_goes(slant: ws.Case) -> None:
-    """Pulled out, the string comes to what a run has whose hole has that friction: to 5e-4 of the
-    hook load, the difference of two windows of the same run; found is 1e-4."""
+    """The hook load while pulling out agrees with a run whose hole has that friction, within 5e-4,
+    the difference of two windows of the same run; the measured difference is 1e-4."""
     base = slant.with_({"mesh.element_length": 10.0, "operation.kind": "trip_out"})
     sim = base.simulation()
     sim.advance(2.0)
     sim.set(friction=[0.3, 0.4], ramp="1 s")
     assert sim.friction == (0.2, 0.3)
     sim.advance(0.5)
-    # It is found anew every 16 steps of 2.5 ms, in which it changes by 4e-3.
+    # Friction is updated every 16 steps of 2.5 ms, in which it changes by 4e-3.
     assert sim.friction == pytest.approx((0.25, 0.35), abs=4.1e-3)
-    kept = sim.checkpoint()
+    checkpoint = sim.checkpoint()
     changes = {"well.hole.0.friction": 0.3, "well.hole.1.friction": 0.4}
     always = base.with_(changes).simulation()
-    again = base.simulation(checkpoint=kept)
-    for of in (sim, again, always):
-        of.advance(25.0 - of.time_s)
+    again = base.simulation(checkpoint=checkpoint)
+    for run in (sim, again, always):
+        run.advance(25.0 - run.time_s)
     assert np.array_equal(again.history["hook_load_N"], sim.history["hook_load_N"])
     assert again.friction == sim.friction == (0.3, 0.4)
-    means = [of.since(5.0)["hook_load_N"].mean() for of in (sim, always)]
+    means = [run.since(5.0)["hook_load_N"].mean() for run in (sim, always)]
     assert means[0] == pytest.approx(means[1], rel=5e-4)
     assert sim.results()["trip_out"].friction == [0.3, 0.4]
     sim.set(friction=0.25)
@@ -151,7 +151,7 @@ two = case.simulation(checkpoint=alone.checkpoint(), jobs=2)
 threads.append(psutil.Process().num_threads())
 print(*threads)
 """
-"""In a process of its own: pools of other tests end their threads when they like."""
+"""Runs in a process of its own, because pools of other tests end their threads at any time."""
 
 
 def test_threads_are_the_callers(np13_rock: ws.Case) -> None:
@@ -168,12 +168,12 @@ def test_threads_change_no_number(np13_rock: ws.Case) -> None:
     alone = np13_rock.simulation(jobs=1)
     three = np13_rock.simulation(jobs=3)
     again = np13_rock.simulation(checkpoint=alone.checkpoint(), jobs=2)
-    for of in (alone, three, again):
-        of.advance(0.02)
-    for of in (three, again):
-        assert of.now.keys() == alone.now.keys()
-        # Equal to the last digit, and not-a-number in the same places.
-        np.testing.assert_array_equal(list(of.now.values()), list(alone.now.values()))
+    for run in (alone, three, again):
+        run.advance(0.02)
+    for run in (three, again):
+        assert run.now.keys() == alone.now.keys()
+        # Equal to the last digit, with NaN in the same places.
+        np.testing.assert_array_equal(list(run.now.values()), list(alone.now.values()))
     for wrong, error in ((0, ValueError), (10**9, ValueError), (1.5, TypeError)):
         with pytest.raises(error):
             np13_rock.simulation(jobs=wrong)  # type: ignore[arg-type]
@@ -184,7 +184,7 @@ def test_an_interrupt_leaves_a_run_that_goes_on(short: ws.Case) -> None:
     sim.advance(0.1)
     timer = threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT))
     timer.start()
-    with pytest.raises(ws.Interrupted, match="stands where it was") as caught:
+    with pytest.raises(ws.Interrupted, match="keeps its state") as caught:
         sim.advance(3600.0)
     timer.join()
     assert caught.value.results is not None
@@ -196,7 +196,7 @@ def test_an_interrupt_leaves_a_run_that_goes_on(short: ws.Case) -> None:
 
 @pytest.mark.parametrize("step", [0.001, 0.004, 0.005, 0.01, 0.013])
 def test_short_steps_come_to_the_same_time_as_long_ones(short: ws.Case, step: float) -> None:
-    """Each call goes to the sample that is nearest to the sum of all, so that nothing drifts."""
+    """Each call advances to the sample nearest to the sum of all calls, without drift."""
     sim = short.simulation()
     assert sim.sample_interval_s == pytest.approx(0.01, rel=1e-12)
     for count in range(1, round(1.0 / step) + 1):
@@ -214,9 +214,9 @@ def test_short_steps_come_to_the_same_time_as_long_ones(short: ws.Case, step: fl
 def test_samples_are_as_far_apart_as_the_case_says(short: ws.Case, interval: str) -> None:
     sim = short.with_(dynamics__sample_interval=interval).simulation()
     sim.advance(0.05)
-    asked_s = {"0.01 s": 0.01, "0.013 s": 0.013, "0.5 ms": 5e-4}[interval]
-    assert sim.sample_interval_s == pytest.approx(asked_s, rel=1e-12)
-    assert np.diff(sim.history["time_s"]) == pytest.approx(asked_s, rel=1e-9)
+    interval_s = {"0.01 s": 0.01, "0.013 s": 0.013, "0.5 ms": 5e-4}[interval]
+    assert sim.sample_interval_s == pytest.approx(interval_s, rel=1e-12)
+    assert np.diff(sim.history["time_s"]) == pytest.approx(interval_s, rel=1e-9)
 
 
 def test_an_interrupted_advance_counts_from_where_it_stands(short: ws.Case) -> None:
@@ -251,40 +251,40 @@ def test_a_set_point_has_the_limits_of_the_case(short: ws.Case) -> None:
         ({"weight_on_bit": 1e12}, "weight on bit of"),
         ({"flow_rate": 1.0}, "flow rate of"),
         ({"rpm": 9.0, "ramp": -1.0}, "ramp of -1 s"),
-        ({"friction": []}, "no coefficient"),
+        ({"friction": []}, "`friction` is empty"),
         ({"friction": "low"}, "'low' is no friction factor"),
     ]
-    for refused, told in cases:
-        with pytest.raises(ws.InputError, match=told):
+    for refused, message in cases:
+        with pytest.raises(ws.InputError, match=message):
             sim.set(**refused)
     assert sim.now["rotary_speed_set_rad_per_s"] == pytest.approx(2.0, rel=1e-12)
 
 
 def test_forgetting_moves_nothing_and_bounds_memory(short: ws.Case) -> None:
-    """Samples of the last second are left; what moves is the same to the last bit."""
-    kept, forgets = short.simulation(), short.simulation()
+    """Samples of the last second remain; the motion is bit-identical."""
+    full, forgets = short.simulation(), short.simulation()
     for turn in range(60):
-        for sim in (kept, forgets):
+        for sim in (full, forgets):
             sim.set(rpm=100.0 + turn % 2)
             sim.advance(0.1)
         forgets.forget(forgets.time_s - 1.0)
     rows = len(forgets.history)
     assert rows == pytest.approx(101, abs=1)
-    # A row holds some twenty numbers, and a line of the schedule goes with ten rows.
-    dropped = len(kept.history) - rows
-    assert len(kept.checkpoint()) - len(forgets.checkpoint()) > 150 * dropped
+    # A row has about twenty numbers, and there is a line of the schedule for every ten rows.
+    dropped = len(full.history) - rows
+    assert len(full.checkpoint()) - len(forgets.checkpoint()) > 150 * dropped
     for name in ("time_s", "hook_load_N", "surface_torque_N_m", "rotary_speed_set_rad_per_s"):
-        assert np.array_equal(forgets.history[name], kept.history[name][-rows:])
-    assert np.array_equal(forgets.state()["torque_N_m"], kept.state()["torque_N_m"])
+        assert np.array_equal(forgets.history[name], full.history[name][-rows:])
+    assert np.array_equal(forgets.state()["torque_N_m"], full.state()["torque_N_m"])
     again = short.simulation(checkpoint=forgets.checkpoint())
     for sim in (forgets, again):
         sim.advance(0.1)
     assert np.array_equal(again.history["hook_load_N"], forgets.history["hook_load_N"])
-    # Scalars are those of what is left; wear is that of the whole window.
-    answer, whole = forgets.results(), kept.results()
+    # Scalars are those of the remaining samples; wear is that of the whole window.
+    answer, whole = forgets.results(), full.results()
     mean = forgets.history["hook_load_N"].mean()
     assert answer["drill"].hook_load_N == pytest.approx(mean, rel=1e-12)
-    wear = [of.table("wear")["wear_power_W_per_m"].sum() for of in (answer, whole)]
+    wear = [results.table("wear")["wear_power_W_per_m"].sum() for results in (answer, whole)]
     assert wear[0] == pytest.approx(wear[1], rel=0.05)
     forgets.forget()
     assert len(forgets.history) == 1

@@ -22,7 +22,7 @@ def test_it_is_what_each_case_gives_by_itself(slant: ws.Case) -> None:
         alone = slant.with_(change).soft()
         rows = table["case"] == number
         for name in ("hook_load_N", "surface_torque_N_m", "weight_on_bit_N"):
-            assert list(table[name][rows]) == [getattr(of, name) for of in alone]
+            assert list(table[name][rows]) == [getattr(result, name) for result in alone]
 
 
 def test_one_operation_by_the_stiff_string(slant: ws.Case) -> None:
@@ -42,7 +42,7 @@ def test_columns_of_any_kind_are_rows_of_changes(slant: ws.Case) -> None:
         found = slant.soft_many(data, "trip_out")
         assert np.array_equal(found["hook_load_N"], expected["hook_load_N"])
     assert list(expected["bit_depth_m"]) == [900.0, 1000.0, 1100.0]
-    # What single precision holds of 0.1.
+    # 0.1 in single precision.
     assert expected["friction"][0] == float(np.float32(0.1))
 
 

@@ -1,4 +1,4 @@
-"""The types that editors and checkers see: the stub of the compiled half is what it holds."""
+"""The types for editors and checkers: the stub agrees with the compiled module."""
 
 import ast
 import inspect
@@ -11,70 +11,71 @@ from wholestring import _core
 FOLDER = Path(ws.__file__).parent
 STUB = ast.parse((FOLDER / "_core.pyi").read_text(encoding="utf-8"))
 
-# What Python gives every class.
+# Members that every class of Python has.
 GIVEN = set(dir(type("Empty", (), {}))) | {"__new__", "__module__"}
 
 
 def stub_names(body: list[ast.stmt]) -> dict[str, ast.stmt]:
     names: dict[str, ast.stmt] = {}
-    for of in body:
-        if isinstance(of, ast.FunctionDef | ast.ClassDef):
-            names[of.name] = of
-        elif isinstance(of, ast.AnnAssign) and isinstance(of.target, ast.Name):
-            names[of.target.id] = of
+    for statement in body:
+        if isinstance(statement, ast.FunctionDef | ast.ClassDef):
+            names[statement.name] = statement
+        elif isinstance(statement, ast.AnnAssign) and isinstance(statement.target, ast.Name):
+            names[statement.target.id] = statement
     return names
 
 
-def is_of_types_alone(of: ast.stmt) -> bool:
-    """Tell whether it is a protocol or a dictionary's type, which do not exist when it runs."""
-    if not isinstance(of, ast.ClassDef):
+def is_of_types_alone(statement: ast.stmt) -> bool:
+    """Return whether a class is a protocol or a typed dictionary, which exist only in the stub."""
+    if not isinstance(statement, ast.ClassDef):
         return False
-    bases = {ast.unparse(base).split("[")[0] for base in of.bases}
+    bases = {ast.unparse(base).split("[")[0] for base in statement.bases}
     return bool(bases & {"Protocol", "TypedDict"})
 
 
-def there(of: Any) -> set[str]:
-    return {name for name in map(str, of.__dict__) if name not in GIVEN and name != "__doc__"}
+def there(holder: Any) -> set[str]:
+    return {name for name in map(str, holder.__dict__) if name not in GIVEN and name != "__doc__"}
 
 
 def test_the_stub_names_what_is_there_and_nothing_else() -> None:
     stub = stub_names(STUB.body)
     module = {name for name in dir(_core) if not name.startswith("__") or name == "__version__"}
-    types = {name for name, of in stub.items() if is_of_types_alone(of)}
+    types = {name for name, statement in stub.items() if is_of_types_alone(statement)}
     assert set(stub) - types == module
 
 
 def test_the_stub_of_each_class_is_what_it_holds() -> None:
-    for name, of in stub_names(STUB.body).items():
-        if not isinstance(of, ast.ClassDef) or is_of_types_alone(of):
+    for name, statement in stub_names(STUB.body).items():
+        if not isinstance(statement, ast.ClassDef) or is_of_types_alone(statement):
             continue
-        given = getattr(_core, name)
-        said = set(stub_names(of.body)) - {"__init__", "__new__"}
-        held = there(given) | (said & {"__len__"})
-        assert said == held, name
+        holder = getattr(_core, name)
+        declared = set(stub_names(statement.body)) - {"__init__", "__new__"}
+        held = there(holder) | (declared & {"__len__"})
+        assert declared == held, name
 
 
 def test_the_stub_has_the_parameters_that_are_there() -> None:
     classes = {
-        name: of
-        for name, of in stub_names(STUB.body).items()
-        if isinstance(of, ast.ClassDef) and not is_of_types_alone(of)
+        name: statement
+        for name, statement in stub_names(STUB.body).items()
+        if isinstance(statement, ast.ClassDef) and not is_of_types_alone(statement)
     }
     bodies: list[tuple[Any, list[ast.stmt]]] = [(_core, STUB.body)]
-    bodies += [(getattr(_core, name), of.body) for name, of in classes.items()]
+    bodies += [(getattr(_core, name), statement.body) for name, statement in classes.items()]
     compared = 0
     for holder, body in bodies:
-        for name, of in stub_names(body).items():
-            if not isinstance(of, ast.FunctionDef) or name.startswith("__"):
+        for name, function in stub_names(body).items():
+            if not isinstance(function, ast.FunctionDef) or name.startswith("__"):
                 continue
-            decorators = {ast.unparse(one) for one in of.decorator_list}
+            decorators = {ast.unparse(one) for one in function.decorator_list}
             if "property" in decorators:
                 continue
             try:
                 signature = inspect.signature(getattr(holder, name))
             except ValueError:
                 continue
-            ours = [one.arg for one in of.args.args + of.args.kwonlyargs if one.arg != "self"]
+            declared = function.args.args + function.args.kwonlyargs
+            ours = [one.arg for one in declared if one.arg != "self"]
             theirs = [one for one in signature.parameters if one != "self"]
             assert ours == theirs, f"{name}: {ours} and {theirs}"
             compared += 1

@@ -1,4 +1,4 @@
-"""Studies, and the sweeps that they are made of."""
+"""Studies, and their sweeps."""
 
 from pathlib import Path
 

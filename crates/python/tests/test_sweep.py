@@ -37,13 +37,13 @@ needs_kill = pytest.mark.skipif(
 
 @pytest.fixture(scope="module")
 def soft() -> ws.Case:
-    """Milliseconds."""
+    """A case that takes milliseconds."""
     return ws.Case.example().with_(model="soft", operation__kind=["trip_out", "trip_in"])
 
 
 @pytest.fixture(scope="module")
 def dynamic() -> ws.Case:
-    """Some tenths of a second."""
+    """A case that takes some tenths of a second."""
     changes: dict[str, ws.Value] = {
         "model": "dynamic",
         "operation.kind": "rotate_off_bottom",
@@ -62,10 +62,10 @@ def pool() -> Iterator[ProcessPoolExecutor]:
 
 
 def contents(folder: Path) -> dict[str, bytes]:
-    """What a sweep left, but for the page and what tells the time that it took."""
-    kept = (file for file in folder.rglob("*") if file.is_file() and file.suffix != ".html")
-    files = {str(of.relative_to(folder)): of.read_bytes() for of in kept}
-    return {name: of for name, of in files.items() if not name.endswith("summary.json")}
+    """Return the files of a sweep, except the page and the times that it took."""
+    paths = (file for file in folder.rglob("*") if file.is_file() and file.suffix != ".html")
+    files = {str(path.relative_to(folder)): path.read_bytes() for path in paths}
+    return {name: data for name, data in files.items() if not name.endswith("summary.json")}
 
 
 def same(one: ws.Sweep, other: ws.Sweep) -> None:
@@ -85,7 +85,7 @@ def without_clock(data: Any) -> dict[str, Any]:
 
 
 class Finished:
-    """Notes when the summary of each case was written first, as long as a sweep goes on."""
+    """Records the time of the first summary of each case while a sweep runs."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -122,12 +122,12 @@ class Finished:
             time.sleep(0.02)
 
     def kill(self, after: int, processes: Callable[[], Iterable[int]]) -> Killing:
-        """Kill processes when so many cases are finished."""
+        """Kill processes at given numbers of finished cases."""
         return Killing(self, after, processes)
 
 
 class Killing(threading.Thread):
-    """Kills processes when so many cases are finished, and notes what it did."""
+    """Kills processes at given numbers of finished cases, and records them."""
 
     def __init__(
         self, looked: Finished, after: int, processes: Callable[[], Iterable[int]]
@@ -148,8 +148,8 @@ class Killing(threading.Thread):
         self.finished_then = len(self._looked.seen)
 
     def ends(self, killed: int, before: int) -> None:
-        """Wait for it; so many were killed, before so many cases were finished."""
-        # A thread's own assertion fails no test.
+        """Wait for the thread, and check how many processes were killed and when."""
+        # An assertion in the thread itself would fail no test.
         self.join()
         assert len(self.killed) == killed
         assert self._after <= self.finished_then < before
@@ -257,7 +257,7 @@ def test_what_is_finished_is_not_done_again(soft: ws.Case, tmp_path: Path) -> No
         work(threads, values[:2])
         looked = Finished(tmp_path / "one")
         looked.look()
-        # The runner's own threads go on with what the executor began, and the reverse.
+        # The threads of the runner continue a sweep of the executor, and the reverse.
         work(None, values[:3])
         looked.look()
         swept = work(threads, values)
@@ -283,7 +283,7 @@ def test_without_resume_all_is_solved_again(soft: ws.Case, tmp_path: Path) -> No
     ):
         ws.sweep(soft, {"wob": ["1 kN"]}, folder=tmp_path / "a", executor=threads)
     replaced = ws.sweep(soft, {"wob": ["1 kN"]}, folder=tmp_path / "a", overwrite=True)
-    assert [of.name for of in replaced.folder.iterdir() if of.is_dir()] == ["wob=1 kN"]
+    assert [path.name for path in replaced.folder.iterdir() if path.is_dir()] == ["wob=1 kN"]
 
 
 def test_an_interrupt_keeps_what_was_done(dynamic: ws.Case, tmp_path: Path) -> None:
@@ -313,7 +313,7 @@ def test_an_interrupt_keeps_what_was_done(dynamic: ws.Case, tmp_path: Path) -> N
                 (folder / name / "summary.json").stat().st_ino,
                 (folder / name / "summary.json").stat().st_mtime_ns,
             )
-        # A case that was under way continues from its checkpoint, to the same bits.
+        # An unfinished case continues from its checkpoint, with bit-identical results.
         with ThreadPoolExecutor(2) as threads:
             again = ws.sweep(long, vary, folder=folder, executor=threads if number == 0 else None)
         looked.none_done_twice()
@@ -394,7 +394,7 @@ def test_a_case_that_kills_its_workers_is_given_up(soft: ws.Case, tmp_path: Path
     reason = "its worker was lost 3 times, the last time by: a worker died"
     assert swept.failed == {"friction=0.2": reason}
     assert len(swept) == 3
-    # Later it is tried again, and nothing else.
+    # The next sweep tries only this case again.
     with Breaking(lambda _, time: time < 3) as pool:
         swept = ws.sweep(soft, {"friction": [0.1, 0.2, 0.3]}, folder=tmp_path, executor=pool)
     assert pool.handed_out == {"friction=0.2": 3}
@@ -420,7 +420,7 @@ def test_another_mistake_ends_the_sweep_and_keeps_what_was_done(
 
 
 class Slow(Executor):
-    """An executor that counts what it has in flight."""
+    """An executor that counts its tasks in flight."""
 
     def __init__(self) -> None:
         self.waiting: deque[tuple[Future[Any], Any]] = deque()
@@ -444,7 +444,7 @@ class Slow(Executor):
                 continue
             future, (work, arguments) = self.waiting[0]
             result = work(*arguments)
-            # Before whoever waits for it may submit the next.
+            # Before the waiting thread can submit the next task.
             self.waiting.popleft()
             future.set_result(result)
 
@@ -454,7 +454,7 @@ class Slow(Executor):
 
 
 class Counted:
-    """Cases of no work, each of which takes some time on the worker's clock."""
+    """Cases without work, each of which takes some time on the clock of the worker."""
 
     def __init__(self, case_s: float) -> None:
         self.case_s = case_s
@@ -464,11 +464,11 @@ class Counted:
         return pool.submit(self._solve, numbers)
 
     def _solve(self, numbers: list[int]) -> Done:
-        solved = [Solved(number=of, ended=b"{}", files=None) for of in numbers]
+        solved = [Solved(number=number, ended=b"{}", files=None) for number in numbers]
         return Done(solved=solved, took_s=self.case_s * len(numbers))
 
     def take(self, done: Done) -> list[int]:
-        numbers = [of.number for of in done.solved]
+        numbers = [solved.number for solved in done.solved]
         self.ended.extend(numbers)
         return numbers
 
@@ -493,7 +493,7 @@ def test_a_hundred_thousand_cases_do_not_flood_a_scheduler(
     assert sorted(cases.ended) == list(order)
     assert slow.most <= PER_WORKER * pool.workers()
     assert slow.tasks <= bundles
-    # The numbers themselves, in the order and in what has ended: 32 bytes and two places each.
+    # The numbers themselves, in the order and in the ended set: 32 bytes and two entries each.
     assert peak < 12e6, peak
 
 

@@ -16,7 +16,7 @@ def test_numpy_views_the_memory(slant: ws.Case) -> None:
     assert not tension.flags.writeable
     assert tension.dtype == np.float64
     del nodes
-    # The view keeps what it looks at.
+    # The view keeps its memory alive.
     assert np.isfinite(tension).all()
 
 
@@ -47,7 +47,7 @@ def test_pandas_has_the_same(slant: ws.Case) -> None:
 
 
 def test_pandas_shares_the_numbers(slant: ws.Case) -> None:
-    """Words may be copied: pandas keeps texts its own way."""
+    """Texts may be copied, because pandas stores them in its own form."""
     nodes = slant.soft().nodes
     frame = nodes.to_pandas()
     numbers = [name for name in nodes.columns if nodes[name].dtype == np.float64]
@@ -120,10 +120,10 @@ def test_some_columns_are_a_table(slant: ws.Case) -> None:
 def test_scalars_are_a_row_for_each_operation(slant: ws.Case, short: ws.Case) -> None:
     results = slant.soft()
     frame = results.to_pandas()
-    assert list(frame["operation"]) == [of.operation for of in results]
-    assert list(frame["hook_load_N"]) == [of.hook_load_N for of in results]
+    assert list(frame["operation"]) == [result.operation for result in results]
+    assert list(frame["hook_load_N"]) == [result.hook_load_N for result in results]
     assert results.scalars.unit("hook_load_N") == "N"
-    assert results._ipython_key_completions_() == [of.operation for of in results]
+    assert results._ipython_key_completions_() == [result.operation for result in results]
     moving = short.dynamic()
     scalars = moving.scalars
     statistics = moving["drill"].statistics

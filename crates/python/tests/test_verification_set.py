@@ -1,4 +1,4 @@
-"""The verification problems for other programs: sound, made of their sources, and held."""
+"""The verification problems for other programs: valid, up to date with their sources, solved."""
 
 import importlib
 import json
@@ -22,14 +22,14 @@ def run(*words: str | Path) -> subprocess.CompletedProcess[str]:
 
 def test_the_problems_are_what_the_schema_says() -> None:
     schema = json.loads((SET / "schema.json").read_text(encoding="utf-8"))
-    # It has no types.
+    # The package has no types.
     validators: Any = importlib.import_module("jsonschema.validators")
     validators.Draft202012Validator.check_schema(schema)
     validator = validators.Draft202012Validator(schema)
     assert PROBLEMS
     for file in PROBLEMS:
         problem = json.loads(file.read_text(encoding="utf-8"))
-        faults = [f"{of.json_path}: {of.message}" for of in validator.iter_errors(problem)]
+        faults = [f"{fault.json_path}: {fault.message}" for fault in validator.iter_errors(problem)]
         assert not faults, file.name
         assert problem["id"] == file.stem
         assert (SET.parents[1] / problem["source"]["file"]).is_file(), file.name
@@ -45,13 +45,13 @@ def test_this_program_holds_all_that_it_answers(tmp_path: Path) -> None:
     assert ran.returncode == 0, ran.stdout + ran.stderr
     found = json.loads((tmp_path / "found.json").read_text(encoding="utf-8"))["problems"]
     assert len(found) == len(PROBLEMS)
-    assert {of["kind"] for of in found if of["out_of_scope"]} == {"cantilever"}
-    silent = {of["kind"] for of in found if of["not_answered"]}
+    assert {row["kind"] for row in found if row["out_of_scope"]} == {"cantilever"}
+    silent = {row["kind"] for row in found if row["not_answered"]}
     assert silent == {"buckling_load", "casing_wear", "pipe_stress"}
 
 
 @pytest.mark.parametrize(
-    ("answer", "status", "told"),
+    ("answer", "status", "output"),
     [
         ("{'pick_up_hook_load_N': 579615.3}", 0, "4 1 1"),
         ("{'pick_up_hook_load_N': 580000.0}", 1, "580000 for 579615, +0.066 %"),
@@ -64,12 +64,12 @@ def test_this_program_holds_all_that_it_answers(tmp_path: Path) -> None:
         ("{}", 0, "4 0 0"),
     ],
 )
-def test_an_answer_is_judged(tmp_path: Path, answer: str, status: int, told: str) -> None:
+def test_an_answer_is_judged(tmp_path: Path, answer: str, status: int, output: str) -> None:
     adapter = tmp_path / "adapter.py"
     adapter.write_text(f"def answers(problem):\n    return {answer}\n", encoding="utf-8")
     ran = run("run.py", adapter, "--only", SLANT)
     assert ran.returncode == status, ran.stdout + ran.stderr
-    assert told in " ".join((ran.stdout + ran.stderr).split())
+    assert output in " ".join((ran.stdout + ran.stderr).split())
 
 
 def test_a_command_answers(tmp_path: Path) -> None:
@@ -98,7 +98,7 @@ def test_a_list_has_its_length(tmp_path: Path) -> None:
 
 
 def test_the_results_that_are_shown_are_those() -> None:
-    """Counts, not deviations: these are the rounding of the machine that made them."""
+    """Compare counts, not deviations, which are the rounding of the machine of the run."""
     text = (SET / "README.md").read_text(encoding="utf-8")
     of_all = [line for line in text.splitlines() if line.startswith("| all |")]
     assert all(f"| all | {len(PROBLEMS)} |" in line for line in of_all)

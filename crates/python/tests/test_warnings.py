@@ -1,4 +1,4 @@
-"""What the checker of cases warns of goes to Python's warnings, once, at the user's line."""
+"""Warnings of the check of cases are issued once as Python warnings, at the user's line."""
 
 import pickle
 import warnings
@@ -12,10 +12,11 @@ def test_mud_as_light_as_air_is_warned_of(slant: ws.Case) -> None:
     with pytest.warns(ws.CaseWarning, match="density") as caught:
         light = slant.with_(mud__density=1.2)
     assert [warning.filename for warning in caught] == [__file__]
-    assert [of.message for of in light.warnings] == [str(caught[0].message).split("\n")[0]]
+    messages = [warning.message for warning in light.warnings]
+    assert messages == [str(caught[0].message).split("\n")[0]]
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        # What was said once is not said again of what is made of it.
+        # A warning is not repeated for cases made from the first.
         light.with_(friction=0.2)
         light.soft("trip_out")
         pickle.loads(pickle.dumps(light))
@@ -28,7 +29,7 @@ def test_healthy_cases_warn_of_nothing() -> None:
 
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        # The article's moduli do not agree with each other, which is said of its wells.
+        # The moduli of the article are inconsistent, and its wells have a warning for that.
         for name in sorted(_core.EXAMPLES.keys() - {"well-b-1714", "well-b-2235"}):
             ws.Case.example(name)
 

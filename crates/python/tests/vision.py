@@ -1,4 +1,4 @@
-"""How far apart two colours are to eyes of every kind, and how much light they differ by.
+"""Difference of two colours for every type of colour vision, and their contrast.
 
 The same sources as the report's own test: Machado, Oliveira and Fernandes 2009 for eyes without
 red, green or blue cones (severity 1), Sharma, Wu and Dalal 2005 for CIEDE2000, WCAG 2.2 for
@@ -42,24 +42,25 @@ XYZ = np.array(
 
 
 def linear(colour: str) -> Numbers:
-    """Give a colour such as ``#18008e`` in linear sRGB."""
+    """Return a colour such as ``#18008e`` in linear sRGB."""
     parts = np.array([int(colour[at : at + 2], 16) / 255.0 for at in (1, 3, 5)])
     return np.where(parts <= 0.04045, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
 
 
 def contrast(a: str, b: str) -> float:
-    """Give the contrast of two colours."""
-    light = sorted(0.05 + float(np.dot([0.2126, 0.7152, 0.0722], linear(of))) for of in (a, b))
+    """Return the contrast of two colours."""
+    weights = [0.2126, 0.7152, 0.0722]
+    light = sorted(0.05 + float(np.dot(weights, linear(colour))) for colour in (a, b))
     return light[1] / light[0]
 
 
 def difference(a: str, b: str) -> float:
-    """Give the least difference, of CIEDE2000, that any kind of eye sees."""
+    """Return the least CIEDE2000 difference over all types of colour vision."""
     return min(ciede2000(lab(eye @ linear(a)), lab(eye @ linear(b))) for eye in EYES)
 
 
 def lab(rgb: Numbers) -> Numbers:
-    """Give CIE L*a*b* of a colour in linear sRGB."""
+    """Return CIE L*a*b* of a colour in linear sRGB."""
     parts: Numbers = (XYZ @ np.clip(rgb, 0.0, 1.0)) / XYZ.sum(axis=1)
     dark = (24389.0 / 27.0 * parts + 16.0) / 116.0
     x, y, z = (
@@ -72,7 +73,7 @@ def lab(rgb: Numbers) -> Numbers:
 
 
 def ciede2000(one: Numbers, other: Numbers) -> float:
-    """Give the difference of two colours, with the equations' numbers of the article."""
+    """Return the difference of two colours; equation numbers are those of the article."""
     (l1, a1, b1), (l2, a2, b2) = one.tolist(), other.tolist()
 
     def seventh(chroma: float) -> float:
@@ -106,5 +107,5 @@ def ciede2000(one: Numbers, other: Numbers) -> float:
     s_c, s_h = 1.0 + 0.045 * chroma, 1.0 + 0.015 * chroma * t
     r = -2.0 * seventh(chroma) * np.sin(np.radians(60.0 * np.exp(-(((h - 275.0) / 25.0) ** 2))))
     parts = ((l2 - l1) / s_l, (c2 - c1) / s_c, hue / s_h)
-    squares = sum(of**2 for of in parts) + r * parts[1] * parts[2]
+    squares = sum(part**2 for part in parts) + r * parts[1] * parts[2]
     return float(np.sqrt(squares))

@@ -1,4 +1,4 @@
 declare module "virtual:palette.css";
 
-/** Whether this page has no server, and an engine of its own. */
+/** Whether this page has an engine of its own instead of a server. */
 declare const __ALONE__: boolean;

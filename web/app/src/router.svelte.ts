@@ -1,8 +1,8 @@
-// Which screen is shown: the part of the address behind `#`.
+// The current screen, from the part of the address after `#`.
 
 import { isScreen, type Screen } from "./screens";
 
-/** A screen, the thing that it shows, and what else the address says. */
+/** A screen, the id of its content, and the query of the address. */
 export interface Route {
   screen: Screen;
   id: string;
@@ -20,7 +20,7 @@ function parse(hash: string): Route {
 }
 
 let current = $state.raw(parse(location.hash));
-/** Asked before a screen is left; says whether it may be. */
+/** Called before a screen is left; returns whether it may be. */
 let guard: (() => boolean) | null = null;
 
 addEventListener("hashchange", (event) => {
@@ -31,7 +31,7 @@ addEventListener("hashchange", (event) => {
   current = parse(location.hash);
 });
 
-/** The route that is shown; follow it in templates and effects. */
+/** The current route; reactive in templates and effects. */
 export const route = {
   get now(): Route {
     return current;
@@ -40,9 +40,9 @@ export const route = {
 
 /** The address of a screen, for links. */
 export function address(screen: Screen, id = "", query: Record<string, string> = {}): string {
-  const asked = new URLSearchParams(query).toString();
+  const search = new URLSearchParams(query).toString();
   const path = screen === "cases" ? "#/" : `#/${screen}${id === "" ? "" : `/${encodeURIComponent(id)}`}`;
-  return asked === "" ? path : `${path}?${asked}`;
+  return search === "" ? path : `${path}?${search}`;
 }
 
 /** Goes to a screen. */
@@ -50,7 +50,7 @@ export function go(screen: Screen, id = "", query: Record<string, string> = {}):
   location.hash = address(screen, id, query);
 }
 
-/** Holds the reader on this screen while `may` says no; gives what lets go. */
+/** Keeps the user on this screen while `may` returns false; returns the function that ends this. */
 export function guardLeaving(may: () => boolean): () => void {
   guard = may;
   return () => {

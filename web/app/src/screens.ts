@@ -1,9 +1,9 @@
-// Which component is which screen; each is fetched when it is first shown.
+// Components of the screens; each is fetched when first displayed.
 
 import type { Component } from "svelte";
 import type { Route } from "./router.svelte";
 
-/** What every screen is given. */
+/** Properties of every screen. */
 export interface ScreenProps {
   route: Route;
 }
@@ -14,7 +14,7 @@ const SCREENS = {
   answers: () => import("./answers/AnswersScreen.svelte"),
   case: () => import("./case/CaseScreen.svelte"),
   seat: () => import("./seat/SeatScreen.svelte"),
-  // What needs the program and its folder.
+  // Screens that require the program and its folder.
   ...(__ALONE__
     ? {}
     : {

@@ -1,4 +1,4 @@
-// What the reader has chosen for every screen; kept in this browser.
+// Settings of the reader for all screens, stored in this browser.
 
 export const UNIT_SETS = ["si", "metric", "field"] as const;
 export type UnitSet = (typeof UNIT_SETS)[number];
@@ -9,8 +9,8 @@ const PREFIX = "wholestring.";
 
 function remembered<T extends string>(name: string, known: readonly T[]): T | null {
   try {
-    const kept = localStorage.getItem(PREFIX + name);
-    return known.find((value) => value === kept) ?? null;
+    const stored = localStorage.getItem(PREFIX + name);
+    return known.find((value) => value === stored) ?? null;
   } catch {
     return null;
   }
@@ -20,7 +20,7 @@ function remember(name: string, value: string): void {
   try {
     localStorage.setItem(PREFIX + name, value);
   } catch {
-    // A browser that keeps nothing: the choice holds until the page is closed.
+    // Without storage in the browser, the choice applies until the page is closed.
   }
 }
 
@@ -40,7 +40,7 @@ class Settings {
     this.#dress();
   }
 
-  /** The units of all numbers: those that the reader has chosen, else those of the case that was shown last. */
+  /** The units of all numbers: those chosen by the reader, otherwise those of the last displayed case. */
   get units(): UnitSet {
     return this.#chosenUnits ?? this.#caseUnits;
   }
@@ -50,12 +50,12 @@ class Settings {
     remember("units", units);
   }
 
-  /** The units that the reader has chosen; null where a case says its own. */
+  /** The units chosen by the reader; null for those of the case. */
   get chosenUnits(): UnitSet | null {
     return this.#chosenUnits;
   }
 
-  /** Shows numbers in the units of a case, until the reader chooses others. */
+  /** Sets the units of a case, until the reader chooses others. */
   followCase(units: UnitSet): void {
     this.#caseUnits = units;
   }
@@ -70,7 +70,7 @@ class Settings {
     this.#dress();
   }
 
-  /** Whether the page is dark now; drawings in colours of their own follow it. */
+  /** Whether the page is dark; drawings with their own colours follow it. */
   get dark(): boolean {
     return this.#theme === "dark" || (this.#theme === "auto" && this.#system);
   }

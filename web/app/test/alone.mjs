@@ -1,4 +1,4 @@
-// The app in a browser alone: served as files, under a path of its own; its answers beside those of the program.
+// The browser version of the app: served as files under its own path; its results are compared with those of the program.
 //
 // PLAYGROUND names the folder; without it, target/playground, as `cargo xtask playground` makes it.
 import { execFileSync } from "node:child_process";
@@ -14,13 +14,13 @@ import { openCase, tomlText } from "./harness-case.mjs";
 const ROOT = resolve(dirname(fileURLToPath(import.meta.url)), "../../..");
 const FOLDER = process.env.PLAYGROUND ?? join(ROOT, "target/playground");
 const UNDER = "/somewhere/below/";
-// Without WebGL: drawn by the processor, the view in space would take what the engine is measured on.
+// Without WebGL, because software rendering of the view in space would disturb the measurement of the engine.
 const FLAGS = ["--disable-3d-apis"];
 if (!existsSync(join(FOLDER, "engine.bin"))) fail(`there is no page in ${FOLDER}: run \`cargo xtask playground\` first`);
 
-/** A server of files that knows nothing of WebAssembly, and compresses nothing. */
-const server = createServer((asked, answer) => {
-  const name = asked.url.startsWith(UNDER) ? asked.url.slice(UNDER.length).split("?")[0] || "index.html" : "";
+/** A file server without the MIME type of WebAssembly and without compression. */
+const server = createServer((request, answer) => {
+  const name = request.url.startsWith(UNDER) ? request.url.slice(UNDER.length).split("?")[0] || "index.html" : "";
   const file = join(FOLDER, name);
   if (name === "" || !existsSync(file)) return answer.writeHead(404).end();
   const type = { html: "text/html", js: "text/javascript", css: "text/css" }[name.split(".").at(-1)] ?? "application/octet-stream";
@@ -29,15 +29,15 @@ const server = createServer((asked, answer) => {
 await new Promise((listens) => server.listen(0, "127.0.0.1", listens));
 const served = { url: `http://127.0.0.1:${server.address().port}${UNDER}` };
 
-/** The engine's module, begun. */
+/** An instance of the module of the engine. */
 async function instance() {
   const module = await WebAssembly.compile(gunzipSync(readFileSync(join(FOLDER, "engine.bin"))));
   const imports = { page: { now_ms: () => performance.now(), complain: () => {} } };
-  for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] ??= () => fail(`${name} is asked for`);
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] ??= () => fail(`the import ${name} was called`);
   const { exports: it } = await WebAssembly.instantiate(module, imports);
   const give = (text) => {
     const bytes = new TextEncoder().encode(text);
-    // Room may grow the memory, which is another buffer then.
+    // An allocation may grow the memory, which then has another buffer.
     const place = it.room(bytes.length);
     new Uint8Array(it.memory.buffer, place, bytes.length).set(bytes);
     return bytes.length;
@@ -46,22 +46,22 @@ async function instance() {
   return { it, give, left };
 }
 
-/** The engine, called as the page calls it. */
+/** The engine, with the calls of the page. */
 async function engine() {
   const { it, give, left } = await instance();
   return (request) => {
     give(JSON.stringify(request));
     const status = it.ask();
-    const told = JSON.parse(left().toString());
-    check(status === 200, `${request.asks}: ${status} ${JSON.stringify(told).slice(0, 400)}`);
-    return told;
+    const body = JSON.parse(left().toString());
+    check(status === 200, `${request.asks}: ${status} ${JSON.stringify(body).slice(0, 400)}`);
+    return body;
   };
 }
 
-/** A string is driven so long, s, in whole seconds. */
+/** Time for which a string is driven, s, in whole seconds. */
 const DRIVEN_S = 8;
 const SAMPLES_PER_S = 100;
-/** Of a message of samples: how many rows, the number of the first, and the bytes of them all; none of another message. */
+/** Number of rows, index of the first and bytes of a message of samples; undefined for other messages. */
 const samplesOf = (bytes) => (bytes.readUInt32LE(0) === 1 ? { rows: bytes.readUInt32LE(4), first: bytes.readDoubleLE(16), values: bytes.subarray(24) } : null);
 
 /** Samples of a live string of the engine, as bytes. */
@@ -91,9 +91,9 @@ async function drivenNatively(text) {
     const page = await openPage(native);
     const taken = await page.evaluate(
       async ({ driven, most }) => {
-        const [{ id: of }] = await (await fetch("/api/cases")).json();
+        const [{ id: caseId }] = await (await fetch("/api/cases")).json();
         const headers = { "content-type": "application/json" };
-        const { id } = await (await fetch("/api/live", { method: "POST", headers, body: JSON.stringify({ case: of }) })).json();
+        const { id } = await (await fetch("/api/live", { method: "POST", headers, body: JSON.stringify({ case: caseId }) })).json();
         const socket = new WebSocket(`ws://${location.host}/api/live/${id}/socket`);
         socket.binaryType = "arraybuffer";
         socket.onopen = () => socket.send(JSON.stringify({ step: driven }));
@@ -117,7 +117,7 @@ async function drivenNatively(text) {
   }
 }
 
-/** What the program answers of a case of `cases/`. */
+/** Answer of the program for a case of `cases/`. */
 function natively(name) {
   const folder = mkdtempSync(join(tmpdir(), "wholestring-alone-"));
   try {
@@ -137,7 +137,7 @@ const begin = async (options = {}) => {
   return page;
 };
 
-/** A number of the table of soft and stiff string, as people see it. */
+/** A displayed number of the table of soft and stiff string. */
 const keyNumber = async (page, row, model) => {
   const text = await page.locator(".key-numbers tr", { hasText: row }).locator("td").nth(model === "soft" ? 0 : 1).innerText();
   return Number(text.split("was")[0].replaceAll("\u2212", "-").replace(/[^\d.\-].*$/s, ""));
@@ -164,10 +164,10 @@ await run({
   },
 
   "a live string is that of the program": async () => {
-    // Sliding, sticking, whirling: what is another in its last digit soon is another in its first.
+    // With sliding, sticking and whirling, a difference in the last digit soon reaches the first.
     const text = readFileSync(join(ROOT, "cases/well-b-2235.toml"), "utf8");
     const [alone, native] = [await drivenAlone(text), await drivenNatively(text)];
-    // The last message may have more than was waited for.
+    // The last message may have more rows than expected.
     const bytes = Math.min(alone.length, native.length);
     const numbers = bytes / 4;
     check(numbers >= DRIVEN_S * SAMPLES_PER_S * 10 && alone.some((byte) => byte !== 0), `${numbers} numbers`);
@@ -177,8 +177,8 @@ await run({
 
   "a case is edited, answered, and there again after a reload": async () => {
     const page = await begin();
-    console.log(`     the list of cases ${((await page.evaluate(() => performance.now())) / 1000).toFixed(2)} s after the page was asked for`);
-    check((await page.locator("main").innerText()).includes("need the program"), "it is said what needs the program");
+    console.log(`     the list of cases ${((await page.evaluate(() => performance.now())) / 1000).toFixed(2)} s after the request of the page`);
+    check((await page.locator("main").innerText()).includes("require the program"), "the page lists the functions that require the program");
     equal(await page.getByRole("link", { name: "Work", exact: true }).count(), 0, "links to work");
     await picture(page, "alone-cases");
     await openCase(page, "Slant well");
@@ -186,7 +186,7 @@ await run({
     const density = page.locator('[data-key="mud.density"]');
     await density.fill("1.31 sg");
     await density.press("Tab");
-    await until(async () => (await tomlText(page)).includes("1.31"), "the text has what was typed in the form");
+    await until(async () => (await tomlText(page)).includes("1.31"), "the text has the value typed in the form");
     await page.getByRole("button", { name: "Answers", exact: true }).click();
     await page.waitForSelector(".key-numbers");
     await settled(page);
@@ -198,8 +198,8 @@ await run({
     for (const model of ["soft", "stiff"]) {
       const { operations } = ask({ asks: "answer", file: "slant.toml", body: { text: changed, models: [model] } });
       const expected = operations.find((one) => one.operation === "drill");
-      const shown = await keyNumber(page, "Hook load", model);
-      check(Math.abs(shown - expected.hook_load_N / 1e3) < 0.06, `${model}: ${shown} kN is shown, ${expected.hook_load_N} N expected`);
+      const number = await keyNumber(page, "Hook load", model);
+      check(Math.abs(number - expected.hook_load_N / 1e3) < 0.06, `${model}: ${number} kN is shown, ${expected.hook_load_N} N expected`);
     }
     await page.getByRole("button", { name: "Save", exact: true }).click();
     await until(async () => (await page.locator(".toolbar").innerText()).includes("Saved."), "it is saved");
@@ -235,7 +235,7 @@ await run({
     const speed = page.getByRole("textbox", { name: "Rotary speed, set" });
     await speed.fill("90");
     await speed.press("Enter");
-    await until(async () => (await page.locator(".moments").innerText()).includes("1 change"), "what was set is recorded");
+    await until(async () => (await page.locator(".moments").innerText()).includes("1 change"), "the change is recorded");
     await page.getByRole("button", { name: "Pause" }).click();
     await page.getByRole("button", { name: "Run", exact: true }).waitFor();
     await picture(page, "alone-seat");
@@ -244,9 +244,9 @@ await run({
     await page.getByRole("button", { name: "Rewind" }).click();
     await until(async () => (await time()) < before, "it is taken back");
     await page.getByRole("button", { name: "Keep in this browser" }).click();
-    await page.locator(".said", { hasText: "Kept as it is now" }).waitFor();
+    await page.locator(".said", { hasText: "Kept in its current state" }).waitFor();
     await page.getByRole("button", { name: "End", exact: true }).click();
-    await page.getByRole("button", { name: "Begin anew" }).click();
+    await page.getByRole("button", { name: "Restart" }).click();
     await page.getByRole("button", { name: "Continue" }).click();
     await page.getByRole("button", { name: "Run", exact: true }).waitFor();
     equal(page.complaints.filter((one) => !one.includes("WebGL")), [], "complaints");

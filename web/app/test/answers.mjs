@@ -1,11 +1,11 @@
-// Answers as one types: tracks, broomstick, limits, assembly and what-if sliders, by mouse and by keys.
+// Results while typing: tracks, broomstick, limits, assembly and what-if sliders, by mouse and by keys.
 import { readFileSync } from "node:fs";
 import { accessible, check, equal, openPage, picture, run, serve, until } from "./harness.mjs";
 
 const CASES = new URL("../../../cases/", import.meta.url);
 const read = (name) => readFileSync(new URL(name, CASES), "utf8");
 
-/** The well that answers are measured with. */
+/** The well of the timings. */
 const NP13 = { "np13.toml": read("np13-x1042.toml"), "np13-x1042-survey.csv": read("np13-x1042-survey.csv") };
 
 const SLANT = `# A slant well.
@@ -62,7 +62,7 @@ wob = "50 kN"
 rop = "10 m/h"
 `;
 
-/** The same with a factor that was fitted, and a plan with low and high. */
+/** The same with a fitted factor, and a plan with low and high friction. */
 const CALIBRATED = `${SLANT.replace("0.3  # a guess", "0.31  # fitted on the readings")}
 [plan.friction]
 low = 0.15
@@ -76,7 +76,7 @@ const UNIFORM = "Friction, one factor for all sections";
 /** Opens the answers of a case, and waits until all of them are drawn. */
 async function openAnswers(served, name, options) {
   const page = await openPage(served, options);
-  // Whoever tests shares the machine with builds.
+  // The machine may be shared with builds.
   page.setDefaultTimeout(30_000);
   const id = await page.evaluate(async (name) => {
     const cases = await (await fetch("/api/cases")).json();
@@ -94,10 +94,10 @@ const drawn = async (page) => {
   await settled(page);
 };
 
-/** No answer is on its way. */
+/** Waits until no request is pending. */
 const settled = (page) => until(() => page.evaluate(() => document.querySelector(".answers")?.dataset.solving === "false"), "all is solved", 30_000);
 
-/** A number of the table, as people see it: of the soft or of the stiff string. */
+/** A displayed number of the table, of the soft or of the stiff string. */
 const keyNumber = async (page, row, model) => {
   const text = await page.locator(".key-numbers tr", { hasText: row }).locator("td").nth(model === "soft" ? 0 : 1).innerText();
   return Number(text.split("was")[0].replaceAll("\u2212", "-").replace(/[^\d.\-].*$/s, ""));
@@ -110,7 +110,7 @@ await run({
     const served = await serve(NP13);
     const page = await openAnswers(served, "np13.toml");
     await drawn(page);
-    const asked = await page.evaluate(async () => {
+    const answers = await page.evaluate(async () => {
       const id = location.hash.split("/").pop();
       const { text } = await (await fetch(`/api/cases/${id}`)).json();
       const body = JSON.stringify({ text });
@@ -118,8 +118,8 @@ await run({
       return (await answer.json()).operations.map((one) => one.surface_torque_N_m);
     });
     for (const [i, model] of ["soft", "stiff"].entries()) {
-      const shown = await keyNumber(page, "Torque at the surface", model);
-      check(Math.abs(shown - asked[i] / 1e3) < 0.006, `${model}: ${shown} kN·m are shown, ${asked[i]} N·m answered`);
+      const number = await keyNumber(page, "Torque at the surface", model);
+      check(Math.abs(number - answers[i] / 1e3) < 0.006, `${model}: ${number} kN·m are shown, ${answers[i]} N·m answered`);
     }
     equal(await ghosts(page), 0, "curves from before");
     check((await page.locator(".took").innerText()).includes("drawn"), "the time that it took is shown");
@@ -176,7 +176,7 @@ await run({
       await page.getByRole("button", { name: `reset ${label}` }).click();
       await until(async () => (await keyNumber(page, row, model)) === before, `${label}: the answer of the text again`, 30_000);
     }
-    // Coulomb's friction does not ask how fast the string turns, but does where it turns and moves along.
+    // Coulomb friction does not depend on the speed of rotation alone, but on the ratio of rotation and axial motion.
     const slider = page.getByLabel("Rotary speed", { exact: true });
     await slider.focus();
     await page.keyboard.press("Home");
@@ -187,7 +187,7 @@ await run({
     await served.stop();
   },
 
-  "values that were tried are applied after a look at what changes, and that is undone": async () => {
+  "modified values are applied after a preview of the changes, and that is undone": async () => {
     const served = await serve({ "slant.toml": CALIBRATED });
     const page = await openAnswers(served, "slant.toml");
     await drawn(page);
@@ -210,7 +210,7 @@ await run({
     const fate = dialog.getByLabel("fitted on the readings");
     equal(await fate.inputValue(), "mark", "a comment that would be false");
     equal(await dialog.getByLabel("cased").inputValue(), "keep", "a comment that stays true");
-    await accessible(page, "what would be applied");
+    await accessible(page, "preview of the changes");
     await picture(page, "apply");
     await dialog.getByRole("button", { name: "Apply", exact: true }).click();
     await until(() => served.read("slant.toml") !== CALIBRATED, "the file is written", 30_000);
@@ -218,9 +218,9 @@ await run({
     check(/^friction = 0\.1\d+  # cased$/m.test(text), `the casing's own factor, its comment kept: ${text}`);
     check(/^friction = 0\.2\d+  # was 0\.31: fitted on the readings$/m.test(text), `the rock's own factor: ${text}`);
     check(/^wob = "100 kN"$/m.test(text), `the weight in the file: ${text}`);
-    await until(async () => (await ghosts(page)) === 0, "what was tried is the case", 30_000);
+    await until(async () => (await ghosts(page)) === 0, "the case has the modified values", 30_000);
     await page.getByRole("button", { name: "Undo" }).click();
-    await until(() => served.read("slant.toml") === CALIBRATED, "the file is what it was", 30_000);
+    await until(() => served.read("slant.toml") === CALIBRATED, "the file is restored", 30_000);
     equal(page.complaints, [], "complaints");
     await page.context().close();
     await served.stop();
@@ -256,11 +256,11 @@ await run({
     const page = await openAnswers(served, "field.toml");
     await drawn(page);
     const limits = page.locator("section[aria-labelledby=limits-title]");
-    const told = () => limits.innerText();
-    await until(async () => /klbf/.test(await told()), "the case's units", 30_000);
-    check(!/ kN| m\b/.test((await told()).replaceAll("\u00a0", " ")), `field units alone: ${await told()}`);
+    const text = () => limits.innerText();
+    await until(async () => /klbf/.test(await text()), "the case's units", 30_000);
+    check(!/ kN| m\b/.test((await text()).replaceAll("\u00a0", " ")), `field units alone: ${await text()}`);
     await page.getByRole("group", { name: "Units" }).getByRole("button", { name: "SI" }).click();
-    await until(async () => !/klbf|\bft\b/.test(await told()) && /kN/.test(await told()), "SI alone", 30_000);
+    await until(async () => !/klbf|\bft\b/.test(await text()) && /kN/.test(await text()), "SI alone", 30_000);
     equal(page.complaints, [], "complaints");
     await page.context().close();
     await served.stop();
@@ -322,12 +322,12 @@ await run({
     const limits = page.locator("section", { hasText: "Limits" }).last();
     const words = await page.locator("section[aria-labelledby=limits-title]").innerText();
     check(/Hoist\s.*\+\d+ %/s.test(words) || words.includes("more than 10 times"), `the hoist has a reserve: ${words}`);
-    check(words.includes("Not checked:"), "what could not be checked is said");
+    check(words.includes("Not checked:"), "checks that were not possible are listed");
     const names = await page.locator(".depth-chart .limit-name").allTextContents();
     check(names.some((name) => name.startsWith("hoist")) && names.some((name) => name.startsWith("top drive")), `limits of the rig: ${names}`);
     const ends = await page.locator(".depth-chart .end-name").allTextContents();
     check(ends.includes("rotate off bottom") && ends.some((end) => end.startsWith("trip out")) && ends.some((end) => end.startsWith("trip in")), `ends of lines: ${ends}`);
-    // Trip in hangs on less than rotating, trip out on more.
+    // The hook load of trip in is below that of rotating, that of trip out above.
     await page.getByText("Hook load, without block in numbers").click();
     await page.locator(".depth-chart + details table td").first().waitFor();
     const last = await page.locator(".depth-chart + details table tr").last().locator("td").allInnerTexts();
@@ -340,12 +340,12 @@ await run({
     await served.stop();
   },
 
-  "an operation without an equilibrium says so in its place": async () => {
+  "an operation without an equilibrium has a message in its place": async () => {
     const served = await serve({ "rolls.toml": SLANT.replace('wob = "50 kN"', 'wob = "300 kN"') });
     const page = await openAnswers(served, "rolls.toml");
     await drawn(page);
     const words = await page.locator("section[aria-labelledby=answers-title]").innerText();
-    check(words.includes("The stiff string has no answer: no equilibrium was found"), `it is said: ${words}`);
+    check(words.includes("The stiff string has no answer: no equilibrium was found"), `the message: ${words}`);
     equal(await page.locator(".key-numbers thead th").allInnerTexts(), ["Quantity", "soft string"], "columns of the numbers");
     await accessible(page, "an operation without an equilibrium");
     equal(page.complaints, [], "complaints");
@@ -363,7 +363,7 @@ await run({
     await served.stop();
   },
 
-  "a server that is gone is told, and asked again": async () => {
+  "a lost server is reported, and the request is repeated": async () => {
     const served = await serve({ "slant.toml": SLANT });
     const page = await openAnswers(served, "slant.toml");
     await drawn(page);
@@ -377,13 +377,13 @@ await run({
     await served.stop();
   },
 
-  "the well stands in space with the string in it": async () => {
+  "the well is drawn in space with the string in it": async () => {
     const served = await serve({ "slant.toml": SLANT });
     const page = await openAnswers(served, "slant.toml", { flags: ["--use-angle=swiftshader"] });
     await drawn(page);
     await page.getByText("The well with the string in it").click();
     await page.waitForSelector("canvas.space");
-    // Another quantity is other colours on the string, and on nothing else.
+    // Another quantity changes the colours of the string only.
     const keep = (name) =>
       page.evaluate(async (name) => {
         await new Promise((wake) => setTimeout(wake, 500));

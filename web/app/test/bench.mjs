@@ -1,4 +1,4 @@
-// How fast the app is: `node bench.mjs`, with a release build and nothing else running. Median and most of ROUNDS rounds.
+// Speed of the app: `node bench.mjs`, with a release build and no other load. Median and maximum of ROUNDS rounds.
 import { readFileSync } from "node:fs";
 import { openPage, run, serve, until } from "./harness.mjs";
 
@@ -6,10 +6,10 @@ const ROUNDS = 10;
 const read = (name) => readFileSync(new URL(`../../../cases/${name}`, import.meta.url), "utf8");
 const NP13 = { "np13.toml": read("np13-x1042.toml"), "np13-x1042-survey.csv": read("np13-x1042-survey.csv") };
 
-function tell(what, times_ms) {
+function tell(label, times_ms) {
   const sorted = [...times_ms].sort((a, b) => a - b);
   const [median, most] = [sorted[Math.floor(sorted.length / 2)], sorted.at(-1)].map(Math.round);
-  console.log(`     ${what}: ${median} ms, ${most} ms at most`);
+  console.log(`     ${label}: ${median} ms, ${most} ms at most`);
 }
 
 await run({
@@ -21,7 +21,7 @@ await run({
       const up_ms = performance.now() - begun;
       const page = await openPage(served);
       const painted = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime);
-      // The first round starts the browser too.
+      // The first round includes the start of the browser.
       if (round > 0) whole.push(up_ms + painted);
       if (round > 0) page_ms.push(painted);
       await page.context().close();

@@ -89,7 +89,7 @@ await run({
     await page.keyboard.press("Enter");
     await page.getByRole("cell", { name: "wells/b.toml", exact: true }).waitFor();
     equal(served.read("wells/b.toml"), CASE, "the copy");
-    page.complaints.length = 0; // The browser tells of the answer 409.
+    page.complaints.length = 0; // The browser logs the status 409.
     await page.getByRole("button", { name: "Delete wells/b.toml" }).click();
     await accessible(page, "delete a case");
     await page.getByRole("button", { name: "Cancel" }).click();
@@ -108,7 +108,7 @@ await run({
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("F2");
     await page.keyboard.press("Escape");
-    equal(await cellText(page, STATIONS, 2, 1), "400", "Escape leaves what stood there");
+    equal(await cellText(page, STATIONS, 2, 1), "400", "Escape restores the previous text");
     await page.keyboard.type("450");
     await page.keyboard.press("Enter");
     await untilToml(page, "[450, 0, 0]");
@@ -117,7 +117,7 @@ await run({
     await page.keyboard.press("Tab");
     await untilToml(page, '[1000, "0.5 rad", 0],   # the end');
     await untilCell(page, STATIONS, 3, 2, "28.64789");
-    // A row below the last: its first cell begins it.
+    // A new row after the last begins with its first cell.
     await page.keyboard.press("Control+End");
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("Home");
@@ -174,7 +174,7 @@ await run({
     await end();
   },
 
-  "a survey in a file comes into the case only where one says so": async () => {
+  "a survey in a file is written into the case only after confirmation": async () => {
     const survey = "MD (m),Inc (deg),Azi (deg)\n0,0,0\n400,0,0\n1000,30,0\n";
     const text = CASE.replace(/stations = \[\n[^]*?\n\]/, 'survey = "s.csv"');
     const { page, served, end } = await opened(text, {}, { "s.csv": survey });
@@ -246,11 +246,11 @@ await run({
     const density = page.getByRole("textbox", { name: "Density" });
     equal(await density.inputValue(), "1200 kg/m³", "the density in the chosen units");
     await density.click();
-    equal(await density.inputValue(), "1.2 sg", "the density as it stands in the file");
+    equal(await density.inputValue(), "1.2 sg", "the density in the form of the file");
     await density.fill("1300");
     await page.keyboard.press("Enter");
     await untilToml(page, 'density = "1300 kg/m3"   # of the report');
-    // The text is typed into: the form follows.
+    // Typing in the text updates the form.
     await page.locator(".cm-content").click();
     await page.keyboard.press("Control+f");
     await page.keyboard.type("1300 kg/m3");
@@ -259,9 +259,9 @@ await run({
     await page.keyboard.type("1.4 sg");
     await until(async () => (await density.inputValue()) === "1400 kg/m³", "the form follows the text");
     await page.keyboard.press("Control+z");
-    await until(async () => (await density.inputValue()) === "1300 kg/m³", "undo takes back what was typed into the text");
+    await until(async () => (await density.inputValue()) === "1300 kg/m³", "undo reverts the typed text");
     await page.keyboard.press("Control+z");
-    await untilToml(page, 'density = "1.2 sg"   # of the report', "undo takes back what the form has changed");
+    await untilToml(page, 'density = "1.2 sg"   # of the report', "undo reverts the change of the form");
     equal(await tomlText(page), CASE, "all is as it was");
     await page.keyboard.press("Control+Shift+z");
     await page.keyboard.press("Control+y");
@@ -269,7 +269,7 @@ await run({
     await end();
   },
 
-  "values that were tried beside the editor come into its text, and undo takes them back": async () => {
+  "modified values of the panel are applied to the text of the editor, and undone": async () => {
     const { page, end } = await opened();
     await page.getByRole("button", { name: "Answers", exact: true }).click();
     const slider = page.getByLabel("Friction multiplier, each section's own factor", { exact: true });
@@ -286,32 +286,32 @@ await run({
     await end();
   },
 
-  "what is wrong is said at its field, in the text and in a list": async () => {
+  "a mistake is reported at its field, in the text and in a list": async () => {
     const { page, end } = await opened(CASE.replace("friction = 0.3", "friction = 7").replace('"1.2 sg"', '"1.2 bar"'));
     await page.getByText("2 errors").waitFor();
     await page.locator(".cm-lintRange-error").first().waitFor();
-    equal(await page.locator(".cm-lintRange-error").allInnerTexts(), ["7", "bar"], "what is underlined");
+    equal(await page.locator(".cm-lintRange-error").allInnerTexts(), ["7", "bar"], "underlined texts");
     await page.getByRole("button", { name: "To the field mud.density" }).click();
     const density = page.getByRole("textbox", { name: "Density" });
     await until(() => density.evaluate((input) => input === document.activeElement), "the field has the focus");
     equal(await density.getAttribute("aria-invalid"), "true", "the field is marked");
-    await page.locator(".field .said").getByText("`bar` is a unit of pressure, not of density").waitFor();
+    await page.locator(".field .diagnostic").getByText("`bar` is a unit of pressure, not of density").waitFor();
     await page.getByRole("button", { name: "To the text of line 15" }).click();
     await until(() => page.evaluate(() => document.activeElement.shadowRoot?.activeElement?.classList.contains("cm-content")), "the text has the focus");
     await page.getByRole("button", { name: "To the field well.hole.0.friction" }).click();
     await page.getByRole("heading", { level: 2, name: "Hole", exact: true }).waitFor();
     await accessible(page, "a case with errors");
-    // No TOML at all: the form waits.
+    // With invalid TOML the form waits.
     await page.locator(".cm-content").click();
     await page.keyboard.press("Control+Home");
     await page.keyboard.type("x = \n");
-    await page.getByText("The text is no TOML at the moment").waitFor();
+    await page.getByText("The text is not valid TOML").waitFor();
     await page.getByText("a value is missing after `=`").waitFor();
-    await accessible(page, "a text that is no TOML");
+    await accessible(page, "a text that is not valid TOML");
     await end();
   },
 
-  "what is typed is kept through a reload and the end of the server": async () => {
+  "typed text survives a reload and the end of the server": async () => {
     const { page, served, end } = await opened();
     await section(page, "Mud");
     await page.getByRole("textbox", { name: "Density" }).fill("1350");
@@ -357,20 +357,20 @@ await run({
     await dialog.getByText("− friction = 0.3  # measured").waitFor();
     await accessible(page, "a conflict");
     await picture(page, "conflict");
-    page.complaints.length = 0; // The browser tells of the answer 409.
+    page.complaints.length = 0; // The browser logs the status 409.
     await dialog.getByRole("button", { name: "Decide later" }).click();
     equal(served.read("a.toml"), theirs, "theirs stands");
     await page.keyboard.press("Control+s");
-    await dialog.getByRole("button", { name: "Take what stands in the file" }).click();
+    await dialog.getByRole("button", { name: "Use the version of the file" }).click();
     await until(async () => (await tomlText(page)) === theirs, "theirs is shown");
     await page.keyboard.press("Control+z");
     await untilToml(page, "1350");
     served.write("a.toml", CASE);
     await page.keyboard.press("Control+s");
-    await dialog.getByRole("button", { name: "Save what stands here" }).click();
+    await dialog.getByRole("button", { name: "Save this version" }).click();
     await until(() => served.read("a.toml").includes("1350"), "ours is saved");
     page.complaints.length = 0;
-    // Nothing unsaved: what another program writes is shown.
+    // Without unsaved changes, the file of another program is loaded.
     served.write("a.toml", theirs);
     await page.evaluate(() => dispatchEvent(new Event("focus")));
     await page.getByText("The file was changed by another program").waitFor();
@@ -394,9 +394,9 @@ await run({
     const dialog = other.getByRole("dialog", { name: "The file has changed on the disk" });
     await dialog.getByText('− density = "1350 kg/m3"', { exact: false }).waitFor();
     check(served.read("a.toml").includes("1350"), "the first tab's text stands until the second decides");
-    await dialog.getByRole("button", { name: "Save what stands here" }).click();
+    await dialog.getByRole("button", { name: "Save this version" }).click();
     await until(() => served.read("a.toml").includes("1400"), "the second tab saves");
-    // The first has nothing unsaved: it shows what the second wrote, and its own text is one undo away.
+    // The first tab has no unsaved changes: it loads the file of the second, and undo restores its own text.
     await page.evaluate(() => dispatchEvent(new Event("focus")));
     await untilToml(page, "1400");
     await page.keyboard.press("Control+z");
@@ -408,13 +408,13 @@ await run({
   "no key of the case file is out of reach": async () => {
     const { page, end } = await opened();
     const schema = await page.evaluate(async () => (await fetch("/api/schema")).json());
-    const isTable = (of) => of.properties !== undefined || (of.type === "array" && of.items?.properties !== undefined);
+    const isTable = (part) => part.properties !== undefined || (part.type === "array" && part.items?.properties !== undefined);
     let keys = 0;
-    for (const [key, of] of Object.entries(schema.properties)) {
-      if (!isTable(of)) continue;
+    for (const [key, part] of Object.entries(schema.properties)) {
+      if (!isTable(part)) continue;
       await section(page, key.charAt(0).toUpperCase() + key.slice(1).replaceAll("_", " "));
-      const table = of.properties ?? of.items.properties;
-      if (of.items) await page.getByRole("grid").first().focus();
+      const table = part.properties ?? part.items.properties;
+      if (part.items) await page.getByRole("grid").first().focus();
       const closed = page.locator(".forms details:not([open]) > summary");
       while ((await closed.count()) > 0) await closed.first().click();
       const own = Object.keys(table).filter((own) => key !== "well" || (own !== "hole" && own !== "stations"));
@@ -429,7 +429,7 @@ await run({
       keys += own.length;
     }
     check(keys > 150, `${keys} keys`);
-    // One of those that are not shown at first gets a value.
+    // Sets a key that is hidden at first.
     await section(page, "Dynamics");
     await page.getByText(/more keys$/).first().click();
     await page.getByLabel("Find a key").fill("seed");

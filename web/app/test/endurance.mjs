@@ -1,6 +1,6 @@
 // Hours in the driller's seat: `node endurance.mjs` runs NP13-X1042 for 8 simulated hours (HOURS=N: so many) as fast as it
-// goes, with the seat open in a browser, and prints what the program and the page hold of memory. Neither may grow by more
-// than 5 % from the first hour on, and in the end the page shows what the program has. By hand, as it takes minutes.
+// can, with the seat open in a browser, and prints the memory of the program and of the page. Neither may grow by more
+// than 5 % after the first hour, and at the end the page has the time of the program. Run by hand, as it takes minutes.
 import { readFileSync } from "node:fs";
 import { check, openPage, run, serve } from "./harness.mjs";
 import { FLAGS, pace, pause, runs, sit, strips, time } from "./harness-seat.mjs";
@@ -10,10 +10,10 @@ const LOOKS_AN_HOUR = 4;
 const MOST_GROWTH = 0.05;
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 
-/** Bytes of memory that a process holds (Linux). */
+/** Memory of a process, bytes (Linux). */
 const held = (pid) => 1024 * Number(/VmRSS:\s+(\d+) kB/.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]);
 
-/** Bytes of the page's objects, once what nobody needs is thrown away. */
+/** Memory of the objects of the page after garbage collection, bytes. */
 async function heap(session) {
   await session.send("HeapProfiler.collectGarbage");
   const { metrics } = await session.send("Performance.getMetrics");
@@ -21,13 +21,13 @@ async function heap(session) {
 }
 
 /**
- * By how much the peak of the last quarter lies above that of the first, after an hour in which buffers fill. What a page
- * holds at a moment goes up and down by a seventh with what is on its way; what leaks raises its peaks.
+ * Relative increase of the peak of the last quarter over that of the first, after an hour in which buffers fill. The
+ * memory of a page varies by a seventh with data in transfer; a leak raises its peaks.
  */
-function growth(looks, of) {
+function growth(looks, valueOf) {
   const after = looks.slice(Math.min(LOOKS_AN_HOUR, Math.floor(looks.length / 4)));
   const part = Math.max(1, Math.floor(after.length / 4));
-  return Math.max(...after.slice(-part).map(of)) / Math.max(...after.slice(0, part).map(of)) - 1;
+  return Math.max(...after.slice(-part).map(valueOf)) / Math.max(...after.slice(0, part).map(valueOf)) - 1;
 }
 
 await run({
@@ -51,14 +51,14 @@ await run({
     }
     await pause(page);
     const [{ time_s }] = await page.evaluate(async () => (await fetch("/api/live")).json());
-    const shown = await time(page);
+    const seen = await time(page);
     const last = (await strips(page)).at(-1).time_s;
-    console.log(`     the program is at ${time_s} s, the page at ${shown} s, its charts at ${last} s`);
-    check(Math.abs(shown - time_s) < 1e-6 && Math.abs(last - time_s) < 0.02, "the page shows another time than the program has");
-    for (const whose of ["program", "page"]) {
-      const more = growth(looks, (of) => of[whose]);
-      console.log(`     ${whose}: ${(100 * more).toFixed(1)} % more at the end than after the first hour`);
-      check(more < MOST_GROWTH, `the ${whose} grew by ${(100 * more).toFixed(1)} %`);
+    console.log(`     the program is at ${time_s} s, the page at ${seen} s, its charts at ${last} s`);
+    check(Math.abs(seen - time_s) < 1e-6 && Math.abs(last - time_s) < 0.02, "the times of the page and of the program differ");
+    for (const key of ["program", "page"]) {
+      const more = growth(looks, (look) => look[key]);
+      console.log(`     ${key}: ${(100 * more).toFixed(1)} % more at the end than after the first hour`);
+      check(more < MOST_GROWTH, `the ${key} grew by ${(100 * more).toFixed(1)} %`);
     }
     await served.stop();
   },

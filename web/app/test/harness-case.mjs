@@ -1,15 +1,15 @@
-// What tests of the editor do on the page.
+// Actions of the tests of the editor.
 import { check, until } from "./harness.mjs";
 
-/** The text that the editor of the TOML shows; of a short one that is all. */
+/** The displayed text of the TOML editor; the whole text if it is short. */
 export const tomlText = (page) =>
   page.evaluate(() => {
-    // The editor is fetched when it is first shown.
+    // The editor is fetched when first displayed.
     const lines = document.querySelector(".panel .text")?.shadowRoot.querySelectorAll(".cm-line") ?? [];
     return [...lines].map((line) => line.textContent).join("\n");
   });
 
-/** Waits until the TOML holds these words. */
+/** Waits until the TOML contains a text. */
 export const untilToml = (page, words, sentence) => until(async () => (await tomlText(page)).includes(words), sentence ?? `the text holds ${words}`);
 
 /** Opens a case of the list. */
@@ -38,5 +38,5 @@ export const untilCell = (page, grid, row, column, text) =>
 export const toClipboard = (page, text) => page.evaluate((text) => navigator.clipboard.writeText(text), text);
 export const fromClipboard = (page) => page.evaluate(() => navigator.clipboard.readText());
 
-/** Fails where the page has complained. */
+/** Fails if the page has logged complaints. */
 export const quiet = (page) => check(page.complaints.length === 0, `the page complains: ${page.complaints.join("; ")}`);

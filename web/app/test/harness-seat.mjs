@@ -1,7 +1,7 @@
-// What tests of the driller's seat do on the page.
+// Actions of the tests of the driller's seat.
 import { readFileSync } from "node:fs";
 
-// A page that is taken from a folder counts as one from elsewhere, which Chromium would not let open a socket to here.
+// Chromium treats a page from a folder as cross-origin, and would not let it open a socket to the server.
 export const FLAGS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-features=LocalNetworkAccessChecks"];
 
 /** The id of the only case. */
@@ -9,7 +9,7 @@ export async function caseId(page) {
   return page.evaluate(async () => (await (await fetch("/api/cases")).json())[0].id);
 }
 
-/** Goes to the seat of the only case; begins its string where none is live. */
+/** Goes to the seat of the only case; begins its string if none is live. */
 export async function sit(page, begins = true) {
   const id = await caseId(page);
   await page.evaluate((id) => (location.hash = `#/seat/${id}`), id);
@@ -29,7 +29,7 @@ export const pause = async (page) => {
 export const knob = (page, name) => page.getByRole("slider", { name });
 export const pace = (page, name) => page.getByRole("group", { name: "Pace" }).getByRole("button", { name, exact: true }).click();
 
-/** What the strip charts show, as the page gives it for a spreadsheet: rows by the names of the columns. */
+/** Data of the strip charts from the CSV download of the page: rows by the names of the columns. */
 export async function strips(page) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "CSV" }).click()]);
   const [head, ...lines] = readFileSync(await download.path(), "utf8").trim().split("\n");

@@ -1,8 +1,8 @@
-// What the browser tests share: a served folder, a browser, and how they are counted.
+// Common parts of the browser tests: a served folder, a browser, and the count of tests.
 //
-// WHOLESTRING names the program; without it, the one that cargo has built last. WHOLESTRING_PAGE=FOLDER takes the page
-// from there (`npm run bundle` writes it to crates/app/assets) in place of the one in the program. SCREENSHOTS=FOLDER
-// keeps pictures.
+// WHOLESTRING is the path of the program; by default, the last build of cargo. WHOLESTRING_PAGE=FOLDER takes the page
+// from a folder (`npm run bundle` writes it to crates/app/assets) instead of from the program. SCREENSHOTS=FOLDER
+// stores screenshots.
 import { spawn } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -35,7 +35,7 @@ export function fail(sentence) {
   process.exit(1);
 }
 
-/** A folder with these files, served. `restart` ends the program and starts it anew on the folder. */
+/** A served folder with these files. `restart` ends the program and restarts it on the folder. */
 export async function serve(files = {}) {
   const folder = mkdtempSync(join(tmpdir(), "wholestring-app-"));
   for (const [name, text] of Object.entries(files)) {
@@ -74,12 +74,12 @@ export async function serve(files = {}) {
   return served;
 }
 
-/** Programs that serve; none outlives the test. */
+/** Running servers, which are ended with the test. */
 const children = new Set();
 process.once("exit", () => children.forEach((child) => child.kill("SIGKILL")));
 
 let launched = null;
-/** Pages that are open, for the picture of a failure. */
+/** Open pages, for the screenshot of a failure. */
 const pages = new Set();
 
 /** The browser, one for all tests. */
@@ -90,7 +90,7 @@ export async function browser(flags = []) {
   return launched;
 }
 
-/** A page on what is served. What the page complains of is kept in `page.complaints`. */
+/** A page of the server. Complaints of the page are collected in `page.complaints`. */
 export async function openPage(served, { width = 1440, height = 900, theme = "light", permissions = [], flags = [] } = {}) {
   const context = await (await browser(flags)).newContext({ viewport: { width, height }, permissions, colorScheme: theme });
   const page = await context.newPage();
@@ -106,7 +106,7 @@ export async function openPage(served, { width = 1440, height = 900, theme = "li
   return page;
 }
 
-/** The page out of a folder, with the headers that the program gives. */
+/** The page from a folder, with the headers of the program. */
 async function fromFolder(route) {
   const { pathname, search } = new URL(route.request().url());
   if (pathname === "/" && search !== "") return route.continue();
@@ -118,16 +118,16 @@ async function fromFolder(route) {
   return route.fulfill({ body: readFileSync(file), headers: { "content-type": type, ...(policy ? { "content-security-policy": policy } : {}) } });
 }
 
-/** Fails where axe-core finds a violation in what the page shows. */
-export async function accessible(page, what) {
-  // Evaluated by the debugger, so that the page's policy, which allows no foreign scripts, stays in force.
+/** Fails if axe-core finds a violation in the page. */
+export async function accessible(page, label) {
+  // Evaluated by the debugger, so that the policy of the page against foreign scripts remains in force.
   await page.evaluate(readFileSync(AXE, "utf8"));
   const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
-  const told = violations.map(({ id, help, nodes }) => `${id}: ${help}\n    ${nodes.slice(0, 5).map(({ html, failureSummary }) => `${html.slice(0, 200)}\n      ${failureSummary.replaceAll("\n", " ")}`).join("\n    ")}`);
-  if (told.length > 0) throw new Error(`${what}: axe-core finds\n  ${told.join("\n  ")}`);
+  const lines = violations.map(({ id, help, nodes }) => `${id}: ${help}\n    ${nodes.slice(0, 5).map(({ html, failureSummary }) => `${html.slice(0, 200)}\n      ${failureSummary.replaceAll("\n", " ")}`).join("\n    ")}`);
+  if (lines.length > 0) throw new Error(`${label}: axe-core finds\n  ${lines.join("\n  ")}`);
 }
 
-/** Keeps a picture where pictures are kept. */
+/** Stores a screenshot, if SCREENSHOTS is set. */
 export async function picture(page, name) {
   const folder = process.env.SCREENSHOTS;
   if (!folder) return;
@@ -135,17 +135,17 @@ export async function picture(page, name) {
   await page.screenshot({ path: join(folder, `${name}.png`), fullPage: true });
 }
 
-/** Fails with a sentence where it does not hold. */
+/** Fails with a sentence if a condition is false. */
 export function check(holds, sentence) {
   if (!holds) throw new Error(sentence);
 }
 
-export function equal(found, expected, what) {
+export function equal(found, expected, label) {
   const [a, b] = [JSON.stringify(found), JSON.stringify(expected)];
-  check(a === b, `${what}: ${a}, expected ${b}`);
+  check(a === b, `${label}: ${a}, expected ${b}`);
 }
 
-/** Waits until something holds, for at most so long. */
+/** Waits until a condition is true, for at most a time. */
 export async function until(holds, sentence, limit_ms = 15_000) {
   const end = Date.now() + limit_ms;
   for (;;) {
@@ -155,7 +155,7 @@ export async function until(holds, sentence, limit_ms = 15_000) {
   }
 }
 
-/** Carries out tests one after the other, says how many passed, and ends the process. ONLY=WORD: those with it in their name. */
+/** Runs tests one by one, prints how many passed, and ends the process. ONLY=WORD selects tests by name. */
 export async function run(tests) {
   let [passed, failed] = [0, 0];
   const chosen = Object.entries(tests).filter(([name]) => name.includes(process.env.ONLY ?? ""));

@@ -1,4 +1,4 @@
-// The driller's seat: a string is begun, driven and seen; a wave runs down it in its time; two tabs, a reload, a restart.
+// The driller's seat: a string is begun, driven and displayed; the travel time of a wave; two tabs, a reload, a restart.
 import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -10,20 +10,20 @@ const read = (name) => readFileSync(join(CASES, name), "utf8");
 
 
 /*
- * A wave of twist in a plain pipe. A pipe of one section, of shear modulus G and density ρ, without joints, hangs free in a
- * vertical hole without friction and turns. Of its angle φ(s, t) the motion is
+ * A torsional wave in a plain pipe. A pipe of one section, of shear modulus G and density ρ, without joints, hangs free in
+ * a vertical hole without friction and rotates. The equation of motion of its angle φ(s, t) is
  *
  *     ρ J φ_tt = G J φ_ss,    so that    c = √(G/ρ),
  *
- * whatever the section: J is on both sides. Its top is turned by Δ rad/s faster from the time t₀ on (a drive that follows its
- * set point whatever torque that takes). Down the pipe runs Δ·H(t − t₀ − s/c), which the free end, where φ_s = 0, sends back
- * with its sign: the bit stays as fast as it was until t₀ + L/c, and turns by 2Δ faster then, until the wave comes back from the
+ * for any section, because J is on both sides. The speed of its top increases by Δ rad/s at the time t₀ (a drive that follows
+ * its set point at any torque). A wave Δ·H(t − t₀ − s/c) travels down the pipe, and the free end, where φ_s = 0, reflects it
+ * with its sign: the speed of the bit is unchanged until t₀ + L/c, and 2Δ higher afterwards, until the wave returns from the
  * top at 3 L/c. With G = 76.923 GPa and ρ = 7860 kg/m³, c = 3128.4 m/s; L = 4000 m takes 1.2786 s.
  *
- * The front is as steep as the mesh lets it be. Of a chain of n elements a step's front is an Airy function: half of its height
- * comes 1.0 (n/8)^(1/3) element travel times late at most where steps in time are small, 0.6 % of L/c at the 200 elements of
- * 20 m here; samples are 10 ms apart, 0.8 %, and straight lines between them. Together within the 2 % that are asked for.
- * Damping by mass, which would take the bit along before the wave comes, and by stiffness are off, and the extra damping of a
+ * The mesh limits the steepness of the front. In a chain of n elements the front of a step is an Airy function: half of its
+ * height is at most 1.0 (n/8)^(1/3) element travel times late if time steps are small, 0.6 % of L/c for the 200 elements of
+ * 20 m here; samples are 10 ms apart, 0.8 %, with linear interpolation. The sum is within the required 2 %.
+ * Damping by mass, which would move the bit before the wave arrives, and by stiffness are off, and the extra damping of a
  * start, which fades within 5 s, is over.
  */
 const LENGTH_M = 4000;
@@ -134,11 +134,11 @@ async function seated(text, { width, height, theme, flags = FLAGS, files = {} } 
 }
 
 await run({
-  "a step of rotary speed comes to the bit after its time": async () => {
+  "a step of rotary speed reaches the bit after its travel time": async () => {
     const { served, page } = await seated(PLAIN);
     await pace(page, "5×");
     await runs(page);
-    await until(async () => (await time(page)) > 5.5, "the string goes on", 60_000);
+    await until(async () => (await time(page)) > 5.5, "the string runs", 60_000);
     await pause(page);
     const field = page.getByRole("textbox", { name: "Rotary speed, set" });
     await field.fill("90");
@@ -153,7 +153,7 @@ await run({
     check(change > 0, "the set point has a step");
     const [before, step] = [rows[change - 1][set], rows[change][set] - rows[change - 1][set]];
     check(Math.abs(step - Math.PI) < 1e-3, `the step is ${step} rad/s`);
-    // The set point is another from the end of the sample before on.
+    // The set point changes at the end of the previous sample.
     const begun = rows[change - 1].time_s;
     const half = rows.findIndex((row, i) => i > change && row[bit] > before + step);
     check(half > 0, "the bit turns faster");
@@ -162,7 +162,7 @@ await run({
     const error = (arrived - begun) / TRAVEL_S - 1;
     console.log(`     L/c = ${TRAVEL_S.toFixed(4)} s, seen after ${(arrived - begun).toFixed(4)} s: ${(100 * error).toFixed(2)} %`);
     check(Math.abs(error) < 0.02, `the wave comes after ${arrived - begun} s, expected ${TRAVEL_S} s within 2 %`);
-    // Until just before, the bit knows nothing of it; after it, it turns by twice the step faster.
+    // Until just before, the speed of the bit is unchanged; afterwards, it is twice the step higher.
     for (const row of rows) {
       if (row.time_s < begun + 0.95 * TRAVEL_S) check(Math.abs(row[bit] - before) < 0.05 * step, `at ${row.time_s} s the bit turns by ${row[bit]} rad/s`);
     }
@@ -200,7 +200,7 @@ await run({
       return (await fetch(`/api/live/${id}/recording`)).json();
     });
     const set = (recording.at(-1).set.rotary_speed_rad_per_s * 30) / Math.PI;
-    check(Math.abs(set - turned) < 1e-6, `the engine was set to ${set} rev/min, the knob stands at ${turned}`);
+    check(Math.abs(set - turned) < 1e-6, `the engine was set to ${set} rev/min, the knob is at ${turned}`);
     // Weight and block replace each other.
     const block = page.getByRole("textbox", { name: "Block, down, set" });
     await block.fill("-0.05");
@@ -240,7 +240,7 @@ await run({
     await page.waitForURL(/string=/);
     await until(async () => (await time(page)) === 0, "the branch begins at the checkpoint", 30_000);
     await page.goBack();
-    await until(async () => (await time(page)) > 12, "the string that it came from is as it was", 30_000);
+    await until(async () => (await time(page)) > 12, "the original string is unchanged", 30_000);
     await page.getByLabel("Checkpoint").selectOption({ index: 0 });
     await page.getByRole("button", { name: "Rewind" }).click();
     await until(async () => (await time(page)) === 0, "it is taken back");
@@ -248,7 +248,7 @@ await run({
     await served.stop();
   },
 
-  "what was done is done again, and becomes the schedule of the case": async () => {
+  "recorded changes are repeated, and become the schedule of the case": async () => {
     const { served, page } = await seated(SLANT);
     const field = page.getByRole("textbox", { name: "Rotary speed, set" });
     await page.getByRole("button", { name: "Step 0.1 s" }).click();
@@ -266,7 +266,7 @@ await run({
     equal(served.read("case.toml"), SLANT, "the file, which is not saved");
     await page.getByLabel("Checkpoint").selectOption({ index: 0 });
     await page.getByRole("button", { name: "Replay from it" }).click();
-    await page.getByText("1 to be done again").waitFor();
+    await page.getByText("1 to be repeated").waitFor();
     await runs(page);
     await until(async () => (await time(page)) > 0.6, "it runs");
     await pause(page);
@@ -282,25 +282,25 @@ await run({
     await until(async () => (await time(page)) > 2, "it runs", 30_000);
     await page.reload();
     await page.getByRole("button", { name: "Pause" }).waitFor({ timeout: 30_000 });
-    check((await time(page)) > 2, "it went on meanwhile");
+    check((await time(page)) > 2, "it continued meanwhile");
     const rows = await strips(page);
     check(rows[0].time_s < 0.1, `the first that is seen after the reload is of ${rows[0].time_s} s`);
     const times = rows.map((row) => row.time_s);
-    check(times.every((of, i) => i === 0 || of > times[i - 1]), "no sample is there twice");
+    check(times.every((time, i) => i === 0 || time > times[i - 1]), "no sample is there twice");
     const other = await page.context().newPage();
     await other.goto(page.url());
     await other.getByRole("button", { name: "Pause" }).waitFor({ timeout: 30_000 });
     await page.getByText("seen on 2 pages").waitFor();
     await pause(other);
     await page.getByRole("button", { name: "Run", exact: true }).waitFor();
-    await until(async () => (await time(page)) === (await time(other)), "both stand at the same time");
+    await until(async () => (await time(page)) === (await time(other)), "both have the same time");
     const field = other.getByRole("textbox", { name: "Rotary speed, set" });
     await field.fill("130");
     await field.press("Enter");
     await other.getByRole("button", { name: "Step 0.1 s" }).click();
-    // It comes back in single precision.
-    const shown = async () => Number(await knob(page, "Rotary speed").getAttribute("aria-valuenow"));
-    await until(async () => Math.abs((await shown()) - 130) < 1e-3, "the other tab's knob follows");
+    // It is returned in single precision.
+    const set = async () => Number(await knob(page, "Rotary speed").getAttribute("aria-valuenow"));
+    await until(async () => Math.abs((await set()) - 130) < 1e-3, "the other tab's knob follows");
     await other.close();
     equal(page.complaints, [], "complaints");
     await served.stop();
@@ -316,7 +316,7 @@ await run({
     await again.evaluate((id) => (location.hash = `#/seat/${id}`), id);
     await again.getByRole("button", { name: "Continue" }).click();
     await again.getByRole("button", { name: "Run", exact: true }).waitFor({ timeout: 30_000 });
-    check((await time(again)) > 1, "it goes on from where it was");
+    check((await time(again)) > 1, "it continues from its last time");
     await served.stop();
   },
 
@@ -339,7 +339,7 @@ await run({
         }),
       );
     }
-    const middle = (of) => found.map((one) => one[of]).sort((a, b) => a - b)[Math.floor(found.length / 2)];
+    const middle = (key) => found.map((one) => one[key]).sort((a, b) => a - b)[Math.floor(found.length / 2)];
     const [frames, updates, drawing, reached] = ["frames", "updates", "drawing", "reached"].map(middle);
     console.log(`     ${frames} frames and ${updates} updates in a second, ${drawing} ms each, at ${reached.toFixed(2)} × real time`);
     await picture(page, "seat-np13");

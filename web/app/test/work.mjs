@@ -1,4 +1,4 @@
-// Work that is started from the page, its results, comparison and import: by mouse and by keys, over a reload of the page
+// Jobs started from the page, their results, comparison and import: by mouse and by keys, over a reload of the page
 // and the end of the program.
 import { existsSync, readFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
@@ -8,7 +8,7 @@ import { accessible, check, equal, openPage, picture, run, serve, until } from "
 const CASES = resolve(dirname(fileURLToPath(import.meta.url)), "../../../cases");
 const text = (name) => readFileSync(join(CASES, name), "utf8");
 
-/** A vertical well whose dynamics take so much simulated time, with a checkpoint every second. */
+/** A vertical well with dynamics of a given simulated time, with a checkpoint every second. */
 const dynamic = (duration) =>
   text("vertical.toml")
     .replace('["trip_out", "trip_in", "rotate_off_bottom", "drill", "slide"]', '"rotate_off_bottom"')
@@ -31,18 +31,18 @@ const state = (page, place = 0) => jobs(page).nth(place).locator(".state").textC
 const ends = (page, word, place = 0) => until(async () => (await state(page, place)) === word, `the job is ${word}`, 120_000);
 const button = (page, name) => page.getByRole("button", { name });
 
-/** Starts a command by the mouse on the screen of the work. */
+/** Starts a command by the mouse on the work screen. */
 async function start(page, command) {
   await page.getByLabel("Command").selectOption({ label: command });
   await button(page, "Start").click();
   await until(async () => (await jobs(page).count()) > 0, "a job is listed");
 }
 
-/** The frame in which a page of results is. */
+/** The frame with the page of results. */
 async function frame(page) {
   const found = page.frameLocator("iframe");
   await found.locator("h1").first().waitFor({ timeout: 30_000 });
-  return page.frames().find((of) => of.url().includes("/pages/"));
+  return page.frames().find((frame) => frame.url().includes("/pages/"));
 }
 
 await run({
@@ -73,14 +73,14 @@ await run({
     await page.getByRole("link", { name: "Work", exact: true }).focus();
     await page.keyboard.press("Enter");
     await page.getByLabel("Command").waitFor();
-    /** Goes on with Tab until something of this name has the focus. */
+    /** Presses Tab until an element of this name has the focus. */
     const tabTo = async (name) => {
       for (let k = 0; k < 80; k += 1) {
         await page.keyboard.press("Tab");
         const at = await page.evaluate(() => (document.activeElement?.labels?.[0] ?? document.activeElement)?.textContent?.trim() ?? "");
         if (at === name) return;
       }
-      throw new Error(`Tab does not come to ${name}`);
+      throw new Error(`Tab does not reach ${name}`);
     };
     await tabTo("Command");
     await page.keyboard.press("r");
@@ -106,29 +106,29 @@ await run({
     await bar.waitFor({ timeout: 60_000 });
     const [before] = [await reached()];
     await until(async () => (await reached()) > before, "the bar moves", 20_000);
-    check(/left/.test(await page.locator(".bar .what").first().textContent()), "the time that is left is said");
+    check(/left/.test(await page.locator(".bar .what").first().textContent()), "the remaining time is displayed");
     await picture(page, "work-running");
     await page.reload();
     await bar.waitFor({ timeout: 20_000 });
     const again = await reached();
-    check(again > before, `after the reload it goes on from ${again}, not from ${before}`);
+    check(again > before, `after the reload it continues from ${again}, not from ${before}`);
     await until(async () => (await reached()) > again, "the bar moves after the reload", 20_000);
     await button(page, "Stop").click();
     await ends(page, "stopped");
     await button(page, "Resume").click();
-    await ends(page, "goes on");
+    await ends(page, "running");
     await bar.waitFor({ timeout: 60_000 });
-    check((await reached()) >= again, "it goes on where it stopped");
+    check((await reached()) >= again, "it continues where it stopped");
     await button(page, "Stop").click();
     await ends(page, "stopped");
-    // Begun anew it is refused as by the command line, with the ways on.
+    // A new start is refused as by the command line, with the possible actions.
     await start(page, "Run");
     await until(async () => (await jobs(page).count()) === 2, "a second job is listed");
-    await until(async () => (await page.getByText("holds an unfinished run of this case").count()) === 1, "the refusal is said");
-    await button(page, "Begin anew…").click();
-    await button(page, "Replace what was begun").click();
+    await until(async () => (await page.getByText("holds an unfinished run of this case").count()) === 1, "the refusal is displayed");
+    await button(page, "Restart…").click();
+    await button(page, "Replace the unfinished results").click();
     await until(async () => (await page.getByText("holds an unfinished run of this case").count()) === 0, "the refusal is gone");
-    await ends(page, "goes on");
+    await ends(page, "running");
     await end();
   },
 
@@ -145,13 +145,13 @@ await run({
     await end();
   },
 
-  async "what a killed program has begun is offered and comes to its end"() {
+  async "the unfinished job of a killed program is offered and completed"() {
     const { served, page } = await open({ "a.toml": dynamic("3000 s") });
     await show(page, "#/work");
     await start(page, "Run");
     await until(() => existsSync(join(served.folder, "out/Vertical well/checkpoint.bin")), "a checkpoint is written", 60_000);
     await served.kill("SIGKILL");
-    await until(async () => (await page.getByText("The server does not answer").count()) > 0, "the page says that the server is gone", 20_000);
+    await until(async () => (await page.getByText("The server does not answer").count()) > 0, "the page reports that the server is gone", 20_000);
     await page.context().close();
     await served.start();
     const next = await openPage(served);
@@ -166,7 +166,7 @@ await run({
     await served.stop();
   },
 
-  async "a page of results can ask the server for nothing"() {
+  async "a page of results cannot send requests to the server"() {
     const { page, end } = await open({ "slant.toml": text("slant.toml") });
     await show(page, "#/work");
     await start(page, "Plan");
@@ -174,7 +174,7 @@ await run({
     await jobs(page).first().getByRole("link", { name: "Results" }).click();
     const inner = await frame(page);
     const found = await inner.evaluate(async () => {
-      const of = async (work) => work().then(() => "answered", () => "refused");
+      const outcome = async (work) => work().then(() => "answered", () => "refused");
       const tried = (work) => {
         try {
           return work() ?? "nothing";
@@ -184,9 +184,9 @@ await run({
       };
       return {
         origin: self.origin,
-        read: await of(() => fetch("/api/cases")),
-        write: await of(() => fetch("/api/jobs", { method: "POST", body: "{}" })),
-        blind: await of(() => fetch("/api/jobs", { method: "POST", mode: "no-cors", body: "{}" })),
+        read: await outcome(() => fetch("/api/cases")),
+        write: await outcome(() => fetch("/api/jobs", { method: "POST", body: "{}" })),
+        blind: await outcome(() => fetch("/api/jobs", { method: "POST", mode: "no-cors", body: "{}" })),
         beacon: navigator.sendBeacon("/api/jobs", "{}") ? "queued" : "refused",
         events: await new Promise((done) => {
           const source = new EventSource("/api/jobs/0/events");
@@ -199,26 +199,26 @@ await run({
         top: tried(() => { top.location.href = "about:blank"; }),
       };
     });
-    equal([found.origin, found.read, found.write, found.blind, found.events], ["null", "refused", "refused", "refused", "refused"], "what the page asks");
-    equal([found.parent, found.cookie, found.storage, found.top], ["refused", "refused", "refused", "refused"], "what the page reaches");
+    equal([found.origin, found.read, found.write, found.blind, found.events], ["null", "refused", "refused", "refused", "refused"], "requests of the page");
+    equal([found.parent, found.cookie, found.storage, found.top], ["refused", "refused", "refused", "refused"], "access of the page");
     check((await page.url()).includes("#/results/"), "the app is still there");
-    equal(await page.evaluate(async () => (await (await fetch("/api/jobs")).json()).length), 1, "jobs after what the page has asked");
-    // A link of the page to a file beside it is carried out by the app.
+    equal(await page.evaluate(async () => (await (await fetch("/api/jobs")).json()).length), 1, "jobs after the requests of the page");
+    // The app follows a link of the page to a file next to it.
     await page.reload();
     const again = await frame(page);
-    const wanted = page.waitForEvent("download");
+    const download = page.waitForEvent("download");
     await again.locator('a[href="plan.xlsx"]').first().click();
-    equal((await wanted).suggestedFilename(), "plan.xlsx", "the file that the link leads to");
-    page.complaints = page.complaints.filter((of) => !/Content Security Policy|sandbox|Unsafe attempt|frame/i.test(of));
+    equal((await download).suggestedFilename(), "plan.xlsx", "the file that the link leads to");
+    page.complaints = page.complaints.filter((complaint) => !/Content Security Policy|sandbox|Unsafe attempt|frame/i.test(complaint));
     await end();
   },
 
-  async "results stand side by side"() {
+  async "results are compared"() {
     const { page, end } = await open({ "slant.toml": text("slant.toml") });
     await show(page, "#/work");
     await start(page, "Plan");
     await ends(page, "finished");
-    await page.getByText("Values set for this work alone").click();
+    await page.getByText("Values for this job only").click();
     await page.getByLabel(/A key with its value a line/).fill("mud.density=1.4sg");
     await button(page, "Start").click();
     await until(async () => (await jobs(page).count()) === 2, "a second job is listed");
@@ -240,18 +240,18 @@ await run({
     await end();
   },
 
-  async "files are asked about, shown and only then written"() {
+  async "files are questioned, reviewed and then written"() {
     const { served, page, end } = await open();
     await page.getByRole("link", { name: "Import", exact: true }).click();
     const survey = { name: "survey.csv", mimeType: "text/csv", buffer: Buffer.from("MD,Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n") };
     await page.getByLabel("Drop files here, or choose them").setInputFiles(survey);
     await page.getByRole("alert").filter({ hasText: "has no unit" }).waitFor();
     await picture(page, "import-question");
-    await page.getByLabel("Its unit").selectOption("ft");
-    await button(page, "Say it").click();
-    await page.getByRole("heading", { name: "The case that they make" }).waitFor();
-    check((await page.getByLabel("Every value, and where it is from").inputValue()).includes('"1100 ft"'), "the mapping is shown");
-    check(!existsSync(join(served.folder, "survey.toml")), "nothing is written before it is asked for");
+    await page.getByLabel(/^Unit:/).selectOption("ft");
+    await button(page, "Apply").click();
+    await page.getByRole("heading", { name: "Resulting case" }).waitFor();
+    check((await page.getByLabel("All values with their sources").inputValue()).includes('"1100 ft"'), "the mapping is shown");
+    check(!existsSync(join(served.folder, "survey.toml")), "no file is written before the request");
     await accessible(page, "import");
     await picture(page, "import-shown");
     await page.getByLabel("Name of the case file").fill("well.toml");
@@ -280,9 +280,9 @@ await run({
     await page.getByRole("link", { name: "Cases", exact: true }).click();
     await button(page, "New case…").waitFor();
     await drop([["mine.toml", mine], ["survey.csv", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n1000,0,0\n1100,3,45\n"]]);
-    await page.getByRole("heading", { name: "The case that they make" }).waitFor();
+    await page.getByRole("heading", { name: "Resulting case" }).waitFor();
     check(existsSync(join(served.folder, "mine-2.toml")), "a name that is taken gets a number");
-    check(!existsSync(join(served.folder, "survey.toml")), "nothing is made of other files before it is asked for");
+    check(!existsSync(join(served.folder, "survey.toml")), "no case is made from other files before the request");
     await end();
   },
 
@@ -319,7 +319,7 @@ await run({
         }
         await other.context().close();
       }
-    page.complaints = page.complaints.filter((of) => !/422/.test(of));
+    page.complaints = page.complaints.filter((complaint) => !/422/.test(complaint));
     await end();
   },
 });

@@ -315,7 +315,7 @@ fn only_so_many_wait_and_one_server_works() {
     let waiting: Vec<String> = (0..20).map(|_| start(&served, &request)).collect();
     let refused = served.post("/api/jobs", &request);
     assert_eq!(refused.error(409), "conflict");
-    assert!(refused.text().contains("20 jobs wait already"));
+    assert!(refused.text().contains("20 jobs are waiting already"));
     assert_eq!(served.post(&format!("/api/jobs/{}/stop", waiting[3]), &json!({})).status, 204);
     assert_eq!(served.get(&format!("/api/jobs/{}", waiting[3])).ok()["state"], "stopped");
     start(&served, &request);

@@ -230,7 +230,7 @@ fn set_points_reach_the_engine() {
     for (request, words) in [
         (json!({"set": {"rotary_speed_rad_per_s": -1.0}}), "the rotary speed is -1"),
         (json!({"set": {"friction": 7}}), "the friction is 7"),
-        (json!({"set": {"weight_on_bit_N": 1, "block_velocity_m_per_s": 1}}), "at once"),
+        (json!({"set": {"weight_on_bit_N": 1, "block_velocity_m_per_s": 1}}), "at the same time"),
         (json!({"set": {"depth": 7}}), "unknown field"),
         (json!({"pace": 0}), "a pace is"),
         (json!({"step": 1e9}), "a step is"),

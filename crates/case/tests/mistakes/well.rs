@@ -33,6 +33,10 @@ fn casing_programme() {
     warned("warn_bit_over_drift", read(&wide_bit));
     let own_drift = wide_bit.replace("od = \"8-3/4 in\"", "od = \"8-1/2 in\"");
     assert!(read(&own_drift).expect("a valid case").warnings.is_empty());
+    let special = wide_bit.replace("40 lb/ft\"", "40 lb/ft\"\ndrift = \"8.75 in\"");
+    assert!(read(&special).expect("a valid case").warnings.is_empty());
+    let wider = special.replace("drift = \"8.75 in\"", "drift = \"9 in\"");
+    refused("drift_wider_than_its_bore", read(&wider));
     each_warned(
         r#"
         warn_open_hole_above_casing: `[[well.hole]]\nkind = "casing"`

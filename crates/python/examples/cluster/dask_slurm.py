@@ -1,10 +1,10 @@
-"""A sweep on a Slurm cluster, by Dask: workers come and go as the queue has room for them.
+"""A sweep on a Slurm cluster with Dask: the number of workers follows the queue.
 
     pip install './crates/python[dask]'
     python dask_slurm.py my-well.toml out/friction-sweep
 
-This program runs where jobs are submitted, and stays there until the sweep is finished. If it is
-killed, the same command continues.
+This program runs on the node where jobs are submitted, until the sweep is finished. If it is
+killed, the same command continues the sweep.
 """
 
 import sys
@@ -16,16 +16,16 @@ from dask_jobqueue import SLURMCluster  # pyright: ignore[reportPrivateImportUsa
 
 
 def slurm_cluster(**more: Any) -> Any:
-    """Give a cluster whose jobs have eight workers of one thread each: a case is one thread."""
+    """Return a cluster whose jobs have eight workers of one thread each: a case uses one thread."""
     settings: dict[str, Any] = {
         "cores": 8,
         "processes": 8,
         "memory": "8 GB",
         "walltime": "04:00:00",
         "job_name": "wholestring",
-        # A worker ends a little before its job does, so that Dask gives its cases to others.
+        # A worker ends a little before its job, so that Dask moves its cases to others.
         "worker_extra_args": ["--lifetime", "235m", "--lifetime-stagger", "4m"],
-        # Others use the network too. The keys go to a folder that all nodes see, for you alone.
+        # The network is shared. The keys are in a folder that all nodes see and only you can read.
         "protocol": "tls",
         "security": Security.temporary(),  # pyright: ignore[reportUnknownMemberType]
         "shared_temp_directory": ".",
@@ -34,7 +34,7 @@ def slurm_cluster(**more: Any) -> Any:
 
 
 def main(case_file: str, folder: str) -> None:
-    """Sweep a case, and say what failed."""
+    """Sweep a case, and print the cases that failed."""
     case = ws.Case.load(case_file)
     vary: dict[str, list[float] | str] = {
         "friction": [0.1, 0.2, 0.3, 0.4],

@@ -1,12 +1,12 @@
 #!/bin/bash
-# A sweep as an array of Slurm jobs, each of which solves one share: no Python is needed, and the
-# shares need nothing of each other. Begin it with
+# A sweep as an array of Slurm jobs, each of which solves one share. No Python is required, and the
+# shares are independent of each other. Start it with
 #
 #     sbatch slurm-array.sh
 #
-# A share that is killed is begun again with the same command: what is finished is left alone.
-# The last share to end writes the table and the page of the whole sweep. Where shares were killed, a job that waits for all others
-# solves what is left:
+# A killed share is restarted with the same command, which skips the finished cases.
+# The last share to end writes the table and the page of the whole sweep. If shares were killed, a
+# job that waits for all others solves the remaining cases:
 #
 #     sbatch --dependency=afterany:JOB --array=0 slurm-array.sh
 #
@@ -20,7 +20,7 @@
 
 set -euo pipefail
 
-# What is swept. All jobs are given the same values, and the same folder on a disk that all nodes see.
+# The sweep. All jobs have the same values, and the same folder on a disk that all nodes see.
 case_file=${CASE_FILE:-my-well.toml}
 folder=${FOLDER:-out/friction-sweep}
 vary=(--vary "friction=0.1,0.2,0.3,0.4" --vary "bit_depth=300m..4305m/300m")

@@ -2,16 +2,16 @@
 
 A :class:`Case` describes well, string, mud, rig and operations, as a case file does. It is
 immutable: :meth:`Case.with_` makes another. :meth:`Case.soft`, :meth:`Case.stiff` and
-:meth:`Case.dynamic` solve it and give :class:`Results`: scalars with their unit in their name,
-checks, and a :class:`Table` that polars, pandas, DuckDB and NumPy take without a copy.
+:meth:`Case.dynamic` solve it and return :class:`Results`: scalars with their unit in their name,
+checks, and a :class:`Table` that polars, pandas, DuckDB and NumPy read without a copy.
 :meth:`Case.broomstick`, :meth:`Case.plan`, :meth:`Case.reach`, :meth:`Case.calibrate`,
-:meth:`Case.bha`, :meth:`Case.modes`, :meth:`Case.bit_test` and :func:`study` do what the command
-line's commands do; :func:`load` reads what any of them left in a folder.
-:func:`import_files` makes a case of the files of other programs.
+:meth:`Case.bha`, :meth:`Case.modes`, :meth:`Case.bit_test` and :func:`study` run the commands of
+the command line; :func:`load` reads the results of any of them from a folder.
+:func:`import_files` makes a case from the files of other programs.
 
-Numbers are SI, but for ``rpm``, which is in rev/min as its name says. Where a number goes in, a
-text with a unit does as well (``"45 klbf"``), and so does anything with ``.to(unit).magnitude``,
-such as a quantity of pint, and any number or array of NumPy or pandas.
+Numbers are SI, except ``rpm``, which is in rev/min. Wherever a number is accepted, so are a text
+with a unit (``"45 klbf"``), any object with ``.to(unit).magnitude``, such as a quantity of pint,
+and any number or array of NumPy or pandas.
 """
 
 from . import plot

@@ -1,4 +1,4 @@
-"""What a case's assembly does at rest, its small motions, and its bit on its rock."""
+"""Static analysis of the assembly of a case, linear vibration, and the bit alone on its rock."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .assembly import Bha, BitTest, Modes
 
 
 class Assemblies(Checked):
-    """The verbs that look at the assembly, at small motions and at the bit."""
+    """The methods that analyse the assembly, linear vibration and the bit."""
 
     __slots__ = ()
 
@@ -38,9 +38,9 @@ class Assemblies(Checked):
         Parameters
         ----------
         folder
-            Where the results go; a temporary folder where none is given.
+            Folder for the results; a temporary folder by default.
         operation
-            The operation; the first one that drills where none is named.
+            The operation; the first drilling operation by default.
         toolface
             Tool faces of the bend: ``"0deg..360deg/15deg"``, or a list, rad; a revolution in steps
             of 15 degrees by default.
@@ -54,24 +54,24 @@ class Assemblies(Checked):
         whole
             Whether to solve the whole string, not only the assembly and 100 m of pipe above it.
         overwrite
-            Whether to replace what lies there, whatever it is of.
+            Whether to replace existing results in the folder, whatever wrote them.
         units
             Units of the page; the case's by default.
         csv
-            Whether to write the tables as CSV too.
+            Whether to write the tables as CSV as well.
         jobs
-            Number of parallel jobs, a point each; one per core by default.
+            Number of parallel jobs, each solving one point; one per core by default.
 
         Raises
         ------
         InputError
-            If the case has no such operation, or nothing of what is varied.
+            If the case has no such operation, or does not have the quantity that is varied.
         Interrupted
-            If the user interrupted it; its ``results`` hold what was computed, if anything was.
+            If the user interrupted the run; ``results`` of the error holds any results so far.
         NoAnswerError
             If the assembly has no equilibrium.
         FolderError
-            If the results cannot go there.
+            If the results cannot be written to the folder.
 
         Examples
         --------
@@ -86,7 +86,7 @@ class Assemblies(Checked):
         """
         place = Place(folder, overwrite=overwrite)
         options = common(place, units=units, jobs=jobs, csv=csv)
-        asked: _core.BhaOptions = {
+        analysis: _core.BhaOptions = {
             "operation": operation,
             "toolfaces_rad": _values.options("toolface", toolface, "angle"),
             "weights_N": _values.options("weight", weight, "force"),
@@ -95,7 +95,10 @@ class Assemblies(Checked):
             "whole": whole,
         }
         return carry_out(
-            Bha, place, False, lambda listener: _core.bha_of(self._held, asked, options, listener)
+            Bha,
+            place,
+            False,
+            lambda listener: _core.bha_of(self._held, analysis, options, listener),
         )
 
     def modes(
@@ -110,34 +113,36 @@ class Assemblies(Checked):
     ) -> Modes:
         """Find natural frequencies, critical speeds and the response to a rotating force.
 
-        How many, and what meets them, stands in the case: ``case.with_(modes__count=10).modes()``.
+        The case sets the number of modes and the excitations:
+        ``case.with_(modes__count=10).modes()``.
 
         Parameters
         ----------
         folder
-            Where the results go; a temporary folder where none is given.
+            Folder for the results; a temporary folder by default.
         operation
-            The operation whose string at rest it is; the case's first where none is named.
+            The operation whose static equilibrium the modes are about; the first of the case by
+            default.
         overwrite
-            Whether to replace what lies there, whatever it is of.
+            Whether to replace existing results in the folder, whatever wrote them.
         units
             Units of the page; the case's by default.
         png
-            Whether to paint the pictures as PNG too.
+            Whether to write PNG images as well.
         jobs
-            Weights of the map of torsional stability that are looked at side by side; one per core
-            by default.
+            Number of parallel jobs, each solving one weight of the map of torsional stability; one
+            per core by default.
 
         Raises
         ------
         InputError
             If the case has no such operation.
         Interrupted
-            If the user interrupted it; its ``results`` hold what was computed, if anything was.
+            If the user interrupted the run; ``results`` of the error holds any results so far.
         NoAnswerError
-            If the string has no state at rest.
+            If the string has no static equilibrium.
         FolderError
-            If the results cannot go there.
+            If the results cannot be written to the folder.
 
         Examples
         --------
@@ -169,28 +174,28 @@ class Assemblies(Checked):
         jobs: int | None = None,
         progress: bool = False,
     ) -> BitTest:
-        """Drill with the bit alone on its rock, under every weight at every speed.
+        """Drill with the bit alone on its rock, at every combination of weight and speed.
 
-        Weights and speeds stand in the case, under ``bit_test``.
+        The case sets weights and speeds under ``bit_test``.
 
         Parameters
         ----------
         folder
-            Where the results go; a temporary folder where none is given.
+            Folder for the results; a temporary folder by default.
         shard
-            The share of the points to drill, such as ``"1/4"``.
+            Share of the points to drill, such as ``"1/4"``.
         resume
-            Whether to leave out what is finished there.
+            Whether to skip the points that are complete in the folder.
         overwrite
-            Whether to replace what lies there, whatever it is of.
+            Whether to replace existing results in the folder, whatever wrote them.
         checkpoint
             Wall-clock time between checkpoints: ``"5 min"``, or seconds.
         units
             Units of the page; the case's by default.
         csv
-            Whether to write the tables as CSV too.
+            Whether to write the tables as CSV as well.
         jobs
-            Points that are drilled side by side; one per core by default.
+            Number of parallel jobs, each drilling one point; one per core by default.
         progress
             Whether to draw a bar, with tqdm.
 
@@ -199,11 +204,11 @@ class Assemblies(Checked):
         InputError
             If the case has no rock.
         FolderError
-            If the results cannot go there.
+            If the results cannot be written to the folder.
         NoAnswerError
-            If points failed; its ``results`` hold the others.
+            If points failed; ``results`` of the error holds the others.
         Interrupted
-            If the user interrupted it; its ``results`` hold what was computed.
+            If the user interrupted the run; ``results`` of the error holds the results so far.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""What all results have in common."""
+"""Base class of all results."""
 
 from __future__ import annotations
 
@@ -22,27 +22,27 @@ R = TypeVar("R", bound="BaseResults")
 
 @dataclass(frozen=True, kw_only=True)
 class Check:
-    """One comparison of a result with what it must keep: a limit, or a state that is reported.
+    """Comparison of one result with a limit, or a state that is reported.
 
     Attributes
     ----------
     kind
-        What is compared or reported, as a word: ``"lock_up"``, ``"top_drive"``, ``"von_mises"``.
+        Name of the limit or state: ``"lock_up"``, ``"top_drive"``, ``"von_mises"``.
     severity
         ``"ok"``, ``"note"``, ``"warning"`` or ``"error"``.
     verdict
-        In words: ``"OK"``, ``"marginal"``, ``"below required factor"``, ``"exceeded"``; of what is
-        no limit the severity.
+        In words: ``"OK"``, ``"marginal"``, ``"below required factor"``, ``"exceeded"``; the
+        severity where there is no limit.
     sentence
         The check as a sentence, in the units of the case.
     component
-        Component of the string; ``None`` of the rig and of the whole string.
+        Component of the string; ``None`` for the rig and for the whole string.
     md_m, to_md_m
-        Measured depth of the place or of the upper end of its interval, and of the lower end, m.
+        Measured depth of the point, or of the upper and the lower end of its interval, m.
     value, limit
-        Load and capacity of a limit; of a state its number and what that is compared with.
+        Load and capacity of a limit; for a state, its number and the number it is compared with.
     factor, required
-        Capacity over load, and the required factor; ``None`` of what is no limit.
+        Capacity over load, and the required factor; ``None`` where there is no limit.
     unit
         SI unit of value and limit.
 
@@ -69,7 +69,7 @@ class Check:
 
     @property
     def reserve(self) -> float:
-        """Factor over the required one: less than one is not enough; infinite of no limit."""
+        """Factor over the required factor: below 1 is too low; infinite where there is no limit."""
         if self.factor is None or self.required is None:
             return math.inf
         return self.factor / self.required
@@ -79,16 +79,16 @@ _CHECK_KEYS = frozenset(field.name for field in fields(Check))
 
 
 def check_of(row: Mapping[str, Any]) -> Check:
-    """Take the check of a row of a summary, which may hold more."""
+    """Return the check in a row of a summary; other keys of the row are ignored."""
     return Check(**{key: value for key, value in row.items() if key in _CHECK_KEYS})
 
 
 class BaseResults:
-    """What a command comes to: a summary, tables, and the folder that has them.
+    """Results of a command: a summary, tables, and the folder that contains them.
 
-    Results of a command that was given no folder lie in a temporary one, which goes with them;
-    :meth:`save` writes the folder that the command line writes. They go through ``pickle``: those
-    in a folder of yours as its path, all others with their numbers.
+    Results of a command without a folder are in a temporary folder, which is removed with them;
+    :meth:`save` writes the same folder as the command line. Results can be pickled: those in a
+    folder of the user as the path of that folder, all others with their numbers.
 
     Examples
     --------
@@ -110,7 +110,7 @@ class BaseResults:
 
     @classmethod
     def load(cls: type[R], folder: str | PathLike[str]) -> R:
-        """Read what a command left in a folder.
+        """Read the results of a command from a folder.
 
         Parameters
         ----------
@@ -120,7 +120,7 @@ class BaseResults:
         Raises
         ------
         ResultsError
-            If there is nothing, or what another command left.
+            If the folder has no results, or those of another command.
 
         Examples
         --------
@@ -145,23 +145,23 @@ class BaseResults:
         overwrite: bool = False,
         csv: bool = False,
     ) -> Path:
-        """Write the folder that the command line writes, its page too, and give its path.
+        """Write the same folder as the command line, with its page, and return its path.
 
-        From then on :attr:`folder` is that one.
+        :attr:`folder` is this folder afterwards.
 
         Parameters
         ----------
         folder
-            Where to; ``out/<name of the case>``, as the command line, where none is given.
+            The folder; ``out/<name of the case>`` by default, as on the command line.
         overwrite
-            Whether to replace what lies there, whatever it is of.
+            Whether to replace existing results in the folder, whatever wrote them.
         csv
-            Whether to write all tables as CSV too.
+            Whether to write all tables as CSV as well.
 
         Raises
         ------
         FolderError
-            If other results lie there.
+            If the folder holds other results.
 
         Examples
         --------
@@ -169,7 +169,7 @@ class BaseResults:
         >>> import wholestring as ws
         >>> with tempfile.TemporaryDirectory() as place:
         ...     saved = ws.Case.example().soft("drill").save(place + "/here", csv=True)
-        ...     print(sorted(of.name for of in saved.glob("nodes.*")))
+        ...     print(sorted(file.name for file in saved.glob("nodes.*")))
         ['nodes.csv', 'nodes.parquet']
         """
         with Listener(progress=False) as listener:
@@ -179,12 +179,12 @@ class BaseResults:
         return saved
 
     def __reduce__(self) -> Reduced:
-        """Pickle: a folder of the user's by its path, all else with what it holds."""
+        """Pickle a folder of the user by its path, and other results with their content."""
         return reduced(self)
 
     @property
     def folder(self) -> Path | None:
-        """Where they lie; ``None`` while they are in memory."""
+        """Folder of the results; ``None`` while they are in memory."""
         return self._core.folder
 
     @property
@@ -196,7 +196,7 @@ class BaseResults:
 
     @property
     def case_name(self) -> str:
-        """What the case is called."""
+        """Name of the case."""
         return str(self.summary.get("case", self.folder.name if self.folder else ""))
 
     @property
@@ -205,7 +205,7 @@ class BaseResults:
         return tuple(self._core.table_names())
 
     def table(self, name: str) -> Table:
-        """Give a table by its name, one of :attr:`tables`.
+        """Return a table by its name, one of :attr:`tables`.
 
         Parameters
         ----------
@@ -215,7 +215,7 @@ class BaseResults:
         Raises
         ------
         KeyError
-            If there is none of that name.
+            If there is no table of that name.
 
         Examples
         --------
@@ -242,11 +242,11 @@ class BaseResults:
         return most_severe_first(self.checks)
 
     def _facts(self) -> Sequence[tuple[str, str]]:
-        """Give what is shown of them: names, and numbers with their units."""
+        """Return the facts to display: names, and numbers with their units."""
         return ()
 
     def __repr__(self) -> str:
-        """Give what they are of, with their main numbers."""
+        """Return the name of the case with the main numbers."""
         facts = ", ".join(f"{name} {value}" for name, value in self._facts())
         name = type(self).__name__
         return (
@@ -259,7 +259,7 @@ class BaseResults:
 
 
 def most_severe_first(checks: Iterable[Check]) -> tuple[Check, ...]:
-    """Give the checks that need attention, the most severe first."""
+    """Return the checks that need attention, the most severe first."""
     order = ("error", "warning", "note")
     found = [check for check in checks if check.severity in order]
     return tuple(sorted(found, key=lambda check: order.index(check.severity)))

@@ -1,4 +1,4 @@
-"""A case in which everything has been checked, without its verbs."""
+"""A fully checked case, without the methods that solve it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Checked:
-    """What the verbs of a case work on."""
+    """A checked case: base of the classes that solve it."""
 
     __slots__ = ("_held",)
     _held: _core.Case
@@ -34,7 +34,7 @@ class Checked:
         return tuple(Diagnostic(**found) for found in self._held.warnings())
 
     def to_toml(self) -> str:
-        """Give the case as the text of a case file, with its comments and its changes.
+        """Return the case as the text of a case file, with its comments and its changes.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Data frames and columns as files have them."""
+"""Data frames and columns in the form of files."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .errors import InputError, InputTypeError
 
 
 def content(data: object) -> bytes:
-    r"""Give a data frame or columns as the CSV that readings and surveys are read from.
+    r"""Return a data frame or columns as CSV, the form of files of readings and surveys.
 
     >>> content({"bit_depth_m": [300.0, 500.0], "pick_up_kN": [210.5, None]})
     b'bit_depth_m,pick_up_kN\r\n300.0,210.5\r\n500.0,\r\n'
@@ -31,7 +31,7 @@ def content(data: object) -> bytes:
 
 
 def rows(data: object) -> list[Mapping[str, Value]]:
-    """Return changes of many cases, one by one: of a list as they are, of columns the rows.
+    """Return the changes of each case: the items of a list, or the rows of columns.
 
     >>> rows({"friction": [0.2, 0.3]})
     [{'friction': 0.2}, {'friction': 0.3}]
@@ -45,16 +45,16 @@ def rows(data: object) -> list[Mapping[str, Value]]:
     if isinstance(data, str | bytes) or not isinstance(data, Iterable):
         message = f"expected a list of changes, a data frame or a mapping of columns: {data!r}"
         raise InputTypeError(message)
-    given = list(cast("Iterable[object]", data))
-    for one in given:
+    mappings = list(cast("Iterable[object]", data))
+    for one in mappings:
         if not isinstance(one, Mapping):
             raise InputTypeError(f"expected a mapping of keys to values in the list, not {one!r}")
-    return cast("list[Mapping[str, Value]]", given)
+    return cast("list[Mapping[str, Value]]", mappings)
 
 
 def _columns(data: object) -> dict[str, list[Any]]:
     if not isinstance(data, Mapping):
-        # A frame of polars or pandas, or a table of ours: names lead to columns.
+        # A frame of polars or pandas, or a `Table`: columns by their names.
         frame = cast("Any", data)
         names = getattr(frame, "columns", None)
         if names is None:
@@ -70,7 +70,7 @@ def _cell(value: object) -> object:
 
 
 def is_table(data: object) -> bool:
-    """Tell whether it is a data frame or columns by their names.
+    """Return whether the data are a data frame or columns by their names.
 
     >>> is_table({"md_m": [0.0]}), is_table([[0.0, 0.0, 0.0]])
     (True, False)

@@ -1,4 +1,4 @@
-"""What the verbs that leave a folder have in common."""
+"""Common parts of the methods that write a folder."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ R = TypeVar("R", bound=BaseResults)
 Folder = str | PathLike[str] | None
 
 MOST_JOBS = 1024
-"""More threads than any machine has cores have a mistake for their cause."""
+"""Largest number of threads: more than any machine has cores, so a larger one is a mistake."""
 
 
 def common(
@@ -33,7 +33,7 @@ def common(
     csv: bool = False,
     png: bool = False,
 ) -> _core.Common:
-    """Give what all commands take, as the compiled half takes it."""
+    """Return the options common to all commands, in the form of the compiled module."""
     return {
         "folder": place.path,
         "existing": place.existing,
@@ -47,7 +47,7 @@ def common(
 
 
 def count(jobs: int | None) -> int | None:
-    """Give the number of threads, if it is one."""
+    """Return the number of threads after checking it."""
     if jobs is None:
         return None
     try:
@@ -67,14 +67,14 @@ def carry_out(
     progress: bool,
     work: Callable[[Listener], tuple[Path | None, BaseException | None]],
 ) -> R:
-    """Do the work of a command, and give what it came to."""
+    """Run a command and return its results."""
     with Listener(progress) as listener:
         folder, raised = work(listener)
     return finished(found(kind, place, folder), raised)
 
 
 def found(kind: type[R], place: Place, folder: Path | None) -> R | None:
-    """Give what lies in a folder; nothing where the work ended before it left anything."""
+    """Return the results in a folder; ``None`` if the work ended before it wrote any."""
     if folder is None:
         return None
     try:
@@ -84,10 +84,10 @@ def found(kind: type[R], place: Place, folder: Path | None) -> R | None:
 
 
 def finished(results: R | None, raised: BaseException | None) -> R:
-    """Give the results, or raise what was raised, with them."""
+    """Return the results, or raise the exception that was raised, with the results."""
     if isinstance(raised, KeyboardInterrupt):
-        kept = "nothing was computed yet" if results is None else "`results` has what was computed"
-        raised = Interrupted(f"interrupted: {kept}")
+        extent = "no results yet" if results is None else "`results` holds the results so far"
+        raised = Interrupted(f"interrupted: {extent}")
     if isinstance(raised, Interrupted | NoAnswerError):
         raised.results = results
     if raised is not None:

@@ -1,4 +1,4 @@
-"""The compiled half."""
+"""The compiled module."""
 
 from collections.abc import Callable, Sequence
 from os import PathLike
@@ -36,7 +36,7 @@ Function = tuple[Callable[..., tuple[float, float]], str, float]
 class Listening(Protocol):
     def said(self, is_warning: bool, sentence: str) -> None: ...
     def progress(self, name: str, time_s: float, end_s: float) -> None: ...
-    def batch(self, ended: int, of: int, part: float) -> None: ...
+    def batch(self, ended: int, cases: int, part: float) -> None: ...
 
 Part = tuple[str, str, str, list[bytes] | None, list[str] | None]
 

@@ -16,14 +16,14 @@ from ._pool import Pool
 from ._task import Done, Job, Task, solve
 
 RUNNING = ".running-"
-"""How the name of the file begins that is in a sweep's folder as long as workers solve it."""
+"""Prefix of the file that is in the folder of a sweep while workers solve it."""
 
 GRACE_S = 10.0
-"""How long an interrupted sweep waits for the checkpoints of the cases under way, s."""
+"""Time for which an interrupted sweep waits for checkpoints of the running cases, s."""
 
 
 def running_file(folder: Path) -> str:
-    """Give the name of a file that is in a sweep's folder as long as it goes on."""
+    """Return the name of a file that is in the folder of a sweep while it runs."""
     return str((folder / f"{RUNNING}{secrets.token_hex(8)}").absolute())
 
 
@@ -39,13 +39,13 @@ class Dispatcher:
         self._ended = 0
 
     def run(self, pool: Pool, *, in_flight: int | None, bundle_s: float, tries: int) -> bool:
-        """Hand out all cases, and tell whether the user interrupted it."""
+        """Submit all cases, and return whether the user interrupted the sweep."""
         order = self._core.left()
         self._ended = len(self._names) - len(order)
-        self._tell()
+        self._report()
         running = Path(self._job.running)
         for left in running.parent.glob(f"{RUNNING}*"):
-            # Workers of one whose driver was killed: they stop.
+            # Workers of a sweep whose driver was killed stop when this file is gone.
             left.unlink(missing_ok=True)
         running.touch()
         gathering = Gathering(
@@ -67,7 +67,7 @@ class Dispatcher:
         return interrupted
 
     def submit(self, pool: Pool, numbers: list[int], first: bool) -> Future[Any]:
-        """Hand out a bundle of cases."""
+        """Submit a bundle of cases."""
         tasks = [self._task(number, first) for number in numbers]
         return pool.submit(solve, self._pickled, tasks)
 
@@ -84,11 +84,11 @@ class Dispatcher:
         )
 
     def take(self, done: Done) -> list[int]:
-        """Take back what came of a bundle."""
+        """Record the results of a bundle."""
         for sentence in done.warnings:
             self._listener.said(True, sentence)
         if done.stopped and Path(self._job.running).exists():
-            # A folder of the same name, but not this one.
+            # The worker has another folder of the same path.
             self._send_files()
         ended: list[int] = []
         for solved in done.solved:
@@ -100,7 +100,7 @@ class Dispatcher:
         return ended
 
     def fail(self, number: int, reason: str) -> None:
-        """Take note of a case that cannot be solved."""
+        """Record a case that cannot be solved."""
         self._core.fail(number, reason)
         self._count(1)
 
@@ -110,8 +110,8 @@ class Dispatcher:
 
     def _count(self, ended: int) -> None:
         self._ended += ended
-        self._tell()
+        self._report()
 
-    def _tell(self) -> None:
+    def _report(self) -> None:
         cases = len(self._names)
         self._listener.batch(self._ended, cases, self._ended / max(cases, 1))

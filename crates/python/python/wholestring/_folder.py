@@ -1,4 +1,4 @@
-"""Folders that results go to."""
+"""Folders for results."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from .errors import InputError
 
 
 class Place:
-    """Where results go: a folder of the user's, or a temporary one that goes with its last user.
+    """Folder for results: one of the user, or a temporary one removed with its last reference.
 
     Parameters
     ----------
     folder
-        The folder; a temporary one where none is given.
+        The folder; a temporary one by default.
     overwrite, resume
-        What becomes of what lies there.
+        Whether to replace or to continue existing results in the folder.
     """
 
     def __init__(

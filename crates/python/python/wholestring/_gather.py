@@ -1,4 +1,4 @@
-"""Many small pieces of work on an executor: a few in flight, taken back as they come."""
+"""Many small tasks on an executor: a few in flight, recorded as they complete."""
 
 from __future__ import annotations
 
@@ -12,48 +12,48 @@ from ._pool import Pool, is_lost
 from ._task import Done
 
 PER_WORKER = 3
-"""Bundles in flight for each worker: one that it solves, one that is there when it is done, and one
-on its way."""
+"""Bundles in flight for each worker: one that it solves, one that waits at the worker, and one in
+transfer."""
 
 MOST_IN_A_BUNDLE = 1000
 
 LOOK_S = 0.05
-"""How often Python looks at an interrupt that came to another of its threads, s."""
+"""Interval at which Python checks for an interrupt received by another thread, s."""
 
 
 class Cases(Protocol):
-    """Whose cases they are."""
+    """Owner of the cases."""
 
     def submit(self, pool: Pool, numbers: list[int], first: bool) -> Future[Any]:
-        """Hand out a bundle of cases."""
+        """Submit a bundle of cases."""
         ...
 
     def take(self, done: Done) -> list[int]:
-        """Take back what came of a bundle, and give the cases that have come to their end."""
+        """Record the results of a bundle, and return the cases that have ended."""
         ...
 
     def fail(self, number: int, reason: str) -> None:
-        """Take note of a case that cannot be solved."""
+        """Record a case that cannot be solved."""
         ...
 
 
 class Gathering:
-    """Cases that are handed out and taken back.
+    """Cases that are submitted and whose results are recorded.
 
     Parameters
     ----------
     pool
-        Who solves them.
+        Pool that solves the cases.
     cases
-        Whose they are.
+        Owner of the cases.
     order
-        Their numbers, the longest case first.
+        Numbers of the cases, the longest case first.
     in_flight
-        Most bundles in flight; :data:`PER_WORKER` for each worker by default.
+        Largest number of bundles in flight; :data:`PER_WORKER` for each worker by default.
     bundle_s
-        Time that a bundle of short cases takes, about, s.
+        Approximate time of a bundle of short cases, s.
     tries
-        How often a case is handed out whose worker is lost.
+        Number of times to submit a case whose worker is lost.
     """
 
     def __init__(
@@ -72,8 +72,8 @@ class Gathering:
         self._in_flight = in_flight
         self._bundle_s = bundle_s
         self._tries = tries
-        # Whose worker was lost: each comes alone from then on, and at the last, when nothing else
-        # is in flight that could be to blame.
+        # Cases whose worker was lost: each is submitted alone, and for the last time when nothing
+        # else is in flight that could be the cause.
         self._again: deque[int] = deque()
         self._at_last: deque[int] = deque()
         self._losses: Counter[int] = Counter()
@@ -81,14 +81,14 @@ class Gathering:
         self._case_s = math.inf
 
     def run(self) -> None:
-        """Hand out, and take back, until nothing is left."""
+        """Submit and record until no case is left."""
         while self._fill():
             done, _ = wait(self._futures, timeout=LOOK_S, return_when=FIRST_COMPLETED)
             for future in done:
                 self._end(future)
 
     def stop(self, grace_s: float) -> None:
-        """Hand out no more, and take what comes within a time."""
+        """Stop submitting, and record the results that arrive within a time."""
         for future in self._futures:
             future.cancel()
         wait(self._futures, timeout=grace_s)
@@ -98,7 +98,7 @@ class Gathering:
         self._futures.clear()
 
     def _fill(self) -> bool:
-        """Hand out as much as may be in flight; tell whether anything is."""
+        """Submit as many bundles as may be in flight; return whether any is."""
         most = self._in_flight or PER_WORKER * self._pool.workers()
         while len(self._futures) < most:
             if self._again:
@@ -122,7 +122,7 @@ class Gathering:
         return bool(self._futures)
 
     def _bundle(self) -> int:
-        """Cases of the next bundle: fewer toward the end, so that no worker waits for another."""
+        """Return the size of the next bundle: smaller near the end, so that no worker waits."""
         by_time = self._bundle_s / self._case_s if self._case_s > 0.0 else math.inf
         share = math.ceil(len(self._order) / (2 * self._pool.workers()))
         return max(1, min(int(min(by_time, MOST_IN_A_BUNDLE)), share, len(self._order)))

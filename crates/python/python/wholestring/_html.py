@@ -1,4 +1,4 @@
-"""Tables as notebooks show them, in light and in dark."""
+"""Tables as HTML for notebooks, in light and dark themes."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from html import escape
 
 import numpy as np
 
-# Colours are the notebook's own: text inherits, lines are that text thinned, so that both stand out
-# on paper and on a dark screen alike.
+# Colours follow the notebook: text inherits its colour and lines mix it with transparency, so that
+# both have contrast on a light and on a dark page.
 STYLE = """\
 <style scoped>
 .wholestring{border-collapse:collapse;color:inherit;font-variant-numeric:tabular-nums}
@@ -28,18 +28,18 @@ border-bottom:1px solid color-mix(in srgb,currentColor 45%,transparent)}
 
 @dataclass(frozen=True)
 class Column:
-    """A column as it is shown.
+    """A column of a table in HTML.
 
     Attributes
     ----------
     title, unit
-        What stands over it.
+        Heading, and unit below it.
     cells
-        What stands in it.
+        Texts of the cells.
     numbers
-        Whether these are numbers, which stand to the right.
+        Whether the cells are numbers, which are aligned to the right.
     hint
-        What is told where the pointer rests on its title.
+        Tooltip of the heading.
     """
 
     title: str
@@ -50,11 +50,11 @@ class Column:
 
 
 def table(columns: Sequence[Column], *, caption: str = "", note: str = "") -> str:
-    """Give a table as HTML."""
-    heads = "".join(_head(of) for of in columns)
+    """Return a table as HTML."""
+    heads = "".join(_head(column) for column in columns)
     count = len(columns[0].cells) if columns else 0
     rows = "".join(
-        "<tr>" + "".join(_cell(of, of.cells[row]) for of in columns) + "</tr>"
+        "<tr>" + "".join(_cell(column, column.cells[row]) for column in columns) + "</tr>"
         for row in range(count)
     )
     head = f"<caption>{escape(caption)}</caption>" if caption else ""
@@ -66,7 +66,7 @@ def table(columns: Sequence[Column], *, caption: str = "", note: str = "") -> st
 
 
 def facts(rows: Sequence[tuple[str, str]], *, caption: str) -> str:
-    """Give names and what is said of each as HTML."""
+    """Return a table of names and values as HTML."""
     cells = "".join(
         f'<tr><th scope="row">{escape(name)}</th><td>{escape(value)}</td></tr>'
         for name, value in rows
@@ -78,7 +78,7 @@ def facts(rows: Sequence[tuple[str, str]], *, caption: str) -> str:
 
 
 def number(value: float) -> str:
-    """Give a number in six digits; nothing of what is none.
+    """Return a number in six digits; an empty text for NaN.
 
     >>> number(1234567.0), number(0.25), number(float("nan"))
     ('1.23457e+06', '0.25', '')
@@ -86,13 +86,13 @@ def number(value: float) -> str:
     return "" if np.isnan(value) else f"{value:.6g}"
 
 
-def _head(of: Column) -> str:
-    kind = ' class="number"' if of.numbers else ""
-    hint = f' title="{escape(of.hint, quote=True)}"' if of.hint else ""
-    unit = f'<br><span class="unit">{escape(of.unit)}</span>' if of.unit else ""
-    return f"<th{kind}{hint}>{escape(of.title)}{unit}</th>"
+def _head(column: Column) -> str:
+    kind = ' class="number"' if column.numbers else ""
+    hint = f' title="{escape(column.hint, quote=True)}"' if column.hint else ""
+    unit = f'<br><span class="unit">{escape(column.unit)}</span>' if column.unit else ""
+    return f"<th{kind}{hint}>{escape(column.title)}{unit}</th>"
 
 
-def _cell(of: Column, text: str) -> str:
-    kind = "number" if of.numbers else "wrap" if len(text) > 30 else ""
+def _cell(column: Column, text: str) -> str:
+    kind = "number" if column.numbers else "wrap" if len(text) > 30 else ""
     return f'<td class="{kind}">{escape(text)}</td>' if kind else f"<td>{escape(text)}</td>"

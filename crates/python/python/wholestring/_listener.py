@@ -1,4 +1,4 @@
-"""Who hears what long work says."""
+"""Receiver of the messages and the progress of long work."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Listener:
-    """Draws a bar where one is wanted, and warns.
+    """Receives progress and messages: draws a bar if requested, and issues warnings.
 
     Parameters
     ----------
@@ -22,18 +22,18 @@ class Listener:
     """
 
     def __init__(self, progress: bool) -> None:
-        self._wanted = progress
+        self._draws_bar = progress
         self._bar: Any = None
         self._name = ""
 
     def said(self, is_warning: bool, sentence: str) -> None:
-        """Hear a sentence."""
+        """Receive a message."""
         if is_warning:
             warnings.warn(sentence.removeprefix("warning: "), stacklevel=outside())
 
     def progress(self, name: str, time_s: float, end_s: float) -> None:
-        """Hear how far a simulation has come."""
-        if not self._wanted:
+        """Receive the progress of a simulation."""
+        if not self._draws_bar:
             return
         if self._bar is None or name != self._name:
             self.close()
@@ -43,28 +43,28 @@ class Listener:
         self._bar.n = min(time_s, end_s)
         self._bar.refresh()
 
-    def batch(self, ended: int, of: int, part: float) -> None:
-        """Hear how far a batch has come: cases that have ended, and how much of all is done."""
-        if not self._wanted:
+    def batch(self, ended: int, cases: int, part: float) -> None:
+        """Receive the progress of a batch: number of ended cases, and completed share of all."""
+        if not self._draws_bar:
             return
         if self._bar is None:
             self._bar = _tqdm()(total=1.0, bar_format=_BATCH)
         self._bar.n = max(self._bar.n, min(part, 1.0))
-        self._bar.set_postfix_str(f"{ended} of {of}", refresh=False)
+        self._bar.set_postfix_str(f"{ended} of {cases}", refresh=False)
         self._bar.refresh()
 
     def close(self) -> None:
-        """End the bar."""
+        """Close the bar."""
         if self._bar is not None:
             self._bar.close()
             self._bar = None
 
     def __enter__(self) -> Self:
-        """Listen."""
+        """Begin to receive."""
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Listen no more."""
+        """Close the bar."""
         self.close()
 
 

@@ -1,4 +1,4 @@
-"""Results and tables as pickles have them."""
+"""Pickled forms of results and tables."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ Reduced = tuple[Callable[..., Any], tuple[Any, ...]]
 
 
 def reduced(results: BaseResults) -> Reduced:
-    """Give what results are made of again from.
+    """Return the function and the arguments that restore results.
 
-    Those in a folder of the user's are the folder; those in a temporary one, which goes with them,
-    are its files; those in memory are their summary and their tables.
+    Results in a folder of the user are restored from that folder; those in a temporary folder,
+    which is removed with them, from its files; those in memory from their summary and tables.
     """
     kind, core = type(results), results._core
     parts = core.parts()
@@ -33,8 +33,8 @@ def reduced(results: BaseResults) -> Reduced:
     place = results._place
     if place is None or not place.is_temporary:
         return in_folder, (kind, str(folder.absolute()))
-    files = sorted(of for of in folder.rglob("*") if of.is_file())
-    named = [(of.relative_to(folder).as_posix(), of.read_bytes()) for of in files]
+    files = sorted(file for file in folder.rglob("*") if file.is_file())
+    named = [(file.relative_to(folder).as_posix(), file.read_bytes()) for file in files]
     return in_files, (kind, named)
 
 
@@ -44,18 +44,18 @@ def in_memory(
     tables: Sequence[tuple[str, Sequence[_core.Part]]],
     with_spectra: bool,
 ) -> R:
-    """Give results in memory."""
+    """Return results restored in memory."""
     restored = [(name, _core.Table.restore(parts)) for name, parts in tables]
     return kind(_core.Answers.restore(summary, restored, with_spectra))
 
 
 def in_folder(kind: type[R], folder: str) -> R:
-    """Give results that lie in a folder of the user's."""
+    """Return results in a folder of the user."""
     return kind(_core.Answers.load(folder))
 
 
 def in_files(kind: type[R], files: Sequence[tuple[str, bytes]]) -> R:
-    """Give results whose files are given, in a temporary folder."""
+    """Return results restored from their files in a temporary folder."""
     place = Place(None)
     for name, content in files:
         file = place.path / name

@@ -1,4 +1,4 @@
-"""What a case comes to at every depth, and friction from what was read."""
+"""Results of a case at every depth of the bit, and friction from readings at the surface."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Units = Literal["si", "metric", "field"]
 
 
 class Planning(Checked):
-    """The verbs that look at every depth."""
+    """The methods that solve a case at every depth of the bit."""
 
     __slots__ = ()
 
@@ -47,20 +47,20 @@ class Planning(Checked):
         operations: str | Sequence[str] | None = None,
         jobs: int | None = None,
     ) -> Table:
-        """Solve every operation at every depth with every friction: a millisecond a point.
+        """Solve every operation at every depth with every friction, about 1 ms per point.
 
-        Nothing is written. What has no answer is a row with its reason.
+        No files are written. A point without an answer is a row with its reason.
 
         Parameters
         ----------
         model
             ``"soft"`` or ``"stiff"``, or both; those of the case's plan by default.
         frictions
-            Friction factors of all hole sections. The table has them in its column ``friction``,
-            which else has the ``"low"``, ``"expected"`` and ``"high"`` friction of the case's plan.
+            Friction factors of all hole sections, in the column ``friction`` of the table. By
+            default, the ``"low"``, ``"expected"`` and ``"high"`` friction of the case's plan.
         bit_depths
-            Depths of the bit, such as ``"500m..1200m/100m"`` or a list, m; the plan's where nothing
-            is said.
+            Depths of the bit, such as ``"500m..1200m/100m"`` or a list, m; those of the plan by
+            default.
         operations
             ``"trip_out"`` and so on; the plan's by default.
         jobs
@@ -69,9 +69,9 @@ class Planning(Checked):
         Raises
         ------
         InputError
-            If a friction factor, a depth or an operation cannot be.
+            If a friction factor, a depth or an operation is invalid.
         Interrupted
-            If the user interrupted it; its ``results`` are the table of what was computed.
+            If the user interrupted the run; ``results`` of the error is the table so far.
 
         Examples
         --------
@@ -114,35 +114,35 @@ class Planning(Checked):
     ) -> Plan:
         """Compute torque and drag at every depth of the bit, with low, expected and high friction.
 
-        What a plan computes stands in the case: ``case.with_(plan__depths=20).plan()``.
+        The keys under ``plan`` of the case set its scope: ``case.with_(plan__depths=20).plan()``.
 
         Parameters
         ----------
         folder
-            Where the results go; a temporary folder where none is given.
+            Folder for the results; a temporary folder by default.
         resume
-            Whether to continue a plan that was interrupted there.
+            Whether to continue an interrupted plan in the folder.
         overwrite
-            Whether to replace what lies there, whatever it is of.
+            Whether to replace existing results in the folder, whatever wrote them.
         checkpoint
             Wall-clock time between checkpoints: ``"5 min"``, or seconds.
         units
             Units of the page and in the workbook; the case's by default.
         png
-            Whether to paint each picture as PNG too.
+            Whether to write PNG images as well.
         jobs
             Number of parallel jobs; one per core by default.
         overlay
-            A file of hook loads and torques of another program, to be laid over the plan's.
+            File of hook loads and torques from another program, overlaid on the curves of the plan.
         progress
             Whether to draw a bar, with tqdm.
 
         Raises
         ------
         FolderError
-            If the results cannot go there.
+            If the results cannot be written to the folder.
         Interrupted
-            If the user interrupted it; its ``results`` hold what was computed.
+            If the user interrupted the run; ``results`` of the error holds the results so far.
 
         Examples
         --------
@@ -178,46 +178,46 @@ class Planning(Checked):
         jobs: int | None = None,
         progress: bool = False,
     ) -> Reach:
-        """Find how far the well can go, and what stops it.
+        """Find the depth that the well can reach, and the limit that stops it.
 
         Parameters
         ----------
         folder
-            Where the results go; a temporary folder where none is given.
+            Folder for the results; a temporary folder by default.
         from_
-            Depth of the bit to begin with: ``"4000 m"``, or m; the end of the survey where nothing
-            is said.
+            First depth of the bit: ``"4000 m"``, or m; the end of the survey by default.
         to
-            Deepest bit; 15 km, or twice the first depth where that is deeper.
+            Last depth of the bit; by default, 15 km or twice the first depth, whichever is deeper.
         friction
-            Friction factors of all sections, one after the other; the case's own where nothing is
-            said.
+            Friction factors, each applied to all sections; those of the case by default.
         operation
-            Operations; the usual ones and those of the case, as far as it has their set points.
+            Operations; by default, the usual ones and those of the case for which it has the set
+            points.
         no_helix_friction
-            Whether to leave out the friction of what a helix presses to the wall: nothing locks up.
+            Whether to leave out the friction from the contact force of a helix, so that the string
+            cannot lock up.
         stop_at_helix
-            Whether the depth where a helix begins counts as a stop, but in vertical hole: the
-            string goes on buckled otherwise.
+            Whether the onset of helical buckling counts as a stop, except in vertical hole; the
+            string is run on in the buckled state otherwise.
         resume
-            Whether to leave out samples of uncertain numbers that are solved.
+            Whether to skip the samples of uncertain numbers that are already solved.
         overwrite
-            Whether to replace what lies there, whatever it is of.
+            Whether to replace existing results in the folder, whatever wrote them.
         units
             Units of the page; the case's by default.
         png
-            Whether to paint the pictures as PNG too.
+            Whether to write PNG images as well.
         jobs
             Number of parallel jobs; one per core by default.
         progress
-            Whether to draw a bar, with tqdm, of samples of uncertain numbers.
+            Whether to draw a bar, with tqdm, for the samples of uncertain numbers.
 
         Raises
         ------
         InputError
-            If a depth, a friction factor or an operation cannot be.
+            If a depth, a friction factor or an operation is invalid.
         FolderError
-            If the results cannot go there.
+            If the results cannot be written to the folder.
 
         Examples
         --------
@@ -229,7 +229,7 @@ class Planning(Checked):
         """
         place = Place(folder, overwrite=overwrite, resume=resume)
         options = common(place, units=units, jobs=jobs, png=png)
-        asked: _core.ReachOptions = {
+        reach_options: _core.ReachOptions = {
             "from_m": _values.option("from_", from_, "length"),
             "to_m": _values.option("to", to, "length"),
             "frictions": _values.factors("friction", friction),
@@ -241,7 +241,7 @@ class Planning(Checked):
             Reach,
             place,
             progress,
-            lambda listener: _core.reach_of(self._held, asked, options, listener),
+            lambda listener: _core.reach_of(self._held, reach_options, options, listener),
         )
 
     def calibrate(
@@ -270,7 +270,7 @@ class Planning(Checked):
         jobs: int | None = None,
         progress: bool = False,
     ) -> Calibration[C]:
-        """Find friction from what was read at the surface.
+        """Estimate friction from readings at the surface.
 
         Parameters
         ----------
@@ -280,61 +280,62 @@ class Planning(Checked):
             ``slack_off_kN``, ``rotating_kN``, ``torque_kN_m``, ``torque_on_bottom_kN_m``, as the
             headings of a file.
         folder
-            Where the results go; a temporary folder where none is given.
+            Folder for the results; a temporary folder by default.
         others
-            Other strings that were in the hole: a column ``case`` of the readings names each by its
-            name.
+            Other strings that were in the hole; a column ``case`` of the readings has the name of
+            the case of each row.
         one_factor
-            One friction factor for casing and open hole.
+            Whether to fit one friction factor for casing and open hole.
         by_section
-            A friction factor for each section of the hole.
+            Whether to fit a friction factor for each section of the hole.
         friction_around
             Whether to fit rotational friction apart from axial friction.
         block_weight
-            Whether to look for the block's weight although the case gives it.
+            Whether to fit the block weight.
         bit_torque
-            Whether to look for the bit's torque on bottom.
+            Whether to fit the torque of the bit on bottom.
         hold
-            What is held, by name: ``{"friction_cased": 0.2, "block_weight": "180 kN"}``.
+            Parameters to keep fixed: ``{"friction_cased": 0.2, "block_weight": "180 kN"}``.
         weight_error, rotating_error, torque_error
             Standard errors of pick-up and slack-off weights, of rotating weights and of torques;
-            estimated where they are not given.
+            estimated by default.
         outlier
-            Residuals larger than so many of their standard errors are outliers.
+            Limit of a residual in standard errors; larger residuals are outliers.
         without_outliers
-            Whether outliers, as Huber's loss finds them, take no part in the fit; otherwise
-            ``summary["comparison"]`` has what is found without them.
+            Whether to exclude outliers, as found by Huber's loss, from the fit; otherwise
+            ``summary["comparison"]`` has the estimates without them.
         band
             Confidence of the bands, %.
         model
-            Model that predicts; ``"stiff"`` takes minutes.
+            Model of the predictions; ``"stiff"`` takes minutes.
         check_dynamics
-            Whether to run the string in motion with what was found; or at which readings' depths.
+            Whether to simulate the string dynamically with the estimates, or the depths of the
+            readings at which to do so.
         overwrite
-            Whether to replace what lies there, whatever it is of.
+            Whether to replace existing results in the folder, whatever wrote them.
         units
             Units of the page; the case's by default.
         png
-            Whether to paint the pictures as PNG too.
+            Whether to write PNG images as well.
         jobs
-            Runs of that check side by side; one per core by default.
+            Number of parallel simulations of that check; one per core by default.
         progress
-            Whether to draw a bar, with tqdm, of that check.
+            Whether to draw a bar, with tqdm, for that check.
 
         Raises
         ------
         CaseError
-            If the readings cannot be read: each mistake with its place.
+            If the readings cannot be read, with the place of each mistake.
         InputError
-            If an option cannot be, or the readings do not tell what is looked for.
+            If an option is invalid, or the readings do not determine the parameters.
         FolderError
-            If the results cannot go there.
+            If the results cannot be written to the folder.
         Interrupted
-            If the user interrupted it; its ``results`` hold what was computed.
+            If the user interrupted the run; ``results`` of the error holds the results so far.
 
         Examples
         --------
-        Readings that the slant well of the examples would give with more friction:
+        Readings of the slant well of the examples, computed with more friction:
 
         >>> import wholestring as ws
         >>> case = ws.Case.example().with_(rig__block_weight="200 kN")
@@ -354,7 +355,7 @@ class Planning(Checked):
         depths: list[float] | None = [] if check_dynamics is True else None
         if not isinstance(check_dynamics, bool):
             depths = _values.options("check_dynamics", check_dynamics, "length")
-        asked: _core.CalibrateOptions = {
+        calibration: _core.CalibrateOptions = {
             "data": read,
             "content": None if is_path else data if isinstance(data, bytes) else content(data),
             "one_factor": one_factor,
@@ -372,20 +373,20 @@ class Planning(Checked):
             "model": model,
             "check_dynamics": depths,
         }
-        cases = [(_stem(of), of) for of in (self._held, *(other._held for other in others))]
+        cases = [(_stem(case), case) for case in (self._held, *(other._held for other in others))]
         found = carry_out(
             Calibration[C],
             place,
             progress,
-            lambda listener: _core.calibrate_by(cases, asked, options, listener),
+            lambda listener: _core.calibrate_by(cases, calibration, options, listener),
         )
         found._calibrated = found.applied_to(self)
         return found
 
 
-def words(given: str | Sequence[str] | None) -> list[str]:
-    """Give words, of which there may be one."""
-    return [given] if isinstance(given, str) else [str(word) for word in _values.plain(given) or ()]
+def words(names: str | Sequence[str] | None) -> list[str]:
+    """Return a list of words from one word or several."""
+    return [names] if isinstance(names, str) else [str(word) for word in _values.plain(names) or ()]
 
 
 def _held(name: str, value: Scalar) -> str:

@@ -1,4 +1,4 @@
-"""Executors, and what differs between them."""
+"""Executors, and the differences between them."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from typing import Any, Protocol, runtime_checkable
 
 from .errors import InputTypeError
 
-ASK_EVERY_S = 5.0
-"""How often a cluster that grows and shrinks is asked for its workers, s."""
+COUNT_EVERY_S = 5.0
+"""Interval between counts of the workers of a cluster that grows and shrinks, s."""
 
 
 @runtime_checkable
 class HasExecutor(Protocol):
-    """What has an executor, as a ``Client`` of Dask does."""
+    """An object that has an executor, such as a ``Client`` of Dask."""
 
     def get_executor(self, **keywords: Any) -> Executor:
-        """Give it."""
+        """Return the executor."""
         ...
 
 
 class Pool:
-    """An executor, or what has one.
+    """An executor, or an object that has one.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ class Pool:
 
     def __init__(self, executor: Executor | HasExecutor) -> None:
         if isinstance(executor, HasExecutor) and not isinstance(executor, Executor):
-            # Not pure: what was solved before in the same session is in its folder, not in memory.
+            # Not pure: results of an earlier call in the session are in its folder, not in memory.
             executor = executor.get_executor(pure=False)
         if not hasattr(executor, "submit"):
             raise InputTypeError(
@@ -43,19 +43,19 @@ class Pool:
             )
         self._executor = executor
         self._ours = False
-        self._asked = -ASK_EVERY_S
+        self._counted_s = -COUNT_EVERY_S
         self._workers = 1
         self.generation = 0
 
     def submit(self, work: Callable[..., Any], *arguments: Any) -> Future[Any]:
-        """Hand out a piece of work."""
+        """Submit a task."""
         return self._executor.submit(work, *arguments)
 
     def workers(self) -> int:
-        """Give how many pieces of work are done side by side."""
-        if time.monotonic() - self._asked >= ASK_EVERY_S:
+        """Return the number of tasks that run in parallel."""
+        if time.monotonic() - self._counted_s >= COUNT_EVERY_S:
             self._workers = max(1, self._count())
-            self._asked = time.monotonic()
+            self._counted_s = time.monotonic()
         return self._workers
 
     def _count(self) -> int:
@@ -66,12 +66,12 @@ class Pool:
         return count if isinstance(count, int) else os.cpu_count() or 1
 
     def renew(self, generation: int) -> None:
-        """Make a pool of processes anew that lost one: it takes no more work.
+        """Replace a pool of processes that lost one, because it accepts no more work.
 
         Parameters
         ----------
         generation
-            That of the pool that was found broken.
+            Generation of the pool that was found broken.
         """
         old = self._executor
         if generation < self.generation or not isinstance(old, ProcessPoolExecutor):
@@ -89,13 +89,13 @@ class Pool:
         self.generation += 1
 
     def close(self) -> None:
-        """End a pool that was made here; that of the user stays."""
+        """Shut down a pool that was made here; a pool of the user is left running."""
         if self._ours:
             self._executor.shutdown(wait=True, cancel_futures=True)
 
 
 def is_lost(error: BaseException) -> bool:
-    """Tell whether an error says that a worker was lost, and nothing of the work."""
+    """Return whether an error means a lost worker rather than a failure of the task."""
     if isinstance(error, BrokenExecutor | CancelledError | ConnectionError | EOFError):
         return True
-    return any(of.__module__.split(".")[0] == "distributed" for of in type(error).__mro__)
+    return any(kind.__module__.split(".")[0] == "distributed" for kind in type(error).__mro__)

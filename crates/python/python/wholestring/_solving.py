@@ -1,4 +1,4 @@
-"""What a case comes to by each model."""
+"""Solutions of a case by each model."""
 
 from __future__ import annotations
 
@@ -24,24 +24,24 @@ from .table import Table
 
 
 class Solving(Checked):
-    """The verbs that solve a case's operations by its models."""
+    """The methods that solve the operations of a case with each model."""
 
     __slots__ = ()
 
     def soft(self, operation: str | Sequence[str] | None = None) -> Results:
-        """Solve with the soft string: milliseconds.
+        """Solve with the soft-string model, in milliseconds.
 
         Parameters
         ----------
         operation
-            The one to solve, or several; all of the case where none is named.
+            The operation to solve, or several; all of the case by default.
 
         Examples
         --------
         >>> import wholestring as ws
         >>> case = ws.Case.example()
-        >>> out, into = (case.soft(of)[of].hook_load_N for of in ("trip_out", "trip_in"))
-        >>> out > into  # friction holds the string back either way
+        >>> out, into = (case.soft(name)[name].hook_load_N for name in ("trip_out", "trip_in"))
+        >>> out > into  # friction opposes motion in both directions
         True
         """
         return self._solve(["soft"], operation, None, progress=False)
@@ -54,18 +54,18 @@ class Solving(Checked):
         model: Literal["soft", "stiff"] = "soft",
         jobs: int | None = None,
     ) -> Table:
-        """Solve many variations of the case in memory, into one table: a millisecond each.
+        """Solve many variations of the case in memory, into one table, about 1 ms each.
 
-        Nothing is written: for dynamics, for what is to be kept and for other machines there is
-        :func:`sweep`. Every variation is checked before the table is returned.
+        No files are written; use :func:`sweep` for dynamics, for results on disk and for other
+        machines. Every variation is checked before the table is returned.
 
         Parameters
         ----------
         changes
-            The changes of each variation: a list of mappings such as :meth:`Case.with_` takes, or a
-            data frame or a mapping of columns, a row for each variation.
+            The changes of each variation: a list of mappings as for :meth:`Case.with_`, or a data
+            frame or a mapping of columns with a row for each variation.
         operation
-            The one to solve; all of the case where none is named.
+            The operation to solve; all of the case by default.
         model
             ``"soft"`` or ``"stiff"``.
         jobs
@@ -74,16 +74,15 @@ class Solving(Checked):
         Returns
         -------
         Table
-            A row for each variation and operation: the keys that were changed, SI; scalars,
-            findings and how it ended, as the table of a sweep has them; ``case``, the number of the
-            variation from zero.
+            A row for each variation and operation: the changed keys, SI; scalars, findings and
+            status, as in the table of a sweep; ``case``, the number of the variation from zero.
 
         Raises
         ------
         CaseError
             If a variation is not valid.
         Interrupted
-            If the user interrupted it.
+            If the user interrupted the run.
 
         Examples
         --------
@@ -100,17 +99,17 @@ class Solving(Checked):
         return Table(held, "sweep")
 
     def stiff(self, operation: str | Sequence[str] | None = None) -> Results:
-        """Solve with the stiff string, at rest: tens of milliseconds.
+        """Solve with the static stiff-string model, in tens of milliseconds.
 
         Parameters
         ----------
         operation
-            The one to solve, or several; all of the case where none is named.
+            The operation to solve, or several; all of the case by default.
 
         Raises
         ------
         NoAnswerError
-            If an operation has no equilibrium; its ``results`` hold the others.
+            If an operation has no equilibrium; ``results`` of the error holds the others.
 
         Examples
         --------
@@ -129,23 +128,23 @@ class Solving(Checked):
         progress: bool = False,
         jobs: int | None = None,
     ) -> Results:
-        """Solve with the dynamics of the whole string: seconds.
+        """Solve the dynamics of the whole string, in seconds.
 
         Parameters
         ----------
         operation
-            The one to solve, or several; all of the case where none is named.
+            The operation to solve, or several; all of the case by default.
         progress
             Whether to draw a bar, with tqdm.
         jobs
-            Threads that work on solid rock under the bit; one per core by default.
+            Number of threads for solid rock under the bit; one per core by default.
 
         Raises
         ------
         NoAnswerError
-            If an operation diverged; its ``results`` hold what was computed.
+            If an operation diverged; ``results`` of the error holds the results so far.
         Interrupted
-            If the user interrupted it; its ``results`` hold what was computed.
+            If the user interrupted the run; ``results`` of the error holds the results so far.
 
         Examples
         --------
@@ -169,31 +168,31 @@ class Solving(Checked):
     ) -> Results:
         """Solve with the models that the case names, into a folder, as the command line does.
 
-        Checkpoints are written as it goes: what was interrupted can be resumed.
+        Checkpoints are written during the run, so that an interrupted run can be resumed.
 
         Parameters
         ----------
         folder
-            Where the results go; a temporary folder where none is given.
+            Folder for the results; a temporary folder by default.
         overwrite
-            Whether to replace what lies there, whatever it is of.
+            Whether to replace existing results in the folder, whatever wrote them.
         resume
-            Whether to continue what lies there.
+            Whether to continue an interrupted run in the folder.
         csv
-            Whether to write the tables as CSV too.
+            Whether to write the tables as CSV as well.
         progress
             Whether to draw a bar, with tqdm.
         jobs
-            Threads that work on solid rock under the bit; one per core by default.
+            Number of threads for solid rock under the bit; one per core by default.
 
         Raises
         ------
         FolderError
-            If the results cannot go there.
+            If the results cannot be written to the folder.
         NoAnswerError
-            If an operation has no answer; its ``results`` hold the others.
+            If an operation has no answer; ``results`` of the error holds the others.
         Interrupted
-            If the user interrupted it; its ``results`` hold what was computed.
+            If the user interrupted the run; ``results`` of the error holds the results so far.
 
         Examples
         --------
@@ -221,36 +220,36 @@ class Solving(Checked):
         rate: Scalar = 1000.0,
         jobs: int | None = None,
     ) -> Simulation:
-        """Begin a dynamic run that you take forward yourself.
+        """Begin a dynamic run that the caller advances.
 
         Parameters
         ----------
         operation
-            The operation; the case's only one where none is named.
+            The operation; the only one of the case by default.
         checkpoint
-            What :meth:`Simulation.checkpoint` gave: the run continues from there, to the same
-            bits.
+            Bytes from :meth:`Simulation.checkpoint`; the run continues from them with bit-identical
+            results.
         bit_law
-            How the rock answers the bit, in place of the case's law: a function of a
-            :class:`BitReading` that gives the depth of cut per revolution, m, and the torque, N·m.
-            Between two questions both are in proportion to the weight, and the rate of penetration
-            to the speed: exact of a law that is so, of others an error in proportion to the time
-            between. The rock front keeps the stiffness that the case has for it.
+            Bit-rock law in place of the law of the case: a function of a :class:`BitReading` that
+            returns the depth of cut per revolution, m, and the torque, N·m. Between two calls both
+            are scaled in proportion to the weight, and the rate of penetration to the speed. This
+            is exact for a proportional law; for others the error is proportional to the interval
+            between calls. The rock front keeps the stiffness from the case.
         excitation
-            What shakes the bit: a function of a :class:`ShakeReading` that gives how much deeper
-            the rock front stands, m, and by which part the torque is larger. It is asked a period
-            ahead and followed on a straight line, to the second order in the period.
+            Excitation of the bit: a function of a :class:`ShakeReading` that returns the added
+            depth of the rock front, m, and the relative increase of the torque. It is evaluated
+            one period ahead and interpolated linearly, which is second order in the period.
         rate
-            How often they are asked: ``"1 kHz"``, or 1/s; once a step at most.
+            Rate of calls to both functions: ``"1 kHz"``, or 1/s; at most one call per step.
         jobs
-            Threads that work on solid rock under the bit; one per core by default.
+            Number of threads for solid rock under the bit; one per core by default.
 
         Raises
         ------
         FolderError
-            If the checkpoint is of another case, or of other laws: by their names and their rate.
+            If the checkpoint is of another case, or of laws with other names or another rate.
         InputError
-            If the case has no such operation, or its bit no law to follow.
+            If the case has no such operation, or no bit-rock law that a function can replace.
 
         Examples
         --------

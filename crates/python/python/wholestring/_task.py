@@ -1,4 +1,4 @@
-"""Cases of a sweep as a worker solves them: in another process, or on another machine."""
+"""Cases of a sweep for a worker in another process or on another machine."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from .errors import Error, FolderError
 
 @dataclass(frozen=True, kw_only=True)
 class Job:
-    """What all cases of a sweep have in common.
+    """Data common to all cases of a sweep.
 
     Attributes
     ----------
     name, text, files
-        The case that is varied, and the files that it names.
+        The case that is varied, and the files that it refers to.
     keep, csv, checkpoint_s
-        What is kept of each case, and how often it is written to a checkpoint.
+        Files kept for each case, and the interval between checkpoints.
     running
-        A file in the sweep's folder that is there as long as the sweep goes on.
+        A file in the folder of the sweep that exists while the sweep runs.
     shared
-        Whether workers write to the sweep's folder themselves; ``None``: whoever sees it does.
+        Whether workers write to the folder of the sweep; ``None``: those that see it do.
     version
-        The version of this package that asks.
+        The version of this package in the process that submits.
     """
 
     name: str
@@ -57,7 +57,7 @@ class Task:
 
 @dataclass(frozen=True, kw_only=True)
 class Solved:
-    """How a case ended; with its files where the worker does not see the sweep's folder."""
+    """Outcome of a case, with its files if the worker does not see the folder of the sweep."""
 
     number: int
     ended: bytes
@@ -66,18 +66,18 @@ class Solved:
 
 @dataclass(kw_only=True)
 class Done:
-    """What came of a bundle of cases.
+    """Results of a bundle of cases.
 
     Attributes
     ----------
     solved
         The cases that were solved, from the first on.
     warnings
-        What was said meanwhile.
+        Messages received meanwhile.
     took_s
         Wall-clock time.
     stopped
-        Whether the folder of the sweep was there, and the sweep had ended.
+        Whether the folder of the sweep existed and the sweep had ended.
     """
 
     solved: list[Solved] = field(default_factory=list[Solved])
@@ -86,15 +86,15 @@ class Done:
     stopped: bool = False
 
     def said(self, is_warning: bool, sentence: str) -> None:
-        """Hear a sentence."""
+        """Receive a message."""
         if is_warning:
             self.warnings.append(sentence)
 
     def progress(self, name: str, time_s: float, end_s: float) -> None:
-        """Hear how far a simulation has come: nobody looks here."""
+        """Receive the progress of a simulation, which is not displayed here."""
 
-    def batch(self, ended: int, of: int, part: float) -> None:
-        """Hear how far a batch has come: nobody looks here."""
+    def batch(self, ended: int, cases: int, part: float) -> None:
+        """Receive the progress of a batch, which is not displayed here."""
 
 
 @functools.lru_cache(maxsize=4)
@@ -114,7 +114,7 @@ def solve(job: bytes, tasks: Sequence[Task]) -> Done:
     Parameters
     ----------
     job
-        A :class:`Job`, pickled: workers open it once.
+        A pickled :class:`Job`, which a worker opens once.
     tasks
         The cases.
     """
@@ -131,11 +131,11 @@ def solve(job: bytes, tasks: Sequence[Task]) -> Done:
                 f"the worker on {socket.gethostname()} does not see {running.parent}: with "
                 "shared_folder=False it sends the files of its cases back"
             )
-        cases = [(of.name, of.changes, of.folder) for of in tasks]
+        cases = [(task.name, task.changes, task.folder) for task in tasks]
         ended = _solve(held, variations, cases, running, done)
         done.solved = [
-            Solved(number=of.number, ended=how, files=None)
-            for of, how in zip(tasks, ended, strict=False)
+            Solved(number=task.number, ended=how, files=None)
+            for task, how in zip(tasks, ended, strict=False)
         ]
     else:
         with tempfile.TemporaryDirectory(prefix="wholestring-") as place:
@@ -147,16 +147,19 @@ def solve(job: bytes, tasks: Sequence[Task]) -> Done:
 def _solve_apart(
     held: Job, variations: _core.Variations, tasks: Sequence[Task], place: Path, done: Done
 ) -> list[Solved]:
-    folders = [place / str(of.number) for of in tasks]
-    for of, folder in zip(tasks, folders, strict=True):
+    folders = [place / str(task.number) for task in tasks]
+    for task, folder in zip(tasks, folders, strict=True):
         folder.mkdir()
-        for name, content in of.begun:
+        for name, content in task.begun:
             (folder / name).write_bytes(content)
-    cases = [(of.name, of.changes, str(folder)) for of, folder in zip(tasks, folders, strict=True)]
+    cases = [
+        (task.name, task.changes, str(folder))
+        for task, folder in zip(tasks, folders, strict=True)
+    ]
     ended = _solve(held, variations, cases, None, done)
     return [
         Solved(
-            number=of.number,
+            number=task.number,
             ended=how,
             files=[
                 (file.name, file.read_bytes())
@@ -164,7 +167,7 @@ def _solve_apart(
                 if file.is_file()
             ],
         )
-        for of, folder, how in zip(tasks, folders, ended, strict=False)
+        for task, folder, how in zip(tasks, folders, ended, strict=False)
     ]
 
 

@@ -1,4 +1,4 @@
-"""Values of Python as TOML has them."""
+"""Conversion of Python values to TOML."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 @runtime_checkable
 class Quantity(Protocol):
-    """A number with a unit, such as one of pint: ``.to(unit)`` gives it in another unit.
+    """A number with a unit, such as one of pint: ``.to(unit)`` converts it to another unit.
 
     Examples
     --------
@@ -37,7 +37,7 @@ class Quantity(Protocol):
     """
 
     def to(self, unit: str, /) -> Any:
-        """Give the same quantity in this unit.
+        """Return the same quantity in this unit.
 
         Parameters
         ----------
@@ -56,15 +56,15 @@ class Quantity(Protocol):
 Scalar: TypeAlias = "str | SupportsFloat | Quantity"
 """A value of a key: a text, a number in SI, or a quantity.
 
-A number is Python's, NumPy's or pandas' own, of whatever precision, or an array without dimensions.
+A number is one of Python, NumPy or pandas in any precision, or an array without dimensions.
 """
 
 Value: TypeAlias = "Scalar | NDArray[Any] | Iterable[Value] | Mapping[str, Value] | None"
-"""A value of a key, a list or a table of such; ``None`` removes a key."""
+"""A value of a key, a list or a table of values; ``None`` removes a key."""
 
 
 def plain(value: object) -> Any:
-    """Return numbers, arrays and series of other libraries as Python has them.
+    """Return numbers, arrays and series of other libraries as Python numbers and lists.
 
     >>> import numpy as np
     >>> plain(np.float32(0.5)), plain(np.array(3)), plain(np.linspace(0.0, 1.0, 3))
@@ -80,13 +80,13 @@ def plain(value: object) -> Any:
 
 
 def _is_quantity(value: object) -> bool:
-    """Tell a number with a unit from arrays of other libraries that also have a ``to``."""
+    """Return whether a value is a number with a unit, not an array that also has a ``to``."""
     has_unit = hasattr(value, "magnitude") or hasattr(value, "unit")
     return isinstance(value, Quantity) and (has_unit or not hasattr(value, "tolist"))
 
 
 def _magnitude(value: Quantity, unit: str, name: str) -> Any:
-    """Return what a quantity is in a unit, as Python has it."""
+    """Return the magnitude of a quantity in a unit, as a Python number or list."""
     try:
         found = value.to(unit)
     except Exception as error:
@@ -96,7 +96,7 @@ def _magnitude(value: Quantity, unit: str, name: str) -> Any:
 
 
 def for_pint(symbol: str) -> str:
-    """Give a unit as pint writes it: ``m3/s`` is ``m**3/s``, ``N.m`` is ``N*m``.
+    """Return a unit in the notation of pint: ``m3/s`` is ``m**3/s``, ``N.m`` is ``N*m``.
 
     >>> for_pint("kg.m2"), for_pint("1/s"), for_pint("m3/s")
     ('kg*m**2', '1/s', 'm**3/s')
@@ -105,10 +105,10 @@ def for_pint(symbol: str) -> str:
 
 
 def toml(value: object, key: str) -> str:
-    """Give a value as TOML; ``key`` is the dotted key that it is for.
+    """Return a value as TOML; ``key`` is its dotted key.
 
-    A number of a key that has a unit is SI and is written with it. A rotary speed is in rev/min, as
-    in a case file: its keys are called ``rpm``.
+    A number of a key that has a unit is SI and is written with the unit. A rotary speed is in
+    rev/min as in a case file, where its keys are called ``rpm``.
 
     >>> import numpy as np
     >>> toml({"kinetic": 0.3}, "well.hole.0.friction"), toml("300 m", "bit_depth")
@@ -144,7 +144,7 @@ def toml(value: object, key: str) -> str:
 
 def _quantity(value: Quantity, key: str) -> str:
     unit = _core.unit_of(key)
-    # What has a bare number in rev/min has a quantity in SI all the same.
+    # A key whose bare numbers are in rev/min still takes quantities in SI.
     unit = "rad/s" if unit == REV_PER_MIN else unit
     found = _magnitude(value, "dimensionless" if unit is None else for_pint(unit), f"`{key}`")
     if isinstance(found, Iterable):
@@ -154,27 +154,27 @@ def _quantity(value: Quantity, key: str) -> str:
 
 
 def number(value: float, key: str, unit: str | None = None) -> str:
-    """Return a number as TOML, with the unit that a number of the key has."""
+    """Return a number as TOML, with the unit of numbers of the key."""
     if not math.isfinite(value):
         raise InputError(f"`{key}` was given {value}: expected a finite number")
-    # NumPy's numbers are Python's, but for how they are written.
+    # Numbers of NumPy are those of Python except for their `repr`.
     bare = int(value) if isinstance(value, int) else float(value)
     unit = unit or _core.unit_of(key)
     return repr(bare) if unit is None else f'"{bare!r} {unit}"'
 
 
 def text(value: str) -> str:
-    r"""Give a text as TOML.
+    r"""Return a text as TOML.
 
     >>> print(text('8-1/2" \\ \n'))
     "8-1/2\" \\ \n"
     """
-    # JSON's escapes are TOML's, but for surrogates.
+    # The escapes of JSON are those of TOML, except for surrogates.
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def document(table: Mapping[str, Value]) -> str:
-    """Give a table of tables as a TOML document."""
+    """Return a table of tables as a TOML document."""
     lines: list[str] = []
     table = {key: value for key, value in table.items() if value is not None}
     for key, value in table.items():
@@ -197,18 +197,19 @@ Change: TypeAlias = "tuple[str, str | None]"
 
 
 def changes(table: Mapping[str, Value], keywords: Mapping[str, Value]) -> list[Change]:
-    """Return the keys and TOML values of changes; in a keyword, ``__`` stands for a dot.
+    """Return the keys and TOML values of changes; in a keyword, ``__`` is a dot.
 
     >>> changes({"mud.density": 1200.0}, {"operation__wob": None})
     [('mud.density', '"1200.0 kg/m3"'), ('operation.wob', None)]
     """
-    given = [*table.items(), *((word.replace("__", "."), of) for word, of in keywords.items())]
-    refuse_conflicts([key for key, _ in given])
-    return [(key, None if value is None else toml(value, key)) for key, value in given]
+    named = ((word.replace("__", "."), value) for word, value in keywords.items())
+    items = [*table.items(), *named]
+    refuse_conflicts([key for key, _ in items])
+    return [(key, None if value is None else toml(value, key)) for key, value in items]
 
 
 def refuse_conflicts(keys: Sequence[str]) -> None:
-    """Refuse keys of which two set the same thing: which of both holds, nobody could tell.
+    """Refuse keys of which two set the same value, because the result would be ambiguous.
 
     >>> refuse_conflicts(["friction", "well.hole.1.diameter"])
     >>> refuse_conflicts(["friction", "well.hole.1.friction"])
@@ -221,9 +222,9 @@ def refuse_conflicts(keys: Sequence[str]) -> None:
         for other, others in seen:
             pairs = zip(parts, others, strict=False)
             if all(one == two or "*" in (one, two) for one, two in pairs):
-                what = f"`{key}` twice" if key == other else f"`{other}` and `{key}`"
+                pair = f"`{key}` twice" if key == other else f"`{other}` and `{key}`"
                 raise InputError(
-                    f"{what} set the same key: give one of them, or one after the other to a "
+                    f"{pair} set the same key: give one of them, or one after the other to a "
                     "`with_` of its own"
                 )
         seen.append((key, parts))
@@ -244,7 +245,7 @@ def si(value: Scalar, dimension: str) -> float:
     return real(plain(value), dimension)
 
 
-def real(value: object, what: str) -> float:
+def real(value: object, noun: str) -> float:
     """Return a number.
 
     >>> import numpy as np
@@ -255,14 +256,14 @@ def real(value: object, what: str) -> float:
     if isinstance(value, SupportsFloat) and not isinstance(value, str):
         return float(value)
     expected = "a text with a unit, a number in SI or a quantity"
-    raise InputTypeError(f"a {what} was given {value!r}: expected {expected}")
+    raise InputTypeError(f"a {noun} was given {value!r}: expected {expected}")
 
 
 REV_PER_MIN = "rpm"
 
 
 def rotary_speed(name: str, value: Scalar | None) -> float | None:
-    """Return a rotary speed in rad/s of which a number is in rev/min.
+    """Return a rotary speed in rad/s; a bare number is in rev/min.
 
     >>> round(rotary_speed("rpm", 120), 3), rotary_speed("rpm", "12 rad/s")
     (12.566, 12.0)
@@ -276,7 +277,7 @@ def rotary_speed(name: str, value: Scalar | None) -> float | None:
 
 
 def option(name: str, value: Scalar | None, dimension: str) -> float | None:
-    """Give the value of an option in SI.
+    """Return the value of an option in SI.
 
     >>> option("to", "6 km", "length"), option("to", None, "length")
     (6000.0, None)
@@ -293,7 +294,7 @@ def option(name: str, value: Scalar | None, dimension: str) -> float | None:
 
 
 def options(name: str, value: object, dimension: str) -> list[float] | None:
-    """Give the values of an option in SI: one, several, or a text with several.
+    """Return the values of an option in SI: one, several, or a text with several.
 
     >>> options("bit_depths", "1000m..2000m/500m", "length")
     [1000.0, 1500.0, 2000.0]
@@ -313,37 +314,37 @@ def options(name: str, value: object, dimension: str) -> list[float] | None:
     return [one for one in found if one is not None]
 
 
-def factors(name: str, given: object) -> list[float]:
+def factors(name: str, value: object) -> list[float]:
     """Return friction factors: one, several, or a text with several.
 
     >>> import numpy as np
     >>> factors("friction", "0.2, 0.3"), factors("friction", np.array([0.25])), factors("f", None)
     ([0.2, 0.3], [0.25], [])
     """
-    if given is None:
+    if value is None:
         return []
-    if isinstance(given, str):
-        return [_factor(name, part) for part in given.split(",")]
-    if _is_quantity(given):
-        given = _magnitude(cast("Quantity", given), "dimensionless", f"`{name}`")
-    given = plain(given)
-    several = cast("Iterable[object]", given if isinstance(given, Iterable) else [given])
+    if isinstance(value, str):
+        return [_factor(name, part) for part in value.split(",")]
+    if _is_quantity(value):
+        value = _magnitude(cast("Quantity", value), "dimensionless", f"`{name}`")
+    value = plain(value)
+    several = cast("Iterable[object]", value if isinstance(value, Iterable) else [value])
     return [_factor(name, one) for one in several]
 
 
-def _factor(name: str, given: object) -> float:
-    if _is_quantity(given):
-        given = _magnitude(cast("Quantity", given), "dimensionless", f"`{name}`")
+def _factor(name: str, value: object) -> float:
+    if _is_quantity(value):
+        value = _magnitude(cast("Quantity", value), "dimensionless", f"`{name}`")
     try:
-        return float(cast("float", given))
+        return float(cast("float", value))
     except (TypeError, ValueError):
-        shown = given.strip() if isinstance(given, str) else given
-        message = f"`{name}`: {shown!r} is no friction factor: expected such as 0.3"
+        literal = value.strip() if isinstance(value, str) else value
+        message = f"`{name}`: {literal!r} is no friction factor: expected such as 0.3"
         raise InputError(message) from None
 
 
 def written(name: str, value: Scalar | None, dimension: str) -> str | None:
-    """Give the value of an option as a text with its unit.
+    """Return the value of an option as a text with its unit.
 
     >>> written("weight_error", 12e3, "force"), written("weight_error", "12 kN", "force")
     ('12000.0 N', '12 kN')

@@ -1,4 +1,4 @@
-"""Warnings that point to the line of the user's."""
+"""Warnings that point to the line of the user's code."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _PACKAGE = os.path.dirname(__file__)
 
 
 def outside() -> int:
-    """Return the ``stacklevel`` of the nearest line outside this package, for who calls this."""
+    """Return the ``stacklevel`` of the nearest line outside this package, for the caller."""
     frame, level = sys._getframe(1), 1
     while frame.f_back is not None and frame.f_code.co_filename.startswith(_PACKAGE):
         frame, level = frame.f_back, level + 1
@@ -21,7 +21,7 @@ def outside() -> int:
 
 
 def warn(found: Iterable[Diagnostic], besides: Iterable[Diagnostic] = ()) -> None:
-    """Pass warnings of a case on to Python's, but for those that are known."""
+    """Issue the warnings of a case as Python warnings, except the known ones."""
     known = {one.message for one in besides}
     for one in found:
         if one.severity == "warning" and one.message not in known:

@@ -1,4 +1,4 @@
-"""Static analysis of the bottom-hole assembly, its small motions, and the bit alone on its rock."""
+"""Static analysis of the assembly, linear vibration, and the bit alone on its rock."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class Bha(BaseResults):
     """Static analysis of the bottom-hole assembly: side force, contacts, bending, sag.
 
-    :meth:`Case.bha` solves it.
+    :meth:`Case.bha` returns one.
 
     Examples
     --------
@@ -42,7 +42,7 @@ class Bha(BaseResults):
 
     @property
     def contacts(self) -> Table:
-        """Where it touches the wall."""
+        """Contacts of the assembly with the wall."""
         return self.table("bha_contacts")
 
     @property
@@ -119,7 +119,7 @@ class Bha(BaseResults):
 class Modes(BaseResults):
     """Natural frequencies, critical speeds and the response to a rotating force.
 
-    :meth:`Case.modes` finds them.
+    :meth:`Case.modes` returns them.
 
     Examples
     --------
@@ -127,7 +127,7 @@ class Modes(BaseResults):
     >>> case = ws.Case.example().with_(mesh__element_length="20 m", modes__count=2)
     >>> modes = case.modes(operation="rotate_off_bottom")
     >>> torsional = modes.frequencies_Hz("torsional")
-    >>> bool(torsional[0] < 0.65)  # of a uniform rod of 1200 m: collars make it slower
+    >>> bool(torsional[0] < 0.65)  # 0.65 Hz: a uniform rod of 1200 m; collars lower it
     True
     """
 
@@ -141,7 +141,7 @@ class Modes(BaseResults):
 
     @property
     def shapes(self) -> Table:
-        """Their shapes along the string."""
+        """Mode shapes along the string."""
         return self.table("mode_shapes")
 
     @property
@@ -161,7 +161,7 @@ class Modes(BaseResults):
 
     @property
     def operation(self) -> str:
-        """The operation whose string at rest it is."""
+        """The operation whose static equilibrium the modes are about."""
         return str(self.summary["operation"])
 
     @property
@@ -170,7 +170,7 @@ class Modes(BaseResults):
         return float(self.summary["rotary_speed_rad_per_s"])
 
     def frequencies_Hz(self, family: str) -> NDArray[np.float64]:
-        """Give the natural frequencies of a family, Hz.
+        """Return the natural frequencies of a family, Hz.
 
         Parameters
         ----------
@@ -188,26 +188,30 @@ class Modes(BaseResults):
         families = ("lateral", "axial", "torsional")
         if family not in families:
             raise InputError(f"`family` was given {family!r}: expected one of {families}")
-        found = [of["frequency_Hz"] for of in self.summary["modes"] if of["family"] == family]
+        found = [mode["frequency_Hz"] for mode in self.summary["modes"] if mode["family"] == family]
         return np.array(found, dtype=np.float64)
 
     @property
     def critical_speeds_rad_per_s(self) -> NDArray[np.float64]:
-        """Critical rotary speeds, rad/s, growing."""
-        found = [of["rotary_speed_rad_per_s"] for of in self.summary["critical_speeds"]]
+        """Critical rotary speeds in ascending order, rad/s."""
+        found = [speed["rotary_speed_rad_per_s"] for speed in self.summary["critical_speeds"]]
         return np.array(sorted(found), dtype=np.float64)
 
     def _facts(self) -> Sequence[tuple[str, str]]:
         lowest = (
             (family, self.frequencies_Hz(family)) for family in ("lateral", "axial", "torsional")
         )
-        return [(f"lowest {family}", f"{of.min():.4g} Hz") for family, of in lowest if of.size]
+        return [
+            (f"lowest {family}", f"{values.min():.4g} Hz")
+            for family, values in lowest
+            if values.size
+        ]
 
 
 class BitTest(BaseResults):
-    """The bit alone on its rock, under every weight at every speed.
+    """The bit alone on its rock, at every combination of weight and speed.
 
-    :meth:`Case.bit_test` makes one.
+    :meth:`Case.bit_test` returns one.
 
     Examples
     --------
@@ -235,7 +239,7 @@ class BitTest(BaseResults):
 
     @property
     def points(self) -> Table:
-        """Rate, torque and more, a row for each weight and speed."""
+        """Rate of penetration, torque and more, a row for each weight and speed."""
         return self.table("bit-test")
 
     @property
@@ -250,13 +254,13 @@ class BitTest(BaseResults):
 
     @property
     def law_file(self) -> Path | None:
-        """The table that the bit law ``"table"`` of a case reads; ``None`` until all is drilled."""
+        """File for the bit law ``"table"`` of a case; ``None`` until all points are drilled."""
         folder = self.folder
         file = None if folder is None else folder / "bit-table.csv"
         return file if file is not None and file.is_file() else None
 
     def _facts(self) -> Sequence[tuple[str, str]]:
         points = self.summary["points"]
-        done = sum(of["status"] == "complete" for of in points)
+        done = sum(point["status"] == "complete" for point in points)
         strength_MPa = self.rock_strength_Pa / 1e6
         return [("points", f"{done} of {len(points)}"), ("rock", f"{strength_MPa:.4g} MPa")]

@@ -1,4 +1,4 @@
-"""Friction from what was read at the surface."""
+"""Friction from readings at the surface."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ D = TypeVar("D", bound=Checked)
 
 @dataclass(frozen=True, kw_only=True)
 class Estimate:
-    """A number that was looked for.
+    """One estimated parameter.
 
     Attributes
     ----------
     parameter
-        Its name: ``"friction_open"``, ``"block_weight_N"``.
+        Name of the parameter: ``"friction_open"``, ``"block_weight_N"``.
     words
-        The same in words.
+        The name in words.
     value
-        What was found, SI.
+        Estimated value, SI.
     standard_error
-        How far it may be off; ``None`` where it is held at a bound.
+        Standard error of the value; ``None`` where it is at a bound.
     interval
-        Ends of its confidence interval; ``None`` where one was not found.
+        Ends of the confidence interval; ``None`` for an end that was not found.
     at_bound
-        Whether it lies at an end of what it may be.
+        Whether the value is at a bound of its range.
 
     Examples
     --------
@@ -65,9 +65,9 @@ class Estimate:
     at_bound: bool
 
 
-def _estimate(of: dict[str, Any]) -> Estimate:
-    lower, upper = of.pop("interval")
-    return Estimate(**of, interval=(lower, upper))
+def _estimate(row: dict[str, Any]) -> Estimate:
+    lower, upper = row.pop("interval")
+    return Estimate(**row, interval=(lower, upper))
 
 
 def _with_case(
@@ -81,11 +81,11 @@ def _with_case(
 class Calibration(BaseResults, Generic[C]):
     """Friction factors, block weight and bit torque from readings at the surface.
 
-    :meth:`Case.calibrate` makes one.
+    :meth:`Case.calibrate` returns one.
 
     Examples
     --------
-    Readings that the slant well of the examples would give with more friction:
+    Readings of the slant well of the examples, computed with more friction:
 
     >>> import wholestring as ws
     >>> case = ws.Case.example().with_(rig__block_weight="200 kN")
@@ -114,25 +114,25 @@ class Calibration(BaseResults, Generic[C]):
 
     @property
     def estimates(self) -> tuple[Estimate, ...]:
-        """What was looked for, with what was found."""
-        return tuple(_estimate(dict(of)) for of in self.summary["estimates"])
+        """The estimated parameters with their values."""
+        return tuple(_estimate(dict(row)) for row in self.summary["estimates"])
 
     def __getitem__(self, parameter: str) -> Estimate:
-        """Give what was found of a number, by its name."""
-        for of in self.estimates:
-            if parameter == of.parameter:
-                return of
-        there = ", ".join(of.parameter for of in self.estimates)
-        raise NotFoundError(f"{parameter!r} was not looked for: looked for were {there}")
+        """Return the estimate of a parameter by its name."""
+        for estimate in self.estimates:
+            if parameter == estimate.parameter:
+                return estimate
+        there = ", ".join(estimate.parameter for estimate in self.estimates)
+        raise NotFoundError(f"{parameter!r} is not an estimated parameter: there are {there}")
 
     @property
     def held(self) -> Mapping[str, float]:
-        """What was held, by name, SI."""
+        """Parameters that were kept fixed, by name, SI."""
         return dict(self.summary["held"])
 
     def _found(self, *parameters: str) -> float | None:
         held = self.held
-        values = {of.parameter: of.value for of in self.estimates}
+        values = {estimate.parameter: estimate.value for estimate in self.estimates}
         for name in parameters:
             if name in values or name in held:
                 return float(values.get(name, held.get(name, 0.0)))
@@ -140,22 +140,22 @@ class Calibration(BaseResults, Generic[C]):
 
     @property
     def friction_cased(self) -> float | None:
-        """Friction factor of casing along the hole, found or held."""
+        """Axial friction factor of casing, estimated or fixed."""
         return self._found("friction_cased", "friction")
 
     @property
     def friction_open(self) -> float | None:
-        """Friction factor of open hole along the hole, found or held."""
+        """Axial friction factor of open hole, estimated or fixed."""
         return self._found("friction_open", "friction")
 
     @property
     def block_weight_N(self) -> float | None:
-        """Weight of the block, found or held, N."""
+        """Weight of the block, estimated or fixed, N."""
         return self._found("block_weight_N")
 
     @property
     def bit_torque_N_m(self) -> float | None:
-        """Torque of the bit on bottom, found or held, N.m."""
+        """Torque of the bit on bottom, estimated or fixed, N.m."""
         return self._found("bit_torque_N_m")
 
     @property
@@ -165,18 +165,18 @@ class Calibration(BaseResults, Generic[C]):
 
     @property
     def covariance(self) -> NDArray[np.float64]:
-        """Covariances of the estimates, SI; zero of one that is held at a bound."""
-        errors = np.array([of.standard_error or 0.0 for of in self.estimates])
+        """Covariances of the estimates, SI; zero for one that is at a bound."""
+        errors = np.array([estimate.standard_error or 0.0 for estimate in self.estimates])
         return np.asarray(self.correlation * np.outer(errors, errors))
 
     @property
     def residuals(self) -> Table:
-        """What was read, beside what is predicted."""
+        """Readings and the corresponding predictions."""
         return self.table("calibration")
 
     @property
     def posterior(self) -> Table:
-        """By how much the fit is worse with each number held elsewhere.
+        """Loss of fit with each parameter fixed at other values.
 
         ``excess`` is the likelihood ratio in units of chi-square: with a flat prior the profile of
         the posterior density is ``exp(-excess / 2)``.
@@ -190,41 +190,42 @@ class Calibration(BaseResults, Generic[C]):
 
     @property
     def changes(self) -> Mapping[str, str]:
-        """Keys of the case with what was found, as TOML has it, to 4 decimals."""
+        """Keys of the case with the estimates as TOML, to 4 decimals."""
         folder = self.folder
         return {} if folder is None else dict(_core.calibrated(folder))
 
     @property
     def case(self) -> C:
-        """The case with the friction that was found.
+        """The case with the estimated friction.
 
         Raises
         ------
         ValueError
-            If it was loaded from a folder, which has no case file: :meth:`applied_to` takes one.
+            If the calibration was loaded from a folder, which has no case file; pass the case to
+            :meth:`applied_to`.
         """
         if self._calibrated is None:
-            message = "a folder has no case file: give one to `applied_to`"
+            message = "a folder has no case file: pass the case to `applied_to`"
             raise InputError(message)
         return self._calibrated
 
     @property
     def toml(self) -> str:
-        """The case file with the friction that was found."""
+        """The case file with the estimated friction."""
         return self.case.to_toml()
 
     def applied_to(self, case: D) -> D:
-        """Give a case with the friction that was found.
+        """Return a case with the estimated friction.
 
         Parameters
         ----------
         case
-            One with the same hole sections.
+            A case with the same hole sections.
 
         Raises
         ------
         CaseError
-            If it has fewer.
+            If the case has fewer hole sections.
 
         Examples
         --------
@@ -244,11 +245,14 @@ class Calibration(BaseResults, Generic[C]):
 
     @property
     def case_name(self) -> str:
-        """What the first case is called."""
+        """Name of the first case."""
         return str(self.summary["cases"][0])
 
     def _facts(self) -> Sequence[tuple[str, str]]:
-        def error(of: Estimate) -> str:
-            return "" if of.standard_error is None else f" ± {of.standard_error:.4g}"
+        def error(estimate: Estimate) -> str:
+            return "" if estimate.standard_error is None else f" ± {estimate.standard_error:.4g}"
 
-        return [(of.parameter, f"{of.value:.6g}{error(of)}") for of in self.estimates]
+        return [
+            (estimate.parameter, f"{estimate.value:.6g}{error(estimate)}")
+            for estimate in self.estimates
+        ]

@@ -20,26 +20,26 @@ from .errors import CaseError, Diagnostic, InputError, NotFoundError
 from .importing import import_files
 from .table import Table
 
-# What a survey is called that was given as a table.
+# Name of a survey that was passed as a table.
 _SURVEY = "survey.csv"
 
 
 class Case(Solving, Planning, Assemblies):
-    """A case in which everything has been checked. It is immutable.
+    """A fully checked case. It is immutable.
 
     Parameters
     ----------
     text
-        A case file's text.
+        Text of a case file.
     name
-        What errors call the text.
+        Name of the text in error messages.
     files
-        The files that it names, such as its survey, each by the name that it has there.
+        Contents of the files that it refers to, such as its survey, by their names in the case.
 
     Raises
     ------
     CaseError
-        With all mistakes of the case, each with its place.
+        If the case has mistakes: all of them, each with its place.
 
     Examples
     --------
@@ -63,7 +63,7 @@ class Case(Solving, Planning, Assemblies):
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Case:
-        """Read a case file, and the files that it names.
+        """Read a case file and the files that it refers to.
 
         Parameters
         ----------
@@ -73,7 +73,7 @@ class Case(Solving, Planning, Assemblies):
         Raises
         ------
         CaseError
-            With all mistakes of the case, each with its place.
+            If the case has mistakes: all of them, each with its place.
 
         Examples
         --------
@@ -98,27 +98,27 @@ class Case(Solving, Planning, Assemblies):
         picks: Mapping[str, str] | None = None,
         changes: Mapping[str, Value] | None = None,
     ) -> Case:
-        r"""Make a case of the files of other programs: :func:`import_files`, and what they lack.
+        r"""Make a case from the files of other programs, with :func:`import_files`, and add values.
 
         Parameters
         ----------
         *files
             Surveys, tallies, WITSML, Landmark EDM, logs. Several files make one case.
         units
-            Units that the files do not tell: ``{"md": "ft"}``.
+            Units that are missing in the files: ``{"md": "ft"}``.
         values
-            Values that no file tells and that are asked for: ``{"block-weight": "25 tf"}``.
+            Required values that are missing in the files: ``{"block-weight": "25 tf"}``.
         picks
-            Which of several is meant: ``{"tubular": "BHA 7"}``.
+            Choice among several in a file: ``{"tubular": "BHA 7"}``.
         changes
-            Dotted keys of the case and their values, as :meth:`with_` takes them.
+            Dotted keys of the case and their values, as for :meth:`with_`.
 
         Raises
         ------
         InputError
-            If a file is not one that is known, or does not tell what is needed of it.
+            If the format of a file is unknown, or required data are missing in it.
         CaseError
-            If the files lack something that a case needs.
+            If data that a case requires are missing in all files.
 
         Examples
         --------
@@ -144,10 +144,10 @@ class Case(Solving, Planning, Assemblies):
         name: str = "case",
         files: Mapping[str, bytes] | None = None,
     ) -> Case:
-        """Make a case of Python objects: the tables and keys of a case file.
+        """Make a case from Python objects: the tables and keys of a case file.
 
-        Numbers are SI, but for rotary speeds, which are in rev/min as in a case file. Texts may
-        have units, and so may quantities of pint. A key that is ``None`` is left out.
+        Numbers are SI, except rotary speeds, which are in rev/min as in a case file. Texts and
+        quantities of pint may have other units. A key that is ``None`` is left out.
 
         Parameters
         ----------
@@ -155,13 +155,13 @@ class Case(Solving, Planning, Assemblies):
             The case: ``{"mud": {"density": 1200.0}, "string": [{...}], ...}``.
         survey
             The stations of the well: a list or an array with a row for each, measured depth in m,
-            inclination and azimuth in degrees, as ``well.stations`` has them; or a data frame of
+            inclination and azimuth in degrees, as in ``well.stations``; or a data frame of
             polars or pandas, or columns, with units in their names: ``md_m``, ``inc_deg``,
             ``azi_deg``.
         name
-            What errors call it.
+            Name of the case in error messages.
         files
-            The files that it names, each by the name that it has there.
+            Contents of the files that it refers to, by their names in the case.
 
         Examples
         --------
@@ -202,18 +202,18 @@ class Case(Solving, Planning, Assemblies):
 
     @classmethod
     def example(cls, name: str = "slant") -> Case:
-        """Return a case that comes with the package, to try things on: a slant well of 1200 m.
+        """Return an example case of the package: a slant well of 1200 m.
 
         Parameters
         ----------
         name
-            Another one: ``"vertical"``, ``"horizontal"``, ``"np13-x1042"``, ``"forge-16a"``, and so
-            on. :attr:`files` has the files that it comes with.
+            Another example: ``"vertical"``, ``"horizontal"``, ``"np13-x1042"``, ``"forge-16a"`` and
+            others. :attr:`files` has the files of the example.
 
         Raises
         ------
         NotFoundError
-            If there is none of that name.
+            If there is no example of that name.
 
         Examples
         --------
@@ -231,7 +231,7 @@ class Case(Solving, Planning, Assemblies):
         return cls(text, name=f"{name}.toml", files=files)
 
     def with_(self, changes: Mapping[str, Value] | None = None, /, **keys: Value) -> Case:
-        """Make another case: this one with other values.
+        """Return a copy of the case with other values.
 
         Parameters
         ----------
@@ -245,15 +245,15 @@ class Case(Solving, Planning, Assemblies):
         Raises
         ------
         CaseError
-            If the case would not be valid, or has no key that is to be removed.
+            If the case would be invalid, or has no key that is to be removed.
         InputError
-            If two of the keys set the same thing, such as ``friction`` and
+            If two of the keys set the same value, such as ``friction`` and
             ``well.hole.1.friction``.
 
         Notes
         -----
-        A number is SI, but for rotary speeds: ``rpm=120`` is 120 rev/min. ``None`` removes a key,
-        so that its default holds.
+        A number is SI, except for rotary speeds: ``rpm=120`` is 120 rev/min. ``None`` removes a
+        key, so that its default applies.
 
         Examples
         --------
@@ -272,24 +272,24 @@ class Case(Solving, Planning, Assemblies):
     def check(
         self, model: str | Sequence[str] | None = None, operation: str | None = None
     ) -> tuple[Diagnostic, ...]:
-        """Give what there is to say of the case, with other models or another operation too.
+        """Check the case, also for other models or another operation, and return the diagnostics.
 
-        A case is checked as it is made, for the models and operations that it names. Others may
-        need what it does not say, or cannot be solved with what it says: nothing is solved here,
-        and nothing raised.
+        A case is checked when it is made, for its own models and operations. Other models may
+        require keys that are missing, or be unable to solve the case. This method solves nothing
+        and raises no error for mistakes in the case.
 
         Parameters
         ----------
         model
-            ``"soft"``, ``"stiff"`` or ``"dynamic"``, or several; the case's where none is named.
+            ``"soft"``, ``"stiff"`` or ``"dynamic"``, or several; those of the case by default.
         operation
-            The one to be solved; all of the case where none is named.
+            The operation to be solved; all of the case by default.
 
         Returns
         -------
         tuple of Diagnostic
-            Warnings, as the command line's ``check`` has them, and the mistakes for which these
-            models could not solve it. Nothing is to be said of a case without either.
+            Warnings as from the ``check`` command, and the mistakes that prevent these models from
+            solving the case; empty if there are none.
 
         Examples
         --------
@@ -297,7 +297,7 @@ class Case(Solving, Planning, Assemblies):
         >>> case = ws.Case.example()
         >>> case.check()
         ()
-        >>> [of.severity for of in case.check("stiff", "fish")]
+        >>> [diagnostic.severity for diagnostic in case.check("stiff", "fish")]
         ['error']
         """
         models = [model] if isinstance(model, str) else None if model is None else list(model)
@@ -305,22 +305,22 @@ class Case(Solving, Planning, Assemblies):
             found = self._held.check(models, operation)
         except CaseError as error:
             return error.diagnostics
-        return tuple(Diagnostic(**of) for of in found)
+        return tuple(Diagnostic(**diagnostic) for diagnostic in found)
 
     def well_path(self) -> Table:
-        """Give the path of the well from the surface to the bit, as every model has it.
+        """Return the path of the well from the surface to the bit, as used by every model.
 
-        The path is the curve that the case asks for through its stations, tortuosity included.
-        Nothing is solved. :func:`wholestring.plot.well` draws it.
+        The path is the curve through the stations that the case specifies, including tortuosity.
+        No model is solved. :func:`wholestring.plot.well` draws the path.
 
         Returns
         -------
         Table
-            A row for each of some 800 depths, evenly, and for each station. ``md_m`` is measured
-            depth; ``north_m``, ``east_m`` and ``tvd_m`` the place; ``vertical_section_m`` the
-            distance along the closure's direction; ``inclination_rad`` and ``azimuth_rad`` the
-            direction, an azimuth of 0 where it is vertical; ``dogleg_severity_rad_per_m`` the
-            curvature.
+            A row for each of about 800 evenly spaced depths, and for each station. ``md_m`` is
+            measured depth; ``north_m``, ``east_m`` and ``tvd_m`` the position;
+            ``vertical_section_m`` the distance along the closure's direction;
+            ``inclination_rad`` and ``azimuth_rad`` the direction, with azimuth 0 in vertical hole;
+            ``dogleg_severity_rad_per_m`` the curvature.
 
         Examples
         --------
@@ -335,17 +335,17 @@ class Case(Solving, Planning, Assemblies):
 
     @property
     def name(self) -> str:
-        """What the case is called."""
+        """Name of the case."""
         return self._held.name
 
     @property
     def models(self) -> tuple[str, ...]:
-        """The models that the case names."""
+        """The models of the case."""
         return tuple(self._held.models)
 
     @property
     def operations(self) -> tuple[str, ...]:
-        """The operations, in their order."""
+        """The operations of the case, in their order."""
         return tuple(self._held.operations)
 
     @property
@@ -355,12 +355,12 @@ class Case(Solving, Planning, Assemblies):
 
     @property
     def warnings(self) -> tuple[Diagnostic, ...]:
-        """What is probably not meant, but can be computed; Python's warnings have it too."""
+        """Warnings: probably unintended but computable; also issued as Python warnings."""
         return self._warnings()
 
     @property
     def files(self) -> Mapping[str, bytes]:
-        """The files that the case names, as they were read."""
+        """Contents of the files that the case refers to, as they were read."""
         return self._held.files()
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -368,20 +368,20 @@ class Case(Solving, Planning, Assemblies):
         return _restored, (self.to_toml(), self._held.source, dict(self.files))
 
     def __eq__(self, other: object) -> bool:
-        """Tell whether all settings are the same."""
+        """Return whether all settings are the same."""
         if not isinstance(other, Case):
             return NotImplemented
         return self._held.identity() == other._held.identity()
 
     def __hash__(self) -> int:
-        """Give a hash of all settings."""
+        """Return a hash of all settings."""
         return hash(self._held.identity())
 
     def _repr_html_(self) -> str:
         return _case_html.html(self.settings, self._warnings())
 
     def __repr__(self) -> str:
-        """Give its name, models and operations."""
+        """Return a summary with the name, models and operations."""
         return f"<Case {self.name}: {', '.join(self.models)}; {', '.join(self.operations)}>"
 
 
@@ -397,5 +397,5 @@ def _stations(survey: object) -> list[list[float]]:
 
 
 def _restored(text: str, name: str, files: dict[str, bytes]) -> Case:
-    # Who made it has heard of its warnings.
+    # The warnings were issued when the case was made.
     return Case._of(_core.Case.parse(text, name, files))

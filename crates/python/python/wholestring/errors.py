@@ -1,4 +1,4 @@
-"""What can go wrong, and where."""
+"""Errors and warnings of the package."""
 
 from __future__ import annotations
 
@@ -9,22 +9,22 @@ from typing import Any
 
 @dataclass(frozen=True, kw_only=True)
 class Diagnostic:
-    """One mistake in a case, as the command line reports it.
+    """One mistake or warning in a case, as reported by the command line.
 
     Attributes
     ----------
     severity
         ``"error"`` or ``"warning"``.
     message
-        What is wrong, in one sentence.
+        The problem, in one sentence.
     expected
-        What was expected at that place; may be empty.
+        Expected input at that place; may be empty.
     help
-        How to put it right; may be empty.
+        Suggested correction; may be empty.
     file
-        What the text is called in which it stands.
+        Name of the text with the mistake.
     line, column
-        Where it stands, counted from one; ``None`` where it has no place.
+        Place of the mistake, counted from one; ``None`` where it has no place.
 
     Examples
     --------
@@ -47,7 +47,7 @@ class Diagnostic:
 
 
 class Error(Exception):
-    """What all errors of this package are.
+    """Base class of all errors of this package.
 
     Examples
     --------
@@ -63,7 +63,7 @@ class Error(Exception):
 class CaseError(Error, ValueError):
     """A case with mistakes: all of them, each with its place.
 
-    Its text is the command line's, with every place underlined.
+    The message is that of the command line, with every place underlined.
 
     Attributes
     ----------
@@ -88,7 +88,7 @@ class CaseError(Error, ValueError):
 
 
 class InputError(Error, ValueError):
-    """Something that was requested is not possible.
+    """A request that is not possible.
 
     Examples
     --------
@@ -102,7 +102,7 @@ class InputError(Error, ValueError):
 
 
 class InputTypeError(InputError, TypeError):
-    """An argument of a kind that is not taken: a list where a number belongs, and so on.
+    """An argument of an unsupported type, such as a list where a number is expected.
 
     Examples
     --------
@@ -116,7 +116,7 @@ class InputTypeError(InputError, TypeError):
 
 
 class NotFoundError(Error, KeyError):
-    """A name that there is not: of a table, a column, an operation, a case of a sweep.
+    """An unknown name of a table, a column, an operation or a case of a sweep.
 
     Examples
     --------
@@ -129,12 +129,12 @@ class NotFoundError(Error, KeyError):
     """
 
     def __str__(self) -> str:
-        """Return the message as it is: ``KeyError`` quotes it."""
+        """Return the message without the quotes that ``KeyError`` adds."""
         return str(self.args[0]) if self.args else ""
 
 
 class MissingPackageError(Error, ImportError):
-    """Another package is needed and not installed; the message says how to install it.
+    """A required package is not installed; the message has the command to install it.
 
     Examples
     --------
@@ -145,10 +145,10 @@ class MissingPackageError(Error, ImportError):
 
 
 class CaseWarning(UserWarning):
-    """A case has something that is probably not meant, but can be computed.
+    """A warning about a case: probably unintended, but computable.
 
-    Such a warning goes to ``warnings.warn`` once, as the case is made. :attr:`Case.warnings` has
-    them all, each with its place.
+    It is issued with ``warnings.warn`` once, when the case is made. :attr:`Case.warnings` has all
+    warnings, each with its place.
 
     Examples
     --------
@@ -163,7 +163,7 @@ class CaseWarning(UserWarning):
 
 
 class FolderError(Error, OSError):
-    """A folder that results cannot go to, or that cannot be continued.
+    """A folder that results cannot be written to, or that cannot be continued.
 
     Examples
     --------
@@ -175,8 +175,8 @@ class FolderError(Error, OSError):
     ...     try:
     ...         case.with_(friction=0.1).soft().save(saved)
     ...     except ws.FolderError:
-    ...         print("other results lie there")
-    other results lie there
+    ...         print("the folder holds other results")
+    the folder holds other results
     """
 
 
@@ -191,8 +191,8 @@ class ResultsError(Error, OSError):
     ...     try:
     ...         ws.load(place)
     ...     except ws.ResultsError:
-    ...         print("nothing lies there")
-    nothing lies there
+    ...         print("no results")
+    no results
     """
 
 
@@ -202,18 +202,18 @@ class NoAnswerError(Error, ArithmeticError):
     Attributes
     ----------
     results
-        What was computed beside it.
+        Results of the other operations.
 
     Examples
     --------
-    More weight than the string can take in one of two operations:
+    A weight above the capacity of the string in one of two operations:
 
     >>> import wholestring as ws
     >>> case = ws.Case.example().with_(friction=1.2, wob="900 kN")
     >>> try:
     ...     case.with_(operation__kind=["trip_out", "drill"]).stiff()
     ... except ws.NoAnswerError as error:
-    ...     print([of.status for of in error.results])
+    ...     print([operation.status for operation in error.results])
     ['complete', 'failed']
     """
 
@@ -221,12 +221,12 @@ class NoAnswerError(Error, ArithmeticError):
 
 
 class FindingsError(Error, ArithmeticError):
-    """An error was found in an answer, and none was to pass.
+    """A result has an error among its checks, and ``strict`` allows none.
 
     Attributes
     ----------
     results
-        What was computed.
+        Results that were computed.
 
     Examples
     --------
@@ -255,16 +255,16 @@ class FindingsError(Error, ArithmeticError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """The user interrupted the work.
+    """The user interrupted the run.
 
     Attributes
     ----------
     sweep
-        What was solved until then, of a sweep.
+        Cases solved before the interrupt, for a sweep.
 
     Examples
     --------
-    Whoever waits for Python's own interrupt gets this one:
+    A handler of Python's own interrupt also catches this one:
 
     >>> import wholestring as ws
     >>> issubclass(ws.Interrupted, KeyboardInterrupt)
@@ -274,17 +274,17 @@ class Interrupted(KeyboardInterrupt):
     sweep: Any = None
 
     def __init__(self, *args: object, make_results: Callable[[], Any] | None = None) -> None:
-        """Say what was interrupted; results that take long to make are made when asked for."""
+        """Make the exception; ``make_results`` is called when the results are first read."""
         super().__init__(*args)
         self._results: Any = None
-        # The summary of simulated hours takes longer than an interrupt may.
+        # The summary of simulated hours would delay the interrupt.
         self._make_results = make_results
 
     @property
     def results(self) -> Any:
-        """What was computed until then.
+        """Results computed before the interrupt.
 
-        Those of a simulation in hand are made when they are first asked for, as it stands by then.
+        Those of a :class:`Simulation` are made when first read, from its state at that time.
         """
         if self._make_results is not None:
             self._results = self._make_results()
@@ -296,5 +296,5 @@ class Interrupted(KeyboardInterrupt):
         self._results = results
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle what was computed, not how."""
+        """Pickle with the results, not with the function that makes them."""
         return type(self), self.args, {"results": self.results, "sweep": self.sweep}

@@ -15,22 +15,22 @@ if TYPE_CHECKING:
     from ._values import Value
     from .case import Case
 
-# What an imported case is called until it is saved.
+# Name of an imported case until it is saved.
 _NAME = "case"
 
 
 @dataclass(frozen=True, slots=True)
 class ImportNote:
-    """A sentence on how a file was understood.
+    """A note on the interpretation of a file.
 
     Attributes
     ----------
     file
-        The file that it is of; None where it is of all.
+        The file that the note is about; ``None`` for all files.
     kind
         ``"assumed"``, ``"left out"``, ``"checked"`` or ``"read"``.
     text
-        The sentence.
+        The note, a sentence.
 
     Examples
     --------
@@ -46,18 +46,18 @@ class ImportNote:
 
 @dataclass(frozen=True, slots=True)
 class Imported:
-    r"""A case that was made of files.
+    r"""A case that was made from files.
 
     Attributes
     ----------
     text
-        The case file: TOML, each value with where it was found.
+        The case file: TOML, each value with its source.
     files
-        Each file by its name, and what it is.
+        Format of each file, by its name.
     notes
-        What was assumed, left out, checked and read.
+        Notes on the data that were assumed, left out, checked and read.
     missing
-        What the case still needs, in sentences.
+        Data that the case still requires, in sentences.
 
     Examples
     --------
@@ -79,17 +79,17 @@ class Imported:
     _beside: Mapping[str, bytes]
 
     def case(self, changes: Mapping[str, Value] | None = None) -> Case:
-        r"""Give the case, with other values.
+        r"""Return the case, optionally with other values.
 
         Parameters
         ----------
         changes
-            Dotted keys of the case and their values, as :meth:`Case.with_` takes them.
+            Dotted keys of the case and their values, as for :meth:`Case.with_`.
 
         Raises
         ------
         CaseError
-            If something is missing or cannot be.
+            If required data are missing or invalid.
 
         Examples
         --------
@@ -111,7 +111,7 @@ class Imported:
         return case.with_(changes) if changes else case
 
     def save(self, path: str | PathLike[str]) -> Path:
-        r"""Write the case file, and what stands beside it. Nothing is written over.
+        r"""Write the case file and the files that it refers to. No file is overwritten.
 
         Parameters
         ----------
@@ -135,10 +135,10 @@ class Imported:
         for old, new in names.items():
             text = text.replace(f'"{old}"', f'"{new}"')
         whole = {path: text.encode()}
-        whole |= {path.with_name(names[name]): of for name, of in self._beside.items()}
+        whole |= {path.with_name(names[name]): data for name, data in self._beside.items()}
         for there in whole:
             if there.exists():
-                message = f"{there} is there already"
+                message = f"{there} already exists: choose another name or remove it"
                 raise FolderError(message)
         for file, content in whole.items():
             file.write_bytes(content)
@@ -147,14 +147,14 @@ class Imported:
 
 @dataclass(frozen=True, slots=True)
 class Contents:
-    r"""What a file is, and what it holds.
+    r"""Format and content of a file.
 
     Attributes
     ----------
     what
-        What it is: ``"WITSML 1.4.1.1"``.
+        Format of the file: ``"WITSML 1.4.1.1"``.
     lines
-        What it holds, in words.
+        Content of the file, in words.
 
     Examples
     --------
@@ -177,21 +177,21 @@ def import_files(
     values: Mapping[str, str] | None = None,
     picks: Mapping[str, str] | None = None,
 ) -> Imported:
-    r"""Make one case of the files of other programs.
+    r"""Make one case from the files of other programs.
 
     Parameters
     ----------
     *files
-        Surveys and tallies as text or Excel, WITSML, Landmark EDM, LAS and logs. What a file is,
-        its content tells.
+        Surveys and tallies as text or Excel, WITSML, Landmark EDM, LAS and logs. The format of a
+        file is determined from its content.
     units
-        Units that the files do not tell: ``{"md": "ft"}``. Nothing is guessed: a unit that is
-        needed and not told is an error that names it.
+        Units that are missing in the files: ``{"md": "ft"}``. No unit is guessed: a required unit
+        that is missing is an error with its name.
     values
-        Values that no file tells and that are asked for: ``{"block-weight": "25 tf"}``.
+        Required values that are missing in the files: ``{"block-weight": "25 tf"}``.
     picks
-        Which of several is meant: ``{"tubular": "BHA 7"}``; or which file a part of the case is
-        taken from: ``{"survey": "survey.csv"}``.
+        Choice among several in a file: ``{"tubular": "BHA 7"}``; or the file that a part of the
+        case is taken from: ``{"survey": "survey.csv"}``.
 
     Examples
     --------
@@ -207,7 +207,7 @@ def import_files(
     Raises
     ------
     InputError
-        If a file is not one that is known, or does not tell what is needed of it.
+        If the format of a file is unknown, or required data are missing in it.
     """
     found = _core.import_files(
         files, _NAME, dict(units or {}), dict(values or {}), dict(picks or {})
@@ -217,7 +217,7 @@ def import_files(
 
 
 def contents(file: str | PathLike[str]) -> Contents:
-    r"""Tell what a file of another program is, and what it holds.
+    r"""Return the format and the content of a file of another program.
 
     Parameters
     ----------
@@ -227,7 +227,7 @@ def contents(file: str | PathLike[str]) -> Contents:
     Raises
     ------
     InputError
-        If it is none that is known.
+        If the format of the file is unknown.
 
     Examples
     --------
@@ -239,5 +239,5 @@ def contents(file: str | PathLike[str]) -> Contents:
     ...     ws.contents(survey).what
     'a survey of 3 stations'
     """
-    what, lines = _core.contents(file)
-    return Contents(what, tuple(lines))
+    format_name, lines = _core.contents(file)
+    return Contents(format_name, tuple(lines))

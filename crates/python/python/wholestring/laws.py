@@ -1,4 +1,4 @@
-"""Laws of the bit that are Python functions."""
+"""Bit-rock laws and excitations as Python functions."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from .errors import InputTypeError
 
 
 class BitReading(NamedTuple):
-    """What a law of the bit is asked with: how the bit drills at the end of a step.
+    """Argument of a bit-rock law: the state of the bit at the end of a step.
 
     Attributes
     ----------
     time_s
         Time since the start of the run, s.
     weight_on_bit_N
-        Weight on bit, N, more than zero: a bit that is off the rock is not asked.
+        Weight on bit, N; above zero, because the law is not called for a bit off the rock.
     rotary_speed_rad_per_s
         Speed of the bit, motor included, rad/s.
     angle_rad
         Angle through which the bit has turned since the start, rad.
     drilled_m
-        Rock that the bit has taken away along the hole since the start, m.
+        Length of rock drilled along the hole since the start, m.
 
     Examples
     --------
@@ -42,14 +42,14 @@ class BitReading(NamedTuple):
 
 
 class ShakeReading(NamedTuple):
-    """What an excitation is asked with: a moment that lies one period ahead.
+    """Argument of an excitation: a time one period ahead.
 
     Attributes
     ----------
     time_s
         Time since the start of the run, s.
     angle_rad
-        Angle through which the bit will have turned then at the speed that it has, rad.
+        Angle through which the bit will have turned at that time at its current speed, rad.
 
     Examples
     --------
@@ -66,38 +66,39 @@ BitLaw: TypeAlias = Callable[[BitReading], tuple[SupportsFloat, SupportsFloat]]
 """Depth of cut per revolution, m, and torque, N·m, both zero or more."""
 
 Excitation: TypeAlias = Callable[[ShakeReading], tuple[SupportsFloat, SupportsFloat]]
-"""How much deeper the rock front stands, m, and by which part the torque is larger."""
+"""Added depth of the rock front, m, and relative increase of the torque."""
 
 
 def bit_law(law: BitLaw | None, rate: Scalar) -> _core.Function | None:
-    """Give a law as the compiled half takes it: with plain numbers, a name and a rate."""
+    """Return a law in the form of the compiled module: with plain numbers, a name and a rate."""
     if law is None:
         return None
 
-    def ask(*reading: float) -> tuple[float, float]:
-        return _two(law(BitReading(*reading)), "a bit law gives a depth of cut and a torque")
+    def evaluate(*reading: float) -> tuple[float, float]:
+        return _two(law(BitReading(*reading)), "a bit law returns a depth of cut and a torque")
 
-    return ask, _name(law), _rate(rate)
+    return evaluate, _name(law), _rate(rate)
 
 
 def excitation(law: Excitation | None, rate: Scalar) -> _core.Function | None:
-    """Give an excitation in the same way."""
+    """Return an excitation in the same way."""
     if law is None:
         return None
 
-    def ask(*reading: float) -> tuple[float, float]:
-        return _two(law(ShakeReading(*reading)), "an excitation gives a length and a torque's part")
+    def evaluate(*reading: float) -> tuple[float, float]:
+        expected = "an excitation returns a length and a part of torque"
+        return _two(law(ShakeReading(*reading)), expected)
 
-    return ask, _name(law), _rate(rate)
+    return evaluate, _name(law), _rate(rate)
 
 
 def _two(answer: object, expected: str) -> tuple[float, float]:
-    """Return what a law answers as two numbers."""
+    """Return the result of a law as two numbers."""
     try:
         one, other = cast("tuple[object, object]", _values.plain(answer))
         return _values.real(one, "number"), _values.real(other, "number")
     except (TypeError, ValueError):
-        raise InputTypeError(f"{expected}, two numbers, and not {answer!r}") from None
+        raise InputTypeError(f"{expected}, two numbers, not {answer!r}") from None
 
 
 def _rate(rate: Scalar) -> float:

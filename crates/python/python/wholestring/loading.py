@@ -1,4 +1,4 @@
-"""Whatever lies in a folder."""
+"""Results of any command in a folder."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from .studies import Study
 from .sweep import Sweep
 
 _KINDS: dict[str, type[BaseResults]] = {
-    of._kind: of for of in (Results, Plan, Reach, Calibration, Modes, Bha, BitTest, Study)
+    kind._kind: kind for kind in (Results, Plan, Reach, Calibration, Modes, Bha, BitTest, Study)
 }
 
 
 def load(folder: str | PathLike[str]) -> BaseResults | Sweep:
-    """Read what a command left in a folder, whatever it was.
+    """Read the results of any command from a folder.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def load(folder: str | PathLike[str]) -> BaseResults | Sweep:
     Raises
     ------
     ResultsError
-        If there are no results.
+        If the folder has no results.
     """
     core = _core.Answers.load(folder)
     return Sweep(folder) if core.kind == "a sweep" else _KINDS[core.kind](core)

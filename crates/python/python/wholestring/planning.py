@@ -1,4 +1,4 @@
-"""Plans, and how far a well can go."""
+"""Plans, and the depth that a well can reach."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ class PlanCheck(Check):
     Attributes
     ----------
     model, operation, friction
-        Whose it is; friction is ``"low"``, ``"expected"`` or ``"high"``.
+        Model, operation and friction of the check; friction is ``"low"``, ``"expected"`` or
+        ``"high"``.
     bit_depth_m
         Measured depth of the bit, m.
 
@@ -39,7 +40,7 @@ class PlanCheck(Check):
 class Plan(BaseResults):
     """Torque and drag at every depth of the bit, with low, expected and high friction.
 
-    :meth:`Case.plan` makes one.
+    :meth:`Case.plan` returns one.
 
     Examples
     --------
@@ -62,12 +63,12 @@ class Plan(BaseResults):
 
     @property
     def limits(self) -> Table:
-        """How near each point comes to what string and rig bear."""
+        """Utilisation of the capacities of string and rig at each point."""
         return self.table("plan_limits")
 
     @property
     def buckling(self) -> Table:
-        """The weight on bit under which the string begins to buckle."""
+        """The weight on bit at which the string begins to buckle."""
         return self.table("plan_buckling")
 
     @property
@@ -77,48 +78,48 @@ class Plan(BaseResults):
 
     @property
     def checks(self) -> tuple[PlanCheck, ...]:
-        """Of each kind of check and each operation the most severe of all depths and frictions."""
+        """The most severe check of each kind and operation over all depths and frictions."""
         return tuple(PlanCheck(**row) for row in self.summary["checks"])
 
     @property
     def governing(self) -> tuple[PlanCheck, ...]:
-        """The limit that governs each operation: the least reserve of what breaks or stops it."""
+        """The limit that governs each operation: the least reserve of all that break or stop it."""
         return tuple(PlanCheck(**row) for row in self.summary["governing"])
 
     @property
     def unchecked(self) -> tuple[str, ...]:
-        """What could not be checked, in words, as the case does not give it."""
+        """Checks that were not possible because data are missing in the case, in words."""
         return tuple(self.summary["unchecked"])
 
     @property
     def counted(self) -> tuple[str, ...]:
-        """The parts of the campaign that fatigue and casing wear count, with their hours."""
+        """The parts of the campaign included in fatigue and casing wear, with their hours."""
         return tuple(self.summary.get("counted", ()))
 
     @property
     def not_counted(self) -> tuple[str, ...]:
-        """The parts of the campaign that fatigue and casing wear do not count, with the reasons."""
+        """The parts of the campaign left out of fatigue and casing wear, with the reasons."""
         return tuple(self.summary.get("not_counted", ()))
 
     @property
     def missing(self) -> int:
-        """Points that are not solved: the plan was interrupted."""
+        """Number of points that are not solved because the plan was interrupted."""
         return int(self.summary["missing"])
 
     def _facts(self) -> Sequence[tuple[str, str]]:
-        last = max(float(of["bit_depth_m"]) for of in self.summary["points"])
+        last = max(float(point["bit_depth_m"]) for point in self.summary["points"])
         facts = [("deepest bit", f"{last:.6g} m")]
-        for of in self.summary["points"]:
-            expected = of["friction"] == "expected" and of["bit_depth_m"] == last
-            if expected and of["scalars"] is not None:
-                name = f"{of['operation'].replace('_', ' ')} ({of['model']})"
-                hook_N = of["scalars"]["hook_load_N"]
-                torque_N_m = of["scalars"]["surface_torque_N_m"]
+        for point in self.summary["points"]:
+            expected = point["friction"] == "expected" and point["bit_depth_m"] == last
+            if expected and point["scalars"] is not None:
+                name = f"{point['operation'].replace('_', ' ')} ({point['model']})"
+                hook_N = point["scalars"]["hook_load_N"]
+                torque_N_m = point["scalars"]["surface_torque_N_m"]
                 facts.append((name, f"{hook_N / 1e3:.1f} kN, {torque_N_m / 1e3:.2f} kN.m"))
         return facts
 
     def __repr__(self) -> str:
-        """Give its size."""
+        """Return a summary with the operations and the number of depths."""
         operations = ", ".join(self.summary["operations"])
         depths = len(self.summary["bit_depths_m"])
         return f"<Plan of {self.case_name}: {operations} at {depths} depths>"
@@ -126,14 +127,14 @@ class Plan(BaseResults):
 
 @dataclass(frozen=True, kw_only=True)
 class Stop:
-    """What stops a well.
+    """The limit that stops a well.
 
     Attributes
     ----------
     friction
-        Friction factor of all sections; ``None`` where they have the case's own.
+        Friction factor of all sections; ``None`` for the friction of the case.
     operation, limit
-        In which operation, and what: ``"slide"``, ``"lock_up"``.
+        The operation and the limit: ``"slide"``, ``"lock_up"``.
     depth_m
         Depth of the bit, m.
 
@@ -153,9 +154,9 @@ class Stop:
 
 
 class Reach(BaseResults):
-    """How far a well can go, and what stops it.
+    """The depth that a well can reach, and the limit that stops it.
 
-    :meth:`Case.reach` finds it.
+    :meth:`Case.reach` returns one.
 
     Examples
     --------
@@ -178,44 +179,44 @@ class Reach(BaseResults):
 
     @property
     def limits(self) -> Table:
-        """Each limit of each operation, and at which depth it is met."""
+        """Each limit of each operation, and the depth at which it is reached."""
         return self.table("reach_limits")
 
     @property
     def from_m(self) -> float:
-        """First depth of the bit that was looked at, m."""
+        """First depth of the bit in the search, m."""
         return float(self.summary["from_m"])
 
     @property
     def to_m(self) -> float:
-        """Last depth of the bit, m."""
+        """Last depth of the bit in the search, m."""
         return float(self.summary["to_m"])
 
     @property
     def inclination_rad(self) -> float:
-        """Inclination of the direction in which the well goes on, rad."""
+        """Inclination of the direction in which the well is extended, rad."""
         return float(self.summary["inclination_rad"])
 
     @property
     def stops(self) -> tuple[Stop, ...]:
-        """What stops the well first, at each friction at which anything does."""
+        """The first limit that stops the well, for each friction at which one does."""
         frictions = self.summary["frictions"]
         return tuple(
-            Stop(friction=of["friction"], **of["first"]) for of in frictions if of["first"]
+            Stop(friction=row["friction"], **row["first"]) for row in frictions if row["first"]
         )
 
     @property
     def depth_m(self) -> float | None:
-        """How far it goes at the friction asked for first, m; ``None`` where nothing stops it."""
+        """Depth reached at the first friction factor, m; ``None`` where no limit stops it."""
         first: Any = self.summary["frictions"][0]["first"]
         return None if first is None else float(first["depth_m"])
 
     @property
     def left_out(self) -> tuple[str, ...]:
-        """Operations that were left out, and why, a sentence for each."""
+        """Operations that were left out, each with the reason, in a sentence."""
         return tuple(self.summary["left_out"])
 
     def _facts(self) -> Sequence[tuple[str, str]]:
         where = f"{self.from_m:.0f} m to {self.to_m:.0f} m"
         depth = "not stopped" if self.depth_m is None else f"to {self.depth_m:.0f} m"
-        return [("looked at", where), ("reach", depth)]
+        return [("depths", where), ("reach", depth)]

@@ -1,4 +1,4 @@
-"""What a case comes to."""
+"""Results of a run."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from . import _html
 from ._base import BaseResults, Check, check_of, most_severe_first
 from .plot._house import operation_words
-from .plot._shown import Shown, about
+from .plot._shown import Display, about
 from .table import Table
 
 if TYPE_CHECKING:
@@ -20,10 +20,9 @@ from .errors import NotFoundError
 
 
 class OperationResult:
-    """One operation as one model solved it; a dynamic one holds means over its window.
+    """Results of one operation by one model; those of dynamics are means over the window.
 
-    The scalars are attributes. All that ``summary.json`` says of the operation stands in
-    :attr:`data`.
+    The scalars are attributes. :attr:`data` is the entry of the operation in ``summary.json``.
 
     Examples
     --------
@@ -67,12 +66,12 @@ class OperationResult:
 
     @property
     def checks(self) -> tuple[Check, ...]:
-        """The checks of the answer, the most severe first."""
+        """The checks of the operation, the most severe first."""
         return tuple(check_of(row) for row in self._data["checks"])
 
     @property
     def unchecked(self) -> tuple[dict[str, str | None], ...]:
-        """What could not be checked: ``kind``, ``component`` and what is ``missing``."""
+        """Checks that were not possible: ``kind``, ``component`` and the ``missing`` data."""
         return tuple(dict(row) for row in self._data.get("unchecked", []))
 
     @property
@@ -82,7 +81,7 @@ class OperationResult:
 
     @property
     def statistics(self) -> Mapping[str, Mapping[str, float]]:
-        """Mean, standard deviation and extremes over the window by quantity; of dynamics alone."""
+        """Mean, standard deviation and extremes over the window by quantity; dynamics only."""
         return cast("Mapping[str, Mapping[str, float]]", self._data.get("statistics") or {})
 
     def _number(self, name: str) -> float:
@@ -154,7 +153,7 @@ class OperationResult:
         return self._number_or_none("cutoff_depth_m")
 
     def __repr__(self) -> str:
-        """Give what it is, with hook load and torque."""
+        """Return a summary with hook load and torque."""
         return (
             f"<{self.model} {self.operation}: hook load {self.hook_load_N:.6g} N, "
             f"surface torque {self.surface_torque_N_m:.6g} N.m>"
@@ -162,10 +161,10 @@ class OperationResult:
 
 
 class Results(BaseResults):
-    """What a case comes to: operations, and tables.
+    """Results of a run: operations and tables.
 
-    In memory until :meth:`save` writes the folder that the command line writes; :meth:`load` reads
-    such a folder.
+    They are in memory until :meth:`save` writes the same folder as the command line; :meth:`load`
+    reads such a folder.
 
     Examples
     --------
@@ -182,24 +181,28 @@ class Results(BaseResults):
 
     @property
     def operations(self) -> tuple[OperationResult, ...]:
-        """The operations, each by each model, in the order they were solved."""
-        return tuple(OperationResult(of) for of in self.summary["operations"])
+        """Results of each operation by each model, in the order in which they were solved."""
+        return tuple(OperationResult(row) for row in self.summary["operations"])
 
     def __iter__(self) -> Iterator[OperationResult]:
-        """Give the operations."""
+        """Return an iterator over the operations."""
         return iter(self.operations)
 
     def __len__(self) -> int:
-        """Give the number of operations."""
+        """Return the number of operations."""
         return len(self.summary["operations"])
 
     def __getitem__(self, key: str | tuple[str, str]) -> OperationResult:
-        """Give an operation by its name, or by model and name where several models solved it."""
+        """Return an operation by its name, or by model and name if several models solved it."""
         model, name = key if isinstance(key, tuple) else (None, key)
-        found = [of for of in self if of.operation == name and (model is None or of.model == model)]
+        found = [
+            result
+            for result in self
+            if result.operation == name and (model is None or result.model == model)
+        ]
         if len(found) == 1:
             return found[0]
-        there = ", ".join(f"{of.model} {of.operation}" for of in self)
+        there = ", ".join(f"{result.model} {result.operation}" for result in self)
         if found:
             message = f"several models solved {name!r}: name one, as in results['soft', {name!r}]"
             raise NotFoundError(message)
@@ -207,13 +210,13 @@ class Results(BaseResults):
 
     @property
     def scalars(self) -> Table:
-        """A row for each operation: scalars, statistics and indicators, as a sweep has them."""
+        """A row for each operation: scalars, statistics and indicators, as in a sweep."""
         if "" not in self._tables:
             self._tables[""] = Table(self._core.scalars(), "scalars")
         return self._tables[""]
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Give :attr:`scalars` as a pandas data frame, a row for each operation.
+        """Return :attr:`scalars` as a pandas data frame, a row for each operation.
 
         Examples
         --------
@@ -225,7 +228,7 @@ class Results(BaseResults):
         return self.scalars.to_pandas()
 
     def to_polars(self) -> polars.DataFrame:
-        """Give :attr:`scalars` as a polars data frame, a row for each operation.
+        """Return :attr:`scalars` as a polars data frame, a row for each operation.
 
         Examples
         --------
@@ -236,7 +239,7 @@ class Results(BaseResults):
         return self.scalars.to_polars()
 
     def _ipython_key_completions_(self) -> list[str]:
-        return list(dict.fromkeys(of.operation for of in self))
+        return list(dict.fromkeys(result.operation for result in self))
 
     @property
     def nodes(self) -> Table:
@@ -245,7 +248,7 @@ class Results(BaseResults):
 
     @property
     def time(self) -> Table:
-        """Scalars against time; of dynamics alone."""
+        """Scalars against time; dynamics only."""
         return self.table("time")
 
     @property
@@ -254,34 +257,36 @@ class Results(BaseResults):
         return tuple(check for solved in self for check in solved.checks)
 
     def __repr__(self) -> str:
-        """Give the operations."""
-        inside = ", ".join(f"{of.model} {of.operation}" for of in self)
+        """Return a summary with the operations."""
+        inside = ", ".join(f"{result.model} {result.operation}" for result in self)
         return f"<Results of {self.summary['case']}: {inside}>"
 
     def _repr_html_(self) -> str:
-        shown = Shown(None, self)
+        display = Display(None, self)
         solved = list(self)
 
         def scalar(name: str) -> _html.Column:
             title, dimension = about(name)
-            values = shown.values(np.array([getattr(of, name) for of in solved]), dimension)
+            numbers = np.array([getattr(result, name) for result in solved])
+            values = display.values(numbers, dimension)
             return _html.Column(
                 title=title,
-                cells=["" if np.isnan(of) else f"{of:.4g}" for of in values.tolist()],
-                unit=shown.symbol(dimension),
+                cells=["" if np.isnan(value) else f"{value:.4g}" for value in values.tolist()],
+                unit=display.symbol(dimension),
             )
 
-        findings = ["; ".join(found.sentence for found in of.findings) for of in solved]
+        findings = ["; ".join(found.sentence for found in result.findings) for result in solved]
         columns = [
-            _html.Column("Model", [of.model for of in solved], numbers=False),
+            _html.Column("Model", [result.model for result in solved], numbers=False),
             _html.Column(
-                "Operation", [operation_words(of.operation) for of in solved], numbers=False
+                "Operation", [operation_words(result.operation) for result in solved], numbers=False
             ),
             scalar("hook_load_N"),
             scalar("surface_torque_N_m"),
             scalar("axial_friction_N"),
             _html.Column("Checks", findings, numbers=False),
         ]
-        if any(of.status != "complete" for of in solved):
-            columns.insert(2, _html.Column("Status", [of.status for of in solved], numbers=False))
+        if any(result.status != "complete" for result in solved):
+            statuses = [result.status for result in solved]
+            columns.insert(2, _html.Column("Status", statuses, numbers=False))
         return _html.table(columns, caption=str(self.summary["case"]))

@@ -1,4 +1,4 @@
-"""A dynamic run that you take forward yourself."""
+"""A dynamic run that the caller advances."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._planning import Factors
 from ._values import Scalar
 from .errors import InputError, Interrupted
 from .plot._house import operation_words
-from .plot._shown import Shown, Units, about
+from .plot._shown import Display, Units, about
 from .results import Results
 from .table import Table
 
@@ -24,17 +24,17 @@ _SHOWN = (
     "bit_rotary_speed_rad_per_s",
     "bit_depth_m",
 )
-"""The columns of the last sample that notebooks show."""
+"""The columns of the last sample that notebooks display."""
 
 
 class Simulation:
-    """A dynamic run in hand: for a controller, a digital twin, an environment to learn in.
+    """A dynamic run that the caller advances, for controllers, digital twins and learning.
 
-    :meth:`Case.simulation` makes one.
+    :meth:`Case.simulation` returns one.
 
     Examples
     --------
-    Bring the string to 120 rev/min in five seconds, and look at the torque:
+    Bring the string to 120 rev/min in two seconds, and read the rotary speed:
 
     >>> import wholestring as ws
     >>> case = ws.Case.example().with_(mesh__element_length="10 m")
@@ -65,9 +65,9 @@ class Simulation:
 
     @property
     def end_time_s(self) -> float:
-        """Time at which the window of the case's statistics ends, s; at the latest while settling.
+        """Time at which the statistics window of the case ends, s; the latest end while settling.
 
-        Nothing happens then: a simulation in hand goes on as long as you like.
+        The simulation does not stop at this time: it can be advanced without limit.
         """
         return self._held.clock()[1]
 
@@ -78,24 +78,25 @@ class Simulation:
 
     @property
     def is_settling(self) -> bool:
-        """Whether the window of the case's statistics is yet to begin."""
+        """Whether the statistics window of the case has not begun yet."""
         return self._held.clock()[3]
 
     def advance(self, time: Scalar, *, progress: bool = False) -> None:
         """Advance by a time, to the nearest sample.
 
-        Times add up: what one call leaves of a sample, the next one has. A hundred calls of 0.01 s
-        come to 1 s, and so do a thousand of 0.001 s, of which nine in ten move nothing where
-        samples are 0.01 s apart. :attr:`sample_interval_s` is the case's
-        ``dynamics.sample_interval``.
+        Times add up, because the remainder of one call is added to the next. A hundred calls of
+        0.01 s advance by 1 s, and so do a thousand calls of 0.001 s, of which nine in ten do not
+        move the string if samples are 0.01 s apart. :attr:`sample_interval_s` is
+        ``dynamics.sample_interval`` of the case.
 
-        An exception of a law of one's own comes out here. The simulation then stands at the sample
-        after it, until which the law held what it answered before; what was computed is there.
+        An exception in a law of the caller is raised here. The simulation is then at the sample
+        after the exception, up to which the last values of the law were used; the results so far
+        are available.
 
         Parameters
         ----------
         time
-            Such as ``"10 s"``, or seconds.
+            Time to advance by: ``"10 s"``, or seconds.
         progress
             Whether to draw a bar, with tqdm.
 
@@ -104,7 +105,7 @@ class Simulation:
         NoAnswerError
             If the run diverged.
         Interrupted
-            If the user interrupted it; it stands where it was then.
+            If the user interrupted the run; the simulation keeps its state at that time.
 
         Examples
         --------
@@ -120,7 +121,7 @@ class Simulation:
             try:
                 self._held.advance(seconds, listener)
             except KeyboardInterrupt as error:
-                message = "interrupted: the simulation stands where it was then"
+                message = "interrupted: the simulation keeps its state at that time"
                 raise Interrupted(message, make_results=self.results) from error
 
     def set(
@@ -141,25 +142,24 @@ class Simulation:
         rpm
             Rotary speed at surface: 120 or ``"120 rpm"``; a number is in rev/min.
         rotary_speed
-            The same in rad/s, as columns have it.
+            Rotary speed at surface, rad/s, as in the columns.
         block_velocity
             Speed of the block, positive downwards: ``"0.3 m/s"``, or m/s.
         weight_on_bit
-            What the autodriller holds: ``"60 kN"``, or N.
+            Set point of the autodriller: ``"60 kN"``, or N.
         flow_rate
-            What the pumps deliver: ``"2000 L/min"``, or m³/s.
+            Flow rate of the pumps: ``"2000 L/min"``, or m³/s.
         friction
             Kinetic coefficient between string and wall: one for the whole hole, or one for each of
-            its sections from the surface down. Those at rest and around the hole keep their ratios
-            to it.
+            its sections from the surface down. The static and the rotational coefficients keep
+            their ratios to it.
         ramp
-            Time in which all that is named goes to its new value: ``"5 s"``, or seconds.
+            Time over which each value changes to the new one: ``"5 s"``, or seconds.
 
         Raises
         ------
         InputError
-            If a value is one that a case could not have: the limits are those of the keys of
-            ``operation.schedule``.
+            If a value is outside the limits of the keys of ``operation.schedule``.
 
         Examples
         --------
@@ -170,7 +170,7 @@ class Simulation:
         (0.2, 0.3)
         >>> sim.set(friction=(0.25, 0.4), ramp="1 s")
         >>> sim.advance("0.5 s")
-        >>> tuple(round(of, 2) for of in sim.friction)
+        >>> tuple(round(factor, 2) for factor in sim.friction)
         (0.22, 0.35)
         """
         if block_velocity is not None and weight_on_bit is not None:
@@ -189,7 +189,7 @@ class Simulation:
         )
         sections = _values.factors("friction", friction)
         if friction is not None and not sections:
-            raise InputError("`friction` was given no coefficient")
+            raise InputError("`friction` is empty: expected one coefficient, or one per section")
         if any(point is not None for point in points):
             self._held.set(ramp_s, *points)
         if sections:
@@ -202,9 +202,9 @@ class Simulation:
 
     @property
     def now(self) -> Mapping[str, float]:
-        """The last sample by the names of the columns of the table against time, SI.
+        """The last sample, SI, by the column names of the table against time.
 
-        Nothing older is looked at; it is empty before the first sample.
+        It is empty before the first sample.
         """
         return dict(self._held.last())
 
@@ -214,7 +214,7 @@ class Simulation:
         return Table(self._held.samples(-math.inf), "time")
 
     def since(self, time: Scalar) -> Table:
-        """Give the table against time after a time: what was sampled in the last steps.
+        """Return the rows of the table against time after a time.
 
         Parameters
         ----------
@@ -237,12 +237,12 @@ class Simulation:
         return Table(self._held.samples(after_s), "time")
 
     def forget(self, before: Scalar | None = None) -> None:
-        """Drop the samples of before a time, so that memory does not grow with the time simulated.
+        """Drop the samples before a time, so that memory does not grow with the simulated time.
 
-        A simulation keeps some 15 kB for each second otherwise, and every checkpoint has them. The
-        last sample stays, and while the string settles those that tell whether it is steady.
-        Statistics of :meth:`results` are then over the samples that are left of the window;
-        profiles along the string remain means over the whole window. Nothing that moves notices.
+        Otherwise a simulation keeps about 15 kB per second, also in every checkpoint. The last
+        sample is kept, and during settling also the samples that determine whether the string is
+        steady. Statistics of :meth:`results` are then over the remaining samples of the window;
+        profiles along the string remain means over the whole window. The motion is not affected.
 
         Parameters
         ----------
@@ -251,7 +251,7 @@ class Simulation:
 
         Examples
         --------
-        Keep the last second:
+        Keep the samples of the last second:
 
         >>> import wholestring as ws
         >>> case = ws.Case.example().with_(mesh__element_length="20 m", dynamics__settle="0 s")
@@ -266,7 +266,7 @@ class Simulation:
         self._held.forget(cast("float", before_s))
 
     def state(self) -> Table:
-        """Give the whole string as it is now: a row a node, from the surface down.
+        """Return the current state of the whole string: a row per node, from the surface down.
 
         Examples
         --------
@@ -281,7 +281,7 @@ class Simulation:
         return Table(self._held.state(), "frames")
 
     def results(self) -> Results:
-        """Give the answers so far: over the window if it has begun, else over all samples.
+        """Return the results so far: over the window if it has begun, otherwise over all samples.
 
         Examples
         --------
@@ -294,10 +294,10 @@ class Simulation:
         return Results(self._held.answers())
 
     def checkpoint(self) -> bytes:
-        """Give all of it as bytes, for :meth:`Case.simulation` to continue from, to the same bits.
+        """Return the state as bytes, from which :meth:`Case.simulation` continues bit-identically.
 
-        Set points, friction and what laws of one's own answered last are in it. The laws themselves
-        are not, nor what they keep by themselves: give :meth:`Case.simulation` the same again.
+        The bytes include set points, friction and the last values of laws of the caller. They do
+        not include these laws or their own state: pass the same laws to :meth:`Case.simulation`.
 
         Examples
         --------
@@ -306,19 +306,19 @@ class Simulation:
         >>> sim = case.simulation("drill")
         >>> sim.advance("0.5 s")
         >>> again = case.simulation(checkpoint=sim.checkpoint())
-        >>> for of in (sim, again):
-        ...     of.advance("0.5 s")
+        >>> for run in (sim, again):
+        ...     run.advance("0.5 s")
         >>> again.now["hook_load_N"] == sim.now["hook_load_N"]
         True
         """
         return self._held.checkpoint()
 
     def __repr__(self) -> str:
-        """Give the operation and the time."""
+        """Return a summary with the operation and the time."""
         return f"<Simulation of {self.operation} at {self.time_s:.6g} s>"
 
     def _repr_html_(self) -> str:
-        shown = Shown(self._units)
+        display = Display(self._units)
         now = self.now
         rows = [
             ("Time", f"{self.time_s:.6g} s"),
@@ -329,5 +329,5 @@ class Simulation:
             value = now.get(name, math.nan)
             if not math.isnan(value):
                 title, dimension = about(name)
-                rows.append((title, shown.quantity(value, dimension)))
+                rows.append((title, display.quantity(value, dimension)))
         return _html.facts(rows, caption=f"Simulation: {operation_words(self.operation)}")

@@ -1,4 +1,4 @@
-"""Studies: sweeps of cases, with the figures and tables made of them."""
+"""Studies: sweeps of cases, with the figures and tables made from them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .table import Table
 class Study(BaseResults):
     """A study: its sweeps, its figures and its tables.
 
-    :func:`wholestring.study` carries one out.
+    :func:`wholestring.study` runs one.
 
     Examples
     --------
@@ -51,19 +51,19 @@ class Study(BaseResults):
     def _root(self) -> Path:
         folder = self.folder
         if folder is None:
-            raise InputError("it has no folder")
+            raise InputError("the study has no folder")
         return folder
 
     @property
     def sweeps(self) -> tuple[str, ...]:
-        """Names of its sweeps."""
+        """Names of the sweeps."""
         inside = sorted(self._root.iterdir())
-        return tuple(of.name for of in inside if (of / "sweep.csv").is_file())
+        return tuple(entry.name for entry in inside if (entry / "sweep.csv").is_file())
 
     def __getitem__(self, sweep: str) -> Sweep:
-        """Give a sweep by its name.
+        """Return a sweep by its name.
 
-        Of a study in a temporary folder it can be read as long as the study is there.
+        The sweep of a study in a temporary folder can be read while the study exists.
         """
         if sweep not in self.sweeps:
             raise NotFoundError(f"there is no sweep {sweep!r}: there are {', '.join(self.sweeps)}")
@@ -74,13 +74,13 @@ class Study(BaseResults):
 
     @property
     def figures(self) -> Mapping[str, Path]:
-        """The files of its figures, by their names."""
-        return {of.stem: of for of in sorted((self._root / "figures").glob("*.svg"))}
+        """The files of the figures, by their names."""
+        return {file.stem: file for file in sorted((self._root / "figures").glob("*.svg"))}
 
     @property
     def checks(self) -> tuple[Check, ...]:
-        """The most severe check of each case in whose answers errors were found."""
-        return tuple(of for sweep in self.sweeps for of in _errors(self[sweep].table))
+        """The most severe check of each case whose results have errors."""
+        return tuple(check for sweep in self.sweeps for check in _errors(self[sweep].table))
 
     def _facts(self) -> Sequence[tuple[str, str]]:
         return [(sweep, f"{len(self[sweep])} cases") for sweep in self.sweeps]
@@ -110,50 +110,50 @@ def study(
     jobs: int | None = None,
     progress: bool = False,
 ) -> Study:
-    """Solve the cases of a study, and make its figures, its tables and its page.
+    """Solve the cases of a study, and write its figures, its tables and its page.
 
     Parameters
     ----------
     path
         The study file.
     folder
-        Where the results go; a temporary folder where none is given.
+        Folder for the results; a temporary folder by default.
     changes
-        Keys that are set in every case, as :meth:`Case.with_` takes them.
+        Keys that are set in every case, as for :meth:`Case.with_`.
     keep
-        What is kept of each case; by default, its tables if dynamics solve it or a
-        figure needs them, else its summary.
+        Files kept for each case; by default, its tables if dynamics solve it or a figure
+        needs them, otherwise its summary.
     strict
-        Whether to raise where an error is found in an answer.
+        Whether to raise an error if a result has an error among its checks.
     shard
-        The share of the cases to solve, such as ``"1/4"``.
+        Share of the cases to solve, such as ``"1/4"``.
     resume
-        Whether to leave out what is finished in the folder.
+        Whether to skip the cases that are complete in the folder.
     overwrite
-        Whether to replace what lies there, whatever it is of.
+        Whether to replace existing results in the folder, whatever wrote them.
     checkpoint
         Wall-clock time between checkpoints: ``"5 min"``, or seconds.
     csv
-        Whether to write the tables that are kept as CSV too.
+        Whether to write the kept tables as CSV as well.
     png
-        Whether to paint each figure as PNG too.
+        Whether to write PNG images as well.
     jobs
-        Number of parallel jobs, a case each; one per core by default.
+        Number of parallel jobs, each solving one case; one per core by default.
     progress
         Whether to draw a bar, with tqdm.
 
     Raises
     ------
     CaseError
-        With all mistakes of the study and its cases.
+        If the study or its cases have mistakes: all of them.
     FolderError
-        If the results cannot go there.
+        If the results cannot be written to the folder.
     NoAnswerError
-        If cases failed; its ``results`` hold the others.
+        If cases failed; ``results`` of the error holds the others.
     FindingsError
-        If errors were found, and ``strict`` lets none pass.
+        If errors were found and ``strict`` is set.
     Interrupted
-        If the user interrupted it; its ``results`` hold what was computed.
+        If the user interrupted the run; ``results`` of the error holds the results so far.
 
     Examples
     --------

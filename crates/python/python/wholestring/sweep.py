@@ -27,12 +27,12 @@ if TYPE_CHECKING:
 
 
 class Sweep:
-    """What a sweep came to: a table with a row for each case, model and operation, and folders.
+    """Results of a sweep: a table with a row for each case, model and operation, and folders.
 
     Parameters
     ----------
     folder
-        Where it lies.
+        Folder of the sweep.
 
     Examples
     --------
@@ -54,7 +54,7 @@ class Sweep:
 
     @classmethod
     def load(cls, folder: str | PathLike[str]) -> Sweep:
-        """Read what a sweep left in a folder, of the command line's too.
+        """Read the results of a sweep from a folder, also one of the command line.
 
         Parameters
         ----------
@@ -64,7 +64,7 @@ class Sweep:
         Raises
         ------
         ResultsError
-            If there is none.
+            If the folder has no sweep.
 
         Examples
         --------
@@ -80,16 +80,16 @@ class Sweep:
 
     @property
     def folder(self) -> Path:
-        """Where the results lie."""
+        """Folder of the results."""
         return self._folder
 
     @property
     def table(self) -> Table:
-        """The table of ``sweep.csv``: keys that were varied, scalars, indicators, findings."""
+        """The table of ``sweep.csv``: varied keys, scalars, indicators, findings."""
         return self._table
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Give :attr:`table` as a pandas data frame.
+        """Return :attr:`table` as a pandas data frame.
 
         Examples
         --------
@@ -102,7 +102,7 @@ class Sweep:
         return self._table.to_pandas()
 
     def to_polars(self) -> polars.DataFrame:
-        """Give :attr:`table` as a polars data frame.
+        """Return :attr:`table` as a polars data frame.
 
         Examples
         --------
@@ -124,8 +124,8 @@ class Sweep:
 
     @cached_property
     def names(self) -> tuple[str, ...]:
-        """Names of the cases that have ended, in their order; their folders bear them."""
-        return tuple(dict.fromkeys(str(of) for of in self._table["folder"]))
+        """Names of the cases that have ended, in their order; also the names of their folders."""
+        return tuple(dict.fromkeys(str(name) for name in self._table["folder"]))
 
     @cached_property
     def failed(self) -> Mapping[str, str]:
@@ -142,12 +142,12 @@ class Sweep:
         return failed
 
     def __getitem__(self, case: str | int) -> Results:
-        """Give the answers of a case, by its name or its number in :attr:`names`.
+        """Return the results of a case, by its name or its number in :attr:`names`.
 
         Raises
         ------
         ResultsError
-            If it has none.
+            If the case has no results.
         """
         name = self.names[case] if isinstance(case, int) else case
         if name not in self.names:
@@ -157,11 +157,11 @@ class Sweep:
         return Results.load(self._folder / name)
 
     def __len__(self) -> int:
-        """Give the number of cases that have ended."""
+        """Return the number of cases that have ended."""
         return len(self.names)
 
     def __iter__(self) -> Iterator[str]:
-        """Give the names of the cases."""
+        """Return an iterator over the names of the cases."""
         return iter(self.names)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -169,7 +169,7 @@ class Sweep:
         return type(self), (str(self._folder.absolute()),)
 
     def __repr__(self) -> str:
-        """Give its size."""
+        """Return a summary with the number of cases."""
         failed = f", {len(self.failed)} failed" if self.failed else ""
         return f"<Sweep of {', '.join(self.keys)}: {len(self)} cases{failed}; {self._folder}>"
 
@@ -177,7 +177,7 @@ class Sweep:
         names = [*self.keys, "model", "operation", "hook_load_N", "surface_torque_N_m"]
         names += ["errors", "status"]
         size = f"{len(self._table)} rows"
-        return html(self._table, names, caption=repr(self)[1:-1], size=size, shown=20)
+        return html(self._table, names, caption=repr(self)[1:-1], size=size, count=20)
 
 
 def sweep(
@@ -201,62 +201,62 @@ def sweep(
 ) -> Sweep:
     """Solve a case with all combinations of some values, into a folder, as ``wholestring sweep``.
 
-    Every case is checked before any is solved. The folder is the command line's: either continues
-    what the other began, and what is finished is not solved again.
+    Every case is checked before any is solved. The folder has the same form as that of the command
+    line, so that either continues a sweep of the other. Completed cases are not solved again.
 
     Parameters
     ----------
     case
-        What is varied.
+        The case that is varied.
     vary
-        Keys, as :meth:`Case.with_` has them, each with its values: ``{"friction": [0.2, 0.3]}``. A
-        text has them as the command line does: ``{"bit_depth": "300m..4305m/300m"}``. The last key
-        varies fastest.
+        Keys, as for :meth:`Case.with_`, each with its values: ``{"friction": [0.2, 0.3]}``. A text
+        has the form of the command line: ``{"bit_depth": "300m..4305m/300m"}``. The last key varies
+        fastest.
     together
         Whether the keys are varied together instead: the first value of each, the second of each,
-        and so on, as samples are.
+        and so on, as for samples.
     folder
-        Where to; ``out/<name of the case> sweep`` where none is given.
+        Folder for the results; ``out/<name of the case> sweep`` by default.
     executor
-        Who solves the cases: any ``concurrent.futures.Executor``, or a ``Client`` of Dask. Threads
-        of this process, without Python, where none is given.
+        Executor that solves the cases: any ``concurrent.futures.Executor``, or a ``Client`` of
+        Dask. By default, threads of this process that run without Python.
     resume
-        Whether to continue what lies in the folder. Otherwise what is finished there is solved
-        again, and what was begun there is refused.
+        Whether to continue a sweep in the folder. Otherwise completed cases are solved again, and
+        a folder with an incomplete sweep is refused.
     overwrite
-        Whether to replace what lies there, whatever it is of.
+        Whether to replace existing results in the folder, whatever wrote them.
     keep
-        What is kept of each case: its summary, its tables too, or its page too. Where nothing is
-        said: the tables where dynamics solve it, else the summary.
+        Files kept for each case: its summary, also its tables, or also its page. By default, the
+        tables if dynamics solve it, otherwise the summary.
     csv
-        Whether to write the tables that are kept as CSV too.
+        Whether to write the kept tables as CSV as well.
     progress
         Whether to draw a bar, with tqdm.
     jobs
-        Threads that check the cases, and without an executor solve them; one per core where nothing
-        is said.
+        Number of threads that check the cases, and solve them if there is no executor; one per core
+        by default.
     checkpoint_every
         Wall-clock time between checkpoints; the case's by default.
     shared_folder
         Whether workers see the folder and write to it themselves, or send the files of their cases
-        back. By default, each looks: a file of a random name is there as long as the
-        sweep goes on.
+        back. By default, each worker looks for a file with a random name that exists while the
+        sweep runs.
     in_flight
-        Most bundles of cases that the executor has at a time; three for each worker where nothing
-        is said, so that none waits and no scheduler is flooded.
+        Largest number of bundles of cases in the executor at a time; three for each worker by
+        default, so that no worker waits and no scheduler is overloaded.
     bundle
-        About the time that a bundle of short cases takes. Longer ones come one by one.
+        Approximate time of a bundle of short cases. Longer cases are submitted one by one.
     tries
-        How often a case is handed out whose worker is lost; then it has failed.
+        Number of times to submit a case whose worker is lost before it is marked as failed.
 
     Raises
     ------
     CaseError
-        If cases are invalid; nothing was solved.
+        If cases are invalid; no case was solved.
     FolderError
         If the folder holds other results.
     Interrupted
-        If the user interrupted it; its ``sweep`` holds what was solved.
+        If the user interrupted the sweep; ``sweep`` of the error holds the solved cases.
 
     Notes
     -----
@@ -264,7 +264,7 @@ def sweep(
 
     Examples
     --------
-    On two threads of another pool, which may as well be processes, or Dask's workers:
+    On two threads of another pool, which may also be processes or workers of Dask:
 
     >>> import tempfile
     >>> from concurrent.futures import ThreadPoolExecutor
@@ -277,7 +277,7 @@ def sweep(
     6 {}
     """
     if min(tries, 1 if in_flight is None else in_flight) < 1:
-        raise InputError("tries and in_flight are at least 1")
+        raise InputError("`tries` and `in_flight` must be at least 1")
     threads = count(jobs)
     existing = "overwrite" if overwrite else "resume" if resume else "protect"
     bundle_s = cast("float", _values.option("bundle", bundle, "time"))
@@ -327,7 +327,7 @@ def sweep(
             core.close()
     swept = Sweep(into)
     if interrupted:
-        error = Interrupted("interrupted: `sweep` of this error has what was solved")
+        error = Interrupted("interrupted: `sweep` of this error holds the solved cases")
         error.sweep = swept
         raise error
     return swept
@@ -343,7 +343,7 @@ def _written(key: str, values: str | Iterable[Value]) -> str | list[str]:
 
 
 def _short(value: Value) -> Value:
-    """Give a whole number as such: its folder is called ``bit_depth=300 m``, not 300.0."""
+    """Return a whole number as an integer, so that a folder is ``bit_depth=300 m``, not 300.0."""
     value = cast("Value", _values.plain(value))
     if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
         return int(value)

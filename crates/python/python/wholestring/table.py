@@ -1,4 +1,4 @@
-"""Tables that other libraries take without a copy."""
+"""Tables that other libraries read without a copy."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 
 class Table:
-    """A table of results, as its Parquet file has it: SI, units in the names of the columns.
+    """A table of results with the content of its Parquet file: SI, units in the column names.
 
-    polars, pandas 3, DuckDB and pyarrow take it as it is, by Arrow's PyCapsule interface, and share
-    its memory: ``polars.DataFrame(table)``. A number that does not apply is null there, and NaN to
+    polars, pandas 3, DuckDB and pyarrow read it by Arrow's PyCapsule interface and share its
+    memory: ``polars.DataFrame(table)``. A number that does not apply is null there, and NaN in
     NumPy.
 
     Examples
@@ -43,7 +43,7 @@ class Table:
 
     @property
     def name(self) -> str:
-        """Name of its file, without the ending."""
+        """Name of the file of the table, without the extension."""
         return self._name
 
     @property
@@ -52,11 +52,11 @@ class Table:
         return tuple(self._core.names)
 
     def __len__(self) -> int:
-        """Give the number of rows."""
+        """Return the number of rows."""
         return self._core.rows
 
     def __contains__(self, column: object) -> bool:
-        """Tell whether there is such a column."""
+        """Return whether there is such a column."""
         return column in self._core.names
 
     @overload
@@ -66,9 +66,9 @@ class Table:
     def __getitem__(self, column: list[str] | tuple[str, ...]) -> Table: ...
 
     def __getitem__(self, column: str | list[str] | tuple[str, ...]) -> NDArray[Any] | Table:
-        """Give a column: numbers are a view of the table's memory, read-only, NaN where null.
+        """Return a column: numbers are a read-only view of the table's memory, NaN where null.
 
-        Of a list of names it is a table of these columns, which shares their memory.
+        For a list of names, return a table of these columns, which shares their memory.
         """
         if not isinstance(column, str):
             return Table(self._core.select([str(name) for name in column]), self._name)
@@ -78,7 +78,7 @@ class Table:
         return np.array(self._core.words(column), dtype=object)
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
-        """Give the rows, each a dictionary of its columns; ``pandas.DataFrame`` reads them."""
+        """Return an iterator over the rows, each a dictionary by column name."""
         names = self.columns
         columns = [self[name].tolist() for name in names]
         for row in zip(*columns, strict=True):
@@ -88,7 +88,7 @@ class Table:
         return list(self.columns)
 
     def unit(self, column: str) -> str:
-        """Give the SI unit of a column, empty where it has none.
+        """Return the SI unit of a column, empty where it has none.
 
         Parameters
         ----------
@@ -105,7 +105,7 @@ class Table:
         return self._core.unit(column)
 
     def meaning(self, column: str) -> str:
-        """Give what a column is, in a sentence.
+        """Return the description of a column, a sentence.
 
         Parameters
         ----------
@@ -121,7 +121,7 @@ class Table:
         return self._core.meaning(column)
 
     def to_numpy(self) -> dict[str, NDArray[Any]]:
-        """Give the columns by their names; numbers are views, read-only.
+        """Return the columns by their names; numbers are read-only views.
 
         Examples
         --------
@@ -133,7 +133,7 @@ class Table:
         return {column: self[column] for column in self.columns}
 
     def to_polars(self) -> polars.DataFrame:
-        """Give a polars data frame that shares the numbers.
+        """Return a polars data frame that shares the numbers.
 
         Examples
         --------
@@ -150,7 +150,7 @@ class Table:
         return polars.DataFrame(self)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Give a pandas data frame that shares the numbers where pandas can.
+        """Return a pandas data frame that shares the numbers where pandas can.
 
         Examples
         --------
@@ -167,11 +167,11 @@ class Table:
         return pandas.DataFrame(self.to_numpy(), copy=False)
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
-        """Give Arrow's stream."""
+        """Return the stream of Arrow."""
         return self._core.__arrow_c_stream__(requested_schema)
 
     def __arrow_c_schema__(self) -> object:
-        """Give Arrow's schema."""
+        """Return the schema of Arrow."""
         return self._core.__arrow_c_schema__()
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -179,26 +179,26 @@ class Table:
         return _restored, (self._name, self._core.parts())
 
     def __repr__(self) -> str:
-        """Give its size."""
+        """Return a summary with the size."""
         return f"<Table {self._name}: {len(self)} rows, {len(self.columns)} columns>"
 
     def _repr_html_(self) -> str:
         size = f"{len(self)} rows, {len(self.columns)} columns"
-        return html(self, self.columns, caption=self.name, size=size, shown=10)
+        return html(self, self.columns, caption=self.name, size=size, count=10)
 
 
 def _restored(name: str, parts: Sequence[_core.Part]) -> Table:
     return Table(_core.Table.restore(parts), name)
 
 
-def html(table: Table, names: Sequence[str], *, caption: str, size: str, shown: int) -> str:
-    """Give the first rows of some columns as HTML."""
+def html(table: Table, names: Sequence[str], *, caption: str, size: str, count: int) -> str:
+    """Return the first rows of some columns as HTML."""
     columns: list[_html.Column] = []
     for name in names:
-        head = table[name][:shown]
+        head = table[name][:count]
         numbers = head.dtype.kind == "f"
-        cells = [_html.number(of) if numbers else str(of) for of in head.tolist()]
+        cells = [_html.number(value) if numbers else str(value) for value in head.tolist()]
         hint = table.meaning(name)
         columns.append(_html.Column(title=name, cells=cells, numbers=numbers, hint=hint))
-    more = f", the first {shown} shown" if len(table) > shown else ""
+    more = f", the first {count} shown" if len(table) > count else ""
     return _html.table(columns, caption=caption, note=size + more)

@@ -1,22 +1,22 @@
-// Whom this page asks: engines of its own, in workers; there is no server.
+// Requests of the page without a server: engines in workers answer them.
 
 import { ApiError, type Method } from "../api/client";
 import type { request as Served } from "../served/asked";
 import * as cases from "./cases";
 import { Desk } from "./desk";
-import * as kept from "./kept";
+import * as moments from "./kept";
 import * as strings from "./strings";
 
 export { lineTo } from "./strings";
 
-/** What may take seconds: soft and stiff string are solved side by side, so that the one does not wait for the other. */
+/** Workers for tasks of seconds: soft and stiff string are solved in parallel, so that neither waits for the other. */
 const solvers = { soft: new Desk(), other: new Desk() };
 
-/** What a page asks of a case. */
+/** Body of a request about a case. */
 type OfCase = { text: string; revision: string; file_name: string; models?: string[] };
 
-async function ofCase(method: Method, id: string, what: string, body: OfCase, query: URLSearchParams, signal?: AbortSignal): Promise<unknown> {
-  switch (`${method} ${what}`) {
+async function ofCase(method: Method, id: string, action: string, body: OfCase, query: URLSearchParams, signal?: AbortSignal): Promise<unknown> {
+  switch (`${method} ${action}`) {
     case "GET ":
       return cases.open(id);
     case "PUT ":
@@ -41,14 +41,14 @@ async function ofCase(method: Method, id: string, what: string, body: OfCase, qu
       return cases.ofText("answer", id, body, body.models?.join() === "soft" ? solvers.soft : solvers.other, signal);
     case "POST broomstick":
     case "POST assembly":
-      return cases.ofText(what, id, body, solvers.other, signal);
+      return cases.ofText(action, id, body, solvers.other, signal);
     default:
       return nothing();
   }
 }
 
-async function ofString(method: Method, id: string, what: string, body: { checkpoint: number | null }): Promise<unknown> {
-  switch (`${method} ${what}`) {
+async function ofString(method: Method, id: string, action: string, body: { checkpoint: number | null }): Promise<unknown> {
+  switch (`${method} ${action}`) {
     case "GET ":
       return strings.ask(id, "layout");
     case "DELETE ":
@@ -57,7 +57,7 @@ async function ofString(method: Method, id: string, what: string, body: { checkp
       return strings.ask(id, "recording");
     case "POST rewind":
     case "POST schedule":
-      return strings.ask(id, what, body);
+      return strings.ask(id, action, body);
     case "POST branch":
       return strings.branch(id, body.checkpoint);
     case "POST keep":
@@ -68,17 +68,17 @@ async function ofString(method: Method, id: string, what: string, body: { checkp
 }
 
 function nothing(): never {
-  throw new ApiError(404, "not_found", "This needs the program: a browser alone does not do it.");
+  throw new ApiError(404, "not_found", "This requires the wholestring program: the browser version cannot do it.");
 }
 
-async function asked(method: Method, path: string, body: unknown, signal?: AbortSignal): Promise<unknown> {
+async function answer(method: Method, path: string, body: unknown, signal?: AbortSignal): Promise<unknown> {
   const { pathname, searchParams } = new URL(path, "http://here");
-  const [noun = "", id = "", what = ""] = pathname.slice(1).split("/").map(decodeURIComponent);
-  if (id !== "" && noun === "cases") return ofCase(method, id, what, body as OfCase, searchParams, signal);
-  if (id !== "" && noun === "live") return ofString(method, id, what, body as { checkpoint: number | null });
+  const [noun = "", id = "", action = ""] = pathname.slice(1).split("/").map(decodeURIComponent);
+  if (id !== "" && noun === "cases") return ofCase(method, id, action, body as OfCase, searchParams, signal);
+  if (id !== "" && noun === "live") return ofString(method, id, action, body as { checkpoint: number | null });
   switch (`${method} ${noun}${id === "" ? "" : "/"}`) {
     case "GET session":
-      return { ...(await cases.engine<{ version: string }>("program")), folder_name: "in this browser alone" };
+      return { ...(await cases.engine<{ version: string }>("program")), folder_name: "in this browser only" };
     case "GET schema":
     case "GET units":
     case "GET examples":
@@ -98,19 +98,19 @@ async function asked(method: Method, path: string, body: unknown, signal?: Abort
     case "POST live":
       return strings.beginNew(body as { case: string; text: string });
     case "GET kept-strings":
-      return kept.all();
+      return moments.all();
     case "POST kept-strings/":
       return strings.goOn(id);
     case "DELETE kept-strings/":
-      return kept.remove(id);
+      return moments.remove(id);
     default:
       return nothing();
   }
 }
 
-/** Asks the engine, as a page with a server asks that. */
+/** Sends a request to the engine, in the form of a request to the server. */
 export const request: typeof Served = async <T>(method: Method, path: string, body?: unknown, signal?: AbortSignal): Promise<T> => {
   signal?.throwIfAborted();
-  return (await asked(method, path, body, signal)) as T;
+  return (await answer(method, path, body, signal)) as T;
 };
 

@@ -1,23 +1,23 @@
-// Cases of this browser: what the server of the program does with those of its folder.
+// Cases of this browser, with the operations that the server of the program has for those of its folder.
 
 import type { BesideFile, CaseInList, CaseText, Draft, Example } from "../api/cases";
 import { ApiError } from "../api/client";
-import { Desk, said } from "./desk";
+import { Desk, unpack } from "./desk";
 import * as folder from "./folder";
 
-/** What takes no time. */
+/** Worker for short tasks. */
 export const quick = new Desk();
 
-/** Cases that are there from the beginning, by their examples. */
+/** Initial cases, by the names of their examples. */
 const FIRST = ["slant", "horizontal", "well-b-2235"];
 
-/** Asks the engine. */
+/** Sends a request to the engine. */
 export const engine = async <T>(asks: string, body: object = {}, desk = quick, signal?: AbortSignal): Promise<T> =>
-  said<T>(await desk.ask("ask", { asks, body }, undefined, signal));
+  unpack<T>(await desk.ask("ask", { asks, body }, undefined, signal));
 
-/** Asks the engine something of a text that stands in a case, or may stand there. */
+/** Sends a request about the text of a case, saved or edited, to the engine. */
 export const ofText = async <T>(asks: string, file: string, body: { text: string }, desk = quick, signal?: AbortSignal): Promise<T> =>
-  said<T>(await desk.ask("ask", { asks, file, beside: folder.beside(body.text), body }, undefined, signal));
+  unpack<T>(await desk.ask("ask", { asks, file, beside: folder.beside(body.text), body }, undefined, signal));
 
 async function fill(): Promise<void> {
   for (const name of FIRST) {
@@ -45,7 +45,7 @@ export function create({ file_name, text, beside }: BesideFile & { beside: Besid
   folder.checkNew(file_name);
   for (const file of beside) {
     const there = folder.fileOf(file.file_name);
-    if (there && there.text !== file.text) throw new ApiError(409, "conflict", `there is another \`${file.file_name}\` already`);
+    if (there && there.text !== file.text) throw new ApiError(409, "conflict", `a different \`${file.file_name}\` already exists`);
     folder.put(file.file_name, file.text);
   }
   folder.put(file_name, text);

@@ -1,15 +1,15 @@
-// Workers of the page: each has an engine of its own, and answers one request after the other.
+// Workers of the page: each has its own engine, and answers one request at a time.
 
 import { ApiError } from "../api/client";
 import type { Call, Left } from "./engine";
 import type { FromWorker, ToWorker } from "./messages";
 
-/** The engine, compressed. It is unpacked here, so that any server of files will do. */
+/** The compressed engine, unpacked here so that any file server is sufficient. */
 const ENGINE = "engine.bin";
 
 async function fetchEngine(): Promise<WebAssembly.Module> {
   const response = await fetch(new URL(ENGINE, document.baseURI));
-  if (!response.ok || !response.body) throw new ApiError(response.status, "unreachable", `The engine (${ENGINE}) does not lie beside this page.`);
+  if (!response.ok || !response.body) throw new ApiError(response.status, "unreachable", `The engine file (${ENGINE}) is missing in the folder of this page.`);
   const unpacked = response.body.pipeThrough(new DecompressionStream("gzip"));
   return WebAssembly.compileStreaming(new Response(unpacked, { headers: { "content-type": "application/wasm" } }));
 }
@@ -23,7 +23,7 @@ function compiled(): Promise<WebAssembly.Module> {
   return module;
 }
 
-interface Asked {
+interface Pending {
   call: Call;
   request: string;
   bytes: ArrayBuffer | undefined;
@@ -33,22 +33,22 @@ interface Asked {
 
 /** A worker. */
 export class Desk {
-  /** What is told by a live string, and why it has ended. */
-  told: ((what: string | ArrayBuffer) => void) | null = null;
+  /** Called with each message of a live string, and with the reason when it ends. */
+  onMessage: ((message: string | ArrayBuffer) => void) | null = null;
   ended: ((why: string) => void) | null = null;
   #worker: Worker | null = null;
-  #asked = new Map<number, Asked>();
+  #pending = new Map<number, Pending>();
   #queue: number[] = [];
   #number = 0;
   #busy = false;
 
-  /** Asks; where nobody wants to know any more, what goes on is given up. */
+  /** Sends a request; `signal` cancels it. */
   async ask(call: Call, request: object, bytes?: ArrayBuffer, signal?: AbortSignal): Promise<Left> {
     const engine = await compiled();
     signal?.throwIfAborted();
     const number = this.#number++;
     return new Promise((answered, failed) => {
-      this.#asked.set(number, { call, request: JSON.stringify(request), bytes, answered, failed });
+      this.#pending.set(number, { call, request: JSON.stringify(request), bytes, answered, failed });
       this.#queue.push(number);
       signal?.addEventListener("abort", () => this.#giveUp(number), { once: true });
       this.#next(engine);
@@ -57,18 +57,18 @@ export class Desk {
 
   #next(engine: WebAssembly.Module): void {
     const number = this.#queue[0];
-    const asked = number === undefined ? undefined : this.#asked.get(number);
-    if (this.#busy || number === undefined || !asked) return;
+    const request = number === undefined ? undefined : this.#pending.get(number);
+    if (this.#busy || number === undefined || !request) return;
     this.#worker ??= this.#begin(engine);
     this.#busy = true;
-    this.say({ number, call: asked.call, request: asked.request, ...(asked.bytes ? { bytes: asked.bytes } : {}) });
+    this.say({ number, call: request.call, request: request.request, ...(request.bytes ? { bytes: request.bytes } : {}) });
   }
 
   #begin(engine: WebAssembly.Module): Worker {
     const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#hear(data);
     worker.onerror = ({ message }) => {
-      for (const number of [...this.#asked.keys()]) this.#done(number, (asked) => asked.failed(new ApiError(500, "failed", message)));
+      for (const number of [...this.#pending.keys()]) this.#done(number, (request) => request.failed(new ApiError(500, "failed", message)));
       this.end();
     };
     worker.postMessage({ module: engine } satisfies ToWorker);
@@ -76,48 +76,48 @@ export class Desk {
   }
 
   #hear(data: FromWorker): void {
-    if ("told" in data) this.told?.(data.told);
+    if ("message" in data) this.onMessage?.(data.message);
     else if (!("number" in data)) {
       this.ended?.(data.ended);
       this.end();
     } else if ("ended" in data) {
-      // Another begins with the next request.
+      // The next request starts another worker.
       this.end();
       this.ended?.(data.ended);
-      this.#done(data.number, (asked) => asked.failed(new ApiError(500, "failed", data.ended)));
-    } else this.#done(data.number, (asked) => asked.answered(data));
+      this.#done(data.number, (request) => request.failed(new ApiError(500, "failed", data.ended)));
+    } else this.#done(data.number, (request) => request.answered(data));
   }
 
-  #done(number: number, of: (asked: Asked) => void): void {
-    const asked = this.#asked.get(number);
-    this.#asked.delete(number);
+  #done(number: number, settle: (request: Pending) => void): void {
+    const request = this.#pending.get(number);
+    this.#pending.delete(number);
     this.#queue = this.#queue.filter((other) => other !== number);
     this.#busy = false;
-    if (asked) of(asked);
+    if (request) settle(request);
     void compiled().then((engine) => this.#next(engine));
   }
 
   #giveUp(number: number): void {
-    if (!this.#asked.has(number)) return;
+    if (!this.#pending.has(number)) return;
     const going = this.#busy && this.#queue[0] === number;
-    const aborted = (asked: Asked) => asked.failed(new DOMException("nobody waits for it", "AbortError"));
+    const aborted = (request: Pending) => request.failed(new DOMException("the request was cancelled", "AbortError"));
     if (going) {
       this.end();
       this.#done(number, aborted);
       return;
     }
-    const asked = this.#asked.get(number);
-    this.#asked.delete(number);
+    const request = this.#pending.get(number);
+    this.#pending.delete(number);
     this.#queue = this.#queue.filter((other) => other !== number);
-    if (asked) aborted(asked);
+    if (request) aborted(request);
   }
 
-  /** Says something to the worker. */
+  /** Sends a message to the worker. */
   say(message: ToWorker): void {
     this.#worker?.postMessage(message);
   }
 
-  /** Ends the worker, whatever it does. */
+  /** Terminates the worker, whatever its state. */
   end(): void {
     this.#worker?.terminate();
     this.#worker = null;
@@ -127,10 +127,10 @@ export class Desk {
 
 const reader = new TextDecoder();
 
-/** What an answer says: what was asked for, or why not. */
-export function said<T>({ status, bytes }: Left): T {
-  const told: unknown = JSON.parse(reader.decode(bytes));
-  if (status === 200) return told as T;
-  const { error } = told as { error: { kind: string; message: string; diagnostics?: ApiError["diagnostics"] } };
+/** Returns the result in an answer, or throws its error. */
+export function unpack<T>({ status, bytes }: Left): T {
+  const body: unknown = JSON.parse(reader.decode(bytes));
+  if (status === 200) return body as T;
+  const { error } = body as { error: { kind: string; message: string; diagnostics?: ApiError["diagnostics"] } };
   throw new ApiError(status, error.kind, error.message, error.diagnostics ?? []);
 }

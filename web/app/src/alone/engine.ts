@@ -1,4 +1,4 @@
-// The engine, as a worker calls it: the other half of crates/browser/src/page.rs.
+// The engine for a worker: the counterpart of crates/browser/src/page.rs.
 
 interface Exports extends WebAssembly.Exports {
   memory: WebAssembly.Memory;
@@ -15,13 +15,13 @@ interface Exports extends WebAssembly.Exports {
   news(): number;
 }
 
-/** What an answer is: the status that HTTP has for it, and its bytes. */
+/** An answer: its HTTP status and its bytes. */
 export interface Left {
   status: number;
   bytes: ArrayBuffer;
 }
 
-/** What is asked of the engine beside live strings' own lines. */
+/** Calls of the engine, other than messages to live strings. */
 export type Call = "ask" | "begin" | "keep" | "kept";
 
 const TEXT = 1;
@@ -30,7 +30,7 @@ const reader = new TextDecoder();
 
 export class Engine {
   readonly #exports: Exports;
-  /** Why it has ended, where it has. */
+  /** Reason why it ended, if it did. */
   complaint = "";
 
   constructor(module: WebAssembly.Module) {
@@ -38,13 +38,13 @@ export class Engine {
       now_ms: () => performance.now(),
       complain: (place: number, bytes: number) => (this.complaint = reader.decode(new Uint8Array(this.#exports.memory.buffer, place, bytes))),
     };
-    // What libraries would ask a page for and never do here.
+    // Imports of libraries that are never called here.
     const imports: WebAssembly.Imports = { page };
     for (const { module: from, name } of WebAssembly.Module.imports(module)) {
       if (from === "page") continue;
       imports[from] ??= {};
       imports[from][name] = () => {
-        throw new Error(`${name} is asked for`);
+        throw new Error(`the import ${name} was called`);
       };
     }
     this.#exports = new WebAssembly.Instance(module, imports).exports as Exports;
@@ -64,7 +64,7 @@ export class Engine {
     return this.#exports.memory.buffer.slice(place, place + this.#exports.left_bytes()) as ArrayBuffer;
   }
 
-  /** Calls it with a request as JSON; where bytes go with it, these are of a string that was kept. */
+  /** Calls the engine with a request as JSON; `bytes` are those of a saved string, if any. */
   call(call: Call, request: string, bytes?: ArrayBuffer): Left {
     const head = writer.encode(request);
     const rest = bytes ? new Uint8Array(bytes) : new Uint8Array();
@@ -77,24 +77,24 @@ export class Engine {
     return { status, bytes: this.#left() };
   }
 
-  /** Somebody looks at the live string who knows nothing of it. */
+  /** Attaches a new viewer to the live string. */
   attend(): void {
     this.#exports.attend();
   }
 
-  /** Says something to the live string; what it refuses. */
+  /** Sends a message to the live string; returns the reason of a refusal. */
   hear(text: string): string {
     this.#give(writer.encode(text));
     this.#exports.hear();
     return reader.decode(this.#left());
   }
 
-  /** Takes the live string forward for so long at most, ms; how long nothing is due then. */
+  /** Advances the live string for at most a time, ms; returns the time until the next step is due, ms. */
   goOn(budget_ms: number): number {
     return this.#exports.go_on(budget_ms);
   }
 
-  /** The next message of the live string; null where there is no news. */
+  /** The next message of the live string; null if there is none. */
   news(): string | ArrayBuffer | null {
     const kind = this.#exports.news();
     if (kind === 0) return null;

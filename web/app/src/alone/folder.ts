@@ -1,4 +1,4 @@
-// Cases and the files beside them, kept in this browser: the folder of who has no program.
+// Cases and their files in the storage of this browser, in place of a folder.
 
 import type { Draft } from "../api/cases";
 import { ApiError } from "../api/client";
@@ -6,17 +6,17 @@ import { ApiError } from "../api/client";
 /** A file. */
 export interface File {
   text: string;
-  /** Grows with every text. */
+  /** Incremented with every text. */
   revision: number;
   modified_ms: number;
 }
 
 const FILE = "wholestring.file.";
 const DRAFT = "wholestring.draft.";
-/** There once the folder was used: who has removed all cases does not find them again. */
+/** Set once the folder was used, so that deleted example cases do not reappear. */
 const USED = "wholestring.used";
 
-/** Of a browser that keeps nothing: what holds until the page is closed. */
+/** Files in memory, for a browser without storage, until the page is closed. */
 const forNow = new Map<string, string>();
 
 function read(key: string): string | null {
@@ -32,7 +32,7 @@ function write(key: string, text: string): void {
     localStorage.setItem(key, text);
   } catch (problem) {
     if (problem instanceof DOMException && problem.name === "QuotaExceededError")
-      throw new ApiError(507, "full", "This browser keeps no more: delete a case, or take the program, which keeps them in a folder.");
+      throw new ApiError(507, "full", "The storage of this browser is full: delete a case, or use the program, which stores cases in a folder.");
     forNow.set(key, text);
   }
 }
@@ -57,7 +57,7 @@ const parsed = <T>(text: string | null): T | null => (text === null ? null : (JS
 
 export const isCase = (name: string): boolean => name.toLowerCase().endsWith(".toml");
 
-/** Names of all files, in their order. */
+/** Names of all files, sorted. */
 export function names(): string[] {
   const found = keys().filter((key) => key.startsWith(FILE));
   return found.map((key) => key.slice(FILE.length)).sort();
@@ -65,14 +65,14 @@ export function names(): string[] {
 
 export const fileOf = (name: string): File | null => parsed<File>(read(FILE + name));
 
-/** The case of a name. */
+/** Returns the case of a name. */
 export function caseOf(name: string): File {
   const found = isCase(name) ? fileOf(name) : null;
   if (!found) throw new ApiError(404, "not_found", "there is no such case");
   return found;
 }
 
-/** Puts a text into a file. */
+/** Writes a text to a file. */
 export function put(name: string, text: string): File {
   const file = { text, revision: (fileOf(name)?.revision ?? 0) + 1, modified_ms: Date.now() };
   write(FILE + name, JSON.stringify(file));
@@ -88,24 +88,24 @@ export const draftOf = (name: string): Draft | null => parsed<Draft>(read(DRAFT 
 export const putDraft = (name: string, draft: Draft): void => write(DRAFT + name, JSON.stringify(draft));
 export const dropDraft = (name: string): void => forget(DRAFT + name);
 
-/** The files that a case may name: those whose name stands in its text. */
+/** The files that a case may refer to: those whose name is in its text. */
 export function beside(text: string): Record<string, string> {
   const named = names().filter((name) => !isCase(name) && text.includes(name));
   return Object.fromEntries(named.map((name) => [name, fileOf(name)?.text ?? ""]));
 }
 
-/** Whether the folder is used for the first time; not any more from then on. */
+/** Whether this is the first use of the folder; false afterwards. */
 export function isNew(): boolean {
   const found = read(USED) === null;
   if (found) write(USED, "1");
   return found;
 }
 
-/** Refuses what is no plain name of a case file that is free. */
+/** Refuses a name that is invalid or already in use. */
 export function checkNew(name: string): void {
   const refused = (why: string) => new ApiError(422, "bad_input", `\`${name}\` cannot be the name of a file: ${why}`);
   if (!isCase(name)) throw refused("a case file ends in `.toml`");
-  if (name.length > 200) throw refused("it is longer than 200 letters");
-  if (/[\p{Cc}/\\:*?"<>|]|^[. -]|[. ]$/u.test(name)) throw refused("it holds a character that no name of a file has, or begins with a dot, a space or a dash");
-  if (fileOf(name)) throw new ApiError(409, "conflict", `there is a \`${name}\` already`);
+  if (name.length > 200) throw refused("it is longer than 200 characters");
+  if (/[\p{Cc}/\\:*?"<>|]|^[. -]|[. ]$/u.test(name)) throw refused("it contains a character that file names cannot have, or begins with a dot, a space or a dash");
+  if (fileOf(name)) throw new ApiError(409, "conflict", `\`${name}\` already exists`);
 }

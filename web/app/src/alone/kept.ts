@@ -1,9 +1,9 @@
-// Moments of live strings that are kept in this browser, to be continued.
+// Checkpoints of live strings, stored in this browser to be continued.
 
 import { ApiError } from "../api/client";
 import type { KeptString } from "../api/live";
 
-/** A moment as it is kept: what a list says of it, its text, and the bytes that the engine made of it. */
+/** A stored checkpoint: its entry in lists, the text of the case, and the bytes of the engine. */
 export interface Kept extends KeptString {
   text: string;
   bytes: ArrayBuffer;
@@ -13,27 +13,27 @@ const STORE = "strings";
 
 function opened(): Promise<IDBDatabase> {
   return new Promise((found, lost) => {
-    const asked = indexedDB.open("wholestring", 1);
-    asked.onupgradeneeded = () => asked.result.createObjectStore(STORE, { keyPath: "name" });
-    asked.onsuccess = () => found(asked.result);
-    asked.onerror = () => lost(new ApiError(507, "full", "This browser keeps no strings."));
+    const opening = indexedDB.open("wholestring", 1);
+    opening.onupgradeneeded = () => opening.result.createObjectStore(STORE, { keyPath: "name" });
+    opening.onsuccess = () => found(opening.result);
+    opening.onerror = () => lost(new ApiError(507, "full", "This browser cannot store strings."));
   });
 }
 
-async function done<T>(mode: IDBTransactionMode, of: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
+async function done<T>(mode: IDBTransactionMode, makeRequest: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
   const base = await opened();
   try {
     return await new Promise<T>((found, lost) => {
-      const asked = of(base.transaction(STORE, mode).objectStore(STORE));
-      asked.onsuccess = () => found(asked.result);
-      asked.onerror = () => lost(new ApiError(507, "full", "This browser keeps no more strings."));
+      const pending = makeRequest(base.transaction(STORE, mode).objectStore(STORE));
+      pending.onsuccess = () => found(pending.result);
+      pending.onerror = () => lost(new ApiError(507, "full", "The storage of this browser is full: no more strings can be kept."));
     });
   } finally {
     base.close();
   }
 }
 
-/** Those that are kept, the latest first. */
+/** All stored checkpoints, the latest first. */
 export async function all(): Promise<KeptString[]> {
   const found = await done<Kept[]>("readonly", (store) => store.getAll() as IDBRequest<Kept[]>);
   return found.sort((a, b) => b.modified_ms - a.modified_ms);
@@ -45,5 +45,5 @@ export async function get(name: string): Promise<Kept> {
   return found;
 }
 
-export const put = (of: Kept): Promise<IDBValidKey> => done("readwrite", (store) => store.put(of));
+export const put = (moment: Kept): Promise<IDBValidKey> => done("readwrite", (store) => store.put(moment));
 export const remove = (name: string): Promise<undefined> => done("readwrite", (store) => store.delete(name));

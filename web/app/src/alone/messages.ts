@@ -1,17 +1,17 @@
-// What the page and a worker say to each other.
+// Messages between the page and a worker.
 
 import type { Call, Left } from "./engine";
 
-/** From the page. The module comes first, once. */
+/** Messages from the page. The module is the first, sent once. */
 export type ToWorker =
   | { module: WebAssembly.Module }
   | { number: number; call: Call; request: string; bytes?: ArrayBuffer }
-  /** Somebody looks at the live string from now on. */
+  /** Attaches a viewer to the live string. */
   | { attend: true }
-  /** What the page says to the live string. */
+  /** Message of the page to the live string. */
   | { say: string }
-  /** The page has taken what it was given: more may come. */
+  /** The page has processed the last message, and can receive the next. */
   | { taken: true };
 
-/** From a worker. */
-export type FromWorker = ({ number: number } & Left) | { number: number; ended: string } | { told: string | ArrayBuffer } | { ended: string };
+/** Messages from a worker. */
+export type FromWorker = ({ number: number } & Left) | { number: number; ended: string } | { message: string | ArrayBuffer } | { ended: string };

@@ -1,23 +1,23 @@
-// Live strings of this page, each in a worker of its own.
+// Live strings of this page, each in its own worker.
 
 import { ApiError } from "../api/client";
 import type { LiveEntry } from "../api/live";
 import { OPEN, type Line } from "../api/line";
 import { quick } from "./cases";
-import { Desk, said } from "./desk";
+import { Desk, unpack } from "./desk";
 import * as folder from "./folder";
-import * as kept from "./kept";
+import * as moments from "./kept";
 
-/** So many at once: each has the processor for itself only as long as there are cores. */
+/** Largest number of live strings, because each requires a core of its own. */
 const MOST = 2;
 
 interface Live {
   desk: Desk;
   case: string;
-  /** What was said when it ended. */
+  /** Reason why it ended. */
   ended: string | null;
   line: LineHere | null;
-  /** How it was doing last, as it was told. */
+  /** Its last status message. */
   status: string;
 }
 
@@ -30,7 +30,7 @@ function stringOf(id: string): Live {
   return found;
 }
 
-/** A line to a string: what a socket is elsewhere. */
+/** A connection to a string, in place of a socket. */
 class LineHere implements Line {
   onopen: Line["onopen"] = null;
   onmessage: Line["onmessage"] = null;
@@ -41,12 +41,12 @@ class LineHere implements Line {
   constructor(live: Live) {
     this.#live = live;
     live.line = this;
-    live.desk.told = (data) => {
+    live.desk.onMessage = (data) => {
       if (typeof data === "string" && data.startsWith('{"type":"status"')) live.status = data;
       this.onmessage?.(new MessageEvent("message", { data }));
       if (typeof data !== "string") live.desk.say({ taken: true });
     };
-    // Who opens a line listens to it a moment later.
+    // Deferred, because the caller sets its listeners after the constructor.
     queueMicrotask(() => {
       this.onopen?.(new Event("open"));
       live.desk.say({ attend: true });
@@ -60,7 +60,7 @@ class LineHere implements Line {
   close(): void {
     this.readyState = 3;
     this.#live.line = null;
-    this.#live.desk.told = null;
+    this.#live.desk.onMessage = null;
     this.onclose?.(new CloseEvent("close"));
   }
 }
@@ -69,14 +69,14 @@ export function lineTo(id: string): Line {
   return new LineHere(stringOf(id));
 }
 
-async function begin(request: object, of: string, bytes?: ArrayBuffer): Promise<{ id: string }> {
+async function begin(request: object, caseName: string, bytes?: ArrayBuffer): Promise<{ id: string }> {
   const running = [...strings.values()].filter((live) => live.ended === null);
   if (running.length >= MOST) throw new ApiError(429, "too_many", `${MOST} strings are live already: end one of them first`);
   const id = crypto.randomUUID?.() ?? String(Math.random()).slice(2);
   const desk = new Desk();
-  const live: Live = { desk, case: of, ended: null, line: null, status: "{}" };
+  const live: Live = { desk, case: caseName, ended: null, line: null, status: "{}" };
   try {
-    said<LiveEntry>(await desk.ask("begin", { ...request, id }, bytes));
+    unpack<LiveEntry>(await desk.ask("begin", { ...request, id }, bytes));
   } catch (problem) {
     desk.end();
     throw problem;
@@ -86,7 +86,7 @@ async function begin(request: object, of: string, bytes?: ArrayBuffer): Promise<
   return { id };
 }
 
-/** Ends a string, and tells who looks at it. */
+/** Ends a string, and notifies its viewer. */
 function finish(live: Live, why: string): void {
   live.ended = why;
   live.desk.end();
@@ -99,36 +99,36 @@ export const beginNew = (body: { case: string; text: string }): Promise<{ id: st
 
 export async function list(): Promise<LiveEntry[]> {
   const running = [...strings].filter(([, live]) => live.ended === null);
-  return Promise.all(running.map(async ([, { desk }]) => said<LiveEntry>(await desk.ask("ask", { asks: "entry" }))));
+  return Promise.all(running.map(async ([, { desk }]) => unpack<LiveEntry>(await desk.ask("ask", { asks: "entry" }))));
 }
 
 export function end(id: string): void {
   finish(stringOf(id), "this string was ended by a user");
 }
 
-/** Asks a string something. */
+/** Sends a request to a string. */
 export async function ask<T>(id: string, asks: string, body: object = {}): Promise<T> {
   const live = stringOf(id);
   const text = folder.fileOf(live.case)?.text ?? "";
-  const of = "text" in body && typeof body.text === "string" ? body.text : text;
-  return said<T>(await live.desk.ask("ask", { asks, file: live.case, beside: folder.beside(of), body }));
+  const caseText = "text" in body && typeof body.text === "string" ? body.text : text;
+  return unpack<T>(await live.desk.ask("ask", { asks, file: live.case, beside: folder.beside(caseText), body }));
 }
 
-async function moment(id: string, checkpoint: number | null): Promise<kept.Kept> {
+async function moment(id: string, checkpoint: number | null): Promise<moments.Kept> {
   const { status, bytes } = await stringOf(id).desk.ask("keep", { asks: "keep", body: { checkpoint } });
-  if (status !== 200) said({ status, bytes });
-  const known = said<Omit<kept.Kept, "bytes">>(await quick.ask("kept", {}, bytes));
+  if (status !== 200) unpack({ status, bytes });
+  const known = unpack<Omit<moments.Kept, "bytes">>(await quick.ask("kept", {}, bytes));
   return { ...known, name: String(Date.now()), modified_ms: Date.now(), bytes };
 }
 
-const go = ({ case: of, text, bytes }: kept.Kept): Promise<{ id: string }> => begin({ asks: "begin", file: of, beside: folder.beside(text) }, of, bytes);
+const go = ({ case: caseName, text, bytes }: moments.Kept): Promise<{ id: string }> => begin({ asks: "begin", file: caseName, beside: folder.beside(text) }, caseName, bytes);
 
 export const branch = async (id: string, checkpoint: number | null): Promise<{ id: string }> => go(await moment(id, checkpoint));
 
 export async function keep(id: string, checkpoint: number | null): Promise<{ name: string }> {
-  const of = await moment(id, checkpoint);
-  await kept.put(of);
-  return { name: of.name };
+  const saved = await moment(id, checkpoint);
+  await moments.put(saved);
+  return { name: saved.name };
 }
 
-export const goOn = async (name: string): Promise<{ id: string }> => go(await kept.get(name));
+export const goOn = async (name: string): Promise<{ id: string }> => go(await moments.get(name));

@@ -1,24 +1,24 @@
-// A worker: an engine, and where it has a live string, what takes that forward.
+// A worker: an engine, and the loop that advances its live string, if it has one.
 
 import { Engine } from "./engine";
 import type { FromWorker, ToWorker } from "./messages";
 
-/** So long the string goes on between two looks at what the page says, ms. */
+/** Time for which the string is advanced between two checks for messages of the page, ms. */
 const BUDGET = 12;
 
 let engine: Engine | null = null;
-/** Whether somebody looks at the string, and has taken what was given last. */
+/** Whether a viewer is attached, and has processed the last message. */
 let attended = false;
 let timer: ReturnType<typeof setTimeout> | undefined;
 const next = new MessageChannel();
-/** Whether a turn is on its way. */
+/** Whether the next turn is scheduled. */
 let due = false;
 next.port1.onmessage = () => {
   due = false;
   turn();
 };
 
-/** Takes another turn, once the page was heard. */
+/** Schedules another turn, after pending messages of the page. */
 function soon(): void {
   if (!due) next.port2.postMessage(null);
   due = true;
@@ -28,25 +28,25 @@ function post(message: FromWorker, moved: Transferable[] = []): void {
   postMessage(message, { transfer: moved });
 }
 
-/** Why the engine ended: it cannot be asked again. */
+/** Returns the reason why the engine ended; it cannot be used again. */
 function ended(problem: unknown): string {
   const why = engine?.complaint || String(problem);
   engine = null;
-  return `the engine has met a mistake of its own: ${why}`;
+  return `internal error of the engine: ${why}`;
 }
 
 function tell(): void {
   if (!attended || !engine) return;
   for (let news = engine.news(); news !== null; news = engine.news()) {
     if (typeof news === "string") {
-      post({ told: news });
+      post({ message: news });
       continue;
     }
     attended = false;
-    post({ told: news }, [news]);
-    // Samples and the frame after them go together.
+    post({ message: news }, [news]);
+    // Samples and the frame after them are sent together.
     const frame = engine.news();
-    if (frame !== null) post({ told: frame }, typeof frame === "string" ? [] : [frame]);
+    if (frame !== null) post({ message: frame }, typeof frame === "string" ? [] : [frame]);
     return;
   }
 }
@@ -70,7 +70,7 @@ onmessage = ({ data }: MessageEvent<ToWorker>) => {
   } else if ("number" in data) {
     const { number, call, request, bytes } = data;
     try {
-      if (!engine) throw new Error("it has ended");
+      if (!engine) throw new Error("the engine has ended");
       const left = engine.call(call, request, bytes);
       post({ number, ...left }, [left.bytes]);
       if (call === "begin" && left.status === 200) soon();
@@ -79,7 +79,7 @@ onmessage = ({ data }: MessageEvent<ToWorker>) => {
     }
   } else if ("say" in data) {
     const refused = engine?.hear(data.say) ?? "";
-    if (refused !== "") post({ told: refused });
+    if (refused !== "") post({ message: refused });
     soon();
   } else {
     if ("attend" in data) engine?.attend();

@@ -1,36 +1,36 @@
-// Asks for the answers of a text, the newest first: of what was asked before nobody wants to know any more.
+// Requests the results of a text; a new request cancels the previous one.
 
 import { type Answer, answerCase, type Assembly, assemblyOf, type Broomstick, broomstickOf, type Changed } from "../api/answers";
 import { wasAborted } from "../api/client";
 import { settings } from "../settings.svelte";
 
-/** What is under way is let be for so long, ms, or who moves a slider would never see an answer. */
+/** Time for which a running request is not cancelled, ms, so that results appear while a slider moves. */
 const LET_BE = 300;
 
-/** So long a soft string waits for the stiff one, ms: to draw both at once takes half of the time that each alone takes. */
+/** Time for which the soft string waits for the stiff one, ms: drawing both at once takes half as long as one by one. */
 const TOGETHER = 30;
 
-/** What was found of one text. */
+/** Results of one text. */
 export class Answering {
   readonly #id: string;
   soft = $state.raw<Answer | null>(null);
   stiff = $state.raw<Answer | null>(null);
   broomstick = $state.raw<Broomstick | null>(null);
   assembly = $state.raw<Assembly | null>(null);
-  /** Why the newest has no answer. */
+  /** Error of the newest request. */
   problem = $state.raw<unknown>(null);
-  /** Whether soft and stiff string of the newest are still to come. */
+  /** Whether soft and stiff string of the newest request are pending. */
   solving = $state(false);
-  /** When what soft and stiff string are of was asked for, on the page's clock, ms. */
+  /** Times of the requests that the soft and the stiff results belong to, on the clock of the page, ms. */
   #softSince = $state(0);
   #stiffSince = $state(0);
-  /** What soft and stiff string are of. */
-  of = $state.raw<Changed | null>(null);
-  #wanted: { of: Changed; operation: string | null; since: number } | null = null;
+  /** The request that soft and stiff results belong to. */
+  request = $state.raw<Changed | null>(null);
+  #next: { request: Changed; operation: string | null; since: number } | null = null;
   #underWay: { abort: AbortController; since: number; text: string; urgent: boolean } | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** When the answer was asked for that both models have, on the page's clock, ms; null while one of them is of another. */
+  /** Time of the request that both models have answered, on the clock of the page, ms; null while they differ. */
   get since(): number | null {
     return this.#softSince === this.#stiffSince ? this.#softSince : null;
   }
@@ -39,36 +39,36 @@ export class Answering {
     this.#id = id;
   }
 
-  /** Wants the answers of this, after a pause in which nothing else is wanted, ms. */
-  ask(of: Changed, operation: string | null, pause: number): void {
+  /** Requests results after a pause without another request, ms. */
+  ask(request: Changed, operation: string | null, pause: number): void {
     const now = performance.now();
-    this.#wanted = { of, operation, since: now };
+    this.#next = { request, operation, since: now };
     this.solving = true;
     clearTimeout(this.#timer);
     const going = this.#underWay;
     let wait = pause;
-    if (going?.urgent && going.text === of.text) wait = Math.max(wait, going.since + LET_BE - now);
+    if (going?.urgent && going.text === request.text) wait = Math.max(wait, going.since + LET_BE - now);
     else going?.abort.abort();
     this.#timer = setTimeout(() => this.#start(), wait);
   }
 
-  /** Asks once more. */
+  /** Repeats the request. */
   again(): void {
     this.#start();
   }
 
-  /** Gives up what is under way. */
+  /** Cancels the running request. */
   end(): void {
     clearTimeout(this.#timer);
     this.#underWay?.abort.abort();
-    this.#wanted = null;
+    this.#next = null;
     this.solving = false;
   }
 
-  /** Forgets what was found. */
+  /** Discards all results. */
   clear(): void {
     this.end();
-    this.of = null;
+    this.request = null;
     this.soft = this.stiff = null;
     this.broomstick = null;
     this.assembly = null;
@@ -78,34 +78,34 @@ export class Answering {
   #start(): void {
     clearTimeout(this.#timer);
     this.#underWay?.abort.abort();
-    if (this.#wanted) void this.#run(this.#wanted);
+    if (this.#next) void this.#run(this.#next);
   }
 
-  async #run(wanted: { of: Changed; operation: string | null; since: number }): Promise<void> {
+  async #run(next: { request: Changed; operation: string | null; since: number }): Promise<void> {
     const abort = new AbortController();
     const { signal } = abort;
-    const going = { abort, since: performance.now(), text: wanted.of.text, urgent: true };
+    const going = { abort, since: performance.now(), text: next.request.text, urgent: true };
     this.#underWay = going;
-    const newest = (): boolean => this.#wanted === wanted;
+    const newest = (): boolean => this.#next === next;
     const units = settings.chosenUnits;
     try {
-      // Apart, so that the soft string is drawn while the stiff one is solved.
-      const soft = answerCase(this.#id, wanted.of, ["soft"], units, signal);
-      const stiff = answerCase(this.#id, wanted.of, ["stiff"], units, signal);
+      // Separate requests, so that the soft string is drawn while the stiff one is solved.
+      const soft = answerCase(this.#id, next.request, ["soft"], units, signal);
+      const stiff = answerCase(this.#id, next.request, ["stiff"], units, signal);
       await Promise.race([stiff, soft.then(() => new Promise((wake) => setTimeout(wake, TOGETHER)))]);
       this.soft = await soft;
       settings.followCase(this.soft.set_points.units);
-      this.of = wanted.of;
-      this.#softSince = wanted.since;
+      this.request = next.request;
+      this.#softSince = next.since;
       this.problem = null;
       this.stiff = await stiff;
-      this.#stiffSince = wanted.since;
+      this.#stiffSince = next.since;
       if (!newest()) return this.#start();
       this.solving = false;
-      // What takes longer may be given up at once.
+      // The slower requests may be cancelled at any time.
       going.urgent = false;
-      this.broomstick = await broomstickOf(this.#id, wanted.of, signal);
-      this.assembly = await assemblyOf(this.#id, wanted.of, wanted.operation, signal);
+      this.broomstick = await broomstickOf(this.#id, next.request, signal);
+      this.assembly = await assemblyOf(this.#id, next.request, next.operation, signal);
     } catch (problem) {
       if (wasAborted(problem) || signal.aborted) return;
       abort.abort();

@@ -14,15 +14,15 @@ const COLOURS: Readonly<Record<string, string>> = {
   ream: "var(--line-5)",
   back_ream: "var(--line-6)",
 };
-/** From the least friction to the most. */
+/** Levels from the lowest to the highest friction. */
 const DASHES: Readonly<Record<string, readonly number[] | null>> = { low: [1.5, 3], expected: null, high: [6, 3] };
 
 const numbers = (column: Numbers): number[] => column.map((value) => value ?? NaN);
 
-/** `0.3`, or `0.2 / 0.3` where sections differ. */
+/** `0.3`, or `0.2 / 0.3` if sections differ. */
 function frictionText({ frictions }: Broomstick, name: string): string {
-  const of = frictions.find((level) => level.name === name)?.coefficients ?? [];
-  const texts = of.map((value) => String(Number(value.toFixed(3))));
+  const coefficients = frictions.find((level) => level.name === name)?.coefficients ?? [];
+  const texts = coefficients.map((value) => String(Number(value.toFixed(3))));
   return texts.filter((text, i) => text !== texts[i - 1]).join(" / ");
 }
 
@@ -31,7 +31,7 @@ type Column = "hook_load_N" | "surface_torque_N_m";
 function linesOf(found: Broomstick, names: Readonly<Record<string, string>>, column: Column, ghost: boolean): DepthLine[] {
   const line = (curve: BroomstickCurve): DepthLine[] => {
     const name = names[curve.operation];
-    // What turns off bottom hangs alike with every friction.
+    // The hook load of rotation off bottom does not depend on friction.
     const alike = column === "hook_load_N" && curve.operation === "rotate_off_bottom";
     if (name === undefined || (alike && curve.friction !== "expected")) return [];
     const friction = frictionText(found, curve.friction);
@@ -53,7 +53,7 @@ function linesOf(found: Broomstick, names: Readonly<Record<string, string>>, col
 
 const limit = (name: string, value: number | null): LoadLimit[] => (value === null ? [] : [{ name, value }]);
 
-/** Hook load and torque; `before` is drawn pale beneath. */
+/** Charts of hook load and torque; `before` is drawn pale below them. */
 export function broomstickCharts(found: Broomstick, before: Broomstick | null, bitDepth: number | null): DepthChart[] {
   const deepest = Math.max(1, ...found.curves.flatMap((curve) => numbers(curve.bit_depth_m)).filter(Number.isFinite));
   const lines = (names: Readonly<Record<string, string>>, column: Column): DepthLine[] => [

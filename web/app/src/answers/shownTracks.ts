@@ -1,4 +1,4 @@
-// Which tracks are drawn of an operation, and their curves.
+// Tracks of an operation, and their curves.
 
 import { extent } from "../../../components/curve.ts";
 import { fromAfar } from "../../../components/from_afar.ts";
@@ -7,11 +7,11 @@ import type { CurveLook, TrackCurve } from "../../../components/track.ts";
 import { si } from "../../../components/units.ts";
 import type { Along, Answer, ColumnName, Numbers } from "../api/answers";
 
-/** A curve and how it looks. */
+/** A curve and its look. */
 export interface ShownCurve {
   name: string;
   curve: TrackCurve;
-  /** The same from afar, where it swings from joint to joint. */
+  /** The curve at small scale, if it oscillates from joint to joint. */
   far?: TrackCurve | undefined;
   look: CurveLook;
 }
@@ -24,7 +24,7 @@ export interface ShownTrack {
   leastSpan: number;
 }
 
-/** Titles, dimensions and the least that an axis spans, SI: what hardly changes looks so. */
+/** Titles, dimensions and the smallest span of an axis, SI, so that nearly constant curves look flat. */
 const TRACKS: readonly [ColumnName, string, string, number][] = [
   ["tension_N", "Tension", "force", 10e3],
   ["torque_N_m", "Torque", "torque", 500],
@@ -33,17 +33,17 @@ const TRACKS: readonly [ColumnName, string, string, number][] = [
   ["von_mises_stress_Pa", "Von Mises stress", "pressure", 10e6],
 ];
 
-/** Columns that swing from joint to joint. */
+/** Columns that oscillate from joint to joint. */
 const SWINGS: readonly ColumnName[] = ["bending_moment_N_m", "von_mises_stress_Pa"];
 
-/** From how many metres in view on swings are drawn as from afar; the rest as the report's pages have it. */
+/** Length in view, m, above which curves are drawn at small scale; the other rules are those of the report. */
 const FAR_M = 400;
 const SWING_RULE = { joint_reach_m: 6, min_difference: 0.01 };
 
 /** One degree in thirty metres. */
 const DOGLEG_SPAN = Math.PI / 180 / 30;
 
-/** How curves of the models look. */
+/** Look of the curves of each model. */
 export const MODELS = {
   soft: { name: "soft string", colour: "var(--line-0)", dash: null },
   stiff: { name: "stiff string", colour: "var(--line-1)", dash: [6, 3] },
@@ -51,13 +51,13 @@ export const MODELS = {
 
 const numbers = (column: Numbers): Float64Array => Float64Array.from(column, (value) => value ?? NaN);
 
-/** Columns are taken apart once for an answer, however often they are drawn. */
+/** Columns are converted once per answer, however often they are drawn. */
 const taken = new WeakMap<Numbers, Float64Array>();
-function column(of: Numbers): Float64Array {
-  const known = taken.get(of);
+function column(values: Numbers): Float64Array {
+  const known = taken.get(values);
   if (known) return known;
-  const made = numbers(of);
-  taken.set(of, made);
+  const made = numbers(values);
+  taken.set(values, made);
   return made;
 }
 
@@ -70,7 +70,7 @@ function farOf(values: Numbers, curve: TrackCurve): TrackCurve {
   return made;
 }
 
-/** Answers of the models that are to be drawn: those that are looked at, and those from before. */
+/** Answers of the models to draw: the current ones, and the previous ones. */
 export interface Answers {
   now: readonly (Answer | null)[];
   before: readonly (Answer | null)[];
@@ -104,11 +104,11 @@ export function shownTracks(answers: Answers, operation: string): ShownTrack[] {
   return tracks.filter((track) => track.curves.length > 0);
 }
 
-/** A curve as it is drawn over these depths. */
+/** Returns the form of a curve for these depths. */
 export const drawnOf = ({ curve, far }: ShownCurve, [from, to]: Interval): TrackCurve =>
   far && to - from > FAR_M ? far : curve;
 
-/** How far the axis of a track reaches over these depths. */
+/** Returns the range of the axis of a track over these depths. */
 export function rangeOf({ curves, dimension, leastSpan }: ShownTrack, view: Interval): Interval {
   const ends = curves.flatMap((one) => {
     const { depths, values, between } = drawnOf(one, view);

@@ -1,9 +1,9 @@
-// Values that replace those of the text while one asks what would be.
+// Modified values that replace those of the text.
 
 import type { SetPoint } from "../api/answers";
 import { written } from "./units";
 
-/** The two ways to change friction, of which one is used at a time. */
+/** The two ways to change friction, used one at a time. */
 export const FRICTIONS = ["friction_multiplier", "friction"] as const;
 export type FrictionKey = (typeof FRICTIONS)[number];
 
@@ -12,7 +12,7 @@ const isFriction = (key: string): boolean => FRICTIONS.some((one) => one === key
 export class WhatIf {
   /** Values by key, SI. */
   values = $state.raw<Readonly<Record<string, number>>>({});
-  /** How friction is changed: each section's own factor is multiplied, or one factor is set for all. */
+  /** Way to change friction: multiply the factor of each section, or set one factor for all. */
   friction = $state<FrictionKey>("friction_multiplier");
 
   get isUsed(): boolean {
@@ -32,16 +32,16 @@ export class WhatIf {
     this.values = {};
   }
 
-  /** Changes friction that way; what was set in the other way is dropped. */
+  /** Selects a way to change friction; values of the other way are dropped. */
   chooseFriction(key: FrictionKey): void {
     this.friction = key;
     for (const other of FRICTIONS) if (other !== key) this.drop(other);
   }
 
-  /** Whether a point is shown: of friction the one way alone. */
+  /** Whether a point is displayed: for friction, only that of the selected way. */
   shows = ({ key }: SetPoint): boolean => !isFriction(key) || key === this.friction;
 
-  /** The values that requests are given. */
+  /** The values sent with requests. */
   set(points: readonly SetPoint[]): Record<string, string> {
     const pairs = points.flatMap(({ key, dimension }) => {
       const value = this.values[key];

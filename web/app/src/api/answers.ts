@@ -1,4 +1,4 @@
-// What a text comes to while it is written. Numbers are SI; what is missing is null.
+// Results of a text while it is edited. Numbers are SI; missing ones are null.
 
 import type { AssemblyAtRest } from "../../../components/assembly_views.ts";
 import type { HoleSection, StringPart } from "../../../components/schematic.ts";
@@ -27,7 +27,7 @@ export interface Solved {
   model: Model;
   operation: string;
   status: "complete" | "interrupted" | "failed";
-  /** Why it has no answer. */
+  /** Reason why it has no answer. */
   message?: string;
   checks: Check[];
   hook_load_N: number | null;
@@ -38,7 +38,7 @@ export interface Solved {
   stretch_m: number | null;
 }
 
-/** Columns along the string that a track may draw. */
+/** Columns along the string for tracks. */
 export const COLUMNS = [
   "tension_N",
   "torque_N_m",
@@ -48,7 +48,7 @@ export const COLUMNS = [
 ] as const;
 export type ColumnName = (typeof COLUMNS)[number];
 
-/** Values along the string; a model leaves out what it does not know. */
+/** Values along the string; columns that a model does not compute are left out. */
 export interface Along extends Partial<Record<ColumnName, Numbers>> {
   model: Model;
   operation: string;
@@ -67,7 +67,7 @@ export interface Well {
   string: StringPart[];
 }
 
-/** A load against its capacity; the load may grow by `reserve`. */
+/** A load and its capacity; `reserve` is the relative increase of the load up to the limit. */
 export interface Limit {
   kind: string;
   label: string;
@@ -89,7 +89,7 @@ export interface OperationLimits {
   unchecked: { missing: string; components: string[] }[];
 }
 
-/** A value that may be replaced without touching the text. */
+/** A value that can be replaced without changing the text. */
 export interface SetPoint {
   key: string;
   label: string;
@@ -101,7 +101,7 @@ export interface SetPoint {
 export interface SetPoints {
   values: SetPoint[];
   sections: { label: string; friction: number }[];
-  /** Why no one friction can be set for all sections; null where it can. */
+  /** Reason why one friction cannot be set for all sections; null if it can. */
   no_uniform_friction: string | null;
   /** Units of the case. */
   units: UnitSet;
@@ -152,19 +152,19 @@ export interface Assembly extends AssemblyAtRest {
   took_s: number;
 }
 
-/** A text with values replaced, as `--set KEY=VALUE` has them. */
+/** A text with replaced values, as with `--set KEY=VALUE`. */
 export interface Changed {
   text: string;
   set: Record<string, string>;
 }
 
-const ask = <T>(id: string, what: string, body: object, signal: AbortSignal): Promise<T> =>
-  request("POST", `/cases/${part(id)}/${what}`, body, signal);
+const ask = <T>(id: string, action: string, body: object, signal: AbortSignal): Promise<T> =>
+  request("POST", `/cases/${part(id)}/${action}`, body, signal);
 
-/** `units` are those of the sentences; where they are not given, the case's. */
-export const answerCase = (id: string, of: Changed, models: Model[], units: UnitSet | null, signal: AbortSignal): Promise<Answer> =>
-  ask(id, "answer", { ...of, models, units }, signal);
-export const broomstickOf = (id: string, of: Changed, signal: AbortSignal): Promise<Broomstick> =>
-  ask(id, "broomstick", of, signal);
-export const assemblyOf = (id: string, of: Changed, operation: string | null, signal: AbortSignal): Promise<Assembly> =>
-  ask(id, "assembly", { ...of, operation }, signal);
+/** `units` are those of the sentences; those of the case by default. */
+export const answerCase = (id: string, changed: Changed, models: Model[], units: UnitSet | null, signal: AbortSignal): Promise<Answer> =>
+  ask(id, "answer", { ...changed, models, units }, signal);
+export const broomstickOf = (id: string, changed: Changed, signal: AbortSignal): Promise<Broomstick> =>
+  ask(id, "broomstick", changed, signal);
+export const assemblyOf = (id: string, changed: Changed, operation: string | null, signal: AbortSignal): Promise<Assembly> =>
+  ask(id, "assembly", { ...changed, operation }, signal);

@@ -1,4 +1,4 @@
-// Cases of the folder: their texts, drafts, and what the command line says of them.
+// Cases of the folder: their texts, drafts and diagnostics.
 
 import type { HoleSection, StringPart } from "../../../components/schematic.ts";
 import { request } from "#asked";
@@ -8,9 +8,9 @@ export interface CaseInList {
   id: string;
   path: string;
   name: string | null;
-  /** Why it is no valid case; null where it is. */
+  /** Reason why the case is invalid; null if it is valid. */
   problem: string | null;
-  /** The verdict on it, of its newest results; null where there are none. */
+  /** Verdict of its newest results; null if there are none. */
   verdict: CaseVerdict | null;
   has_draft: boolean;
   modified_ms: number;
@@ -19,10 +19,10 @@ export interface CaseInList {
 export interface CaseVerdict {
   severity: "ok" | "note" | "warning" | "error";
   words: string;
-  /** The command that it is of. */
+  /** The command of the results. */
   kind: string;
   results: string;
-  /** Whether the case is still what it was when it was computed. */
+  /** Whether the case is unchanged since the results were computed. */
   is_current: boolean;
 }
 
@@ -48,20 +48,20 @@ export interface Example {
   beside: BesideFile[];
 }
 
-/** A file that a case names and that is written beside it. */
+/** A file that a case refers to and that is written next to it. */
 export interface BesideFile {
   file_name: string;
   text: string;
 }
 
-/** JSON as a case file has it. */
+/** A JSON value of a case file. */
 export type Value = string | number | boolean | null | Value[] | { [key: string]: Value };
 export type Table = { [key: string]: Value };
 
 export interface Checked {
   diagnostics: Diagnostic[];
   values: Table | null;
-  /** What texts are worth in SI, by dimension and text. */
+  /** SI values of texts, by dimension and text. */
   quantities: Quantities;
   layout: Layout;
 }
@@ -76,14 +76,14 @@ export interface Stations {
   dogleg_severity_rad_per_m: number[];
 }
 
-/** Where the first station lies. */
+/** Position of the first station. */
 export interface Start {
   north_m: number;
   east_m: number;
   tvd_m: number;
 }
 
-/** A path at its stations and between them; null is no number. */
+/** A path at its stations and between them; null for missing numbers. */
 export interface PathView {
   md_m: number[];
   north_m: number[];
@@ -95,22 +95,22 @@ export interface PathView {
   dogleg_severity_rad_per_m: (number | null)[];
 }
 
-/** A component of the string and where it lies. */
+/** A component of the string and its position. */
 export interface Span extends StringPart {
   id_m: number;
 }
 
-/** What can be drawn of a case, sound or not. */
+/** Drawable data of a case, valid or not. */
 export interface Layout {
   stations: Stations;
   tie_in: Start | null;
   path: PathView | null;
-  /** From the surface down, both. */
+  /** Both from the surface down. */
   hole: HoleSection[];
   string: Span[];
 }
 
-/** A survey out of a spreadsheet. */
+/** A survey from a spreadsheet. */
 export interface PastedSurvey {
   stations: Stations;
   tie_in: Start | null;
@@ -126,7 +126,7 @@ export type Change =
 
 export type Fate = "keep" | "mark" | "remove";
 
-/** Values that were tried, by keys. */
+/** Modified values, by keys. */
 export interface Applying {
   text: string;
   set: Record<string, string>;
@@ -168,11 +168,11 @@ export const checkCase = (id: string, text: string, signal?: AbortSignal): Promi
   request("POST", `/cases/${part(id)}/check`, { text }, signal);
 export const editCase = (id: string, text: string, changes: Change[]): Promise<{ text: string }> =>
   request("POST", `/cases/${part(id)}/edit`, { text, changes });
-/** The text with values in it that were tried, and what changes in it; nothing is written. */
+/** The text with modified values, and its changes; no file is written. */
 export const applyToCase = (id: string, applying: Applying): Promise<Applied> =>
   request("POST", `/cases/${part(id)}/apply`, applying);
 export const listExamples = (): Promise<Omit<Example, "text" | "beside">[]> => request("GET", "/examples");
 export const readExample = (name: string): Promise<Example> => request("GET", `/examples/${part(name)}`);
-/** Reads rows with a heading as a survey; `length_unit` where the heading tells none. */
+/** Reads rows with a heading as a survey; `length_unit` applies if the heading has none. */
 export const readSurvey = (text: string, length_unit: string | null): Promise<PastedSurvey> =>
   request("POST", "/survey", { text, length_unit });

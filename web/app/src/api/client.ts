@@ -1,16 +1,16 @@
-// What requests and their answers have in common.
+// Common types of requests and answers.
 
-/** A place in a case that something is to be said of. */
+/** A place in a case with a diagnostic. */
 export interface Diagnostic {
   level: "error" | "warning" | "note" | "help";
   message: string;
-  /** What stands beside the place; may be empty. */
+  /** Label at the place; may be empty. */
   label: string;
-  /** What was expected, how to put it right. */
+  /** Expected input and suggested correction. */
   help: string[];
   /** The dotted key that the place belongs to. */
   key: string | null;
-  /** The file, where it is not the case itself. */
+  /** The file, if it is not the case itself. */
   file: string | null;
   /** UTF-16 offsets in the text. */
   start: number | null;
@@ -19,7 +19,7 @@ export interface Diagnostic {
   column: number | null;
 }
 
-/** What the server answered instead of what was asked for. */
+/** Error answer of the server. */
 export class ApiError extends Error {
   readonly status: number;
   readonly kind: string;
@@ -33,11 +33,11 @@ export class ApiError extends Error {
   }
 }
 
-/** Whether a request was given up by us, which is no failure. */
+/** Whether the page cancelled a request, which is no failure. */
 export const wasAborted = (problem: unknown): boolean =>
   problem instanceof DOMException && problem.name === "AbortError";
 
-/** A failure as a sentence for people. */
+/** A failure as a sentence for the user. */
 export const sentence = (problem: unknown): string =>
   problem instanceof Error ? problem.message : String(problem);
 

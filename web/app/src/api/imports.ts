@@ -1,8 +1,8 @@
-// Files of other programs, and the case that they make.
+// Files of other programs, and the case made from them.
 
 import { request } from "#asked";
 
-/** What is said of files that they do not tell themselves. */
+/** User input for data that are missing in the files. */
 export interface Choices {
   units: Record<string, string>;
   values: Record<string, string>;
@@ -30,7 +30,7 @@ export interface Reading {
   written: string | null;
 }
 
-/** Reads files into a case of that name; writes it where that is wanted and nothing is asked any more. */
+/** Reads files into a case of that name; with `write`, writes it if no question is open. */
 export function importFiles(files: File[], choices: Choices, name: string, write: boolean, signal?: AbortSignal): Promise<Reading> {
   const form = new FormData();
   form.append("choices", JSON.stringify(choices));

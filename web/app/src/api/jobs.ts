@@ -1,4 +1,4 @@
-// Work that is started from the page: what the command line does with a saved case.
+// Jobs started from the page: commands of the command line on a saved case.
 
 import { request } from "#asked";
 import { part } from "./client";
@@ -43,17 +43,17 @@ export type Work =
 export type IfThere = "protect" | "resume" | "overwrite";
 
 export interface JobRequest {
-  /** The id of the case; none of a study. */
+  /** The id of the case; null for a study. */
   case?: string;
   work: Work;
   set?: Record<string, string>;
   if_there?: IfThere;
 }
 
-/** An operation that goes on. */
+/** A running operation. */
 export interface Bar {
   title: string;
-  /** What is done before its time begins; null once that runs. */
+  /** Preparation before the simulated time begins; null afterwards. */
   preparing: string | null;
   reached_s: number;
   end_s: number;
@@ -70,7 +70,7 @@ export interface Batch {
   left_s: number | null;
 }
 
-/** A check that needs attention, once for all the places where it does. */
+/** A check that needs attention, once for all its places. */
 export interface FoundCheck {
   severity: string;
   kind: string;
@@ -114,15 +114,15 @@ export interface FileEntry {
   path: string;
 }
 
-/** Whether a job goes on by itself. */
+/** Whether a job is waiting or running. */
 export const isOpen = (job: Job): boolean => job.state === "waiting" || job.state === "running";
 
 export const listJobs = (): Promise<Job[]> => request("GET", "/jobs");
-export const startJob = (asked: JobRequest): Promise<{ id: string }> => request("POST", "/jobs", asked);
+export const startJob = (job: JobRequest): Promise<{ id: string }> => request("POST", "/jobs", job);
 export const stopJob = (id: string): Promise<void> => request("POST", `/jobs/${part(id)}/stop`);
 export const resumeJob = (id: string): Promise<void> => request("POST", `/jobs/${part(id)}/resume`);
 export const forgetJob = (id: string): Promise<void> => request("DELETE", `/jobs/${part(id)}`);
-/** Where its events come from. */
+/** Address of the events of a job. */
 export const eventsOf = (id: string): string => `/api/jobs/${part(id)}/events`;
 export const listStudies = (): Promise<FileEntry[]> => request("GET", "/studies");
 export const listReadings = (): Promise<FileEntry[]> => request("GET", "/readings");

@@ -1,4 +1,4 @@
-// A line to a live string: text and bytes come down, text goes up. A WebSocket is one.
+// A connection to a live string: text and bytes are received, text is sent. A WebSocket is one.
 
 export interface Line {
   onopen: ((event: Event) => void) | null;
@@ -10,5 +10,5 @@ export interface Line {
   close(): void;
 }
 
-/** The state of a line that is open. */
+/** The state of an open connection. */
 export const OPEN = 1;

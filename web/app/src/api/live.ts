@@ -1,4 +1,4 @@
-// Live strings: begun, listed, taken back, branched, kept. How they move comes over a socket: seat/connection.
+// Live strings: begin, list, rewind, branch, keep. Their motion is received over a socket: seat/connection.
 
 import type { HoleSection } from "../../../components/schematic.ts";
 import { request } from "#asked";
@@ -19,7 +19,7 @@ export interface LiveEntry {
 export type LiveState = "paused" | "running" | "failed" | "ended";
 export type Pace = number | "max";
 
-/** What a driller sets, in SI units; what is left out stays as it is. */
+/** Set points in SI units; those that are left out are not changed. */
 export interface SetPoints {
   rotary_speed_rad_per_s?: number;
   block_velocity_m_per_s?: number;
@@ -57,7 +57,7 @@ export interface Knobs {
   controllers: string[];
 }
 
-/** What a viewer has to know before the first frame. */
+/** Data that a viewer requires before the first frame. */
 export interface Layout {
   id: string;
   case: string;
@@ -93,7 +93,7 @@ export interface Lamps {
   forward_whirl: Whirl | null;
   top_drive_stalls: boolean;
   torque_use: number | null;
-  /** Severities, null where nothing is judged. */
+  /** Severities; null if not evaluated. */
   stick_slip_severity: Severity | null;
   whirl_severity: Severity | null;
   top_drive_severity: Severity | null;

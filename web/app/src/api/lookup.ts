@@ -1,9 +1,9 @@
-// What stays the same as long as the program runs: the schema of the case file, units, the catalogue.
+// Constants while the program runs: the schema of the case file, units, the catalogue.
 
 import { request } from "#asked";
 import type { UnitSet } from "../settings.svelte";
 
-/** JSON schema as the program writes it. */
+/** JSON schema from the program. */
 export interface Schema {
   type?: string | string[];
   title?: string;
@@ -23,16 +23,16 @@ export interface Schema {
   "x-unit"?: string;
 }
 
-/** A unit in which numbers are shown. */
+/** A unit for the display of numbers. */
 export interface ShownUnit {
-  /** As it is written in a case; null where nobody writes the dimension. */
+  /** Symbol in case files; null if the dimension is not used in them. */
   symbol: string | null;
   label: string;
   factor: number;
 }
 
 export interface DimensionUnits {
-  /** By every way to write a unit, how much of SI it is. */
+  /** SI factors by every spelling of a unit. */
   factors: Record<string, number>;
   shown: Record<UnitSet, ShownUnit>;
 }
@@ -62,15 +62,15 @@ export interface Catalogue {
   casings: CasingEntry[];
 }
 
-/** Asks once; where that fails, again the next time. */
+/** Sends a request once; after a failure, again the next time. */
 function once<T>(path: string): () => Promise<T> {
-  let asked: Promise<T> | null = null;
+  let pending: Promise<T> | null = null;
   return () => {
-    asked ??= request<T>("GET", path).catch((problem: unknown) => {
-      asked = null;
+    pending ??= request<T>("GET", path).catch((problem: unknown) => {
+      pending = null;
       throw problem;
     });
-    return asked;
+    return pending;
   };
 }
 

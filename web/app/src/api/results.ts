@@ -1,4 +1,4 @@
-// What commands have left in the folder.
+// Results of commands in the folder.
 
 import { request } from "#asked";
 import { part } from "./client";
@@ -32,7 +32,7 @@ export interface Results extends ResultsInList {
 }
 
 export interface Curve {
-  /** Which of the results it is of, from 0. */
+  /** Index of the results, from 0. */
   result: number;
   of: string;
   quantity: string;
@@ -54,9 +54,9 @@ export const listResults = (): Promise<ResultsInList[]> => request("GET", "/resu
 export const readResults = (id: string): Promise<Results> => request("GET", `/results/${part(id)}`);
 export const compareResults = (ids: string[], units: UnitSet, signal?: AbortSignal): Promise<Compared> =>
   request("GET", `/compare?${new URLSearchParams({ ids: ids.join(","), units })}`, undefined, signal);
-/** Where a file is downloaded from. */
+/** Download address of a file. */
 export const fileAddress = (results: string, file: string): string =>
   `/api/results/${part(results)}/files/${part(file)}`;
-/** Where a page is shown from, in a frame. */
+/** Address of a page for a frame. */
 export const pageAddress = (results: string, file: string): string =>
   `/api/results/${part(results)}/pages/${part(file)}`;

@@ -1,4 +1,4 @@
-// What can stand beside the form.
+// Panels next to the form.
 
 import type { Component } from "svelte";
 import type { PanelProps } from "./panel";
@@ -6,11 +6,11 @@ import type { PanelProps } from "./panel";
 export interface Panel {
   name: string;
   title: string;
-  /** Fetched when it is first shown. */
+  /** Fetched when first displayed. */
   load: () => Promise<{ default: Component<PanelProps> | Component }>;
 }
 
-/** The panels, from left to right; the first is shown until one says otherwise. */
+/** The panels, from left to right; only the first is visible initially. */
 export const PANELS: Panel[] = [
   { name: "text", title: "TOML", load: () => import("./text/TextEditor.svelte") },
   { name: "answers", title: "Answers", load: () => import("./AnswersPanel.svelte") },

@@ -1,10 +1,10 @@
-// What the parts of the editor share.
+// State shared by the parts of the editor.
 
 import { getContext, setContext } from "svelte";
 import type { Diagnostic } from "../api/client";
 import type { OpenCase } from "./openCase.svelte";
 
-/** A key and what the schema says of it. */
+/** A key and its description in the schema. */
 export interface About {
   key: string;
   text: string;
@@ -12,23 +12,23 @@ export interface About {
 
 export class Editor {
   readonly opened: OpenCase;
-  /** What is told of the key that is worked on. */
+  /** Description of the key in focus. */
   about = $state.raw<About | null>(null);
-  /** The key to which the form was asked to go; a new object each time. */
+  /** The key that the form should go to; a new object each time. */
   sought = $state.raw<{ key: string } | null>(null);
-  /** The place to which the text was asked to go. */
+  /** The place that the text editor should go to. */
   soughtPlace = $state.raw<{ start: number; end: number } | null>(null);
 
   constructor(opened: OpenCase) {
     this.opened = opened;
   }
 
-  /** What is to be said of a key, or of what lies in it where `deep`. The worst comes first. */
-  said(key: string, deep = false): Diagnostic | undefined {
+  /** The most severe diagnostic of a key, and with `deep` of the keys in it. */
+  diagnosticOf(key: string, deep = false): Diagnostic | undefined {
     const { diagnostics } = this.opened;
-    const of = (level: string) =>
+    const firstOf = (level: string) =>
       diagnostics.find((one) => one.level === level && (one.key === key || (deep && one.key?.startsWith(`${key}.`))));
-    return of("error") ?? of("warning") ?? of("note");
+    return firstOf("error") ?? firstOf("warning") ?? firstOf("note");
   }
 }
 

@@ -1,11 +1,11 @@
-// Texts to go back to and forth again.
+// History of texts for undo and redo.
 
-/** Where a change came from: typing is one step as long as it goes on. */
+/** Origin of a change: continuous typing is one step. */
 export type Origin = "typing" | "edit";
 
-/** Typing that rests for so long begins a new step, ms. */
+/** Pause in typing that begins a new step, ms. */
 const REST_MS = 1000;
-/** So many steps are kept. */
+/** Number of steps in the history. */
 const STEPS = 500;
 
 export class History {
@@ -21,7 +21,7 @@ export class History {
     return this.#after.length > 0;
   }
 
-  /** Notes the text that is about to be another. */
+  /** Records the text before a change. */
   leave(text: string, origin: Origin, now_ms: number): void {
     const goesOn = origin === "typing" && this.canUndo && now_ms - this.#typed_ms < REST_MS;
     this.#typed_ms = origin === "typing" ? now_ms : 0;
@@ -36,7 +36,7 @@ export class History {
     return this.#step(this.#before, this.#after, text);
   }
 
-  /** The text after the step that was taken back. */
+  /** The text after the undone step. */
   redo(text: string): string | undefined {
     return this.#step(this.#after, this.#before, text);
   }

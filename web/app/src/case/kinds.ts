@@ -1,4 +1,4 @@
-// What a key holds, from the schema: how it is shown and how what is typed becomes a value.
+// Kinds of values of keys, from the schema: their display and the conversion of typed texts.
 
 import type { Schema } from "../api/lookup";
 
@@ -19,13 +19,13 @@ export type Kind =
   /** Rows of values. */
   | { is: "rows"; cells: Scalar[]; least: number }
   /** One or several. */
-  | { is: "list"; of: Scalar; bare: boolean }
-  /** A value, or a table that says more. */
-  | { is: "split"; of: Scalar; schema: Schema };
+  | { is: "list"; item: Scalar; bare: boolean }
+  /** A value, or a table with more detail. */
+  | { is: "split"; item: Scalar; schema: Schema };
 
 const isTable = (schema: Schema) => schema.properties !== undefined;
 
-/** The kind of a value in a cell or a field of its own; null where it needs more room. */
+/** The kind of a value in a cell or a single field; null if it does not fit. */
 function scalar(schema: Schema): Scalar | null {
   const either = schema.anyOf ?? [];
   const dimension = schema["x-dimension"];
@@ -40,13 +40,13 @@ function scalar(schema: Schema): Scalar | null {
   if (schema.type === "number" || schema.type === "integer") return { is: "number" };
   if (schema.type === "boolean") return { is: "truth" };
   if (schema.type === "string") return { is: "text" };
-  // Words of which some are only other spellings: the first are offered, any is taken.
+  // Words with other spellings: the first are offered, any is accepted.
   const [first] = either;
   if (first?.enum && either.every((one) => one.type === "string")) return { is: "words", words: first.enum, free: true };
   return null;
 }
 
-/** What a key holds. */
+/** The kind of the value of a key. */
 export function kindOf(schema: Schema): Kind {
   const single = scalar(schema);
   if (single) return single;
@@ -55,33 +55,33 @@ export function kindOf(schema: Schema): Kind {
   const either = schema.anyOf ?? [];
   const table = either.find(isTable);
   const one = either.map(scalar).find((found) => found !== null);
-  if (table && one) return { is: "split", of: one, schema: table };
+  if (table && one) return { is: "split", item: one, schema: table };
   const list = either.find(({ type }) => type === "array")?.items;
   if (list) return ofList(list, one !== undefined);
   return { is: "either" };
 }
 
-/** A list of such items; `bare` where one may stand without brackets. */
+/** A list of such items; `bare` if one may be written without brackets. */
 function ofList(items: Schema, bare: boolean): Kind {
   if (isTable(items)) return { is: "tables", item: items };
   if (items.prefixItems) {
     const cells = items.prefixItems.map((cell) => scalar(cell) ?? ({ is: "either" } as const));
     return { is: "rows", cells, least: items.minItems ?? cells.length };
   }
-  return { is: "list", of: scalar(items) ?? { is: "either" }, bare };
+  return { is: "list", item: scalar(items) ?? { is: "either" }, bare };
 }
 
-/** The keys of a table in the order in which they were declared. */
+/** The keys of a table in the order of their declaration. */
 export function keysOf(schema: Schema): [string, Schema][] {
   const properties = schema.properties ?? {};
   const order = schema["x-order"] ?? Object.keys(properties);
   return order.flatMap((key) => (properties[key] ? [[key, properties[key]] as [string, Schema]] : []));
 }
 
-/** What the field writes in capitals. */
+/** Abbreviations in capitals. */
 const CAPITALS = new Set(["od", "id", "wob", "rop", "rpm", "tvd"]);
 
-/** `bit_depth` as people read it. */
+/** A key such as `bit_depth` in readable form. */
 export function titleOf(key: string): string {
   const words = key.split("_").map((word) => (CAPITALS.has(word) ? word.toUpperCase() : word)).join(" ");
   return words.charAt(0).toUpperCase() + words.slice(1);

@@ -1,15 +1,15 @@
-// In which lines two texts differ.
+// Differing lines of two texts.
 
 export interface Line {
-  /** On which side it stands: of a line on both, " ". */
+  /** Side of the line; " " for a line on both sides. */
   side: "-" | "+" | " ";
   text: string;
 }
 
-/** Texts of more lines than this are told apart roughly: by what they begin and end with alike. */
+/** Number of lines above which texts are compared roughly, by their common beginning and end. */
 const MOST = 3000;
 
-/** The lines of two texts: `-` of the first alone, `+` of the second alone. */
+/** The lines of two texts: `-` only in the first, `+` only in the second. */
 export function difference(first: string, second: string): Line[] {
   const [a, b] = [first.split("\n"), second.split("\n")];
   let from = 0;
@@ -45,7 +45,7 @@ function between(a: string[], b: string[]): Line[] {
   return lines;
 }
 
-/** What differs, with a line or two around it; null stands for lines that are left out. */
+/** Differing lines with a line or two around them; null in place of omitted lines. */
 export function shortened(lines: Line[], around = 2): (Line | null)[] {
   const near = lines.map((_, index) => lines.slice(Math.max(0, index - around), index + around + 1).some(({ side }) => side !== " "));
   return lines.flatMap((line, index) => (near[index] ? [line] : near[index - 1] || index === 0 ? [null] : []));

@@ -1,4 +1,4 @@
-// The case that is open: its text, what the text says, and what was not saved. Form and text both change it here.
+// The open case: its text, the parsed values and the unsaved changes. Form and text editor both change it here.
 
 import {
   checkCase,
@@ -16,12 +16,12 @@ import { ApiError, wasAborted, type Diagnostic } from "../api/client";
 import { History, type Origin } from "./history";
 import { applied } from "./values";
 
-/** Typing rests for so long before the text is checked, ms. */
+/** Pause in typing before the text is checked, ms. */
 const CHECK_MS = 120;
-/** The same before the draft is kept. */
+/** Pause in typing before the draft is saved, ms. */
 const DRAFT_MS = 700;
 
-/** Line ends as the text here has them; a file of Windows gets its own back when it is saved. */
+/** Line ends of the text here; a file with Windows line ends is saved with them. */
 const plain = (text: string): string => text.replaceAll("\r\n", "\n");
 const hasWindowsLines = (text: string): boolean => text.includes("\r\n");
 
@@ -42,7 +42,7 @@ export class OpenCase {
   readonly id: string;
   readonly path: string;
   #text = $state.raw("");
-  /** What stands in the file, as far as we know. */
+  /** Last known text of the file. */
   #saved = $state.raw("");
   #revision = "";
   #windowsLines = false;
@@ -50,29 +50,29 @@ export class OpenCase {
   #checked = $state.raw(NOTHING);
   /** The text that `#checked` is about. */
   #checkedText = $state.raw<string | null>(null);
-  /** What the file has become and nobody wants to decide about yet. */
+  /** Changed text of the file, about which the user will decide later. */
   #postponed: string | null = null;
   #history = new History();
   #steps = $state({ undo: false, redo: false });
   #edits: Promise<void> = Promise.resolve();
   #drafts: Promise<void> = Promise.resolve();
-  /** Changes that are shown and not yet in the text. */
+  /** Changes that are displayed and not yet in the text. */
   #pending = 0;
   #checking: AbortController | null = null;
   #checkTimer = 0;
   #draftTimer = 0;
   #closed = false;
-  /** Somebody asked to look at the file while it was being saved. */
+  /** A check of the file was requested while it was being saved. */
   #lookDue = false;
 
-  /** When the text was kept as a draft, ms; null where nothing is unsaved or kept yet. */
+  /** Time at which the draft was saved, ms; null if there are no unsaved changes or no draft yet. */
   keptAt = $state<number | null>(null);
   saving = $state(false);
-  /** A draft of another time that was taken up again. */
+  /** An earlier draft that was restored. */
   restored = $state.raw<{ modified_ms: number; fileIsOther: boolean } | null>(null);
-  /** What the file has become while it was open here. */
+  /** Text of the file that was changed while it was open here. */
   conflict = $state.raw<CaseText | null>(null);
-  /** The file was changed elsewhere, and nothing here was lost. */
+  /** The file was changed elsewhere, and reloaded without loss here. */
   renewed = $state(false);
   problem = $state.raw<unknown>(null);
 
@@ -119,7 +119,7 @@ export class OpenCase {
     return this.#checked.values !== null;
   }
 
-  /** Whether what stands here now was checked, and no error was found. */
+  /** Whether the current text was checked without errors. */
   get valid(): boolean {
     return this.#checkedText === this.#text && !this.diagnostics.some(({ level }) => level === "error");
   }
@@ -136,12 +136,12 @@ export class OpenCase {
     return this.#steps.redo;
   }
 
-  /** Takes what was typed into the text. */
+  /** Sets the text from typing. */
   type(text: string): void {
     this.#put(text, "typing");
   }
 
-  /** Changes keys: shown at once, then made in the text by the server, which keeps comments. */
+  /** Changes keys: displayed at once, then applied to the text by the server, which keeps comments. */
   change(...changes: Change[]): Promise<void> {
     if (changes.length === 0) return this.#edits;
     this.#values = changes.reduce(applied, this.#values);
@@ -155,7 +155,7 @@ export class OpenCase {
       for (;;) {
         const base = this.#text;
         const { text } = await editCase(this.id, base, changes);
-        // What was typed meanwhile is not lost: the change is made in it.
+        // Text typed meanwhile is not lost: the change is applied to it.
         if (this.#text !== base) continue;
         this.#pending -= 1;
         this.#put(text, "edit");
@@ -169,11 +169,11 @@ export class OpenCase {
     }
   }
 
-  /** Puts a text that was made of this one in its place; a step that can be undone. */
+  /** Replaces the text by one made from it, as a step that can be undone. */
   replace({ base, text }: { base: string; text: string }): void {
     this.#edits = this.#edits.then(() => {
       if (this.#text === base) this.#put(text, "edit");
-      else this.problem = new Error("The case has changed meanwhile: nothing was applied.");
+      else this.problem = new Error("The case was changed meanwhile: no value was applied.");
     });
   }
 
@@ -214,13 +214,13 @@ export class OpenCase {
 
   async #check(): Promise<void> {
     this.#checking?.abort();
-    const asked = new AbortController();
-    this.#checking = asked;
+    const checking = new AbortController();
+    this.#checking = checking;
     const text = this.#text;
     try {
-      const checked = await checkCase(this.id, text, asked.signal);
+      const checked = await checkCase(this.id, text, checking.signal);
       if (text !== this.#text || this.#closed) return;
-      // Of a text that is no TOML the last that was is still drawn.
+      // For a text that is not valid TOML, the last valid values remain.
       const drawn = checked.values === null ? { ...checked, layout: this.#checked.layout } : checked;
       this.#checked = drawn;
       this.#checkedText = text;
@@ -235,10 +235,10 @@ export class OpenCase {
     this.#draftTimer = window.setTimeout(() => void this.keepDraft(), DRAFT_MS);
   }
 
-  /** Keeps the text as a draft, one after the other; where it is what stands in the file, there is none. */
+  /** Saves the text as a draft, one request at a time; removes the draft if the text equals the file. */
   keepDraft(closing = false): Promise<void> {
     clearTimeout(this.#draftTimer);
-    // A page that is being closed waits for nothing.
+    // A closing page does not wait for requests.
     if (closing) return this.#keep(true);
     this.#drafts = this.#drafts.then(() => this.#keep(false));
     return this.#drafts;
@@ -256,22 +256,22 @@ export class OpenCase {
     }
   }
 
-  /** Goes back to what stands in the file; undo brings the draft back. */
+  /** Restores the text of the file; undo restores the draft. */
   async discardDraft(): Promise<void> {
     this.restored = null;
     this.#put(this.#saved, "edit");
     await this.keepDraft();
   }
 
-  /** Saves to the file, unless it has become another: then `conflict` says what stands there. */
+  /** Saves to the file, unless it was changed: `conflict` then has its text. */
   async save(): Promise<void> {
     await this.#edits;
-    // A draft that is on its way would stay behind what is saved.
+    // A pending draft would remain after the save.
     await this.#drafts;
     await this.#saveOver(this.#revision);
   }
 
-  /** Saves over what the file has become. */
+  /** Saves over the changed file. */
   async saveMine(): Promise<void> {
     if (this.conflict) await this.#saveOver(this.conflict.revision);
   }
@@ -308,7 +308,7 @@ export class OpenCase {
     }
   }
 
-  /** Takes what the file has become; undo brings back what stood here. */
+  /** Loads the changed file; undo restores the previous text. */
   async takeTheirs(): Promise<void> {
     const theirs = this.conflict;
     if (!theirs) return;
@@ -326,13 +326,13 @@ export class OpenCase {
     this.#put(this.#saved, "edit");
   }
 
-  /** Leaves both as they are; it is asked again at the next saving. */
+  /** Leaves both unchanged; the choice is offered again at the next save. */
   decideLater(): void {
     this.#postponed = this.conflict?.revision ?? null;
     this.conflict = null;
   }
 
-  /** Looks whether the file has become another; where nothing is unsaved here, what stands there is shown. */
+  /** Checks whether the file was changed; without unsaved changes, its text is loaded. */
   async lookAgain(): Promise<void> {
     this.#lookDue = this.saving;
     if (this.saving || this.conflict || this.#closed) return;
@@ -345,11 +345,11 @@ export class OpenCase {
         this.renewed = true;
       }
     } catch {
-      // What cannot be read will be said when it is saved.
+      // An unreadable file is reported at the next save.
     }
   }
 
-  /** Ends what goes on for it; what is unsaved is kept as a draft. */
+  /** Ends all activity; unsaved changes are kept as a draft. */
   close(): void {
     if (this.#closed) return;
     this.#closed = true;

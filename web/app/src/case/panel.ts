@@ -1,16 +1,16 @@
-// What every panel beside the form is given.
+// Properties of every panel next to the form.
 
 import type { Change } from "../api/cases";
 
 export interface PanelProps {
   /** The case. */
   id: string;
-  /** What stands in the editor now. */
+  /** Current text in the editor. */
   text: string;
-  /** Whether it was checked and has no error. */
+  /** Whether the text was checked without errors. */
   valid: boolean;
   /** Changes the case. */
   change: (...changes: Change[]) => void;
-  /** Puts a text, which was made of another one, in its place. */
+  /** Replaces a text by a new one made from it. */
   replace: (made: { base: string; text: string }) => void;
 }

@@ -1,36 +1,36 @@
-// Numbers in the units that the header says.
+// Numbers in the units chosen in the header.
 
 import { readUnits, type ShownUnit, type Units } from "../api/lookup";
 import { settings } from "../settings.svelte";
 
 let units = $state.raw<Units>({});
 
-/** Fetches the units; what shows numbers waits for it. */
+/** Fetches the units; components with numbers wait for it. */
 export async function loadUnits(): Promise<void> {
   units = await readUnits();
 }
 
-/** The unit in which a dimension is shown now. */
+/** The current display unit of a dimension. */
 export const shownUnit = (dimension: string): ShownUnit | undefined => units[dimension]?.shown[settings.units];
 
-/** How much of SI a unit is. */
+/** SI factor of a unit. */
 export const factorOf = (dimension: string, unit: string): number | undefined => units[dimension]?.factors[unit];
 
-/** The unit of a dimension as headings and labels have it. */
+/** The unit of a dimension for headings and labels. */
 export const unitLabel = (dimension: string): string => shownUnit(dimension)?.label ?? "";
 
-/** A number with so many significant digits, without noughts at its end. */
+/** A number with a count of significant digits, without trailing zeros. */
 export function numberText(number: number, digits = 7): string {
   if (!Number.isFinite(number)) return "";
   return String(Number(number.toPrecision(digits)));
 }
 
-/** A number of SI in the unit that is shown, without it. */
+/** An SI number in the display unit, without the symbol. */
 export function shownNumber(dimension: string, si: number, digits = 7): string {
   return numberText(si / (shownUnit(dimension)?.factor ?? 1), digits);
 }
 
-/** The same with its unit. */
+/** An SI number in the display unit, with the symbol. */
 export function shownText(dimension: string, si: number, digits = 4): string {
   return `${shownNumber(dimension, si, digits)} ${unitLabel(dimension)}`.trim();
 }

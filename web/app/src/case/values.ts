@@ -1,4 +1,4 @@
-// Values of a case by their dotted keys, and what a change makes of them.
+// Values of a case by their dotted keys, and the effect of changes on them.
 
 import type { Change, Table, Value } from "../api/cases";
 
@@ -8,7 +8,7 @@ const isTable = (value: Value | undefined): value is Table =>
 export const asTable = (value: Value | undefined): Table => (isTable(value) ? value : {});
 export const asList = (value: Value | undefined): Value[] => (Array.isArray(value) ? value : []);
 
-/** The value of a dotted key; undefined where there is none. */
+/** The value of a dotted key; undefined if there is none. */
 export function at(values: Value | undefined, key: string): Value | undefined {
   let found: Value | undefined = values;
   for (const step of key.split(".")) {
@@ -19,7 +19,7 @@ export function at(values: Value | undefined, key: string): Value | undefined {
   return found;
 }
 
-/** The values after a change, as the server makes it in the text. */
+/** The values after a change, equal to the effect of the server on the text. */
 export function applied(values: Table, change: Change): Table {
   if ("set" in change) return asTable(put(values, change.set.split("."), change.to));
   if ("remove" in change) return asTable(put(values, change.remove.split("."), undefined));

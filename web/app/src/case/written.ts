@@ -1,44 +1,44 @@
-// From values to what is shown, and from what is typed to values.
+// Conversion of values to displayed texts, and of typed texts to values.
 
 import type { Quantities, Value } from "../api/cases";
 import type { Scalar } from "./kinds";
 import { factorOf, numberText, shownNumber, shownUnit, unitLabel } from "./units.svelte";
 
-/** A number without a unit, as people type it: `12`, `-0.5`, `1e5`. */
+/** A typed number without a unit: `12`, `-0.5`, `1e5`. */
 const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/;
-/** The same with a fraction: `9-5/8`, `5 1/2`. */
+/** A typed number with a fraction: `9-5/8`, `5 1/2`. */
 const FRACTION = /^\d+([- ]\d+\/\d+|\/\d+)$/;
 
-/** A value as it stands in the file. */
+/** A value in the form of the file. */
 export function asWritten(value: Value | undefined): string {
   if (value === undefined || value === null) return "";
   return typeof value === "object" ? JSON.stringify(value) : String(value);
 }
 
-/** What a value is worth in SI; undefined where it is no quantity. */
+/** SI value of a quantity; undefined if the value is none. */
 export function inSi(kind: Scalar, value: Value | undefined, quantities: Quantities): number | undefined {
   if (kind.is !== "quantity") return typeof value === "number" ? value : undefined;
   if (typeof value === "number") return value * (factorOf(kind.dimension, kind.bareUnit) ?? 1);
   return typeof value === "string" ? quantities[kind.dimension]?.[value] : undefined;
 }
 
-/** A value as it is shown: a quantity in the chosen unit, without it. */
+/** A value for display: a quantity in the chosen unit, without the symbol. */
 export function asShown(kind: Scalar, value: Value | undefined, quantities: Quantities): string {
   if (kind.is !== "quantity") return asWritten(value);
   const si = inSi(kind, value, quantities);
   return si === undefined ? asWritten(value) : shownNumber(kind.dimension, si);
 }
 
-/** The same with its unit, for fields that have none beside them. */
+/** A value for display with its unit, for fields without a unit label. */
 export function asShownWithUnit(kind: Scalar, value: Value | undefined, quantities: Quantities): string {
   if (kind.is !== "quantity" || inSi(kind, value, quantities) === undefined) return asShown(kind, value, quantities);
   return `${asShown(kind, value, quantities)} ${unitLabel(kind.dimension)}`;
 }
 
 /**
- * What is typed, as a value; undefined where it is nothing. A number alone is in the unit that is shown; it stays a
- * number where one stood there (`before`) and the file takes it in that unit. What is no number stays what was typed,
- * for the check to speak of.
+ * The value of a typed text; undefined if it is empty. A bare number is in the display unit; it remains a number if
+ * the previous value (`before`) was one and the file takes it in that unit. Any other text is kept as typed, so that
+ * the check reports it.
  */
 export function read(kind: Scalar, typed: string, before: Value | undefined): Value | undefined {
   const text = typed.trim().replace("\u2212", "-");
@@ -64,7 +64,7 @@ export function read(kind: Scalar, typed: string, before: Value | undefined): Va
   }
 }
 
-/** A number of SI as a case has it where it is put in by us: a bare number where the file takes the shown unit so. */
+/** An SI number in the form of a case: a bare number if the file takes the display unit for it. */
 export function fromSi(kind: Scalar, si: number): Value {
   if (kind.is !== "quantity") return si;
   const unit = shownUnit(kind.dimension);
@@ -73,7 +73,7 @@ export function fromSi(kind: Scalar, si: number): Value {
   return `${numberText(si / unit.factor, 10)} ${unit.symbol}`;
 }
 
-/** Items of a list as they are typed: separated by commas. */
+/** Items of a typed list, separated by commas. */
 export const listText = (items: Value[]): string => items.map(asWritten).join(", ");
 
 export function readList(kind: Scalar, typed: string, before: Value[]): Value[] {

@@ -1,4 +1,4 @@
-// A page's connection to a live string: what comes down, and what goes up.
+// Connection of a page to a live string: received and sent messages.
 
 import { lineTo } from "#asked";
 import type { Layout, Pace, SetPoints, Status } from "../api/live";
@@ -8,10 +8,10 @@ import { Samples } from "./samples";
 const SAMPLES = 1;
 const HEAD_BYTES = 24;
 
-/** How long a page waits before it asks again, ms. */
+/** Time until a page reconnects, ms. */
 const AGAIN = [250, 500, 1000, 2000, 4000];
 
-/** The whole string at one moment. */
+/** State of the whole string at one time. */
 export interface Frame {
   time_s: number;
   nodes: number;
@@ -25,11 +25,11 @@ export class Connection {
   layout = $state.raw<Layout | null>(null);
   status = $state.raw<Status | null>(null);
   connected = $state(false);
-  /** What was refused last. */
+  /** Message of the last refusal. */
   refused = $state<string | null>(null);
   samples: Samples | null = null;
   frame: Frame | null = null;
-  /** How many frames have come. */
+  /** Number of received frames. */
   frames = 0;
   readonly id: string;
   #socket: Line | null = null;
@@ -62,15 +62,15 @@ export class Connection {
   }
 
   #hear(text: string): void {
-    const told = JSON.parse(text) as
+    const message = JSON.parse(text) as
       | ({ type: "layout" } & Layout)
       | ({ type: "status" } & Status)
       | { type: "refused"; message: string };
-    if (told.type === "status") this.status = told;
-    else if (told.type === "refused") this.refused = told.message;
+    if (message.type === "status") this.status = message;
+    else if (message.type === "refused") this.refused = message.message;
     else if (!this.layout) {
-      this.samples = new Samples(told.samples.length, told.samples_kept, told.sample_interval_s);
-      this.layout = told;
+      this.samples = new Samples(message.samples.length, message.samples_kept, message.sample_interval_s);
+      this.layout = message;
     }
   }
 
@@ -86,9 +86,9 @@ export class Connection {
     }
   }
 
-  #say(asked: object): void {
+  #say(message: object): void {
     this.refused = null;
-    if (this.#socket?.readyState === OPEN) this.#socket.send(JSON.stringify(asked));
+    if (this.#socket?.readyState === OPEN) this.#socket.send(JSON.stringify(message));
   }
 
   set(set: SetPoints): void {

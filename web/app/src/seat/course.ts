@@ -1,13 +1,13 @@
-// The path of the well in the scene's axes (x east, y up, z south), and a way down it without making anything.
+// The path of the well in the axes of the scene (x east, y up, z south), with lookup by depth without allocation.
 
 import type { Layout } from "../api/live";
 
-/** Where the string's axis would be at a depth: place, and the directions to the high side and to the right. */
+/** Axis of the hole at a depth: position, and the directions to the high side and to the right. */
 export class Course {
-  /** x, y, z of the place, the high side and the right side. */
+  /** x, y, z of the position, the high side and the right side. */
   readonly at = new Float32Array(9);
   readonly #md: Float32Array;
-  /** Place and high side of every point, six numbers each. */
+  /** Position and high side of every point, six numbers each. */
   readonly #points: Float32Array;
   #next = 1;
 
@@ -23,7 +23,7 @@ export class Course {
     return this.#md[this.#md.length - 1]!;
   }
 
-  /** Goes to a depth; near the last one it is found at once. */
+  /** Moves to a depth; fast if it is near the last one. */
   go(depth: number): Float32Array {
     const [md, points, at] = [this.#md, this.#points, this.at];
     while (this.#next > 1 && md[this.#next - 1]! > depth) this.#next--;

@@ -3,7 +3,7 @@
 import type { Layout } from "../api/live";
 import type { Samples } from "./samples";
 
-/** The last seconds of samples in SI units, a line each; what has no value is left empty. */
+/** The last seconds of samples in SI units, a line per sample; missing values are empty. */
 export function csvOf(layout: Layout, samples: Samples, seconds: number): string {
   const first = Math.max(samples.first, samples.next - Math.round(seconds / samples.interval_s));
   const lines = [["time_s", ...layout.samples.map((channel) => channel.name)].join(",")];
@@ -15,7 +15,7 @@ export function csvOf(layout: Layout, samples: Samples, seconds: number): string
   return `${lines.join("\n")}\n`;
 }
 
-/** Gives the reader a file. */
+/** Downloads a file to the user. */
 export function download(name: string, text: string): void {
   const address = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
   const link = document.createElement("a");

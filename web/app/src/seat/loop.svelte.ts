@@ -1,4 +1,4 @@
-// The one loop that draws: all charts, the profiles and the string in space, once for each picture of the browser.
+// The single drawing loop: all charts, the profiles and the string in space, once per frame of the browser.
 
 import type { Connection } from "./connection.svelte";
 
@@ -7,18 +7,18 @@ interface Drawer {
   connection: Connection | null;
 }
 
-/** Time over which pictures are counted, ms. */
+/** Time over which frames are counted, ms. */
 const COUNTED = 1000;
 
 export class Loop {
-  /** Pictures in a second, and those of them that showed new samples on all strip charts. */
+  /** Frames per second, and those with new samples on all strip charts. */
   frames = $state(0);
   updates = $state(0);
-  /** What drawing took, of a picture, ms. */
+  /** Drawing time per frame, ms. */
   drawing_ms = $state(0);
   #drawers: Drawer[] = [];
 
-  /** Draws this too; gives what ends it. */
+  /** Adds a drawing function; returns the function that removes it. */
   add(draw: () => void, connection: Connection | null): () => void {
     const drawer = { draw, connection };
     this.#drawers = [...this.#drawers, drawer];
@@ -27,7 +27,7 @@ export class Loop {
     };
   }
 
-  /** Begins; gives what ends it. */
+  /** Starts the loop; returns the function that stops it. */
   start(): () => void {
     let [request, since, frames, updates, spent, seen] = [0, performance.now(), 0, 0, 0, -1];
     const picture = () => {

@@ -1,10 +1,10 @@
-// A canvas with a pen in the page's colours, as sharp as the screen.
+// A canvas with a pen in the colours of the page, at the resolution of the screen.
 
 /** The value of a colour of the page. */
 export const colour = (name: string): string =>
   getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
-/** A canvas that keeps to the room that it has. */
+/** A canvas that fits the available space. */
 export class Pen {
   readonly canvas: HTMLCanvasElement;
   readonly to: CanvasRenderingContext2D;
@@ -15,7 +15,7 @@ export class Pen {
   constructor(canvas: HTMLCanvasElement) {
     this.canvas = canvas;
     const context = canvas.getContext("2d");
-    if (!context) throw new Error("this browser draws on no canvas");
+    if (!context) throw new Error("this browser does not support canvas drawing");
     this.to = context;
     this.#watch = new ResizeObserver(() => this.#fit());
     this.#watch.observe(canvas);
@@ -36,7 +36,7 @@ export class Pen {
   }
 }
 
-/** From where to where values are shown: wider at once, narrower only when most of it is empty. */
+/** Displayed range of values: widened at once, narrowed only when most of it is empty. */
 export class Range {
   low = NaN;
   high = NaN;
@@ -46,7 +46,7 @@ export class Range {
     this.least = least;
   }
 
-  /** Holds these; gives whether it has changed. */
+  /** Includes these values; returns whether the range has changed. */
   hold(low: number, high: number): boolean {
     if (!(low <= high)) return false;
     const span = Math.max(high - low, this.least);
@@ -58,7 +58,7 @@ export class Range {
       Math.floor((middle - 0.6 * span) / step) * step,
       Math.ceil((middle + 0.6 * span) / step) * step,
     ];
-    // What is never negative has its scale begin at zero where that is near.
+    // The scale of non-negative values starts at zero if that is near.
     const begin = from < 0 && low >= 0 ? 0 : from > 0 && from < 0.4 * to ? 0 : from;
     if (begin === this.low && to === this.high) return false;
     [this.low, this.high] = [begin, to];

@@ -1,15 +1,15 @@
-// A quantity along the string as it moves: depth down the page.
+// A quantity along the moving string, depth down the page.
 
 import type { Frame } from "./connection.svelte";
 import { colour, Pen, Range } from "./pen";
 import { niceAbove, numberText } from "./shown";
 
-/** What a profile shows of a frame: the value at a node. */
+/** Returns the value of a profile at a node of a frame. */
 export type ValueAt = (frame: Frame, node: number) => number;
 
 const LINES = 56;
 
-/** A profile that draws without making anything. */
+/** A profile that draws without allocation. */
 export class Profile {
   readonly range: Range;
   readonly #pen: Pen;
@@ -37,7 +37,7 @@ export class Profile {
     this.#pen.close();
   }
 
-  /** Draws it between two depths, which are in the reader's unit of `factor` metres where they stand beside it. */
+  /** Draws it between two depths; their labels are in the unit of the reader, of `factor` metres. */
   draw(frame: Frame, from_m: number, to_m: number, factor: number): boolean {
     const { to, width, height } = this.#pen;
     const { values, nodes } = frame;

@@ -1,4 +1,4 @@
-// What of a frame is shown along the string and colours it in space.
+// Quantities of a frame for the profiles and for the colours in space.
 
 import type { Layout } from "../api/live";
 import type { Frame } from "./connection.svelte";
@@ -11,14 +11,14 @@ export interface Quantity {
   value: ValueAt;
   signed: boolean;
   colour: string;
-  /** A range is no narrower, SI. */
+  /** Smallest range, SI. */
   least: number;
 }
 
-/** An offset below which a node does not circle, m: as the summary of a run has it. */
+/** Offset below which a node does not whirl, m, as in the summary of a run. */
 const SMALLEST_WHIRL_M = 1e-4;
 
-/** The quantities of a layout's frames. */
+/** The quantities of the frames of a layout. */
 export function quantitiesOf(layout: Layout): Quantity[] {
   const place = (name: string) => layout.frame.findIndex((channel) => channel.name === name);
   const column = (name: string): ValueAt => {

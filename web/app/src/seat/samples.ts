@@ -1,10 +1,10 @@
-// The samples of the last minutes, column by column, by their numbers.
+// The samples of the last minutes, column by column, by index.
 
-/** Samples of a live string: as many as the server keeps, the oldest of which go. */
+/** Samples of a live string: as many as the server keeps; the oldest are dropped. */
 export class Samples {
   readonly columns: Float32Array[];
   readonly interval_s: number;
-  /** Numbers of the first that is kept and of the one that comes next. */
+  /** Indices of the first kept sample and of the next one. */
   first = 0;
   next = 0;
   epoch = -1;
@@ -16,7 +16,7 @@ export class Samples {
     this.interval_s = interval_s;
   }
 
-  /** Where the sample of a number stands in each column. */
+  /** Position of a sample in each column. */
   place(number: number): number {
     return number % this.#most;
   }
@@ -31,7 +31,7 @@ export class Samples {
     return this.next > this.first ? (this.columns[column]?.[this.place(this.next - 1)] ?? NaN) : NaN;
   }
 
-  /** Takes rows in that begin with a number; where some are missing between, there is nothing there. */
+  /** Adds rows from an index on; missing rows in between are empty. */
   add(epoch: number, first: number, rows: number, values: Float32Array): void {
     if (epoch !== this.epoch) {
       this.epoch = epoch;

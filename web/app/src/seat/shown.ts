@@ -1,4 +1,4 @@
-// Numbers of a live string in the reader's units.
+// Numbers of a live string in the units of the reader.
 
 import type { Layout, ShownUnit } from "../api/live";
 import { UNIT_SETS, type UnitSet } from "../settings.svelte";
@@ -9,7 +9,7 @@ const BARE: ShownUnit = { symbol: "", factor: 1 };
 export const unitOf = (layout: Layout, dimension: string, set: UnitSet): ShownUnit =>
   layout.units[dimension]?.[UNIT_SETS.indexOf(set)] ?? BARE;
 
-/** A number for the eye: so many decimals as its size asks for, a true minus. */
+/** A number for display: decimals by its size, and a true minus sign. */
 export function numberText(value: number, digits = 4): string {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
@@ -17,14 +17,14 @@ export function numberText(value: number, digits = 4): string {
   return value.toFixed(Math.max(digits - whole, 0)).replace("-", "\u2212");
 }
 
-/** 1, 2 or 5 times a power of ten that is not below. */
+/** The smallest of 1, 2 or 5 times a power of ten that is not below a number. */
 export function niceAbove(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value));
   for (const times of [1, 2, 5]) if (times * power >= value * 0.999999) return times * power;
   return 10 * power;
 }
 
-/** `1:05`, or `1:02:05` from an hour on. */
+/** `1:05`, or `1:02:05` from one hour on. */
 export function clockText(seconds: number): string {
   const all = Math.floor(Math.max(seconds, 0));
   const two = (number: number) => String(number).padStart(2, "0");

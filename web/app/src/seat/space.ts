@@ -1,4 +1,4 @@
-// The string in its hole in space, as it moves: across the hole everything is larger than along it.
+// The moving string in its hole in space, exaggerated across the hole.
 
 import {
   AmbientLight,
@@ -28,7 +28,7 @@ const COLOURS = 256;
 const AMOUNTS = Array.from({ length: 10 }, (_, i) => `amount-${i}`);
 const SIGNED = ["low-side-strong", "low-side", "middle", "high-side", "high-side-strong"];
 
-/** A table of the colours of a scale, red, green and blue each. */
+/** A table of the colours of a scale, red, green and blue per entry. */
 function table(signed: boolean): Float32Array {
   const stops = (signed ? SIGNED : AMOUNTS).map((name) => new Color(colour(name)));
   const made = new Float32Array(3 * COLOURS);
@@ -41,7 +41,7 @@ function table(signed: boolean): Float32Array {
   return made;
 }
 
-/** What colours the string. */
+/** Quantity of the colours of the string. */
 export interface Paint {
   value: ValueAt;
   signed: boolean;
@@ -68,7 +68,7 @@ export class Space {
   #exaggeration = 1;
   #due = true;
 
-  /** Null where the browser gives no WebGL. */
+  /** Null if the browser has no WebGL. */
   static of(canvas: HTMLCanvasElement, holder: HTMLElement, layout: Layout, paint: Paint): Space | null {
     try {
       const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -111,7 +111,7 @@ export class Space {
     return this.#exaggeration;
   }
 
-  /** What the colours go from and to. */
+  /** Range of the colours. */
   get painted(): Range {
     return this.#range;
   }
@@ -130,13 +130,13 @@ export class Space {
     this.#due = true;
   }
 
-  /** Takes the page's colours. */
+  /** Updates the colours from the page. */
   dress(): void {
     this.#table = table(this.#paint.signed);
     this.#build();
   }
 
-  /** Shows the depths between two. */
+  /** Displays a range of depths. */
   show(depths: [number, number]): void {
     this.#depths = depths;
     const widest = Math.max(...this.#layout.hole.map((section) => section.diameter_m), 0.1);
@@ -145,7 +145,7 @@ export class Space {
     this.look("side");
   }
 
-  /** Looks across the plane in which the well goes, or down on it. */
+  /** Looks across the plane of the well, or down on it. */
   look(from: "side" | "above"): void {
     const [low, high] = this.#depths;
     const places = Array.from({ length: 41 }, (_, i) => {
@@ -194,7 +194,7 @@ export class Space {
     this.#due = true;
   }
 
-  /** The hole anew. */
+  /** Rebuilds the hole. */
   #build(): void {
     for (const mesh of this.#hole) {
       this.#world.remove(mesh);
@@ -227,7 +227,7 @@ export class Space {
     this.#due = true;
   }
 
-  /** Draws a frame, or nothing where nothing is new. */
+  /** Draws a frame, if anything has changed. */
   draw(frame: Frame | null, isNew: boolean): void {
     if (!isNew && !this.#due) return;
     this.#due = false;

@@ -1,4 +1,4 @@
-// A strip chart: time down the page, the latest at the bottom, as rigs have it.
+// A strip chart: time down the page, the latest at the bottom, as on rigs.
 
 import { colour, Pen, Range } from "./pen";
 import type { Samples } from "./samples";
@@ -14,7 +14,7 @@ export interface Curve {
 /** Pixels between two lines of time. */
 const LINES = 64;
 
-/** A strip that draws without making anything: everything that it needs is here before. */
+/** A strip that draws without allocation, because all buffers are allocated in advance. */
 export class Strip {
   readonly range: Range;
   readonly #pen: Pen;
@@ -30,7 +30,7 @@ export class Strip {
     this.dress();
   }
 
-  /** Takes the page's colours. */
+  /** Updates the colours from the page. */
   dress(): void {
     this.#colours = this.#curves.map((curve) => colour(curve.colour));
     [this.#grid, this.#muted] = [colour("grid"), colour("muted")];
@@ -40,7 +40,7 @@ export class Strip {
     this.#pen.close();
   }
 
-  /** Draws the last seconds; gives whether the range has changed. */
+  /** Draws the last seconds; returns whether the range has changed. */
   draw(samples: Samples, window_s: number): boolean {
     const { to, width, height } = this.#pen;
     to.clearRect(0, 0, width, height);
@@ -89,7 +89,7 @@ export class Strip {
     to.stroke();
   }
 
-  /** A curve, of which every row of pixels shows its least and its most. */
+  /** Draws a curve, with its smallest and largest value in every row of pixels. */
   #curve(samples: Samples, first: number, rows: number, k: number): void {
     const { to, width, height } = this.#pen;
     const { column, isSet } = this.#curves[k]!;

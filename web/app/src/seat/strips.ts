@@ -6,7 +6,7 @@ import type { Curve } from "./strip";
 export interface StripPlan {
   title: string;
   dimension: string;
-  /** A range is no narrower, SI. */
+  /** Smallest range, SI. */
   least: number;
   curves: (Curve & { name: string })[];
 }
@@ -23,7 +23,7 @@ const PLANS: [string, number, [string, string, boolean?][]][] = [
 
 /** The strips that a layout has the columns for. */
 export function stripsOf(layout: Layout): StripPlan[] {
-  // Without a rheology the mud takes no pressure.
+  // Without a rheology there is no pressure loss of the mud.
   const plans = PLANS.filter(([title]) => title !== "Standpipe pressure" || layout.knobs.flow_rate_m3_per_s !== null);
   return plans.map(([title, least, curves]) => {
     const known = curves.map(([column, name, isSet]) => ({

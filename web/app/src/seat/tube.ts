@@ -1,8 +1,8 @@
-// A tube of rings whose numbers are written in place.
+// A tube of rings whose numbers are updated in place.
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from "three";
 
-/** Rings of so many sides; each is written anew where the string has gone. */
+/** Rings with a number of sides; each is rewritten when the string moves. */
 export class Tube extends BufferGeometry {
   readonly rings: number;
   readonly sides: number;
@@ -18,8 +18,8 @@ export class Tube extends BufferGeometry {
     const count = 3 * rings * sides;
     [this.#places, this.#normals] = [new Float32Array(count), new Float32Array(count)];
     this.#colours = new Float32Array(count).fill(1);
-    const turn = (of: (angle: number) => number) =>
-      Float32Array.from({ length: sides }, (_, k) => of((2 * Math.PI * k) / sides));
+    const turn = (part: (angle: number) => number) =>
+      Float32Array.from({ length: sides }, (_, k) => part((2 * Math.PI * k) / sides));
     [this.#cos, this.#sin] = [turn(Math.cos), turn(Math.sin)];
     for (const [name, array] of [["position", this.#places], ["normal", this.#normals], ["color", this.#colours]] as const)
       this.setAttribute(name, new BufferAttribute(array, 3).setUsage(DynamicDrawUsage));
@@ -34,7 +34,7 @@ export class Tube extends BufferGeometry {
     this.setIndex(new BufferAttribute(faces, 1));
   }
 
-  /** Writes a ring: at a place of the course, beside it to the high side and to the right, of a radius. */
+  /** Writes a ring: position on the course, offsets to the high side and to the right, and radius. */
   ring(i: number, course: Float32Array, high: number, right: number, radius: number): void {
     const [places, normals, sides] = [this.#places, this.#normals, this.sides];
     let to = 3 * i * sides;
@@ -56,7 +56,7 @@ export class Tube extends BufferGeometry {
       for (let axis = 0; axis < 3; axis++, to++) this.#colours[to] = table[3 * entry + axis]!;
   }
 
-  /** Shows so many rings, as they are now. */
+  /** Displays the first rings, in their current state. */
   changed(rings: number): void {
     this.setDrawRange(0, 6 * Math.max(rings - 1, 0) * this.sides);
     for (const name of ["position", "normal", "color"]) this.attributes[name]!.needsUpdate = true;

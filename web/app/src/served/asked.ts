@@ -1,4 +1,4 @@
-// Whom this page asks: the server that has served it.
+// Requests of the page to its server.
 
 import { ApiError, wasAborted, type Diagnostic, type Method } from "../api/client";
 import type { Line } from "../api/line";
@@ -15,8 +15,8 @@ async function failure(response: Response): Promise<ApiError> {
 }
 
 /**
- * Asks the server; `body` goes as JSON, or as it is where it is a form. With `keepalive` it arrives though the page
- * is closed.
+ * Sends a request to the server; `body` is sent as JSON, or unchanged if it is a form. With `keepalive` it is
+ * delivered even if the page is closed.
  */
 export async function request<T>(
   method: Method,
@@ -44,7 +44,7 @@ export async function request<T>(
   return (text === "" ? undefined : JSON.parse(text)) as T;
 }
 
-/** The line to a live string. */
+/** The connection to a live string. */
 export function lineTo(id: string): Line {
   const scheme = location.protocol === "https:" ? "wss" : "ws";
   const socket = new WebSocket(`${scheme}://${location.host}/api/live/${encodeURIComponent(id)}/socket`);

@@ -1,8 +1,8 @@
-// Keys that the screen in view answers to; `?` lists them.
+// Keys of the current screen; `?` lists them.
 
 import { untrack } from "svelte";
 
-/** A key as people read it, and what it does. */
+/** A key in readable form, and its effect. */
 export interface KeyHelp {
   keys: string;
   does: string;
@@ -22,8 +22,8 @@ const typing = (event: KeyboardEvent) =>
   (event.target.isContentEditable || ["INPUT", "TEXTAREA", "SELECT"].includes(event.target.tagName));
 
 /**
- * Answers to `key`; with Ctrl (or Cmd) where `ctrl`, and else only where nobody writes. Gives what ends it: return it
- * from an effect.
+ * Handles `key`, with Ctrl (or Cmd) if `ctrl`; otherwise only outside text fields. Returns the function that ends
+ * this, to be returned from an effect.
  */
 export function onKey(key: string, does: string, run: () => void, ctrl = false, shift = false): () => void {
   const keys = [ctrl && "Ctrl", shift && "Shift", key.length === 1 ? key.toUpperCase() : key].filter(Boolean).join(" + ");
@@ -35,22 +35,22 @@ export function onKey(key: string, does: string, run: () => void, ctrl = false, 
       event.key.toLowerCase() === key.toLowerCase() &&
       (ctrl ? command(event) && event.shiftKey === shift : !command(event) && !event.altKey && !typing(event)),
   };
-  // The effect that adds it does not follow the others.
+  // Untracked, so that the effect does not depend on other keys.
   shortcuts = [...untrack(() => shortcuts), shortcut];
   return () => {
     shortcuts = shortcuts.filter((other) => other !== shortcut);
   };
 }
 
-/** Tells `?` of keys that a part of the screen answers to by itself. */
-export function tellKeys(told: KeyHelp[]): () => void {
-  notes = [...untrack(() => notes), ...told];
+/** Adds keys that a part of the screen handles itself to the list of `?`. */
+export function tellKeys(added: KeyHelp[]): () => void {
+  notes = [...untrack(() => notes), ...added];
   return () => {
-    notes = notes.filter((note) => !told.includes(note));
+    notes = notes.filter((note) => !added.includes(note));
   };
 }
 
-/** Every key of the screen in view. */
+/** All keys of the current screen. */
 export const keyHelp = {
   get all(): KeyHelp[] {
     return [...shortcuts, ...notes];

@@ -1,4 +1,4 @@
-// Moments as people read them.
+// Times in readable form.
 
 /** `09:14` of today, `23 November, 09:14` of another day. */
 export function timeText(milliseconds: number): string {
@@ -9,7 +9,7 @@ export function timeText(milliseconds: number): string {
   return `${moment.toLocaleDateString("en-GB", { day: "numeric", month: "long", ...year })}, ${time}`;
 }
 
-/** So many seconds as `3 s`, `4 min 05 s`, `2 h 10 min`. */
+/** A number of seconds as `3 s`, `4 min 05 s`, `2 h 10 min`. */
 export function spanText(seconds: number): string {
   if (seconds < 60) return `${Math.round(seconds)} s`;
   const two = (number: number) => String(number).padStart(2, "0");

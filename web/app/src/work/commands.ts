@@ -1,23 +1,23 @@
-// The commands that are started from the page, and how each is asked for.
+// The commands that the page can start, and their requests.
 
 import type { Work } from "../api/jobs";
 
 export type Command = Work["kind"];
 
-/** What each does, in the order in which a well is planned. */
+/** The commands with descriptions, in the order of planning a well. */
 export const COMMANDS: readonly { kind: Command; title: string; does: string }[] = [
   { kind: "plan", title: "Plan", does: "Torque and drag at every depth of the bit, with low, expected and high friction" },
   { kind: "run", title: "Run", does: "Every operation of the case, by soft string, stiff string or dynamics" },
-  { kind: "reach", title: "Reach", does: "How far the well can go, and what stops it" },
+  { kind: "reach", title: "Reach", does: "The depth that the well can reach, and the limit that stops it" },
   { kind: "bha", title: "Assembly", does: "Static analysis of the bottom-hole assembly: contacts, side force, tilt" },
   { kind: "modes", title: "Modes", does: "Natural frequencies, critical speeds and torsional stability" },
-  { kind: "calibrate", title: "Calibrate", does: "Friction factors from what was read at the surface" },
+  { kind: "calibrate", title: "Calibrate", does: "Friction factors from readings at the surface" },
   { kind: "sweep", title: "Sweep", does: "The case with all combinations of some values" },
-  { kind: "bit_test", title: "Bit test", does: "The bit alone on its rock, under every weight at every speed" },
+  { kind: "bit_test", title: "Bit test", does: "The bit alone on its rock, at every weight and speed" },
   { kind: "study", title: "Study", does: "The cases of a study file, with its figures and tables" },
 ];
 
-/** Everything that the form has, whichever command is chosen. */
+/** All fields of the form, for any command. */
 export interface Filled {
   models: string[];
   csv: boolean;
@@ -76,7 +76,7 @@ export const unfilled = (): Filled => ({
   study: "",
 });
 
-const given = (text: string): string | null => (text.trim() === "" ? null : text.trim());
+const optional = (text: string): string | null => (text.trim() === "" ? null : text.trim());
 const lines = (text: string): string[] => text.split("\n").map((line) => line.trim()).filter((line) => line !== "");
 
 /** `0.2, 0.3` as numbers. */
@@ -84,24 +84,24 @@ function numbers(text: string): number[] {
   const words = text.split(",").map((word) => word.trim()).filter((word) => word !== "");
   return words.map((word) => {
     const number = Number(word);
-    if (!Number.isFinite(number)) throw new Error(`${word} is no friction factor: such as 0.3 is expected`);
+    if (!Number.isFinite(number)) throw new Error(`${word} is not a friction factor: expected a number such as 0.3`);
     return number;
   });
 }
 
-/** What is asked for; throws a sentence where the form cannot be so. */
+/** Returns the request; throws a sentence if the form is invalid. */
 export function workOf(kind: Command, filled: Filled): Work {
   const { operation, data, study } = filled;
   switch (kind) {
     case "run":
       return { kind, models: filled.models, csv: filled.csv };
     case "plan":
-      return { kind, overlay: given(filled.overlay) };
+      return { kind, overlay: optional(filled.overlay) };
     case "reach":
       return {
         kind,
-        from: given(filled.from),
-        to: given(filled.to),
+        from: optional(filled.from),
+        to: optional(filled.to),
         frictions: numbers(filled.frictions),
         operations: filled.operations,
         no_helix_friction: filled.no_helix_friction,
@@ -109,15 +109,15 @@ export function workOf(kind: Command, filled: Filled): Work {
     case "bha":
       return {
         kind,
-        operation: given(operation),
+        operation: optional(operation),
         whole: filled.whole,
-        toolface: given(filled.toolface),
-        weight: given(filled.weight),
-        inclination: given(filled.inclination),
-        build: given(filled.build),
+        toolface: optional(filled.toolface),
+        weight: optional(filled.weight),
+        inclination: optional(filled.inclination),
+        build: optional(filled.build),
       };
     case "modes":
-      return { kind, operation: given(operation) };
+      return { kind, operation: optional(operation) };
     case "calibrate":
       if (data === "") throw new Error("Choose the file of the readings.");
       return {
@@ -133,7 +133,7 @@ export function workOf(kind: Command, filled: Filled): Work {
         check_dynamics: filled.check_dynamics,
       };
     case "sweep":
-      return { kind, vary: lines(filled.vary), keep: given(filled.keep) };
+      return { kind, vary: lines(filled.vary), keep: optional(filled.keep) };
     case "study":
       if (study === "") throw new Error("Choose the study.");
       return { kind, study };
@@ -142,12 +142,12 @@ export function workOf(kind: Command, filled: Filled): Work {
   }
 }
 
-/** `friction=0.3`, a line each, as values by keys. */
+/** Lines such as `friction=0.3` as values by keys. */
 export function setOf(text: string): Record<string, string> {
   return Object.fromEntries(
     lines(text).map((line) => {
       const [key = "", ...value] = line.split("=");
-      if (value.length === 0) throw new Error(`${line}: a key, = and a value are expected`);
+      if (value.length === 0) throw new Error(`${line}: expected KEY=VALUE`);
       return [key.trim(), value.join("=").trim()];
     }),
   );

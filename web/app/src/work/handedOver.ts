@@ -2,14 +2,14 @@
 
 let files: File[] = [];
 
-/** Keeps files for the import, which takes them when it is shown. */
+/** Stores files for the import, which takes them when displayed. */
 export function handOver(dropped: File[]): void {
   files = dropped;
 }
 
-/** Gives them, once. */
+/** Returns the files, once. */
 export function taken(): File[] {
-  const given = files;
+  const taken = files;
   files = [];
-  return given;
+  return taken;
 }

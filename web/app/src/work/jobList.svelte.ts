@@ -1,8 +1,8 @@
-// The jobs of the folder, followed while a screen shows them.
+// The jobs of the folder, followed while a screen displays them.
 
 import { eventsOf, isOpen, listJobs, type Job } from "../api/jobs";
 
-/** Time between two looks at the whole list, ms: other tabs start jobs, too. */
+/** Interval between updates of the whole list, ms, because other tabs also start jobs. */
 const LOOK_MS = 4000;
 
 export class JobList {
@@ -11,12 +11,12 @@ export class JobList {
   #events: { id: string; source: EventSource } | null = null;
   #ended: (job: Job) => void;
 
-  /** `ended` is told of each job that ends while it is followed. */
+  /** `ended` is called with each job that ends while it is followed. */
   constructor(ended: (job: Job) => void = () => {}) {
     this.#ended = ended;
   }
 
-  /** Follows them until what it gives is called; return it from an effect. */
+  /** Follows the jobs until the returned function is called; return it from an effect. */
   follow(): () => void {
     void this.look();
     const timer = setInterval(() => void this.look(), LOOK_MS);
@@ -26,7 +26,7 @@ export class JobList {
     };
   }
 
-  /** Looks at the whole list now. */
+  /** Updates the whole list. */
   async look(): Promise<void> {
     try {
       const before = new Map((this.jobs ?? []).map((job) => [job.id, job]));
@@ -47,7 +47,7 @@ export class JobList {
     this.#events = null;
   }
 
-  /** One job goes on at a time: that is the one whose events are wanted. */
+  /** Follows the events of the running job, of which there is one at a time. */
   #listen(): void {
     const running = this.jobs?.find((job) => job.state === "running");
     if (this.#events && this.#events.id === running?.id && this.#events.source.readyState !== EventSource.CLOSED) return;
@@ -64,7 +64,7 @@ export class JobList {
       void this.look();
     };
     source.onerror = () => {
-      // Over, or the server is gone: the next look says which.
+      // The job has ended, or the server is gone: the next update shows which.
       this.#close();
     };
   }

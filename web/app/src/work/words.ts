@@ -1,8 +1,8 @@
-// Words that a case file takes, from the schema of the case: a list that has one has its others.
+// Words of a case file, from the schema: the list with a given word has the others.
 
 import { request } from "#asked";
 
-let asked: Promise<unknown> | null = null;
+let schema: Promise<unknown> | null = null;
 
 function listWith(word: string, schema: unknown): string[] | null {
   if (typeof schema !== "object" || schema === null) return null;
@@ -15,13 +15,13 @@ function listWith(word: string, schema: unknown): string[] | null {
   return null;
 }
 
-/** The words of the list that has this one. */
+/** Returns the words of the list that contains this one. */
 export async function wordsLike(word: string): Promise<string[]> {
-  asked ??= request("GET", "/schema");
+  schema ??= request("GET", "/schema");
   try {
-    return listWith(word, await asked) ?? [word];
+    return listWith(word, await schema) ?? [word];
   } catch (problem) {
-    asked = null;
+    schema = null;
     throw problem;
   }
 }

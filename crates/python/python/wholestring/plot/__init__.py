@@ -1,9 +1,9 @@
-"""Figures on matplotlib, as the house draws them.
+"""Figures on matplotlib, in the style of the reports.
 
-Depth points down, axes name their units, curves have their names beside them, and their colours
-are told apart by every eye. Each function takes results, a :class:`wholestring.Table`, a data frame
-or a mapping of columns; draws in the axes that it is given, or in a figure of its own; and gives
-the axes back, for you to add to or to save::
+Depth points down, axes have units, curves are labelled directly, and their colours are
+distinguishable with every type of colour vision. Each function takes results, a
+:class:`wholestring.Table`, a data frame or a mapping of columns; draws in the given axes or in a
+figure of its own; and returns the axes, to add to or to save::
 
     ax = ws.plot.broomstick(plan)
     ax.figure.savefig("broomstick.svg")

@@ -1,4 +1,4 @@
-"""Columns of whatever is drawn: a table of the package, a data frame, a mapping of lists."""
+"""Columns of the data to draw: a table of the package, a data frame, a mapping of lists."""
 
 from __future__ import annotations
 
@@ -16,37 +16,37 @@ Rows = NDArray[np.bool_]
 
 
 class Columns:
-    """Columns by their names, and some of their rows.
+    """Columns by their names, and a selection of their rows.
 
     Parameters
     ----------
     thing
-        Results that have a table of the name ``table``, or this one alone; or such a table itself,
-        as a :class:`wholestring.Table`, a data frame, or a mapping of columns.
+        Results that have a table of the name ``table``, or an object with one table; or such a
+        table itself, as a :class:`wholestring.Table`, a data frame, or a mapping of columns.
     table
-        The table.
-    what
-        What is drawn, for an error to say.
+        Name of the table.
+    subject
+        Name of the figure for error messages.
     """
 
-    def __init__(self, thing: object, table: str, what: str) -> None:
-        self._what = what
-        self._columns = _columns(thing, table, what)
+    def __init__(self, thing: object, table: str, subject: str) -> None:
+        self._subject = subject
+        self._columns = _columns(thing, table, subject)
         self._rows: Rows | None = None
 
     def __contains__(self, name: object) -> bool:
-        """Tell whether there is such a column."""
+        """Return whether there is such a column."""
         return name in self._names()
 
     def __len__(self) -> int:
-        """Give the number of rows."""
+        """Return the number of rows."""
         if self._rows is not None:
             return int(self._rows.sum())
         names = self._names()
         return len(self._column(names[0])) if names else 0
 
     def numbers(self, name: str) -> Numbers:
-        """Give a column of numbers, NaN where there is none."""
+        """Return a column of numbers, NaN where there is no number."""
         values = self._column(name)
         try:
             numbers = np.asarray(values, dtype=np.float64)
@@ -56,20 +56,20 @@ class Columns:
         return numbers if self._rows is None else numbers[self._rows]
 
     def words(self, name: str) -> NDArray[Any]:
-        """Give a column of words."""
-        values = np.asarray([str(of) for of in self._column(name)], dtype=object)
+        """Return a column of words."""
+        values = np.asarray([str(value) for value in self._column(name)], dtype=object)
         return values if self._rows is None else values[self._rows]
 
     def distinct(self, name: str) -> list[str]:
-        """Give the words of a column, each once, in their order; nothing without the column."""
+        """Return the distinct words of a column, in their order; none without the column."""
         return list(dict.fromkeys(self.words(name))) if name in self else []
 
     def known(self, name: str) -> bool:
-        """Tell whether there is such a column with a number in it."""
+        """Return whether there is such a column with a number in it."""
         return name in self and bool(np.isfinite(self.numbers(name)).any())
 
     def where(self, **words: str | float | None) -> Columns:
-        """Give the rows in which columns have these values; columns without a value count all."""
+        """Return the rows with these values; columns whose value is ``None`` match all rows."""
         rows = np.ones(len(self), dtype=bool)
         for name, value in words.items():
             if value is None or name not in self:
@@ -83,9 +83,9 @@ class Columns:
         return self.rows(rows)
 
     def rows(self, rows: Rows) -> Columns:
-        """Give some of the rows."""
+        """Return a selection of the rows."""
         other = Columns.__new__(Columns)
-        other._what = self._what
+        other._subject = self._subject
         other._columns = self._columns
         if self._rows is None:
             other._rows = rows
@@ -96,7 +96,7 @@ class Columns:
         return other
 
     def need(self, *names: str) -> None:
-        """Raise an error that says which of these are missing."""
+        """Raise an error with the names of the missing columns, if any."""
         missing = [f"`{name}`" for name in names if name not in self]
         if missing:
             noun = "column" if len(missing) == 1 else "columns"
@@ -112,18 +112,18 @@ class Columns:
         return np.asarray(self._columns[name])
 
 
-def _columns(thing: object, table: str, what: str) -> Mapping[str, Any]:
+def _columns(thing: object, table: str, subject: str) -> Mapping[str, Any]:
     if isinstance(thing, Table):
         return thing.to_numpy()
-    give = getattr(thing, "table", None)
-    if isinstance(give, Table):
-        return give.to_numpy()
-    if callable(give):
+    member = getattr(thing, "table", None)
+    if isinstance(member, Table):
+        return member.to_numpy()
+    if callable(member):
         try:
-            return cast("Table", give(table)).to_numpy()
+            return cast("Table", member(table)).to_numpy()
         except KeyError as error:
             there = ", ".join(cast("Sequence[str]", getattr(thing, "tables", ())))
-            message = f"{what} needs the table `{table}`: there are {there}"
+            message = f"{subject} needs the table `{table}`: there are {there}"
             raise InputError(message) from error
     if isinstance(thing, Mapping):
         return {str(name): column for name, column in cast("Any", thing).items()}
@@ -131,6 +131,6 @@ def _columns(thing: object, table: str, what: str) -> Mapping[str, Any]:
     frame = cast("Any", thing)
     names = getattr(frame, "column_names", getattr(frame, "columns", None))
     if names is None:
-        message = f"{what} takes results, a table, a data frame or a mapping, not {thing!r}"
+        message = f"{subject} takes results, a table, a data frame or a mapping, not {thing!r}"
         raise InputTypeError(message)
     return {str(name): frame[name] for name in names}

@@ -1,4 +1,4 @@
-"""Whose curves a figure shows, and how each looks."""
+"""Curves of a figure, and their look."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._keys import Key
 
 
 def models_words() -> dict[str, str]:
-    """Give what curves of models are called, the most detailed model first."""
+    """Return the labels of models, the most detailed model first."""
     return {name: words for name, words in pictures()["models"]}
 
 
@@ -23,11 +23,11 @@ class Curve:
     Attributes
     ----------
     run
-        Place of the run.
+        Index of the run.
     model, operation
-        Whose the rows are.
+        Model and operation of the rows.
     name
-        What is written beside it; empty where there is nothing to tell apart.
+        Label at the curve; empty where a single curve requires none.
     look
         Colour and stroke.
     """
@@ -39,7 +39,7 @@ class Curve:
     look: Look
 
     def rows(self, columns: Columns) -> Columns:
-        """Give its rows."""
+        """Return the rows of the curve."""
         return columns.where(model=self.model or None, operation=self.operation or None)
 
 
@@ -49,34 +49,34 @@ def curves(
     *,
     operations: Sequence[str] | None,
     models: Sequence[str] | None,
-    what: str,
+    subject: str,
 ) -> list[Curve]:
-    """Give the curves of one run or several.
+    """Return the curves of one run or several.
 
-    Of one run, operations differ by colour, of several the runs do; by stroke too where one model
-    solved them. Where several did, models differ by stroke, and by colour too where nothing else
-    does.
+    Operations of one run differ by colour, and so do several runs; they also differ by stroke if
+    one model solved them. Several models differ by stroke, and also by colour if neither operations
+    nor runs do.
     """
     there = _united(runs, "operation")
     for operation in operations or ():
         if operation not in there:
-            raise InputError(f"{what}: there is no {operation!r}: there are {', '.join(there)}")
-    shown = list(operations) if operations is not None else there or [""]
+            raise InputError(f"{subject}: there is no {operation!r}: there are {', '.join(there)}")
+    drawn_operations = list(operations) if operations is not None else there or [""]
     solved = _united(runs, "model")
     for model in models or ():
         if model not in solved:
-            raise InputError(f"{what}: no model {model!r} solved it: {', '.join(solved)} did")
+            raise InputError(f"{subject}: no model {model!r} solved it: {', '.join(solved)} did")
     solved = list(models) if models is not None else solved
-    known = [of for of in models_words() if of in solved]
-    shown_models = known or solved or [""]
+    known = [model for model in models_words() if model in solved]
+    drawn_models = known or solved or [""]
     made: list[Curve] = []
     for run, columns in enumerate(runs):
-        for place, operation in enumerate(shown):
-            for rank, model in enumerate(shown_models):
+        for place, operation in enumerate(drawn_operations):
+            for rank, model in enumerate(drawn_models):
                 curve = _curve(
                     (run, len(runs)),
-                    (place, operation, len(shown)),
-                    (rank, model, len(shown_models)),
+                    (place, operation, len(drawn_operations)),
+                    (rank, model, len(drawn_models)),
                     names,
                 )
                 if len(curve.rows(columns)):
@@ -101,7 +101,7 @@ def _curve(
     if several and not elsewhere:
         parts.append(words)
     elif several and model[0] > 0:
-        # A key says what strokes mean.
+        # A key explains the strokes.
         parts.clear()
     if run[1] > 1:
         look = Look(line_colour(run[0]), stroke(model[0] if several else run[0]))
@@ -115,13 +115,13 @@ def _curve(
 
 
 def _united(runs: Sequence[Columns], column: str) -> list[str]:
-    return list(dict.fromkeys(word for of in runs for word in of.distinct(column)))
+    return list(dict.fromkeys(word for run in runs for word in run.distinct(column)))
 
 
-def stroke_keys(whose: Sequence[Curve]) -> list[Key]:
-    """Give what strokes mean, where they tell models apart that no name does."""
-    models = [of for of in models_words() if any(curve.model == of for curve in whose)]
-    if len(models) < 2 or len({(of.run, of.operation) for of in whose}) < 2:
+def stroke_keys(drawn: Sequence[Curve]) -> list[Key]:
+    """Return the keys of strokes that distinguish models without labels."""
+    models = [model for model in models_words() if any(curve.model == model for curve in drawn)]
+    if len(models) < 2 or len({(curve.run, curve.operation) for curve in drawn}) < 2:
         return []
     ink = colour("muted")
-    return [Key(models_words()[of], Look(ink, stroke(at))) for at, of in enumerate(models)]
+    return [Key(models_words()[model], Look(ink, stroke(at))) for at, model in enumerate(models)]

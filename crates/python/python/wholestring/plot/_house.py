@@ -1,4 +1,4 @@
-"""Colours, strokes and words of figures, as the compiled half has them."""
+"""Colours, strokes and words of figures, from the compiled module."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .. import _core
 from ..errors import MissingPackageError
 
 Drawn: TypeAlias = Any
-"""Axes of matplotlib, whose own types leave out most of what is passed to them."""
+"""Axes of matplotlib, untyped because its own types lack most of the arguments in use here."""
 
 Dash: TypeAlias = "Literal['-'] | tuple[float, tuple[float, float]]"
 
@@ -25,17 +25,17 @@ SMALL = 6.5
 
 @cache
 def conventions() -> dict[str, Any]:
-    """Give all of them."""
+    """Return all conventions."""
     return cast("dict[str, Any]", json.loads(_core.conventions()))
 
 
 def pictures() -> dict[str, Any]:
-    """Give those of pictures: colours, strokes and what is drawn of a run."""
+    """Return the conventions of pictures: colours, strokes and the curves of a run."""
     return cast("dict[str, Any]", conventions()["pictures"])
 
 
 def colour(name: str) -> str:
-    """Give a colour on paper by its name.
+    """Return the colour for a light background by its name.
 
     >>> colour("line-1")
     '#e85800'
@@ -44,22 +44,22 @@ def colour(name: str) -> str:
 
 
 def line_colour(place: int) -> str:
-    """Give the colour of a curve by its place; after the last comes the first."""
+    """Return the colour of a curve by its index; the colours repeat after the last."""
     return colour(f"line-{place % pictures()['lines']}")
 
 
 def curve_width() -> float:
-    """Give the width of a curve, points."""
+    """Return the width of a curve, points."""
     return float(pictures()["curve"])
 
 
 def stroke(place: int) -> Dash:
-    """Give the stroke of a curve by its place, as matplotlib has it."""
+    """Return the stroke of a curve by its index, in the form of matplotlib."""
     strokes = pictures()["strokes"]
     dash = strokes[place % len(strokes)]
     if dash is None:
         return "-"
-    # matplotlib counts dashes in widths of the line.
+    # Dashes of matplotlib are in units of the line width.
     width = curve_width()
     return (0.0, (dash[0] / width, dash[1] / width))
 
@@ -73,7 +73,7 @@ class Look:
 
 
 def operation_colour(operation: str) -> str:
-    """Give the colour of an operation: the same in every picture."""
+    """Return the colour of an operation, the same in every picture."""
     for look in pictures()["operations"]:
         if look["operation"] == operation:
             return line_colour(look["colour"])
@@ -81,7 +81,7 @@ def operation_colour(operation: str) -> str:
 
 
 def operation_words(operation: str) -> str:
-    """Give an operation in words.
+    """Return an operation in words.
 
     >>> operation_words("trip_in")
     'trip in'
@@ -93,7 +93,7 @@ def operation_words(operation: str) -> str:
 
 
 def pyplot() -> Any:
-    """Give matplotlib's, or say what to install."""
+    """Return ``matplotlib.pyplot``, or raise an error with the command to install it."""
     try:
         import matplotlib.pyplot as plt
     except ImportError as error:
@@ -104,7 +104,7 @@ def pyplot() -> Any:
 
 @cache
 def family() -> str:
-    """Give the first of the house's families of letters that this machine has."""
+    """Return the first font family of the style that is installed on this machine."""
     pyplot()
     from matplotlib import font_manager
 
@@ -113,13 +113,13 @@ def family() -> str:
 
 
 def words(size: float, ink: str = "text") -> dict[str, Any]:
-    """Give how words are set: size in points, and the name of their colour."""
+    """Return the text properties for a size in points and the name of a colour."""
     return {"fontsize": size, "fontfamily": family(), "color": colour(ink)}
 
 
 @contextmanager
 def style() -> Generator[None]:
-    """Make what is created meanwhile look as the house's figures do."""
+    """Apply the style of the figures to axes that are created meanwhile."""
     context = pyplot().rc_context
     look: dict[str, Any] = {
         "axes.edgecolor": colour("frame"),

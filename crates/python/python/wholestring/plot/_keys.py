@@ -1,4 +1,4 @@
-"""What strokes and areas mean, where no curve can have it written beside it."""
+"""Keys of strokes and areas, for curves that cannot be labelled directly."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ INCH = 25.4
 
 @dataclass(frozen=True)
 class Key:
-    """A sample and what it means.
+    """A sample and its meaning.
 
     Attributes
     ----------
     text
-        What it means.
+        Meaning of the sample.
     look
         Colour and stroke of the sample.
     area
         Whether it is an area rather than a line.
     alpha
-        How much of what lies below an area hides.
+        Opacity of an area.
     marker
-        Marker of single points; empty of a line.
+        Marker of single points; empty for a line.
     """
 
     text: str
@@ -36,12 +36,12 @@ class Key:
 
 
 def band_key(look: Look, text: str = "5–95 % of the time") -> Key:  # noqa: RUF001
-    """Give the key of a band."""
+    """Return the key of a band."""
     return Key(text, look, area=True, alpha=float(pictures()["band"]))
 
 
 def write(axes: Sequence[Drawn], keys: Sequence[Key], *, own: bool, top_mm: float = 9.5) -> None:
-    """Write keys over a figure of our own, or in the first of the caller's axes."""
+    """Write keys above a figure made here, or in the first of the caller's axes."""
     if not keys:
         return
     from matplotlib.lines import Line2D

@@ -1,4 +1,4 @@
-"""Names of curves beside them, where least is in their way."""
+"""Labels at curves, in the places with the least overlap."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ TRIED = 40
 
 @dataclass(frozen=True)
 class Name:
-    """The name of a curve.
+    """The label of a curve.
 
     Attributes
     ----------
     text, colour
-        The name and its colour.
+        Text of the label and its colour.
     x, y
-        The curve, as it is drawn.
+        Points of the curve, in data coordinates.
     at
-        Where along it the name is best: 0 at its beginning, 1 at its end.
+        Preferred position along the curve: 0 at its beginning, 1 at its end.
     """
 
     text: str
@@ -39,22 +39,22 @@ class Name:
 
 
 def name_curves(ax: Drawn, names: Sequence[Name], *, size: float = SMALL) -> None:
-    """Write the names beside their curves; limits and places of all axes must be final."""
+    """Write the labels at their curves; limits and positions of all axes must be final."""
     from matplotlib import patheffects
 
     curves = _pixels(ax)
     frame = ax.get_window_extent()
-    room: Box = (frame.x0 + 1.0, frame.y0 + 1.0, frame.x1 - 1.0, frame.y1 - 1.0)
+    inside: Box = (frame.x0 + 1.0, frame.y0 + 1.0, frame.x1 - 1.0, frame.y1 - 1.0)
     taken: list[Box] = []
     point = ax.figure.dpi / 72.0
     for name in names:
-        shown = np.column_stack((name.x, name.y))
-        shown = shown[np.isfinite(shown).all(axis=1)]
-        if not len(shown):
+        points = np.column_stack((name.x, name.y))
+        points = points[np.isfinite(points).all(axis=1)]
+        if not len(points):
             continue
         text = ax.annotate(
             name.text,
-            xy=shown[0],
+            xy=points[0],
             xytext=(0.0, 0.0),
             textcoords="offset pixels",
             fontsize=size,
@@ -67,22 +67,22 @@ def name_curves(ax: Drawn, names: Sequence[Name], *, size: float = SMALL) -> Non
         )
         extent = text.get_window_extent()
         at, offset, box = _best(
-            _along(ax.transData.transform(shown)),
+            _along(ax.transData.transform(points)),
             (extent.width, extent.height),
-            (curves, taken, room),
+            (curves, taken, inside),
             name.at,
             GAP * point,
         )
         anchor = ax.transData.inverted().transform(at)
         text.xy = tuple(anchor)
-        # In points, so that it stays where it is at every resolution.
+        # In points, so that the position does not depend on the resolution.
         text.set_position((offset[0] / point, offset[1] / point))
         text.anncoords = "offset points"
         taken.append(box)
 
 
 def _along(pixels: Numbers) -> Numbers:
-    """Give points evenly along a curve on the page."""
+    """Return evenly spaced points along a curve on the page."""
     steps = np.hypot(*np.diff(pixels, axis=0).T) if len(pixels) > 1 else np.zeros(0)
     way = np.concatenate(([0.0], np.cumsum(steps)))
     whole = float(way[-1])
@@ -93,11 +93,11 @@ def _along(pixels: Numbers) -> Numbers:
 
 
 def _pixels(ax: Drawn) -> Numbers:
-    """Give the points of all curves of a frame, close together."""
+    """Return closely spaced points along all curves of a frame."""
     every: list[Numbers] = [np.zeros((0, 2), dtype=np.float64)]
     for line in ax.get_lines():
-        drawn = np.column_stack(line.get_data(orig=False))
-        points: Numbers = line.get_transform().transform(drawn)
+        data = np.column_stack(line.get_data(orig=False))
+        points: Numbers = line.get_transform().transform(data)
         points = points[np.isfinite(points).all(axis=1)]
         if len(points) < 2:
             every.append(points)
@@ -114,13 +114,13 @@ def _pixels(ax: Drawn) -> Numbers:
 def _best(
     anchors: Numbers,
     size: tuple[float, float],
-    around: tuple[Numbers, list[Box], Box],
-    wanted: float,
+    obstacles: tuple[Numbers, list[Box], Box],
+    preferred: float,
     gap: float,
 ) -> tuple[Numbers, tuple[float, float], Box]:
-    """Give anchor, offset and box of the place at which least is in the way."""
+    """Return anchor, offset and box of the position with the least overlap."""
     width, height = size
-    curves, taken, room = around
+    curves, taken, frame = obstacles
     offsets = [
         (gap, -0.5 * height),
         (-gap - width, -0.5 * height),
@@ -137,10 +137,10 @@ def _best(
         for rank, offset in enumerate(offsets):
             left, bottom = anchor[0] + offset[0], anchor[1] + offset[1]
             box: Box = (left, bottom, left + width, bottom + height)
-            cost = 12.0 * abs(place / last - wanted) + 0.05 * rank
+            cost = 12.0 * abs(place / last - preferred) + 0.05 * rank
             cost += 2.0 * _inside(curves, box)
             cost += sum(40.0 + _shared(box, other) for other in taken if _shared(box, other) > 0.0)
-            outside = width * height - _shared(box, room)
+            outside = width * height - _shared(box, frame)
             if outside > 0.5:
                 cost += 60.0 + outside
             if best is None or cost < best[0]:
@@ -155,7 +155,7 @@ def _inside(points: Numbers, box: Box) -> int:
 
 
 def _shared(a: Box, b: Box) -> float:
-    """Give the area that two boxes share."""
+    """Return the area that two boxes share."""
     width = min(a[2], b[2]) - max(a[0], b[0])
     height = min(a[3], b[3]) - max(a[1], b[1])
     return max(width, 0.0) * max(height, 0.0)

@@ -1,4 +1,4 @@
-"""Columns as they are seen from afar: what joints do counts for the pipe between them."""
+"""Columns at small scale: the values at joints apply to the pipe between them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ._shown import Numbers
 
 
 def rows_of_largest(depths: Numbers, values: Numbers, reach: float) -> NDArray[np.intp]:
-    """Give, of the rows within ``reach`` of each depth, the one with the largest value.
+    """Return the row with the largest value within ``reach`` of each depth.
 
     >>> rows_of_largest(np.arange(5.0), np.array([0.0, 0.0, 9.0, 0.0, 0.0]), 1.0).tolist()
     [0, 2, 2, 2, 3]
@@ -22,10 +22,10 @@ def rows_of_largest(depths: Numbers, values: Numbers, reach: float) -> NDArray[n
 
 
 def largest(depths: Numbers, values: Numbers, reach: float) -> Numbers:
-    """Give the largest value within ``reach`` of each depth."""
+    """Return the largest value within ``reach`` of each depth."""
     return values[rows_of_largest(depths, values, reach)] if len(values) else values
 
 
 def smallest(depths: Numbers, values: Numbers, reach: float) -> Numbers:
-    """Give the smallest value within ``reach`` of each depth."""
+    """Return the smallest value within ``reach`` of each depth."""
     return -largest(depths, -values, reach)

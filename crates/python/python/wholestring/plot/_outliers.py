@@ -1,4 +1,4 @@
-"""Values so far from all others that an axis that reached them would flatten what it is about."""
+"""Values so far from all others that an axis that includes them would flatten the curves."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._shown import Numbers
 
 
 def reached(values: Sequence[Numbers], *, zero: bool) -> tuple[float, float] | None:
-    """Give the interval that an axis has to reach, without outliers; nothing without values.
+    """Return the interval that an axis must include, without outliers; ``None`` without values.
 
     >>> few = np.array([0.0, 1.0, 900.0])
     >>> reached([few], zero=False)
@@ -39,9 +39,10 @@ def reached(values: Sequence[Numbers], *, zero: bool) -> tuple[float, float] | N
 
 
 def mark(ax: Drawn, curves: Sequence[tuple[Numbers, Numbers, str]]) -> None:
-    """Mark what lies beyond the ends of the axis across: an arrow, and the outermost value.
+    """Mark values beyond the ends of the horizontal axis: an arrow, and the outermost value.
 
-    ``curves`` hold values across, depths and a colour; the limits of the axes must be final.
+    ``curves`` has the values, the depths and the colour of each curve; the limits of the axes must
+    be final.
     """
     ends = ax.get_xlim()
     for end, sign, marker in ((ends[0], -1.0, "<"), (ends[1], 1.0, ">")):
@@ -50,7 +51,7 @@ def mark(ax: Drawn, curves: Sequence[tuple[Numbers, Numbers, str]]) -> None:
             beyond = np.flatnonzero(sign * (across - end) > 0.0)
             if not beyond.size:
                 continue
-            # The outermost of every run of values beyond the end.
+            # The outermost value of every run of values beyond the end.
             for run in np.split(beyond, np.flatnonzero(np.diff(beyond) > 1) + 1):
                 at = run[np.argmax(sign * across[run])]
                 ax.plot([end], [depth[at]], marker, color=ink, markersize=4.0, clip_on=False)

@@ -1,4 +1,4 @@
-"""Figures and axes as the house makes them."""
+"""Figures and axes in the style of the reports."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 INCH = 25.4
 PAGE_MM = 180.0
 COLUMN_MM = 85.0
-# Room for what stands around a frame, mm.
+# Margins of a frame for its labels, mm.
 LEFT, RIGHT, TOP, BOTTOM, BETWEEN = 14.0, 4.0, 12.0, 10.0, 5.0
 
 
@@ -36,15 +36,15 @@ def frames(
     share_x: bool = False,
     share_y: bool = False,
 ) -> list[Drawn]:
-    """Make a figure with so many frames, each of this height, and give its axes."""
+    """Make a figure with ``count`` frames of the same height, and return its axes."""
     plt = pyplot()
     lines = -(-count // columns)
     across, down = between_mm
-    room = width_mm - left_mm - right_mm - across * (columns - 1)
+    free_mm = width_mm - left_mm - right_mm - across * (columns - 1)
     parts = np.asarray(widths if widths is not None else [1.0] * columns, dtype=float)
-    parts = parts / parts.sum() * room
+    parts = parts / parts.sum() * free_mm
     whole_mm = top_mm + bottom_mm + lines * height_mm + (lines - 1) * down
-    # Outside the style: with the first figure a notebook sets up how it shows all of them.
+    # Outside the style, because the first figure configures how a notebook displays all figures.
     figure: Any = plt.figure(figsize=(width_mm / INCH, whole_mm / INCH), facecolor=colour("paper"))
     made: list[Drawn] = []
     with style():
@@ -66,14 +66,14 @@ def frames(
     return made
 
 
-def given(axes: Sequence[Axes] | Axes, count: int, what: str) -> list[Drawn]:
-    """Give the caller's axes; there must be so many."""
+def given(axes: Sequence[Axes] | Axes, count: int, subject: str) -> list[Drawn]:
+    """Return the caller's axes; there must be ``count`` of them."""
     all_ = list(cast("Any", axes).flat) if isinstance(axes, np.ndarray) else None
     if all_ is None:
         all_ = list(axes) if isinstance(axes, Sequence) else [axes]
     if len(all_) != count:
         noun = "frame" if count == 1 else "frames"
-        raise InputError(f"{what} here has {count} {noun} and was given {len(all_)} axes")
+        raise InputError(f"{subject} here has {count} {noun} and was given {len(all_)} axes")
     for ax in all_:
         dress(ax)
     return cast("list[Drawn]", all_)
@@ -82,7 +82,7 @@ def given(axes: Sequence[Axes] | Axes, count: int, what: str) -> list[Drawn]:
 def single(
     ax: Axes | None, *, width_mm: float = COLUMN_MM, height_mm: float = 60.0, top_mm: float = 8.0
 ) -> Drawn:
-    """Give the caller's axes, or those of a new figure."""
+    """Return the caller's axes, or those of a new figure."""
     if ax is None:
         return frames(1, columns=1, width_mm=width_mm, height_mm=height_mm, top_mm=top_mm)[0]
     dress(ax)
@@ -90,7 +90,7 @@ def single(
 
 
 def dress(ax: Drawn) -> None:
-    """Give axes frame, grid and letters of the house."""
+    """Apply frame, grid and fonts of the style to axes."""
     ax.grid(True, color=colour("grid"), linewidth=0.6)
     ax.set_axisbelow(True)
     ax.tick_params(labelsize=SMALL, color=colour("frame"), labelcolor=colour("text"), width=0.6)
@@ -102,7 +102,7 @@ def dress(ax: Drawn) -> None:
 
 
 def label_x(ax: Drawn, text: str, *, on_top: bool = False) -> None:
-    """Say what the axis across the page shows."""
+    """Label the horizontal axis."""
     if on_top:
         ax.xaxis.tick_top()
         ax.xaxis.set_label_position("top")
@@ -110,14 +110,14 @@ def label_x(ax: Drawn, text: str, *, on_top: bool = False) -> None:
 
 
 def label_y(ax: Drawn, text: str) -> None:
-    """Say what the axis up the page shows."""
-    drawn = ax.set_ylabel(text, labelpad=2.5, **words(TEXT))
-    if drawn.get_window_extent().height > ax.get_window_extent().height:
-        drawn.set_text(halved(text))
+    """Label the vertical axis."""
+    label = ax.set_ylabel(text, labelpad=2.5, **words(TEXT))
+    if label.get_window_extent().height > ax.get_window_extent().height:
+        label.set_text(halved(text))
 
 
 def halved(text: str) -> str:
-    r"""Give a text in two lines, broken where they are most alike.
+    r"""Return a text in two lines of nearly equal length.
 
     >>> halved("Neutral point and cut-off depth, m")
     'Neutral point and\ncut-off depth, m'
@@ -130,12 +130,12 @@ def halved(text: str) -> str:
 
 
 def title(ax: Drawn, text: str) -> None:
-    """Set a title over a frame."""
+    """Set a title above a frame."""
     ax.set_title(text, loc="left", **words(TITLE))
 
 
 def heading(axes: Sequence[Drawn], text: str) -> None:
-    """Set the name of what is drawn over a figure of our own."""
+    """Set the name of the case above a figure made here."""
     figure = axes[0].figure
     height_mm = figure.get_size_inches()[1] * INCH
     left = min(ax.get_position().x0 for ax in axes)
@@ -143,10 +143,10 @@ def heading(axes: Sequence[Drawn], text: str) -> None:
 
 
 def finite(values: Sequence[Numbers]) -> Numbers:
-    """Give all finite numbers of several columns."""
+    """Return all finite numbers of several columns."""
     if not values:
         return np.zeros(0)
-    every: Numbers = np.concatenate([np.ravel(of) for of in values])
+    every: Numbers = np.concatenate([np.ravel(column) for column in values])
     known: Numbers = every[np.isfinite(every)]
     return known
 
@@ -154,7 +154,7 @@ def finite(values: Sequence[Numbers]) -> Numbers:
 def limits(
     values: Sequence[Numbers], *, zero: bool = False, min_span: float = 0.0
 ) -> tuple[float, float]:
-    """Give the ends of an axis: a little beyond the values, and to zero where that is near.
+    """Return the limits of an axis: a little beyond the values, extended to zero if that is near.
 
     >>> limits([np.array([0.0, 100.0])])
     (0.0, 104.0)
@@ -186,10 +186,10 @@ def limits(
 
 
 def depth_down(ax: Drawn, depths: Sequence[Numbers], text: str) -> None:
-    """Have depth point down, from its least to its largest."""
+    """Set the depth axis, pointing down, from the least to the largest depth."""
     known = finite(depths)
     top, bottom = (float(known.min()), float(known.max())) if known.size else (0.0, 1.0)
-    # A string begins at the surface, or a length of a node above it.
+    # A string begins at the surface, or one node length below it.
     if top < 0.05 * bottom:
         top = 0.0
     if top == bottom:

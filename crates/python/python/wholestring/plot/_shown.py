@@ -1,4 +1,4 @@
-"""Numbers in the reader's units."""
+"""Numbers in the units of the reader."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ SETS: tuple[Units, ...] = ("si", "metric", "field")
 Numbers: TypeAlias = "NDArray[np.float64]"
 
 
-class Shown:
-    """How the reader sees numbers.
+class Display:
+    """Units in which numbers are displayed.
 
     Parameters
     ----------
     units
-        The set; where none is named, that of the case that ``thing`` is or came from, else SI.
+        The set of units; by default, that of the case of ``thing``, otherwise SI.
     thing
-        What is drawn.
+        Data to draw.
     """
 
     def __init__(self, units: Units | None, thing: object = None) -> None:
@@ -39,30 +39,30 @@ class Shown:
         self._place = SETS.index(name)
 
     def symbol(self, dimension: str) -> str:
-        """Give the symbol of a dimension's unit; empty where it has none."""
+        """Return the symbol of the unit of a dimension; empty if it has none."""
         unit = self._unit(dimension)
         return "" if unit is None else str(unit["symbol"])
 
     def factor(self, dimension: str) -> float:
-        """Give how many SI units are in one of the reader's."""
+        """Return the number of SI units in one unit of the reader."""
         unit = self._unit(dimension)
         return 1.0 if unit is None else float(unit["factor"])
 
     def values(self, si: Numbers, dimension: str) -> Numbers:
-        """Give numbers in the reader's units."""
+        """Return numbers in the units of the reader."""
         return np.asarray(si, dtype=np.float64) / self.factor(dimension)
 
     def label(self, title: str, dimension: str) -> str:
-        """Give what an axis shows, with its unit.
+        """Return the label of an axis, with its unit.
 
-        >>> Shown("field").label("Hook load", "force")
+        >>> Display("field").label("Hook load", "force")
         'Hook load, klbf'
         """
         symbol = self.symbol(dimension)
         return f"{title}, {symbol}" if symbol else title
 
     def quantity(self, si: float, dimension: str) -> str:
-        """Give a number in four digits with its unit."""
+        """Return a number in four digits with its unit."""
         symbol = self.symbol(dimension)
         between = "" if symbol in ("", "°") else " "
         return f"{si / self.factor(dimension):.4g}{between}{symbol}"
@@ -73,7 +73,7 @@ class Shown:
 
 
 def about(column: str) -> tuple[str, str]:
-    """Give what a column is called and its dimension; of one that nobody declared, its name.
+    """Return title and dimension of a column; an undeclared column has its name as title.
 
     >>> about("hook_load_N")
     ('Hook load without block', 'force')
@@ -87,9 +87,9 @@ def about(column: str) -> tuple[str, str]:
     if found is not None:
         return str(found[0]), str(found[1])
     for ending, words in _STATISTICS.items():
-        of = quantities.get(column.removesuffix(ending)) if column.endswith(ending) else None
-        if of is not None:
-            return f"{of[0]}, {words}", str(of[1])
+        quantity = quantities.get(column.removesuffix(ending)) if column.endswith(ending) else None
+        if quantity is not None:
+            return f"{quantity[0]}, {words}", str(quantity[1])
     # A key of the case file.
     short = column.rsplit(".", 1)[-1]
     dimension = _core.dimension_of(column) or ""
@@ -104,7 +104,7 @@ _KEYS = {
     "bit_depth": "bit_depth_m",
     "flow_rate": "flow_rate_m3_per_s",
 }
-"""Keys that are called as columns are, and such a column."""
+"""Keys of the case that share the title of a column, and that column."""
 
 _STATISTICS = {
     "_mean": "mean",
@@ -119,7 +119,7 @@ _STATISTICS = {
 
 
 def of_the_case(thing: object) -> Units | None:
-    """Return the units of the case that a thing is or came from; none where it does not say."""
+    """Return the units of the case of ``thing``; ``None`` if it has no settings."""
     settings = getattr(thing, "settings", None)
     if settings is None:
         summary = getattr(thing, "summary", None)
@@ -132,7 +132,7 @@ def of_the_case(thing: object) -> Units | None:
 
 
 def case_name(thing: object) -> str:
-    """Give the name of the case that a thing is or came from; empty where it does not say."""
+    """Return the name of the case of ``thing``; empty if it has none."""
     own = getattr(thing, "case_name", None)
     if isinstance(own, str):
         return own

@@ -23,7 +23,7 @@ from ._house import (
 from ._keys import Key, write
 from ._labels import Name, name_curves
 from ._paper import COLUMN_MM, depth_down, finite, frames, given, heading, label_x, limits
-from ._shown import Numbers, Shown, Units, about, case_name
+from ._shown import Display, Numbers, Units, about, case_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -44,24 +44,24 @@ def broomstick(
     """Draw hook load, or another scalar, against the depth of the bit: depth down.
 
     Operations differ by colour: slack-off to the left, rotating, pick-up to the right. Friction
-    differs by stroke: low is dotted, expected full, high dashed; of friction factors the first is
-    full. A second model is drawn as points.
+    differs by stroke: low is dotted, expected solid, high dashed; the first of several friction
+    factors is solid. A second model is drawn as points.
 
     Parameters
     ----------
     plan
         A plan, or a table like its ``plan_broomstick``: ``operation``, ``bit_depth_m`` and the
-        quantity; ``friction`` and ``model`` where it has them.
+        quantity; optionally ``friction`` and ``model``.
     quantity
         The column to draw: ``"hook_load_N"``, ``"surface_torque_N_m"``, ...
     operations, models
-        Which to draw; all by default, of a torque all that turn.
+        Operations and models to draw; all by default, for a torque all rotating operations.
     limit
-        What the rig bears, SI: a line.
+        Rating of the rig, SI, drawn as a line.
     units
         ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     ax
-        Axes to draw in; those of a new figure where none are given.
+        Axes to draw in; those of a new figure by default.
 
     Returns
     -------
@@ -85,13 +85,13 @@ def broomstick(
     >>> ax.get_xlabel(), bool(ax.yaxis_inverted())
     ('Hook load without block, kN', True)
     """
-    what = "a broomstick"
-    shown = Shown(units, plan)
-    columns = Columns(plan, "plan_broomstick", what)
+    subject = "a broomstick"
+    display = Display(units, plan)
+    columns = Columns(plan, "plan_broomstick", subject)
     columns.need("operation", "bit_depth_m", quantity)
     title, dimension = about(quantity)
     own = ax is None
-    frame = _frame() if ax is None else given(ax, 1, what)[0]
+    frame = _frame() if ax is None else given(ax, 1, subject)[0]
     solved = _models(columns, models)
     levels = _levels(columns)
     named_level = "expected" if "expected" in levels else list(levels)[len(levels) // 2]
@@ -108,8 +108,8 @@ def broomstick(
                 )
                 if not len(rows):
                     continue
-                values = shown.values(rows.numbers(quantity), dimension)
-                depth = shown.values(rows.numbers("bit_depth_m"), "length")
+                values = display.values(rows.numbers(quantity), dimension)
+                depth = display.values(rows.numbers("bit_depth_m"), "length")
                 every.append(values)
                 depths.append(depth)
                 _curve(frame, values, depth, Look(look, dash), is_first=place == 0)
@@ -117,13 +117,13 @@ def broomstick(
                     widest = (values, depth)
         if widest is not None:
             named.append(Name(operation_words(operation), look, *widest, at=0.85))
-    bearing = None if limit is None else float(shown.values(np.array(limit), dimension))
-    reach = limits([*every, np.array([bearing])] if bearing is not None else every, zero=True)
-    frame.set_xlim(*reach)
-    if bearing is not None:
-        frame.axvline(bearing, color=colour("muted"), linewidth=0.6, linestyle=(0, (3.3, 2.7)))
-    label_x(frame, shown.label(title, dimension), on_top=True)
-    depth_down(frame, depths, shown.label("Measured depth of the bit", "length"))
+    rating = None if limit is None else float(display.values(np.array(limit), dimension))
+    ends = limits([*every, np.array([rating])] if rating is not None else every, zero=True)
+    frame.set_xlim(*ends)
+    if rating is not None:
+        frame.axvline(rating, color=colour("muted"), linewidth=0.6, linestyle=(0, (3.3, 2.7)))
+    label_x(frame, display.label(title, dimension), on_top=True)
+    depth_down(frame, depths, display.label("Measured depth of the bit", "length"))
     if own:
         heading([frame], case_name(plan))
     write([frame], _keys(levels, solved), own=own)
@@ -150,18 +150,18 @@ def _curve(ax: Drawn, values: Numbers, depth: Numbers, look: Look, *, is_first: 
 
 
 def _levels(columns: Columns) -> dict[str, Dash]:
-    """Give the strokes of levels of friction, or of friction factors, by their names."""
+    """Return the strokes of friction levels, or of friction factors, by their names."""
     there = columns.distinct("friction")
-    if all(of in LEVELS for of in there):
+    if all(level in LEVELS for level in there):
         strokes: dict[str, Dash] = {}
         strokes.update(low=stroke(2), expected=stroke(0), high=stroke(1))
         nothing: dict[str, Dash] = {"": stroke(0)}
-        return {of: strokes[of] for of in LEVELS if of in there} or nothing
-    return {of: stroke(place) for place, of in enumerate(sorted(there, key=_size))}
+        return {level: strokes[level] for level in LEVELS if level in there} or nothing
+    return {level: stroke(place) for place, level in enumerate(sorted(there, key=_size))}
 
 
 def _size(word: str) -> tuple[bool, float, str]:
-    """Give what puts numbers in the order of their size, and words behind them."""
+    """Return a sort key: numbers by size, then words."""
     try:
         return (False, float(word), "")
     except ValueError:
@@ -187,9 +187,11 @@ def _operations(columns: Columns, quantity: str, operations: Sequence[str] | Non
         return list(operations)
     if "torque" not in quantity:
         return there
-    # Of torques those that there are: a trip without rotation has none.
+    # For a torque, the operations that have one: a trip without rotation has none.
     turning = [
-        of for of in there if np.any(finite([columns.where(operation=of).numbers(quantity)]) != 0.0)
+        operation
+        for operation in there
+        if np.any(finite([columns.where(operation=operation).numbers(quantity)]) != 0.0)
     ]
     return turning or there
 
@@ -198,11 +200,11 @@ def _keys(levels: Mapping[str, Dash], models: Sequence[str]) -> list[Key]:
     ink = colour("muted")
     several = len(levels) > 1
     keys = [
-        Key(f"{of} friction" if of in LEVELS else f"friction {of}", Look(ink, dash))
-        for of, dash in levels.items()
+        Key(f"{level} friction" if level in LEVELS else f"friction {level}", Look(ink, dash))
+        for level, dash in levels.items()
         if several
     ]
     if len(models) > 1:
         words = models_words()
-        keys += [Key(words.get(of, of), Look(ink), marker="o") for of in models[1:]]
+        keys += [Key(words.get(model, model), Look(ink), marker="o") for model in models[1:]]
     return keys

@@ -1,4 +1,4 @@
-"""What was read at the surface, beside what the numbers found from it predict."""
+"""Readings at the surface, with the predictions of the calibrated model."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ._house import Drawn, Look, colour, curve_width, operation_colour, pictures
 from ._keys import Key, band_key, write
 from ._labels import Name, name_curves
 from ._paper import PAGE_MM, depth_down, frames, given, heading, label_x, limits
-from ._shown import Numbers, Shown, Units, case_name
+from ._shown import Display, Numbers, Units, case_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,14 +23,14 @@ MARKERS = ("o", "s", "^", "D", "v")
 
 @dataclass(frozen=True)
 class Reading:
-    """What is read at the surface.
+    """A kind of reading at the surface.
 
     Attributes
     ----------
     name, words
-        Its name in tables, and how it is said.
+        Name in tables, and label.
     colour, marker
-        How it looks.
+        Look of the points.
     """
 
     name: str
@@ -51,28 +51,28 @@ def calibration(
     units: Units | None = None,
     axes: Sequence[Axes] | None = None,
 ) -> list[Axes]:
-    """Draw readings against the depth of the bit, and the model with the numbers that were found.
+    """Draw readings against the depth of the bit, and the predictions of the calibrated model.
 
-    Points are what was read; grey ones were held out. A line is what is predicted; its inner band
-    is that of the mean, its outer one that of a reading.
+    Points are readings; grey points were excluded from the fit. A line is the prediction; its inner
+    band is that of the mean, its outer band that of a reading.
 
     Parameters
     ----------
     results
         A calibration, or a table like its ``calibration``.
     bands
-        A table like ``calibration_bands``, where ``results`` is a table; left out where none is
-        given.
+        A table like ``calibration_bands``, if ``results`` is a table; without one, no bands are
+        drawn.
     units
         ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
         Two axes to draw in, weights and torques, or one where no torque was read; those of a new
-        figure where none are given.
+        figure by default.
 
     Returns
     -------
     list of matplotlib.axes.Axes
-        Weights, and torques where there are some.
+        Weights, and torques if there are any.
 
     Raises
     ------
@@ -91,13 +91,13 @@ def calibration(
     >>> weights.get_xlabel()
     'Weight with block, klbf'
     """
-    what = "a picture of a calibration"
-    shown = Shown(units, results)
-    read = Columns(results, "calibration", what)
+    subject = "a picture of a calibration"
+    display = Display(units, results)
+    read = Columns(results, "calibration", subject)
     read.need("reading", "bit_depth_m")
-    predicted = _bands(results, bands, what)
+    predicted = _bands(results, bands, subject)
     there = set(read.distinct("reading"))
-    kinds = [False, True] if any(of.startswith("torque") for of in there) else [False]
+    kinds = [False, True] if any(name.startswith("torque") for name in there) else [False]
     count = len(kinds)
     made = (
         frames(
@@ -111,14 +111,14 @@ def calibration(
             share_y=True,
         )
         if axes is None
-        else given(axes, count, what)
+        else given(axes, count, subject)
     )
     depths: list[Numbers] = []
     for ax, torques in zip(made, kinds, strict=True):
-        _frame(ax, (read, predicted), torques, shown, depths)
+        _frame(ax, (read, predicted), torques, display, depths)
     for place, ax in enumerate(made):
         is_first = place == 0 or axes is not None
-        text = shown.label("Measured depth of the bit", "length") if is_first else ""
+        text = display.label("Measured depth of the bit", "length") if is_first else ""
         depth_down(ax, depths, text)
         bottom, top = ax.get_ylim()
         beyond = 0.03 * (bottom - top)
@@ -140,7 +140,7 @@ def _frame(
     ax: Drawn,
     tables: tuple[Columns, Columns | None],
     torques: bool,
-    shown: Shown,
+    display: Display,
     depths: list[Numbers],
 ) -> None:
     read, predicted = tables
@@ -148,39 +148,39 @@ def _frame(
     every: list[Numbers] = []
     named: list[Name] = []
     title = "Torque" if torques else "Weight with block"
-    label_x(ax, shown.label(title, dimension), on_top=True)
-    readings = [of for of in _readings() if of.is_torque == torques]
-    readings = [of for of in readings if of.name in read.distinct("reading")]
-    for of in readings:
+    label_x(ax, display.label(title, dimension), on_top=True)
+    readings = [reading for reading in _readings() if reading.is_torque == torques]
+    readings = [reading for reading in readings if reading.name in read.distinct("reading")]
+    for reading in readings:
         if predicted is not None:
-            rows = predicted.where(reading=of.name)
+            rows = predicted.where(reading=reading.name)
             for case in rows.distinct("case") or [""]:
                 mine = rows.where(case=case or None)
                 if not len(mine):
                     continue
-                curve = _predicted(ax, mine, of, (suffix, dimension), shown, every)
+                curve = _predicted(ax, mine, reading, (suffix, dimension), display, every)
                 depths.append(curve[1])
-                named = [name for name in named if name.text != of.words]
-                named.append(Name(of.words, of.colour, *curve, at=0.9))
-    for of in readings:
-        rows = read.where(reading=of.name)
+                named = [name for name in named if name.text != reading.words]
+                named.append(Name(reading.words, reading.colour, *curve, at=0.9))
+    for reading in readings:
+        rows = read.where(reading=reading.name)
         used = rows.numbers("used") > 0.0 if "used" in rows else np.ones(len(rows), dtype=bool)
-        values = shown.values(rows.numbers(f"measured_{suffix}"), dimension)
-        depth = shown.values(rows.numbers("bit_depth_m"), "length")
+        values = display.values(rows.numbers(f"measured_{suffix}"), dimension)
+        depth = display.values(rows.numbers("bit_depth_m"), "length")
         every.append(values)
         depths.append(depth)
-        for kept, ink in ((used, of.colour), (~used, colour("muted"))):
+        for mask, ink in ((used, reading.colour), (~used, colour("muted"))):
             ax.plot(
-                values[kept],
-                depth[kept],
-                of.marker,
+                values[mask],
+                depth[mask],
+                reading.marker,
                 color=ink,
                 markersize=3.6,
                 markeredgecolor=colour("paper"),
                 markeredgewidth=0.4,
             )
-        if of.words not in {name.text for name in named} and values.size:
-            named.append(Name(of.words, of.colour, values, depth, at=0.9))
+        if reading.words not in {name.text for name in named} and values.size:
+            named.append(Name(reading.words, reading.colour, values, depth, at=0.9))
     ax.set_xlim(*limits(every))
     depth_down(ax, depths, "")
     name_curves(ax, named)
@@ -189,36 +189,36 @@ def _frame(
 def _predicted(
     ax: Drawn,
     rows: Columns,
-    of: Reading,
+    reading: Reading,
     kind: tuple[str, str],
-    shown: Shown,
+    display: Display,
     every: list[Numbers],
 ) -> tuple[Numbers, Numbers]:
     suffix, dimension = kind
-    depth = shown.values(rows.numbers("bit_depth_m"), "length")
+    depth = display.values(rows.numbers("bit_depth_m"), "length")
     alpha = float(pictures()["band"])
     for band in ("reading", "mean"):
         low, high = (
-            shown.values(rows.numbers(f"{band}_{end}_{suffix}"), dimension)
+            display.values(rows.numbers(f"{band}_{end}_{suffix}"), dimension)
             for end in ("low", "high")
         )
         every.extend((low, high))
-        ax.fill_betweenx(depth, low, high, color=of.colour, alpha=alpha, linewidth=0)
-    values = shown.values(rows.numbers(f"predicted_{suffix}"), dimension)
-    ax.plot(values, depth, color=of.colour, linewidth=curve_width())
+        ax.fill_betweenx(depth, low, high, color=reading.colour, alpha=alpha, linewidth=0)
+    values = display.values(rows.numbers(f"predicted_{suffix}"), dimension)
+    ax.plot(values, depth, color=reading.colour, linewidth=curve_width())
     return values, depth
 
 
-def _bands(results: object, bands: object, what: str) -> Columns | None:
+def _bands(results: object, bands: object, subject: str) -> Columns | None:
     if bands is not None:
-        return Columns(bands, "calibration_bands", what)
+        return Columns(bands, "calibration_bands", subject)
     if "calibration_bands" in getattr(results, "tables", ()):
-        return Columns(results, "calibration_bands", what)
+        return Columns(results, "calibration_bands", subject)
     return None
 
 
 def _readings() -> list[Reading]:
     return [
-        Reading(name, said, operation_colour(operation), MARKERS[place])
-        for place, (name, said, operation) in enumerate(pictures()["readings"])
+        Reading(name, words, operation_colour(operation), MARKERS[place])
+        for place, (name, words, operation) in enumerate(pictures()["readings"])
     ]

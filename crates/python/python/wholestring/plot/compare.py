@@ -25,55 +25,55 @@ def compare(
     units: Units | None = None,
     axes: Sequence[Axes] | Axes | None = None,
 ) -> list[Axes]:
-    """Draw the profiles of several runs on the same tracks: a colour and a stroke a run.
+    """Draw the profiles of several runs on the same tracks: a colour and a stroke per run.
 
     Parameters
     ----------
     *results
         Results, or tables like their ``nodes``: two to seven.
     names
-        What each is called; the names of their cases where they differ, else numbers.
+        Names of the runs; by default, the names of their cases if they differ, otherwise numbers.
     show
-        What to draw, as in :func:`tracks`.
+        Names of the tracks to draw, as in :func:`tracks`.
     operation
-        The operation, where they have several in common.
+        The operation, if the runs have several in common.
     models
-        Which models to draw; all by default.
+        Models to draw; all by default.
     units
         ``"si"``, ``"metric"`` or ``"field"``; those of the first case by default.
     axes
-        Axes to draw in, one a name in ``show``; those of a new figure where none are given.
+        Axes to draw in, one per name in ``show``; those of a new figure by default.
 
     Returns
     -------
     list of matplotlib.axes.Axes
-        One a track.
+        One per track.
 
     Raises
     ------
     ValueError
-        If the runs have no operation in common, or several and none is named.
+        If the runs have no operation in common, or have several and ``operation`` is missing.
 
     Examples
     --------
     >>> import wholestring as ws
     >>> case = ws.Case.example()
-    >>> runs = [case.with_(friction=of).soft("trip_out") for of in (0.2, 0.3)]
+    >>> runs = [case.with_(friction=friction).soft("trip_out") for friction in (0.2, 0.3)]
     >>> (tension,) = ws.plot.compare(*runs, names=["0.2", "0.3"], show=["tension"])
     >>> [text.get_text() for text in tension.texts]
     ['0.2', '0.3']
     """
-    what = "a comparison"
+    subject = "a comparison"
     if not 2 <= len(results) <= 7:
-        raise InputError(f"{what} is of two to seven runs, and was given {len(results)}")
+        raise InputError(f"{subject} is of two to seven runs, and was given {len(results)}")
     called = list(names) if names is not None else _names(results)
     if len(called) != len(results):
-        raise InputError(f"{what} of {len(results)} runs was given {len(called)} names")
+        raise InputError(f"{subject} of {len(results)} runs was given {len(called)} names")
     return draw(
         results,
         called,
         show,
-        operations=_operation(results, operation, what),
+        operations=_operation(results, operation, subject),
         models=models,
         units=units,
         to=axes,
@@ -81,23 +81,23 @@ def compare(
 
 
 def _names(results: Sequence[object]) -> list[str]:
-    cases = [case_name(of) for of in results]
+    cases = [case_name(run) for run in results]
     different = len(set(cases)) == len(cases) and all(cases)
     return cases if different else [f"run {place + 1}" for place in range(len(results))]
 
 
-def _operation(results: Sequence[object], operation: str | None, what: str) -> list[str] | None:
-    every = [Columns(of, "nodes", what).distinct("operation") for of in results]
+def _operation(results: Sequence[object], operation: str | None, subject: str) -> list[str] | None:
+    every = [Columns(run, "nodes", subject).distinct("operation") for run in results]
     if not any(every):
         return None
-    common = [of for of in every[0] if all(of in others for others in every)]
+    common = [name for name in every[0] if all(name in others for others in every)]
     if operation is not None:
         if operation not in common:
             there = ", ".join(common) or "none"
-            raise InputError(f"{what}: not all have {operation!r}; in common they have {there}")
+            raise InputError(f"{subject}: not all have {operation!r}; in common they have {there}")
         return [operation]
     if not common:
-        raise InputError(f"{what}: the runs have no operation in common")
+        raise InputError(f"{subject}: the runs have no operation in common")
     if len(common) > 1:
-        raise InputError(f"{what} is of one operation: name one of {', '.join(common)}")
+        raise InputError(f"{subject} is of one operation: name one of {', '.join(common)}")
     return common

@@ -1,4 +1,4 @@
-"""Small motions about the string at rest: frequencies against speed, and shapes."""
+"""Linear vibration about static equilibrium: frequencies against speed, and mode shapes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ._house import SMALL, Drawn, Look, colour, curve_width, line_colour, stroke
 from ._keys import Key, write
 from ._labels import Name, name_curves
 from ._paper import PAGE_MM, depth_down, frames, given, heading, label_x, label_y, single
-from ._shown import Numbers, Shown, Units, case_name
+from ._shown import Display, Numbers, Units, case_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,26 +31,26 @@ def campbell(
     units: Units | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Draw natural frequencies against rotary speed, and what a turn of the string excites.
+    """Draw natural frequencies and orders of excitation against rotary speed.
 
-    Families differ by colour, backward whirl is dotted; dashed lines from the origin push once,
-    twice, three times a turn. Points are critical speeds.
+    Families differ by colour, backward whirl is dotted; dashed lines from the origin are excitation
+    once, twice, three times per revolution. Points are critical speeds.
 
     Parameters
     ----------
     results
         Modes, or a table like their ``campbell``.
     critical
-        A table like ``critical_speeds``, where ``results`` is a table; left out where none is
-        given.
+        A table like ``critical_speeds``, if ``results`` is a table; without one, no critical speeds
+        are drawn.
     orders
-        How often in a turn something pushes, where no critical speeds say so.
+        Orders of excitation per revolution, used without critical speeds.
     to_Hz
         Highest frequency to draw; by default, a little above the lateral ones.
     units
         ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     ax
-        Axes to draw in; those of a new figure where none are given.
+        Axes to draw in; those of a new figure by default.
 
     Returns
     -------
@@ -75,21 +75,21 @@ def campbell(
     >>> ax.get_xlabel(), ax.get_ylabel()
     ('Rotary speed, rpm', 'Natural frequency, Hz')
     """
-    what = "a Campbell diagram"
-    shown = Shown(units, results)
-    columns = Columns(results, "campbell", what)
+    subject = "a Campbell diagram"
+    display = Display(units, results)
+    columns = Columns(results, "campbell", subject)
     columns.need("branch", "family", "rotary_speed_rad_per_s", "frequency_Hz")
-    met = _critical(results, critical, what)
+    met = _critical(results, critical, subject)
     frame = single(ax, width_mm=PAGE_MM * 0.75, height_mm=85.0, top_mm=13.0)
     speeds = columns.numbers("rotary_speed_rad_per_s")
     fastest = float(speeds.max()) if len(columns) else 1.0
     top = to_Hz or _top(columns, fastest)
-    frame.set_xlim(0.0, float(shown.values(np.array(fastest), "rotary speed")))
+    frame.set_xlim(0.0, float(display.values(np.array(fastest), "rotary speed")))
     frame.set_ylim(0.0, top)
     pushes = sorted(set(met.numbers("order").tolist())) if met is not None else orders
     for order in pushes:
         end = min(fastest, top * TURN / order)
-        x = shown.values(np.array([0.0, end]), "rotary speed")
+        x = display.values(np.array([0.0, end]), "rotary speed")
         y = np.array([0.0, order * end / TURN])
         frame.plot(x, y, color=colour("muted"), linestyle=stroke(1), linewidth=0.6)
         frame.annotate(
@@ -108,7 +108,7 @@ def campbell(
         family = rows.distinct("family")[0]
         whirl = rows.distinct("whirl")
         ink = line_colour(_place(family))
-        x = shown.values(rows.numbers("rotary_speed_rad_per_s"), "rotary speed")
+        x = display.values(rows.numbers("rotary_speed_rad_per_s"), "rotary speed")
         y = rows.numbers("frequency_Hz")
         if "backward" in whirl:
             backward.append(ink)
@@ -120,12 +120,12 @@ def campbell(
         for family in FAMILIES:
             rows = met.where(family=family)
             hertz = rows.numbers("frequency_Hz")
-            x = shown.values(rows.numbers("rotary_speed_rad_per_s"), "rotary speed")
-            kept = hertz <= top
+            x = display.values(rows.numbers("rotary_speed_rad_per_s"), "rotary speed")
+            mask = hertz <= top
             ink = line_colour(_place(family))
-            frame.plot(x[kept], hertz[kept], "o", color=ink, markersize=3.4)
-    _working_speed(frame, results, shown)
-    label_x(frame, shown.label("Rotary speed", "rotary speed"))
+            frame.plot(x[mask], hertz[mask], "o", color=ink, markersize=3.4)
+    _working_speed(frame, results, display)
+    label_x(frame, display.label("Rotary speed", "rotary speed"))
     label_y(frame, "Natural frequency, Hz")
     if ax is None:
         heading([frame], case_name(results))
@@ -146,7 +146,7 @@ def modes(
 ) -> list[Axes]:
     """Draw the shapes of the first modes of a family along the string, depth down.
 
-    A lateral mode goes towards the high side (full) and to the right of it (dashed).
+    A lateral mode has a component towards the high side (solid) and one to its right (dashed).
 
     Parameters
     ----------
@@ -155,23 +155,23 @@ def modes(
     family
         ``"lateral"``, ``"axial"`` or ``"torsional"``.
     count
-        How many modes to draw.
+        Number of modes to draw.
     frequencies
-        A table like ``modes``, where ``results`` is a table; left out where none is given.
+        A table like ``modes``, if ``results`` is a table; without one, no frequencies are written.
     units
         ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
-        Axes to draw in, one a mode; those of a new figure where none are given.
+        Axes to draw in, one per mode; those of a new figure by default.
 
     Returns
     -------
     list of matplotlib.axes.Axes
-        One a mode.
+        One per mode.
 
     Raises
     ------
     ValueError
-        If a column or the family is missing, or no mode is asked for.
+        If a column or the family is missing, or ``count`` is below 1.
 
     Examples
     --------
@@ -188,22 +188,22 @@ def modes(
     """
     if count < 1:
         raise InputError(f"`count` was given {count!r}: expected at least 1")
-    what = "a picture of modes"
-    shown = Shown(units, results)
-    columns = Columns(results, "mode_shapes", what)
+    subject = "a picture of modes"
+    display = Display(units, results)
+    columns = Columns(results, "mode_shapes", subject)
     columns.need("family", "number", "md_m")
     there = columns.distinct("family")
     if family not in there:
-        raise InputError(f"{what}: there is no {family!r}: there are {', '.join(there)}")
+        raise InputError(f"{subject}: there is no {family!r}: there are {', '.join(there)}")
     rows = columns.where(family=family)
-    drawn = {
+    components = {
         "lateral": ("high_m", "right_m"),
         "axial": ("along_m",),
         "torsional": ("turn_rad",),
     }.get(family, ())
-    rows.need(*drawn)
+    rows.need(*components)
     numbers = sorted(dict.fromkeys(rows.numbers("number").tolist()))[:count]
-    hertz = _frequencies(results, frequencies, family, what)
+    hertz = _frequencies(results, frequencies, family, subject)
     made = (
         frames(
             len(numbers),
@@ -216,14 +216,14 @@ def modes(
             share_y=True,
         )
         if axes is None
-        else given(axes, len(numbers), what)
+        else given(axes, len(numbers), subject)
     )
     depths: list[Numbers] = []
     for ax, number in zip(made, numbers, strict=True):
         mine = rows.where(number=number)
-        depth = shown.values(mine.numbers("md_m"), "length")
+        depth = display.values(mine.numbers("md_m"), "length")
         depths.append(depth)
-        for place, column in enumerate(drawn):
+        for place, column in enumerate(components):
             ax.plot(
                 mine.numbers(column),
                 depth,
@@ -235,11 +235,11 @@ def modes(
         ax.set_xlim(-1.1, 1.1)
         title = f"Mode {number:g}"
         label_x(ax, f"{title}: {hertz[number]:.3g} Hz" if number in hertz else title, on_top=True)
-    low, high = min(of.min() for of in depths), max(of.max() for of in depths)
+    low, high = min(depth.min() for depth in depths), max(depth.max() for depth in depths)
     for place, ax in enumerate(made):
         is_first = place == 0 or axes is not None
-        depth_down(ax, depths, shown.label("Measured depth", "length") if is_first else "")
-        # Lateral modes are of the assembly alone.
+        depth_down(ax, depths, display.label("Measured depth", "length") if is_first else "")
+        # Lateral modes are those of the assembly alone.
         ax.set_ylim(high, 0.0 if low < 0.05 * high else low)
         if axes is None and place > 0:
             ax.tick_params(labelleft=False)
@@ -249,12 +249,12 @@ def modes(
     if family == "lateral":
         sides = ("towards the high side", "to the right of it")
         looks = [Look(line_colour(place), stroke(place)) for place in (0, 1)]
-        write(made, [Key(*of) for of in zip(sides, looks, strict=True)], own=axes is None)
+        write(made, [Key(*pair) for pair in zip(sides, looks, strict=True)], own=axes is None)
     return cast("list[Axes]", made)
 
 
 def _top(columns: Columns, fastest: float) -> float:
-    """Give the highest frequency to draw: lateral modes fill the picture."""
+    """Return the highest frequency to draw, such that lateral modes fill the picture."""
     lateral = columns.where(family="lateral").numbers("frequency_Hz")
     every = lateral if lateral.size else columns.numbers("frequency_Hz")
     return 1.15 * max(float(every.max()) if every.size else 0.0, fastest / TURN)
@@ -264,34 +264,34 @@ def _place(family: str) -> int:
     return FAMILIES.index(family) if family in FAMILIES else len(FAMILIES)
 
 
-def _critical(results: object, critical: object, what: str) -> Columns | None:
+def _critical(results: object, critical: object, subject: str) -> Columns | None:
     name = "critical_speeds"
     if critical is None and name not in getattr(results, "tables", ()):
         return None
-    met = Columns(critical if critical is not None else results, name, what)
+    met = Columns(critical if critical is not None else results, name, subject)
     met.need("order", "rotary_speed_rad_per_s", "frequency_Hz", "family")
     return met
 
 
 def _frequencies(
-    results: object, frequencies: object, family: str, what: str
+    results: object, frequencies: object, family: str, subject: str
 ) -> Mapping[float, float]:
     if frequencies is None and "modes" not in getattr(results, "tables", ()):
         return {}
-    rows = Columns(frequencies if frequencies is not None else results, "modes", what)
+    rows = Columns(frequencies if frequencies is not None else results, "modes", subject)
     rows.need("family", "number", "frequency_Hz")
     mine = rows.where(family=family)
     pairs = zip(mine.numbers("number").tolist(), mine.numbers("frequency_Hz").tolist(), strict=True)
     return dict(pairs)
 
 
-def _working_speed(ax: Drawn, results: object, shown: Shown) -> None:
-    """Draw the operation's rotary speed, where the results say it."""
+def _working_speed(ax: Drawn, results: object, display: Display) -> None:
+    """Draw the rotary speed of the operation, if the results have it."""
     summary = getattr(results, "summary", None)
     if not isinstance(summary, Mapping):
         return
     settings = cast("Mapping[str, Any]", summary).get("settings", {})
     speed = settings.get("operation", {}).get("rotary_speed_rad_per_s")
     if speed:
-        at = float(shown.values(np.array(speed), "rotary speed"))
+        at = float(display.values(np.array(speed), "rotary speed"))
         ax.axvline(at, color=colour("muted"), linewidth=0.6, linestyle=(0, (3.3, 2.7)))

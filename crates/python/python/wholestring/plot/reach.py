@@ -1,4 +1,4 @@
-"""How far the well can go: margins of its limits."""
+"""The depth that a well can reach: margins of its limits."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from ._house import Drawn, Look, colour, curve_width, line_colour, operation_wor
 from ._keys import Key, write
 from ._labels import Name, name_curves
 from ._paper import COLUMN_MM, PAGE_MM, frames, given, heading, label_x, label_y
-from ._shown import Numbers, Shown, Units, case_name
+from ._shown import Display, Numbers, Units, case_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 BELOW, ABOVE = -25.0, 105.0
-"""How far below nothing and above all a margin is drawn, per cent."""
+"""Lower and upper end of the axis of margins, per cent."""
 
 
 def reach(
@@ -29,25 +29,25 @@ def reach(
     units: Units | None = None,
     axes: Sequence[Axes] | Axes | None = None,
 ) -> list[Axes]:
-    """Draw what is left of each limit against the depth of the bit, a frame an operation.
+    """Draw the margin of each limit against the depth of the bit, a frame per operation.
 
-    Where a curve meets zero, the limit is met: the well goes no farther.
+    The limit is reached where a curve crosses zero, and the well cannot go deeper.
 
     Parameters
     ----------
     results
         A reach, or a table like its ``reach``.
     operations
-        Which to draw; all by default.
+        Operations to draw; all by default.
     units
         ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
-        Axes to draw in, one an operation; those of a new figure where none are given.
+        Axes to draw in, one per operation; those of a new figure by default.
 
     Returns
     -------
     list of matplotlib.axes.Axes
-        One an operation.
+        One per operation.
 
     Raises
     ------
@@ -67,14 +67,14 @@ def reach(
     >>> sliding.get_ylabel()
     'Slide: margin, %'
     """
-    what = "a picture of reach"
-    shown = Shown(units, results)
-    columns = Columns(results, "reach", what)
+    subject = "a picture of reach"
+    display = Display(units, results)
+    columns = Columns(results, "reach", subject)
     columns.need("operation", "limit", "bit_depth_m", "margin")
     there = columns.distinct("operation")
     for operation in operations or ():
         if operation not in there:
-            raise InputError(f"{what}: there is no {operation!r}: there are {', '.join(there)}")
+            raise InputError(f"{subject}: there is no {operation!r}: there are {', '.join(there)}")
     shows = list(operations) if operations is not None else there
     across = 1 if len(shows) == 1 else 2
     made = (
@@ -87,26 +87,26 @@ def reach(
             top_mm=14.0,
         )
         if axes is None
-        else given(axes, len(shows), what)
+        else given(axes, len(shows), subject)
     )
     limits = columns.distinct("limit")
     ink = {limit: _ink(place) for place, limit in enumerate(limits)}
     frictions = _frictions(columns)
-    depths = shown.values(columns.numbers("bit_depth_m"), "length")
+    depths = display.values(columns.numbers("bit_depth_m"), "length")
     for ax, operation in zip(made, shows, strict=True):
         ax.set_xlim(float(depths.min()), float(depths.max()))
         ax.set_ylim(BELOW, ABOVE)
         ax.axhline(0.0, color=colour("muted"), linewidth=0.6)
         words = operation_words(operation)
         label_y(ax, f"{words[:1].upper()}{words[1:]}: margin, %")
-        label_x(ax, shown.label("Measured depth of the bit", "length"))
-        _curves(ax, columns.where(operation=operation), ink, frictions, shown)
+        label_x(ax, display.label("Measured depth of the bit", "length"))
+        _curves(ax, columns.where(operation=operation), ink, frictions, display)
     if axes is None:
         heading(made, case_name(results))
     if len(frictions) > 1:
         keys = [
-            Key("the case's own friction" if of is None else f"friction {of:g}", look)
-            for place, of in enumerate(frictions)
+            Key("the case's own friction" if friction is None else f"friction {friction:g}", look)
+            for place, friction in enumerate(frictions)
             for look in [Look(colour("muted"), stroke(place))]
         ]
         write(made, keys, own=axes is None)
@@ -118,13 +118,13 @@ def _curves(
     rows: Columns,
     ink: dict[str, str],
     frictions: Sequence[float | None],
-    shown: Shown,
+    display: Display,
 ) -> None:
     named: list[Name] = []
     for limit in rows.distinct("limit"):
         for place, friction in enumerate(frictions):
             mine = rows.where(limit=limit, friction=np.nan if friction is None else friction)
-            depth = shown.values(mine.numbers("bit_depth_m"), "length")
+            depth = display.values(mine.numbers("bit_depth_m"), "length")
             margin = 100.0 * mine.numbers("margin")
             seen = np.where((margin >= BELOW) & (margin <= ABOVE), margin, np.nan)
             ax.plot(
@@ -141,7 +141,7 @@ def _curves(
 
 
 def _met(ax: Drawn, depth: Numbers, margin: Numbers, ink: str) -> None:
-    """Mark where a margin is spent first."""
+    """Mark the first depth at which a margin is zero."""
     spent = np.flatnonzero((margin[:-1] > 0.0) & (margin[1:] <= 0.0))
     if not spent.size:
         return
@@ -154,13 +154,14 @@ def _frictions(columns: Columns) -> list[float | None]:
     if "friction" not in columns:
         return [None]
     every = dict.fromkeys(
-        None if np.isnan(of) else of for of in columns.numbers("friction").tolist()
+        None if np.isnan(friction) else friction
+        for friction in columns.numbers("friction").tolist()
     )
     return list(every)
 
 
 def _ink(place: int) -> str:
-    """Give the colour of a limit: those of lines first, then rock and casing."""
+    """Return the colour of a limit: line colours first, then those of rock and casing."""
     more = ("rock", "casing")
     lines = int(pictures()["lines"])
     return line_colour(place) if place < lines else colour(more[(place - lines) % len(more)])

@@ -12,7 +12,7 @@ from ._columns import Columns
 from ._house import curve_width, line_colour, operation_words, stroke
 from ._labels import Name, name_curves
 from ._paper import COLUMN_MM, PAGE_MM, frames, given, heading, label_x, label_y
-from ._shown import Numbers, Shown, Units, about, case_name
+from ._shown import Display, Numbers, Units, about, case_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,32 +28,32 @@ def spectrum(
 ) -> list[Axes]:
     """Draw power spectral densities of signals over the window of the statistics.
 
-    The case asks for them: ``records.spectra = ["hook_load", "surface_torque"]``.
+    The case must request them: ``records.spectra = ["hook_load", "surface_torque"]``.
 
     Parameters
     ----------
     results
         Results, or a table like their ``spectra``.
     *signals
-        ``"hook_load"``, ``"surface_torque"``, ...; all where nothing is named.
+        ``"hook_load"``, ``"surface_torque"``, ...; all by default.
     operation
-        The operation, where there are several.
+        The operation, if there are several.
     to_Hz
         Highest frequency to draw; all by default.
     units
         ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
-        Axes to draw in, one a signal; those of a new figure where none are given.
+        Axes to draw in, one per signal; those of a new figure by default.
 
     Returns
     -------
     list of matplotlib.axes.Axes
-        One a signal.
+        One per signal.
 
     Raises
     ------
     ValueError
-        If there are no spectra, or not of that signal or operation.
+        If there are no spectra, or none of that signal or operation.
 
     Examples
     --------
@@ -68,21 +68,22 @@ def spectrum(
     >>> ax.get_ylabel()
     'Hook load without block, kN²/Hz'
     """
-    what = "a picture of spectra"
-    shown = Shown(units, results)
-    columns = Columns(results, "spectra", what)
+    subject = "a picture of spectra"
+    display = Display(units, results)
+    columns = Columns(results, "spectra", subject)
     columns.need("signal", "unit", "frequency_Hz", "density")
     solved = columns.distinct("operation")
     if operation is not None and operation not in solved:
-        raise InputError(f"{what}: there is no {operation!r}: there are {', '.join(solved)}")
+        raise InputError(f"{subject}: there is no {operation!r}: there are {', '.join(solved)}")
     if operation is None and len(solved) > 1:
-        raise InputError(f"{what} is of one operation: name one of {', '.join(solved)}")
+        raise InputError(f"{subject} is of one operation: name one of {', '.join(solved)}")
     one = operation or (solved[0] if solved else None)
     rows = columns.where(operation=one)
     there = rows.distinct("signal")
     for signal in signals:
         if signal not in there:
-            raise InputError(f"{what}: there is no signal {signal!r}: there are {', '.join(there)}")
+            signal_names = ", ".join(there)
+            raise InputError(f"{subject}: there is no signal {signal!r}: there are {signal_names}")
     shows = list(signals) or there
     count = len(shows)
     across = 1 if count == 1 else 2
@@ -97,22 +98,22 @@ def spectrum(
             left_mm=16.0,
         )
         if axes is None
-        else given(axes, count, what)
+        else given(axes, count, subject)
     )
     for ax, signal in zip(made, shows, strict=True):
         mine = rows.where(signal=signal)
         title, dimension = _about(signal, mine)
-        factor = shown.factor(dimension) ** 2
+        factor = display.factor(dimension) ** 2
         lowest, highest = np.inf, -np.inf
         named: list[Name] = []
         for place, (md_m, nodes) in enumerate(_nodes(mine)):
             hertz = nodes.numbers("frequency_Hz")
-            kept = (hertz > 0.0) & (hertz <= (np.inf if to_Hz is None else to_Hz))
-            hertz, density = hertz[kept], nodes.numbers("density")[kept] / factor
+            mask = (hertz > 0.0) & (hertz <= (np.inf if to_Hz is None else to_Hz))
+            hertz, density = hertz[mask], nodes.numbers("density")[mask] / factor
             ink = line_colour(place)
             ax.plot(hertz, density, color=ink, linestyle=stroke(place), linewidth=curve_width())
             if md_m is not None:
-                text = shown.quantity(md_m, "length")
+                text = display.quantity(md_m, "length")
                 named.append(Name(text, ink, hertz, np.log10(np.maximum(density, 1e-300)), 0.7))
             if hertz.size:
                 lowest, highest = min(lowest, hertz.min()), max(highest, hertz.max())
@@ -120,29 +121,29 @@ def spectrum(
         if highest > lowest:
             ax.set_xlim(0.0, highest)
         label_x(ax, "Frequency, Hz")
-        symbol = shown.symbol(dimension)
+        symbol = display.symbol(dimension)
         unit = f"({symbol})²/Hz" if "/" in symbol or "·" in symbol else f"{symbol}²/Hz"
         label_y(ax, f"{title}, {unit if symbol else '1/Hz'}")
-        name_curves(ax, [_in_data(of) for of in named])
+        name_curves(ax, [_in_data(name) for name in named])
     if axes is None:
         words = operation_words(one) if one else ""
-        heading(made, ": ".join(of for of in (case_name(results), words) if of))
+        heading(made, ": ".join(part for part in (case_name(results), words) if part))
     return cast("list[Axes]", made)
 
 
 def _nodes(rows: Columns) -> list[tuple[float | None, Columns]]:
-    """Give the rows of a scalar, or of each node of a signal with its measured depth."""
+    """Return the rows of a scalar, or those of each node with its measured depth, m."""
     if "md_m" not in rows:
         return [(None, rows)]
     every = rows.numbers("md_m")
-    depths = list(dict.fromkeys(of for of in every.tolist() if np.isfinite(of)))
+    depths = list(dict.fromkeys(depth for depth in every.tolist() if np.isfinite(depth)))
     if not depths:
         return [(None, rows)]
     return [(depth, rows.where(md_m=depth)) for depth in depths]
 
 
 def _about(signal: str, rows: Columns) -> tuple[str, str]:
-    """Give title and dimension of a signal: a column without its unit."""
+    """Return title and dimension of a signal, whose name is a column name without the unit."""
     unit = rows.words("unit")[0]
     for sign, name in (("·", "_"), ("/", "_per_"), ("²", "2"), ("³", "3")):
         unit = unit.replace(sign, name)

@@ -1,4 +1,4 @@
-"""What a sweep comes to against what was varied."""
+"""Results of a sweep against a varied key."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from ._paper import (
     label_y,
     limits,
 )
-from ._shown import Numbers, Shown, Units, about, case_name
+from ._shown import Display, Numbers, Units, about, case_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -50,26 +50,26 @@ def sweep(
     units: Units | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Draw what a sweep comes to against a key that it varied, a curve for each value of another.
+    """Draw a result of a sweep against a varied key, with a curve for each value of another key.
 
-    Where depth is varied, it points down.
+    A varied depth points down.
 
     Parameters
     ----------
     table
-        The table of a sweep: a row a case, model and operation, with what was varied and scalars.
+        The table of a sweep: a row per case, model and operation, with varied keys and scalars.
     x
-        The column of what was varied along the axis: ``"friction"``, ``"bit_depth_m"``, ...
+        The column of the varied key along the axis: ``"friction"``, ``"bit_depth_m"``, ...
     y
         The scalar to draw.
     by
-        The column of whose values each has a curve: ``"friction"``, ``"operation"``, ...
+        The column with a curve for each of its values: ``"friction"``, ``"operation"``, ...
     operation, model
-        Which rows to draw; needed where the table has several and ``by`` is something else.
+        Operation and model to draw; required if the table has several and ``by`` is another column.
     units
         ``"si"``, ``"metric"`` or ``"field"``; SI by default.
     ax
-        Axes to draw in; those of a new figure where none are given.
+        Axes to draw in; those of a new figure by default.
 
     Returns
     -------
@@ -79,7 +79,7 @@ def sweep(
     Raises
     ------
     ValueError
-        If a column is missing, or several rows stand at the same place of a curve.
+        If a column is missing, or several rows have the same position on a curve.
 
     Examples
     --------
@@ -93,27 +93,27 @@ def sweep(
     >>> [text.get_text() for text in ax.texts]
     ['900 m', '1200 m']
     """
-    what = "a picture of a sweep"
-    shown = Shown(units, table)
-    columns = Columns(table, "sweep", what)
+    subject = "a picture of a sweep"
+    display = Display(units, table)
+    columns = Columns(table, "sweep", subject)
     columns.need(x, y, *([by] if by is not None else []))
     rows = columns.where(operation=operation, model=model)
     if not len(rows):
-        asked = ", ".join(of for of in (operation, model) if of)
-        raise InputError(f"{what}: there are no rows of {asked}")
-    along, label, is_depth = _varied(rows, x, shown)
+        selection = ", ".join(name for name in (operation, model) if name)
+        raise InputError(f"{subject}: there are no rows of {selection}")
+    along, label, is_depth = _varied(rows, x, display)
     title, dimension = about(y)
-    values = shown.values(rows.numbers(y), dimension)
+    values = display.values(rows.numbers(y), dimension)
     own = ax is None
-    frame = _frame(is_depth=is_depth) if ax is None else given(ax, 1, what)[0]
+    frame = _frame(is_depth=is_depth) if ax is None else given(ax, 1, subject)[0]
     named: list[Name] = []
-    for place, (name, kind, kept) in enumerate(_families(rows, by, shown)):
-        order = np.argsort(along[kept], kind="stable")
-        at, value = along[kept][order], values[kept][order]
+    for place, (name, kind, mask) in enumerate(_families(rows, by, display)):
+        order = np.argsort(along[mask], kind="stable")
+        at, value = along[mask][order], values[mask][order]
         if np.any(np.diff(at) == 0.0):
             message = (
-                f"{what}: several rows have the same `{x}`"
-                f"{f' and `{by}`' if by else ''}: name operation and model, or what else differs"
+                f"{subject}: several rows have the same `{x}`"
+                f"{f' and `{by}`' if by else ''}: name operation and model, or select rows"
             )
             raise InputError(message)
         ink = operation_colour(kind) if by == "operation" else line_colour(place)
@@ -134,7 +134,7 @@ def sweep(
     least = limits([values])
     if is_depth:
         frame.set_xlim(*least)
-        label_x(frame, shown.label(title, dimension), on_top=True)
+        label_x(frame, display.label(title, dimension), on_top=True)
         depth_down(frame, [along], label)
         known = finite([along])
         frame.set_ylim(known.max() + 0.03 * np.ptp(known), known.min() - 0.03 * np.ptp(known))
@@ -144,15 +144,15 @@ def sweep(
         beyond = 0.04 * float(np.ptp(known)) or 0.5
         frame.set_xlim(known.min() - beyond, known.max() + beyond)
         label_x(frame, label)
-        label_y(frame, shown.label(title, dimension))
+        label_y(frame, display.label(title, dimension))
     if own:
         heading([frame], case_name(table))
     name_curves(frame, named)
     return cast("Axes", frame)
 
 
-def _varied(rows: Columns, x: str, shown: Shown) -> tuple[Numbers, str, bool]:
-    """Give the numbers along the axis, its label, and whether they are a depth."""
+def _varied(rows: Columns, x: str, display: Display) -> tuple[Numbers, str, bool]:
+    """Return the numbers along the axis, its label, and whether they are a depth."""
     title, dimension = about(x)
     short = x.rsplit(".", 1)[-1]
     is_depth = short in ("bit_depth", "bit_depth_m")
@@ -161,11 +161,11 @@ def _varied(rows: Columns, x: str, shown: Shown) -> tuple[Numbers, str, bool]:
         numbers, unit = texts
         return numbers, f"{title}, {unit}" if unit else title, is_depth
     numbers = rows.numbers(x)
-    return shown.values(numbers, dimension), shown.label(title, dimension), is_depth
+    return display.values(numbers, dimension), display.label(title, dimension), is_depth
 
 
 def _texts(rows: Columns, name: str) -> tuple[Numbers, str] | None:
-    """Give the numbers and the unit of a column of texts such as ``900m``; nothing of numbers."""
+    """Return numbers and unit of a column of texts such as ``900m``; ``None`` for numbers."""
     try:
         rows.numbers(name)
     except ValueError:
@@ -173,34 +173,36 @@ def _texts(rows: Columns, name: str) -> tuple[Numbers, str] | None:
     else:
         return None
     words = rows.words(name)
-    split = [re.fullmatch(r"\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(.*?)\s*", of) for of in words]
+    split = [re.fullmatch(r"\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(.*?)\s*", word) for word in words]
     if not all(split):
         message = (
             f"a picture of a sweep: `{name}` has no numbers: {', '.join(dict.fromkeys(words))}"
         )
         raise InputError(message)
-    pairs = [(of[1], of[2]) for of in split if of is not None]
+    pairs = [(match[1], match[2]) for match in split if match is not None]
     units = {unit for _, unit in pairs}
     if len(units) > 1:
         raise InputError(f"a picture of a sweep: `{name}` has several units: {sorted(units)}")
     return np.array([float(number) for number, _ in pairs]), units.pop()
 
 
-def _families(rows: Columns, by: str | None, shown: Shown) -> list[tuple[str, str, Rows]]:
-    """Give the name, the word and the rows of each curve."""
+def _families(rows: Columns, by: str | None, display: Display) -> list[tuple[str, str, Rows]]:
+    """Return the name, the word and the rows of each curve."""
     if by is None:
         return [("", "", np.ones(len(rows), dtype=bool))]
     try:
         numbers = rows.numbers(by)
     except ValueError:
         words = rows.words(by)
-        said = operation_words if by == "operation" else str
-        return [(said(of), of, words == of) for of in dict.fromkeys(words)]
+        label_of = operation_words if by == "operation" else str
+        return [(label_of(word), word, words == word) for word in dict.fromkeys(words)]
     title, dimension = about(by)
     every = sorted(set(numbers[np.isfinite(numbers)].tolist()))
-    # A bare number says not what it is.
-    before = "" if shown.symbol(dimension) else f"{title.lower()} "
-    return [(before + shown.quantity(of, dimension), "", numbers == of) for of in every]
+    # A number without a unit needs its title.
+    before = "" if display.symbol(dimension) else f"{title.lower()} "
+    return [
+        (before + display.quantity(number, dimension), "", numbers == number) for number in every
+    ]
 
 
 def _frame(*, is_depth: bool) -> Drawn:

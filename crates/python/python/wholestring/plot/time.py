@@ -14,7 +14,7 @@ from ._house import Drawn, Look, colour, curve_width, line_colour, operation_wor
 from ._keys import Key, write
 from ._labels import Name, name_curves
 from ._paper import PAGE_MM, frames, given, heading, label_x, label_y, limits
-from ._shown import Numbers, Shown, Units, about, case_name
+from ._shown import Display, Numbers, Units, about, case_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class History:
-    """What a frame shows: columns, and what each is called."""
+    """Content of a frame: columns, and the label of each."""
 
     title: str
     dimension: str
@@ -40,27 +40,27 @@ def time(
 ) -> list[Axes]:
     """Draw scalars of a dynamic run against time, one frame below the other.
 
-    What was before the window of the statistics is grey.
+    The time before the statistics window is grey.
 
     Parameters
     ----------
     results
         Results, or a table like their ``time``.
     *names
-        What to draw: ``"hook-load"``, ``"torque"``, ``"rotary-speed"``, ``"block-velocity"``,
-        ``"axial-friction"``, ``"depths"``, of the bit ``"bit-weight"`` and so on, or any column of
-        the table; hook load, torque and rotary speed where nothing is named.
+        Curves to draw: ``"hook-load"``, ``"torque"``, ``"rotary-speed"``, ``"block-velocity"``,
+        ``"axial-friction"``, ``"depths"``, ``"bit-weight"`` and other curves of the bit, or any
+        column of the table; hook load, torque and rotary speed by default.
     operation
-        The operation, where there are several.
+        The operation, if there are several.
     units
         ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
-        Axes to draw in, one a name; those of a new figure where none are given.
+        Axes to draw in, one per name; those of a new figure by default.
 
     Returns
     -------
     list of matplotlib.axes.Axes
-        One a name.
+        One per name.
 
     Raises
     ------
@@ -75,24 +75,24 @@ def time(
     >>> hook_load.get_ylabel()
     'Hook load without block, t'
     """
-    what = "a picture against time"
-    shown = Shown(units, results)
-    columns = Columns(results, "time", what)
+    subject = "a picture against time"
+    display = Display(units, results)
+    columns = Columns(results, "time", subject)
     columns.need("time_s")
     one = _operation(columns, operation)
     rows = columns.where(operation=one)
     shows = _chosen(names, rows)
-    made = _frames(len(shows)) if axes is None else given(axes, len(shows), what)
-    seconds = shown.values(rows.numbers("time_s"), "time")
+    made = _frames(len(shows)) if axes is None else given(axes, len(shows), subject)
+    seconds = display.values(rows.numbers("time_s"), "time")
     ends = (float(seconds[0]), float(seconds[-1])) if len(seconds) else (0.0, 1.0)
     window = _window(results, one)
     for ax, history in zip(made, shows, strict=True):
         ax.set_xlim(*ends)
         if window is not None and window > ends[0]:
-            before = min(float(shown.values(np.array(window), "time")), ends[1])
+            before = min(float(display.values(np.array(window), "time")), ends[1])
             ax.axvspan(ends[0], before, color=colour("settling"), zorder=0, linewidth=0)
-        _draw(ax, history, rows, seconds, shown)
-    last = shown.label("Time", "time")
+        _draw(ax, history, rows, seconds, display)
+    last = display.label("Time", "time")
     for ax in made if axes is not None else made[-1:]:
         label_x(ax, last)
     if axes is None:
@@ -119,12 +119,12 @@ def _frames(count: int) -> list[Drawn]:
     )
 
 
-def _draw(ax: Drawn, history: History, rows: Columns, seconds: Numbers, shown: Shown) -> None:
+def _draw(ax: Drawn, history: History, rows: Columns, seconds: Numbers, display: Display) -> None:
     every: list[Numbers] = []
     named: list[Name] = []
     known = [(column, word) for column, word in history.columns if rows.known(column)]
     for place, (column, word) in enumerate(known):
-        values = shown.values(rows.numbers(column), history.dimension)
+        values = display.values(rows.numbers(column), history.dimension)
         every.append(values)
         look = Look(line_colour(place), stroke(place))
         if history.points:
@@ -139,9 +139,9 @@ def _draw(ax: Drawn, history: History, rows: Columns, seconds: Numbers, shown: S
             )
         if len(known) > 1:
             named.append(Name(word, look.colour, seconds, values, at=0.9))
-    low, high = limits(every, min_span=history.min_span / shown.factor(history.dimension))
+    low, high = limits(every, min_span=history.min_span / display.factor(history.dimension))
     ax.set_ylim(*((high, low) if history.points else (low, high)))
-    label_y(ax, shown.label(history.title, history.dimension))
+    label_y(ax, display.label(history.title, history.dimension))
     name_curves(ax, named)
 
 
@@ -153,7 +153,7 @@ def _operation(columns: Columns, operation: str | None) -> str | None:
             raise InputError(message)
         return there[0] if there else None
     if there and operation not in there:
-        message = f"a picture against time: no {operation!r} is there: there are {', '.join(there)}"
+        message = f"a picture against time: there is no {operation!r}: there are {', '.join(there)}"
         raise InputError(message)
     return operation
 
@@ -162,17 +162,17 @@ def _chosen(names: Sequence[str], rows: Columns) -> list[History]:
     declared = _declared()
     if not names:
         usual = [declared[name] for name in ("hook-load", "torque", "rotary-speed")]
-        known = [of for of in usual if any(rows.known(column) for column, _ in of.columns)]
+        known = [entry for entry in usual if any(rows.known(column) for column, _ in entry.columns)]
         if not known:
-            rows.need(*(column for of in usual for column, _ in of.columns))
+            rows.need(*(column for entry in usual for column, _ in entry.columns))
         return known
     chosen: list[History] = []
     for name in names:
         history = declared.get(name)
         if history is None:
             title, dimension = about(name)
-            alike = (of for of in declared.values() if name in dict(of.columns))
-            least = next((of.min_span for of in alike), 0.0)
+            alike = (entry for entry in declared.values() if name in dict(entry.columns))
+            least = next((entry.min_span for entry in alike), 0.0)
             history = History(title, dimension, ((name, title),), least)
         if not any(rows.known(column) for column, _ in history.columns):
             rows.need(*(column for column, _ in history.columns))
@@ -183,29 +183,29 @@ def _chosen(names: Sequence[str], rows: Columns) -> list[History]:
 
 def _declared() -> dict[str, History]:
     made: dict[str, History] = {}
-    for of in [*pictures()["time"], *pictures()["bit"]]:
-        made[str(of["name"]).removeprefix("time-")] = History(
-            title=of["title"],
-            dimension=of["dimension"],
-            columns=tuple((column, word) for column, word in of["columns"]),
-            min_span=of["min_span"],
-            points=of["points"],
+    for row in [*pictures()["time"], *pictures()["bit"]]:
+        made[str(row["name"]).removeprefix("time-")] = History(
+            title=row["title"],
+            dimension=row["dimension"],
+            columns=tuple((column, word) for column, word in row["columns"]),
+            min_span=row["min_span"],
+            points=row["points"],
         )
     return made
 
 
 def _solved(results: object, operation: str | None) -> Mapping[str, Any] | None:
-    """Give what the summary says of the dynamic operation."""
+    """Return the entry of the dynamic operation in the summary."""
     summary = getattr(results, "summary", None)
     if not isinstance(summary, Mapping):
         return None
     every = cast("Iterable[Mapping[str, Any]]", cast("Any", summary).get("operations", ()))
-    of_dynamics = (of for of in every if of["model"] == "dynamic")
-    return next((of for of in of_dynamics if operation in (None, of["operation"])), None)
+    dynamic = (entry for entry in every if entry["model"] == "dynamic")
+    return next((entry for entry in dynamic if operation in (None, entry["operation"])), None)
 
 
 def _window(results: object, operation: str | None) -> float | None:
-    """Give when the window of the statistics begins, s."""
+    """Return the time at which the statistics window begins, s."""
     solved = _solved(results, operation)
     numerics = solved.get("numerics") if solved is not None else None
     return float(numerics["settle_s"]) if numerics else None
@@ -213,4 +213,4 @@ def _window(results: object, operation: str | None) -> float | None:
 
 def _title(results: object, operation: str | None) -> str:
     words = operation_words(operation) if operation else ""
-    return ": ".join(of for of in (case_name(results), words) if of)
+    return ": ".join(part for part in (case_name(results), words) if part)

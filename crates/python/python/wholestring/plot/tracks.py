@@ -21,7 +21,7 @@ from ._labels import Name, name_curves
 from ._near import largest, rows_of_largest, smallest
 from ._outliers import mark, reached
 from ._paper import PAGE_MM, depth_down, finite, frames, given, heading, label_x, limits
-from ._shown import Numbers, Shown, Units, about, case_name
+from ._shown import Display, Numbers, Units, about, case_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,7 +33,7 @@ BETWEEN = "between the joints"
 
 @dataclass(frozen=True)
 class Track:
-    """What a frame shows, and how its axis is made."""
+    """Content of a frame, and the rules of its axis."""
 
     column: str
     title: str
@@ -50,7 +50,7 @@ class Track:
 
 @dataclass
 class Run:
-    """What is drawn of one run."""
+    """Data of one run to draw."""
 
     nodes: Columns
     wear: Columns | None
@@ -67,32 +67,32 @@ def tracks(
     units: Units | None = None,
     axes: Sequence[Axes] | Axes | None = None,
 ) -> list[Axes]:
-    """Draw profiles along the string, side by side, depth down.
+    """Draw profiles along the string in parallel frames, depth down.
 
-    Operations differ by colour, models by stroke; the names of the curves stand in the first frame.
-    A band reaches from the 5th to the 95th percentile of the time. Where one curve alone is drawn,
-    the side of the hole that the string lies on is filled. From afar a joint's contact counts for
-    the pipe on either side of it.
+    Operations differ by colour, models by stroke; the curves are labelled in the first frame. A
+    band extends from the 5th to the 95th percentile over time. If there is a single curve, the area
+    is filled with the colour of the side of the hole that the string lies on. At small scale, the
+    contact of a joint applies to the pipe on either side of it.
 
     Parameters
     ----------
     results
         Results, or a table like their ``nodes``.
     *names
-        What to draw: ``"tension"``, ``"torque"``, ``"side-force"``, ``"contact"``,
+        Tracks to draw: ``"tension"``, ``"torque"``, ``"side-force"``, ``"contact"``,
         ``"bending-moment"``, ``"wear"``, ``"inclination"``, ``"dogleg-severity"``, or any column of
-        the table; all of those that have values where nothing is named.
+        the table; by default, all of the named tracks that have values.
     operations, models
-        Which to draw; all by default.
+        Operations and models to draw; all by default.
     units
         ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
-        Axes to draw in, one a name; those of a new figure where none are given.
+        Axes to draw in, one per name; those of a new figure by default.
 
     Returns
     -------
     list of matplotlib.axes.Axes
-        One a track.
+        One per track.
 
     Raises
     ------
@@ -120,29 +120,33 @@ def draw(
     to: Sequence[Axes] | Axes | None,
 ) -> list[Axes]:
     """Draw the tracks of one run or several."""
-    what = "a picture of tracks"
-    shown = Shown(units, results[0])
-    runs = [_run(of, name, what) for of, name in zip(results, run_names, strict=True)]
-    whose = curves(
-        [run.nodes for run in runs], run_names, operations=operations, models=models, what=what
+    subject = "a picture of tracks"
+    display = Display(units, results[0])
+    runs = [_run(result, name, subject) for result, name in zip(results, run_names, strict=True)]
+    profiles = curves(
+        [run.nodes for run in runs],
+        run_names,
+        operations=operations,
+        models=models,
+        subject=subject,
     )
-    shows = _chosen(names, runs, whose)
+    shows = _chosen(names, runs, profiles)
     own = to is None
     hole = _hole_of(runs) if own else []
     strips: list[Drawn] = []
     if to is None:
         made, strips = _frames(len(shows), bool(hole))
     else:
-        made = given(to, len(shows), what)
+        made = given(to, len(shows), subject)
     depths: list[Numbers] = []
-    drawn: list[list[Name]] = []
+    labels: list[list[Name]] = []
     for ax, track in zip(made, shows, strict=True):
-        drawn.append(_track(ax, track, runs, whose, shown, depths))
-    label = shown.label("Measured depth", "length")
+        labels.append(_track(ax, track, runs, profiles, display, depths))
+    label = display.label("Measured depth", "length")
     for ax in strips:
         depth_down(ax, depths, label)
         settings = cast("Mapping[str, Any]", runs[0].settings)
-        _hole.draw(ax, hole, float(settings["operation"]["bit_depth_m"]), shown)
+        _hole.draw(ax, hole, float(settings["operation"]["bit_depth_m"]), display)
         ax.tick_params(labelleft=True)
     for place, ax in enumerate(made):
         is_first = not strips and (not own or place % _in_a_line(len(made)) == 0)
@@ -151,17 +155,17 @@ def draw(
             ax.tick_params(labelleft=False)
     if own:
         heading([*strips, *made], _title(runs))
-    keys = stroke_keys(whose)
+    keys = stroke_keys(profiles)
     if any(ax.collections and track.band for ax, track in zip(made, shows, strict=True)):
-        keys.append(band_key(whose[0].look if len(whose) == 1 else Look(colour("muted"))))
-    if any(of.get_gid() == BETWEEN for ax in made for of in ax.get_lines()):
-        ink = whose[0].look.colour if len(whose) == 1 else colour("muted")
+        keys.append(band_key(profiles[0].look if len(profiles) == 1 else Look(colour("muted"))))
+    if any(line.get_gid() == BETWEEN for ax in made for line in ax.get_lines()):
+        ink = profiles[0].look.colour if len(profiles) == 1 else colour("muted")
         keys.append(Key(BETWEEN, Look(ink, stroke(2))))
     write([*strips, *made], keys, own=own)
-    # The names stand once: in the first frame in which the curves are well apart.
-    apart = [_apart(names) if len(names) == max(map(len, drawn)) else 0.0 for names in drawn]
-    best = next(place for place, of in enumerate(apart) if of >= 0.25 * max(apart))
-    name_curves(made[best], drawn[best])
+    # The labels are written once, in the first frame in which the curves are well apart.
+    apart = [_apart(names) if len(names) == max(map(len, labels)) else 0.0 for names in labels]
+    best = next(place for place, gap in enumerate(apart) if gap >= 0.25 * max(apart))
+    name_curves(made[best], labels[best])
     return cast("list[Axes]", made)
 
 
@@ -170,7 +174,7 @@ def _in_a_line(count: int) -> int:
 
 
 def _frames(count: int, with_hole: bool) -> tuple[list[Drawn], list[Drawn]]:
-    """Give the frames of the tracks, and those of the hole beside each line of them."""
+    """Return the frames of the tracks, and those of the hole next to each row of tracks."""
     columns = _in_a_line(count)
     lines = -(-count // columns)
     extra = 1 if with_hole else 0
@@ -194,8 +198,8 @@ def _track(
     ax: Drawn,
     track: Track,
     runs: Sequence[Run],
-    whose: Sequence[Curve],
-    shown: Shown,
+    profiles: Sequence[Curve],
+    display: Display,
     depths: list[Numbers],
 ) -> list[Name]:
     values: list[Numbers] = []
@@ -203,7 +207,7 @@ def _track(
     beyond: list[tuple[Numbers, Numbers, str]] = []
 
     def keep(md_m: Numbers, si: Numbers) -> tuple[Numbers, Numbers]:
-        depth, value = shown.values(md_m, "length"), shown.values(si, track.dimension)
+        depth, value = display.values(md_m, "length"), display.values(si, track.dimension)
         depths.append(depth)
         values.append(value)
         return depth, value
@@ -215,17 +219,17 @@ def _track(
             look = Look(colour("text")) if place == 0 else Look(colour(f"line-{place}"))
             _plot(ax, value, depth, look)
     else:
-        for curve in whose:
-            name = _curve(ax, track, runs[curve.run], curve, keep, alone=len(whose) == 1)
+        for curve in profiles:
+            name = _curve(ax, track, runs[curve.run], curve, keep, alone=len(profiles) == 1)
             if name is not None:
                 beyond.append((name.x, name.y, name.colour))
                 named.extend([name] if name.text else [])
     title = about(track.column)[0] if not track.title else track.title
-    label_x(ax, shown.label(title, track.dimension), on_top=True)
+    label_x(ax, display.label(title, track.dimension), on_top=True)
     if track.range is not None:
-        ax.set_xlim(*(float(of) for of in shown.values(np.array(track.range), track.dimension)))
+        ax.set_xlim(*(float(end) for end in display.values(np.array(track.range), track.dimension)))
     else:
-        least = track.min_span / shown.factor(track.dimension)
+        least = track.min_span / display.factor(track.dimension)
         clips = track.source == "profile"
         inner = reached(values, zero=track.zero) if clips else None
         spans = [np.array(inner)] if inner is not None else values
@@ -299,8 +303,8 @@ def _plot(ax: Drawn, across: Numbers, depth: Numbers, look: Look, gid: str | Non
 
 def _name_sides(ax: Drawn) -> None:
     low, high = ax.get_xlim()
-    for left, text, of in ((True, "low side", low < 0.0), (False, "high side", high > 0.0)):
-        if of:
+    for left, text, is_within in ((True, "low side", low < 0.0), (False, "high side", high > 0.0)):
+        if is_within:
             ax.text(
                 0.0 if left else 1.0,
                 -0.012,
@@ -313,63 +317,64 @@ def _name_sides(ax: Drawn) -> None:
 
 
 def _apart(names: Sequence[Name]) -> float:
-    """Tell how far apart the two nearest curves run, over the largest value."""
-    known = [of for of in (finite([name.x]) for name in names) if of.size]
+    """Return the distance between the two nearest curves, relative to the largest value."""
+    known = [values for values in (finite([name.x]) for name in names) if values.size]
     if len(known) < 2:
         return 0.0
-    middles = np.sort([float(np.median(of)) for of in known])
-    most = max(float(np.abs(of).max()) for of in known)
+    middles = np.sort([float(np.median(values)) for values in known])
+    most = max(float(np.abs(values).max()) for values in known)
     return float(np.diff(middles).min()) / most if most > 0.0 else 0.0
 
 
-def _run(thing: object, name: str, what: str) -> Run:
-    nodes = Columns(thing, "nodes", what)
+def _run(thing: object, name: str, subject: str) -> Run:
+    nodes = Columns(thing, "nodes", subject)
     nodes.need("md_m")
     summary = getattr(thing, "summary", None)
     if not isinstance(summary, Mapping):
         return Run(nodes, None, None, None, name)
     settings = cast("Mapping[str, Any]", cast("Mapping[str, Any]", summary)["settings"])
     there = cast("Sequence[str]", getattr(thing, "tables", ()))
-    wear = Columns(thing, "wear", what) if "wear" in there else None
+    wear = Columns(thing, "wear", subject) if "wear" in there else None
     path = Table(_core.well_path(json.dumps(settings)), "well")
-    well = Columns(path, "well", what) if len(path) else None
+    well = Columns(path, "well", subject) if len(path) else None
     return Run(nodes, wear, well, settings, name or case_name(thing))
 
 
 def _declared() -> dict[str, Track]:
     made: dict[str, Track] = {}
-    for of in pictures()["tracks"]:
-        made[of["name"]] = Track(
-            column=of["column"],
-            title=of["title"],
-            dimension=of["dimension"],
-            source=of["from"],
-            band=tuple(of["band"]) if of.get("band") else None,
-            min_span=of["min_span"],
-            zero=of["zero"],
-            sides=of["sides"],
-            touches=of["touches"],
-            swings=of["swings"],
-            range=tuple(of["range"]) if of.get("range") else None,
+    for row in pictures()["tracks"]:
+        made[row["name"]] = Track(
+            column=row["column"],
+            title=row["title"],
+            dimension=row["dimension"],
+            source=row["from"],
+            band=tuple(row["band"]) if row.get("band") else None,
+            min_span=row["min_span"],
+            zero=row["zero"],
+            sides=row["sides"],
+            touches=row["touches"],
+            swings=row["swings"],
+            range=tuple(row["range"]) if row.get("range") else None,
         )
     return made
 
 
-def _chosen(names: Sequence[str], runs: Sequence[Run], whose: Sequence[Curve]) -> list[Track]:
+def _chosen(names: Sequence[str], runs: Sequence[Run], profiles: Sequence[Curve]) -> list[Track]:
     declared = _declared()
     if not names:
-        known = [of for of in declared.values() if _has(of, runs, whose)]
+        known = [track for track in declared.values() if _has(track, runs, profiles)]
         if not known:
-            runs[0].nodes.need(*(of.column for of in declared.values() if of.source == "profile"))
+            profiled = (entry for entry in declared.values() if entry.source == "profile")
+            runs[0].nodes.need(*(entry.column for entry in profiled))
         return known
     chosen: list[Track] = []
     for name in names:
-        by_column = next((of for of in declared.values() if of.column == name), None)
+        by_column = next((entry for entry in declared.values() if entry.column == name), None)
         track = declared.get(name) or by_column
         if track is None:
             title, dimension = about(name)
             track = Track(column=name, title=title, dimension=dimension)
-        if not _has(track, runs, whose):
+        if not _has(track, runs, profiles):
             if track.source == "profile":
                 runs[0].nodes.need(track.column)
             raise InputError(f"a picture of tracks: `{name}` has no values here")
@@ -377,10 +382,10 @@ def _chosen(names: Sequence[str], runs: Sequence[Run], whose: Sequence[Curve]) -
     return chosen
 
 
-def _has(track: Track, runs: Sequence[Run], whose: Sequence[Curve]) -> bool:
+def _has(track: Track, runs: Sequence[Run], profiles: Sequence[Curve]) -> bool:
     if track.source == "well":
         return any(run.well is not None for run in runs)
-    for curve in whose:
+    for curve in profiles:
         source = runs[curve.run].wear if track.source == "wear" else runs[curve.run].nodes
         if source is not None and curve.rows(source).known(track.column):
             return True
@@ -388,7 +393,7 @@ def _has(track: Track, runs: Sequence[Run], whose: Sequence[Curve]) -> bool:
 
 
 def _distinct_wells(runs: Sequence[Run]) -> list[Run]:
-    """Give one run a well: several in the same one show its path once."""
+    """Return one run per well, so that the path of a shared well is drawn once."""
     seen: dict[str, Run] = {}
     for run in runs:
         if run.well is not None and run.settings is not None:
@@ -397,9 +402,9 @@ def _distinct_wells(runs: Sequence[Run]) -> list[Run]:
 
 
 def _hole_of(runs: Sequence[Run]) -> list[_hole.Section]:
-    """Give the hole beside the tracks; nothing where the runs differ in it."""
+    """Return the hole to draw next to the tracks; empty if the runs differ in it."""
     every = [_hole.sections(run.settings) for run in runs if run.settings is not None]
-    if len(every) != len(runs) or any(of != every[0] for of in every):
+    if len(every) != len(runs) or any(hole != every[0] for hole in every):
         return []
     return every[0]
 

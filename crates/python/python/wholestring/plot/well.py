@@ -16,13 +16,13 @@ from ._columns import Columns
 from ._house import SMALL, Drawn, Look, colour, curve_width, words
 from ._keys import Key, write
 from ._paper import PAGE_MM, finite, frames, given, heading, label_x, label_y
-from ._shown import Numbers, Shown, Units, case_name
+from ._shown import Display, Numbers, Units, case_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 DEPTHS = 6
-"""So many measured depths stand beside the path, about."""
+"""Approximate number of measured depths that are written at the path."""
 
 
 def well(
@@ -34,7 +34,7 @@ def well(
     """Draw the path of a well from above, and its vertical section: both to scale.
 
     The section is along the direction from the wellhead to the end of the path. Cased hole is a
-    heavy line; measured depths stand beside the path.
+    heavy line; measured depths are written at the path.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def well(
     units
         ``"si"``, ``"metric"`` or ``"field"``; those of the case by default.
     axes
-        Two axes to draw in, plan and section; those of a new figure where none are given.
+        Two axes to draw in, plan and section; those of a new figure by default.
 
     Returns
     -------
@@ -53,7 +53,7 @@ def well(
     Raises
     ------
     TypeError
-        If it is neither a case nor results.
+        If ``case`` is neither a case nor results.
 
     Examples
     --------
@@ -62,7 +62,7 @@ def well(
     >>> plan.get_xlabel(), section.get_ylabel()
     ('East, m', 'True vertical depth, m')
     """
-    shown = Shown(units, case)
+    display = Display(units, case)
     settings = _settings(case)
     path = Columns(
         Table(_core.well_path(json.dumps(settings)), "well"), "well", "a picture of a well"
@@ -85,24 +85,24 @@ def well(
     )
     plan, section = made
     column = {
-        name: shown.values(path.numbers(name), "length")
+        name: display.values(path.numbers(name), "length")
         for name in ("md_m", "north_m", "east_m", "tvd_m", "vertical_section_m")
     }
-    _path(plan, column["east_m"], column["north_m"], column["md_m"], hole, shown)
-    _path(section, column["vertical_section_m"], column["tvd_m"], column["md_m"], hole, shown)
+    _path(plan, column["east_m"], column["north_m"], column["md_m"], hole, display)
+    _path(section, column["vertical_section_m"], column["tvd_m"], column["md_m"], hole, display)
     _from_the_surface(section, column["tvd_m"])
-    label_x(plan, shown.label("East", "length"))
-    label_y(plan, shown.label("North", "length"))
-    label_x(section, shown.label("Along the section", "length"))
-    label_y(section, shown.label("True vertical depth", "length"))
+    label_x(plan, display.label("East", "length"))
+    label_y(plan, display.label("North", "length"))
+    label_x(section, display.label("Along the section", "length"))
+    label_y(section, display.label("True vertical depth", "length"))
     if axes is None:
         heading(made, case_name(case))
         keys = [
             Key("casing", Look(colour("casing"))),
             Key("open hole", Look(colour("rock"))),
-            Key(shown.label("measured depth", "length"), Look(colour("text")), marker="o"),
+            Key(display.label("measured depth", "length"), Look(colour("text")), marker="o"),
         ]
-        write(made, keys if any(of.cased for of in hole) else keys[1:], own=True)
+        write(made, keys if any(stretch.cased for stretch in hole) else keys[1:], own=True)
     return cast("list[Axes]", made)
 
 
@@ -112,18 +112,19 @@ def _path(
     y: Numbers,
     md: Numbers,
     hole: Sequence[_hole.Section],
-    shown: Shown,
+    display: Display,
 ) -> None:
-    for of in hole:
-        start, end = (float(shown.values(np.array(at), "length")) for at in (of.from_m, of.to_m))
+    for stretch in hole:
+        ends_m = np.array([stretch.from_m, stretch.to_m])
+        start, end = display.values(ends_m, "length").tolist()
         inside = np.concatenate(
             ([max(start, md[0])], md[(md > start) & (md < end)], [min(end, md[-1])])
         )
         ax.plot(
             np.interp(inside, md, x),
             np.interp(inside, md, y),
-            color=colour("casing" if of.cased else "rock"),
-            linewidth=2.4 if of.cased else 1.4 * curve_width(),
+            color=colour("casing" if stretch.cased else "rock"),
+            linewidth=2.4 if stretch.cased else 1.4 * curve_width(),
             solid_capstyle="butt",
         )
     _to_scale(ax, x, y)
@@ -132,7 +133,7 @@ def _path(
     places: Numbers = np.column_stack((np.interp(depths, md, x), np.interp(depths, md, y)))
     for depth, at in zip(depths, places, strict=True):
         pixels = ax.transData.transform(at)
-        # Seen from above, a vertical hole is a point.
+        # In plan view, a vertical hole is a point.
         if last is not None and np.hypot(*(pixels - last)) < 14.0 * ax.figure.dpi / 72.0:
             continue
         last = pixels
@@ -148,31 +149,32 @@ def _path(
 
 
 def _to_scale(ax: Drawn, x: Numbers, y: Numbers) -> None:
-    """Have both axes to the same scale, and the path in the middle."""
+    """Set both axes to the same scale, with the path in the middle."""
     box = ax.get_window_extent()
-    spans = [float(np.ptp(finite([of]))) for of in (x, y)]
+    spans = [float(np.ptp(finite([coordinate]))) for coordinate in (x, y)]
     largest = max(*spans, 1.0)
-    room = max(spans[0] / box.width, spans[1] / box.height, 0.2 * largest / box.width)
-    per_pixel = 1.3 * room
-    for of, size, limit in ((x, box.width, ax.set_xlim), (y, box.height, ax.set_ylim)):
-        middle = 0.5 * (float(of.min()) + float(of.max()))
+    scale = max(spans[0] / box.width, spans[1] / box.height, 0.2 * largest / box.width)
+    per_pixel = 1.3 * scale
+    for coordinate, size, limit in ((x, box.width, ax.set_xlim), (y, box.height, ax.set_ylim)):
+        middle = 0.5 * (float(coordinate.min()) + float(coordinate.max()))
         half = 0.5 * per_pixel * size
         limit(middle - half, middle + half)
     ax.set_aspect("equal", adjustable="box")
 
 
 def _from_the_surface(ax: Drawn, tvd: Numbers) -> None:
-    """Have depth point down from a little above the surface, as far as it did."""
+    """Set the depth axis, pointing down, from a little above the surface, with the same span."""
     low, high = ax.get_ylim()
     top = float(tvd.min()) - 0.06 * (high - low)
     ax.set_ylim(top + (high - low), top)
 
 
 def _round_depths(last: float) -> Numbers:
-    """Give round depths down to the last, and the last."""
+    """Return round depths down to the last depth, and the last depth itself."""
     rough = last / DEPTHS
     power = 10.0 ** np.floor(np.log10(rough))
-    step = float(next(of for of in (1.0, 2.0, 5.0, 10.0) if of * power >= rough) * power)
+    factors = (1.0, 2.0, 5.0, 10.0)
+    step = float(next(factor for factor in factors if factor * power >= rough) * power)
     every = np.arange(0.0, last - 0.4 * step, step)
     return np.append(every, last)
 

@@ -1,4 +1,4 @@
-// Cells of a grid as keys of a case: what they show, and the changes that what is typed makes.
+// Cells of a grid for keys of a case: their texts, and the changes from typed texts.
 
 import type { Change, Quantities, Table, Value } from "../../api/cases";
 import type { Schema } from "../../api/lookup";
@@ -8,23 +8,23 @@ import { unitLabel } from "../units.svelte";
 import { asShown, asWritten, read } from "../written";
 import { asTable } from "../values";
 
-/** A column of a grid that is a key of its tables. */
+/** A column of a grid for a key of its tables. */
 export interface KeyColumn {
   key: string;
   kind: Scalar;
 }
 
-/** So many columns are shown of keys that nothing is said of. */
+/** Number of columns for keys that are neither required nor present. */
 const OFFERED = 5;
 
-/** The kind of a value that fits a cell; of a value that may be a table, the value. */
+/** The kind of a value that fits a cell; for a value that may be a table, that of the value. */
 function inCell(schema: Schema): Scalar | null {
   const kind = kindOf(schema);
-  if (kind.is === "split") return kind.of;
+  if (kind.is === "split") return kind.item;
   return kind.is === "table" || kind.is === "tables" || kind.is === "rows" || kind.is === "list" ? null : kind;
 }
 
-/** The columns of a list of tables: the keys that are needed or given, and the first of the others. */
+/** The columns of a list of tables: required and present keys, and the first of the others. */
 export function keyColumns(item: Schema, rows: Value[]): KeyColumn[] {
   const used = new Set(rows.flatMap((row) => Object.keys(asTable(row))));
   const needed = item.required ?? [];
@@ -37,7 +37,7 @@ export function keyColumns(item: Schema, rows: Value[]): KeyColumn[] {
   });
 }
 
-/** The column as a grid shows it. */
+/** The column in the form of a grid. */
 export function gridColumn(title: string, kind: Scalar, description?: string): Column {
   const isText = kind.is === "text" || kind.is === "words" || kind.is === "truth";
   const longest = title.length * 7 + 20;
@@ -57,20 +57,20 @@ export const tableColumn = ({ key, kind }: KeyColumn, item: Schema): Column =>
 export const shownCell = (kind: Scalar, value: Value | undefined, quantities: Quantities): string =>
   value !== undefined && typeof value === "object" ? "in parts" : asShown(kind, value, quantities);
 
-/** The changes that cells of a list of tables make; rows behind the last are new. */
+/** The changes from cells of a list of tables; rows after the last are new. */
 export function tableChanges(name: string, columns: KeyColumn[], rows: Value[], cells: Typed[]): Change[] {
   const changes: Change[] = [];
   const added = new Map<number, Table>();
   for (const { row, column, text } of cells) {
-    const of = columns[column];
-    if (!of) continue;
-    const before = asTable(rows[row] ?? rows.at(-1))[of.key];
-    const value = read(of.kind, text, before);
+    const target = columns[column];
+    if (!target) continue;
+    const before = asTable(rows[row] ?? rows.at(-1))[target.key];
+    const value = read(target.kind, text, before);
     if (row >= rows.length) {
       const table = added.get(row) ?? {};
-      added.set(row, value === undefined ? table : { ...table, [of.key]: value });
-    } else if (value !== undefined) changes.push({ set: `${name}.${row}.${of.key}`, to: value });
-    else if (before !== undefined) changes.push({ remove: `${name}.${row}.${of.key}` });
+      added.set(row, value === undefined ? table : { ...table, [target.key]: value });
+    } else if (value !== undefined) changes.push({ set: `${name}.${row}.${target.key}`, to: value });
+    else if (before !== undefined) changes.push({ remove: `${name}.${row}.${target.key}` });
   }
   let at = rows.length;
   for (const [, value] of [...added].sort(([a], [b]) => a - b))
@@ -78,7 +78,7 @@ export function tableChanges(name: string, columns: KeyColumn[], rows: Value[], 
   return changes;
 }
 
-/** The same of a list of rows of values; a row that is new has at least so many. */
+/** The changes from cells of a list of rows of values; a new row has at least `least` values. */
 export function rowChanges(name: string, kinds: Scalar[], least: number, rows: Value[], cells: Typed[]): Change[] {
   const changed = new Map<number, Value[]>();
   for (const { row, column, text } of cells) {
@@ -89,7 +89,7 @@ export function rowChanges(name: string, kinds: Scalar[], least: number, rows: V
     const model = Array.isArray(before) ? before : rows.at(-1);
     const value = read(kind, text, Array.isArray(model) ? model[column] : undefined);
     while (values.length <= column) values.push(0);
-    // A row has no gaps: of its last values those that may lack go.
+    // A row has no gaps, so only optional values at its end are removed.
     if (value !== undefined) values[column] = value;
     else if (column >= least) values.length = column;
     else values[column] = 0;

@@ -1,4 +1,4 @@
-// Ranges of cells as spreadsheets exchange them: a row a line, tabs between the cells.
+// Ranges of cells in the format of spreadsheets: a line per row, tabs between the cells.
 
 /** Rows of a text; cells in quotes may hold tabs and line breaks. */
 export function rowsOf(text: string): string[][] {

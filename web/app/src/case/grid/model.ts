@@ -1,4 +1,4 @@
-// What a grid shows and changes.
+// Content and changes of a grid.
 
 import type { Diagnostic } from "../../api/client";
 
@@ -9,9 +9,9 @@ export interface Column {
   /** Pixels. */
   width: number;
   isNumber?: boolean;
-  /** Computed: nobody writes it. */
+  /** Computed, not editable. */
   fixed?: boolean;
-  /** What is offered. */
+  /** Suggested texts. */
   words?: string[];
   /** A bar behind the number: its share of the largest, 0 to 1. */
   share?: (row: number) => number;
@@ -25,17 +25,17 @@ export interface Typed {
 }
 
 export interface GridModel {
-  /** What it is called. */
+  /** Label of the grid. */
   label: string;
   columns: Column[];
   rows: number;
   /** The text of a cell in the chosen units. */
   shown: (row: number, column: number) => string;
-  /** The same as it stands in the file. */
+  /** The text of a cell in the form of the file. */
   written: (row: number, column: number) => string;
-  /** What is to be said of a cell. */
-  said?: (row: number, column: number) => Diagnostic | undefined;
-  /** Writes cells, in one step; rows behind the last are new. */
+  /** The diagnostic of a cell. */
+  diagnostic?: (row: number, column: number) => Diagnostic | undefined;
+  /** Writes cells in one step; rows after the last are new. */
   write: (cells: Typed[]) => void;
   insert?: (at: number) => void;
   remove?: (at: number, count: number) => void;
@@ -47,7 +47,7 @@ export interface Place {
   column: number;
 }
 
-/** Cells from a corner to the opposite one, both in it. */
+/** Cells between two opposite corners, inclusive. */
 export interface Range {
   top: number;
   bottom: number;

@@ -1,20 +1,20 @@
-// Where the cursor of a grid is, what is selected, and what is being typed.
+// Cursor, selection and typed text of a grid.
 
 import { rowsOf, textOf } from "./clipboard";
 import { rangeOf, type GridModel, type Place, type Range, type Typed } from "./model";
 
-/** A page of rows. */
+/** Number of rows of a page. */
 const PAGE = 12;
 
 export class GridState {
   #model: () => GridModel;
-  /** The cell that is worked on. */
+  /** The active cell. */
   cursor = $state.raw<Place>({ row: 0, column: 0 });
-  /** The opposite corner of what is selected. */
+  /** The opposite corner of the selection. */
   anchor = $state.raw<Place>({ row: 0, column: 0 });
-  /** What is being typed; null where nothing is. */
+  /** Typed text; null while not typing. */
   typing = $state<string | null>(null);
-  /** Whether Tab leaves the grid: after Escape. */
+  /** Whether Tab leaves the grid, after Escape. */
   leaves = false;
 
   constructor(model: () => GridModel) {
@@ -25,13 +25,13 @@ export class GridState {
     return rangeOf(this.cursor, this.anchor);
   }
 
-  /** Rows that there are, with the empty one below in which a new one begins. */
+  /** Number of rows, with the empty one at the end for a new row. */
   get lines(): number {
     const model = this.#model();
     return model.rows + (model.insert ? 1 : 0);
   }
 
-  /** Puts the cursor on a cell, within the grid. */
+  /** Moves the cursor to a cell, within the grid. */
   go(row: number, column: number, extends_ = false): void {
     const within = (index: number, count: number) => Math.max(0, Math.min(count - 1, index));
     this.cursor = { row: within(row, this.lines), column: within(column, this.#model().columns.length) };
@@ -43,7 +43,7 @@ export class GridState {
     this.go(this.cursor.row + rows, this.cursor.column + columns, extends_);
   }
 
-  /** To the next cell, at the end of a row to the next row; says whether there is one. */
+  /** Moves to the next cell, at the end of a row to the next row; returns whether there is one. */
   next(step: 1 | -1): boolean {
     const columns = this.#model().columns.length;
     const place = this.cursor.row * columns + this.cursor.column + step;
@@ -58,7 +58,7 @@ export class GridState {
     this.cursor = { row: Math.max(0, model.rows - 1), column: model.columns.length - 1 };
   }
 
-  /** Begins to type: on what stands there, or anew with a first letter. */
+  /** Begins to type, in the existing text or in a new one with a first letter. */
   begin(letter?: string): void {
     const { row, column } = this.cursor;
     const model = this.#model();
@@ -67,7 +67,7 @@ export class GridState {
     this.typing = letter ?? (row < model.rows ? model.written(row, column) : "");
   }
 
-  /** Writes what was typed, if it is another. */
+  /** Writes the typed text, if it changed. */
   commit(): void {
     const { typing, cursor } = this;
     if (typing === null) return;
@@ -87,7 +87,7 @@ export class GridState {
     if (cells.length > 0) model.write(cells);
   }
 
-  /** What is selected, as a spreadsheet takes it: in the units that are shown. */
+  /** The selection in the format of a spreadsheet, in the displayed units. */
   copied(): string {
     const { top, bottom, left, right } = this.range;
     const model = this.#model();
@@ -100,7 +100,7 @@ export class GridState {
     return textOf(rows);
   }
 
-  /** Writes rows of cells from the corner of what is selected; one cell fills all that is selected. */
+  /** Writes rows of cells from the corner of the selection; one cell fills the whole selection. */
   paste(text: string): void {
     const rows = rowsOf(text);
     const model = this.#model();
@@ -131,7 +131,7 @@ export class GridState {
     this.go(row, this.cursor.column);
   }
 
-  /** Removes the rows that are selected. */
+  /** Removes the selected rows. */
   removeRows(): void {
     const { top, bottom } = this.range;
     const model = this.#model();
@@ -150,7 +150,7 @@ export class GridState {
     this.go(to, column);
   }
 
-  /** Answers to a key; says whether it was one of the grid's. */
+  /** Handles a key; returns whether it is one of the grid. */
   key(event: KeyboardEvent): boolean {
     const command = event.ctrlKey || event.metaKey;
     const { shiftKey: extends_ } = event;

@@ -1,4 +1,4 @@
-// The text of the case in an editor. What undoes and redoes is the case's, for the form changes the text, too.
+// The text of the case in an editor. Undo and redo are those of the case, because the form also changes the text.
 
 import { defaultKeymap } from "@codemirror/commands";
 import { bracketMatching, HighlightStyle, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
@@ -17,7 +17,7 @@ import {
 import { tags } from "@lezer/highlight";
 import type { Diagnostic } from "../../api/client";
 
-/** Marks what the case has put into the text, which nobody has typed here. */
+/** Marks changes from the case, as opposed to typing. */
 const fromCase = Annotation.define<boolean>();
 
 const COLOURS = HighlightStyle.define([
@@ -59,10 +59,10 @@ export interface Hooks {
 export class TomlEditor {
   readonly #view: EditorView;
 
-  /** In a root of its own: the styles of the editor are made by it, which the page does not allow of its own. */
+  /** In a shadow root, because the editor generates its styles, which the policy of the page does not allow. */
   constructor(host: HTMLElement, text: string, hooks: Hooks) {
     const root = host.attachShadow({ mode: "open" });
-    const told = EditorView.updateListener.of((update) => {
+    const listener = EditorView.updateListener.of((update) => {
       const own = update.transactions.some((one) => one.annotation(fromCase));
       if (update.docChanged && !own) hooks.typed(update.state.doc.toString());
     });
@@ -80,13 +80,13 @@ export class TomlEditor {
       keymap.of([...defaultKeymap, ...searchKeymap]),
       EditorView.contentAttributes.of({ "aria-label": "The case file as TOML", tabindex: "0" }),
       LOOKS,
-      told,
+      listener,
     ];
     this.#view = new EditorView({ state: EditorState.create({ doc: text, extensions }), parent: root, root });
     this.#view.dom.style.height = "100%";
   }
 
-  /** Shows a text: only what differs is changed, so that cursor and view stay. */
+  /** Displays a text; only differences are changed, so that cursor and view are kept. */
   show(text: string): void {
     const before = this.#view.state.doc.toString();
     if (before === text) return;
@@ -99,7 +99,7 @@ export class TomlEditor {
     this.#view.dispatch({ changes: { from, to: before.length - same, insert }, annotations: fromCase.of(true) });
   }
 
-  /** Underlines what is to be said of the text. */
+  /** Underlines the diagnostics of the text. */
   mark(diagnostics: Diagnostic[]): void {
     const { length } = this.#view.state.doc;
     const marks = diagnostics.flatMap(({ start, end, file, level, message, label, help }): Mark[] => {
@@ -112,7 +112,7 @@ export class TomlEditor {
     this.#view.dispatch(setDiagnostics(this.#view.state, marks));
   }
 
-  /** Goes to a place and takes the focus. */
+  /** Selects a place and takes the focus. */
   go(start: number, end: number): void {
     const { length } = this.#view.state.doc;
     const [anchor, head] = [Math.min(start, length), Math.min(end, length)];

@@ -1,4 +1,4 @@
-// From lengths to a drawing, with one scale both ways.
+// Conversion of lengths to a drawing, with one scale in both directions.
 
 export interface Frame {
   x: (length_m: number) => number;
@@ -7,7 +7,7 @@ export interface Frame {
   scale: number;
 }
 
-/** The least and the largest of numbers. */
+/** The smallest and the largest number. */
 export function extent(numbers: number[]): [number, number] {
   let [least, most] = [Infinity, -Infinity];
   for (const number of numbers) {
@@ -17,7 +17,7 @@ export function extent(numbers: number[]): [number, number] {
   return least <= most ? [least, most] : [0, 0];
 }
 
-/** Lengths to the right and down, drawn to one scale in the middle of a box. */
+/** Lengths to the right and down, to one scale, centred in a box. */
 export function fitted(xs: number[], ys: number[], width: number, height: number, margin: number): Frame {
   const [left, right] = extent(xs);
   const [top, bottom] = extent(ys);
@@ -30,7 +30,7 @@ export function fitted(xs: number[], ys: number[], width: number, height: number
   };
 }
 
-/** A round length, in a unit of so many metres, that takes at most so many pixels. */
+/** A round length, in a unit given in metres, that takes at most a number of pixels. */
 export function roundLength(scale: number, most: number, factor: number): number {
   const largest = most / scale / factor;
   const power = 10 ** Math.floor(Math.log10(largest));

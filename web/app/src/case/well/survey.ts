@@ -1,4 +1,4 @@
-// Stations as a case has them, and the changes that put them there.
+// Stations in the form of a case, and the changes that write them.
 
 import type { Change, Start, Stations, Table, Value } from "../../api/cases";
 import type { Scalar } from "../kinds";
@@ -16,13 +16,13 @@ export function stationRows(stations: Stations, cells: Scalar[]): Value[] {
   ]);
 }
 
-/** The changes that put a survey into the case, in the place of the one that it has or of the file that it names. */
+/** The changes that write a survey into the case, in place of the present one or of the file. */
 export function intoCase(values: Table, rows: Value[], tieIn: Start | null): Change[] {
   const well = asTable(values.well);
   const changes: Change[] = [];
   for (const key of ["survey", "survey_unit"]) if (Object.hasOwn(well, key)) changes.push({ remove: `well.${key}` });
   changes.push({ set: "well.stations", to: rows });
-  // What the file said of its first station is said by the case then; what the case says holds.
+  // The position of the first station from the file is written into the case, unless the case has one.
   if (tieIn && !Object.hasOwn(well, "tie_in")) {
     const start = { north: `${tieIn.north_m} m`, east: `${tieIn.east_m} m`, tvd: `${tieIn.tvd_m} m` };
     changes.push({ set: "well.tie_in", to: start });
