@@ -101,7 +101,7 @@ struct SweepData<'a> {
 #[derive(Serialize)]
 struct Spot<'a> {
     checks: [usize; 2],
-    check: &'a str,
+    check: &'a [String; 3],
     page: Option<&'a str>,
 }
 

@@ -84,7 +84,16 @@ fn sentences_of_shipped_cases_in_all_units() {
 #[test]
 fn a_run_is_told_in_the_reader_s_units() {
     let desk = Desk::new();
-    let more = ["--set", "model=\"soft\"", "--set", "operation.wob=300 kN", "-o", "out"];
+    let more = [
+        "--set",
+        "model=\"soft\"",
+        "--set",
+        "operation.kind=[\"slide\", \"drill\"]",
+        "--set",
+        "operation.wob=300 kN",
+        "-o",
+        "out",
+    ];
     let output = desk.done(&[&["run", "slant.toml", "--units", "field"][..], &more].concat());
     let screen = String::from_utf8(output.stdout).unwrap();
     let (_, checks) = screen.split_once("error: ").expect("an error");
@@ -101,10 +110,10 @@ fn a_run_is_told_in_the_reader_s_units() {
     has_none_of(&field, &SI);
     assert!(with_unit(&si, "kN").is_some() && with_unit(&field, "klbf").is_some(), "{si}");
     assert!(with_unit(&metric, "t").is_some(), "{metric}");
-    // The file has the units of the case.
+    // The file has the units of the command.
     let summary = serde_json::from_str(&desk.text("out/summary.json")).unwrap();
     for NamedCheck { check, .. } in checks_of(&summary) {
-        has_none_of(&check.sentence, &FIELD);
+        assert_eq!(check.sentence, check.sentence_in(UnitSet::Field));
     }
 }
 
@@ -115,7 +124,7 @@ fn a_plan_is_told_in_the_reader_s_units() {
     let desk = Desk::new();
     let more = [
         "--set",
-        "plan.depths=[\"1000 ft\", \"3900 ft\"]",
+        "plan.bit_depths=[\"1000 ft\", \"1900 ft\"]",
         "--set",
         "operation.wob=300 kN",
         "--set",
@@ -126,11 +135,11 @@ fn a_plan_is_told_in_the_reader_s_units() {
     let output = desk.done(&[&["plan", "slant.toml", "--units", "field"][..], &more].concat());
     let screen = String::from_utf8(output.stdout).unwrap();
     has_none_of(&screen, &SI);
-    assert!(screen.contains("bit at 3900 ft"), "{screen}");
+    assert!(screen.contains("bit at 1900 ft"), "{screen}");
     let page = desk.text("out/report.html");
     has_none_of(&shown(&page, "field"), &SI);
     has_none_of(&shown(&page, "si"), &FIELD);
-    assert!(shown(&page, "field").contains("from 1000 ft; to 3900 ft"));
+    assert!(shown(&page, "field").contains("from 1000 ft; to 1900 ft"));
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let errors = summary.checks.iter().filter(|row| {
         row.check.kind == CheckKind::LockUp || row.check.kind == CheckKind::WeightNotAvailable
