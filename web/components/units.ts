@@ -22,16 +22,8 @@ export function useDimensions(table: Dimensions, set: () => UnitSet): void {
   chosen = set;
 }
 
-/** Runs a function with another set of units than that of the reader. */
-export function inUnits<T>(set: UnitSet, write: () => T): T {
-  const readers = chosen;
-  chosen = () => set;
-  try {
-    return write();
-  } finally {
-    chosen = readers;
-  }
-}
+/** The one of the reader's units among those that are given for each set. */
+export const ofReader = <T>(sets: readonly T[]): T | undefined => sets[UNIT_SETS.indexOf(chosen())];
 
 function unit(dimension: string): DisplayUnit {
   return dimensions[dimension]?.[UNIT_SETS.indexOf(chosen())] ?? { symbol: "", factor: 1 };

@@ -1,6 +1,7 @@
 //! Checks under the table of a run.
 
 use wholestring_results::{Check, OperationSummary, Severity, Summary, Unchecked};
+use wholestring_units::UnitSet;
 
 /// Indent of lines after the first, characters.
 const INDENT: usize = 4;
@@ -13,8 +14,12 @@ const NARROWEST: usize = 40;
 
 /// The checks of all operations that need attention, the most severe first, in lines of at most
 /// `width` characters; then the checks that could not be evaluated. A finding shared by two models
-/// is one line.
-pub(crate) fn lines(summary: &Summary, width: Option<usize>, color: bool) -> String {
+/// is one line. Sentences are in these units.
+pub(crate) fn lines(
+    summary: &Summary,
+    units: UnitSet,
+    (width, color): (Option<usize>, bool),
+) -> String {
     let mut groups: Vec<(&OperationSummary, Vec<&str>, &Check)> = Vec::new();
     for solved in &summary.operations {
         for check in solved.open_checks() {
@@ -34,7 +39,7 @@ pub(crate) fn lines(summary: &Summary, width: Option<usize>, color: bool) -> Str
     let mut text = String::new();
     for (solved, models, check) in groups {
         let name = format!("{} ({})", solved.operation.replace('_', " "), models.join(", "));
-        text += &line(&name, check, width, color);
+        text += &line(&name, check, units, (width, color));
     }
     let unchecked = summary.operations.iter().flat_map(|solved| &solved.unchecked);
     for phrase in Unchecked::phrases(unchecked) {
@@ -58,9 +63,14 @@ fn is_alike(one: &Check, other: &Check) -> bool {
 }
 
 /// `error: trip in (soft): ...`
-pub(crate) fn line(name: &str, check: &Check, width: Option<usize>, color: bool) -> String {
+pub(crate) fn line(
+    name: &str,
+    check: &Check,
+    units: UnitSet,
+    (width, color): (Option<usize>, bool),
+) -> String {
     let severity = check.severity.name();
-    let line = wrapped(&format!("{severity}: {name}: {}", check.sentence), width);
+    let line = wrapped(&format!("{severity}: {name}: {}", check.sentence_in(units)), width);
     let painted = painted(check.severity);
     match color {
         true => format!("{painted}{}\n", &line[severity.len()..]),

@@ -4,7 +4,9 @@ use std::cmp::Ordering;
 
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{CheckKind, strength::SurfaceStress};
+use wholestring_units::UnitSet;
+
+use crate::{CheckKind, Wording, strength::SurfaceStress};
 
 /// Severity of a check. Worse ones are greater.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -120,6 +122,11 @@ pub struct Check {
     pub unit: String,
     /// The check as a sentence in the user's units.
     pub sentence: String,
+    /// The sentence with its quantities, from which it is rendered in other units; empty in files
+    /// of earlier versions and where no
+    /// quantity is in it.
+    #[serde(rename = "parts")]
+    pub wording: Wording,
     /// The point of the body and its stresses, for a von Mises stress; not written.
     #[serde(skip)]
     pub stress: Option<SurfaceStress>,
@@ -152,6 +159,8 @@ struct Stored {
     unit: String,
     #[serde(default, alias = "message")]
     sentence: String,
+    #[serde(default, rename = "parts")]
+    wording: Wording,
 }
 
 /// A check as stored in a checkpoint: the fields of [`Check`] in their order, without names.
@@ -169,6 +178,7 @@ struct Packed {
     required: Option<f64>,
     unit: String,
     sentence: String,
+    wording: Wording,
 }
 
 impl<'de> Deserialize<'de> for Check {
@@ -190,6 +200,7 @@ impl<'de> Deserialize<'de> for Check {
             required: packed.required,
             unit: packed.unit,
             sentence: packed.sentence,
+            wording: packed.wording,
             stress: None,
         })
     }
@@ -216,6 +227,7 @@ impl From<Stored> for Check {
             required: stored.required,
             unit: stored.unit,
             sentence: stored.sentence,
+            wording: stored.wording,
             stress: None,
         }
     }
@@ -237,6 +249,7 @@ impl Check {
             required: None,
             unit: kind.unit().to_owned(),
             sentence: String::new(),
+            wording: Wording::default(),
             stress: None,
         }
     }
@@ -269,14 +282,38 @@ impl Check {
         })
     }
 
-    /// A state that is reported on reading or fitting, with its sentence.
+    /// A state that is reported on reading or fitting, with its sentence, in which quantities are
+    /// marked ([`Quantity`](crate::Quantity)); it is in SI units until [`Self::in_units`].
     pub fn of_readings(
         kind: CheckKind,
         severity: Severity,
         [value, limit]: [Option<f64>; 2],
         sentence: String,
     ) -> Self {
-        Self { value, limit, sentence, ..Self::reported(kind, severity) }
+        Self { value, limit, ..Self::reported(kind, severity) }.worded(sentence)
+    }
+
+    /// The same with a sentence in which quantities are marked.
+    pub(crate) fn worded(self, sentence: String) -> Self {
+        let wording = Wording::from(sentence);
+        match wording.is_plain() {
+            true => Self { sentence: wording.to_string(), wording: Wording::default(), ..self },
+            false => Self { sentence: wording.in_units(UnitSet::Si), wording, ..self },
+        }
+    }
+
+    /// The sentence in these units; that of the file for a check of an earlier version.
+    pub fn sentence_in(&self, units: UnitSet) -> String {
+        match self.wording.is_empty() {
+            true => self.sentence.clone(),
+            false => self.wording.in_units(units),
+        }
+    }
+
+    /// The same with its sentence in these units.
+    #[must_use]
+    pub fn in_units(self, units: UnitSet) -> Self {
+        Self { sentence: self.sentence_in(units), ..self }
     }
 
     /// The same with its number.

@@ -1,20 +1,22 @@
 //! The sentence on means that drift over the window.
 
-use wholestring::{dynamics::Statistic, outcome::scalars_by_row};
+use wholestring::{
+    dynamics::Statistic,
+    outcome::{QuantityKind, scalars_by_row},
+};
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::quantities::{deviation, shown, symbol};
+use crate::{
+    Quantity, Rounding,
+    quantities::{deviation, dimension, shown, symbol},
+};
 
 /// Travel of the bit in the window, m, from which it is named as a possible cause of a changing
 /// mean.
 const TRAVELS_M: f64 = 1.0;
 
-/// Scalars that drift over the window, as a sentence; `None` where no scalar of the table does.
-pub fn sentence(
-    statistics: &[(&str, Statistic)],
-    bit_travel_m: f64,
-    units: UnitSet,
-) -> Option<String> {
+/// Scalars that drift over the window, as a sentence with marked quantities; `None` where no scalar of the table does.
+pub fn sentence(statistics: &[(&str, Statistic)], bit_travel_m: f64) -> Option<String> {
     let drifts: Vec<String> = scalars_by_row()
         .into_iter()
         .filter_map(|scalar| {
@@ -23,10 +25,9 @@ pub fn sentence(
             let (_, statistic) =
                 known.find(|(name, statistic)| *name == quantity.name && statistic.drifts)?;
             let verb = if statistic.drift < 0.0 { "falls" } else { "rises" };
-            let change = deviation(shown(quantity.kind, statistic.drift.abs(), units));
-            let symbol = symbol(quantity.kind, units);
+            let change = change(quantity.kind, statistic.drift.abs());
             let label = scalar.label.to_lowercase();
-            Some(format!("{label} {verb} by {change} {symbol}"))
+            Some(format!("{label} {verb} by {change}"))
         })
         .collect();
     let (first, rest) = drifts.split_first()?;
@@ -38,7 +39,7 @@ pub fn sentence(
     let why = match bit_travel_m.abs() >= TRAVELS_M {
         true => format!(
             "the string goes {} through the hole meanwhile, and a shorter window reduces this",
-            Dimension::Length.format((10.0 * bit_travel_m).round() / 10.0, units)
+            Quantity::new(Dimension::Length, bit_travel_m, Rounding::Tenth)
         ),
         false => "settle longer".to_owned(),
     };
@@ -49,9 +50,28 @@ pub fn sentence(
     Some(first.into_iter().flatten().chain(letters).collect())
 }
 
+/// A change of a scalar with its unit. Turns have the same unit in every set.
+fn change(kind: QuantityKind, change: f64) -> String {
+    match (kind, dimension(kind)) {
+        (QuantityKind::Angle, _) | (_, None) => {
+            format!("{} {}", deviation(shown(kind, change, UnitSet::Si)), symbol(kind, UnitSet::Si))
+        }
+        (_, Some(dimension)) => Quantity::new(dimension, change, Rounding::Deviation).to_string(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{sentence as wording, *};
+    use crate::Wording;
+
+    fn sentence(
+        statistics: &[(&str, Statistic)],
+        bit_travel_m: f64,
+        units: UnitSet,
+    ) -> Option<String> {
+        Some(Wording::from(wording(statistics, bit_travel_m)?).in_units(units))
+    }
 
     fn statistic(std: f64, drift: f64, drifts: bool) -> Statistic {
         let json = serde_json::json!({

@@ -1,17 +1,17 @@
 //! Numbers of the hydraulics that are physically implausible.
 
 use wholestring::mud::Hydraulics;
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::Dimension;
 
-use crate::{Check, CheckKind, Severity};
+use crate::{Check, CheckKind, Quantity, Rounding, Severity};
 
 /// A check of the first number of the hydraulics that is outside the range of drilling muds.
-pub(crate) fn implausible(hydraulics: &Hydraulics, units: UnitSet) -> Option<Check> {
+pub(crate) fn implausible(hydraulics: &Hydraulics) -> Option<Check> {
     let (name, value) = hydraulics.implausible()?;
     let ranges = Hydraulics::PLAUSIBLE.iter();
     let [least, most] = ranges.clone().find(|range| range.0 == name)?.2;
     let (words, noun, dimension) = described(name);
-    let written = |si: f64| dimension.format(si, units);
+    let written = |si: f64| Quantity::new(dimension, si, Rounding::Five);
     let sentence = format!(
         "Implausible {noun}: the {words} is {}, outside {} to {}; check the diameters of string, \
          bit and hole, the flow rate and the mud",

@@ -18,7 +18,7 @@ use crate::{
     descent, hydraulics, lateral_force,
     loads::Loads,
     motion, numerics, overpull, rig,
-    sentence::{Text, Words},
+    sentence::{Words, depth, unsolved},
     side_force, steadiness,
     strengths::Strengths,
     weight_on_bit,
@@ -131,16 +131,16 @@ impl Judge {
             None => checks.lacks(kind, Some(name), Missing::YieldStrength),
         }
         checks.checks.extend(numerics::equilibrium(&assembly.convergence));
-        let words = Words::of_loads(&model.rig, self.units, f64::NAN);
-        with_sentences(checks, &words)
+        let words = Words::of_loads(&model.rig, f64::NAN);
+        self.with_sentences(checks, &words)
     }
 
     /// The checks of a string whose linear vibration about static equilibrium grows or decays.
     pub fn small_motions(&self, model: &Model, is_stable: bool) -> Checks {
         let check = || Check::reported(CheckKind::UnstableEquilibrium, Severity::Warning);
         let checks = (!is_stable).then(check).into_iter().collect();
-        let words = Words::of_loads(&model.rig, self.units, f64::NAN);
-        with_sentences(Checks { checks, unchecked: Vec::new() }, &words)
+        let words = Words::of_loads(&model.rig, f64::NAN);
+        self.with_sentences(Checks { checks, unchecked: Vec::new() }, &words)
     }
 
     /// The check of the depth that an operation reaches: the depth of the bit, m, at which a limit
@@ -153,37 +153,38 @@ impl Judge {
             Some((depth_m, _)) if depth_m <= from_m || depth_m < planned_m => Severity::Error,
             Some(_) => Severity::Note,
         };
-        let text = Text { units: self.units };
         let sentence = match stopped {
-            None => format!("{operation}: nothing stops it down to {}", text.depth(to_m)),
+            None => format!("{operation}: nothing stops it down to {}", depth(to_m)),
             Some((depth_m, limit)) if depth_m <= from_m => {
-                format!("{operation}: stopped at {} already: {limit}", text.depth(depth_m))
+                format!("{operation}: stopped at {} already: {limit}", depth(depth_m))
             }
             Some((depth_m, limit)) if depth_m < planned_m => {
-                let [depth, planned] = [depth_m, planned_m].map(|md_m| text.depth(md_m));
-                format!("{operation}: stopped at {depth}, short of the planned {planned}: {limit}")
+                let [at, planned] = [depth_m, planned_m].map(depth);
+                format!("{operation}: stopped at {at}, short of the planned {planned}: {limit}")
             }
             Some((depth_m, limit)) => {
-                format!(
-                    "{operation}: goes to {}, where it is stopped: {limit}",
-                    text.depth(depth_m)
-                )
+                format!("{operation}: goes to {}, where it is stopped: {limit}", depth(depth_m))
             }
         };
         let depth_m = stopped.map_or(to_m, |(depth_m, _)| depth_m);
-        Check { sentence, ..Check::reported(CheckKind::Reach, severity).value(depth_m).limit(to_m) }
+        let check = Check::reported(CheckKind::Reach, severity).value(depth_m).limit(to_m);
+        check.worded(sentence).in_units(self.units)
     }
 
     /// The reason why a model has no result, in a sentence.
     pub fn reason(&self, why: &NoAnswer) -> String {
-        crate::sentence::unsolved(why, &why.check(&self.limits), self.units)
+        self.no_answer(why).sentence
     }
 
     /// The verdict on an operation for which a model has no result.
     pub fn unsolved(&self, why: &NoAnswer) -> Checks {
+        Checks { checks: vec![self.no_answer(why)], unchecked: Vec::new() }
+    }
+
+    fn no_answer(&self, why: &NoAnswer) -> Check {
         let check = why.check(&self.limits);
-        let sentence = self.reason(why);
-        Checks { checks: vec![Check { sentence, ..check }], unchecked: Vec::new() }
+        let sentence = unsolved(why, &check);
+        check.worded(sentence).in_units(self.units)
     }
 
     /// The limits of any result, and whether the string goes down.
@@ -206,10 +207,10 @@ impl Judge {
         let surface_N = [loads.hook_load_N, loads.axial_friction_N];
         let helix = self.soft_has_helix_friction;
         let descent = Descent::at_rest(model, operation, surface_N, &loads.profile, helix);
-        let words = Words::of_loads(&model.rig, self.units, loads.hook_load_N);
+        let words = Words::of_loads(&model.rig, loads.hook_load_N);
         self.add_descent(model, operation, surface_N, descent.as_ref(), &words, &mut checks);
         self.add_limits(model, operation, &Loads::of_soft(model, operation, loads), &mut checks);
-        with_sentences(checks, &words)
+        self.with_sentences(checks, &words)
     }
 
     /// Whether and how the string goes down; `None` for one that does not slide down.
@@ -274,7 +275,8 @@ impl Judge {
     ) -> Option<Check> {
         let descent = descent?;
         let check = descent.lock_up(model, operation, &self.limits)?;
-        Some(Check { sentence: words.lock_up(descent, &check), ..check })
+        let sentence = words.lock_up(descent, &check);
+        Some(check.worded(sentence))
     }
 
     fn add_limits(
@@ -289,27 +291,31 @@ impl Judge {
         side_force::limits(model, loads, &self.limits, checks);
         overpull::limits(model, operation, &strengths, loads, &self.limits, checks);
         rig::limits(model, operation, loads, &self.limits, checks);
-        let implausible = |mud| hydraulics::implausible(mud, self.units);
-        checks.checks.extend(loads.hydraulics.as_ref().and_then(implausible));
+        checks.checks.extend(loads.hydraulics.as_ref().and_then(hydraulics::implausible));
         let line = buckling::Line::of(model, operation, loads.profile);
         checks.checks.extend(buckling::checks(&line, &self.limits));
     }
 
     fn words<'a>(&self, model: &'a Model, solution: &Solution<'a>) -> Words<'a> {
         let helix = self.has_helix_friction(solution.model);
-        Words::of_solution(&model.rig, self.units, solution, helix)
+        Words::of_solution(&model.rig, solution, helix)
     }
 
     fn worded(&self, checks: Checks, model: &Model, solution: &Solution<'_>) -> Checks {
-        with_sentences(checks, &self.words(model, solution))
+        self.with_sentences(checks, &self.words(model, solution))
     }
-}
 
-fn with_sentences(mut checks: Checks, words: &Words<'_>) -> Checks {
-    for check in &mut checks.checks {
-        if check.sentence.is_empty() {
-            check.sentence = words.sentence(check);
-        }
+    /// The same checks, all in words and in the user's units.
+    fn with_sentences(&self, mut checks: Checks, words: &Words<'_>) -> Checks {
+        let worded = |check: Check| match check.sentence.is_empty() {
+            true => {
+                let sentence = words.sentence(&check);
+                check.worded(sentence)
+            }
+            false => check,
+        };
+        let all = checks.checks.into_iter();
+        checks.checks = all.map(|check| worded(check).in_units(self.units)).collect();
+        checks.ordered()
     }
-    checks.ordered()
 }

@@ -45,6 +45,7 @@ mod unchecked;
 mod unsolved;
 mod weight_on_bit;
 mod window;
+mod wording;
 
 pub use bit_test::{TriedPoint, bit_test_checks};
 pub use check::{Check, Severity, Verdict};
@@ -62,3 +63,4 @@ pub use settings::LimitSettings;
 pub use surface::{SurfaceLimit, surface_limits};
 pub use unchecked::{Missing, Unchecked};
 pub use unsolved::NoAnswer;
+pub use wording::{Quantity, Rounding, Wording};

@@ -1,6 +1,7 @@
 //! Checks of readings at the surface, and of results derived from them.
 
 use serde::{Deserialize, Serialize};
+use wholestring_units::UnitSet;
 
 use crate::{Check, CheckKind, Severity};
 
@@ -15,7 +16,8 @@ pub struct ReadingCheck {
 }
 
 impl ReadingCheck {
-    /// A check with its sentence, without a full stop.
+    /// A check with its sentence, without a full stop, in which quantities are marked
+    /// ([`Quantity`](crate::Quantity)); it is in SI units until [`Self::in_units`].
     pub fn new(kind: CheckKind, severity: Severity, sentence: String) -> Self {
         let check = Check::of_readings(kind, severity, [None; 2], sentence);
         Self { lines: Vec::new(), check }
@@ -26,6 +28,12 @@ impl ReadingCheck {
     pub fn numbers(mut self, [value, limit]: [Option<f64>; 2]) -> Self {
         (self.check.value, self.check.limit) = (value, limit);
         self
+    }
+
+    /// The same with its sentence in these units.
+    #[must_use]
+    pub fn in_units(self, units: UnitSet) -> Self {
+        Self { check: self.check.in_units(units), ..self }
     }
 
     /// The same of readings on these lines of their file.

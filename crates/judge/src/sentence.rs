@@ -13,15 +13,14 @@ use wholestring::{
     rod::buckled_element::BuckledElement,
     statics::stiff::StiffError,
 };
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::UnitSet;
 
-use crate::{Check, CheckKind, NoAnswer};
+use crate::{Check, CheckKind, NoAnswer, Wording};
 
-pub(crate) use self::text::Text;
+pub(crate) use self::text::depth;
 
 /// Data that sentences need in addition to a check.
 pub(crate) struct Words<'a> {
-    text: Text,
     rig: &'a Rig,
     model: ModelKind,
     /// Whether the result's forces include the friction of a helix.
@@ -42,12 +41,10 @@ impl<'a> Words<'a> {
     /// The words for a result.
     pub(crate) fn of_solution(
         rig: &'a Rig,
-        units: UnitSet,
         solution: &Solution<'a>,
         has_helix_friction: bool,
     ) -> Self {
         Self {
-            text: Text { units },
             rig,
             model: solution.model,
             has_helix_friction,
@@ -65,9 +62,8 @@ impl<'a> Words<'a> {
     }
 
     /// The words for a soft string of which only the loads are known.
-    pub(crate) fn of_loads(rig: &'a Rig, units: UnitSet, hook_load_N: f64) -> Self {
+    pub(crate) fn of_loads(rig: &'a Rig, hook_load_N: f64) -> Self {
         Self {
-            text: Text { units },
             rig,
             model: ModelKind::Soft,
             has_helix_friction: false,
@@ -81,7 +77,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// A sentence that begins with a capital and ends without a full stop.
+    /// A sentence with marked quantities that begins with a capital and ends without a full stop.
     pub(crate) fn sentence(&self, check: &Check) -> String {
         match check.kind {
             CheckKind::HelicalBuckling | CheckKind::SinusoidalBuckling => self.buckling(check),
@@ -94,27 +90,12 @@ impl<'a> Words<'a> {
 
 /// `2.4 m`: a length of elements that do not buckle where one has, rounded down to two digits.
 pub fn shorter_element(element: &BuckledElement, units: UnitSet) -> String {
-    let unit = Dimension::Length.unit_in(units);
-    let length = unit.from_si(element.sufficient_length_m());
-    let scale = libm::pow(10.0_f64, 1.0 - libm::log10(length).floor());
-    format!("{} {}", (length * scale).floor() / scale, unit.symbol)
-}
-
-impl Check {
-    /// A limit as a sentence in other units; the check's own sentence where it is not a limit with
-    /// numbers.
-    pub fn sentence_in(&self, units: UnitSet) -> String {
-        if self.value.is_none() || self.limit.is_none() || self.factor.is_none() {
-            return self.sentence.clone();
-        }
-        Text { units }.limit(self)
-    }
+    Wording::from(text::element_length(element.sufficient_length_m()).to_string()).in_units(units)
 }
 
 /// The sentence on an operation without a result.
-pub(crate) fn unsolved(why: &NoAnswer, check: &Check, units: UnitSet) -> String {
-    let text = Text { units };
-    let place = text.place(check);
+pub(crate) fn unsolved(why: &NoAnswer, check: &Check) -> String {
+    let place = text::place(check);
     match why {
         NoAnswer::Assembly(error) => format!("The string does not fit: {error}"),
         NoAnswer::Stiff(StiffError::Rolls { .. }) => format!(
@@ -124,18 +105,18 @@ pub(crate) fn unsolved(why: &NoAnswer, check: &Check, units: UnitSet) -> String 
         NoAnswer::Stiff(StiffError::ElementBuckles { compression_N, length_m, .. }) => format!(
             "An element of {} buckles between its nodes{place} under a compression of {}: shorter \
              elements are needed",
-            text.length(*length_m),
-            text.force(*compression_N)
+            text::length(*length_m),
+            text::force(*compression_N)
         ),
         NoAnswer::Stiff(StiffError::ThroughWall { penetration_m, clearance_m, .. }) => format!(
             "The string is pressed {} into the wall{place}, farther than its mean clearance of {}: give \
              a larger `contact_stiffness`, or the contact law \"hertz\"",
-            text.across(*penetration_m),
-            text.across(*clearance_m)
+            text::across(*penetration_m),
+            text::across(*clearance_m)
         ),
         NoAnswer::Stiff(StiffError::NotConverged { residual_N, iterations, .. }) => format!(
             "Did not converge: forces are out of balance by {}{place} after {iterations} iterations",
-            text.force(*residual_N)
+            text::force(*residual_N)
         ),
         _ if check.kind == CheckKind::LockUp => format!(
             "Locks up{place}: the wall force of the buckled string grows faster than any push, and \

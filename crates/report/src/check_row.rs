@@ -30,6 +30,6 @@ pub struct CheckRow {
     pub factor: Option<f64>,
     /// The required factor; `None` for a check that is not a limit.
     pub required: Option<f64>,
-    /// A sentence for users, with numbers in the units of the case.
-    pub sentence: String,
+    /// A sentence for users, in SI, metric and field units.
+    pub sentences: [String; 3],
 }

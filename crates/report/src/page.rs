@@ -101,7 +101,7 @@ struct SweepData<'a> {
 #[derive(Serialize)]
 struct Spot<'a> {
     checks: [usize; 2],
-    check: &'a str,
+    check: &'a [String; 3],
     page: Option<&'a str>,
 }
 
@@ -321,7 +321,6 @@ pub(crate) mod tests {
             program: "wholestring".into(),
             title: NASTY.into(),
             units: "si".into(),
-            message_units: "si".into(),
             dimensions: BTreeMap::from([("force".into(), ["kN", "t", "klbf"].map(unit))]),
             facts: vec![
                 fact(Cell::Text(NASTY.into())),
@@ -333,7 +332,7 @@ pub(crate) mod tests {
             solved: vec![Solved {
                 model: "soft".into(),
                 operation: "drill".into(),
-                message: Some(NASTY.into()),
+                message: Some([NASTY; 3].map(Into::into)),
                 checks: vec![CheckRow {
                     kind: NASTY.into(),
                     label: NASTY.into(),
@@ -346,7 +345,7 @@ pub(crate) mod tests {
                     to_md_m: None,
                     value: Cell::quantity(1.0, "force"),
                     limit: Cell::Nothing,
-                    sentence: NASTY.into(),
+                    sentences: [NASTY; 3].map(Into::into),
                 }],
                 unchecked: vec![NASTY.into()],
                 key_results: vec![KeyResult {

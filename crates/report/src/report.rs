@@ -18,9 +18,6 @@ pub struct Report {
     pub title: String,
     /// Units that the page opens with: `si`, `metric` or `field`.
     pub units: String,
-    /// Units in the sentences of checks: those of the case.
-    #[serde(default)]
-    pub message_units: String,
     /// By dimension: its unit in SI, metric and field units.
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
     /// The case in a few facts: operations, depth, models.
@@ -79,8 +76,8 @@ pub struct Solved {
     pub model: String,
     /// `trip_out`, `drill`, ...
     pub operation: String,
-    /// Reason why it ended early; `None` where it did not.
-    pub message: Option<String>,
+    /// Reason why it ended early, in SI, metric and field units; `None` where it did not.
+    pub message: Option<[String; 3]>,
     /// The checks of the answer, the most severe first.
     #[serde(default)]
     pub checks: Vec<CheckRow>,

@@ -7,7 +7,7 @@ use serde_json::Value;
 use wholestring_judge::ReadingCheck;
 
 use crate::{
-    CALIBRATION_DYNAMIC, ResultsError, Table,
+    CALIBRATION_DYNAMIC, ResultsError, Table, Texts,
     json::{read_versioned, write_json},
 };
 
@@ -79,6 +79,9 @@ pub struct CalibrationSummary {
     /// were requested.
     #[serde(default)]
     pub dynamics: Vec<DynamicCheck>,
+    /// Quantities of its texts, from which they are rendered in other units.
+    #[serde(default, skip_serializing_if = "Texts::is_empty")]
+    pub texts: Texts,
 }
 
 /// The fit of all readings, to compare with that without outliers.

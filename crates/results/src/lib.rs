@@ -39,6 +39,7 @@ mod stability;
 mod stability_table;
 mod summary;
 mod table;
+mod texts;
 mod thrift;
 mod uncertain;
 
@@ -86,5 +87,6 @@ pub use summary::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,
 };
 pub use table::{Column, Data, Table};
+pub use texts::Texts;
 pub use uncertain::{UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary};
 pub use wholestring::dynamics::Statistic;

@@ -7,7 +7,7 @@ use serde_json::Value;
 use wholestring_judge::Check;
 
 use crate::{
-    ResultsError, StabilitySummary, Table,
+    ResultsError, StabilitySummary, Table, Texts,
     json::{read_versioned, write_json},
 };
 
@@ -49,6 +49,9 @@ pub struct ModesSummary {
     /// Parts that were not computed because the work was interrupted.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub missing: Vec<String>,
+    /// Quantities of its texts, from which they are rendered in other units.
+    #[serde(default, skip_serializing_if = "Texts::is_empty")]
+    pub texts: Texts,
 }
 
 /// A place in the string.

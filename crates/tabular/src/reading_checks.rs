@@ -4,7 +4,7 @@
 //! with a string in the hole is above zero, and so is the torque of a turning string. These checks
 //! require only the readings; those that require the string are made where it is known.
 
-use wholestring_judge::{CheckKind, ReadingCheck, Severity};
+use wholestring_judge::{CheckKind, Quantity, ReadingCheck, Rounding, Severity};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
@@ -161,7 +161,7 @@ fn negatives(
     if negative.is_empty() {
         return None;
     }
-    let formatted = |value: &f64| channel.dimension.format(*value, units);
+    let formatted = |value: &f64| Quantity::new(channel.dimension, *value, Rounding::Five);
     let least = negative.iter().copied().fold(f64::INFINITY, f64::min);
     let all = negative.len() == count;
     let is_negative =
@@ -200,7 +200,8 @@ fn negatives(
             sentence,
         )
         .numbers([Some(least), Some(0.0)])
-        .on(places),
+        .on(places)
+        .in_units(units),
     )
 }
 
@@ -234,8 +235,8 @@ fn order(readings: &[ImportedReading], units: UnitSet) -> Vec<ReadingCheck> {
             both.len(),
             row_names(&places),
             worst.0.place,
-            Dimension::Force.format(worst.1, units),
-            Dimension::Force.format(worst.2, units),
+            Quantity::new(Dimension::Force, worst.1, Rounding::Five),
+            Quantity::new(Dimension::Force, worst.2, Rounding::Five),
         );
         sentence += match (most, is_error, worst.2 / worst.1 > OTHER_UNIT) {
             (true, true, true) => ": is one of the columns in another unit?",
@@ -256,7 +257,8 @@ fn order(readings: &[ImportedReading], units: UnitSet) -> Vec<ReadingCheck> {
                 sentence,
             )
             .numbers([Some(worst.1), Some(worst.2)])
-            .on(places),
+            .on(places)
+            .in_units(units),
         );
     }
     // Columns that are swapped contradict all others.

@@ -74,12 +74,13 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
             length.from_si(row.bit_depth_m),
             length.symbol
         );
-        text += &checks::line(&name, &row.check, None, false);
+        text += &checks::line(&name, &row.check, units, (None, false));
     }
     for phrase in &summary.unchecked {
-        text += &format!("not checked: {phrase}\n");
+        text += &format!("not checked: {}\n", summary.texts.in_units(phrase, units));
     }
     for phrase in &summary.not_counted {
+        let phrase = summary.texts.in_units(phrase, units);
         text += &format!("not counted in fatigue and casing wear: {phrase}\n");
     }
     for model in summary.models.iter().filter(|_| !summary.measured.is_empty()) {

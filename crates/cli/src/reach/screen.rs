@@ -39,7 +39,7 @@ pub(super) fn text(summary: &ReachSummary, units: UnitSet) -> String {
         text += &table.text();
         text.push('\n');
         for check in summary.checks.iter().filter(|check| check.friction == friction.friction) {
-            text += &format!("{}.\n", check.check.sentence);
+            text += &format!("{}.\n", check.check.sentence_in(units));
         }
         text.push('\n');
     }

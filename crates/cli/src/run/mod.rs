@@ -56,7 +56,7 @@ fn show(case: &Case, outcome: &Outcome, units: UnitSet) -> Result<(), Failure> {
     let title = format!("{}: {}", case.name, subtitle(case, summary, units));
     let table = comparison::table(summary, units, width);
     let notes = comparison::notes(summary, units);
-    let checks = checks::lines(summary, width, screen_color());
+    let checks = checks::lines(summary, units, (width, screen_color()));
     let place = outcome.folder.display();
     print_stdout(&format!(
         "{title}

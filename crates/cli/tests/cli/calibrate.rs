@@ -16,7 +16,7 @@ use crate::desk::{Desk, transcript};
 const BLOCK_N: f64 = 200e3;
 
 /// A desk with the shipped slant well.
-fn desk() -> Desk {
+pub(crate) fn desk() -> Desk {
     let desk = Desk::new();
     let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
     fs::copy(shipped, desk.path("well.toml")).unwrap();
@@ -33,7 +33,7 @@ fn refused(desk: &Desk, arguments: &[&str]) -> String {
 
 /// Readings of the slant well with the friction of its case, 0.2 and 0.3, a block of 200 kN and a
 /// bit torque of 2.5 kN·m.
-fn readings(desk: &Desk) -> String {
+pub(crate) fn readings(desk: &Desk) -> String {
     let case = wholestring_case::load(&desk.path("well.toml"), &[]).unwrap();
     let setup = case.setup();
     let mut text = "Bit depth (m),Pick-up (kN),Slack-off (kN),Rotating (kN),Torque (kN.m),\

@@ -33,3 +33,4 @@ mod shipped_commands;
 mod study;
 mod survey;
 mod sweep;
+mod units;

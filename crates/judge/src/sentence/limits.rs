@@ -1,28 +1,26 @@
 //! Sentences on limits.
 
-use super::{Text, Words, text};
+use super::{Words, text};
 use crate::{Check, CheckKind, Descent, Severity, Verdict};
 
-impl Text {
-    /// `Tension of 5 in drill pipe at 0 m: load 711.2 kN, capacity 466.1 kN, factor 0.66, required
-    /// 1.11: exceeded`.
-    pub(super) fn limit(&self, check: &Check) -> String {
-        let load = self.of_kind(check.kind.quantity(), check.value.unwrap_or(f64::NAN));
-        self.limit_of_load(check, &format!("{} {load}", load_word(check.kind)))
-    }
+/// `Tension of 5 in drill pipe at 0 m: load 711.2 kN, capacity 466.1 kN, factor 0.66, required
+/// 1.11: exceeded`.
+fn limit(check: &Check) -> String {
+    let load = text::of_kind(check.kind.quantity(), check.value.unwrap_or(f64::NAN));
+    limit_of_load(check, &format!("{} {load}", load_word(check.kind)))
+}
 
-    fn limit_of_load(&self, check: &Check, load: &str) -> String {
-        let component = check.component.as_ref();
-        let component = component.map_or_else(String::new, |name| format!(" of {name}"));
-        let capacity = self.of_kind(check.kind.quantity(), check.limit.unwrap_or(f64::NAN));
-        format!(
-            "{}{component}{}: {load}, {} {capacity}, {}",
-            check.kind.label(),
-            self.place(check),
-            capacity_word(check.kind),
-            verdict(check)
-        )
-    }
+fn limit_of_load(check: &Check, load: &str) -> String {
+    let component = check.component.as_ref();
+    let component = component.map_or_else(String::new, |name| format!(" of {name}"));
+    let capacity = text::of_kind(check.kind.quantity(), check.limit.unwrap_or(f64::NAN));
+    format!(
+        "{}{component}{}: {load}, {} {capacity}, {}",
+        check.kind.label(),
+        text::place(check),
+        capacity_word(check.kind),
+        verdict(check)
+    )
 }
 
 const fn load_word(kind: CheckKind) -> &'static str {
@@ -64,19 +62,19 @@ impl Words<'_> {
     /// A limit; for the hoist with the parts of its load.
     pub(super) fn limit(&self, check: &Check) -> String {
         if check.kind != CheckKind::Hoist {
-            return self.text.limit(check);
+            return limit(check);
         }
         let value_N = check.value.unwrap_or(f64::NAN);
-        let load = self.text.force(value_N);
+        let load = text::force(value_N);
         let load = match self.rig.block_weight_N {
             Some(block_N) => format!(
                 "load {load} (hook load {} and block {})",
-                self.text.force(value_N - block_N),
-                self.text.force(block_N)
+                text::force(value_N - block_N),
+                text::force(block_N)
             ),
             None => format!("load {load}, the block not counted"),
         };
-        self.text.limit_of_load(check, &load)
+        limit_of_load(check, &load)
     }
 
     pub(super) fn beyond_collapse(&self, check: &Check) -> String {
@@ -84,19 +82,19 @@ impl Words<'_> {
         format!(
             "Collapse of {component}{}: not computed, for the tension there leaves less yield \
              strength than the formulas of API TR 5C3 are made for; pressure outside over inside {}",
-            self.text.place(check),
-            self.text.of_kind(check.kind.quantity(), check.value.unwrap_or(f64::NAN)),
+            text::place(check),
+            text::of_kind(check.kind.quantity(), check.value.unwrap_or(f64::NAN)),
         )
     }
 
     pub(super) fn buckling(&self, check: &Check) -> String {
         let helix = check.kind == CheckKind::HelicalBuckling;
         let (compression, critical) = (
-            self.text.force(check.value.unwrap_or(f64::NAN)),
-            self.text.force(check.limit.unwrap_or(f64::NAN)),
+            text::force(check.value.unwrap_or(f64::NAN)),
+            text::force(check.limit.unwrap_or(f64::NAN)),
         );
         if check.verdict != Verdict::Exceeded {
-            return self.text.limit(check);
+            return limit(check);
         }
         let shape = if helix { "a helix" } else { "a sinusoid" };
         let drag = match helix && !self.has_helix_friction {
@@ -108,14 +106,14 @@ impl Words<'_> {
         };
         format!(
             "Buckled to {shape}{}: compression {compression}, critical {critical}{drag}",
-            self.text.place(check)
+            text::place(check)
         )
     }
 
     /// The sentence on whether the requested weight reaches the bit.
     pub(crate) fn lock_up(&self, descent: &Descent, check: &Check) -> String {
         if !descent.locks_up {
-            return self.text.limit(check);
+            return limit(check);
         }
         let block = descent.block_N.is_some_and(|block_N| block_N > 0.0) && !descent.in_time;
         let pushed = match (block, descent.injector_N.is_some()) {
@@ -130,18 +128,18 @@ impl Words<'_> {
         let mut sentence = if requested_N > 0.0 && arrives_N >= 0.0 {
             format!(
                 "Lock-up: {pushed}, only {} of {} of the requested weight reaches the bit",
-                self.text.force(arrives_N),
-                self.text.force(requested_N)
+                text::force(arrives_N),
+                text::force(requested_N)
             )
         } else if requested_N > 0.0 {
             format!(
                 "Lock-up: {pushed}, the string stops; {} short of the requested weight on bit",
-                self.text.force(requested_N - arrives_N)
+                text::force(requested_N - arrives_N)
             )
         } else if arrives_N < 0.0 {
             format!(
                 "Lock-up: {pushed}, the string stops; {} more force is needed to move it",
-                self.text.force(-arrives_N)
+                text::force(-arrives_N)
             )
         } else {
             format!("Lock-up: {pushed}, the string stops and does not follow the block")
@@ -149,7 +147,7 @@ impl Words<'_> {
         if let Some(md_m) = descent.absorbed_above_md_m {
             sentence += &format!(
                 "; any further push from above {} is absorbed by the helix",
-                self.text.depth(md_m)
+                text::depth(md_m)
             );
         }
         sentence

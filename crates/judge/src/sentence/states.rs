@@ -5,44 +5,46 @@ use std::f64::consts::TAU;
 
 use wholestring::dynamics::{Indicators, TableUse, Whirl};
 
-use super::{Words, shorter_element, text::percent};
+use super::{
+    Words,
+    text::{self, percent},
+};
 use crate::{Check, CheckKind, Severity, drift};
 
 impl Words<'_> {
     pub(super) fn state(&self, check: &Check) -> String {
         let value = check.value.unwrap_or(f64::NAN);
         let limit = check.limit.unwrap_or(f64::NAN);
-        let text = &self.text;
-        let place = text.place(check);
+        let place = text::place(check);
         match check.kind {
             CheckKind::GoesDown => self.goes_down(check),
             CheckKind::WeightNotAvailable => format!(
                 "The string is too light for the requested weight on bit: {} requested, {} \
                  available without friction",
-                text.force(value),
-                text.force(limit)
+                text::force(value),
+                text::force(limit)
             ),
             CheckKind::WeightOnBitNotReached => format!(
                 "The weight on bit of {} is not reached: {} on average",
-                text.force(limit),
-                text.force(value)
+                text::force(limit),
+                text::force(value)
             ),
             CheckKind::WeightOnBitExceeded => format!(
                 "The weight on bit of {} is exceeded: {} on average",
-                text.force(limit),
-                text.force(value)
+                text::force(limit),
+                text::force(value)
             ),
             CheckKind::WeightOnBitUnsteady => format!(
                 "The weight on bit is not steady: it varies by ± {} (standard deviation) about {}",
-                text.force(value),
-                text.force(self.weight_on_bit_N),
+                text::force(value),
+                text::force(self.weight_on_bit_N),
             ),
             CheckKind::BitBounce => {
                 format!("The bit bounces: it is off the rock for {} of the time", percent(value))
             }
             CheckKind::TopDriveAtLimit => format!(
                 "The top drive works at its torque limit of {}{}",
-                text.torque(limit),
+                text::torque(limit),
                 match check.severity {
                     Severity::Error => " and does not hold its speed",
                     _ => "",
@@ -50,15 +52,15 @@ impl Words<'_> {
             ),
             CheckKind::TopDriveStalled => format!(
                 "The top drive stalls: its torque limit of {} does not turn the string",
-                text.torque(limit)
+                text::torque(limit)
             ),
             CheckKind::StickSlip => self.stick_slip(check),
             CheckKind::BackwardWhirl => self.whirl(check, "Backward", |found| found.backward_whirl),
             CheckKind::ForwardWhirl => self.whirl(check, "Forward", |found| found.forward_whirl),
             CheckKind::WallPenetration => format!(
                 "The string penetrates the wall by {}{place}; the wall law is valid up to {}",
-                text.across(value),
-                text.across(limit)
+                text::across(value),
+                text::across(limit)
             ),
             CheckKind::EnergyResidual => format!(
                 "The integration {} {} of the energy that went through it",
@@ -72,27 +74,28 @@ impl Words<'_> {
             CheckKind::NodeUnsettled => format!(
                 "The string never settled{place}: its tension varies there by ± {}, that of the \
                  neighbouring nodes by {} or less",
-                text.force(value),
-                text.force(limit / 10.0),
+                text::force(value),
+                text::force(limit / 10.0),
             ),
             CheckKind::ElementBuckles => format!(
                 "An element of the mesh buckles between its nodes{place}: compression {}, its own \
                  buckling load {}, and the string folds there as no pipe does. Shorter elements are \
                  needed{}",
-                text.force(value),
-                text.force(limit),
+                text::force(value),
+                text::force(limit),
                 self.sufficient_length(),
             ),
             CheckKind::BendingWavesLeftOut => format!(
                 "The friction torque varies by more than ± {}, and so does the side force: elements \
                  from joint to joint leave out how the shaken pipe vibrates between its contacts. \
-                 mesh.element_length = \"3.2 m\" has most of it",
-                text.torque(value)
+                 mesh.element_length = \"{}\" has most of it",
+                text::torque(value),
+                text::element_length(3.2),
             ),
             CheckKind::LateralForceLeftOut => format!(
                 "The soft string leaves out {} across its components: the stiff string and the \
                  dynamics have it",
-                text.force(value)
+                text::force(value)
             ),
             CheckKind::UnstableEquilibrium if check.md_m.is_some() => format!(
                 "The equilibrium found is not stable, and no stable one was found of the turning \
@@ -103,10 +106,8 @@ impl Words<'_> {
                  take another shape"
                     .to_owned()
             }
-            CheckKind::WindowDrifts => {
-                drift::sentence(self.statistics, self.bit_travel_m, text.units)
-                    .unwrap_or_else(|| "The means of the window drift: settle longer".to_owned())
-            }
+            CheckKind::WindowDrifts => drift::sentence(self.statistics, self.bit_travel_m)
+                .unwrap_or_else(|| "The means of the window drift: settle longer".to_owned()),
             CheckKind::NeverSteady => format!(
                 "Not steady after {value:.0} s of settling, the longest by default; inspect \
                  time.parquet before the means are used, or give a longer dynamics.settle",
@@ -119,14 +120,13 @@ impl Words<'_> {
     /// `, such as mesh.element_length = "2.4 m"`: elements with four times the buckling load.
     fn sufficient_length(&self) -> String {
         let Some(element) = self.buckled_element else { return String::new() };
-        let length = shorter_element(&element, self.text.units);
-        format!(", such as mesh.element_length = {length:?}")
+        let length = text::element_length(element.sufficient_length_m());
+        format!(", such as mesh.element_length = \"{length}\"")
     }
 
     fn goes_down(&self, check: &Check) -> String {
-        let text = &self.text;
         let value_N = check.value.unwrap_or(f64::NAN);
-        let hook_load = text.force(value_N);
+        let hook_load = text::force(value_N);
         let at_times = self.hook_load_N > value_N;
         if let Some(push_N) = self.rig.snubbing_force_N {
             return self.push(check, value_N, push_N);
@@ -145,17 +145,17 @@ impl Words<'_> {
             (Severity::Error, Some(block_N)) if value_N + block_N > 0.0 => format!(
                 "The string does not go down, for it buckles and drags: hook load {hook_load}, {} \
                  with the block",
-                text.force(value_N + block_N)
+                text::force(value_N + block_N)
             ),
             (Severity::Error, Some(block_N)) => format!(
                 "The string does not go down by its weight, nor with the block: hook load \
                  {hook_load}, {} with the block",
-                text.force(value_N + block_N)
+                text::force(value_N + block_N)
             ),
             (_, Some(block_N)) => format!(
                 "The string does not go down by its weight, the block pushes it: hook load \
                  {hook_load}, {} with the block",
-                text.force(value_N + block_N)
+                text::force(value_N + block_N)
             ),
             (_, None) => {
                 format!("The string does not go down by its weight: hook load {hook_load}")
@@ -165,8 +165,7 @@ impl Words<'_> {
 
     /// The sentence for a rig that pushes, with its largest force, N.
     fn push(&self, check: &Check, hook_load_N: f64, largest_N: f64) -> String {
-        let text = &self.text;
-        let (hook_load, largest) = (text.force(hook_load_N), text.force(largest_N));
+        let (hook_load, largest) = (text::force(hook_load_N), text::force(largest_N));
         let block_N = self.rig.block_weight_N.unwrap_or(0.0);
         if self.hook_load_N > hook_load_N {
             return format!(
@@ -187,7 +186,7 @@ impl Words<'_> {
             _ => format!(
                 "The rig pushes the string down with all of its {largest} and the block: hook load \
                  {hook_load}, {} with the block",
-                text.force(hook_load_N + block_N)
+                text::force(hook_load_N + block_N)
             ),
         }
     }
@@ -217,7 +216,7 @@ impl Words<'_> {
         direction: &str,
         chosen: fn(&Indicators) -> Option<Whirl>,
     ) -> String {
-        let place = self.text.place(check);
+        let place = text::place(check);
         let Some(whirl) = self.indicators.and_then(chosen) else {
             return format!("{direction} whirl{place}");
         };
@@ -231,9 +230,8 @@ impl Words<'_> {
     }
 
     fn bit_table(&self, table: &TableUse) -> String {
-        let forces = |[least, most]: [f64; 2]| {
-            format!("{} to {}", self.text.force(least), self.text.force(most))
-        };
+        let forces =
+            |[least, most]: [f64; 2]| format!("{} to {}", text::force(least), text::force(most));
         let speeds = |[slowest, fastest]: [f64; 2]| {
             let [slowest, fastest] = [slowest, fastest].map(|speed| speed * 60.0 / TAU);
             format!("{slowest:.0} to {fastest:.0} rev/min")
@@ -255,8 +253,8 @@ impl Words<'_> {
         format!(
             "Settling took so long that the bit is at {} on average over the window, {} {side} \
              than requested",
-            self.text.depth(mean_m),
-            self.text.depth(off_m.abs()),
+            text::depth(mean_m),
+            text::depth(off_m.abs()),
         )
     }
 }

@@ -5,9 +5,21 @@ use std::collections::BTreeSet;
 use super::*;
 use crate::{Descent, LimitSettings, Severity};
 
-fn words(model: ModelKind, rig: &Rig, units: UnitSet) -> Words<'_> {
-    Words {
-        text: Text { units },
+/// The words of a check in these units.
+struct InUnits<'a>(Words<'a>, UnitSet);
+
+impl InUnits<'_> {
+    fn sentence(&self, check: &Check) -> String {
+        Wording::from(self.0.sentence(check)).in_units(self.1)
+    }
+
+    fn lock_up(&self, descent: &Descent, check: &Check) -> String {
+        Wording::from(self.0.lock_up(descent, check)).in_units(self.1)
+    }
+}
+
+fn words(model: ModelKind, rig: &Rig, units: UnitSet) -> InUnits<'_> {
+    let words = Words {
         rig,
         model,
         has_helix_friction: true,
@@ -18,7 +30,8 @@ fn words(model: ModelKind, rig: &Rig, units: UnitSet) -> Words<'_> {
         statistics: &[],
         bit_travel_m: 0.0,
         buckled_element: None,
-    }
+    };
+    InUnits(words, units)
 }
 
 fn reported(kind: CheckKind, severity: Severity, value: f64, limit: f64) -> Check {

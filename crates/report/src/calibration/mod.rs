@@ -35,10 +35,13 @@ pub struct Calibration {
     pub outlier_beyond: f64,
     /// Some of the readings compared with the dynamic run; empty where that was not requested.
     pub dynamics: Vec<CalibrationCheck>,
-    /// Notes on the result, in sentences.
-    pub notes: Vec<String>,
-    /// Warnings, in sentences.
-    pub warnings: Vec<String>,
+    /// Number of readings within their band, and the width of the band, in SI, metric and field
+    /// units; empty in results of earlier versions.
+    pub band: [String; 3],
+    /// Notes on the result, in sentences, in the same units.
+    pub notes: [Vec<String>; 3],
+    /// Warnings, in sentences, in the same units.
+    pub warnings: [Vec<String>; 3],
 }
 
 /// The other result, with the outliers or without them.
@@ -138,6 +141,6 @@ pub struct CalibrationCheck {
     pub predicted: f64,
     /// Mean and standard deviation by the dynamics; none without an answer.
     pub dynamic: Option<[f64; 2]>,
-    /// Reason why there is none, or a note on it.
-    pub said: String,
+    /// Reason why there is none, or a note on it, in SI, metric and field units.
+    pub said: [String; 3],
 }

@@ -25,8 +25,11 @@ pub fn calibration_html(calibration: &Calibration) -> String {
 fn page(calibration: &Calibration, units: &str) -> StudyPage {
     let display = DisplayUnits::new(&calibration.head.dimensions, units);
     let facts = calibration.head.facts.iter().filter_map(|fact| display.fact(fact));
+    let band = Some(display.chosen(&calibration.band)).filter(|band| !band.is_empty());
+    let facts = facts.chain(band.map(|band| format!("band {band}")));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
-    description.extend(calibration.warnings.iter().map(|text| format!("\n\nWarning: {text}.")));
+    let warnings = display.chosen(&calibration.warnings).iter();
+    description.extend(warnings.map(|text| format!("\n\nWarning: {text}.")));
     let [interval, band] =
         calibration.confidence.map(|confidence| format!("{:.0} %", 100.0 * confidence));
     let captions = [
@@ -70,7 +73,7 @@ fn page(calibration: &Calibration, units: &str) -> StudyPage {
     parts.extend(dynamics(calibration, display));
     parts.push(correlations(calibration));
     parts.push(readings(calibration, display));
-    parts.extend(notes(calibration));
+    parts.extend(notes(calibration, display));
     StudyPage {
         program: calibration.head.program.clone(),
         title: calibration.head.title.clone(),
@@ -173,7 +176,7 @@ fn dynamics(calibration: &Calibration, display: DisplayUnits<'_>) -> Option<Stud
             quantity(check.predicted),
             mean,
             std,
-            check.said.clone(),
+            display.chosen(&check.said).clone(),
         ])
     });
     let grid = Grid { heads, rows: rows.collect() };
@@ -264,13 +267,13 @@ fn readings(calibration: &Calibration, display: DisplayUnits<'_>) -> StudyPart {
 }
 
 /// The settings of the readings, and the fixed parameters.
-fn notes(calibration: &Calibration) -> Option<StudyPart> {
-    let rows = calibration.notes.iter().map(|text| row(vec![text.replace('`', "")]));
+fn notes(calibration: &Calibration, display: DisplayUnits<'_>) -> Option<StudyPart> {
+    let notes = display.chosen(&calibration.notes).iter();
+    let rows = notes.map(|text| row(vec![text.replace('`', "")]));
     let grid = Grid { heads: heads(&[("note", true)]), rows: rows.collect() };
     (!grid.rows.is_empty()).then(|| StudyPart::Table {
         title: "Notes".into(),
-        caption: "Settings from the file of readings, and assumptions; in the units of the case."
-            .into(),
+        caption: "Settings from the file of readings, and assumptions.".into(),
         grid,
         files: "summary".into(),
         endings: &["json"],

@@ -20,8 +20,8 @@ pub struct Modes {
     pub rotary_rad_per_s: f64,
     /// Whether the static equilibrium is stable.
     pub stable: bool,
-    /// Parts that turn with the string and excite it, in words.
-    pub forcing: String,
+    /// Parts that turn with the string and excite it, in words, in SI, metric and field units.
+    pub forcing: [String; 3],
     /// Natural modes: lateral, axial, torsional.
     pub modes: Vec<ModeRow>,
     /// In order of increasing rotary speed.
@@ -32,8 +32,9 @@ pub struct Modes {
     pub branches: Vec<ModeBranch>,
     /// Response to the excitation.
     pub answer: AnswerCurve,
-    /// Results of the map of torsional stability, or the reason why there is none, in sentences.
-    pub stability: Vec<String>,
+    /// Results of the map of torsional stability, or the reason why there is none, in sentences,
+    /// in the same units.
+    pub stability: [Vec<String>; 3],
     /// The map.
     pub stability_map: Option<StabilityPicture>,
     /// Missing parts; `None` where nothing is missing.

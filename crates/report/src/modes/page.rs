@@ -35,7 +35,7 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
         description += &format!("\n\n{message}.");
     }
     if modes.stability_map.is_none() {
-        let reasons = modes.stability.iter();
+        let reasons = display.chosen(&modes.stability).iter();
         description.extend(reasons.map(|why| format!("\n\nNo map of torsional stability: {why}.")));
     }
     let mut parts = vec![modes_part(modes, display), critical_part(modes, display)];
@@ -83,8 +83,8 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
             continue;
         };
         let caption = match plot.name.as_str() {
-            "response" => format!("{caption} It is {}.", modes.forcing),
-            "stability" => format!("{caption} {}", modes.stability.join(" ")),
+            "response" => format!("{caption} It is {}.", display.chosen(&modes.forcing)),
+            "stability" => format!("{caption} {}", display.chosen(&modes.stability).join(" ")),
             _ => (*caption).to_owned(),
         };
         parts.push(StudyPart::Figure {

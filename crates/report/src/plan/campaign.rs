@@ -45,12 +45,14 @@ fn place(display: DisplayUnits<'_>, md_m: f64) -> Cell {
 }
 
 /// The parts of the campaign, counted and not counted.
-pub(super) fn parts(plan: &Plan) -> Option<StudyPart> {
+pub(super) fn parts(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let row = |word: &str, verdict: Verdict, text: &String| {
         vec![(word.to_owned(), verdict), plain(text.clone())]
     };
-    let counted = plan.counted.iter().map(|text| row("counted", Verdict::Agrees, text));
-    let not_counted = plan.not_counted.iter().map(|text| row("not counted", Verdict::Near, text));
+    let counted = display.chosen(&plan.counted).iter();
+    let counted = counted.map(|text| row("counted", Verdict::Agrees, text));
+    let not_counted = display.chosen(&plan.not_counted).iter();
+    let not_counted = not_counted.map(|text| row("not counted", Verdict::Near, text));
     let rows: Vec<_> = not_counted.chain(counted).collect();
     let caption = "The parts of the campaign whose fatigue and casing wear are summed, with the \
         expected friction, and the parts left out. Above the shallowest depth of the plan and \

@@ -10,10 +10,8 @@ fn printed(sentence: &str) -> String {
     sentence.replace("N.m", "N·m").replace("ft-lbf", "ft·lbf")
 }
 
-/// The checks that need attention, the most severe first. All numbers of a row are in the units of
-/// the case, as in its sentence.
-pub(super) fn verdicts(plan: &Plan) -> Option<StudyPart> {
-    let display = DisplayUnits::new(&plan.head.dimensions, &plan.head.units);
+/// The checks that need attention, the most severe first.
+pub(super) fn verdicts(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let heads = ["verdict", "check", "operation", "friction", "bit at", "finding"];
     let heads = heads.map(|name| head(name, true)).into();
     let row = |found: &PlanVerdict| {
@@ -24,7 +22,7 @@ pub(super) fn verdicts(plan: &Plan) -> Option<StudyPart> {
             plain(format!("{}, {}", operation_name(&found.operation), found.model)),
             plain(found.friction.clone()),
             plain(display.depth(found.bit_depth_m)),
-            plain(printed(&found.sentence)),
+            plain(printed(display.chosen::<String>(&found.sentences))),
         ]
     };
     let rows: Vec<_> = plan.checks.iter().map(row).collect();
@@ -59,7 +57,7 @@ fn kinds(plan: &Plan) -> Vec<&str> {
 }
 
 /// A row for each kind, a column for each operation: the least factor of all depths and frictions.
-pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
+pub(super) fn factors(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let mut operations = plan.operations();
     for limit in &plan.limits {
         if !operations.contains(&limit.operation.as_str()) {
@@ -87,8 +85,9 @@ pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
         the required factor is met by less than a tenth; exceeded: the load is larger than the \
         capacity. An empty cell: no load."
         .to_owned();
-    if !plan.unchecked.is_empty() {
-        caption += &format!(" Not checked for want of data: {}.", plan.unchecked.join("; "));
+    let unchecked = display.chosen(&plan.unchecked);
+    if !unchecked.is_empty() {
+        caption += &format!(" Not checked for want of data: {}.", unchecked.join("; "));
     }
     (!rows.is_empty()).then(|| part("Limits", caption, Grid { heads, rows }))
 }

@@ -50,12 +50,12 @@ pub struct Plan {
     pub checks: Vec<PlanVerdict>,
     /// For each operation the governing limit, in sentences, in SI, metric and field units.
     pub first: [Vec<String>; 3],
-    /// Limits that could not be checked, and the missing numbers.
-    pub unchecked: Vec<String>,
-    /// The parts of the campaign that fatigue and casing wear count.
-    pub counted: Vec<String>,
-    /// The parts of the campaign that they do not count, with the reasons.
-    pub not_counted: Vec<String>,
+    /// Limits that could not be checked, and the missing numbers, in the same units.
+    pub unchecked: [Vec<String>; 3],
+    /// The parts of the campaign that fatigue and casing wear count, in the same units.
+    pub counted: [Vec<String>; 3],
+    /// The parts of the campaign that they do not count, with the reasons, in the same units.
+    pub not_counted: [Vec<String>; 3],
     /// Fatigue of each component.
     pub fatigue: Vec<PlanFatigueRow>,
     /// For each casing the most worn stretch.
@@ -151,8 +151,8 @@ pub struct PlanMeasured {
     /// Whether it is between the first and the last prediction; `None` where friction does not
     /// change them.
     pub between: Option<bool>,
-    /// Reason why there is no answer.
-    pub message: Option<String>,
+    /// Reason why there is no answer, in SI, metric and field units.
+    pub message: Option<[String; 3]>,
 }
 
 impl PlanMeasured {
@@ -198,8 +198,8 @@ pub struct PlanSpot {
     pub buckling: String,
     /// The most severe finding and its severity.
     pub worst: Option<(String, Severity)>,
-    /// Reason why there is no answer.
-    pub message: Option<String>,
+    /// Reason why there is no answer, in SI, metric and field units.
+    pub message: Option<[String; 3]>,
 }
 
 /// Weights on bit at which the string begins to buckle, down the hole.
@@ -263,8 +263,8 @@ pub struct PlanVerdict {
     pub friction: String,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
-    /// The check as a sentence, in the units of the case.
-    pub sentence: String,
+    /// The check as a sentence, in SI, metric and field units.
+    pub sentences: [String; 3],
 }
 
 /// Fatigue of a component.

@@ -1,12 +1,7 @@
 //! The page of a plan as one self-contained file.
 
 use super::{Plan, campaign, figures::plan_plots, limits, measured, overlay, peaks, tables};
-use crate::{
-    StudyPage, StudyPart,
-    plots::{DisplayUnits, SETS},
-    study::study_html_in_units,
-    uncertain,
-};
+use crate::{StudyPage, StudyPart, plots::DisplayUnits, study::study_html_in_units, uncertain};
 
 /// Meaning of the page's numbers.
 const ABOUT: &str = "Hook load and surface torque against the depth of the bit: the string, cut at \
@@ -62,7 +57,6 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     let display = DisplayUnits::new(&plan.head.dimensions, units);
     let facts = plan.head.facts.iter().filter_map(|fact| display.fact(fact));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
-    let set = SETS.iter().position(|set| *set == units).unwrap_or(0);
     if let Some(message) = &plan.message {
         description += &format!("\n\n{message}");
     }
@@ -86,8 +80,8 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
             painted: false,
         })
     });
-    let mut parts: Vec<StudyPart> = limits::verdicts(plan).into_iter().collect();
-    parts.extend(limits::governing(&plan.first[set]));
+    let mut parts: Vec<StudyPart> = limits::verdicts(plan, display).into_iter().collect();
+    parts.extend(limits::governing(display.chosen::<Vec<String>>(&plan.first)));
     parts.extend(pictures);
     if let Some(samples) = &plan.uncertain {
         parts.extend(uncertain::inputs(samples));
@@ -96,10 +90,10 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     }
     parts.extend(measured::table(plan, display));
     parts.extend(overlay::table(plan, display));
-    parts.extend(limits::factors(plan));
+    parts.extend(limits::factors(plan, display));
     parts.extend(limits::nearest(plan, display));
     parts.extend(peaks::table(plan, display));
-    parts.extend(campaign::parts(plan));
+    parts.extend(campaign::parts(plan, display));
     parts.extend(campaign::fatigue(plan, display));
     parts.extend(campaign::wear(plan, display));
     parts.extend(tables::at_depth(plan, display));
@@ -107,7 +101,7 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     parts.extend(tables::against_depth(plan, display));
     parts.extend(tables::buckling(plan, display));
     parts.extend(tables::mud(plan, display));
-    parts.extend(tables::without_answer(plan));
+    parts.extend(tables::without_answer(plan, display));
     StudyPage {
         program: plan.head.program.clone(),
         title: plan.head.title.clone(),

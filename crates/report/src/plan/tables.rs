@@ -199,10 +199,11 @@ pub(super) fn mud(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
 }
 
 /// Points without an answer, and the reasons.
-pub(super) fn without_answer(plan: &Plan) -> Option<StudyPart> {
+pub(super) fn without_answer(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let mut reasons: Vec<(String, usize)> = Vec::new();
     for curve in &plan.curves {
         for message in curve.points.iter().filter_map(|spot| spot.message.as_ref()) {
+            let message = display.chosen(message);
             let level = plan.levels.get(curve.level).map_or("", |level| &level.name);
             let operation = operation_name(&curve.operation);
             let text = format!("{operation}, {level} friction, {} string: {message}", curve.model);

@@ -40,7 +40,7 @@ fn plan() -> Plan {
                 buckling: if lost { String::new() } else { "none".into() },
                 worst: (operation == "trip_in")
                     .then(|| ("Helical buckling: exceeded".into(), Severity::Warning)),
-                message: lost.then(|| "the string <locks> up".to_owned()),
+                message: lost.then(|| ["the string <locks> up"; 3].map(str::to_owned)),
             }
         });
         PlanCurve {
@@ -135,12 +135,12 @@ fn plan() -> Plan {
             operation: "slide".into(),
             friction: "high".into(),
             bit_depth_m: 2000.0,
-            sentence: "the string <locks> up".into(),
+            sentences: ["the string <locks> up"; 3].map(str::to_owned),
         }],
         first: ["si", "metric", "field"].map(|set| vec![format!("trip out: <tension> in {set}.")]),
-        unchecked: vec!["no make-up torque of pipe".into()],
-        counted: vec!["drill from 900 m to 2000 m in 55.0 h".into()],
-        not_counted: vec!["trip in: no <speed>".into()],
+        unchecked: [(); 3].map(|()| vec!["no make-up torque of pipe".into()]),
+        counted: [(); 3].map(|()| vec!["drill from 900 m to 2000 m in 55.0 h".into()]),
+        not_counted: [(); 3].map(|()| vec!["trip in: no <speed>".into()]),
         fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-7)],
         wear: vec![wear()],
         events: Vec::new(),

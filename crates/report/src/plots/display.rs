@@ -21,6 +21,11 @@ impl<'a> DisplayUnits<'a> {
         Self { dimensions, set: set.unwrap_or(0) }
     }
 
+    /// What is given for each set of units, in the reader's.
+    pub(crate) fn chosen<'t, T>(&self, sets: &'t [T; 3]) -> &'t T {
+        &sets[self.set]
+    }
+
     fn unit(&self, dimension: &str) -> Option<&'a DisplayUnit> {
         Some(&self.dimensions.get(dimension)?[self.set])
     }

@@ -105,7 +105,7 @@ mod tests {
             limit: crate::Cell::Nothing,
             factor: None,
             required: None,
-            sentence: String::new(),
+            sentences: Default::default(),
         }
     }
 

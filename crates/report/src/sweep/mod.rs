@@ -42,8 +42,8 @@ pub struct SweepRow {
     pub errors: usize,
     /// Number of checks that are warnings.
     pub warnings: usize,
-    /// Sentence of the most severe finding; empty where there is none.
-    pub check: String,
+    /// Sentence of the most severe check, in SI, metric and field units; empty where there is none.
+    pub check: [String; 3],
     /// The page of the case, relative to that of the sweep; `None` where the case has none.
     pub page: Option<String>,
 }

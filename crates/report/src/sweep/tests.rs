@@ -33,7 +33,7 @@ fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
                     numbers,
                     errors: 0,
                     warnings: 0,
-                    check: String::new(),
+                    check: Default::default(),
                     page: None,
                 });
             }
@@ -173,7 +173,7 @@ fn the_table_has_every_case() {
         numbers: BTreeMap::new(),
         errors: 0,
         warnings: 1,
-        check: String::new(),
+        check: Default::default(),
         page: Some("a/report.html".into()),
     };
     let page_table = sweep.page_table();

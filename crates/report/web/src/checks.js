@@ -1,7 +1,7 @@
 // Checks: what an engineer must know of the results, the most severe first.
 
 import { el } from "../../../../web/components/dom.ts";
-import { depthText, inUnits, plain, quantity } from "../../../../web/components/units.ts";
+import { depthText, ofReader, plain, quantity } from "../../../../web/components/units.ts";
 import { bySeverity, countText, SEVERITIES, severityMark } from "./severities.js";
 import { modelName, readable } from "./solutions.js";
 import { choose, on, state } from "./state.js";
@@ -40,10 +40,9 @@ export function checkList(report, zoom) {
   const models = new Set(report.solved.map((solved) => solved.model)).size > 1;
 
   function item(check) {
-    const { severity, solved, sentence } = check;
+    const { severity, solved, sentences } = check;
     const [word] = SEVERITIES[severity];
-    // A line has one set of units, that of its sentence; the table has the reader's.
-    const place = inUnits(report.message_units || report.units, () => placeText(check));
+    const place = placeText(check);
     const choosable = many && solved.operation !== state.operation;
     const whose = [many && readable(solved.operation), models && modelName(report, solved)].filter(Boolean).join(", ");
     return el(
@@ -67,7 +66,7 @@ export function checkList(report, zoom) {
               )
             : el("strong", {}, whose)),
         whose && ": ",
-        sentence,
+        ofReader(sentences),
         el(
           "span",
           { class: "note" },

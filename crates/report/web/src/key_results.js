@@ -1,7 +1,7 @@
 // The case in a few facts, and the five numbers that matter most, beside their limits.
 
 import { el } from "../../../../web/components/dom.ts";
-import { plain, quantity } from "../../../../web/components/units.ts";
+import { ofReader, plain, quantity } from "../../../../web/components/units.ts";
 import { checksOf } from "./checks.js";
 import { severityMark, SEVERITIES, worstOf } from "./severities.js";
 import { cellText } from "./page_table.js";
@@ -95,7 +95,7 @@ export function keyResults(report) {
       rest && rest !== main && { name: modelName(report, rest), result: rest.key_results.find((other) => other.label === result.label) };
     const messages = all
       .filter((solved) => solved.message)
-      .map((solved) => el("p", { class: "warning" }, `${modelName(report, solved)}: ${solved.message}`));
+      .map((solved) => el("p", { class: "warning" }, `${modelName(report, solved)}: ${ofReader(solved.message)}`));
     if (main && main !== all[0] && hasNumbers(main)) messages.push(el("p", { class: "note" }, `Numbers of the ${modelName(report, main)}:`));
     if (!main || !hasNumbers(main)) messages.push(el("p", { class: "note" }, "No model has numbers of this operation."));
     holder.replaceChildren(

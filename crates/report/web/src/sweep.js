@@ -9,6 +9,7 @@ import { figure } from "./figure.js";
 import { header } from "./header.js";
 import { cellText, pageTable, tableDownloads } from "./page_table.js";
 import { usePageUnits } from "./page_units.js";
+import { ofReader } from "../../../../web/components/units.ts";
 
 const report = readReport();
 usePageUnits(report.dimensions, report.units);
@@ -22,7 +23,7 @@ function describe(row) {
   const keys = rows[row].slice(0, ends - 2).map((value, i) => `${heads[i]} ${cellText(value)}`);
   const columns = heads.map((_, i) => i).filter((i) => i >= ends - 2 && rows[row][i] !== null && !rows[row][i].href);
   const lines = columns.filter((i) => rows[row][i] !== "").map((i) => ({ text: text(i) }));
-  if (check) lines.push({ text: check, class: "mine" });
+  if (ofReader(check)) lines.push({ text: ofReader(check), class: "mine" });
   if (page) lines.push({ text: "click for its report" });
   return { title: keys.join(", "), rows: lines, href: page };
 }

@@ -22,12 +22,12 @@ const found = (kind, severity, sentence, [md_m, to_md_m] = [null, null], value =
   to_md_m,
   value: value === null ? null : { value, dimension: "force" },
   limit: limit === null ? null : { value: limit, dimension: "force" },
-  sentence,
+  sentences: [sentence, sentence, sentence.replaceAll("5 kN", "1.124 klbf")],
 });
 const KNOWN = {
   trip_out: [
     found("goes_down", "error", "The string does not go down. </script><b>", [null, null], -258e3, 0),
-    found("helical_buckling", "error", "Helically buckled.", [200, 400], 190e3, 95e3),
+    found("helical_buckling", "error", "Helically buckled, 5 kN.", [200, 400], 190e3, 95e3),
   ],
   rotate_off_bottom: [
     found("whirl", "note", "The assembly whirls.", [550, null]),
@@ -165,12 +165,13 @@ await check("the pointer says what was found there", async () => {
   assert.match(await text(page, ".tip"), /Error: Helical buckling/);
 });
 
-await check("a line of a check has one set of units, the table that of the reader", async () => {
+await check("sentence, place and table of a check follow the reader's units", async () => {
+  const line = () => page.locator(".check", { hasText: "Helically" }).textContent();
+  assert.match(await line(), /buckled, 5 kN\..*200\u00a0m to 400\u00a0m/);
   await page.click(".controls [data-value=field]");
   await settled(page);
-  const line = await page.locator(".check", { hasText: "Helically" }).textContent();
-  assert.match(line, /200\u00a0m to 400\u00a0m/);
-  assert.doesNotMatch(line, /\u00a0ft|klbf/);
+  assert.match(await line(), /buckled, 1\.124 klbf\..*656\u00a0ft to 1,312\u00a0ft/);
+  assert.doesNotMatch(await line(), /\u00a0m|kN/);
   assert.match(await page.locator(".check-table tbody").first().textContent(), /klbf|ft/);
   await page.click(".controls [data-value=si]");
 });

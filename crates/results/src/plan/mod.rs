@@ -28,7 +28,7 @@ use wholestring::outcome::Scalars;
 use wholestring_judge::Check;
 
 use crate::{
-    ResultsError, Table, UncertainSummary,
+    ResultsError, Table, Texts, UncertainSummary,
     json::{read_versioned, write_json},
 };
 
@@ -99,6 +99,9 @@ pub struct PlanSummary {
     /// where none were requested.
     #[serde(default)]
     pub peaks: Vec<PlanPeak>,
+    /// Quantities of its texts, from which they are rendered in other units.
+    #[serde(default, skip_serializing_if = "Texts::is_empty")]
+    pub texts: Texts,
 }
 
 /// Friction of a hole section at a level.

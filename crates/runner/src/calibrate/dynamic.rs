@@ -7,6 +7,7 @@ use wholestring::{
     model::Model,
     operation::Operation,
 };
+use wholestring_judge::Quantity;
 use wholestring_plan::calibration::{Calibration, Channel, Motion, Point};
 use wholestring_results::{DynamicCheck, InMotion};
 use wholestring_units::{Dimension, UnitSet};
@@ -180,17 +181,15 @@ pub(super) fn checked(
 }
 
 /// Warnings: a string that had not settled, or one without a solution.
-pub(super) fn warnings(checks: &[DynamicCheck], units: UnitSet) -> Vec<String> {
-    let unit = Dimension::Length.unit_in(units);
-    let depth = |depth_m: f64| format!("{:.0} {}", unit.from_si(depth_m), unit.symbol);
+pub(super) fn warnings(checks: &[DynamicCheck]) -> Vec<String> {
     let warning = |check: &DynamicCheck| {
         let reading = check.reading.replace('_', "-");
-        let at = depth(check.bit_depth_m);
+        let at = Quantity::depth(check.bit_depth_m);
         match (&check.dynamic, &check.message) {
             (Some(dynamic), _) if dynamic.steady == Some(false) => Some(format!(
                 "the dynamic simulation had not settled for {reading} with the bit at {at}, where \
                  the mean bit depth was {}: increase dynamics.settle, or reduce trip_speed",
-                depth(dynamic.mean_bit_depth_m)
+                Quantity::depth(dynamic.mean_bit_depth_m)
             )),
             (None, Some(reason)) => Some(format!(
                 "the dynamic simulation has no solution for {reading} with the bit at {at}: \

@@ -14,7 +14,7 @@ use super::{
     toml::FRAGMENT,
 };
 use crate::{
-    page::{self, table},
+    page::{self, checks::in_sets, table},
     results_kind::Results,
 };
 
@@ -70,9 +70,10 @@ impl Results for Calibration {
             correlation: summary.correlation.clone(),
             confidence: [summary.confidence, summary.band_confidence],
             outlier_beyond: summary.outlier_beyond,
-            dynamics: summary.dynamics.iter().map(checked).collect(),
-            notes: summary.notes.clone(),
-            warnings: summary.warnings.clone(),
+            dynamics: summary.dynamics.iter().map(|check| checked(&summary, check)).collect(),
+            band: in_sets(|units| summary.texts.in_units(&summary.status, units)),
+            notes: in_sets(|units| texts(&summary, &summary.notes, units)),
+            warnings: in_sets(|units| texts(&summary, &summary.warnings, units)),
             head,
         })
     }
@@ -86,7 +87,7 @@ impl Results for Calibration {
     }
 }
 
-fn checked(check: &DynamicCheck) -> CalibrationCheck {
+fn checked(summary: &CalibrationSummary, check: &DynamicCheck) -> CalibrationCheck {
     let dynamic = check.dynamic.as_ref();
     CalibrationCheck {
         place: check.place.clone(),
@@ -96,12 +97,17 @@ fn checked(check: &DynamicCheck) -> CalibrationCheck {
         measured: check.measured,
         predicted: check.predicted,
         dynamic: dynamic.map(|dynamic| [dynamic.mean, dynamic.std]),
-        said: match (dynamic.and_then(|dynamic| dynamic.steady), &check.message) {
-            (_, Some(message)) => message.clone(),
+        said: in_sets(|units| match (dynamic.and_then(|dynamic| dynamic.steady), &check.message) {
+            (_, Some(message)) => summary.texts.in_units(message, units),
             (Some(false), _) => "not settled".to_owned(),
             _ => String::new(),
-        },
+        }),
     }
+}
+
+/// Texts of a calibration in these units.
+fn texts(summary: &CalibrationSummary, texts: &[String], units: UnitSet) -> Vec<String> {
+    texts.iter().map(|text| summary.texts.in_units(text, units)).collect()
 }
 
 /// Key facts of the calibration.
@@ -109,17 +115,12 @@ fn facts(summary: &CalibrationSummary) -> Vec<Fact> {
     let fact = |label: &str, text: String| Fact { label: label.into(), value: Cell::Text(text) };
     let file = Path::new(&summary.data).file_name();
     let file = file.map_or(summary.data.clone(), |name| name.to_string_lossy().into_owned());
-    let mut facts = vec![
+    vec![
         fact("Readings", format!("{} of {file}", summary.readings)),
         fact("Model", format!("{} string", summary.model)),
         fact("χ²", format!("{:.1}", summary.chi2)),
         fact("Degrees of freedom", summary.degrees_of_freedom.to_string()),
-    ];
-    // Folders of older versions have no status.
-    if !summary.status.is_empty() {
-        facts.push(fact("Band", summary.status.clone()));
-    }
-    facts
+    ]
 }
 
 fn numbers(table: &Table, name: &str) -> Vec<f64> {

@@ -12,7 +12,7 @@ use wholestring_plan::calibration::{
 };
 use wholestring_report as report;
 use wholestring_results::{
-    CALIBRATION_VERSION, CalibrationSummary, Occupant, OutlierComparison, digest,
+    CALIBRATION_VERSION, CalibrationSummary, Occupant, OutlierComparison, Texts, digest,
 };
 use wholestring_units::UnitSet;
 
@@ -148,7 +148,7 @@ pub fn run(
     let took = begun.elapsed();
     let robust = robust.filter(|robust| robust.outlier.len() == found.points.len());
     let mut all = data.checks.clone();
-    all.extend(checks::of_fit(&data, &found, &settings, robust.as_ref(), units));
+    all.extend(checks::of_fit(&data, &found, &settings, robust.as_ref()));
     all.extend(outlier_check(comparison.as_ref()));
     let mut summary = summary(request, &data, &settings, &found, units);
     summary.comparison = comparison;
@@ -157,7 +157,7 @@ pub fn run(
     if let Some((check, depths)) = check {
         let inputs = (request.cases, check);
         summary.dynamics = dynamic::checked(inputs, &data, &found, &depths, observer, cancellation);
-        let warnings = dynamic::warnings(&summary.dynamics, units).into_iter();
+        let warnings = dynamic::warnings(&summary.dynamics).into_iter();
         all.extend(warnings.map(|sentence| checks::warning(CheckKind::CheckByDynamics, sentence)));
     }
     let interrupted = cancellation.is_cancelled();
@@ -165,6 +165,8 @@ pub fn run(
         let sentence = "the dynamic check was interrupted".to_owned();
         all.push(checks::warning(CheckKind::Interrupted, sentence));
     }
+    let all = checks::in_units(all, units);
+    all.iter().for_each(|check| summary.texts.record(&check.check));
     summary.notes.extend(checks::sentences(&all, Severity::Note));
     summary.warnings = checks::sentences(&all, Severity::Warning);
     summary.checks = checks::recorded(&all);
@@ -327,6 +329,10 @@ fn summary(
     found: &Calibration,
     units: UnitSet,
 ) -> CalibrationSummary {
+    let mut texts = Texts::default();
+    let notes = notes::notes(data, found, settings).into_iter();
+    let notes = notes.map(|note| texts.worded(note, units)).collect();
+    let status = texts.worded(notes::status(found, settings), units);
     CalibrationSummary {
         schema_version: CALIBRATION_VERSION,
         cases: request.cases.iter().map(|case| case.case.name.clone()).collect(),
@@ -350,11 +356,12 @@ fn summary(
         held_out_within_band: found.held_out.iter().filter(|held_out| held_out.within_band).count(),
         interpolation_error: found.interpolation_error,
         strings: found.strings,
-        status: notes::status(found, settings, units),
+        status,
         comparison: None,
         checks: Vec::new(),
-        notes: notes::notes(data, found, settings, units),
+        notes,
         warnings: Vec::new(),
         dynamics: Vec::new(),
+        texts,
     }
 }

@@ -13,7 +13,7 @@ use super::{
     tables::{ANSWER, DIAGRAM, MODES, SHAPES, STABILITY},
 };
 use crate::{
-    page::{self, table},
+    page::{self, checks::in_sets, table},
     results_kind::Results,
 };
 
@@ -27,14 +27,13 @@ impl Results for Modes {
         let summary = ModesSummary::read(&folder.join("summary.json"))?;
         let title = format!("{}: natural frequencies", summary.case);
         let head = page::head(title, units, Some(&summary.settings), facts(&summary));
-        let set: UnitSet = head.units.parse().unwrap_or_default();
         let place = |spot: &Spot| (spot.md_m, spot.component.clone());
         Ok(Self {
             head,
             operation: summary.operation.clone(),
             rotary_rad_per_s: summary.rotary_speed_rad_per_s,
             stable: summary.stable,
-            forcing: summary.forcing.clone(),
+            forcing: in_sets(|units| summary.texts.in_units(&summary.forcing, units)),
             modes: summary
                 .modes
                 .iter()
@@ -62,10 +61,10 @@ impl Results for Modes {
             shapes: shapes::shapes(&table(folder, SHAPES)?),
             branches: shapes::branches(&table(folder, DIAGRAM)?),
             answer: shapes::answer(&table(folder, ANSWER)?),
-            stability: match &summary.torsional_stability {
-                Some(map) => stability::sentences(map, set),
+            stability: in_sets(|units| match &summary.torsional_stability {
+                Some(map) => stability::sentences(map, units),
                 None => summary.no_torsional_stability.iter().cloned().collect(),
-            },
+            }),
             stability_map: match &summary.torsional_stability {
                 Some(map) => Some(stability::picture(&table(folder, STABILITY)?, map)),
                 None => None,

@@ -7,9 +7,11 @@ use wholestring::{
     operation::Operation,
 };
 use wholestring_case::Case;
+use wholestring_judge::{Quantity, Rounding};
 use wholestring_report::Modes;
 use wholestring_results::{
-    CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Occupant, Spot, digest,
+    CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Occupant, Spot, Texts,
+    digest,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -152,6 +154,7 @@ fn find(
     };
     let modes: Vec<Mode> = [lateral, others].concat();
     let judge = case.judge(case.units);
+    let mut texts = Texts::default();
     let summary = ModesSummary {
         schema_version: MODES_VERSION,
         case: case.name.clone(),
@@ -162,12 +165,13 @@ fn find(
         stable: motions.is_stable(),
         checks: judge.small_motions(&case.model, motions.is_stable()).checks,
         assembly_length_m: assembly.length_m(),
-        forcing: words,
+        forcing: texts.worded(words, case.units),
         modes: found(&modes),
         critical_speeds: critical(&campbell),
         torsional_stability: None,
         no_torsional_stability: None,
         missing,
+        texts,
     };
     let tables = ModesTables {
         shapes: tables::shapes(&motions, &summary.modes, &modes, assembly.top_node()),
@@ -196,11 +200,10 @@ fn forcing(case: &Case, motions: &SmallMotions, middle_m: impl Fn() -> f64) -> (
     }
     let from_bit_m = case.modes.force_from_bit_m.unwrap_or_else(middle_m);
     let force_N = case.modes.force_N;
-    let show = |dimension: Dimension, value: f64| dimension.format(value, case.units);
     let words = format!(
         "a force of {} that turns with the string, {} from the bit",
-        show(Dimension::Force, force_N),
-        show(Dimension::Length, (10.0 * from_bit_m).round() / 10.0)
+        Quantity::new(Dimension::Force, force_N, Rounding::Five),
+        Quantity::new(Dimension::Length, from_bit_m, Rounding::Tenth)
     );
     (Forcing::Force { force_N, from_bit_m }, words)
 }

@@ -2,7 +2,27 @@
 
 use wholestring::outcome::QuantityKind;
 use wholestring_report::{Cell, CheckRow, shown_dimension};
-use wholestring_results::Check;
+use wholestring_results::{Check, Status};
+use wholestring_units::UnitSet;
+
+/// A text in SI, metric and field units.
+pub(crate) fn in_sets<T>(text: impl FnMut(UnitSet) -> T) -> [T; 3] {
+    [UnitSet::Si, UnitSet::Metric, UnitSet::Field].map(text)
+}
+
+/// Reason why an operation ended early: the sentence of its check where it is one.
+pub(crate) fn message(status: &Status, checks: &[Check]) -> Option<[String; 3]> {
+    let reason = match status {
+        Status::Complete => return None,
+        Status::Interrupted => "interrupted: results until then",
+        Status::Failed(reason) => reason.as_str(),
+    };
+    let check = checks.iter().find(|check| check.sentence == reason);
+    Some(in_sets(|units| match check {
+        Some(check) => check.sentence_in(units),
+        None => reason.to_owned(),
+    }))
+}
 
 /// Converts a check of the summary to a row of the page.
 pub(crate) fn row(check: &Check) -> CheckRow {
@@ -25,6 +45,6 @@ pub(crate) fn row(check: &Check) -> CheckRow {
         limit: cell(check.limit),
         factor: check.factor,
         required: check.required,
-        sentence: check.sentence.clone(),
+        sentences: in_sets(|units| check.sentence_in(units)),
     }
 }

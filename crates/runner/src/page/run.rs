@@ -3,9 +3,7 @@
 use std::path::Path;
 
 use wholestring_report::{Report, Solved, TimeRun, report_html};
-use wholestring_results::{
-    OperationSummary, ResultsError, ResultsFolder, Status, Summary, Unchecked,
-};
+use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Summary, Unchecked};
 use wholestring_units::UnitSet;
 
 use super::{
@@ -134,11 +132,7 @@ pub(crate) fn along_the_hole(
         Ok(Solved {
             model: solved.model.name().into(),
             operation: solved.operation.clone(),
-            message: match &solved.status {
-                Status::Complete => None,
-                Status::Interrupted => Some("interrupted: results until then".into()),
-                Status::Failed(reason) => Some(reason.clone()),
-            },
+            message: checks::message(&solved.status, &solved.checks),
             checks: solved.checks.iter().map(checks::row).collect(),
             unchecked: Unchecked::phrases(&solved.unchecked),
             // An operation without a solution has no rows and no numbers.
@@ -155,7 +149,6 @@ pub(crate) fn along_the_hole(
         program: PROGRAM.into(),
         title: summary.case.clone(),
         units: opening_units(units, Some(settings)),
-        message_units: opening_units(None, Some(settings)),
         dimensions: dimensions::all(),
         facts: facts::facts(summary),
         solved: summary.operations.iter().map(along).collect::<Result<_, ResultsError>>()?,

@@ -2,12 +2,12 @@
 //! words.
 
 use wholestring::string::StringSpec;
+use wholestring_judge::Quantity;
 use wholestring_plan::{Broomstick, CampaignPart, FrictionLevel};
-use wholestring_units::{Dimension, UnitSet};
 
 use super::campaign::Taken;
 
-/// The parts of a campaign in words.
+/// The parts of a campaign in words, their depths marked as quantities.
 #[derive(Debug, Default)]
 pub(super) struct Counted {
     /// Included parts, with their hours.
@@ -18,26 +18,26 @@ pub(super) struct Counted {
 
 impl Counted {
     /// Parts of the campaign of a broomstick, given the points that were solved.
-    pub(super) fn of(broomstick: &Broomstick, taken: &[Taken], units: UnitSet) -> Self {
+    pub(super) fn of(broomstick: &Broomstick, taken: &[Taken]) -> Self {
         let Some(campaign) = broomstick.campaign() else { return Self::default() };
         let mut found = Self::default();
         for part in campaign.parts() {
             match (part.operation, part.duration_s) {
                 (Some(_), Some(duration_s)) => {
                     let hours = duration_s / 3600.0;
-                    found.counted.push(format!("{} in {hours:.1} h", named(&part, units)));
+                    found.counted.push(format!("{} in {hours:.1} h", named(&part)));
                 }
                 (Some(_), None) => {
-                    let text = format!("{}: its speed is zero", named(&part, units));
+                    let text = format!("{}: its speed is zero", named(&part));
                     found.not_counted.push(text);
                 }
                 (None, _) => {
-                    let text = format!("{}: the case has no such operation", named(&part, units));
+                    let text = format!("{}: the case has no such operation", named(&part));
                     found.not_counted.push(text);
                 }
             }
         }
-        found.not_counted.extend(unsolved(taken, units));
+        found.not_counted.extend(unsolved(taken));
         let string = &broomstick.setup(FrictionLevel::Expected).string;
         let settings = campaign.fatigue_settings();
         if settings.tensile_strength_Pa.is_none() {
@@ -48,20 +48,24 @@ impl Counted {
 }
 
 /// A part of the campaign with its interval of the hole.
-fn named(part: &CampaignPart, units: UnitSet) -> String {
+fn named(part: &CampaignPart) -> String {
     let name = match part.operation {
         Some(kind) => kind.name().replace('_', " "),
         None if part.drills => "drilling".to_owned(),
         None => "an operation".to_owned(),
     };
     match part.from_m < part.to_m {
-        true => format!("{name} from {} to {}", depth(part.from_m, units), depth(part.to_m, units)),
-        false => format!("{name} at {}", depth(part.to_m, units)),
+        true => format!(
+            "{name} from {} to {}",
+            Quantity::depth(part.from_m),
+            Quantity::depth(part.to_m)
+        ),
+        false => format!("{name} at {}", Quantity::depth(part.to_m)),
     }
 }
 
 /// Points of the campaign without a solution, for each operation.
-fn unsolved(taken: &[Taken], units: UnitSet) -> Vec<String> {
+fn unsolved(taken: &[Taken]) -> Vec<String> {
     let mut found: Vec<(&Taken, &String, [f64; 2], usize)> = Vec::new();
     for point in taken {
         let Err(why) = &point.share else { continue };
@@ -79,7 +83,7 @@ fn unsolved(taken: &[Taken], units: UnitSet) -> Vec<String> {
     }
     let text = |(point, why, [from_m, to_m], count): &(&Taken, &String, [f64; 2], usize)| {
         let operation = point.operation.replace('_', " ");
-        let [from, to] = [from_m, to_m].map(|at_m| depth(*at_m, units));
+        let [from, to] = [from_m, to_m].map(|at_m| Quantity::depth(*at_m));
         let bit = match count {
             1 => format!("with the bit at {from}"),
             count => format!("with the bit at {count} depths from {from} to {to}"),
@@ -96,9 +100,4 @@ fn without_strength(string: &StringSpec) -> Option<String> {
     let mut names: Vec<&str> = lacking.map(|component| component.name.as_str()).collect();
     names.dedup();
     (!names.is_empty()).then(|| format!("fatigue of {}: no yield strength", names.join(", ")))
-}
-
-fn depth(depth_m: f64, units: UnitSet) -> String {
-    let unit = Dimension::Length.unit_in(units);
-    format!("{:.0} {}", unit.from_si(depth_m) + 0.0, unit.symbol)
 }

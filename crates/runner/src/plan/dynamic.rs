@@ -3,13 +3,14 @@
 use serde::{Deserialize, Serialize};
 use wholestring::outcome::ModelKind;
 use wholestring_case::Case;
+use wholestring_judge::{Quantity, Rounding};
 use wholestring_plan::{
     Broomstick, Share,
     dynamic::{EventAnswer, EventTask, NoDynamics, Peak, WearTask},
     hydraulics::GelBreak,
 };
 use wholestring_results::{PlanCheck, PlanGel, PlanHistory, PlanPeak, PlanPeakOf};
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::Dimension;
 
 /// Largest relative drift of a hook load at the end; beyond it the simulated time was too short.
 const DRIFT: f64 = 0.01;
@@ -150,18 +151,16 @@ pub(super) struct Parts {
     pub(super) limits: Vec<PlanCheck>,
     /// Wear by the name of its operation.
     pub(super) wear: Vec<(String, Share)>,
-    /// Reasons why wear is unknown or incomplete.
+    /// Reasons why wear is unknown or incomplete, with depths marked as quantities.
     pub(super) lacking: Vec<String>,
     /// Number of requested runs without an outcome yet.
     pub(super) pending: usize,
-    /// Units in sentences.
-    units: UnitSet,
 }
 
 impl Parts {
-    /// Creates the outcome of `pending` requested runs, with sentences in these units.
-    pub(super) fn of(pending: usize, units: UnitSet) -> Self {
-        Self { pending, units, ..Self::default() }
+    /// Creates the outcome of `pending` requested runs.
+    pub(super) fn of(pending: usize) -> Self {
+        Self { pending, ..Self::default() }
     }
 
     /// Adds the outcome of a run.
@@ -177,7 +176,7 @@ impl Parts {
             Ran::Wear { operation, bit_depth_m, found: Err(why) } => self.lacking.push(format!(
                 "no casing wear from the dynamics: {} at {}, {why}",
                 operation.replace('_', " "),
-                Dimension::Length.format(bit_depth_m, self.units)
+                Quantity::new(Dimension::Length, bit_depth_m, Rounding::Five)
             )),
         }
     }

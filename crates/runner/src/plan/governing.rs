@@ -1,9 +1,10 @@
 //! The governing limit of each operation, in the summary and in sentences.
 
+use wholestring_judge::{Quantity, Wording};
 use wholestring_plan::dynamic::Event;
 use wholestring_report::operation_name;
 use wholestring_results::{PlanCheck, PlanSummary};
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::UnitSet;
 
 /// For each operation, the limit with the least reserve among those that damage a component or stop
 /// the operation; buckling and a requested overpull are excluded. In the order of the operations.
@@ -29,8 +30,7 @@ fn sentence(row: &PlanCheck, units: UnitSet) -> String {
         Some(event) => format!("{} by the dynamics", event.label()),
         None => operation_name(&row.operation),
     };
-    let length = Dimension::Length.unit_in(units);
-    let depth = format!("{:.0} {}", length.from_si(row.bit_depth_m) + 0.0, length.symbol);
+    let depth = Wording::from(Quantity::depth(row.bit_depth_m).to_string()).in_units(units);
     let check = row.check.sentence_in(units);
     format!("{operation}, {} friction, bit at {depth}: {check}.", row.friction)
 }

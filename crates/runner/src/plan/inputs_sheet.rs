@@ -27,7 +27,10 @@ pub(super) fn inputs_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
         }
     }
     let campaign = |word: &str, texts: &[String]| -> Vec<[String; 3]> {
-        let line = |text: &String| ["Campaign".to_owned(), word.to_owned(), text.clone()];
+        let line = |text: &String| {
+            let text = summary.texts.in_units(text, units);
+            ["Campaign".to_owned(), word.to_owned(), text]
+        };
         texts.iter().map(line).collect()
     };
     rows.extend(campaign("counted", &summary.counted));

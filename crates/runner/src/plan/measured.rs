@@ -34,7 +34,7 @@ pub(super) struct MeasuredTask {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct MeasuredDone {
     string: usize,
-    points: Vec<PlanPoint>,
+    pub(super) points: Vec<PlanPoint>,
 }
 
 /// Operation during a reading.

@@ -22,7 +22,7 @@ use super::{
     workbook::workbook,
 };
 use crate::{
-    page::{self, table},
+    page::{self, checks::in_sets, table},
     results_kind::Results,
     uncertain::{self, Names},
 };
@@ -76,6 +76,11 @@ fn tables(folder: &Path, summary: &PlanSummary, peaks_time: Table) -> Result<Tab
     })
 }
 
+/// Texts of a plan in these units.
+pub(super) fn texts(summary: &PlanSummary, texts: &[String], units: UnitSet) -> Vec<String> {
+    texts.iter().map(|text| summary.texts.in_units(text, units)).collect()
+}
+
 /// Page data of a plan.
 pub(super) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, ResultsError> {
     let summary = PlanSummary::read(&folder.join("summary.json"))?;
@@ -103,11 +108,10 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         hole: hole(summary),
         limits: summary.checks.iter().filter_map(limit).collect(),
         checks: verdicts(summary),
-        first: [UnitSet::Si, UnitSet::Metric, UnitSet::Field]
-            .map(|units| governing_sentences(summary, units)),
-        unchecked: summary.unchecked.clone(),
-        counted: summary.counted.clone(),
-        not_counted: summary.not_counted.clone(),
+        first: in_sets(|units| governing_sentences(summary, units)),
+        unchecked: in_sets(|units| texts(summary, &summary.unchecked, units)),
+        counted: in_sets(|units| texts(summary, &summary.counted, units)),
+        not_counted: in_sets(|units| texts(summary, &summary.not_counted, units)),
         fatigue: summary.fatigue.iter().map(fatigue).collect(),
         wear: summary.wear.iter().map(wear).collect(),
         events: peaks::events(summary, peaks_time),
@@ -118,7 +122,7 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
             .as_ref()
             .map(|uncertain| uncertain::shown(uncertain, &Names::PLAN)),
         weight_on_bit_N: weight::on_bit_N(summary),
-        measured: summary.measured.iter().map(measured).collect(),
+        measured: summary.measured.iter().map(|row| measured(summary, row)).collect(),
         overlay: summary.overlay.as_ref().map(overlay),
     }
 }
@@ -147,7 +151,10 @@ fn curves(summary: &PlanSummary) -> Vec<PlanCurve> {
                     model: model.clone(),
                     operation: operation.clone(),
                     level,
-                    points: summary.curve(model, operation, friction).map(spot).collect(),
+                    points: summary
+                        .curve(model, operation, friction)
+                        .map(|point| spot(summary, point))
+                        .collect(),
                 });
             }
         }
@@ -155,7 +162,7 @@ fn curves(summary: &PlanSummary) -> Vec<PlanCurve> {
     curves
 }
 
-fn spot(point: &PlanPoint) -> PlanSpot {
+fn spot(summary: &PlanSummary, point: &PlanPoint) -> PlanSpot {
     let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
     PlanSpot {
         bit_depth_m: point.bit_depth_m,
@@ -163,7 +170,12 @@ fn spot(point: &PlanPoint) -> PlanSpot {
         torque_N_m: number(point.scalars.map(|scalar| scalar.surface_torque_N_m)),
         buckling: point.buckling.clone().unwrap_or_default(),
         worst: point.worst.as_ref().map(|worst| (worst.kind.label().to_owned(), worst.severity)),
-        message: point.message.clone(),
+        message: point.message.as_ref().map(|message| {
+            in_sets(|units| match &point.worst {
+                Some(worst) if worst.sentence == *message => worst.sentence_in(units),
+                _ => summary.texts.in_units(message, units),
+            })
+        }),
     }
 }
 
@@ -224,7 +236,7 @@ fn verdicts(summary: &PlanSummary) -> Vec<PlanVerdict> {
         operation: operation(row),
         friction: row.friction.clone(),
         bit_depth_m: row.bit_depth_m,
-        sentence: row.check.sentence.clone(),
+        sentences: in_sets(|units| row.check.sentence_in(units)),
     };
     rows.iter().map(verdict).collect()
 }
@@ -258,7 +270,7 @@ fn wear(wear: &PlanWear) -> PlanWearRow {
     }
 }
 
-fn measured(measured: &wholestring_results::PlanMeasured) -> PlanMeasured {
+fn measured(summary: &PlanSummary, measured: &wholestring_results::PlanMeasured) -> PlanMeasured {
     PlanMeasured {
         model: measured.model.clone(),
         place: measured.place.clone(),
@@ -270,7 +282,10 @@ fn measured(measured: &wholestring_results::PlanMeasured) -> PlanMeasured {
         block_N: measured.block_N,
         predicted: measured.predicted.map(|value| value.unwrap_or(f64::NAN)),
         between: measured.between(),
-        message: measured.message.clone(),
+        message: measured
+            .message
+            .as_ref()
+            .map(|message| in_sets(|units| summary.texts.in_units(message, units))),
     }
 }
 
@@ -335,8 +350,8 @@ fn facts(summary: &PlanSummary) -> Vec<Fact> {
         fact("Solved by", Cell::Text(models.join(", "))),
         fact("Friction", Cell::Text(frictions.join(", "))),
         fact("Bit depths", Cell::Text(depths.len().to_string())),
-        fact("From", Cell::quantity(ends[0].round(), "length")),
-        fact("To", Cell::quantity(ends[1].round(), "length")),
+        fact("From", Cell::quantity(ends[0], "length")),
+        fact("To", Cell::quantity(ends[1], "length")),
         fact("Mud density", quantity(&settings["mud"]["density_kg_per_m3"], "density")),
         fact("Weight of the block", quantity(&settings["rig"]["block_weight_N"], "force")),
     ]

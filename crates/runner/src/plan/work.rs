@@ -8,7 +8,7 @@ use wholestring_judge::{CheckKind, Unchecked};
 use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics};
 use wholestring_results::{
     PLAN_VERSION, PlanBuckling, PlanCheck, PlanPoint, PlanSummary, ResultsError, ResultsFolder,
-    plan_fatigue_table, plan_limits_table, plan_peaks_time_table, plan_wear_table,
+    Texts, plan_fatigue_table, plan_limits_table, plan_peaks_time_table, plan_wear_table,
 };
 
 use super::{
@@ -266,7 +266,7 @@ impl<'a> Work<'a> {
         let mut sampled = Vec::new();
         let is_run = |task: &&PlanTask| matches!(task, PlanTask::Dynamic(_));
         let run_count = self.list.iter().filter(is_run).count();
-        let mut parts = Parts::of(run_count, self.request.units.unwrap_or(case.units));
+        let mut parts = Parts::of(run_count);
         for (task, one) in self.list.iter().zip(done) {
             let Some(one) = one else {
                 if let PlanTask::Sample(_) = task {
@@ -289,7 +289,7 @@ impl<'a> Work<'a> {
             }
         }
         let plan = &case.plan;
-        let parts_of_campaign = Counted::of(self.broomstick, &all_taken, case.units);
+        let parts_of_campaign = Counted::of(self.broomstick, &all_taken);
         let totals = totals(self.broomstick, &plan.models, &all_taken, parts.whole_wear());
         // Sorted curve by curve, because a task contains the friction levels of one depth.
         let level = |name: &str| FrictionLevel::ALL.iter().position(|level| level.name() == name);
@@ -332,7 +332,16 @@ impl<'a> Work<'a> {
         }
         all_limits.extend(parts.limits);
         let mut unchecked = Unchecked::phrases(&lacking);
-        unchecked.extend(parts.lacking);
+        let mut texts = Texts::default();
+        let mut worded = |all: Vec<String>| -> Vec<String> {
+            all.into_iter().map(|text| texts.worded(text, case.units)).collect()
+        };
+        unchecked.extend(worded(parts.lacking));
+        let [counted, not_counted] =
+            [parts_of_campaign.counted, parts_of_campaign.not_counted].map(worded);
+        let unsolved = all_measured.iter().flat_map(|measured| &measured.points);
+        let unsolved = unsolved.filter(|point| point.message.is_some());
+        unsolved.filter_map(|point| point.worst.as_ref()).for_each(|check| texts.record(check));
         let hydraulics = mud::rows(case).unwrap_or_else(|why| {
             unchecked.push(why);
             Vec::new()
@@ -353,8 +362,8 @@ impl<'a> Work<'a> {
             governing: governing(&relevant),
             surface_limits: surface::limits(self.broomstick, &plan.limits),
             unchecked,
-            counted: parts_of_campaign.counted,
-            not_counted: parts_of_campaign.not_counted,
+            counted,
+            not_counted,
             hydraulics,
             fatigue: totals.fatigue,
             wear: totals.worst_wear,
@@ -362,6 +371,7 @@ impl<'a> Work<'a> {
             measured: self.measured.rows(self.request, &all_measured),
             overlay: None,
             peaks: parts.peaks,
+            texts,
         };
         if !plan.dynamic.events.is_empty() || !plan.dynamic.wear.is_empty() {
             summary.settings["plan"]["dynamic"] = json!(plan.dynamic);

@@ -12,7 +12,7 @@ use wholestring_units::UnitSet;
 use super::{sentences, tables::REACH};
 use crate::{
     column::{numbers, words},
-    page::{self, facts::readable, table},
+    page::{self, checks::in_sets, facts::readable, table},
     results_kind::Results,
     uncertain::{self, Names},
 };
@@ -27,11 +27,10 @@ impl Results for Reach {
         let summary = ReachSummary::read(&folder.join("summary.json"))?;
         let title = format!("{}: reach", summary.case);
         let head = page::head(title, units, Some(&summary.settings), facts(&summary));
-        let sets = [UnitSet::Si, UnitSet::Metric, UnitSet::Field];
         Ok(Self {
             head,
-            answers: sets.map(|set| sentences::answers(&summary, set)),
-            notes: sets.map(|set| sentences::notes(&summary, set)),
+            answers: in_sets(|set| sentences::answers(&summary, set)),
+            notes: in_sets(|set| sentences::notes(&summary, set)),
             frictions: summary.frictions.iter().map(sentences::friction).collect(),
             titles: Limit::ALL.map(|limit| limit.title().to_owned()).to_vec(),
             limits: summary.frictions.iter().enumerate().flat_map(rows).collect(),

@@ -7,7 +7,7 @@ pub use named_case::NamedCase;
 use std::{borrow::Cow, path::Path};
 
 use wholestring_case::Override;
-use wholestring_judge::{CheckKind, ReadingCheck, Severity};
+use wholestring_judge::{CheckKind, Quantity, ReadingCheck, Rounding, Severity, Wording};
 use wholestring_plan::calibration::{Assembly, Channel, Reading};
 use wholestring_tabular::{ImportedReading, ImportedReadings, read_readings};
 use wholestring_units::{Dimension, Unit, UnitSet};
@@ -186,10 +186,8 @@ fn within(
 ) -> Result<f64, String> {
     let depth_m = row.bit_depth_m;
     let (least, most) = (assembly.setup.assembly_m(), deepest_m(assembly));
-    let text = |depth_m: f64| {
-        let unit = Dimension::Length.unit_in(units);
-        format!("{:.1} {}", unit.from_si(depth_m), unit.symbol)
-    };
+    let depth = |depth_m: f64| Quantity::new(Dimension::Length, depth_m, Rounding::OneDecimal);
+    let text = |depth_m: f64| Wording::from(depth(depth_m).to_string()).in_units(units);
     if depth_m > most + half_digit_m.max(ROUNDED_M) {
         return Err(format!(
             "the bit is at {}, but hole and survey of its case end at {}",
@@ -201,10 +199,11 @@ fn within(
         let sentence = format!(
             "{}: the bit is at {}, rounded beyond the end of hole and survey at {}; taken as at the end",
             row.place,
-            text(depth_m),
-            text(most)
+            depth(depth_m),
+            depth(most)
         );
-        let check = ReadingCheck::new(CheckKind::RoundedDepth, Severity::Note, sentence);
+        let check =
+            ReadingCheck::new(CheckKind::RoundedDepth, Severity::Note, sentence).in_units(units);
         checks.push(check.numbers([depth_m, most].map(Some)).on(vec![row.place.clone()]));
     }
     let depth_m = depth_m.min(most);

@@ -2,6 +2,7 @@
 
 use std::{collections::BTreeMap, path::Path};
 
+use wholestring_judge::Wording;
 use wholestring_report::{Sweep, SweepRow, address, sweep_html, sweep_plots};
 use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Table};
 use wholestring_units::UnitSet;
@@ -9,7 +10,7 @@ use wholestring_units::UnitSet;
 use super::{read::varied, table::FILE};
 use crate::{
     error::Error,
-    page::{self, facts},
+    page::{self, checks::in_sets, facts},
     results_kind::{Overlay, ResultsKind},
 };
 
@@ -66,6 +67,11 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
         let there = !case.is_empty() && folder.join(case).join(page::FILE).is_file();
         there.then(|| format!("{}/{}", address(case), page::FILE))
     };
+    let sentence = |row: usize| match word("worst_check_sentence", row) {
+        // Column of earlier versions.
+        sentence if sentence.is_empty() => word("worst_finding_message", row),
+        sentence => sentence,
+    };
     let rows = table.rows();
     let rows: Vec<SweepRow> = (0..rows)
         .map(|row| SweepRow {
@@ -76,10 +82,9 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
             numbers: numbers(row),
             errors: count("errors", row),
             warnings: count("warnings", row),
-            check: match word("worst_check_sentence", row) {
-                // Column of earlier versions.
-                sentence if sentence.is_empty() => word("worst_finding_message", row),
-                sentence => sentence,
+            check: match serde_json::from_str::<Wording>(&word("worst_check_parts", row)) {
+                Ok(wording) => in_sets(|units| wording.in_units(units)),
+                Err(_) => [(); 3].map(|()| sentence(row)),
             },
             page: page(&word("folder", row)),
         })

@@ -12,12 +12,13 @@ use super::{
 };
 
 /// Text columns with their meanings.
-const WORDS: [(&str, &str); 8] = [
+const WORDS: [(&str, &str); 9] = [
     ("model", "The model that solved it."),
     ("operation", "The operation."),
     ("drifting", "The quantities that drift over the window."),
     ("worst_check", "Kind of the most severe check."),
     ("worst_check_sentence", "The most severe check in a sentence."),
+    ("worst_check_parts", "The sentence as JSON: texts, and quantities in SI."),
     ("status", "Status: complete, interrupted or failed."),
     ("message", "Why it failed."),
     ("folder", "Name of the case's folder."),

@@ -1,6 +1,6 @@
 //! `sweep.csv`: a row for each model and operation of each case of a sweep.
 
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 use wholestring::{dynamics::DynamicOutcome, outcome};
 use wholestring_results::{Column, OperationSummary, Severity, Table};
 
@@ -53,13 +53,17 @@ impl Row {
         Some(checks.filter(|check| check["severity"] == severity.name()).count() as f64)
     }
 
-    /// A text field of the most severe check that requires attention.
+    /// A field of the most severe check that requires attention: a text, or the parts of its
+    /// sentence as JSON.
     fn worst(&self, key: &str) -> String {
         let checks = self.solved.get("checks").and_then(Value::as_array);
         let worst = checks.and_then(|checks| checks.first());
         let worst = worst.filter(|check| check["severity"] != Severity::Ok.name());
-        let word = worst.and_then(|check| check[key].as_str());
-        word.unwrap_or_default().to_owned()
+        match worst.map(|check| &check[key]) {
+            Some(Value::String(word)) => word.clone(),
+            Some(Value::Array(parts)) if !parts.is_empty() => json!(parts).to_string(),
+            _ => String::new(),
+        }
     }
 }
 
@@ -153,7 +157,11 @@ impl SweepTable {
         for (name, severity) in [("errors", Severity::Error), ("warnings", Severity::Warning)] {
             columns.push(number(name.to_owned(), &|row| row.checks(severity)));
         }
-        for (name, key) in [("worst_check", "kind"), ("worst_check_sentence", "sentence")] {
+        for (name, key) in [
+            ("worst_check", "kind"),
+            ("worst_check_sentence", "sentence"),
+            ("worst_check_parts", "parts"),
+        ] {
             columns.push(text(name, &|row| row.worst(key)));
         }
         columns.extend(["status", "message"].map(word));

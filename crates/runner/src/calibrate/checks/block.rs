@@ -3,7 +3,7 @@
 use wholestring_judge::{CheckKind, ReadingCheck, Severity};
 use wholestring_plan::calibration::Channel;
 use wholestring_tabular::row_names;
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::Dimension;
 
 use super::{
     text::{dimension, median, shown, words},
@@ -32,7 +32,7 @@ const WEIGHT_CHANGE: f64 = 0.003;
 const TORQUE_CHANGE: f64 = 0.2;
 
 /// Compares the block weight of the case with that in the readings.
-pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<ReadingCheck> {
+pub(super) fn of_case(data: &Readings, trial: &Trial) -> Option<ReadingCheck> {
     let Block::Held(held_N) = trial.block else { return None };
     let rows = weight_rows(data);
     if rows.len() < FEWEST {
@@ -44,7 +44,7 @@ pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<
         return None;
     }
     let size_N = median(rows.iter().map(|&row| data.readings[row].value.abs()).collect());
-    let force = |force_N: f64| shown(force_N, Dimension::Force, units);
+    let force = |force_N: f64| shown(force_N, Dimension::Force);
     let off_N = free.block_N - held_N;
     let without = free.block_N.abs() < (0.2 * held_N).max(0.02 * size_N);
     let (kind, sentence) = match without {
@@ -78,7 +78,7 @@ pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<
 }
 
 /// Leaves out hook loads below the block's weight or far below the string's, if they are few.
-pub(super) fn below(data: &mut Readings, trial: &Trial, units: UnitSet) -> Vec<ReadingCheck> {
+pub(super) fn below(data: &mut Readings, trial: &Trial) -> Vec<ReadingCheck> {
     let mut checks = Vec::new();
     let mut out = vec![false; data.readings.len()];
     for channel in [Channel::PickUp, Channel::SlackOff, Channel::Rotating] {
@@ -96,7 +96,7 @@ pub(super) fn below(data: &mut Readings, trial: &Trial, units: UnitSet) -> Vec<R
         };
         low.iter().for_each(|&row| out[row] = true);
         let places: Vec<String> = low.iter().map(|&row| data.places[row].clone()).collect();
-        let force = |force_N: f64| shown(force_N, Dimension::Force, units);
+        let force = |force_N: f64| shown(force_N, Dimension::Force);
         let why = match is_free(trial.block) {
             true => format!("the string weighs {} in the mud", force(trial.weights_N[first])),
             false => format!("the block alone weighs {}", force(least_N(first))),
@@ -119,7 +119,7 @@ pub(super) fn below(data: &mut Readings, trial: &Trial, units: UnitSet) -> Vec<R
 }
 
 /// Reports a hole with so little side force that friction has no effect on the readings.
-pub(super) fn no_friction(data: &Readings, trial: &Trial, units: UnitSet) -> Option<ReadingCheck> {
+pub(super) fn no_friction(data: &Readings, trial: &Trial) -> Option<ReadingCheck> {
     let change = |row: usize| {
         let reading = &data.readings[row];
         let change = (trial.load(row, MOST) - trial.load(row, 0.0)).abs();
@@ -132,7 +132,7 @@ pub(super) fn no_friction(data: &Readings, trial: &Trial, units: UnitSet) -> Opt
         return None;
     }
     let reading = &data.readings[row];
-    let quantity = |value: f64| shown(value, dimension(reading.channel), units);
+    let quantity = |value: f64| shown(value, dimension(reading.channel));
     let sentence = format!(
         "friction has no effect on the readings: a factor of {MOST} would change the {} of {} \
          ({}) by {:.1} %, and the others by less, because the hole is so straight that the string \

@@ -1,14 +1,14 @@
 //! Checks of a fit.
 
-use wholestring_judge::{CheckKind, ReadingCheck, Severity};
+use wholestring_judge::{CheckKind, Quantity, ReadingCheck, Severity};
 use wholestring_plan::calibration::{
     Calibration, ErrorKind, LOSS, Outliers, Parameter, Point, Settings,
 };
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::Dimension;
 
 use super::{
     super::notes::{dimension as of_kind, size},
-    text::{dimension, median, shown, warning, whole},
+    text::{dimension, median, shown, warning},
 };
 use crate::readings::Readings;
 
@@ -29,11 +29,10 @@ pub(in super::super) fn of_fit(
     found: &Calibration,
     settings: &Settings,
     robust: Option<&Outliers>,
-    units: UnitSet,
 ) -> Vec<ReadingCheck> {
     let mut checks: Vec<ReadingCheck> = bounds(found).collect();
-    checks.extend(no_block(found, settings, units));
-    checks.extend(estimated_errors(found, units));
+    checks.extend(no_block(found, settings));
+    checks.extend(estimated_errors(found));
     checks.extend(found.confused.iter().map(|confused| {
         let sentence = format!(
             "the readings do not separate the {} from the {}: their correlation is {:.3}; keep \
@@ -47,7 +46,7 @@ pub(in super::super) fn of_fit(
     }));
     checks.extend(open_intervals(found));
     checks.extend(scatter(found));
-    checks.extend(outliers(data, found, robust, units));
+    checks.extend(outliers(data, found, robust));
     if let Some(count) = robust.and_then(|robust| robust.too_many) {
         let all = found.points.len();
         let sentence = format!(
@@ -84,7 +83,7 @@ fn bounds(found: &Calibration) -> impl Iterator<Item = ReadingCheck> {
 }
 
 /// A fitted block weight that is close to zero.
-fn no_block(found: &Calibration, settings: &Settings, units: UnitSet) -> Option<ReadingCheck> {
+fn no_block(found: &Calibration, settings: &Settings) -> Option<ReadingCheck> {
     let is = |estimate: &&wholestring_plan::calibration::Estimate| {
         estimate.parameter == Parameter::BlockWeight && !estimate.at_bound
     };
@@ -95,7 +94,7 @@ fn no_block(found: &Calibration, settings: &Settings, units: UnitSet) -> Option<
         let sentence = format!(
             "the block weight is fitted as {}: the weights seem to exclude the block; results are \
              compared with hook loads without it (confidence {:.0} %)",
-            shown(block.value, Dimension::Force, units),
+            shown(block.value, Dimension::Force),
             100.0 * settings.confidence
         );
         ReadingCheck::new(CheckKind::NoBlock, Severity::Note, sentence)
@@ -105,7 +104,7 @@ fn no_block(found: &Calibration, settings: &Settings, units: UnitSet) -> Option<
 
 /// Estimated errors far beyond those of an instrument: the band then contains every reading, and
 /// readings of that kind carry no information.
-fn estimated_errors(found: &Calibration, units: UnitSet) -> impl Iterator<Item = ReadingCheck> {
+fn estimated_errors(found: &Calibration) -> impl Iterator<Item = ReadingCheck> {
     let large = found.errors.iter().filter_map(move |error| {
         let size = size(found, error.kind);
         let limit = PLAUSIBLE[error.kind.place()] * size;
@@ -121,7 +120,7 @@ fn estimated_errors(found: &Calibration, units: UnitSet) -> impl Iterator<Item =
                  agreement; check the columns, units, block, mud, pumps, string and survey, or \
                  give the error",
                 error.kind.name(),
-                shown(error.value, of_kind(error.kind), units),
+                shown(error.value, of_kind(error.kind)),
                 100.0 * error.value / size.max(1e-9),
             );
             warning(CheckKind::EstimatedError, sentence).numbers([Some(error.value), Some(limit)])
@@ -175,29 +174,23 @@ fn scatter(found: &Calibration) -> Option<ReadingCheck> {
 }
 
 /// Readings that deviate by more than their errors allow, by the fit or by the robust fit.
-fn outliers(
-    data: &Readings,
-    found: &Calibration,
-    robust: Option<&Outliers>,
-    units: UnitSet,
-) -> Vec<ReadingCheck> {
+fn outliers(data: &Readings, found: &Calibration, robust: Option<&Outliers>) -> Vec<ReadingCheck> {
     let is_robust =
         |row: usize| robust.is_some_and(|robust| robust.outlier.get(row) == Some(&true));
     let rows = found.points.iter().zip(&data.places).enumerate();
     let fitted = rows.filter(|(row, (point, _))| point.outlier || is_robust(*row));
-    let fitted =
-        fitted.map(|(_, (fitted, place))| outlier(fitted, place, "standard errors", units));
+    let fitted = fitted.map(|(_, (fitted, place))| outlier(fitted, place, "standard errors"));
     fitted.collect()
 }
 
-fn outlier(point: &Point, place: &str, errors: &str, units: UnitSet) -> ReadingCheck {
+fn outlier(point: &Point, place: &str, errors: &str) -> ReadingCheck {
     let channel = point.reading.channel;
-    let quantity = |value: f64| shown(value, dimension(channel), units);
+    let quantity = |value: f64| shown(value, dimension(channel));
     let sentence = format!(
         "outlier: {} of {} with the bit at {} ({place}), where {} is expected, {:.1} {errors} off",
         channel.name().replace('_', "-"),
         quantity(point.reading.value),
-        whole(point.reading.bit_depth_m, units),
+        Quantity::depth(point.reading.bit_depth_m),
         quantity(point.predicted),
         point.standardised
     );

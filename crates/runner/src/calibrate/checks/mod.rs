@@ -38,19 +38,25 @@ pub(super) fn by_string(
     cancellation: &CancellationToken,
 ) -> Result<(), Error> {
     let Some(trial) = Trial::of(data, settings, cancellation)? else { return Ok(()) };
-    let mut checks: Vec<ReadingCheck> = units::weights(data, &trial, units);
-    checks.extend(units::torques(data, &trial, units));
+    let mut checks: Vec<ReadingCheck> = units::weights(data, &trial);
+    checks.extend(units::torques(data, &trial));
     let wants_friction = settings.parameters.iter().any(|parameter| parameter.is_factor());
     if wants_friction && !checks.iter().any(|check| check.check.severity == Severity::Error) {
-        checks.extend(block::no_friction(data, &trial, units));
+        checks.extend(block::no_friction(data, &trial));
     }
+    let mut checks = in_units(checks, units);
     refused(name, &checks)?;
-    checks.extend(block::of_case(data, &trial, units));
+    checks.extend(block::of_case(data, &trial));
     if !checks.iter().any(|check| check.check.kind == CheckKind::BlockNotInReadings) {
-        checks.extend(block::below(data, &trial, units));
+        checks.extend(block::below(data, &trial));
     }
-    data.checks.extend(checks);
+    data.checks.extend(in_units(checks, units));
     Ok(())
+}
+
+/// The checks with their sentences in these units.
+pub(super) fn in_units(checks: Vec<ReadingCheck>, units: UnitSet) -> Vec<ReadingCheck> {
+    checks.into_iter().map(|check| check.in_units(units)).collect()
 }
 
 /// The checks as in `summary.json`, warnings first.

@@ -1,10 +1,9 @@
 //! Channels, numbers and depths in the sentences of checks, and the median.
 
-use wholestring_judge::{CheckKind, ReadingCheck, Severity};
+use wholestring_judge::{CheckKind, Quantity, ReadingCheck, Rounding, Severity};
 use wholestring_plan::calibration::Channel;
 use wholestring_tabular::CHANNEL_WORDS;
-
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::Dimension;
 
 /// A warning that does not concern single readings.
 pub(in crate::calibrate) fn warning(kind: CheckKind, sentence: String) -> ReadingCheck {
@@ -22,17 +21,8 @@ pub(in crate::calibrate) fn words(channel: Channel) -> &'static str {
 }
 
 /// A number in three digits, with its unit.
-pub(in crate::calibrate) fn shown(value: f64, dimension: Dimension, units: UnitSet) -> String {
-    let unit = dimension.unit_in(units);
-    let value = unit.from_si(value);
-    let digits = 2 - libm::log10(value.abs().max(1e-9)).floor() as i32;
-    format!("{value:.*} {}", digits.clamp(0, 6) as usize, unit.symbol)
-}
-
-/// A depth in whole units.
-pub(in crate::calibrate) fn whole(depth_m: f64, units: UnitSet) -> String {
-    let unit = Dimension::Length.unit_in(units);
-    format!("{:.0} {}", unit.from_si(depth_m), unit.symbol)
+pub(in crate::calibrate) const fn shown(value: f64, dimension: Dimension) -> Quantity {
+    Quantity::new(dimension, value, Rounding::Three)
 }
 
 /// The median; zero for no values.

@@ -3,13 +3,13 @@
 //! In the right unit some friction factor and some block weight match the weights; in another unit
 //! none does, and a factor between two units corrects them.
 
-use wholestring_judge::{CheckKind, ReadingCheck, Severity};
+use wholestring_judge::{CheckKind, Quantity, ReadingCheck, Severity};
 use wholestring_plan::calibration::Channel;
 
-use wholestring_units::{Dimension, Unit, UnitSet};
+use wholestring_units::{Dimension, Unit};
 
 use super::{
-    text::{dimension, median, shown, whole, words},
+    text::{dimension, median, shown, words},
     trial::{Block, MOST, Trial, rows, weight_rows},
 };
 use crate::readings::Readings;
@@ -68,7 +68,7 @@ fn error(data: &Readings, rows: &[usize], sentence: String) -> ReadingCheck {
 }
 
 /// Detects weights in another unit: all of them, or one column.
-pub(super) fn weights(data: &Readings, trial: &Trial, units: UnitSet) -> Vec<ReadingCheck> {
+pub(super) fn weights(data: &Readings, trial: &Trial) -> Vec<ReadingCheck> {
     let all = weight_rows(data);
     if all.len() < FEWEST {
         return Vec::new();
@@ -93,7 +93,7 @@ pub(super) fn weights(data: &Readings, trial: &Trial, units: UnitSet) -> Vec<Rea
         if let Some(&(unit, factor, best)) = met.first() {
             let row = all[all.len() / 2];
             let reading = &data.readings[row];
-            let force = |force_N: f64| shown(force_N, Dimension::Force, units);
+            let force = |force_N: f64| shown(force_N, Dimension::Force);
             let likely: Vec<_> = met
                 .iter()
                 .filter(|candidate| candidate.2.part < 2.0 * best.part)
@@ -112,7 +112,7 @@ pub(super) fn weights(data: &Readings, trial: &Trial, units: UnitSet) -> Vec<Rea
                 data.places[row],
                 words(reading.channel),
                 force(reading.value),
-                whole(reading.bit_depth_m, units),
+                Quantity::depth(reading.bit_depth_m),
                 force(trial.load(row, best.friction) + best.block_N),
                 named(&likely),
             );
@@ -167,17 +167,12 @@ fn column(
 }
 
 /// Detects torques in another unit: they require a friction factor outside the usual range.
-pub(super) fn torques(data: &Readings, trial: &Trial, units: UnitSet) -> Vec<ReadingCheck> {
+pub(super) fn torques(data: &Readings, trial: &Trial) -> Vec<ReadingCheck> {
     let channels = [Channel::OffBottomTorque, Channel::OnBottomTorque];
-    channels.into_iter().filter_map(|channel| torque(data, trial, channel, units)).collect()
+    channels.into_iter().filter_map(|channel| torque(data, trial, channel)).collect()
 }
 
-fn torque(
-    data: &Readings,
-    trial: &Trial,
-    channel: Channel,
-    units: UnitSet,
-) -> Option<ReadingCheck> {
+fn torque(data: &Readings, trial: &Trial, channel: Channel) -> Option<ReadingCheck> {
     let own = rows(data, |row_channel| row_channel == channel);
     let heading = data.units[channel as usize]?;
     let bit_N_m = match channel {
@@ -221,9 +216,9 @@ fn torque(
         rounded(would),
         wholestring_units::number_text(format!("{factor:.3e}").parse().unwrap_or(factor)),
         data.places[row],
-        shown(data.readings[row].value, dimension(channel), units),
-        whole(data.readings[row].bit_depth_m, units),
-        shown(slope(row) * target + bit_N_m, dimension(channel), units),
+        shown(data.readings[row].value, dimension(channel)),
+        Quantity::depth(data.readings[row].bit_depth_m),
+        shown(slope(row) * target + bit_N_m, dimension(channel)),
         rounded(target),
         named(&likely.iter().map(|likely| likely.0).collect::<Vec<_>>()),
     );
