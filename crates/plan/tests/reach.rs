@@ -446,3 +446,16 @@ fn a_level_hole_has_no_vertical_stretch() {
         assert!(named(&turned, depth_m).contains(&Limit::VerticalHelix));
     }
 }
+
+/// In a vertical well the sinusoid of a pushed string is that of the vertical hole, which `run` and
+/// `plan` report too; the one of an inclined hole is not met.
+#[test]
+fn a_vertical_hole_has_a_sinusoid_of_its_own() {
+    let file = verification("S5_reach.json");
+    let vertical = setup(&file["inputs"], &[[0.0, 0.0], [1500.0, 0.0]], 0.3);
+    let slide = Operation::slide(1500.0).weight_on_bit_N(50e3);
+    let all = margins(&vertical, &slide, &of_soft(HELIX)).expect("margins");
+    let margin = |limit| all.iter().find(|margin| margin.limit == limit).expect("it concerns");
+    assert!(margin(Limit::VerticalSinusoid).margin < 0.0, "{all:?}");
+    assert_eq!(margin(Limit::Sinusoid).margin, 1.0, "{all:?}");
+}
