@@ -19,11 +19,12 @@ const HALVED: &str = "halved";
 
 /// Refuses a case that has no elements to halve.
 pub(crate) fn check(case: &Case) -> Result<(), Failure> {
-    if ModelKind::any_in_time(&case.models) {
+    if case.models.iter().any(|model| *model != ModelKind::Soft) {
         return Ok(());
     }
     Err(Failure::BadInput(
-        "error: --converge halves elements, and no model of the case has any: `model` is \"soft\""
+        "error: --converge halves elements, and the soft string, the only model of the case, has \
+         none; add \"stiff\" or \"dynamic\" to `model`"
             .to_owned(),
     ))
 }
@@ -76,7 +77,8 @@ fn tables(base: &Summary, halved: &Summary, units: UnitSet) -> String {
         let [Some(coarse), Some(fine)] = [base, halved].map(elements) else {
             continue;
         };
-        let title = format!("{}: {coarse} elements as given, {fine} halved", base.operation);
+        let name = format!("{} ({})", base.operation, base.model.name());
+        let title = format!("{name}: {coarse} elements as given, {fine} halved");
         text += &table(&title, &one, before, after);
         text.push('\n');
     }
@@ -84,7 +86,8 @@ fn tables(base: &Summary, halved: &Summary, units: UnitSet) -> String {
 }
 
 fn elements(operation: &OperationSummary) -> Option<usize> {
-    Some(operation.numerics.as_ref()?.run.elements)
+    let in_time = operation.numerics.as_ref().map(|numerics| numerics.run.elements);
+    in_time.or_else(|| Some(operation.at_rest.as_ref()?.convergence.elements))
 }
 
 fn table(

@@ -51,15 +51,42 @@ impl<'a> Line<'a> {
     fn is_bowed_by_weight_alone(&self, row: usize) -> bool {
         let place = Place::above(self.model, self.bit_depth_m, self.profile.md_m[row]);
         let place = place.seen_by(self.model.buckling);
-        let wall_load_N_per_m = place.wall_load_N_per_m(-self.profile.tension_N[row]);
-        place.threshold_N(Shape::Sinusoidal, wall_load_N_per_m)
-            <= place.vertical_load_N(Shape::Sinusoidal) * (1.0 + 1e-9)
+        is_held_by_weight_alone(&place, -self.profile.tension_N[row])
     }
 
     fn component_at(&self, row: usize) -> &'a str {
         let from_bit_m = self.bit_depth_m - self.profile.md_m[row];
         &self.model.string.component_at(from_bit_m).1.name
     }
+}
+
+/// Whether the load that a place supports under a compression, N, is that of a vertical hole: the
+/// wall adds nothing to it.
+fn is_held_by_weight_alone(place: &Place, compression_N: f64) -> bool {
+    let wall_load_N_per_m = place.wall_load_N_per_m(compression_N);
+    place.threshold_N(Shape::Sinusoidal, wall_load_N_per_m)
+        <= place.vertical_load_N(Shape::Sinusoidal) * (1.0 + 1e-9)
+}
+
+/// Whether a string that is buckled somewhere is so in a vertical hole alone: collars bow there in
+/// every well as soon as they press on the bit. `tensions` are pairs of measured depth, m, and
+/// effective tension, N.
+pub fn bows_in_vertical_hole(
+    model: &Model,
+    operation: &Operation,
+    tensions: impl IntoIterator<Item = (f64, f64)>,
+) -> bool {
+    let mut bows = false;
+    for (md_m, tension_N) in tensions.into_iter().filter(|(_, tension_N)| *tension_N < 0.0) {
+        let place = Place::above(model, operation.bit_depth_m, md_m).seen_by(model.buckling);
+        if place.is_beyond(Shape::Sinusoidal, -tension_N) {
+            if !is_held_by_weight_alone(&place, -tension_N) {
+                return false;
+            }
+            bows = true;
+        }
+    }
+    bows
 }
 
 /// Returns the buckled stretches, the helical ones first. For a shape in which nothing is buckled,

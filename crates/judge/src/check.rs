@@ -302,6 +302,15 @@ impl Check {
         }
     }
 
+    /// The same with a further text after its sentence.
+    pub(crate) fn continued(self, more: &str) -> Self {
+        let text = match self.wording.is_empty() {
+            true => self.sentence.clone(),
+            false => self.wording.to_string(),
+        };
+        self.worded(text + more)
+    }
+
     /// The sentence in these units; that of the file for a check of an earlier version.
     pub fn sentence_in(&self, units: UnitSet) -> String {
         match self.wording.is_empty() {

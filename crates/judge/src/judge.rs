@@ -4,7 +4,7 @@ use wholestring::{
     dynamics::DynamicsSettings,
     model::Model,
     operation::Operation,
-    outcome::{ModelKind, Solution},
+    outcome::{ModelKind, Profile, Solution},
     statics::{
         assembly::{Assembly, Largest},
         soft::{SoftLoads, SoftProfile},
@@ -38,6 +38,10 @@ pub struct Judge {
     /// here.
     pub soft_has_helix_friction: bool,
 }
+
+/// Lock-up factor of the soft string below which a stiff string that did not converge is said to be
+/// near lock-up.
+const NEAR_LOCK_UP: f64 = 1.2;
 
 /// Depth that an operation reaches.
 #[derive(Debug, Clone, Copy)]
@@ -74,7 +78,8 @@ impl Judge {
     pub fn stiff(&self, model: &Model, operation: &Operation, profile: &StiffProfile) -> Checks {
         let solution = Solution::from(profile);
         let mut checks = self.at_rest(model, operation, &solution);
-        checks.checks.extend(numerics::equilibrium(&profile.convergence));
+        let bows = bows_in_vertical_hole(model, operation, solution.profile);
+        checks.checks.extend(numerics::equilibrium(&profile.convergence, bows));
         let element = profile.convergence.buckled_element.as_ref();
         checks.checks.extend(numerics::element_buckles(element));
         let deepest = profile.deepest_penetration_m;
@@ -109,8 +114,8 @@ impl Judge {
         checks.checks.extend(weight_on_bit::checks(operation, settings, &window));
         self.add_limits(model, operation, &Loads::of(model, operation, solution), &mut checks);
         checks.checks.extend(motion::checks(settings, &window));
-        checks.checks.extend(numerics::checks(model, solution, &window));
-        checks.checks.extend(steadiness::checks(operation, window.run()));
+        checks.checks.extend(numerics::checks(model, operation, solution, &window));
+        checks.checks.extend(steadiness::checks(operation, settings, &window));
         self.worded(checks, model, solution)
     }
 
@@ -130,15 +135,24 @@ impl Judge {
             }
             None => checks.lacks(kind, Some(name), Missing::YieldStrength),
         }
-        checks.checks.extend(numerics::equilibrium(&assembly.convergence));
+        let tensions = assembly.nodes.iter().map(|node| (node.md_m, node.tension_N));
+        let bows = buckling::bows_in_vertical_hole(model, operation, tensions);
+        checks.checks.extend(numerics::equilibrium(&assembly.convergence, bows));
         let words = Words::of_loads(&model.rig, f64::NAN);
         self.with_sentences(checks, &words)
     }
 
-    /// The checks of a string whose linear vibration about static equilibrium grows or decays.
-    pub fn small_motions(&self, model: &Model, is_stable: bool) -> Checks {
-        let check = || Check::reported(CheckKind::UnstableEquilibrium, Severity::Warning);
-        let checks = (!is_stable).then(check).into_iter().collect();
+    /// The checks of a string whose linear vibration about static equilibrium grows or decays, with
+    /// the tensions of its soft string.
+    pub fn small_motions(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        profile: &SoftProfile,
+        is_stable: bool,
+    ) -> Checks {
+        let bows = bows_in_vertical_hole(model, operation, Solution::from(profile).profile);
+        let checks = numerics::unstable(is_stable, bows).into_iter().collect();
         let words = Words::of_loads(&model.rig, f64::NAN);
         self.with_sentences(Checks { checks, unchecked: Vec::new() }, &words)
     }
@@ -185,6 +199,37 @@ impl Judge {
         let check = why.check(&self.limits);
         let sentence = unsolved(why, &check);
         check.worded(sentence).in_units(self.units)
+    }
+
+    /// The same with the soft string of the operation, where it has one: its sentence adds how near
+    /// to lock-up that is, because the iterations of a stiff string may end without convergence
+    /// shortly before.
+    pub fn unsolved_beside(
+        &self,
+        why: &NoAnswer,
+        model: &Model,
+        operation: &Operation,
+        soft: Option<&SoftProfile>,
+    ) -> Checks {
+        let mut checks = self.unsolved(why);
+        if !why.is_not_converged() {
+            return checks;
+        }
+        let soft_checks = soft.map(|profile| self.soft(model, operation, profile).checks);
+        let mut soft_checks = soft_checks.iter().flatten();
+        let lock_up = soft_checks.find(|check| check.kind == CheckKind::LockUp);
+        let factor = lock_up.and_then(|check| check.factor);
+        if let Some(factor) = factor.filter(|factor| *factor < NEAR_LOCK_UP) {
+            let more = format!(
+                ". The string is near lock-up, where its shape changes much with a small force: the \
+                 soft string's lock-up factor is {factor:.2}, that of a string that locks up 1. Use \
+                 the soft string here, or give less friction or a lighter weight on bit"
+            );
+            let all = checks.checks.into_iter();
+            checks.checks =
+                all.map(|check| check.continued(&more).in_units(self.units)).collect();
+        }
+        checks
     }
 
     /// The limits of any result, and whether the string goes down.
@@ -317,5 +362,11 @@ impl Judge {
         let all = checks.checks.into_iter();
         checks.checks = all.map(|check| worded(check).in_units(self.units)).collect();
         checks.ordered()
+    }
+}
+
+fn bows_in_vertical_hole(model: &Model, operation: &Operation, profile: &Profile) -> bool {
+    let tensions = profile.md_m.iter().copied().zip(profile.tension_N.iter().copied());
+    buckling::bows_in_vertical_hole(model, operation, tensions)
     }
 }

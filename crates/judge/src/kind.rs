@@ -197,6 +197,9 @@ kinds! {
         WindowDrifts = window_drifts, "Window drifts": Ratio;
         /// The string was not steady when settling ended, after this time.
         NeverSteady = never_steady, "Never steady": Time;
+        /// Standard deviation of the hook load of a string that trips without rotation, where it
+        /// does not decay: friction feeds a vibration.
+        HookLoadSwings = hook_load_swings, "Hook load swings": Force;
         /// Depth of the bit that an operation reaches, against the last depth that was tried.
         Reach = reach, "Reach": Depth;
         /// Readings of zero, which count as not measured.

@@ -1,8 +1,9 @@
 //! Reliability of the numbers of a dynamic run.
 
 use wholestring::{
-    dynamics::TableUse,
+    dynamics::{Numerics, TableUse},
     model::Model,
+    operation::Operation,
     outcome::{Profile, Solution},
     rod::buckled_element::BuckledElement,
     sizing::SizeReason,
@@ -38,15 +39,21 @@ const SWINGS: f64 = 0.02;
 /// A bit whose weight varies by more than this part of its mean shakes the string.
 const SHAKEN: f64 = 0.02;
 
-/// Reports whether a static equilibrium is stable, and where the string would roll around its hole
-/// for ever instead.
-pub fn equilibrium(convergence: &Convergence) -> Option<Check> {
-    let check = || Check::reported(CheckKind::UnstableEquilibrium, Severity::Warning);
-    let check = (!convergence.stable).then(check)?;
+/// Reports a static equilibrium that is not stable, and where the string would roll around its hole
+/// for ever instead: a note where it [bows in a vertical hole](crate::buckling::bows_in_vertical_hole)
+/// alone.
+pub fn equilibrium(convergence: &Convergence, bows_in_vertical_hole: bool) -> Option<Check> {
+    let check = unstable(convergence.stable, bows_in_vertical_hole)?;
     Some(match convergence.rolls_at_md_m {
         Some(md_m) => check.at(md_m),
         None => check,
     })
+}
+
+/// Reports an equilibrium that a small disturbance would leave.
+pub fn unstable(is_stable: bool, bows_in_vertical_hole: bool) -> Option<Check> {
+    let severity = if bows_in_vertical_hole { Severity::Note } else { Severity::Warning };
+    (!is_stable).then(|| Check::reported(CheckKind::UnstableEquilibrium, severity))
 }
 
 /// Reports the penetration of the wall in static equilibrium, m, and its measured depth.
@@ -55,16 +62,37 @@ pub fn penetration_at_rest(model: &Model, [deepest_m, md_m]: [f64; 2]) -> Option
 }
 
 /// Returns the checks of a run that was computed to its end.
-pub fn checks(model: &Model, solution: &Solution<'_>, window: &Window<'_>) -> Vec<Check> {
+pub fn checks(
+    model: &Model,
+    operation: &Operation,
+    solution: &Solution<'_>,
+    window: &Window<'_>,
+) -> Vec<Check> {
     let numerics = window.run().numerics;
     let mut found = Vec::new();
-    found.extend(penetration(mean_clearance_m(model), numerics.max_penetration_m));
+    found.extend(penetration_in_time(model, numerics, operation.bit_depth_m));
     found.extend(element_buckles(numerics.buckled_element.as_ref()));
     found.extend(energy_residual(numerics.energy_residual));
     found.extend(window.run().bit_table.and_then(|table| bit_table(&table)));
     found.extend(unsettled(solution.profile));
     found.extend(bending_waves(solution.profile, window));
     found
+}
+
+/// Reports the penetration of the wall by the nodes that touch it. The bit does not: it is held to
+/// the axis of the hole that it cuts by the lateral stiffness of its rock, and gives way by side
+/// force over stiffness, whatever the law of the wall. Only a bit that leaves the axis by more than
+/// the clearance of the string is reported.
+fn penetration_in_time(model: &Model, numerics: &Numerics, bit_depth_m: f64) -> Option<Check> {
+    let clearance_m = mean_clearance_m(model);
+    let contact = numerics.deepest_contact;
+    let contact = contact.map(|deepest| (deepest.penetration_m, deepest.md_m));
+    let (deepest_m, md_m) = contact.unwrap_or((0.0, bit_depth_m));
+    let bit_m = numerics.max_penetration_m;
+    if bit_m > deepest_m && bit_m > THROUGH * clearance_m {
+        return Some(penetration(clearance_m, bit_m)?.at(bit_depth_m));
+    }
+    Some(penetration(clearance_m, deepest_m)?.at(md_m))
 }
 
 fn penetration(clearance_m: f64, deepest_m: f64) -> Option<Check> {

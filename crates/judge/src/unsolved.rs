@@ -68,6 +68,11 @@ impl NoAnswer {
         }
     }
 
+    /// Whether the iterations ended without an equilibrium, though there may be one.
+    pub(crate) const fn is_not_converged(&self) -> bool {
+        matches!(self, Self::Stiff(StiffError::NotConverged { .. }))
+    }
+
     /// The check without its sentence. A string that locks up has a factor of zero, because no push
     /// moves it.
     pub(crate) fn check(&self, settings: &LimitSettings) -> Check {

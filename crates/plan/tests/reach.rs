@@ -212,7 +212,7 @@ fn s5_limits_of_a_tangent() {
             Ok::<f64, ReachError>(3e6 + least_N.unwrap_or(-9e6))
         };
         let key = "lockup_unlimited_push_md_m";
-        let locks_m = curve(&helix, Limit::LockUp).end.depth_m().expect("a depth");
+        let locks_m = curve(&helix, Limit::PushAbsorbed).end.depth_m().expect("a depth");
         let ends = [0.9 * locks_m, locks_m].map(|depth_m| (depth_m, pushed(depth_m).unwrap()));
         let cut_m = root(pushed, ends, 0.01).expect("a depth");
         rows.push(s5_row(id, key, number(&expected[key]), cut_m));
@@ -225,7 +225,7 @@ fn s5_limits_of_a_tangent() {
         let whole = whole.expect("a reach");
         for (key, limit) in [
             ("slide_stops_with_200kN_push_helical_friction_md_m", Limit::PushSpent),
-            ("lockup_unlimited_push_md_m", Limit::LockUp),
+            ("lockup_unlimited_push_md_m", Limit::PushAbsorbed),
         ] {
             let what =
                 format!("{}, of {id} with a helix in vertical hole too, m", &key[..key.len() - 5]);
@@ -308,7 +308,7 @@ fn s2b_lock_up_of_a_horizontal_well() {
                 ..ReachSettings::from_depth(100.0)
             };
             let found = reach(&setup, &slide, &settings).expect("a reach");
-            [Limit::Helix, Limit::PushSpent, Limit::LockUp].map(|limit| {
+            [Limit::Helix, Limit::PushSpent, Limit::PushAbsorbed].map(|limit| {
                 let curve = found.curves.iter().find(|curve| curve.limit == limit);
                 curve.expect("a limit").end.depth_m().expect("a depth")
             })
@@ -346,7 +346,8 @@ fn what_arrives_of_a_push() {
     let arrives = |length_m: f64, wob_N: f64| {
         let slide = Operation::slide(length_m).weight_on_bit_N(wob_N);
         let all = margins(&setup, &slide, &of_soft(HELIX)).expect("margins");
-        let margin = all.iter().find(|margin| margin.limit == Limit::LockUp).expect("a margin");
+        let margin =
+            all.iter().find(|margin| margin.limit == Limit::PushAbsorbed).expect("a margin");
         let forces = solve(&setup.at(length_m).unwrap(), &slide, &HELIX).unwrap().scalars;
         (margin.margin, -forces.hook_load_N)
     };
@@ -444,4 +445,17 @@ fn a_level_hole_has_no_vertical_stretch() {
         assert!(!limits.contains(&Limit::VerticalHelix), "{limits:?}");
         assert!(named(&turned, depth_m).contains(&Limit::VerticalHelix));
     }
+}
+
+/// In a vertical well the sinusoid of a pushed string is that of the vertical hole, which `run` and
+/// `plan` report too; the one of an inclined hole is not met.
+#[test]
+fn a_vertical_hole_has_a_sinusoid_of_its_own() {
+    let file = verification("S5_reach.json");
+    let vertical = setup(&file["inputs"], &[[0.0, 0.0], [1500.0, 0.0]], 0.3);
+    let slide = Operation::slide(1500.0).weight_on_bit_N(50e3);
+    let all = margins(&vertical, &slide, &of_soft(HELIX)).expect("margins");
+    let margin = |limit| all.iter().find(|margin| margin.limit == limit).expect("it concerns");
+    assert!(margin(Limit::VerticalSinusoid).margin < 0.0, "{all:?}");
+    assert_eq!(margin(Limit::Sinusoid).margin, 1.0, "{all:?}");
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wholestring::statics::assembly::{AssemblyErrors, Contact, Largest, Sag};
-use wholestring_judge::{Check, Unchecked};
+use wholestring_judge::{Check, CheckKind, Severity, Unchecked};
 
 use crate::{
     ResultsError,
@@ -15,6 +15,9 @@ use crate::{
 /// Version of the layout of the files of a static BHA analysis; raised when a key changes or is
 /// removed. 2: `checks` and `unchecked`. All versions are read.
 pub const BHA_VERSION: u32 = 2;
+
+/// Weights, as a part of one, and tool faces, rad, that differ by less are the same.
+const SAME: f64 = 1e-6;
 
 /// `summary.json` of a static BHA analysis. Each pair is the part towards the high side and that to
 /// the right of it as one looks down the hole.
@@ -200,11 +203,49 @@ impl BhaSummary {
         read_versioned(path, 1..=BHA_VERSION)
     }
 
+    /// Notes, a sentence for each.
+    pub fn notes(&self) -> Vec<String> {
+        let note = self.unstable().filter(|check| check.severity == Severity::Note);
+        note.map(|check| check.sentence.clone()).into_iter().collect()
+    }
+
+    /// Largest difference of the side force, N, between the state and the point of a variation at
+    /// the same tool face and weight: points have no shorter elements at the ends of contacts.
+    /// `None` without such a point.
+    pub fn points_differ_N(&self) -> Option<f64> {
+        let is_own = |point: &&BhaPoint| {
+            let turned_rad = match (point.toolface_rad, self.toolface_rad) {
+                (Some(toolface_rad), Some(own_rad)) => (toolface_rad - own_rad).abs(),
+                _ => 0.0,
+            };
+            let off_N = (point.weight_on_bit_N - self.weight_on_bit_N).abs();
+            point.varied != BhaVaried::Inclination
+                && turned_rad < SAME
+                && off_N <= SAME * self.weight_on_bit_N.abs()
+        };
+        let own = self.sweep.iter().filter(is_own).filter_map(|point| point.found);
+        let [high_N, right_N] = self.state.side_force_N;
+        let differ = own.map(|found| {
+            let [other_high_N, other_right_N] = found.side_force_N;
+            (high_N - other_high_N).hypot(right_N - other_right_N)
+        });
+        differ.reduce(f64::max)
+    }
+
+    fn unstable(&self) -> Option<&Check> {
+        self.checks.iter().find(|check| check.kind == CheckKind::UnstableEquilibrium)
+    }
+
     /// Warnings, a sentence for each.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = Vec::new();
         if !self.state.stable {
-            warnings.push("the state is not stable: a small push changes it".to_owned());
+            match self.unstable() {
+                Some(check) if check.severity < Severity::Warning => {}
+                Some(check) => warnings.push(check.sentence.clone()),
+                // A file of a version without checks.
+                None => warnings.push("the state is not stable: a small push changes it".into()),
+            }
         }
         let failed = self.sweep.iter().filter(|point| point.found.is_none()).count();
         if failed > 0 {

@@ -120,6 +120,7 @@ fn dynamic() -> OperationSummary {
                 steps: 400_000,
                 added_axial_mass_fraction: 0.003,
                 max_penetration_m: 1e-5,
+                deepest_contact: None,
                 energy_residual: 1e-4,
                 energy: Some(EnergyBalance {
                     hoist_work_J: 5.0,

@@ -22,8 +22,18 @@ pub(super) fn text(summary: &BhaSummary, units: UnitSet) -> String {
         text += &sweep(summary, varied, units);
     }
     text += &holding(summary, units);
+    if let Some(differ_N) = summary.points_differ_N() {
+        text += &format!(
+            "note: variations are solved without the shorter elements at contacts that the state \
+             above has; at its own weight and tool face the side force differs by {}\n",
+            quantity(differ_N, Dimension::Force, units)
+        );
+    }
     for warning in summary.warnings() {
         text += &format!("warning: {warning}\n");
+    }
+    for note in summary.notes() {
+        text += &format!("note: {note}\n");
     }
     text
 }

@@ -110,7 +110,7 @@ fn one_operation_at_the_cases_friction() {
     let [friction] = &summary.frictions[..] else { panic!("one friction") };
     assert_eq!(friction.friction, None);
     assert!(friction.limits.iter().all(|limit| limit.operation == "trip_in"));
-    let locks = friction.limits.iter().find(|limit| limit.limit == "lock_up").unwrap();
+    let locks = friction.limits.iter().find(|limit| limit.limit == "push_absorbed").unwrap();
     assert_eq!(locks.depth_m, None);
     let output = desk.run(&["reach", "slant.toml", "-o", "out", "-q"]);
     assert_eq!(output.status.code(), Some(2), "another question's answer lies there");

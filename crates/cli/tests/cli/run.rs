@@ -172,8 +172,8 @@ fn converge_halves_every_element() {
     assert!(elements(&halved).abs_diff(2 * elements(&coarse)) <= 1);
     assert_eq!(coarse.settings["mesh"]["refinement"], serde_json::Value::Null);
     assert_eq!(halved.settings["mesh"]["refinement"], 2);
-    let expected =
-        format!("trip_out: {} elements as given, {} halved", elements(&coarse), elements(&halved));
+    let expected = format!("{} elements as given, {} halved", elements(&coarse), elements(&halved));
+    let expected = format!("trip_out (dynamic): {expected}");
     assert!(printed.contains(&expected), "{printed}");
     let hook_load = printed.lines().filter(|line| line.starts_with("Hook load"));
     let changes: Vec<f64> = hook_load
@@ -186,6 +186,21 @@ fn converge_halves_every_element() {
     assert_eq!(changes.len(), 2, "{printed}");
     assert!(changes.iter().all(|percent: &f64| percent.abs() < 0.1), "{printed}");
     assert!(printed.contains("\nResults with halved elements in both/halved\n"), "{printed}");
+}
+
+/// The stiff string has elements too.
+#[test]
+fn converge_halves_the_elements_of_the_stiff_string() {
+    let desk = Desk::new();
+    let case = ["run", "slant.toml", "--converge", "-o", "both", "--set", "model=\"stiff\""];
+    let printed = transcript(&desk.done(&case));
+    let [coarse, halved] = ["both", "both/halved"].map(|folder| {
+        let at_rest = desk.summary(folder).operations[0].at_rest;
+        at_rest.expect("an equilibrium").convergence.elements
+    });
+    assert!(halved.abs_diff(2 * coarse) <= 1, "{coarse} {halved}");
+    let title = format!("trip_out (stiff): {coarse} elements as given, {halved} halved");
+    assert!(printed.contains(&title), "{printed}");
 }
 
 #[test]

@@ -31,7 +31,7 @@ pub use output::{
     energy::EnergyBalance,
     frame::{Channel, FRAME, Frame},
     indicators::{Indicators, StickSlip, TorqueUse, Whirl},
-    outcome::{DynamicOutcome, Numerics},
+    outcome::{DeepestContact, DynamicOutcome, Numerics},
     probe::{NodeSignal, Probe, Probed},
     statistic::Statistic,
 };

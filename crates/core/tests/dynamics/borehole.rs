@@ -209,6 +209,8 @@ fn a_snug_motor_touches_the_wall() {
             touching += usize::from(nodes.contact_fraction[i] > 0.99);
         }
         assert!(touching > 0, "nothing of the motor touches");
+        let contact = outcome.numerics.deepest_contact.expect("it touches");
+        assert!(contact.penetration_m > 0.0 && contact.penetration_m <= deepest_m, "{contact:?}");
         assert!(deepest_m < 1e-3, "{deepest_m}");
     }
 }
@@ -232,6 +234,11 @@ fn a_held_bit_shows_its_penetration() {
     // The largest of the samples is not below their mean.
     assert!(deepest_m >= offset_m, "{deepest_m} {offset_m}");
     assert!(deepest_m < 2.0 * offset_m, "{deepest_m} {offset_m}");
+    // The wall is not what gives way: the nodes that touch it lie far less deep.
+    let contact = outcome.numerics.deepest_contact.expect("the collar lies on the wall");
+    assert!(contact.penetration_m < 0.1 * offset_m, "{contact:?} {offset_m}");
+    let bit_m = *outcome.nodes.md_m.last().expect("a bit");
+    assert!((0.0..bit_m + 10.0).contains(&contact.md_m), "{contact:?}");
 }
 
 /// Elements of half a metre take six times as many steps a second: ten seconds after its start a

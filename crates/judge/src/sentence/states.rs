@@ -97,6 +97,11 @@ impl Words<'_> {
                  dynamics have it",
                 text::force(value)
             ),
+            CheckKind::UnstableEquilibrium if check.severity == Severity::Note => format!(
+                "The string bows between its contacts, as in every vertical hole in which collars \
+                 press on the bit, and while it turns it rolls up the wall{place}. The dynamics \
+                 compute its whirl"
+            ),
             CheckKind::UnstableEquilibrium if check.md_m.is_some() => format!(
                 "The equilibrium found is not stable, and no stable one was found of the turning \
                  string: released, it rolls up the wall, most{place}. The dynamics compute its whirl"
@@ -111,6 +116,14 @@ impl Words<'_> {
             CheckKind::NeverSteady => format!(
                 "Not steady after {value:.0} s of settling, the longest by default; inspect \
                  time.parquet before the means are used, or give a longer dynamics.settle",
+            ),
+            CheckKind::HookLoadSwings => format!(
+                "The hook load swings by ± {} (standard deviation) and does not decay, though \
+                 nothing excites the string: friction feeds an axial vibration through the bending \
+                 of the pipe between its contacts. The means remain valid, the extremes do not. \
+                 Elements from joint to joint (mesh.element_length = \"auto\") leave that bending \
+                 out; a dynamics.damping.mass of 1 1/s, as of a viscous mud, damps it",
+                text.force(value)
             ),
             CheckKind::BitElsewhere => self.bit_elsewhere(value, limit),
             kind => format!("{}{place}", kind.label()),

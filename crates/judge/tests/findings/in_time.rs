@@ -2,7 +2,8 @@
 
 use wholestring::{
     dynamics::{
-        HoistControl, SpeedController, Statistic, StickSlip, TableUse, TopDriveSettings, Whirl,
+        DeepestContact, HoistControl, SpeedController, Statistic, StickSlip, TableUse,
+        TopDriveSettings, Whirl,
     },
     operation::OperationKind::*,
     prelude::*,
@@ -263,9 +264,21 @@ fn numbers_that_are_not_to_be_trusted() {
         (44.4e-3, Some(Severity::Warning)),
         (1.44, Some(Severity::Error)),
     ] {
-        ran.outcome.numerics.max_penetration_m = penetration_m;
-        assert_eq!(ran.severity(CheckKind::WallPenetration), level, "{penetration_m}");
+        let numerics = &mut ran.outcome.numerics;
+        numerics.max_penetration_m = penetration_m;
+        numerics.deepest_contact = Some(DeepestContact { penetration_m, md_m: 42.0 });
+        let check = ran.has(CheckKind::WallPenetration);
+        assert_eq!(check.as_ref().map(|check| check.severity), level, "{penetration_m}");
+        assert_eq!(check.and_then(|check| check.md_m), level.and(Some(42.0)));
+        // A bit that its lateral spring lets off the axis: no wall acts on it.
+        let numerics = &mut ran.outcome.numerics;
+        numerics.deepest_contact = Some(DeepestContact { penetration_m: 1e-4, md_m: 42.0 });
+        let bit = ran.has(CheckKind::WallPenetration);
+        let level = level.filter(|level| *level == Severity::Error);
+        assert_eq!(bit.as_ref().map(|check| check.severity), level, "{penetration_m}");
+        assert_eq!(bit.and_then(|check| check.md_m), level.and(Some(100.0)));
     }
+    ran.outcome.numerics.max_penetration_m = 1e-4;
     for (residual, level) in [
         (-0.05, None),
         (0.051, Some(Severity::Warning)),

@@ -7,6 +7,8 @@ mod hydraulics;
 mod in_time;
 mod judged;
 mod soft_string;
+mod swings;
+mod vertical;
 
 use wholestring_judge::{CheckKind, Severity};
 

@@ -8,11 +8,12 @@ use wholestring::{
         buckling::{Criterion, Place},
         soft,
         soft::{SoftError, SoftSettings},
+        stiff::StiffError,
     },
     string::LateralForce,
 };
 
-use wholestring_judge::{Check, CheckKind, Descent, Judge, Severity};
+use wholestring_judge::{Check, CheckKind, Descent, Judge, NoAnswer, Severity};
 
 use crate::{
     common::*,
@@ -390,4 +391,36 @@ fn the_torque_of_a_helix_counts_if_asked() {
     }
     let [more, less] = [&helix, &plain].map(|profile| profile.scalars.friction_torque_N_m);
     assert!(more > 2.0 * less, "{more} {less}");
+}
+
+/// A stiff string that did not converge has the lock-up factor of the soft string in its sentence
+/// where that is less than 1.2.
+#[test]
+fn a_stiff_string_that_did_not_converge_names_a_lock_up_that_is_near() {
+    let why = NoAnswer::Stiff(StiffError::NotConverged {
+        md_m: 1.2,
+        residual_N: 173e3,
+        iterations: 4000,
+    });
+    let judge = Judge::default();
+    let mut named = Vec::new();
+    for friction in [0.2, 0.3, 0.35, 0.4] {
+        let model = lateral(3000.0, friction);
+        let trip_in = at_full_depth(OperationKind::TripIn, &model, 0.0);
+        let Ok(soft) = soft_string(&model, &trip_in) else { continue };
+        let checks = judge.soft(&model, &trip_in, &soft).checks;
+        let factor = checks.iter().find(|check| check.kind == CheckKind::LockUp);
+        let factor = factor.and_then(|check| check.factor).expect("a factor");
+        let checks = judge.unsolved_beside(&why, &model, &trip_in, Some(&soft)).checks;
+        let sentence = &checks[0].sentence;
+        let names = sentence.contains(&format!("lock-up factor is {factor:.2}"));
+        assert_eq!(names, factor < 1.2, "{friction}: {factor} {sentence}");
+        assert!(sentence.starts_with("Did not converge"), "{sentence}");
+        named.push(names);
+    }
+    assert!(named.contains(&true) && named.contains(&false), "{named:?}");
+    let model = lateral(3000.0, 0.4);
+    let trip_in = at_full_depth(OperationKind::TripIn, &model, 0.0);
+    let alone = judge.unsolved_beside(&why, &model, &trip_in, None);
+    assert_eq!(alone, judge.unsolved(&why));
 }

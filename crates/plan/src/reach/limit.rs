@@ -46,25 +46,28 @@ limits! {
     /// Block and rig push with their full force.
     PushSpent = push_spent ("push of block and rig spent", "N");
     /// A string whose helix has friction absorbs any push, however great: none of it reaches the
-    /// bit.
-    LockUp = lock_up ("lock-up", "");
+    /// bit. A lock-up limits the push of block and rig, this one no push does: [`Self::PushSpent`]
+    /// is met before.
+    PushAbsorbed = push_absorbed ("any push absorbed", "");
     /// The largest von Mises stress equals the yield strength.
     Yield = yield_strength ("yield", "");
     /// Somewhere the compression equals the load of the helix, where the wall holds a straight
     /// pipe.
-    Helix = helix ("helical buckling begins", "N");
+    Helix = helix ("helical buckling begins in inclined hole", "N");
     /// Somewhere the compression equals the load of the sinusoid, where the wall holds a straight
     /// pipe.
-    Sinusoid = sinusoid ("sinusoidal buckling begins", "N");
+    Sinusoid = sinusoid ("sinusoidal buckling begins in inclined hole", "N");
     /// Somewhere the compression equals the load of the helix, where only its weight holds a pipe
     /// straight: in a vertical or nearly vertical hole.
     VerticalHelix = vertical_helix ("helical buckling begins in vertical hole", "N");
+    /// The same of the sinusoid: the first bow of collars that press on the bit.
+    VerticalSinusoid = vertical_sinusoid ("sinusoidal buckling begins in vertical hole", "N");
 }
 
 impl Limit {
     /// Whether the string stops there by default. A buckled string continues.
     pub const fn stops(self) -> bool {
-        !matches!(self, Self::Helix | Self::Sinusoid | Self::VerticalHelix)
+        !matches!(self, Self::Helix | Self::Sinusoid | Self::VerticalHelix | Self::VerticalSinusoid)
     }
 
     /// Whether it is a limit of an operation of that string on that rig.
@@ -73,9 +76,13 @@ impl Limit {
         match self {
             Self::TopDrive => operation.kind.rotates() && rig.top_drive_torque_N_m.is_some(),
             Self::Hoist => !goes_down && rig.hoist_capacity_N.is_some(),
-            Self::HookLoadZero | Self::Helix | Self::Sinusoid | Self::VerticalHelix => goes_down,
+            Self::HookLoadZero
+            | Self::Helix
+            | Self::Sinusoid
+            | Self::VerticalHelix
+            | Self::VerticalSinusoid => goes_down,
             Self::PushSpent => goes_down && rig.push_with_block_N() > 0.0,
-            Self::LockUp => operation.slides_down(),
+            Self::PushAbsorbed => operation.slides_down(),
             Self::Yield => {
                 let mut components = string.components().iter();
                 components.any(|component| component.yield_strength_Pa.is_some())

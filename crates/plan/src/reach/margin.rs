@@ -62,7 +62,8 @@ pub fn margins(
     let concerned = Limit::ALL.into_iter();
     let concerned = concerned.filter(|limit| limit.concerns(operation, &model.rig, &model.string));
     let has_vertical = has_vertical_hole(&model, operation.bit_depth_m);
-    let concerned = concerned.filter(|limit| has_vertical || *limit != Limit::VerticalHelix);
+    let is_vertical = |limit| matches!(limit, Limit::VerticalHelix | Limit::VerticalSinusoid);
+    let concerned = concerned.filter(|limit| has_vertical || !is_vertical(*limit));
     let profile = match solve(&model, operation, soft) {
         Ok(profile) => profile,
         Err(SoftError::LocksUp { md_m }) => {
@@ -81,8 +82,12 @@ fn locked_up(limit: Limit, model: &Model, factors: &DesignFactors, md_m: f64) ->
             .top_drive_torque_N_m
             .map_or(f64::NAN, |rated_N_m| rated_N_m / factors.top_drive),
         Limit::Yield => 1.0 / factors.von_mises,
-        Limit::HookLoadZero | Limit::PushSpent | Limit::LockUp => 0.0,
-        Limit::Hoist | Limit::Helix | Limit::Sinusoid | Limit::VerticalHelix => f64::NAN,
+        Limit::HookLoadZero | Limit::PushSpent | Limit::PushAbsorbed => 0.0,
+        Limit::Hoist
+        | Limit::Helix
+        | Limit::Sinusoid
+        | Limit::VerticalHelix
+        | Limit::VerticalSinusoid => f64::NAN,
     };
     let at_md_m = Some(md_m);
     Margin { limit, load: f64::NAN, bound, margin: f64::NEG_INFINITY, at_md_m }
@@ -131,7 +136,7 @@ impl At<'_> {
                 let load_N = scalars.hook_load_N + rig.push_with_block_N();
                 margin_of(load_N, 0.0, share(load_N, self.hangs_N() + rig.push_with_block_N()))
             }
-            Limit::LockUp => {
+            Limit::PushAbsorbed => {
                 let arrives = self.arrives()?;
                 margin_of(arrives, 0.0, arrives.min(1.0))
             }
@@ -143,7 +148,7 @@ impl At<'_> {
                 Margin { at_md_m, ..below(most, Some(allowed)) }
             }
             Limit::Helix | Limit::Sinusoid => self.buckling(limit, false),
-            Limit::VerticalHelix => self.buckling(limit, true),
+            Limit::VerticalHelix | Limit::VerticalSinusoid => self.buckling(limit, true),
         })
     }
 
@@ -157,7 +162,8 @@ impl At<'_> {
     /// Returns the margin where compression over the critical load is largest, among the places
     /// where the wall holds the pipe straight or among those where only its weight does.
     fn buckling(&self, limit: Limit, vertical: bool) -> Margin {
-        let shape = usize::from(limit != Limit::Sinusoid);
+        let is_helix = matches!(limit, Limit::Helix | Limit::VerticalHelix);
+        let shape = usize::from(is_helix);
         let rows = 0..self.profile.md_m.len();
         let along = rows.filter_map(|row| {
             let loads_N = [&self.profile.sinusoidal_load_N, &self.profile.helical_load_N];

@@ -14,8 +14,8 @@ const ABOUT: &str = "The well is continued in its last direction, and the string
     its top. At each depth the soft string is compared with the limits of rig and string. A margin \
     is the remaining part of a limit, 0 % where it is reached: for the top drive and the hoist \
     relative to their capacities, for the hook load and the push relative to the hanging weight \
-    without friction, for yield and buckling relative to the yield or critical load; for lock-up \
-    it is the part of an added push that reaches the bit.";
+    without friction, for yield and buckling relative to the yield or critical load; for the \
+    absorbed push it is the part of an added push that reaches the bit.";
 
 /// Caption of the picture of the margins.
 const MARGINS: &str = "A colour for each limit, a stroke for each friction factor. A limit is \

@@ -7,14 +7,14 @@ use crate::ColumnSpec;
 pub const REACH: &[ColumnSpec] = specs! {
     "operation": Words, "`trip_out`, `drill`, ...";
     "limit": Words,
-        "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `lock_up`, `yield_strength`, \
-         `helix`, `sinusoid` or `vertical_helix`";
+        "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `push_absorbed`, \
+         `yield_strength`, `helix`, `sinusoid`, `vertical_helix` or `vertical_sinusoid`";
     "friction": Ratio, "Friction factor of all sections, `null` where they have the case's own",
         null_where "the sections have the case's own";
     "bit_depth_m": Depth, "Measured depth of the bit";
     "margin": Ratio,
-        "Remaining part of the limit, zero where it is reached and negative beyond; for `lock_up` \
-         the part of an added push that reaches the bit; `null` for a string that is locked up",
+        "Remaining part of the limit, zero where it is reached and negative beyond; for \
+         `push_absorbed` the part of an added push that reaches the bit; `null` for a string that is locked up",
         null_where "the string is locked up";
     "force_N": Force,
         "Force compared with a limit: hook load, with the block for `hoist`, with the push for \

@@ -5,6 +5,7 @@ use std::{num::NonZeroUsize, path::PathBuf, time::Duration};
 use wholestring::{
     modal::{Campbell, Family, Forcing, Mode, Place, SmallMotions},
     operation::Operation,
+    statics::soft::{self, SoftSettings},
 };
 use wholestring_case::Case;
 use wholestring_judge::{Quantity, Rounding};
@@ -155,6 +156,8 @@ fn find(
     let modes: Vec<Mode> = [lateral, others].concat();
     let judge = case.judge(case.units);
     let mut texts = Texts::default();
+    let soft = soft::solve(&case.model, operation, &SoftSettings::default());
+    let soft = soft.map_err(Error::failed)?;
     let summary = ModesSummary {
         schema_version: MODES_VERSION,
         case: case.name.clone(),
@@ -163,7 +166,7 @@ fn find(
         rotary_speed_rad_per_s: motions.rotary_rad_per_s(),
         elements: motions.nodes() - 1,
         stable: motions.is_stable(),
-        checks: judge.small_motions(&case.model, motions.is_stable()).checks,
+        checks: judge.small_motions(&case.model, operation, &soft, motions.is_stable()).checks,
         assembly_length_m: assembly.length_m(),
         forcing: texts.worded(words, case.units),
         modes: found(&modes),

@@ -9,7 +9,10 @@ use wholestring::{
     },
     operation::Operation,
     outcome::{ModelKind, Solution},
-    statics::{soft, stiff},
+    statics::{
+        soft,
+        stiff::{self, StiffError},
+    },
 };
 use wholestring_case::Case;
 use wholestring_judge::NoAnswer;
@@ -144,10 +147,19 @@ fn add_unsolved(
     why: &NoAnswer,
     record: &mut Record,
 ) {
+    let soft = match why {
+        NoAnswer::Stiff(StiffError::NotConverged { .. }) => {
+            soft::solve(&case.model, operation, &case.soft).ok()
+        }
+        _ => None,
+    };
     let judge = record.judge(case);
-    let reason = format!("the {} string has no answer: {}", model.name(), judge.reason(why));
+    let checks = judge.unsolved_beside(why, &case.model, operation, soft.as_ref());
+    let sentences = checks.checks.iter().map(|check| check.sentence.as_str());
+    let sentence = sentences.collect::<Vec<_>>().join("; ");
+    let reason = format!("the {} string has no answer: {sentence}", model.name());
     record.add_unsolved(model, operation, reason);
-    record.judged(judge.unsolved(why));
+    record.judged(checks);
 }
 
 /// Longest simulated time between two checks for cancellation and two progress reports, s; a slow

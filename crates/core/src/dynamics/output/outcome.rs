@@ -12,6 +12,15 @@ use crate::{
     rod::buckled_element::BuckledElement,
 };
 
+/// Deepest penetration of the wall by a node that touches it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct DeepestContact {
+    /// Depth in the wall, m.
+    pub penetration_m: f64,
+    /// Measured depth at that time, m.
+    pub md_m: f64,
+}
+
 /// Method and accuracy of the computation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Numerics {
@@ -32,6 +41,9 @@ pub struct Numerics {
     /// it, and of the bit, which is held to the axis of the hole that it cuts.
     #[serde(with = "crate::finite::unsigned_zero")]
     pub max_penetration_m: f64,
+    /// The same of the nodes that touch the wall alone, with its place; none where no node touched.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub deepest_contact: Option<DeepestContact>,
     /// Work put in at top drive, hoist and bit less the change of energy and every loss, over the
     /// largest of them, of the kinetic energy and of the energy that lifts the string by a
     /// millimetre: the gain or loss of the integration itself. From the start of the window. 1, and

@@ -119,6 +119,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
             steps: s.steps,
             added_axial_mass_fraction: s.plan.added_axial_mass_fraction,
             max_penetration_m: s.record.max_penetration_m,
+            deepest_contact: s.record.deepest_contact,
             energy_residual: match s.energy {
                 Some((_, residual)) => residual,
                 None => f64::from(u8::from(s.diverged)),

@@ -42,6 +42,7 @@ impl<R: Real> Run<R> {
         let cut = state.bit.side_cut_m();
         record.note_penetration(self.borehole.held_penetration_m(chain, anchors, cut));
         let totals = record.sample(chain, &state.high, &state.body, sums.steps);
+        record.note_contact(chain, anchors, totals.penetration_m);
         record.squeeze(&state.squeezed.each_m);
         record.map_contact(anchors, time, run_samples);
         let last = chain.nodes() - 1;

@@ -59,7 +59,7 @@ def reach(
     >>> import wholestring as ws
     >>> rows = {
     ...     "operation": ["slide", "slide"],
-    ...     "limit": ["lock_up", "lock_up"],
+    ...     "limit": ["push_absorbed", "push_absorbed"],
     ...     "bit_depth_m": [2000.0, 3000.0],
     ...     "margin": [0.6, -0.1],
     ... }

@@ -37,6 +37,7 @@ use crate::{
 };
 use serde::{Deserialize, Serialize};
 
+use super::outcome::DeepestContact;
 use contact_map::MapKeeper;
 use depths::Sides;
 use lane::Lane;
@@ -94,6 +95,8 @@ pub struct Record {
     pub window_from_s: f64,
     /// Deepest penetration of any sample, m.
     pub max_penetration_m: f64,
+    /// The deepest of the nodes that touch the wall.
+    pub deepest_contact: Option<DeepestContact>,
 }
 
 impl Record {
@@ -132,6 +135,7 @@ impl Record {
             window_row: 0,
             window_from_s: 0.0,
             max_penetration_m: 0.0,
+            deepest_contact: None,
         }
     }
 
@@ -229,6 +233,28 @@ impl Record {
     /// Records the penetration of a node into the wall, m; negative where it is off it.
     pub fn note_penetration(&mut self, depth_m: f64) {
         self.max_penetration_m = self.max_penetration_m.max(depth_m);
+    }
+
+    /// Notes the node that is deepest in the wall at a sample, where it is deeper than any before.
+    pub fn note_contact(&mut self, chain: &Chain<impl Real>, anchors: &[Anchor], depth_m: f64) {
+        if depth_m <= self.deepest_contact.map_or(0.0, |deepest| deepest.penetration_m) {
+            return;
+        }
+        let depths = (0..chain.nodes()).map(|index| {
+            let (row, lane) = chain.place(index);
+            let nodes = &chain.node_blocks[row];
+            let [stiffness, clearance, slope] =
+                [&nodes.stiffness, &nodes.clearance, &nodes.clearance_slope]
+                    .map(|numbers| numbers.0[lane].to_f64());
+            let (tangent, u) = (chain.tangent(index), chain.displacement(index));
+            let z = u.dot(tangent);
+            let across = u.minus(tangent, z).minus(chain.curvature(index), 0.5 * z * z);
+            let depth_m = across.dot(across).sqrt() - (clearance + slope * z);
+            (if stiffness > 0.0 { depth_m } else { f64::NEG_INFINITY }, anchors[index].md_m + z)
+        });
+        let deepest = depths.max_by(|a, b| a.0.total_cmp(&b.0));
+        self.deepest_contact =
+            deepest.map(|(_, md_m)| DeepestContact { penetration_m: depth_m, md_m });
     }
 
     /// Adds the shortening of each element by the pressure of the mud at rest at the sample, m.
