@@ -145,9 +145,9 @@ MD (m),Inc (deg),Azi (deg),TVD (m),N (m),E (m),DLS (deg/30m)
 1000,0,0,3280.8,0,0,0
 1030,3,0,3379.2,2.6,0,9.0
 ");
-    noted(&imported, "checked", "that of feet to metres: is a unit wrong?");
-    noted(&imported, "checked", "north of the file is 1.81 m more");
-    noted(&imported, "checked", "which exceeds rounding");
+    noted(&imported, "warning", "that of feet to metres: is a unit wrong?");
+    noted(&imported, "warning", "north of the file is 1.81 m more");
+    noted(&imported, "warning", "which exceeds rounding");
 }
 
 /// Missing rows are found, too.
@@ -159,7 +159,7 @@ MD (m),Inc (deg),Azi (deg),TVD (m)
 1000,0,0,1000
 1500,40,0,1499
 ");
-    noted(&imported, "checked", "missing stations?");
+    noted(&imported, "warning", "missing stations?");
 }
 
 #[test]
