@@ -243,8 +243,8 @@ fn densities_are_checked_as_weights_are() {
         [
             "the mud density is 0 in line 3, 1 of 3 rows: no mud is without density, and that of \
              the case is used, and a zero is not a reading; left out",
-            "the mud density is unusually small in line 4: 0.92 ppg; usual are 5.01 ppg to 21.7 \
-             ppg; check its unit",
+            "the mud density is unusually small in line 4: 0.92 ppg; usual are 5.0072 ppg to \
+             21.698 ppg; check its unit",
         ]
     );
 }

@@ -158,6 +158,15 @@ fn one_sided(data: &Readings, found: &Calibration) -> impl Iterator<Item = Readi
         if own.len() < FEWEST || 5 * beyond < 4 * own.len() || (ratio - 1.0).abs() < OFF {
             return None;
         }
+        let places: Vec<String> = own.iter().map(|(_, place)| (*place).clone()).collect();
+        // The check before the fit found the unit.
+        let is_known = |check: &ReadingCheck| {
+            check.check.kind == CheckKind::ReadingsUnit
+                && places.iter().all(|place| check.lines.contains(place))
+        };
+        if data.checks.iter().any(is_known) {
+            return None;
+        }
         let heading = data.units[channel as usize]?;
         let unit = others(Dimension::Torque, heading)
             .into_iter()
@@ -181,7 +190,6 @@ fn one_sided(data: &Readings, found: &Calibration) -> impl Iterator<Item = Readi
             if ratio > 1.0 { "above" } else { "below" },
             own.len(),
         );
-        let places = own.iter().map(|(_, place)| (*place).clone()).collect();
         Some(
             warning(CheckKind::ReadingsUnit, sentence).numbers([Some(ratio), Some(1.0)]).on(places),
         )
