@@ -181,7 +181,7 @@ fn mixed_units_and_units_that_are_said() {
     let both = Choices::default().unit("md", "ft").unit("tvd", "m");
     // The unit of depths also applies to positions without one, so that theirs is unused.
     let unused = refused(bare, &both);
-    assert!(unused.contains("--unit tvd says nothing"), "{unused}");
+    assert!(unused.contains("no file uses --unit tvd"), "{unused}");
     let half = "MD (ft),Inc,Azi,TVD\n0,0,0,0\n1000,0,0,304.8\n1100,0,0,335.28\n";
     let error = refused(half, &Choices::default());
     assert!(

@@ -137,7 +137,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
             if let (Some(value), Some(found)) = (*value, layout.column(column))
                 && value.abs() > LARGEST_SI
             {
-                return Err(reader.out_of_range(row, found, "the number of a gauge"));
+                return Err(reader.out_of_range(row, found, "less than 1e13 N or N.m"));
             }
         }
         let [pick_up_N, slack_off_N, rotating_N, torque_N_m, torque_on_bottom_N_m] = values;

@@ -212,7 +212,7 @@ fn torques_in_another_unit_are_refused_with_it() {
 /// all are above those of the fit.
 #[test]
 fn one_sided_torques_are_warned_of_with_their_unit() {
-    let scatter = |place: usize| if place % 2 == 0 { 1.1 } else { 0.9 };
+    let scatter = |place: usize| if place.is_multiple_of(2) { 1.1 } else { 0.9 };
     let text = file(|place, [md, a, b, c, torque]| [md, a, b, c, scatter(place) * torque]);
     let (summary, ..) = made(&text.replace("(kN.m)", "(kft-lbf)"), &[]);
     let check = check(&summary, "unit");
