@@ -97,6 +97,7 @@ pub use likeness::is_case;
 pub use measured::Measured;
 pub use modes::Modes;
 pub use new_case::new_case;
+pub use operation_kind::operation_named;
 pub use overrides::{Override, OverrideError, Quote, long_key};
 pub use parts::Parts;
 pub use plan::Plan;

@@ -107,6 +107,12 @@ fn spellings(words: impl Iterator<Item = &'static str>) -> String {
     format!("^[_ -]*({})[_ -]*$", words.map(spelling).collect::<Vec<_>>().join("|"))
 }
 
+/// Returns the operation with this name, or with this driller's word for it, as a case has it.
+pub fn operation_named(text: &str) -> Option<OperationKind> {
+    let mut names = KindRule::names_and_abbreviations();
+    names.find(|(word, _)| is_spelt(text, word)).map(|(_, kind)| kind)
+}
+
 /// An operation by its name, or by a driller's word for it.
 #[derive(Debug, Clone, Copy)]
 pub struct KindRule;
@@ -128,8 +134,7 @@ impl Rule for KindRule {
         let Value::Text { text, .. } = &node.value else {
             return KIND.read(node, reader);
         };
-        let meant = Self::names_and_abbreviations().find(|(word, _)| is_spelt(text, word));
-        if let Some((_, kind)) = meant {
+        if let Some(kind) = operation_named(text) {
             return Some(kind);
         }
         let words: Vec<&str> = KIND.words.iter().map(|(word, _)| *word).collect();

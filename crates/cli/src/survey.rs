@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use wholestring::well::Interpolation;
 use wholestring_results::write_file;
 use wholestring_runner::survey::{self, Said};
-use wholestring_units::{Dimension, Unit};
+use wholestring_units::{Dimension, Unit, UnitSet};
 
 use crate::{
     color::color,
@@ -36,6 +36,10 @@ pub(crate) struct SurveyArgs {
     #[arg(long, value_enum, default_value_t = PathKind::MinimumCurvature)]
     pub(crate) path: PathKind,
 
+    /// Units of the result and of messages [default: those of the survey]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
     /// Interval of additional rows, such as 10m
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     pub(crate) step: Option<f64>,
@@ -64,7 +68,8 @@ pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
         print_stderr(&format!("note: {note}\n"));
     }
     let interpolation = Interpolation::from(args.path);
-    let (doubts, notes) = survey::check(&survey, &args.survey, interpolation)?;
+    let units = args.units.unwrap_or(survey.unit_set());
+    let (doubts, notes) = survey::check(&survey, &args.survey, interpolation, units)?;
     for note in &notes {
         print_stderr(&format!("note: {note}\n"));
     }
@@ -75,7 +80,7 @@ pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
     let file = args.survey.display();
     let positions =
         positions.map_err(|error| Failure::BadInput(format!("error: {file}: {error}")))?;
-    let text = survey::to_csv(&positions);
+    let text = survey::to_csv(&positions, units);
     match &args.output {
         Some(output) => Ok(write_file(output, text.as_bytes())?),
         None => print_stdout(&text),

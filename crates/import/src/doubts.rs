@@ -23,7 +23,7 @@ pub(crate) fn positions(
         true => Note::Checked(check.sentence),
         false => {
             let place = place(check.index);
-            Note::Checked(format!("{} ({place}); {}", check.sentence, check.reason))
+            Note::Warning(format!("{} ({place}); {}", check.sentence, check.reason))
         }
     });
     notes.collect()
@@ -41,11 +41,11 @@ pub(crate) fn notes(
         .take(NOTED)
         .map(|doubt| {
             let place = place(doubt.index);
-            Note::Checked(format!("{} ({place}: {}); {}", doubt.sentence, doubt.label, doubt.help))
+            Note::Warning(format!("{} ({place}: {}); {}", doubt.sentence, doubt.label, doubt.help))
         })
         .collect();
     if doubts.len() > NOTED {
-        notes.push(Note::Checked(format!("{} more turns of this kind", doubts.len() - NOTED)));
+        notes.push(Note::Warning(format!("{} more turns of this kind", doubts.len() - NOTED)));
     }
     notes
 }

@@ -42,8 +42,8 @@ mod xml;
 /// Weights and torques picked from a log against time.
 pub mod picking {
     pub use crate::log::picking::{
-        BlockWeight, Channel, Counts, Detail, Estimate, Kind, Motion, Picks, Refusal, Refused,
-        Thresholds, Trace, Trip, Window, Work, pick,
+        BelowBottom, BlockWeight, Channel, Counts, Detail, Estimate, Kind, Motion, Picks, Refusal,
+        Refused, Thresholds, Trace, Trip, Window, Work, pick,
     };
 }
 

@@ -1,6 +1,7 @@
 //! One case from the fragments of several files.
 
 use wholestring_tabular::ImportedReading;
+use wholestring_units::UnitSet;
 
 use crate::{
     choices::Choices,
@@ -39,6 +40,8 @@ pub(crate) struct Draft {
     pub(crate) measured: Vec<ImportedReading>,
     /// Those of another program.
     pub(crate) overlay: Vec<ImportedReading>,
+    /// Units of measured weights and depths, if field units in one of the files.
+    pub(crate) units: Option<UnitSet>,
     /// Notes by file; `None` for those on the whole case.
     pub(crate) notes: Vec<(Option<usize>, Note)>,
 }
@@ -65,6 +68,9 @@ pub(crate) fn merge(mut sources: Vec<Source>, choices: &Choices) -> Result<Draft
             (&mut draft.bit, fragment.bit),
         ] {
             all.extend(own.entries.into_iter().map(|entry| Sourced { file, item: entry }));
+        }
+        if draft.units != Some(UnitSet::Field) {
+            draft.units = fragment.units.or(draft.units);
         }
         draft.measured.extend(fragment.measured);
         draft.overlay.extend(fragment.overlay);

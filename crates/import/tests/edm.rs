@@ -82,7 +82,7 @@ fn sets_of_units() {
     assert!(found.text.contains("to = \"1000 m\""), "{}", found.text);
     assert!(found.text.contains("[1700, 6, 0.5]"), "{}", found.text);
     assert!(refusal(MINI, &api().unit("length", "psi")).contains("expected a unit of length"));
-    assert!(refusal(MINI, &api().unit("lenght", "m")).contains("says nothing"));
+    assert!(refusal(MINI, &api().unit("lenght", "m")).contains("no file uses"));
 }
 
 /// A wrong set of units gives impossible values: inches read as millimetres are refused.

@@ -367,3 +367,43 @@ proptest! {
         }
     }
 }
+
+/// A block weight ten times that in slips is an error of typing, not a zeroed sensor.
+#[test]
+fn a_block_weight_in_another_unit_is_refused_with_the_ratio() {
+    let rig = a_day(Manner::default());
+    for (weight, cause) in [
+        ("2450 kN", "10 times as much, which indicates a typing error or a weight of kN as tonnes"),
+        ("24.5 kN", "0.1 times as much, which indicates a typing error"),
+        ("245 klbf", "times as much, which indicates a weight of kN as klbf"),
+        ("1500 kN", "times as much"),
+    ] {
+        let error = picked_as(&rig, &said(weight)).unwrap_err();
+        assert!(error.contains("the median hook load in slips is 245 kN"), "{weight}: {error}");
+        assert_eq!(error.contains(cause), weight != "1500 kN", "{weight}: {error}");
+    }
+}
+
+/// Notes of the left-out values of a log with changed records.
+fn left_out(change: fn(&mut Record)) -> (Picks, String) {
+    let mut rig = a_day(Manner::default());
+    rig.records.iter_mut().for_each(change);
+    let picks = picked(&rig);
+    let notes = picks.notes().into_iter().filter(|note| matches!(note, Note::LeftOut(_)));
+    let notes = notes.map(|note| note.text().to_owned()).collect::<Vec<_>>().join("\n");
+    (picks, notes)
+}
+
+#[test]
+fn picks_that_are_left_out_have_a_reason() {
+    let (picks, torque) = left_out(|record| record.torque_N_m *= 1e3);
+    assert!(picks.windows.iter().all(|window| window.torque_N_m.is_none()));
+    let (turned, below) = left_out(|record| {
+        record.hole_depth_m = record.bit_depth_m - 50.0;
+    });
+    assert!(turned.readings().is_empty());
+    let (_, feet) = left_out(|record| record.bit_depth_m /= 0.3048);
+    let (surface, zero) = left_out(|record| record.bit_depth_m = 0.0);
+    assert!(surface.readings().is_empty());
+    insta::assert_snapshot!([torque, below, feet, zero].join("\n---\n"));
+}

@@ -145,9 +145,9 @@ MD (m),Inc (deg),Azi (deg),TVD (m),N (m),E (m),DLS (deg/30m)
 1000,0,0,3280.8,0,0,0
 1030,3,0,3379.2,2.6,0,9.0
 ");
-    noted(&imported, "checked", "that of feet to metres: is a unit wrong?");
-    noted(&imported, "checked", "north of the file is 1.81 m more");
-    noted(&imported, "checked", "which exceeds rounding");
+    noted(&imported, "warning", "that of feet to metres: is a unit wrong?");
+    noted(&imported, "warning", "north of the file is 1.81 m more");
+    noted(&imported, "warning", "which exceeds rounding");
 }
 
 /// Missing rows are found, too.
@@ -159,7 +159,7 @@ MD (m),Inc (deg),Azi (deg),TVD (m)
 1000,0,0,1000
 1500,40,0,1499
 ");
-    noted(&imported, "checked", "missing stations?");
+    noted(&imported, "warning", "missing stations?");
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn mixed_units_and_units_that_are_said() {
     let both = Choices::default().unit("md", "ft").unit("tvd", "m");
     // The unit of depths also applies to positions without one, so that theirs is unused.
     let unused = refused(bare, &both);
-    assert!(unused.contains("--unit tvd says nothing"), "{unused}");
+    assert!(unused.contains("no file uses --unit tvd"), "{unused}");
     let half = "MD (ft),Inc,Azi,TVD\n0,0,0,0\n1000,0,0,304.8\n1100,0,0,335.28\n";
     let error = refused(half, &Choices::default());
     assert!(

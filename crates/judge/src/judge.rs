@@ -368,5 +368,4 @@ impl Judge {
 fn bows_in_vertical_hole(model: &Model, operation: &Operation, profile: &Profile) -> bool {
     let tensions = profile.md_m.iter().copied().zip(profile.tension_N.iter().copied());
     buckling::bows_in_vertical_hole(model, operation, tensions)
-    }
 }

@@ -9,19 +9,9 @@ use wholestring_case::{Diagnostic, Label, Report, Severity, Source, Span, read_f
 pub use wholestring_tabular::{ImportedSurvey, Said};
 use wholestring_tabular::{Place, TableError, position_checks, read_as, station_doubts};
 
-use crate::Error;
+use wholestring_units::{Dimension, UnitSet};
 
-/// Columns of [`to_csv`]. Angles are in degrees, as in surveys everywhere; the output can be read
-/// as a survey again.
-const COLUMNS: [&str; 7] = [
-    "md_m",
-    "inclination_deg",
-    "azimuth_deg",
-    "tvd_m",
-    "north_m",
-    "east_m",
-    "dogleg_severity_deg_per_30m",
-];
+use crate::Error;
 
 /// Reads a survey from a file in any of its formats.
 ///
@@ -86,11 +76,11 @@ pub fn check(
     survey: &ImportedSurvey,
     file: &Path,
     interpolation: Interpolation,
+    set: UnitSet,
 ) -> Result<(Report, Vec<String>), Error> {
     let name = file.display().to_string();
     let path = WellPath::new(&survey.stations, interpolation, survey.start());
     let path = path.map_err(|error| no_path(survey, &name, &error))?;
-    let set = survey.unit_set();
     let mut notes = Vec::new();
     let mut diagnostics = Vec::new();
     for check in position_checks(&survey.stations, &survey.stated, &path, set) {
@@ -185,19 +175,26 @@ pub fn positions(
     Ok(positions.collect())
 }
 
-/// Positions as CSV, to micrometres and millionths of a degree.
-pub fn to_csv(positions: &[Position]) -> String {
-    let mut text = COLUMNS.join(",") + "\n";
+/// Positions as CSV in the lengths and dogleg severities of a unit set, to millionths of a unit.
+/// Angles are in degrees, as in surveys everywhere; the output can be read as a survey again.
+pub fn to_csv(positions: &[Position], set: UnitSet) -> String {
+    let length = Dimension::Length.unit_in(set);
+    let severity = Dimension::DoglegSeverity.unit_in(set);
+    let mut text = format!(
+        "md_{0},inclination_deg,azimuth_deg,tvd_{0},north_{0},east_{0},dogleg_severity_{1}\n",
+        length.symbol,
+        severity.symbol.replace('/', "_per_"),
+    );
     for Position { md_m, point, dogleg_severity_rad_per_m } in positions {
-        let [north, east, tvd] = point.position_m.into();
+        let [north_m, east_m, tvd_m] = point.position_m.into();
         let cells = [
-            *md_m,
+            length.from_si(*md_m),
             point.inclination_rad().to_degrees(),
             point.azimuth_rad().to_degrees(),
-            tvd,
-            north,
-            east,
-            dogleg_severity_rad_per_m.to_degrees() * 30.0,
+            length.from_si(tvd_m),
+            length.from_si(north_m),
+            length.from_si(east_m),
+            severity.from_si(*dogleg_severity_rad_per_m),
         ];
         // Removes the sign of a rounded zero.
         let cells = cells.map(|value| format!("{value:.6}").replace("-0.000000", "0.000000"));

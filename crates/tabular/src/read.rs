@@ -1,9 +1,12 @@
 //! Converts bytes to a survey: the first table with the needed columns is read.
 
 use crate::{
-    cells::{self, table::Table},
+    cells::{
+        self,
+        table::{Source, Table},
+    },
     columns::{
-        header::{self, Headed, headed},
+        header::{self, Headed, Header, headed},
         layout,
         sort::{READINGS, SURVEY},
     },
@@ -96,14 +99,35 @@ pub fn read_readings(bytes: &[u8], name: &str) -> Result<ImportedReadings, Table
 fn read_readings_of(tables: &[Table]) -> Option<Result<ImportedReadings, TableError>> {
     match headed(tables, &READINGS) {
         Headed::Found(table, header) => {
-            let layout = layout::below(table, header, &Said::default());
-            Some(layout.and_then(|layout| readings::read(table, layout)))
+            let mut readings = readings_below(table, header);
+            if let Ok(readings) = &mut readings {
+                readings.notes.extend(other_readings(tables, table));
+            }
+            Some(readings)
         }
         Headed::Nearest(partial, table) if partial.is_header() => {
             Some(Err(partial.error(table, &READINGS)))
         }
         Headed::Nearest(..) | Headed::None => None,
     }
+}
+
+fn readings_below(table: &Table, header: Header) -> Result<ImportedReadings, TableError> {
+    let layout = layout::below(table, header, &Said::default());
+    layout.and_then(|layout| readings::read(table, layout))
+}
+
+/// Notes on the readings in other sheets of a workbook than the one that is read.
+fn other_readings(tables: &[Table], own: &Table) -> Vec<String> {
+    let Source::Sheet { sheet: own, .. } = own.source else { return Vec::new() };
+    let notes = tables.iter().filter_map(|table| {
+        let Source::Sheet { sheet, .. } = table.source else { return None };
+        let header = header::find(table, &READINGS).ok().filter(|_| sheet != own)?;
+        let count = readings_below(table, header).ok()?.readings.len();
+        let rows = if count == 1 { "row" } else { "rows" };
+        Some(format!("readings in sheet '{sheet}' ({count} {rows}) are not read"))
+    });
+    notes.collect()
 }
 
 /// Reads a survey from text: CSV with any separator, or a report in columns.

@@ -25,6 +25,10 @@ pub const CHANNEL_WORDS: [&str; 5] = [
 struct Channel {
     name: &'static str,
     dimension: Dimension,
+    /// Accepted and usual values as of the case's keys of this quantity, SI: `max_hook_load` and
+    /// `top_drive_torque` of `[rig]`, `density` of `[mud]`.
+    range: [f64; 2],
+    usual: [f64; 2],
     get: fn(&ImportedReading) -> Option<f64>,
     put: fn(&mut ImportedReading) -> &mut Option<f64>,
 }
@@ -37,34 +41,54 @@ const CHANNELS: [Channel; 5] = [
     Channel {
         name: CHANNEL_WORDS[PICK_UP],
         dimension: Dimension::Force,
+        range: [0.0, 1e8],
+        usual: [1e4, 2e7],
         get: |reading| reading.pick_up_N,
         put: |reading| &mut reading.pick_up_N,
     },
     Channel {
         name: CHANNEL_WORDS[SLACK_OFF],
         dimension: Dimension::Force,
+        range: [0.0, 1e8],
+        usual: [1e4, 2e7],
         get: |reading| reading.slack_off_N,
         put: |reading| &mut reading.slack_off_N,
     },
     Channel {
         name: CHANNEL_WORDS[ROTATING],
         dimension: Dimension::Force,
+        range: [0.0, 1e8],
+        usual: [1e4, 2e7],
         get: |reading| reading.rotating_N,
         put: |reading| &mut reading.rotating_N,
     },
     Channel {
         name: CHANNEL_WORDS[3],
         dimension: Dimension::Torque,
+        range: [0.0, 1e6],
+        usual: [0.0, 2e5],
         get: |reading| reading.torque_N_m,
         put: |reading| &mut reading.torque_N_m,
     },
     Channel {
         name: CHANNEL_WORDS[4],
         dimension: Dimension::Torque,
+        range: [0.0, 1e6],
+        usual: [0.0, 2e5],
         get: |reading| reading.torque_on_bottom_N_m,
         put: |reading| &mut reading.torque_on_bottom_N_m,
     },
 ];
+
+/// Densities of the mud, which are checked as weights and torques are.
+const DENSITY: Channel = Channel {
+    name: "mud density",
+    dimension: Dimension::Density,
+    range: [0.0, 3000.0],
+    usual: [600.0, 2600.0],
+    get: |reading| reading.mud_density_kg_per_m3,
+    put: |reading| &mut reading.mud_density_kg_per_m3,
+};
 
 /// Pairs of columns with the larger load first, and whether it is an error if most rows differ. A
 /// rotating weight below the slack-off weight is no error, because pumping at the same time lifts
@@ -84,9 +108,11 @@ impl ImportedReadings {
     /// units. Loads computed by another program are not checked.
     pub fn measured(mut self, units: UnitSet) -> (Self, Vec<ReadingCheck>) {
         let mut checks = Vec::new();
-        for channel in &CHANNELS {
+        for channel in CHANNELS.iter().chain([&DENSITY]) {
             checks.extend(zeros(&mut self.readings, channel));
             checks.extend(negatives(&mut self.readings, channel, units));
+            checks.extend(impossible(&mut self.readings, channel, units));
+            checks.extend(unusual(&self.readings, channel, units));
         }
         let is_empty =
             |reading: &ImportedReading| CHANNELS.iter().all(|by| (by.get)(reading).is_none());
@@ -126,6 +152,7 @@ fn zeros(readings: &mut [ImportedReading], channel: &Channel) -> Option<ReadingC
     let (name, rows) = (channel.name, row_names(&places));
     let why = match channel.dimension {
         Dimension::Torque => "a string that turns has torque",
+        Dimension::Density => "no mud is without density, and that of the case is used",
         _ => "a string in the hole has weight",
     };
     let sentence = match (zeros == count, zeros) {
@@ -161,7 +188,7 @@ fn negatives(
     if negative.is_empty() {
         return None;
     }
-    let formatted = |value: &f64| Quantity::new(channel.dimension, *value, Rounding::Five);
+    let formatted = |value: &f64| formatted(channel, *value, units);
     let least = negative.iter().copied().fold(f64::INFINITY, f64::min);
     let all = negative.len() == count;
     let is_negative =
@@ -205,6 +232,87 @@ fn negatives(
     )
 }
 
+/// A value with its unit, in powers of ten if it is far beyond any gauge.
+fn formatted(channel: &Channel, value: f64, units: UnitSet) -> String {
+    let unit = channel.dimension.unit_in(units);
+    let number = unit.from_si(value);
+    match number.abs() < 1e7 {
+        true => Quantity::new(channel.dimension, value, Rounding::Five).to_string(),
+        false => format!("{number:.3e} {}", unit.symbol),
+    }
+}
+
+/// Finds a few values that no rig can measure and removes them. If most are impossible, the unit of
+/// the column is wrong, which is checked against the string.
+fn impossible(
+    readings: &mut [ImportedReading],
+    channel: &Channel,
+    units: UnitSet,
+) -> Option<ReadingCheck> {
+    let [_, most] = channel.range;
+    let count = readings.iter().filter_map(channel.get).count();
+    let is_impossible =
+        |reading: &ImportedReading| (channel.get)(reading).is_some_and(|value| value > most);
+    let outside = readings.iter().filter(|reading| is_impossible(reading));
+    let places: Vec<String> = outside.clone().map(|reading| reading.place.clone()).collect();
+    let largest = outside.filter_map(channel.get).fold(0.0, f64::max);
+    if places.is_empty() || 2 * places.len() > count {
+        return None;
+    }
+    for reading in readings.iter_mut().filter(|reading| is_impossible(reading)) {
+        *(channel.put)(reading) = None;
+    }
+    let sentence = format!(
+        "the {} is up to {} in {}, {} of {count} rows: no rig measures more than {}; left out",
+        channel.name,
+        formatted(channel, largest, units),
+        row_names(&places),
+        places.len(),
+        formatted(channel, most, units),
+    );
+    Some(
+        ReadingCheck::new(CheckKind::ReadingsUnit, Severity::Warning, sentence)
+            .numbers([Some(largest), Some(most)])
+            .on(places)
+            .in_units(units),
+    )
+}
+
+/// Reports values outside the usual ones, which are kept.
+fn unusual(
+    readings: &[ImportedReading],
+    channel: &Channel,
+    units: UnitSet,
+) -> Option<ReadingCheck> {
+    let [least, most] = channel.usual;
+    let value = |reading: &&ImportedReading| (channel.get)(reading).unwrap_or(least);
+    let side = |value: f64| match value {
+        value if value < 0.0 => None,
+        value if value < least => Some("small"),
+        value if value > most => Some("large"),
+        _ => None,
+    };
+    let outside = readings.iter().filter(|reading| side(value(reading)).is_some());
+    let outside: Vec<&ImportedReading> = outside.collect();
+    let first = outside.first().map(value)?;
+    let places: Vec<String> = outside.iter().map(|reading| reading.place.clone()).collect();
+    let sentence = format!(
+        "the {} is unusually {} in {}: {}; usual are {} to {}; check its unit",
+        channel.name,
+        side(first).unwrap_or("large"),
+        row_names(&places),
+        formatted(channel, first, units),
+        formatted(channel, least, units),
+        formatted(channel, most, units),
+    );
+    Some(
+        ReadingCheck::new(CheckKind::ReadingsUnit, Severity::Warning, sentence)
+            .numbers([Some(first), Some(if first < least { least } else { most })])
+            .on(places)
+            .in_units(units),
+    )
+}
+
 /// Finds pairs of columns whose order contradicts friction, in most rows or in some.
 fn order(readings: &[ImportedReading], units: UnitSet) -> Vec<ReadingCheck> {
     let mut checks: Vec<ReadingCheck> = Vec::new();
@@ -235,8 +343,8 @@ fn order(readings: &[ImportedReading], units: UnitSet) -> Vec<ReadingCheck> {
             both.len(),
             row_names(&places),
             worst.0.place,
-            Quantity::new(Dimension::Force, worst.1, Rounding::Five),
-            Quantity::new(Dimension::Force, worst.2, Rounding::Five),
+            formatted(greater, worst.1, units),
+            formatted(smaller, worst.2, units),
         );
         sentence += match (most, is_error, worst.2 / worst.1 > OTHER_UNIT) {
             (true, true, true) => ": is one of the columns in another unit?",

@@ -17,6 +17,12 @@ use crate::{
 /// Maximum measured depth of a hole, m.
 const DEEPEST_M: f64 = 1e5;
 
+/// Maximum density of a mud, as of the case's key, kg/m³.
+const DENSEST_KG_PER_M3: f64 = 3000.0;
+
+/// Numbers beyond this are no weights, N, and no torques, N·m, in any unit of their heading.
+const LARGEST_SI: f64 = 1e13;
+
 /// The measured columns: weights, then torques.
 const MEASURED: [Column; 5] =
     [Column::PickUp, Column::SlackOff, Column::Rotating, Column::Torque, Column::TorqueOnBottom];
@@ -107,9 +113,9 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
         let mud_density_kg_per_m3 = maybe(Column::MudDensity)?;
         if let (Some(density), Some(found)) =
             (mud_density_kg_per_m3, layout.column(Column::MudDensity))
-            && !(0.0..=4000.0).contains(&density)
+            && !(0.0..=DENSEST_KG_PER_M3).contains(&density)
         {
-            return Err(reader.out_of_range(row, found, "0 to 4 sg"));
+            return Err(reader.out_of_range(row, found, "0 to 3 sg"));
         }
         let held_out = match layout.column(Column::Use).map(|found| row.text(found.index)) {
             None | Some("") => false,
@@ -128,6 +134,11 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
         let mut values = [None; MEASURED.len()];
         for (value, column) in values.iter_mut().zip(MEASURED) {
             *value = maybe(column)?;
+            if let (Some(value), Some(found)) = (*value, layout.column(column))
+                && value.abs() > LARGEST_SI
+            {
+                return Err(reader.out_of_range(row, found, "less than 1e13 N or N.m"));
+            }
         }
         let [pick_up_N, slack_off_N, rotating_N, torque_N_m, torque_on_bottom_N_m] = values;
         readings.push(ImportedReading {

@@ -223,3 +223,63 @@ fn readings_that_no_string_gives() {
         assert_eq!((left, checks), (read, Vec::new()));
     }
 }
+
+/// Warnings of the measured readings in a text.
+fn checked(text: &str) -> (Vec<wholestring_tabular::ImportedReading>, Vec<String>) {
+    let read = read_readings(text.as_bytes(), "a.csv").expect("readings");
+    let (read, checks) = read.measured(wholestring_units::UnitSet::Field);
+    (read.readings, checks.into_iter().map(|check| check.check.sentence).collect())
+}
+
+/// A mud of 0 is not measured, and one of 0.92 ppg is unusual, as the key of a case.
+#[test]
+fn densities_are_checked_as_weights_are() {
+    let (readings, sentences) =
+        checked("Bit depth (ft),PU (klbf),Mud (ppg)\n7000,209,9.2\n7900,217,0\n8300,231,0.92\n");
+    assert_eq!(readings[1].mud_density_kg_per_m3, None);
+    assert!(readings[2].mud_density_kg_per_m3.is_some());
+    assert_eq!(
+        sentences,
+        [
+            "the mud density is 0 in line 3, 1 of 3 rows: no mud is without density, and that of \
+             the case is used, and a zero is not a reading; left out",
+            "the mud density is unusually small in line 4: 0.92 ppg; usual are 5.0072 ppg to \
+             21.698 ppg; check its unit",
+        ]
+    );
+}
+
+/// Numbers that no rig measures are left out, and printed in few digits.
+#[test]
+fn wild_numbers_are_left_out() {
+    let text = "Bit depth (ft),PU (klbf),SO (klbf)\n7000,209,200\n7900,217,1e8\n8300,231,190\n";
+    let (readings, sentences) = checked(text);
+    assert_eq!(readings[1].slack_off_N, None);
+    assert_eq!(
+        sentences,
+        [
+            "the slack-off weight is up to 1.000e8 klbf in line 3, 1 of 3 rows: no rig measures more \
+          than 22481 klbf; left out"
+        ]
+    );
+    let error = read_readings(text.replace("1e8", "1e300").as_bytes(), "a.csv").unwrap_err();
+    assert!(error.to_string().contains("line 3, column 10"), "{error}");
+    assert!(error.to_string().len() < 200, "{error}");
+}
+
+/// Readings of a second sheet are not read, and a note names the sheet.
+#[test]
+fn a_second_sheet_of_readings_is_named() {
+    let mut book = Workbook::new();
+    for name in ["Well 1", "Well 2"] {
+        let sheet = book.add_worksheet();
+        sheet.set_name(name).expect("a name");
+        for (column, heading) in ["Bit depth (ft)", "PU (klbf)"].into_iter().enumerate() {
+            sheet.write(0, column as u16, heading).expect("a heading");
+            sheet.write(1, column as u16, 200.0).expect("a number");
+        }
+    }
+    let read = read_readings(&book.save_to_buffer().expect("a book"), "a.xlsx").expect("readings");
+    let note = "readings in sheet 'Well 2' (1 row) are not read";
+    assert!(read.notes.iter().any(|own| own == note), "{:?}", read.notes);
+}

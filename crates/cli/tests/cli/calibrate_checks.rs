@@ -6,7 +6,7 @@
 
 use std::fs;
 
-use wholestring_results::{CalibrationSummary, ReadingCheck};
+use wholestring_results::{CalibrationSummary, CheckKind, ReadingCheck};
 
 use crate::desk::{Desk, transcript};
 
@@ -166,6 +166,17 @@ fn weights_in_another_unit_are_refused_with_it() {
             && text.contains("Is the unit klbf?"),
         "{text}"
     );
+    // Kilodecanewtons differ from tonnes by 2 %.
+    let kilo_deca = file(|_, [md, a, b, c, torque]| [md, a / 10.0, b / 10.0, c / 10.0, torque]);
+    let text = refused(&kilo_deca.replace("(kN)", "(klbf)"), &["--set=rig.block_weight=250 kN"]);
+    assert!(text.contains("Is the unit kdaN"), "{text}");
+    // A factor of a thousand is not said in per cent.
+    let thousand = file(|_, row| row).replace("(kN)", "(N)");
+    let text = refused(&thousand, &["--set=rig.block_weight=250 kN"]);
+    assert!(
+        text.contains("times their values or more") && text.contains("Is the unit kN"),
+        "{text}"
+    );
     let tonnes = file(|_, row| row).replace("(kN)", "(t)");
     let text = refused(&tonnes, &[]);
     assert!(
@@ -195,6 +206,24 @@ fn torques_in_another_unit_are_refused_with_it() {
     let (summary, ..) = made(&text, &[]);
     let check = check(&summary, "unit");
     assert!(check.check.sentence.contains("in kft-lbf instead of kN.m"), "{check:?}");
+}
+
+/// Torques in kN.m under `kft-lbf` that scatter by a tenth, of which one depth shows no unit: nearly
+/// all are above those of the fit.
+#[test]
+fn one_sided_torques_are_warned_of_with_their_unit() {
+    let scatter = |place: usize| if place.is_multiple_of(2) { 1.1 } else { 0.9 };
+    let text = file(|place, [md, a, b, c, torque]| [md, a, b, c, scatter(place) * torque]);
+    let (summary, ..) = made(&text.replace("(kN.m)", "(kft-lbf)"), &[]);
+    let check = check(&summary, "unit");
+    let sentence = &check.check.sentence;
+    assert!(
+        sentence.starts_with("the torques off bottom are above those of the fit"),
+        "{sentence}"
+    );
+    assert!(sentence.contains("in kN.m instead of kft-lbf they would agree"), "{sentence}");
+    let (summary, ..) = made(&text, &[]);
+    assert!(summary.checks.iter().all(|check| check.check.kind != CheckKind::ReadingsUnit));
 }
 
 /// Weights without the case's block: the message gives the number; the fit gives none.

@@ -46,7 +46,7 @@ fn what_is_printed() {
 /// Positions are printed to a micrometre.
 #[test]
 fn positions_are_those_of_the_arc() {
-    let output = Desk::new().run(&["survey", "survey.csv"]);
+    let output = Desk::new().run(&["survey", "survey.csv", "--units", "si"]);
     let rows = rows(&text(&output.stdout));
     assert_eq!(rows.len(), 5);
     let half = 0.5_f64.sqrt();
@@ -63,10 +63,32 @@ fn positions_are_those_of_the_arc() {
     }
 }
 
+/// A listing in feet has its result and its notes in feet, and reads back as the same survey.
+#[test]
+fn results_are_in_the_units_of_the_survey() {
+    let desk = Desk::new();
+    let output = desk.done(&["survey", "survey.csv"]);
+    let field = text(&output.stdout);
+    let header = "md_ft,inclination_deg,azimuth_deg,tvd_ft,north_ft,east_ft,\
+                  dogleg_severity_deg_per_100ft\n";
+    assert!(field.starts_with(header), "{field}");
+    // The arc of 3 deg per 100 ft.
+    let severities: Vec<f64> = rows(&field).iter().map(|row| row.dogleg_deg_per_30m).collect();
+    for (severity, expected) in severities.iter().zip([0.0, 0.0, 3.0, 3.0, 0.0]) {
+        assert!((severity - expected).abs() < 1e-6, "{severities:?}");
+    }
+    fs::write(desk.path("again.csv"), &field).unwrap();
+    let again = desk.done(&["survey", "again.csv"]);
+    assert_eq!(text(&again.stdout), field);
+    let notes = text(&again.stderr);
+    assert!(notes.contains("positions by minimum curvature agree"), "{notes}");
+    assert!(!notes.contains(" m\n") && !notes.contains(" m,"), "{notes}");
+}
+
 #[test]
 fn rows_between_stations() {
     let desk = Desk::new();
-    let output = desk.run(&args("survey survey.csv --step '100 ft' -o positions.csv"));
+    let output = desk.run(&args("survey survey.csv --units si --step '100 ft' -o positions.csv"));
     assert!(output.status.success() && output.stdout.is_empty());
     let stepped = rows(&desk.text("positions.csv"));
     // Every station is a multiple of the step: none occurs twice.
@@ -79,7 +101,7 @@ fn rows_between_stations() {
 fn both_paths_take_the_surveys_directions() {
     let desk = Desk::new();
     for path in ["minimum-curvature", "spline"] {
-        let output = desk.run(&["survey", "survey.csv", "--path", path]);
+        let output = desk.run(&["survey", "survey.csv", "--units", "si", "--path", path]);
         let text = text(&output.stdout);
         let last = text.lines().last().unwrap();
         let cells: Vec<&str> = last.split(',').collect();
@@ -169,6 +191,8 @@ fn a_survey_without_units_is_refused_by_all_alike() {
     assert_eq!(refused.status.code(), Some(2), "{}", transcript(&refused));
     assert!(text(&refused.stderr).contains("--unit m"));
     let accepted = desk.done(&["survey", "own.csv", "--unit", "ft"]);
+    assert!(text(&accepted.stdout).starts_with("md_ft,"));
+    let accepted = desk.done(&["survey", "own.csv", "--unit", "ft", "--units", "si"]);
     assert_eq!(rows(&text(&accepted.stdout))[1].md_m, 2000.0 * 0.3048);
 }
 

@@ -59,7 +59,7 @@ fn head(draft: &Draft, missing: &[Missing]) -> String {
         "# Values are as found in the files, in their units; the comment after each gives its \
          file and place.\n",
     );
-    for kind in ["assumed", "left out", "checked", "read"] {
+    for kind in ["warning", "assumed", "left out", "checked", "read"] {
         let of_kind: Vec<&(Option<usize>, Note)> =
             draft.notes.iter().filter(|(_, note)| note.kind() == kind).collect();
         if of_kind.is_empty() {
@@ -81,7 +81,7 @@ fn head(draft: &Draft, missing: &[Missing]) -> String {
     text
 }
 
-/// Units of the case: field units if the files use feet.
+/// Units of the case: field units if the files use feet, or pounds for measured weights.
 pub(super) fn shown_units(draft: &Draft) -> UnitSet {
     let survey = draft.survey.iter().map(|survey| survey.item.units.as_str());
     let blocks = [&draft.hole, &draft.string].into_iter().flatten();
@@ -91,7 +91,7 @@ pub(super) fn shown_units(draft: &Draft) -> UnitSet {
         matches!(&entry.value, Value::Quantity { unit, .. } if unit.symbol == feet.symbol)
     });
     let feet = in_feet.count() > 0 || survey.into_iter().any(|units| units.contains("ft"));
-    if feet { UnitSet::Field } else { UnitSet::Si }
+    if feet || draft.units == Some(UnitSet::Field) { UnitSet::Field } else { UnitSet::Si }
 }
 
 /// The stations: depths in the unit of their file, angles in degrees.

@@ -4,6 +4,7 @@ mod complete;
 mod lines;
 
 use crate::{
+    fragment::Note,
     imported::{Beside, Imported, MEASURED, OVERLAY},
     merge::Draft,
     readings_csv::readings_csv,
@@ -26,8 +27,16 @@ pub(crate) fn write(mut draft: Draft) -> Imported {
         units,
         picks: Vec::new(),
         beside,
-        notes: draft.notes.into_iter().map(|(file, note)| (of_file(file), note)).collect(),
+        notes: warnings_first(draft.notes.into_iter().map(|(file, note)| (of_file(file), note))),
         files: draft.files,
         missing: missing.iter().map(|part| part.sentence.to_owned()).collect(),
     }
+}
+
+/// Notes with the warnings before the others, which may be many.
+fn warnings_first<File>(notes: impl Iterator<Item = (File, Note)>) -> Vec<(File, Note)> {
+    let (mut warnings, others): (Vec<_>, Vec<_>) =
+        notes.partition(|(_, note)| matches!(note, Note::Warning(_)));
+    warnings.extend(others);
+    warnings
 }

@@ -121,7 +121,7 @@ fn diameters(
             block.push("catalogue", Value::text(entry.designation), Origin::written(place, agrees));
             return Ok(true);
         }
-        reader.checked(format!(
+        reader.warning(format!(
             "line {} is called '{described}', but its diameters {} and {} are not that one's; the \
              diameters are used",
             row.line(),

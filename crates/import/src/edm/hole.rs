@@ -157,7 +157,7 @@ fn place(reader: &mut Reader, sections: &mut [Section], depths: Depths) {
             }
         }
         if section.top_m - above_m > SAME_M {
-            reader.checked(format!(
+            reader.warning(format!(
                 "the section of line {} begins {} m below the end of the one above; that one is \
                  extended to it",
                 section.row.line(),

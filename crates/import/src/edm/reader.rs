@@ -24,6 +24,10 @@ impl Reader<'_> {
         self.notes.push(Note::Checked(text.into()));
     }
 
+    pub(super) fn warning(&mut self, text: impl Into<String>) {
+        self.notes.push(Note::Warning(text.into()));
+    }
+
     pub(super) fn read(&mut self, text: impl Into<String>) {
         self.notes.push(Note::Read(text.into()));
     }

@@ -102,9 +102,7 @@ pub(super) fn read<'a>(
         row.error("md", ImportErrorKind::Refused(format!("its stations make no path: {error}")))
     })?;
     let notes = doubts::positions(&list, &stated, &path, set, place).into_iter();
-    for note in notes.chain(doubts::notes(&list, set, place)) {
-        reader.checked(note.text());
-    }
+    reader.notes.extend(notes.chain(doubts::notes(&list, set, place)));
     let phase = header.get("phase").map_or(String::new(), |phase| format!(" ({phase})"));
     let survey = Survey {
         tie_in,
@@ -198,7 +196,7 @@ fn sorted<'a>(
         if numbered.is_sorted_by(|a, b| a.1 <= b.1) {
             return Ok((numbered.into_iter().map(|(.., row)| row).collect(), "by sequence_no"));
         }
-        reader.checked("the numbers of the stations (sequence_no) do not go down the hole");
+        reader.warning("the numbers of the stations (sequence_no) do not go down the hole");
     }
     numbered.sort_by(|a, b| a.1.total_cmp(&b.1));
     Ok((numbered.into_iter().map(|(.., row)| row).collect(), "by md"))

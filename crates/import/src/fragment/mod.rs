@@ -16,6 +16,7 @@ pub use value::Value;
 pub(crate) use value::{quoted, rounded};
 
 use wholestring_tabular::ImportedReading;
+use wholestring_units::UnitSet;
 
 use crate::log::picking::Picks;
 
@@ -83,6 +84,8 @@ pub struct Fragment {
     pub overlay: Vec<ImportedReading>,
     /// Evidence of the weights that were picked from a log.
     pub picks: Option<Box<Picks>>,
+    /// Units of the file's measured weights and depths, if it has any.
+    pub units: Option<UnitSet>,
     /// Notes on assumptions, omissions and checks.
     pub notes: Vec<Note>,
 }

@@ -7,7 +7,9 @@ pub enum Note {
     Assumed(String),
     /// Contents of the file that are not in the case, with the reason.
     LeftOut(String),
-    /// Agreement or disagreement of two statements of the file.
+    /// Disagreement of two statements of the file, or a value that is probably wrong.
+    Warning(String),
+    /// Agreement of two statements of the file, or the one that is used of two.
     Checked(String),
     /// Information on reading.
     Read(String),
@@ -17,17 +19,20 @@ impl Note {
     /// The sentence.
     pub fn text(&self) -> &str {
         match self {
-            Note::Assumed(text) | Note::LeftOut(text) | Note::Checked(text) | Note::Read(text) => {
-                text
-            }
+            Note::Assumed(text)
+            | Note::LeftOut(text)
+            | Note::Warning(text)
+            | Note::Checked(text)
+            | Note::Read(text) => text,
         }
     }
 
-    /// Kind of note: `assumed`, `left out`, `checked`, `read`.
+    /// Kind of note: `warning`, `assumed`, `left out`, `checked`, `read`.
     pub fn kind(&self) -> &'static str {
         match self {
             Note::Assumed(_) => "assumed",
             Note::LeftOut(_) => "left out",
+            Note::Warning(_) => "warning",
             Note::Checked(_) => "checked",
             Note::Read(_) => "read",
         }

@@ -99,7 +99,11 @@ pub(super) fn read_log(
     }
     let unit = log.unit(Quantity::HookLoad).unwrap_or(Dimension::Force.unit_in(UnitSet::Si));
     let picked = picking::pick(log.by_ref(), name, unit, &Thresholds::default(), choices);
-    let picks = picked.map_err(|error| explained(error, &log.notes))?;
+    let mut picks = picked.map_err(|error| explained(error, &log.notes))?;
+    let depth = log.unit(Quantity::BitDepth).or(log.unit(Quantity::HoleDepth));
+    if depth.is_some_and(|depth| !depth.is_field()) {
+        picks.units = UnitSet::Si;
+    }
     let mut fragment = picks.fragment();
     fragment.what = format!("{}, {}", log.what, fragment.what);
     let mut notes = vec![Note::Read(format!("channels: {}", taken(&log)))];

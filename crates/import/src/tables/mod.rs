@@ -5,6 +5,7 @@ mod survey;
 mod tally;
 
 use wholestring_tabular::{Held, TableErrorKind, held, read_readings, sheets};
+use wholestring_units::{Unit, UnitSet};
 
 use crate::{
     choices::Choices,
@@ -165,7 +166,9 @@ fn sheet<'a>(
 /// Weights and torques at the surface.
 fn readings(bytes: &[u8], name: &str) -> Result<Fragment, ImportError> {
     let read = read_readings(bytes, name)?;
+    let is_field = read.units.into_iter().flatten().any(Unit::is_field);
     Ok(Fragment {
+        units: Some(if is_field { UnitSet::Field } else { UnitSet::Si }),
         what: format!("weights and torques at {} depths of the bit", read.readings.len()),
         measured: read.readings,
         notes: read.notes.into_iter().map(note::of).collect(),
@@ -192,6 +195,7 @@ fn join(whole: &mut Fragment, part: Fragment) {
     ] {
         all.entries.extend(own.entries);
     }
+    whole.units = whole.units.or(part.units);
     whole.measured.extend(part.measured);
     whole.overlay.extend(part.overlay);
     whole.picks = whole.picks.take().or(part.picks);

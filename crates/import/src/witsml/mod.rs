@@ -65,7 +65,7 @@ pub(crate) fn read(input: Input, choices: &Choices) -> Result<Fragment, ImportEr
                     fragment.name = Some(Entry { key: "name", value, origin });
                 }
                 Some(well) if *well != node.text => {
-                    fragment.notes.push(Note::Checked(format!(
+                    fragment.notes.push(Note::Warning(format!(
                         "{} is of the well '{}', others of '{}': are they of one well?",
                         object.label(),
                         short(&node.text),

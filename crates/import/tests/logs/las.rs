@@ -251,3 +251,16 @@ fn a_blank_behind_the_point_may_be_missing() {
     assert_eq!(rows[1].hook_load_N, 7000.0);
     assert_eq!(log.what, "LAS 2.0, wrapped");
 }
+
+#[test]
+fn a_repeated_heading_of_the_rows_loses_none() {
+    let (rows, log) = read(&las("0 1 5\n1 2 6\n~ASCII\n2 3 7\n"));
+    assert_eq!(rows.len(), 3);
+    assert!(notes(&log).contains("the ~ASCII of line 13 continues the rows above"));
+    let joined = las(&format!("0 1 5\n1 2 6\n{}", las("2 3 7\n")));
+    let error = refused(&joined);
+    assert!(
+        error.contains("line 22: another section of rows, ~A, after other sections"),
+        "{error}"
+    );
+}

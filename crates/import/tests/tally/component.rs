@@ -23,7 +23,7 @@ fn a_weight_may_be_per_length_or_of_the_whole_and_a_force() {
     near(&tally("Weight (klb)", "2.985"), 148.07);
     near(&tally("Weight (lbs)", "2985"), 148.07);
     near(&tally("Weight", "99.5 lb/ft"), 148.07);
-    assert_snapshot!(refused(&tally("Weight (lbs)", "99.5")), @"tally.csv, line 3, column 'Weight (lbs)': the weight per length 4.935744 kg/m of 'DC' is out of range; expected about the 148.1 kg/m of its body or more (is the column the weight per length, and in the right unit?)");
+    assert_snapshot!(refused(&tally("Weight (lbs)", "99.5")), @"tally.csv, line 3, column 'Weight (lbs)': the weight per length 3.3167 lb/ft of 'DC' is out of range; expected about the 99.5 lb/ft of its body or more (is the column the weight per length, and in the right unit?)");
     assert_snapshot!(refused(&tally("Weight (kg/m)", "500")), @"tally.csv, line 3, column 'Weight (kg/m)': the weight per length 500 kg/m of 'DC' is out of range; expected at most the 168.3 kg/m of a solid bar of 165.1 mm");
     assert_snapshot!(refused(&tally("Weight (furlong)", "500")), @"tally.csv, line 1, column 39: 'furlong' is not a unit of mass per length; expected kg/m, lb/ft, t/m");
     let both = imported(
@@ -126,13 +126,13 @@ fn grades_and_tool_joints_are_taken_where_the_catalogue_is_not() {
     id = "4.2 in"
     length = "to surface"
     joint_od = "6.625 in"
-    joint_spacing = "9.6 m"
+    joint_spacing = "31.5 ft"
     mass_per_length = "22 lb/ft"
     "#);
     assert_snapshot!(notes(&imported), @r"
     assumed: the length (line 3, column 'Length (ft)') is that of all joints: divided by their number it is the length of a joint
     read: the tally is read as listed, from the bit up: the bit, 'Bit', is in line 2
-    assumed: 'Pipe above': a tool joint every 9.6 m, as in range 2
+    assumed: 'Pipe above': a tool joint every 31.5 ft, as in range 2
     assumed: 'Bit': no weight; computed from the diameters as steel
     left out: the grade '4145H' of 'Pipe above' (line 4, column 'Grade'): its yield strength is not known; give yield_strength
     read: header in line 1, columns separated by commas

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use pyo3::prelude::*;
 use wholestring::{operation::OperationKind, outcome::ModelKind};
+use wholestring_case::operation_named;
 use wholestring_runner::{Error, Keep};
 
 use crate::error;
@@ -41,7 +42,7 @@ pub(crate) fn keep(word: Option<&str>) -> Result<Option<Keep>, Error> {
 }
 
 pub(crate) fn operation(name: &str) -> Result<OperationKind, Error> {
-    OperationKind::from_name(name).ok_or_else(|| {
+    operation_named(name).ok_or_else(|| {
         let names = OperationKind::ALL.map(OperationKind::name).join(", ");
         bad("operation", format!("`{name}` is no operation: expected one of {names}"))
     })

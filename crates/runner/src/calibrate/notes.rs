@@ -12,9 +12,10 @@ pub(super) fn notes(data: &Readings, found: &Calibration, settings: &Settings) -
     let mut notes = vec![data.notes.join("; ")];
     for error in found.errors.iter().filter(|error| !error.given) {
         notes.push(format!(
-            "the standard error of the {} is estimated from {} residuals: {}",
+            "the standard error of the {} is estimated from {} residual{}: {}",
             error.kind.name(),
             error.readings,
+            if error.readings == 1 { "" } else { "s" },
             shown(error.value, dimension(error.kind))
         ));
     }

@@ -1,7 +1,7 @@
 //! Reader of the cells of one table.
 
 use wholestring::well::TieIn;
-use wholestring_units::Unit;
+use wholestring_units::{Dimension, Unit, UnitSet, number_text};
 
 use crate::{
     cells::number::{self, Fault, Style},
@@ -116,9 +116,17 @@ impl Reader<'_> {
         }
         let tie_in =
             TieIn { north_m: north_m.unwrap_or(0.0), east_m: east_m.unwrap_or(0.0), tvd_m };
+        let unit = layout.column(Column::MeasuredDepth).map(|found| found.unit);
+        let unit = unit.unwrap_or(Dimension::Length.unit_in(UnitSet::Si));
+        let length = |m: f64| {
+            let number = (unit.from_si(m) * 1e6).round() / 1e6;
+            format!("{} {}", number_text(number), unit.symbol)
+        };
         notes.push(format!(
-            "the first station is at true vertical depth {} m, north {} m, east {} m",
-            tie_in.tvd_m, tie_in.north_m, tie_in.east_m
+            "the first station is at true vertical depth {}, north {}, east {}",
+            length(tie_in.tvd_m),
+            length(tie_in.north_m),
+            length(tie_in.east_m)
         ));
         if tie_in.is_on_map() {
             notes.push(

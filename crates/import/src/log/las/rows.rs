@@ -82,14 +82,45 @@ fn data_line(
         match line.first() {
             // Some files end with an old end-of-file character.
             None | Some(b'#' | 0x1a | 0) => {}
+            Some(b'~') if is_data_section(line) => {
+                let text = format!(
+                    "the {} of line {} continues the rows above",
+                    short(line),
+                    lines.line()
+                );
+                notes.push(Note::Read(text));
+            }
             Some(b'~') => {
                 let text = format!("what follows from line {}: {}", lines.line(), short(line));
                 notes.push(Note::LeftOut(text));
+                refuse_more_data(lines)?;
                 return Ok(false);
             }
             Some(_) => return Ok(true),
         }
     }
+}
+
+/// Whether a line begins a section of rows, `~A` of LAS 1.2 and 2.0.
+fn is_data_section(line: &[u8]) -> bool {
+    matches!(line, [b'~', b'A' | b'a', ..])
+}
+
+/// Refuses rows behind another section: they are of another head, as in joined files.
+fn refuse_more_data(lines: &mut Lines) -> Result<(), ImportError> {
+    let mut line = Vec::new();
+    while lines.next(&mut line)? {
+        if is_data_section(line.trim_ascii()) {
+            let sentence = format!(
+                "another section of rows, {}, after other sections: expected one log; cut the \
+                 file above its second head and import the parts one by one",
+                short(line.trim_ascii())
+            );
+            return Err(lines.error(ImportErrorKind::Refused(sentence)));
+        }
+        line.clear();
+    }
+    Ok(())
 }
 
 impl LasRows<'_> {

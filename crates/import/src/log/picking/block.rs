@@ -35,6 +35,29 @@ const AGREES: f64 = 0.15;
 /// made, over the weight: the resolution to which the scale is read.
 const SAME: f64 = 0.01;
 
+/// Largest hook load in slips of a sensor that was zeroed with the block on it, N: a block with a
+/// top drive weighs more. Above the smaller, the weight of the block and hook of the smallest rigs,
+/// it may be a block whose weight was given in error by one of [`ERRORS`].
+const ZERO_N: f64 = 4e4;
+const BLOCK_N: f64 = 1.5e4;
+
+/// Relative difference within which a ratio is one of [`ERRORS`].
+const NEAR: f64 = 0.05;
+
+/// Ratios of the given weight to the hook load in slips that indicate an error of typing or of
+/// units, with their cause.
+const ERRORS: [(f64, &str); 9] = [
+    (10.0, "a typing error"),
+    (0.1, "a typing error"),
+    (100.0, "a typing error"),
+    (0.01, "a typing error"),
+    (2.204_622_6, "a weight of pounds as kilograms"),
+    (0.453_592_37, "a weight of kilograms as pounds"),
+    (4.448_221_6, "a weight of kN as klbf"),
+    (0.224_808_94, "a weight of klbf as kN"),
+    (9.806_65, "a weight of kN as tonnes"),
+];
+
 impl BlockWeight {
     /// Reads the given weight and compares it with the hook load in slips.
     ///
@@ -62,13 +85,26 @@ impl BlockWeight {
             None => true,
             Some(slips_N) if (slips_N - weight_N).abs() <= AGREES * weight_N => true,
             // No weight is negative: below zero the sensor's zero is off.
-            Some(slips_N) if slips_N <= AGREES * weight_N => false,
+            Some(slips_N)
+                if slips_N <= ZERO_N.min(AGREES * weight_N)
+                    && (slips_N <= BLOCK_N || causes(weight_N / slips_N).is_empty()) =>
+            {
+                false
+            }
             Some(slips_N) => {
                 let slips = self::shown(slips_N, unit);
+                let ratio = weight_N / slips_N;
+                let causes = causes(ratio).join(" or ");
+                let cause = match causes.is_empty() {
+                    true => String::new(),
+                    false => {
+                        format!(", {} times as much, which indicates {causes}", three_digits(ratio))
+                    }
+                };
                 return Err(ImportErrorKind::Refused(format!(
                     "the median hook load in slips is {slips}, and the given block weight is \
-                     {shown}; expected about {shown}, or about 0 if the sensor was zeroed with \
-                     the block on it; give the weight on the sensor with --value \
+                     {shown}{cause}; expected about {shown} in slips, or about 0 if the sensor \
+                     was zeroed with the block on it; give the weight on the sensor with --value \
                      {NAME}=\"{slips}\""
                 )));
             }
@@ -129,6 +165,12 @@ impl BlockWeight {
     }
 }
 
+/// The errors that a ratio of the given weight to the hook load in slips indicates.
+fn causes(ratio: f64) -> Vec<&'static str> {
+    let causes = ERRORS.iter().filter(|(known, _)| (ratio / known - 1.0).abs() < NEAR);
+    causes.map(|(_, cause)| *cause).collect()
+}
+
 fn not_said(slips_N: Option<f64>, unit: &Unit) -> ImportErrorKind {
     let hint = match slips_N.map(|slips| shown(slips, unit)) {
         Some(slips) => format!(
@@ -147,9 +189,13 @@ fn not_said(slips_N: Option<f64>, unit: &Unit) -> ImportErrorKind {
 
 /// Formats a weight in the log's unit with three digits.
 pub(super) fn shown(newtons: f64, unit: &Unit) -> String {
-    let value = unit.from_si(newtons);
+    format!("{} {}", three_digits(unit.from_si(newtons)), unit.symbol)
+}
+
+/// Formats a number with three digits; 0 below 0.01.
+pub(super) fn three_digits(value: f64) -> String {
     let size = if value == 0.0 { 0.0 } else { libm::log10(value.abs()).floor() };
     let scale = libm::pow(10f64, 2.0 - size);
     let rounded = if size < -2.0 { 0.0 } else { (value * scale).round() / scale };
-    format!("{} {}", number_text(rounded), unit.symbol)
+    number_text(rounded)
 }

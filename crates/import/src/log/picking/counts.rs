@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{
     motion::Motion,
+    row::Row,
     window::{Kind, Refusal},
 };
 
@@ -31,6 +32,17 @@ pub struct Trip {
     pub to_m: f64,
     /// Number of stands.
     pub stands: usize,
+}
+
+/// Rows on the hook with the bit far below the bottom of the hole, where the motion is unknown.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct BelowBottom {
+    /// Their number.
+    pub rows: usize,
+    /// Number of all rows on the hook.
+    pub of_rows: usize,
+    /// Largest depth of the bit below the bottom, m.
+    pub by_m: f64,
 }
 
 /// Counts of the contents of a log.
@@ -62,6 +74,10 @@ pub struct Counts {
     pub accepted: BTreeMap<Kind, usize>,
     /// Refused windows, by kind and reason.
     pub refused: BTreeMap<(Kind, Refusal), usize>,
+    /// Windows of rotation off bottom whose weight is accepted and whose torque is not, by reason.
+    pub refused_torques: BTreeMap<Refusal, usize>,
+    /// Rows on the hook with the bit below the bottom of the hole.
+    pub below_bottom: BelowBottom,
 }
 
 /// Minimum number of stands of a trip: two are a wiper stroke.
@@ -91,8 +107,23 @@ impl Counts {
         }
     }
 
+    /// Adds the rows of a stand that have the bit below bottom by more than `beyond_m`.
+    pub(super) fn below_bottom(&mut self, rows: &[Row], beyond_m: f64) {
+        self.below_bottom.of_rows += rows.len();
+        let below = rows.iter().map(|row| -row.height_m()).filter(|below_m| *below_m > beyond_m);
+        for below_m in below {
+            self.below_bottom.rows += 1;
+            self.below_bottom.by_m = self.below_bottom.by_m.max(below_m);
+        }
+    }
+
     /// Adds the trip that ends.
     pub(super) fn end_trip(&mut self, trip: &mut Option<Trip>) {
         self.trips.extend(trip.take().filter(|trip| trip.stands >= TRIP));
     }
+}
+
+/// A count with its noun: `1 value`, `12 values`.
+pub(super) fn plural(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }

@@ -23,7 +23,7 @@ mod trace;
 mod window;
 
 pub use block::BlockWeight;
-pub use counts::{Counts, Trip, Work};
+pub use counts::{BelowBottom, Counts, Trip, Work};
 pub use estimate::Estimate;
 pub use motion::Motion;
 pub use picks::{Detail, Picks};
@@ -31,9 +31,14 @@ pub use thresholds::Thresholds;
 pub use trace::{Channel, Trace};
 pub use window::{Kind, Refusal, Refused, Window};
 
-use wholestring_units::Unit;
+use wholestring_units::{Dimension, Unit, UnitSet};
 
-use self::{beginning::Beginning, depths::Depths, picker::Picker, row::Row};
+use self::{
+    beginning::Beginning,
+    depths::Depths,
+    picker::Picker,
+    row::{AllOutside, RANGES, Row},
+};
 use super::Record;
 use crate::{
     choices::Choices,
@@ -64,7 +69,8 @@ pub fn pick(
     choices: &Choices,
 ) -> Result<Picks, ImportError> {
     let at = |kind| ImportError::new(file, None, kind);
-    let mut clock = Clock { last_s: f64::NEG_INFINITY, without: 0 };
+    let units = if unit.is_field() { UnitSet::Field } else { UnitSet::Si };
+    let mut clock = Clock { last_s: f64::NEG_INFINITY, without: 0, outside: AllOutside::default() };
     let mut records = records.into_iter();
     let mut first = Vec::new();
     let mut taken = 0_usize;
@@ -79,7 +85,7 @@ pub fn pick(
     let depths = Depths::of(&first, limits);
     first.iter_mut().for_each(|row| depths.give(row));
     let log = Beginning { tells_bottom: depths.tells_bottom(), ..Beginning::of(&first) };
-    check(&log, limits).map_err(at)?;
+    check(&log, limits).map_err(|kind| at(with_outside(kind, &clock.outside, units)))?;
     let block = BlockWeight::of(choices, &log, unit).map_err(at)?;
     let on_sensor_N = block.on_sensor_N();
     let (part, spreads, least_N) = ON_HOOK;
@@ -115,8 +121,14 @@ pub fn pick(
     let mut counts = done.counts;
     counts.rows_without_time = clock.without;
     Ok(Picks {
+        units,
         file: file.to_owned(),
-        notes: [depths.notes(), notes(&log, &counts, hook_from_N, unit)].concat(),
+        notes: [
+            depths.notes(),
+            outside(&clock.outside, units),
+            notes(&log, &counts, hook_from_N, unit, units),
+        ]
+        .concat(),
         block,
         step_s: log.step_s,
         windows: done.windows,
@@ -132,13 +144,14 @@ pub fn pick(
 struct Clock {
     last_s: f64,
     without: usize,
+    outside: AllOutside,
 }
 
 impl Clock {
     fn row(&mut self, record: &Record) -> Option<Row> {
         if record.time_s > self.last_s && record.time_s.is_finite() {
             self.last_s = record.time_s;
-            return Some(Row::of(record));
+            return Some(Row::of(record, &mut self.outside));
         }
         self.without += 1;
         None
@@ -176,8 +189,43 @@ fn check(log: &Beginning, limits: &Thresholds) -> Result<(), ImportErrorKind> {
     Ok(())
 }
 
+/// Notes on values outside the range of any sensor.
+fn outside(outside: &AllOutside, units: UnitSet) -> Vec<Note> {
+    let notes = RANGES.iter().zip(outside).filter(|(_, outside)| outside.count > 0);
+    let notes = notes.map(|((quantity, range), outside)| {
+        let unit = quantity.dimension().unit_in(units);
+        let digits = |value: f64| block::three_digits(unit.from_si(value));
+        Note::LeftOut(format!(
+            "{} of the {}, the first {} {}: outside the range of any rig, {} to {} {}; check the \
+             unit and the null value of its channel",
+            counts::plural(outside.count, "value"),
+            quantity.words(),
+            digits(outside.first),
+            unit.symbol,
+            digits(*range.start()),
+            digits(*range.end()),
+            unit.symbol,
+        ))
+    });
+    notes.collect()
+}
+
+/// Adds the values outside the range of any sensor to an error, which may be due to them.
+fn with_outside(kind: ImportErrorKind, values: &AllOutside, units: UnitSet) -> ImportErrorKind {
+    let ImportErrorKind::Refused(sentence) = kind else { return kind };
+    let notes = outside(values, units);
+    let notes = notes.iter().map(|note| format!("; left out: {}", note.text()));
+    ImportErrorKind::Refused(sentence + &notes.collect::<String>())
+}
+
 /// Notes on assumptions and omissions.
-fn notes(log: &Beginning, counts: &Counts, hook_from_N: f64, unit: &Unit) -> Vec<Note> {
+fn notes(
+    log: &Beginning,
+    counts: &Counts,
+    hook_from_N: f64,
+    unit: &Unit,
+    units: UnitSet,
+) -> Vec<Note> {
     let mut notes = vec![Note::Read(format!(
         "the string is on the hook where the hook load is over {}",
         block::shown(hook_from_N, unit)
@@ -191,8 +239,8 @@ fn notes(log: &Beginning, counts: &Counts, hook_from_N: f64, unit: &Unit) -> Vec
         (true, _) => {}
         (false, Some(idle)) => notes.push(Note::Assumed(format!(
             "no sensor gives the rotary speed; the string is assumed to turn where the torque \
-             exceeds {:.2} kN.m, a tenth of the value that one row in twenty exceeds",
-            1e-3 * idle
+             exceeds {}, a tenth of the value that one row in twenty exceeds",
+            block::shown(idle, Dimension::Torque.unit_in(units))
         ))),
         (false, None) => notes.push(Note::LeftOut(
             "all windows, because neither rotary speed nor torque shows whether the string turns"
@@ -201,6 +249,17 @@ fn notes(log: &Beginning, counts: &Counts, hook_from_N: f64, unit: &Unit) -> Vec
     }
     if !log.has.torque {
         notes.push(Note::LeftOut("torques, because the log has none".to_owned()));
+    }
+    if counts.below_bottom.rows > 0 {
+        let unit = Dimension::Length.unit_in(units);
+        notes.push(Note::LeftOut(format!(
+            "{} of {} rows on the hook, because the bit is below the bottom of the hole, by up to \
+             {} {}; check the channels of bit depth and hole depth, and their units",
+            counts.below_bottom.rows,
+            counts.below_bottom.of_rows,
+            block::three_digits(unit.from_si(counts.below_bottom.by_m)),
+            unit.symbol,
+        )));
     }
     if counts.rows_without_time > 0 {
         let text = "rows without a time, or with one that is not after that of the row before";

@@ -86,7 +86,7 @@ impl<'a> Moving<'a> {
             let moves = speed[at].abs() >= limits.moves_m_per_s;
             let stands = speed[at].abs() <= limits.stands_m_per_s;
             let off = above[at] > limits.off_bottom_m;
-            let on = above[at] < limits.on_bottom_m;
+            let on = (-limits.below_bottom_m..limits.on_bottom_m).contains(&above[at]);
             match turns {
                 Some(false) if off && moves && speed[at] > 0.0 => Motion::PickUp,
                 Some(false) if off && moves => Motion::SlackOff,

@@ -121,6 +121,7 @@ impl Done {
             let lasts_s = pair[1].time_s - pair[0].time_s;
             *self.counts.motions_s.entry(*motion).or_default() += lasts_s;
         }
+        self.counts.below_bottom(rows, limits.below_bottom_m);
         let (work, from_m, to_m) = work(rows);
         self.counts.stand(work, from_m, to_m, &mut self.trip);
         let stand = self.counts.stands;
@@ -135,6 +136,9 @@ impl Done {
         }
         for window in &windows {
             *self.counts.accepted.entry(window.kind).or_default() += 1;
+            if let Some(why) = window.torque_refusal {
+                *self.counts.refused_torques.entry(why).or_default() += 1;
+            }
         }
         if self.picked.is_multiple_of(self.every) {
             if self.details.len() == DRAWN {

@@ -1,11 +1,11 @@
 //! Values picked from a log.
 
 use wholestring_tabular::ImportedReading;
-use wholestring_units::{Unit, number_text};
+use wholestring_units::{Dimension, Unit, UnitSet, number_text};
 
 use super::{
     block::{BlockWeight, shown},
-    counts::{Counts, Work},
+    counts::{Counts, Work, plural},
     estimate::{Estimate, median},
     trace::Trace,
     window::{Kind, Refused, Window},
@@ -32,6 +32,8 @@ pub struct Picks {
     pub details: Vec<Detail>,
     /// Depth difference within which picks of a stand share a row, m.
     pub(super) same_depth_m: f64,
+    /// Units of depths, torques and written readings: field units if the hook loads have one.
+    pub units: UnitSet,
     /// Unit of the log's hook loads.
     pub(super) unit: &'static Unit,
     pub(super) notes: Vec<Note>,
@@ -57,7 +59,8 @@ impl Picks {
     pub fn readings(&self) -> Vec<ImportedReading> {
         let mut readings = Vec::new();
         for stand in self.windows.chunk_by(|a, b| a.stand == b.stand) {
-            let mut windows: Vec<&Window> = stand.iter().collect();
+            let mut windows: Vec<&Window> =
+                stand.iter().filter(|window| is_in_hole(window)).collect();
             windows.sort_by(|a, b| a.bit_depth_m.total_cmp(&b.bit_depth_m));
             let mut rest = windows.as_slice();
             while let [first, ..] = rest {
@@ -66,7 +69,7 @@ impl Picks {
                 let count = rest.iter().take_while(near).count().max(1);
                 let (own, others) = rest.split_at(count);
                 rest = others;
-                readings.extend(reading(own));
+                readings.push(reading(own));
             }
         }
         readings
@@ -86,16 +89,29 @@ impl Picks {
         number_text((100.0 * self.step_s).round() / 100.0)
     }
 
+    /// A depth in whole units.
+    fn depth(&self, depth_m: f64) -> String {
+        let unit = Dimension::Length.unit_in(self.units);
+        format!("{:.0} {}", unit.from_si(depth_m), unit.symbol)
+    }
+
+    pub(super) fn torque_unit(&self) -> &'static Unit {
+        Dimension::Torque.unit_in(self.units)
+    }
+
     fn said_of_log(&self) -> Note {
         let Counts { stands, drilled, connections, connections_s, slips_alone, .. } = self.counts;
-        let mut text =
-            format!("{stands} stands, {drilled} of them drilled; {connections} connections");
+        let mut text = format!(
+            "{}, {drilled} of them drilled; {}",
+            plural(stands, "stand"),
+            plural(connections, "connection")
+        );
         if connections > 0 {
             let mean = connections_s / connections as f64 / 60.0;
             text += &format!(" of {mean:.1} min on average");
         }
         if slips_alone > 0 {
-            text += &format!(", and {slips_alone} times in slips without one");
+            text += &format!(", and {} in slips without one", plural(slips_alone, "time"));
         }
         Note::Read(text)
     }
@@ -107,8 +123,10 @@ impl Picks {
         let texts = trips.iter().take(MAX_LISTED).map(|trip| {
             let way = if trip.out { "out" } else { "in" };
             format!(
-                "{way} from {:.0} m to {:.0} m in {} stands",
-                trip.from_m, trip.to_m, trip.stands
+                "{way} from {} to {} in {} stands",
+                self.depth(trip.from_m),
+                self.depth(trip.to_m),
+                trip.stands
             )
         });
         let mut texts: Vec<String> = texts.collect();
@@ -116,7 +134,7 @@ impl Picks {
             texts.push(format!("and {} more", trips.len() - MAX_LISTED));
         }
         (!texts.is_empty())
-            .then(|| Note::Read(format!("{} trips: {}", trips.len(), texts.join("; "))))
+            .then(|| Note::Read(format!("{}: {}", plural(trips.len(), "trip"), texts.join("; "))))
     }
 
     fn said_of_windows(&self) -> Vec<Note> {
@@ -132,7 +150,7 @@ impl Picks {
         };
         let weight = errors(|window| window.weight_N).map(|error| shown(error, self.unit));
         let torque =
-            errors(|window| window.torque_N_m).map(|error| format!("{:.3} kN.m", 1e-3 * error));
+            errors(|window| window.torque_N_m).map(|error| shown(error, self.torque_unit()));
         let known: Vec<String> = [("weight", weight), ("torque", torque)]
             .into_iter()
             .filter_map(|(what, error)| Some(format!("{} of a {what}", error?)))
@@ -148,12 +166,55 @@ impl Picks {
             let refused: Vec<String> = refused.collect();
             notes.push(Note::LeftOut(format!("windows refused: {}", refused.join("; "))));
         }
+        if !self.counts.refused_torques.is_empty() {
+            let refused = self.counts.refused_torques.iter();
+            let refused = refused.map(|(why, count)| format!("{count}: {}", why.words()));
+            notes.push(Note::LeftOut(format!(
+                "torques of windows of {}: {}",
+                Kind::Rotating.words(),
+                refused.collect::<Vec<_>>().join("; ")
+            )));
+        }
+        notes.extend(self.said_of_nothing());
         notes
+    }
+
+    /// Reasons why no reading follows from the log, or not from all windows.
+    fn said_of_nothing(&self) -> Option<Note> {
+        let at_surface = self.windows.iter().filter(|window| !is_in_hole(window)).count();
+        if at_surface > 0 {
+            let all = self.windows.len();
+            return Some(Note::LeftOut(format!(
+                "{at_surface} of {all} picked windows, because their bit depth is 0 or less: a \
+                 weight without a depth is no reading; check the channel of the bit depth{}",
+                if at_surface == all { "; no file of readings is written" } else { "" }
+            )));
+        }
+        if !self.windows.is_empty() {
+            return None;
+        }
+        let motions = self.counts.motions_s.iter().filter(|(_, time_s)| **time_s > 0.0);
+        let motions =
+            motions.map(|(motion, time_s)| format!("{:.1} min {}", time_s / 60.0, motion.words()));
+        let motions: Vec<String> = motions.collect();
+        let motions = match motions[..] {
+            [] => "the string was never on the hook".to_owned(),
+            _ => format!("the time on the hook was {}", motions.join(", ")),
+        };
+        Some(Note::LeftOut(format!(
+            "all weights and torques, because no window was picked: {motions}; no file of \
+             readings is written"
+        )))
     }
 }
 
-/// Combines windows at about one depth into a row; `None` if they have no values.
-fn reading(windows: &[&Window]) -> Option<ImportedReading> {
+/// Whether the bit of a window is below the surface, as that of a reading has to be.
+fn is_in_hole(window: &Window) -> bool {
+    window.bit_depth_m > 0.0
+}
+
+/// Combines windows at about one depth into a row.
+fn reading(windows: &[&Window]) -> ImportedReading {
     let first = |kind: Kind| windows.iter().find(|window| window.kind == kind);
     let weight = |kind| Some(first(kind)?.weight_N?.value);
     let torque = |kind| Some(first(kind)?.torque_N_m?.value);
@@ -162,8 +223,9 @@ fn reading(windows: &[&Window]) -> Option<ImportedReading> {
     let from_s = windows.iter().map(|window| window.from_s).fold(f64::INFINITY, f64::min);
     let to_s = windows.iter().map(|window| window.to_s).fold(f64::NEG_INFINITY, f64::max);
     let [from, to] = [from_s, to_s].map(|at_s| at_s / 3600.0);
-    let place = format!("stand {}, {from:.3} h to {to:.3} h", windows.first()?.stand);
-    (depth_m > 0.0).then_some(ImportedReading {
+    let stand = windows.first().map_or(0, |window| window.stand);
+    let place = format!("stand {stand}, {from:.3} h to {to:.3} h");
+    ImportedReading {
         place,
         bit_depth_m: depth_m,
         pick_up_N: weight(Kind::PickUp),
@@ -175,5 +237,5 @@ fn reading(windows: &[&Window]) -> Option<ImportedReading> {
         case: None,
         held_out: false,
         keys: Vec::new(),
-    })
+    }
 }

@@ -146,12 +146,11 @@ impl Judge<'_> {
             }
         };
         let rows = &moving.rows[from..to];
-        let torque_N_m = match kind {
-            Kind::PickUp | Kind::SlackOff => None,
-            Kind::Rotating if !self.log.has.torque => None,
-            Kind::Rotating => self.torque(rows).ok(),
+        let torque = match kind {
+            Kind::Rotating if self.log.has.torque => Some(self.torque(rows)),
+            Kind::PickUp | Kind::SlackOff | Kind::Rotating => None,
             Kind::Drilling if rows[rows.len() - 1].hole_depth_m > rows[0].hole_depth_m => {
-                Some(self.torque(rows)?)
+                Some(Ok(self.torque(rows)?))
             }
             Kind::Drilling => return Err(Refusal::NotDeeper),
         };
@@ -166,7 +165,8 @@ impl Judge<'_> {
             speed_m_per_s: middle(&mut moving.speed[from..to].to_vec()),
             rotary_rad_per_s: median_of(|row| row.rotary_rad_per_s),
             weight_N,
-            torque_N_m,
+            torque_N_m: torque.and_then(Result::ok),
+            torque_refusal: torque.and_then(Result::err),
         })
     }
 

@@ -35,6 +35,9 @@ pub struct Thresholds {
     pub off_bottom_m: f64,
     /// Maximum height above bottom that is on bottom, m.
     pub on_bottom_m: f64,
+    /// Depth of the bit below the bottom of the hole beyond which the two depths contradict each
+    /// other, m: a string in a hole stretches by less.
+    pub below_bottom_m: f64,
     /// Time excluded after the string begins to move, s: acceleration.
     pub settle_s: f64,
     /// Travel of the block excluded there, m: it stretches the string before the bit moves and
@@ -93,6 +96,7 @@ impl Default for Thresholds {
             still_rad_per_s: 3.0 * RPM,
             off_bottom_m: 1.0,
             on_bottom_m: 0.3,
+            below_bottom_m: 10.0,
             settle_s: 5.0,
             settle_m: 1.5,
             settle_turning_s: 10.0,

@@ -62,6 +62,8 @@ pub struct Window {
     pub weight_N: Option<Estimate>,
     /// Torque, N·m; `None` without rotation.
     pub torque_N_m: Option<Estimate>,
+    /// Reason why the torque of a window with a weight was not picked.
+    pub torque_refusal: Option<Refusal>,
 }
 
 impl Window {

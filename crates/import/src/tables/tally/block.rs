@@ -258,7 +258,7 @@ fn listed(
     let length = |m: f64| {
         format!("{} {}", number_text((od_unit.from_si(m) * 1e3).round() / 1e3), od_unit.symbol)
     };
-    notes.push(Note::Checked(format!(
+    notes.push(Note::Warning(format!(
         "'{}' is called like the catalogue's '{}', but its {which} is {} and not {}: the tally's \
          diameters are used",
         part.name,

@@ -1,7 +1,7 @@
 //! Tool joints of a component.
 
 use wholestring::string::catalogue::CatalogueEntry;
-use wholestring_tabular::{Column, TallyCell};
+use wholestring_tabular::{Column, Holds, TallyCell};
 use wholestring_units::{Dimension, number_text};
 
 use super::{
@@ -14,8 +14,10 @@ use crate::fragment::{Block, Note, Origin, Value};
 /// Distances between tool joints that are usual, m: singles, and doubles of short ones.
 const SPACINGS_M: [f64; 2] = [4.0, 16.0];
 
-/// Distance between the joints of range 2 pipe (API Spec 5DP: 8.84 to 9.75 m), m.
-const RANGE_2_M: f64 = 9.6;
+/// Distance between the joints of range 2 pipe (API Spec 5DP: 8.84 to 9.75 m), in the two unit
+/// systems.
+const RANGE_2_M: (f64, &str) = (9.6, "m");
+const RANGE_2_FT: (f64, &str) = (31.5, "ft");
 
 /// Adds tool joints; returns their diameter if the component has any.
 pub(super) fn of(
@@ -60,15 +62,20 @@ pub(super) fn of(
     if let Some((value, origin)) = spacing(part) {
         block.push("joint_spacing", value, origin);
     } else if listed.is_none() {
-        let metres = unit(Dimension::Length, "m");
+        let is_field = match (&part.length, joint_od.map(|cell| cell.holds)) {
+            (Length::Of { unit, .. }, _) => unit.is_field(),
+            (Length::ToSurface, Some(Holds::Quantity { unit, .. })) => unit.is_field(),
+            (Length::ToSurface, _) => false,
+        };
+        let (number, symbol) = if is_field { RANGE_2_FT } else { RANGE_2_M };
         let because = "no number of joints or length of a joint; range 2".to_owned();
         block.push(
             "joint_spacing",
-            Value::quantity(RANGE_2_M, metres),
+            Value::quantity(number, unit(Dimension::Length, symbol)),
             Origin::Assumed { because },
         );
         notes.push(Note::Assumed(format!(
-            "'{}': a tool joint every {RANGE_2_M} m, as in range 2",
+            "'{}': a tool joint every {number} {symbol}, as in range 2",
             part.name
         )));
     }

@@ -72,12 +72,12 @@ pub(crate) fn of(
                 && let Some(other) = whole.si()
                 && (own - other).abs() > AGREES * own
             {
-                notes.push(Note::Checked(format!(
-                    "THE WEIGHTS of '{}' DIFFER: {} per length against {} kg/m by its total \
+                notes.push(Note::Warning(format!(
+                    "THE WEIGHTS of '{}' DIFFER: {} per length against {} by its total \
                      weight; the first is used",
                     part.name,
                     shown(&value),
-                    number_text((other * 100.0).round() / 100.0)
+                    shown(&whole)
                 )));
             }
             (value, from, cell.place.clone())
@@ -139,7 +139,7 @@ pub(crate) fn of(
         ));
     }
     if mass < LIGHTEST * steel {
-        notes.push(Note::Checked(format!(
+        notes.push(Note::Warning(format!(
             "{found} is less than its body of {} weighs, {}: if its metal is lighter, give its \
              density too",
             if body.density_kg_per_m3.is_some() { "this metal" } else { "steel" },
@@ -160,7 +160,7 @@ fn nominal_weight(part: &Part, body: &Body, value: &Value, cell: &TallyCell) -> 
     let with_joints = found.mass_per_length_kg_per_m(Material::STEEL.density_kg_per_m3);
     let pounds = unit(Dimension::MassPerLength, "lb/ft");
     let pounds = |mass: f64| format!("{:.1} lb/ft", pounds.from_si(mass));
-    Some(Note::Checked(format!(
+    Some(Note::Warning(format!(
         "the weight of '{}', {} ({}), is the NOMINAL WEIGHT of '{}', without tool joints: with them it \
          weighs {}{}",
         part.name,
@@ -190,14 +190,17 @@ fn per_metre(cell: &TallyCell) -> (Value, Origin) {
                 force.symbol,
                 cell.place
             );
-            (kg_per_m(mass), Origin::Derived { from })
+            (per_length(mass, force.is_field()), Origin::Derived { from })
         }
         _ => (Value::Number(0.0), origin(cell)),
     }
 }
 
-fn kg_per_m(mass: f64) -> Value {
-    Value::quantity(mass, unit(Dimension::MassPerLength, "kg/m"))
+/// A computed mass per length, kg/m, to five digits, in the unit system of its cells.
+fn per_length(mass: f64, is_field: bool) -> Value {
+    let unit = unit(Dimension::MassPerLength, if is_field { "lb/ft" } else { "kg/m" });
+    let number = unit.from_si(mass);
+    Value::quantity(format!("{number:.4e}").parse().unwrap_or(number), unit)
 }
 
 /// Mass per length from the total weight of its rows, with the place of the first.
@@ -214,5 +217,8 @@ fn whole(part: &Part) -> Option<(String, Value)> {
         _ => None,
     });
     let mass: f64 = masses.sum();
-    (mass > 0.0).then(|| (cells[0].place.clone(), kg_per_m(mass / length_m)))
+    let is_field =
+        |cell: &TallyCell| matches!(cell.holds, Holds::Quantity { unit, .. } if unit.is_field());
+    let is_field = cells.iter().all(|cell| is_field(cell));
+    (mass > 0.0).then(|| (cells[0].place.clone(), per_length(mass / length_m, is_field)))
 }

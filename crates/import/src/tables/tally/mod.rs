@@ -114,7 +114,7 @@ fn programme(blocks: &[Block]) -> Option<Note> {
     let tubulars: Vec<(f64, f64)> =
         blocks.iter().filter_map(|block| Some((si(block, "od")?, si(block, "id")?))).collect();
     nested_casings(&tubulars).then(|| {
-        Note::Checked(
+        Note::Warning(
             "THE CASINGS FIT INTO EACH OTHER: this is a casing programme, and the case makes one \
              string of it; casings that are in the hole belong under [[well.hole]]"
                 .to_owned(),

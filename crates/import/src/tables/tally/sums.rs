@@ -97,7 +97,7 @@ pub(crate) fn check(
             1 => String::new(),
             count => format!(", and in {} rows more", count - 1),
         };
-        notes.push(Note::Checked(format!(
+        notes.push(Note::Warning(format!(
             "THE CUMULATIVE LENGTH DIFFERS from the sum of the lengths: {first}{more}; the \
              lengths are used"
         )));
@@ -115,19 +115,21 @@ pub(crate) fn check(
         let agrees = sums.iter().any(|sum_m| (sum_m - stated_m).abs() <= tolerance_m);
         let is_open = lengths[..total.rows_above].contains(&Length::ToSurface);
         let stated = said(&total.length);
-        notes.push(Note::Checked(match (agrees, is_open) {
-            (true, false) => format!("the total agrees with the lengths: {stated}"),
-            (true, true) => {
-                format!("the total agrees with the lengths below the topmost component: {stated}")
-            }
+        notes.push(match (agrees, is_open) {
+            (true, false) => Note::Checked(format!("the total agrees with the lengths: {stated}")),
+            (true, true) => Note::Checked(format!(
+                "the total agrees with the lengths below the topmost component: {stated}"
+            )),
             (false, false) => {
                 let sum = in_unit(sums[0], &total.length);
-                format!("THE TOTAL DIFFERS from the sum of the lengths: {stated} against {sum}")
+                Note::Warning(format!(
+                    "THE TOTAL DIFFERS from the sum of the lengths: {stated} against {sum}"
+                ))
             }
-            (false, true) => {
-                format!("the total is not compared, for a length reaches to the surface: {stated}")
-            }
-        }));
+            (false, true) => Note::Checked(format!(
+                "the total is not compared, for a length reaches to the surface: {stated}"
+            )),
+        });
     }
 }
 

@@ -2,13 +2,14 @@
 
 use wholestring_judge::{CheckKind, Quantity, ReadingCheck, Severity};
 use wholestring_plan::calibration::{
-    Calibration, ErrorKind, LOSS, Outliers, Parameter, Point, Settings,
+    Calibration, Channel, ErrorKind, LOSS, Outliers, Parameter, Point, Settings,
 };
 use wholestring_units::Dimension;
 
 use super::{
     super::notes::{dimension as of_kind, size},
-    text::{dimension, median, shown, warning},
+    text::{dimension, median, plural, share, shown, warning},
+    units::others,
 };
 use crate::readings::Readings;
 
@@ -33,6 +34,7 @@ pub(in super::super) fn of_fit(
     let mut checks: Vec<ReadingCheck> = bounds(found).collect();
     checks.extend(no_block(found, settings));
     checks.extend(estimated_errors(found));
+    checks.extend(one_sided(data, found));
     checks.extend(found.confused.iter().map(|confused| {
         let sentence = format!(
             "the readings do not separate the {} from the {}: their correlation is {:.3}; keep \
@@ -114,19 +116,84 @@ fn estimated_errors(found: &Calibration) -> impl Iterator<Item = ReadingCheck> {
                 _ => "a weight indicator has an error of 1 to 3 %",
             };
             let sentence = format!(
-                "the {} deviate from the fit by {} (their standard error, estimated), {:.0} % of \
-                 their values, whereas {instrument}: the model does not describe them, they \
+                "the {} deviate from the fit by {} (their standard error, estimated), {}, whereas \
+                 {instrument}: the model does not describe them, they \
                  contribute almost nothing to the fit, and readings within so wide a band are no \
                  agreement; check the columns, units, block, mud, pumps, string and survey, or \
                  give the error",
                 error.kind.name(),
                 shown(error.value, of_kind(error.kind)),
-                100.0 * error.value / size.max(1e-9),
+                of_values(error.value / size.max(1e-9)),
             );
             warning(CheckKind::EstimatedError, sentence).numbers([Some(error.value), Some(limit)])
         })
     });
     large.collect::<Vec<_>>().into_iter()
+}
+
+/// A relative deviation of readings in words.
+fn of_values(part: f64) -> String {
+    let text = share(part);
+    if text.ends_with('%') { format!("{text} of their values") } else { text }
+}
+
+/// Torques of a column of which nearly all are above, or nearly all below, those of the fit, in
+/// which weights determine the friction: most probably the unit of the column is wrong.
+fn one_sided(data: &Readings, found: &Calibration) -> impl Iterator<Item = ReadingCheck> {
+    /// Smallest number of torques of a column.
+    const FEWEST: usize = 5;
+    /// Deviation of the median from 1 below which torques are in the right unit.
+    const OFF: f64 = 0.15;
+    /// Deviation from 1 in the right unit.
+    const NEAR: f64 = 0.08;
+    let channels = Channel::ALL.into_iter().filter(|channel| channel.is_torque());
+    let checks = channels.filter_map(|channel| {
+        let own = found.points.iter().zip(&data.places);
+        let own: Vec<_> = own.filter(|(point, _)| point.reading.channel == channel).collect();
+        let ratios = || own.iter().map(|(point, _)| point.reading.value / point.predicted);
+        let ratio = median(ratios().collect());
+        // Small torques may be on the other side by their noise, a fifth of them at most.
+        let beyond = ratios().filter(|own| (*own > 1.0) == (ratio > 1.0)).count();
+        if own.len() < FEWEST || 5 * beyond < 4 * own.len() || (ratio - 1.0).abs() < OFF {
+            return None;
+        }
+        let places: Vec<String> = own.iter().map(|(_, place)| (*place).clone()).collect();
+        // The check before the fit found the unit.
+        let is_known = |check: &ReadingCheck| {
+            check.check.kind == CheckKind::ReadingsUnit
+                && places.iter().all(|place| check.lines.contains(place))
+        };
+        if data.checks.iter().any(is_known) {
+            return None;
+        }
+        let heading = data.units[channel as usize]?;
+        let unit = others(Dimension::Torque, heading)
+            .into_iter()
+            .map(|(unit, factor)| (unit, (ratio * factor - 1.0).abs()))
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+            .filter(|(_, off)| *off < NEAR && *off < (ratio - 1.0).abs());
+        let advice = match unit {
+            Some((unit, off)) => format!(
+                "in {} instead of {} they would agree within {:.0} % at the median. Is that the \
+                 unit?",
+                unit.symbol,
+                heading.symbol,
+                (100.0 * off).max(1.0)
+            ),
+            None => "check their unit, the torque on bit, and the string".to_owned(),
+        };
+        let sentence = format!(
+            "the {} are {} those of the fit in {beyond} of {} rows, {ratio:.2} times as large at \
+             the median: {advice}",
+            plural(channel),
+            if ratio > 1.0 { "above" } else { "below" },
+            own.len(),
+        );
+        Some(
+            warning(CheckKind::ReadingsUnit, sentence).numbers([Some(ratio), Some(1.0)]).on(places),
+        )
+    });
+    checks.collect::<Vec<_>>().into_iter()
 }
 
 /// Intervals without a bound on one side.

@@ -20,9 +20,27 @@ pub(in crate::calibrate) fn words(channel: Channel) -> &'static str {
     CHANNEL_WORDS[channel as usize]
 }
 
+/// Readings of a channel in words: `torques on bottom`.
+pub(in crate::calibrate) fn plural(channel: Channel) -> String {
+    let (noun, rest) = match words(channel).split_once(" o") {
+        Some((noun, rest)) => (noun, format!(" o{rest}")),
+        None => (words(channel), String::new()),
+    };
+    format!("{noun}s{rest}")
+}
+
 /// A number in three digits, with its unit.
 pub(in crate::calibrate) const fn shown(value: f64, dimension: Dimension) -> Quantity {
     Quantity::new(dimension, value, Rounding::Three)
+}
+
+/// A relative deviation in per cent, and above 1000 % as a multiple.
+pub(in crate::calibrate) fn share(part: f64) -> String {
+    match part {
+        part if part <= 10.0 => format!("{:.0} %", 100.0 * part),
+        part if part < 1e4 => format!("{part:.0} times their values"),
+        part => format!("{part:.1e} times their values"),
+    }
 }
 
 /// The median; zero for no values.

@@ -9,7 +9,7 @@ use wholestring_plan::calibration::Channel;
 use wholestring_units::{Dimension, Unit};
 
 use super::{
-    text::{dimension, median, shown, words},
+    text::{dimension, median, plural, share, shown, words},
     trial::{Block, MOST, Trial, rows, weight_rows},
 };
 use crate::readings::Readings;
@@ -35,21 +35,23 @@ const POSSIBLE: [f64; 2] = [0.03, 1.0];
 /// identify a unit from torques.
 const SIDE_FORCE_M: f64 = 0.008;
 
-/// Units within this relative difference, such as tonnes and kilodecanewtons, are not
-/// distinguished: the first is named.
+/// A unit within this relative difference of that of the heading, such as kilodecanewtons under
+/// tonnes, is not proposed. Units within the smaller difference are the same.
 const ALIKE: f64 = 0.03;
+const SAME: f64 = 1e-6;
 
 /// The unit is in doubt if friction from torques over friction from drag is this close to the ratio
 /// of N·m and ft·lbf, and the readings scatter no more than this.
 const NEAR: f64 = 0.04;
 const EVEN: f64 = 0.05;
 
-/// The other units of a dimension, each with the factor that corrects numbers written in it.
-fn others(dimension: Dimension, heading: &Unit) -> Vec<(&'static Unit, f64)> {
+/// The other units of a dimension, each with the factor that corrects numbers written in it; of
+/// units with the same factor the first.
+pub(super) fn others(dimension: Dimension, heading: &Unit) -> Vec<(&'static Unit, f64)> {
     let mut others: Vec<(&'static Unit, f64)> = Vec::new();
     for unit in dimension.units() {
         let factor = unit.factor / heading.factor;
-        let known = others.iter().any(|(_, other)| (other / factor - 1.0).abs() < ALIKE);
+        let known = others.iter().any(|(_, other)| (other / factor - 1.0).abs() < SAME);
         if (factor - 1.0).abs() > ALIKE && !known {
             others.push((unit, factor));
         }
@@ -101,11 +103,11 @@ pub(super) fn weights(data: &Readings, trial: &Trial) -> Vec<ReadingCheck> {
                 .collect();
             let sentence = format!(
                 "the weights seem not to be in {}, the unit of their headings: with any friction \
-                 they deviate by {:.0} % or more from the loads of the string in this hole, but \
-                 in {} they match within {:.1} % (a factor of {}); {}: a {} of {} with the bit at \
+                 they deviate by {} or more from the loads of the string in this hole, but in {} \
+                 they match within {:.1} % (a factor of {}); {}: a {} of {} with the bit at \
                  {}, where {} is expected. Is the unit {}?",
                 heading.symbol,
-                100.0 * as_is.part,
+                share(as_is.part),
                 unit.symbol,
                 100.0 * best.part.max(1e-3),
                 wholestring_units::number_text((1e4 * factor).round() / 1e4),
@@ -153,12 +155,12 @@ fn column(
     let best = others.map(|(unit, factor)| (unit, off(factor)));
     let (unit, part) = best.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|best| best.1 < ON)?;
     let sentence = format!(
-        "the {}s seem not to be in {}, the unit of their heading: the other weights match within \
-         {:.1} %, these deviate by {:.0} %, and in {} by {:.1} %. Is the unit {}?",
-        words(channel),
+        "the {} seem not to be in {}, the unit of their heading: the other weights match within \
+         {:.1} %, these deviate by {}, and in {} by {:.1} %. Is the unit {}?",
+        plural(channel),
         heading.symbol,
         100.0 * met.part.max(1e-3),
-        100.0 * off(1.0),
+        share(off(1.0)),
         unit.symbol,
         100.0 * part,
         unit.symbol,
@@ -207,10 +209,10 @@ fn torque(data: &Readings, trial: &Trial, channel: Channel) -> Option<ReadingChe
     let row = own[own.len() / 2];
     let (unit, factor, would) = *likely.first()?;
     let sentence = format!(
-        "the {}s require a friction factor of {}, outside the range of any hole; in {} it would \
+        "the {} require a friction factor of {}, outside the range of any hole; in {} it would \
          be {} (a factor of {}). {}: {} with the bit at {}, where {} is expected with a friction \
          of {}. Is the unit {}?",
-        words(channel),
+        plural(channel),
         rounded(friction),
         unit.symbol,
         rounded(would),
