@@ -226,8 +226,7 @@ impl Judge {
                  the soft string here, or give less friction or a lighter weight on bit"
             );
             let all = checks.checks.into_iter();
-            checks.checks =
-                all.map(|check| check.continued(&more).in_units(self.units)).collect();
+            checks.checks = all.map(|check| check.continued(&more).in_units(self.units)).collect();
         }
         checks
     }

@@ -62,13 +62,13 @@ fn the_rock_is_the_same_whoever_works_on_it() {
 #[test]
 fn the_threads_of_a_pool_come_to_the_same_rock() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("threads");
-    let done: Vec<AtomicUsize> = (0..100).map(|_| AtomicUsize::new(0)).collect();
+    let counts: Vec<AtomicUsize> = (0..100).map(|_| AtomicUsize::new(0)).collect();
     for _ in 0..50 {
         pool.each(counts.len(), &|index| {
             counts[index].fetch_add(1, Ordering::Relaxed);
         });
     }
-    assert!(counts.iter().all(|counts| counts.load(Ordering::Relaxed) == 50));
+    assert!(counts.iter().all(|count| count.load(Ordering::Relaxed) == 50));
     let stepper = Stepper::default();
     let bits = |block: &Block| postcard::to_allocvec(block).expect("plain data");
     assert_eq!(bits(&drilled(&stepper, &Alone, 300)), bits(&drilled(&stepper, &pool, 300)));

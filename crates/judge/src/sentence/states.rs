@@ -123,7 +123,7 @@ impl Words<'_> {
                  of the pipe between its contacts. The means remain valid, the extremes do not. \
                  Elements from joint to joint (mesh.element_length = \"auto\") leave that bending \
                  out; a dynamics.damping.mass of 1 1/s, as of a viscous mud, damps it",
-                text.force(value)
+                text::force(value)
             ),
             CheckKind::BitElsewhere => self.bit_elsewhere(value, limit),
             kind => format!("{}{place}", kind.label()),
