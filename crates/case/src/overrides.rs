@@ -187,12 +187,12 @@ fn remove_in(entry: &mut Node, path: &[&str]) -> bool {
 /// ```
 /// assert_eq!(wholestring_case::long_key("wob"), "operation.wob");
 /// assert_eq!(wholestring_case::long_key("mud.density"), "mud.density");
-/// Returns the parts of a key between its dots, with a short key expanded.
+/// ```
 pub fn long_key(key: &str) -> &str {
     SHORT.iter().find(|(short, _)| *short == key).map_or(key, |(_, long)| long)
 }
 
-/// The parts of a key between its dots, a short key written out.
+/// Returns the parts of a key between its dots, with a short key expanded.
 fn parts(key: &str) -> Vec<&str> {
     long_key(key).split('.').collect()
 }

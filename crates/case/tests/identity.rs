@@ -26,6 +26,7 @@ const WITHOUT_EFFECT: &[(&str, &str)] = &[
     ("mud.gel_strength", "the gel that a plan's pumps break"),
     ("plan", "evaluated at other depths and frictions"),
     ("well.hole.0.from", "where the section above ends: anything else is refused"),
+    ("well.hole.0.drift", "a warning of a part of the string that is wider"),
 ];
 
 /// Two values of keys whose schema does not suffice to generate them.
