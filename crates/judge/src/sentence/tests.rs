@@ -160,7 +160,13 @@ fn buckled_stretches_are_given_in_the_units_of_the_case() {
     let check = Check::load(CheckKind::HelicalBuckling, 444_822.0, 222_411.0, 1.0).expect("a load");
     let rig = Rig::default();
     assert_eq!(
-        words(ModelKind::Dynamic, &rig, UnitSet::Field).sentence(&check.over([457.2, 1021.08])),
+        words(ModelKind::Dynamic, &rig, UnitSet::Field)
+            .sentence(&check.clone().over([457.2, 1021.08])),
         "Buckled to a helix from 1500 ft to 3350 ft: compression 100 klbf, critical 50 klbf"
+    );
+    // A stretch that is shorter than the unit of a depth is a place.
+    assert_eq!(
+        words(ModelKind::Dynamic, &rig, UnitSet::Field).sentence(&check.over([457.2, 457.3])),
+        "Buckled to a helix at 1500 ft: compression 100 klbf, critical 50 klbf"
     );
 }

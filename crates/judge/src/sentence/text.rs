@@ -39,9 +39,13 @@ pub(crate) fn of_kind(kind: QuantityKind, si: f64) -> String {
     }
 }
 
+/// Stretches shorter than this, m, are named by one depth: a foot, to which depths are written.
+const MIN_STRETCH_M: f64 = 0.3048;
+
 /// ` at 4310 m`, ` from 50 m to 3350 m` or nothing.
 pub(crate) fn place(check: &Check) -> String {
     match (check.md_m, check.to_md_m) {
+        (Some(from), Some(to)) if to - from < MIN_STRETCH_M => format!(" at {}", depth(from)),
         (Some(from), Some(to)) => format!(" from {} to {}", depth(from), depth(to)),
         (Some(at), None) => format!(" at {}", depth(at)),
         _ => String::new(),
