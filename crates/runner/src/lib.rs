@@ -67,6 +67,7 @@ mod error;
 pub mod export;
 mod folder_name;
 pub mod import;
+mod input_lines;
 mod keep;
 pub mod modes;
 mod observer;

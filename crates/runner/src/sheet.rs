@@ -1,6 +1,9 @@
 //! Tables of results as sheets, in display units.
 
-use wholestring_report::{Cells, DisplayUnit, Sheet, SheetColumn, operation_name};
+use wholestring_case::dimension_at;
+use wholestring_judge::CheckKind;
+use wholestring_plan::reach::Limit;
+use wholestring_report::{Cells, DisplayUnit, Sheet, SheetColumn, operation_name, reading_words};
 use wholestring_results::{Column, Data, Table};
 use wholestring_units::{Dimension, UnitSet};
 
@@ -46,13 +49,50 @@ fn of_unit(column: &Column) -> Option<(&'static str, &str)> {
     Some((Dimension::ALL.iter().find(is_its).map_or("", |dimension| dimension.name()), stem))
 }
 
+/// Dimension and name of a column that holds the error or the deviation of another one, which has the
+/// unit of that one: that of a rate of penetration is a rate, not a speed.
+fn of_spread(name: &str) -> Option<(&'static str, String)> {
+    ["_error", "_std"].into_iter().find_map(|spread| {
+        let (before, after) = name.split_once(&format!("{spread}_"))?;
+        let plain = format!("{before}_{after}");
+        let (dimension, stem) = of_setting(&plain)?;
+        Some((dimension, format!("{stem}{spread}")))
+    })
+}
+
+/// Dimension and name of a column of a varied key, such as `wob`.
+fn of_key(column: &Column) -> Option<(&'static str, String)> {
+    let dimension = dimension_at(&column.name)?;
+    (dimension.si_symbol() == column.unit).then(|| (dimension.name(), column.name.clone()))
+}
+
+/// Numbers of a varied rotary speed that was written without its unit, which is then rev/min in
+/// every set of units.
+fn bare_speeds(column: &Column) -> Option<Cells> {
+    let Data::Text(words) = &column.data else { return None };
+    let is_speed = dimension_at(&column.name) == Some(Dimension::RotarySpeed);
+    let numbers = words.iter().map(|word| word.parse::<f64>().ok().map(Some));
+    let numbers: Option<Vec<Option<f64>>> = numbers.collect();
+    numbers.filter(|_| is_speed).map(Cells::Numbers)
+}
+
 /// A column in display units, which are in its heading, or in those of the rows.
 fn column(column: &Column, rows: Option<&[DisplayUnit]>, units: UnitSet) -> SheetColumn {
     let found = match column.name.strip_suffix("_m") {
-        Some(stem) if ACROSS.contains(&column.name.as_str()) => Some(("diameter", stem)),
-        _ => of_unit(column).or_else(|| of_setting(&column.name)),
+        Some(stem) if ACROSS.contains(&column.name.as_str()) => Some(("diameter", stem.to_owned())),
+        _ => of_unit(column).map(|(dimension, stem)| (dimension, stem.to_owned())),
     };
-    let (dimension, stem) = found.filter(|_| !column.unit.is_empty()).unwrap_or(("", &column.name));
+    let found = found
+        .or_else(|| of_spread(&column.name))
+        .or_else(|| of_setting(&column.name).map(|(dimension, stem)| (dimension, stem.to_owned())))
+        .or_else(|| of_key(column));
+    let (dimension, stem) =
+        found.filter(|_| !column.unit.is_empty()).unwrap_or(("", column.name.clone()));
+    if let Some(cells) = bare_speeds(column) {
+        let unit = Dimension::RotarySpeed.unit_in(units).symbol.to_owned();
+        let meaning = column.meaning.replace('`', "");
+        return SheetColumn { heading: column.name.replace('_', " "), unit, meaning, cells };
+    }
     let display_unit = unit(dimension, units);
     let all = display_unit.as_ref().map_or(1.0, |unit| unit.factor);
     let rows = rows.filter(|_| OF_ROWS.contains(&column.name.as_str()) || column.name == "unit");
@@ -70,18 +110,36 @@ fn column(column: &Column, rows: Option<&[DisplayUnit]>, units: UnitSet) -> Shee
         }
     };
     SheetColumn {
-        heading: stem.replace('_', " "),
+        heading: heading(&stem),
         unit: display_unit.map_or_else(|| pretty(&column.unit), |unit| unit.symbol),
         meaning: column.meaning.replace('`', ""),
         cells,
     }
 }
 
-/// Readable names of operations and checks; other words are unchanged.
+/// Heading of a column without its unit.
+fn heading(stem: &str) -> String {
+    match stem {
+        "along" => "axial friction".to_owned(),
+        "around" => "rotational friction".to_owned(),
+        "md" => "measured depth".to_owned(),
+        other => other.replace("von_mises", "von Mises").replace('_', " "),
+    }
+}
+
+/// Readable names of operations, checks, limits and readings; other words are unchanged.
 fn readable(column: &Column, word: &str) -> String {
+    let of_kind = || CheckKind::named(word).map(|kind| kind.label().to_owned());
+    let spaced = || word.replace('_', " ");
     match column.name.as_str() {
         "operation" => operation_name(word),
-        "worst_check" | "event" => word.replace('_', " "),
+        "limit" => {
+            let limit = Limit::ALL.iter().find(|limit| limit.name() == word);
+            limit.map_or_else(spaced, |limit| limit.title().to_owned())
+        }
+        "reading" => reading_words(word).to_owned(),
+        "kind" | "worst_check" => of_kind().unwrap_or_else(spaced),
+        "event" | "varied" | "quantity" => spaced(),
         _ => word.to_owned(),
     }
 }
@@ -112,8 +170,48 @@ mod tests {
         let (head, severity) = head_and_value("dogleg_severity_rad_per_m", "rad/m");
         assert_eq!(head, "dogleg severity, °/100 ft");
         assert!((severity - 30.48_f64.to_degrees()).abs() < 1e-9);
-        assert_eq!(head_and_value("md_m", "m"), ("md, ft".to_owned(), 1.0 / 0.3048));
+        assert_eq!(head_and_value("md_m", "m"), ("measured depth, ft".to_owned(), 1.0 / 0.3048));
         assert_eq!(head_and_value("side_force_N_per_m", "N/m").0, "side force, lbf/ft");
         assert_eq!(head_and_value("hook_load_N", "N").0, "hook load, klbf");
+        // The error of a rate has the unit of the rate.
+        for name in ["rate_of_penetration", "rate_of_penetration_error"] {
+            let (head, _) = head_and_value(&format!("{name}_m_per_s"), "m/s");
+            assert_eq!(head, format!("{}, ft/h", name.replace('_', " ")));
+        }
+        // A varied key has the unit of its dimension.
+        assert_eq!(head_and_value("wob", "N").0, "wob, klbf");
+    }
+
+    /// Headings have the field's words.
+    #[test]
+    fn headings_have_words_of_the_field() {
+        for (name, expected) in [
+            ("along", "axial friction"),
+            ("around", "rotational friction"),
+            ("von_mises_stress", "von Mises stress"),
+        ] {
+            assert_eq!(heading(name), expected);
+        }
+    }
+
+    /// Kinds, limits and readings in words; a varied speed without a unit is a number of rev/min.
+    #[test]
+    fn words_of_a_sheet_are_those_of_the_field() {
+        let cells = |name: &str, word: &str| {
+            let data = Data::Text(vec![word.to_owned()]);
+            let (name, unit, meaning) = (name.to_owned(), String::new(), String::new());
+            let table = Table::new(vec![Column { name, unit, meaning, data }]);
+            let sheet = sheet("S", &table, "", UnitSet::Si);
+            (sheet.columns[0].head(), sheet.columns[0].cells.clone())
+        };
+        for (name, word, expected) in [
+            ("limit", "yield_strength", Limit::Yield.title()),
+            ("reading", "pick_up", "pick-up"),
+            ("kind", "make_up", CheckKind::MakeUp.label()),
+            ("worst_check", "von_mises", CheckKind::VonMises.label()),
+        ] {
+            assert_eq!(cells(name, word).1, Cells::Words(vec![expected.to_owned()]), "{name}");
+        }
+        assert_eq!(cells("rpm", "60"), ("rpm, rpm".to_owned(), Cells::Numbers(vec![Some(60.0)])));
     }
 }

@@ -4,7 +4,7 @@ mod figures;
 mod page;
 
 pub(crate) use figures::READINGS;
-pub use figures::{CALIBRATION_PICTURES, calibration_plots};
+pub use figures::{CALIBRATION_PICTURES, calibration_plots, reading_words};
 pub use page::calibration_html;
 
 use crate::PageHead;

@@ -1,5 +1,6 @@
 //! Results, the survey and the string of a case in the formats of other programs.
 
+mod first_sheets;
 mod format;
 mod logs;
 mod made;

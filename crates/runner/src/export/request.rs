@@ -101,7 +101,7 @@ fn results(
     match format {
         Format::Csv => {
             let workbook = workbook::of_folder(folder, look.units, notes)?;
-            let sheets = workbook.sheets.iter();
+            let sheets = workbook.first.iter().chain(&workbook.sheets);
             let files = sheets.map(|sheet| (file_stem(&sheet.name), text::csv(sheet).into_bytes()));
             Ok(Made::Files(files.collect()))
         }

@@ -30,13 +30,18 @@ pub(super) fn of_folder(folder: &Path, what: What) -> Result<Source, Error> {
             kind.noun
         )));
     }
-    let bytes = bytes(&path, "summary")?;
-    let mut summary: Json = serde_json::from_slice(&bytes).map_err(|error| {
-        Error::bad_input(format!("{} is not a file of results: {error}", path.display()))
-    })?;
+    let mut summary = summary(&path)?;
     let settings = summary.get_mut("settings").map(Json::take).unwrap_or_default();
     let name = summary["case"].as_str().unwrap_or("Case").to_owned();
     Ok(Source { name, settings, folder })
+}
+
+/// A `summary.json`.
+pub(super) fn summary(path: &Path) -> Result<Json, Error> {
+    let bytes = bytes(path, "summary")?;
+    serde_json::from_slice(&bytes).map_err(|error| {
+        Error::bad_input(format!("{} is not a file of results: {error}", path.display()))
+    })
 }
 
 /// A case file.

@@ -7,6 +7,7 @@ use wholestring_report::Workbook;
 use wholestring_results::{Column, Data, Summary, TABLES, Table};
 use wholestring_units::UnitSet;
 
+use super::{first_sheets::first_sheets, source};
 use crate::{
     error::Error,
     page::{PROGRAM, table},
@@ -26,6 +27,7 @@ pub(super) fn of_folder(
     notes: &mut Vec<String>,
 ) -> Result<Workbook, Error> {
     let kind = kind_of(folder)?;
+    let mut first = Vec::new();
     let mut sheets = Vec::new();
     match kind.noun {
         "a plan" => return workbook_of(folder, units).map_err(Error::bad_input),
@@ -34,30 +36,37 @@ pub(super) fn of_folder(
             let about = "A row for each case, model and operation";
             sheets.push(sheet("Sweep", &table, about, units));
         }
-        "a run" => {
-            let summary = Summary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
-            let about = "A row for each model and operation";
-            sheets.push(sheet("Operations", &operations(&summary), about, units));
+        noun => {
+            let path = folder.join("summary.json");
+            first = first_sheets(&source::summary(&path)?, units);
+            if noun == "a run" {
+                let summary = Summary::read(&path).map_err(Error::bad_input)?;
+                let about = "A row for each model and operation";
+                first.push(sheet("Operations", &operations(&summary), about, units));
+            }
         }
-        _ => {}
     }
+    let mut tables = Vec::new();
     for (name, _) in TABLES.iter().filter(|(name, _)| *name != LEFT_OUT) {
         let table = table(folder, name).map_err(Error::bad_input)?;
         if table.rows() > 0 {
-            let about = "As in the results";
-            sheets.push(sheet(name, &table, about, units));
+            tables.push((name, table));
         }
     }
+    // Long tables last.
+    tables.sort_by_key(|(_, table)| table.rows());
+    let about = "As in the results";
+    sheets.extend(tables.iter().map(|(name, table)| sheet(name, table, about, units)));
     if folder.join(format!("{LEFT_OUT}.parquet")).is_file() {
         notes.push(format!("{LEFT_OUT}.parquet is left out: no sheet is large enough for it"));
     }
-    if sheets.is_empty() {
+    if sheets.is_empty() && first.is_empty() {
         return Err(Error::bad_input(format!("nothing was solved in {}", folder.display())));
     }
     Ok(Workbook {
         title: kind.noun.to_owned(),
         about: vec![format!("Made by {PROGRAM}. Units are those of the headings.")],
-        first: Vec::new(),
+        first,
         charts: Vec::new(),
         sheets,
         printed_rows: None,
