@@ -17,6 +17,7 @@ pub(crate) fn conclude(
 ) -> Result<(), Failure> {
     let place = outcome.folder.display();
     let (all, finished) = (outcome.all, outcome.finished);
+    let items = if all == 1 { items.trim_end_matches('s') } else { items };
     if !quiet {
         let took_s = outcome.took.as_secs_f64();
         print_stdout(&format!(

@@ -38,5 +38,6 @@ pub(crate) fn plot(args: &PlotArgs) -> Result<(), Failure> {
         write_picture(&folder, &plot.name, &plot.figure, args.png)?;
     }
     let place = folder.path().display();
-    print_stdout(&format!("{} pictures in {place}\n", plots.len()))
+    let pictures = if plots.len() == 1 { "picture" } else { "pictures" };
+    print_stdout(&format!("{} {pictures} in {place}\n", plots.len()))
 }

@@ -37,6 +37,7 @@ impl Ended {
     pub(super) fn batch(outcome: &BatchOutcome, items: &str) -> Self {
         let folder = outcome.folder.clone();
         let (all, finished) = (outcome.all, outcome.finished);
+        let items = if all == 1 { items.trim_end_matches('s') } else { items };
         let failed = outcome.failed.iter();
         let failed: Vec<String> =
             failed.map(|failed| format!("{}: {}", failed.name, failed.reason)).collect();

@@ -390,7 +390,7 @@ fn the_articles_study_is_sound() {
     let output =
         desk.run(&["study", file.to_str().unwrap(), "-o", "results", "--shard", "180/180"]);
     let text = transcript(&output);
-    assert!(text.contains("1 of 1 cases finished"), "{text}");
+    assert!(text.contains("1 of 1 case finished"), "{text}");
     assert!(text.ends_with("--- standard error\n"), "{text}");
 
     let text = fs::read_to_string(root.join("verification/G01_paper_targets.json")).unwrap();
