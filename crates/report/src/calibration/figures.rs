@@ -50,7 +50,7 @@ fn dimension(is_torque: bool) -> &'static str {
 }
 
 /// Wording of a reading.
-pub(super) fn reading_words(reading: &str) -> &str {
+pub fn reading_words(reading: &str) -> &str {
     READINGS.iter().find(|(name, ..)| *name == reading).map_or(reading, |(_, words, _)| words)
 }
 

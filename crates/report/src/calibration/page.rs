@@ -45,8 +45,8 @@ fn page(calibration: &Calibration, units: &str) -> StudyPage {
             "Residuals against depth",
             format!(
                 "Measured less predicted, over its standard error after the fit. A trend with \
-                 depth is an effect that the model leaves out. Beyond {} a reading is an outlier.",
-                calibration.outlier_beyond
+                 depth is an effect that the model leaves out. {}",
+                outliers_caption(calibration)
             ),
         ),
         (
@@ -79,6 +79,22 @@ fn page(calibration: &Calibration, units: &str) -> StudyPage {
         title: calibration.head.title.clone(),
         description,
         parts,
+    }
+}
+
+/// How outliers are found. With a comparison, those of the robust fit are measured by its scale, which
+/// wrong readings do not widen, so that a reading can be an outlier of that fit within the rules.
+fn outliers_caption(calibration: &Calibration) -> String {
+    let beyond = calibration.outlier_beyond;
+    match &calibration.comparison {
+        Some(comparison) => format!(
+            "Rules: {beyond} standard errors of this fit, beyond which a reading is marked. The \
+             outliers under \"With and without outliers\" are those of the fit with {}'s loss, \
+             over the scale of its own residuals, which is smaller than the standard error here: \
+             they may be within the rules.",
+            comparison.loss
+        ),
+        None => format!("Beyond {beyond} a reading is an outlier."),
     }
 }
 

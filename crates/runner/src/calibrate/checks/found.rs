@@ -246,20 +246,26 @@ fn outliers(data: &Readings, found: &Calibration, robust: Option<&Outliers>) -> 
         |row: usize| robust.is_some_and(|robust| robust.outlier.get(row) == Some(&true));
     let rows = found.points.iter().zip(&data.places).enumerate();
     let fitted = rows.filter(|(row, (point, _))| point.outlier || is_robust(*row));
-    let fitted = fitted.map(|(_, (fitted, place))| outlier(fitted, place, "standard errors"));
-    fitted.collect()
+    fitted.map(|(_, (fitted, place))| outlier(fitted, place)).collect()
 }
 
-fn outlier(point: &Point, place: &str, errors: &str) -> ReadingCheck {
+/// A reading that is an outlier of the fit, or of the robust fit only: the standard errors of the fit
+/// are those of all readings, wrong ones included, so that they may hide it.
+fn outlier(point: &Point, place: &str) -> ReadingCheck {
     let channel = point.reading.channel;
     let quantity = |value: f64| shown(value, dimension(channel));
     let sentence = format!(
-        "outlier: {} of {} with the bit at {} ({place}), where {} is expected, {:.1} {errors} off",
+        "outlier: {} of {} with the bit at {} ({place}), where {} is expected, {:.1} standard \
+         errors off{}",
         channel.name().replace('_', "-"),
         quantity(point.reading.value),
         Quantity::depth(point.reading.bit_depth_m),
         quantity(point.predicted),
-        point.standardised
+        point.standardised,
+        match point.outlier {
+            true => String::new(),
+            false => format!("; an outlier by the smaller scale of the fit with {LOSS}'s loss"),
+        }
     );
     ReadingCheck::new(CheckKind::Outlier, Severity::Warning, sentence)
         .numbers([Some(point.reading.value), Some(point.predicted)])
