@@ -3,7 +3,7 @@
 use super::{
     Direction, Figure, Mark,
     legend::Legend,
-    panel,
+    names, panel,
     place::{LABEL, Place, TICK, shared_values, widest},
     ruler::Ruler,
     scale,
@@ -75,18 +75,69 @@ fn draw(figure: &Figure) -> Drawing {
     on
 }
 
-/// A text in lines, broken at semicolons.
+/// A text in lines, broken at semicolons, and between words where a part is longer than a line.
 fn wrapped(text: &str, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
+    let mut add = |part: &str, joint: &str, begins: bool| match lines.last_mut() {
+        Some(line) if !begins && fits(&format!("{line}{joint}{part}"), room) => {
+            line.push_str(joint);
+            line.push_str(part);
+        }
+        _ => lines.push(fitting(part, SUBTITLE, room)),
+    };
     for part in text.split("; ").filter(|part| !part.is_empty()) {
-        match lines.last_mut() {
-            Some(line) if text_width(&format!("{line}; {part}"), SUBTITLE) <= room => {
-                *line = format!("{line}; {part}");
-            }
-            _ => lines.push(fitting(part, SUBTITLE, room)),
+        if fits(part, room) {
+            add(part, "; ", false);
+            continue;
+        }
+        for (place, word) in part.split(' ').enumerate() {
+            add(word, " ", place == 0);
         }
     }
     lines
+}
+
+/// Whether a subtitle is no longer than a line.
+fn fits(text: &str, room: f64) -> bool {
+    text_width(text, SUBTITLE) <= room
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No word of a subtitle is cut off: a part that is longer than a line is broken between words,
+    /// and the next part follows it.
+    #[test]
+    fn a_long_subtitle_is_broken_between_words() {
+        let text = "soft string; limits beyond the picture: top drive 30 kN·m, peak 40 kN·m; mud";
+        let lines = wrapped(text, 120.0);
+        assert!(lines.len() > 2, "{lines:?}");
+        assert!(lines.iter().all(|line| fits(line, 120.0) && !line.contains('…')), "{lines:?}");
+        let words = |text: &str| text.replace(';', "").split_whitespace().count();
+        assert_eq!(lines.iter().map(|line| words(line)).sum::<usize>(), words(text));
+        assert_eq!(lines[0], "soft string");
+    }
+}
+
+/// Width next to a frame for the names of curves that end at its right, so that no curve runs through
+/// them; zero where there are none. `None` where they would take too much of this width and the
+/// legend has them too, so that they are left out.
+fn margin(figure: &Figure, room: f64) -> Option<f64> {
+    const MOST: f64 = 0.3;
+    if figure.layout.direction != Direction::Across {
+        return Some(0.0);
+    }
+    let marks = figure.panels.iter().flat_map(|panel| &panel.marks);
+    let widths = marks.filter_map(|mark| match mark {
+        Mark::Foot { text, .. } => Some(names::margin(text)),
+        _ => None,
+    });
+    let widest = widths.fold(0.0, f64::max);
+    match widest <= MOST * room {
+        true => Some(widest),
+        false => figure.keys.is_empty().then_some(0.0),
+    }
 }
 
 /// The frames of the panels.
@@ -94,6 +145,8 @@ struct Grid {
     frames: Vec<Box>,
     shared: Ruler,
     bottom: f64,
+    /// Width next to each frame for names, points; `None` where they are left out.
+    margin: Option<f64>,
 }
 
 impl Grid {
@@ -120,7 +173,7 @@ impl Grid {
         });
         let frames: Vec<Box> = frames.collect();
         let bottom = frames.last().map_or(top, |last| last.bottom() + FOOT);
-        Self { frames, shared, bottom }
+        Self { frames, shared, bottom, margin: Some(0.0) }
     }
 
     fn across(figure: &Figure, width: f64, top: f64, values: &[f64]) -> Self {
@@ -135,8 +188,10 @@ impl Grid {
             .fold(0.0, f64::max);
         let has_map =
             panels().flat_map(|panel| &panel.marks).any(|mark| matches!(mark, Mark::Map(_)));
-        let right = if has_map { COLOURS } else { 7.0 };
-        let wide = (width - 2.0 * MARGIN) / columns as f64 - left - right;
+        let room = (width - 2.0 * MARGIN) / columns as f64;
+        let names = margin(figure, room);
+        let right = if has_map { COLOURS } else { names.unwrap_or(0.0).max(7.0) };
+        let wide = room - left - right;
         let (wide, height) = match figure.layout.direction {
             Direction::Plan => scale::frame(figure, (wide, height)),
             Direction::Down | Direction::Across => (wide, height),
@@ -163,13 +218,14 @@ impl Grid {
             }));
             y += height + if is_last || columns > 1 { ACROSS } else { BELOW };
         }
-        Self { frames, shared, bottom: y }
+        Self { frames, shared, bottom: y, margin: names }
     }
 
     fn draw(&self, on: &mut Drawing, figure: &Figure) {
         let columns = figure.layout.columns.max(1);
         for (index, (panel, frame)) in figure.panels.iter().zip(&self.frames).enumerate() {
             let place = Place::new(figure, panel, &self.shared, *frame);
+            let place = Place { margin: self.margin, ..place };
             panel::draw(on, figure, panel, &place);
             match figure.layout.direction {
                 Direction::Down if index % columns == 0 => {

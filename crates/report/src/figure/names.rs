@@ -10,6 +10,9 @@ const HEIGHT: f64 = 8.0;
 /// Between a name and the end of its curve, points.
 const GAP: f64 = 3.0;
 
+/// Between a frame and the names next to it, points: room for the lines to names that are moved.
+const MARGIN_GAP: f64 = 8.0;
+
 /// A name that is farther from its point than this has a line to it, points.
 const FAR: f64 = 4.5;
 
@@ -27,8 +30,18 @@ struct Named<'a> {
 
 impl Named<'_> {
     fn width(&self) -> f64 {
-        text_width(self.text, SIZE) + 2.0
+        width(self.text)
     }
+}
+
+/// Width of a name, points.
+fn width(text: &str) -> f64 {
+    text_width(text, SIZE) + 2.0
+}
+
+/// Width of the space next to a frame that the name of a curve needs, points.
+pub(super) fn margin(text: &str) -> f64 {
+    MARGIN_GAP + width(text) + 2.0
 }
 
 /// Draws all names of a panel: those of curves at their ends, in the order of the ends, and those
@@ -37,6 +50,7 @@ pub(super) fn names(on: &mut Drawing, all: &[Mark], place: &Place) {
     let mut taken: Vec<Box> = Vec::new();
     let (ends, mut points): (Vec<Named>, Vec<Named>) =
         named(all, place).into_iter().partition(|name| name.ends);
+    let ends = if place.margin.is_some() { ends } else { Vec::new() };
     for group in together(ends, place.down) {
         match at_ends(&group, all, place, &taken) {
             Some(rooms) => {
@@ -102,6 +116,7 @@ fn together(mut ends: Vec<Named<'_>>, down: bool) -> Vec<Vec<Named<'_>>> {
 /// column next to those of curves across it. `None` where they do not fit, or cover others.
 fn at_ends(group: &[Named], all: &[Mark], place: &Place, taken: &[Box]) -> Option<Vec<Box>> {
     let frame = place.frame;
+    let margin = place.margin.unwrap_or(0.0);
     let rooms = if place.down {
         let lowest = group.iter().map(|name| name.at.1).fold(f64::NEG_INFINITY, f64::max);
         let top = (lowest + GAP).min(frame.bottom() - HEIGHT - 1.0);
@@ -120,17 +135,25 @@ fn at_ends(group: &[Named], all: &[Mark], place: &Place, taken: &[Box]) -> Optio
         let column = |right: bool| {
             let room = |(name, top): (&Named, &f64)| {
                 let width = name.width();
-                let left = if right { name.at.0 + GAP } else { name.at.0 - GAP - width };
+                let left = match right {
+                    // Where names have a margin, all are there, clear of curves.
+                    true if margin > 0.0 && name.at.0 + GAP + width > frame.right() => {
+                        frame.right() + MARGIN_GAP
+                    }
+                    true => name.at.0 + GAP,
+                    false => name.at.0 - GAP - width,
+                };
                 Box { left, top: *top, width, height: HEIGHT }
             };
             group.iter().zip(&tops).map(room).collect::<Vec<Box>>()
         };
         vec![column(true), column(false)]
     };
+    let allowed = Box { width: frame.width + margin, ..frame };
     let fits = |rooms: &Vec<Box>| {
-        rooms
-            .iter()
-            .all(|room| is_within(room, &frame) && !taken.iter().any(|other| overlap(other, room)))
+        rooms.iter().all(|room| {
+            is_within(room, &allowed) && !taken.iter().any(|other| overlap(other, room))
+        })
     };
     let crowd_of =
         |rooms: &Vec<Box>| rooms.iter().map(|room| crowd(room, all, place)).sum::<usize>();

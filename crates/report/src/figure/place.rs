@@ -19,6 +19,9 @@ pub(super) struct Place<'a> {
     pub(super) own: Ruler,
     /// Whether the panel's own axis does.
     pub(super) own_down: bool,
+    /// Width to the right of the frame for the names of curves that end there, points; `None`
+    /// where these are left out.
+    pub(super) margin: Option<f64>,
 }
 
 impl<'a> Place<'a> {
@@ -31,7 +34,7 @@ impl<'a> Place<'a> {
         } else {
             Ruler::new(&panel.axis, values(), frame.height / 20.0)
         };
-        Self { frame, down, shared, own, own_down: panel.axis.down }
+        Self { frame, down, shared, own, own_down: panel.axis.down, margin: Some(0.0) }
     }
 
     /// The place on the page of a shared value and one of the panel's own.

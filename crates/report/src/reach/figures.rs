@@ -83,7 +83,8 @@ fn margins(reach: &Reach, units: &str) -> Figure {
     let mut keys: Vec<Key> = drawn_titles.iter().map(key).collect();
     if reach.frictions.len() > 1 {
         for (number, friction) in reach.frictions.iter().enumerate() {
-            let sample = Sample::Line(Ink::Text, Stroke::of(number));
+            // Grey, as no limit is: a stroke of any colour.
+            let sample = Sample::Line(Ink::Note, Stroke::of(number));
             keys.push(Key { name: friction.clone(), sample });
         }
     }

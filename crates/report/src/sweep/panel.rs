@@ -15,7 +15,7 @@ impl Drawing<'_> {
             self.display.value(value.unwrap_or(f64::NAN), dimension)
         };
         let (mut bands, mut curves, mut points) = (Vec::new(), Vec::new(), Vec::new());
-        let mut names = Vec::new();
+        let mut names: Vec<(String, (f64, f64))> = Vec::new();
         for (place, family) in self.families.iter().enumerate() {
             let solved = self.operations.iter().enumerate();
             let solved = solved.flat_map(|solved| {
@@ -53,9 +53,10 @@ impl Drawing<'_> {
                 let name = self.name(place, done);
                 let last = mean.iter().rev().find(|(at, value)| (at + value).is_finite());
                 // Where the curves of two models coincide, one name is enough.
-                if let (Some(end), false) = (last, name.is_empty() || names.contains(&name)) {
+                let is_named = names.iter().any(|(other, _)| *other == name);
+                if let (Some(end), false) = (last, name.is_empty() || is_named) {
                     curves.push(Mark::Foot { at: *end, text: name.clone() });
-                    names.push(name);
+                    names.push((name, *end));
                 }
                 let mut of_band = keys;
                 of_band.push(self.band_key());
@@ -88,6 +89,12 @@ impl Drawing<'_> {
                 });
             }
         }
+        let least = self.display.value(plot.min_span, dimension);
+        if names.len() > 2 && coincide(names.iter().map(|(_, end)| *end), least) {
+            curves.retain(|mark| !matches!(mark, Mark::Foot { .. }));
+            curves.push(Mark::Of { keys: Vec::new() });
+            curves.push(Mark::Foot { at: names[0].1, text: format!("all {}", names.len()) });
+        }
         (!curves.is_empty()).then(|| Panel {
             axis: Axis {
                 // Depth points down wherever an axis can.
@@ -99,4 +106,15 @@ impl Drawing<'_> {
             keys: Vec::new(),
         })
     }
+}
+
+/// Whether ends of curves cannot be distinguished on an axis with this least span, so that their
+/// names would be stacked at one point.
+fn coincide(ends: impl Iterator<Item = (f64, f64)> + Clone, min_span: f64) -> bool {
+    const PART: f64 = 0.02;
+    let span = |along: fn((f64, f64)) -> f64| {
+        let values = ends.clone().map(along);
+        values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
+    };
+    span(|end| end.0) == 0.0 && span(|end| end.1) <= PART * min_span
 }

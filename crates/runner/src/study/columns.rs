@@ -64,6 +64,9 @@ fn named(name: &str) -> Option<outcome::Quantity> {
 
 /// Label of a column: `hook load`.
 fn words(name: &str) -> String {
+    if name == "cutoff_depth_m" {
+        return "cut-off depth".to_owned();
+    }
     named(name).map_or_else(|| name.replace('_', " "), |quantity| quantity.words())
 }
 
@@ -99,7 +102,7 @@ pub(super) fn label(name: &str, unit: &str) -> String {
 
 /// Whether the column is a depth, which is drawn downwards and, as for time, without margins.
 pub(super) fn is_depth(name: &str) -> bool {
-    matches!(name, "md_m" | "tvd_m" | "bit_depth_m")
+    matches!(name, "md_m" | "tvd_m" | "bit_depth_m" | "cutoff_depth_m")
 }
 
 #[cfg(test)]

@@ -87,14 +87,15 @@ pub(super) fn picture(
     };
     let plan = !upright && x.is_some_and(|x| is_position(x) && is_position(y));
     // A depth on the vertical axis, if no other quantity is drawn on it, increases downwards.
-    let down = !upright && y.column.source != Source::Summary && is_depth(y.column.name);
+    let down = !upright && is_depth(y.column.name);
+    let is_profile = down && y.column.source != Source::Summary;
     let own = Axis {
         down,
         // The force of a single node may be so large that all others would be invisible.
         clips: matches!(y.column.source, Source::Nodes | Source::Frames | Source::Wear),
         ..Axis::new(
             label(&y_names.join(", "), &y_unit),
-            if down || plan { Range::Tight } else { Range::Zero },
+            if is_profile || plan { Range::Tight } else { Range::Zero },
         )
     };
     Picture {
@@ -109,7 +110,7 @@ pub(super) fn picture(
             },
             columns: 1,
             width_mm: if upright { UPRIGHT_MM.0 } else { WIDTH_MM },
-            panel_mm: match (upright, down || plan) {
+            panel_mm: match (upright, is_profile || plan) {
                 (true, _) => UPRIGHT_MM.1,
                 (_, true) => TALL_MM,
                 _ => HEIGHT_MM,
