@@ -5,6 +5,11 @@ use wholestring_judge::Severity;
 
 use crate::Cell;
 
+/// A sentence of the judge with the units printed as on a page: `kN·m` for `kN.m`.
+pub fn printed(sentence: &str) -> String {
+    sentence.replace("N.m", "N·m").replace("ft-lbf", "ft·lbf")
+}
+
 /// A check as a page shows it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CheckRow {

@@ -32,10 +32,10 @@ pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use calibration::{
     CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationCheck,
-    CalibrationComparison, CalibrationPoint, calibration_html, calibration_plots,
+    CalibrationComparison, CalibrationPoint, calibration_html, calibration_plots, reading_words,
 };
 pub use cell::Cell;
-pub use check_row::CheckRow;
+pub use check_row::{CheckRow, printed};
 pub use conventions::Conventions;
 pub use draw::Drawing;
 pub use modes::{
@@ -59,7 +59,9 @@ pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
     drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,
 };
-pub use reach::{REACH_PICTURES, Reach, ReachCurve, ReachRow, reach_html, reach_plots};
+pub use reach::{
+    REACH_PICTURES, Reach, ReachCurve, ReachRow, ReachVerdict, reach_html, reach_plots,
+};
 pub use report::{
     ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part,
     Place, Report, Section, Solved, SpectrumPicture, TimeRun, Well,

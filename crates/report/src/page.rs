@@ -16,6 +16,7 @@ use crate::{
         },
         models,
     },
+    sweep::SweepVerdict,
     sweep_plots,
 };
 
@@ -93,6 +94,7 @@ fn licences() -> String {
 struct SweepData<'a> {
     #[serde(flatten)]
     head: &'a PageHead,
+    verdict: Option<SweepVerdict>,
     page_table: PageTable,
     rows: Vec<Spot<'a>>,
 }
@@ -112,6 +114,7 @@ struct Spot<'a> {
 pub fn sweep_html(sweep: &Sweep) -> String {
     let data = SweepData {
         head: &sweep.head,
+        verdict: sweep.verdict(),
         page_table: sweep.page_table(),
         rows: sweep
             .rows
@@ -123,22 +126,25 @@ pub fn sweep_html(sweep: &Sweep) -> String {
             })
             .collect(),
     };
-    let figures = SETS.map(|units| {
-        let plot = sweep_plots(sweep, units).into_iter().next();
-        // On a narrow screen all panels are one below the other.
-        let narrow = plot.clone().map(|mut plot| {
-            plot.figure.layout.columns = 1;
-            plot.figure.layout.width_mm = NARROW_MM;
-            plot
-        });
-        template("figure", units, plot) + &template("figure-narrow", units, narrow)
-    });
+    let figures =
+        SETS.map(|units| templates("figure", units, sweep_plots(sweep, units).into_iter().next()));
     let rest = figures.join("\n");
     page(&sweep.head.title, &sweep.head.program, &data, &rest, SWEEP_PROGRAM)
 }
 
 /// Width of a figure with one column of panels, mm.
 pub(crate) const NARROW_MM: f64 = 85.0;
+
+/// A picture in a set of units for a wide screen, and for a narrow one, there with all panels one
+/// below the other.
+fn templates(name: &str, units: &str, plot: Option<Plot>) -> String {
+    let narrow = plot.clone().map(|mut plot| {
+        plot.figure.layout.columns = 1;
+        plot.figure.layout.width_mm = NARROW_MM;
+        plot
+    });
+    template(name, units, plot) + &template(&format!("{name}-narrow"), units, narrow)
+}
 
 /// A picture in a set of units, ready to be shown under a name.
 fn template(name: &str, units: &str, plot: Option<Plot>) -> String {
@@ -195,7 +201,7 @@ pub fn bit_test_html(test: &BitTest) -> String {
             // The page draws the bottoms itself.
             if plot.name != "bottom-hole" {
                 rest += "\n";
-                rest += &template(&plot.name.clone(), units, Some(plot));
+                rest += &templates(&plot.name.clone(), units, Some(plot));
             }
         }
     }
@@ -207,6 +213,7 @@ pub fn bit_test_html(test: &BitTest) -> String {
 struct BhaData<'a> {
     #[serde(flatten)]
     head: &'a PageHead,
+    tendency: &'a [Vec<String>; 3],
     message: Option<&'a str>,
     page_tables: &'a [PageTable],
     /// Name and title of each picture of a varied quantity.
@@ -220,6 +227,7 @@ struct BhaData<'a> {
 pub fn bha_html(bha: &Bha) -> String {
     let data = BhaData {
         head: &bha.head,
+        tendency: &bha.tendency,
         message: bha.message.as_deref(),
         page_tables: &bha.page_tables,
         sweeps: bha
@@ -232,7 +240,7 @@ pub fn bha_html(bha: &Bha) -> String {
     for units in SETS {
         for plot in bha_plots(bha, units) {
             rest += "\n";
-            rest += &template(&plot.name.clone(), units, Some(plot));
+            rest += &templates(&plot.name.clone(), units, Some(plot));
         }
     }
     page(&bha.head.title, &bha.head.program, &data, &rest, PROGRAM)

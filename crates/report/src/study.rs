@@ -2,7 +2,7 @@
 
 use crate::{
     draw::palette,
-    figure::{Direction, Figure},
+    figure::Figure,
     page::{NARROW_MM, STYLES, document, escaped},
     plots::SETS,
 };
@@ -215,12 +215,10 @@ fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
     )
 }
 
-/// A figure for a wide page and for a narrow one, there with its panels one below the other; a map,
-/// whose sides are to scale, has one for both.
+/// A figure for a wide page and for a narrow one, there with its panels one below the other.
 fn figures(figure: &mut Figure, name: &str) -> String {
     let wide = figure.drawing().element(name);
-    let is_map = figure.layout.direction == Direction::Plan;
-    if is_map || figure.layout.width_mm <= NARROW_MM {
+    if figure.layout.width_mm <= NARROW_MM {
         return format!("<figure>{wide}</figure>");
     }
     figure.layout.columns = 1;

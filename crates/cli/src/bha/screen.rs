@@ -2,6 +2,7 @@
 
 use wholestring::statics::assembly::{Contact, Touching};
 use wholestring_results::{BhaPoint, BhaState, BhaSummary, BhaVaried};
+use wholestring_runner::bha::{number, plain, quantity, tendency};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
@@ -202,29 +203,8 @@ fn sweep(summary: &BhaSummary, varied: BhaVaried, units: UnitSet) -> String {
 }
 
 fn holding(summary: &BhaSummary, units: UnitSet) -> String {
-    let mut text = String::from("\n");
-    let angles = summary.holding_inclinations_rad.iter();
-    let angles: Vec<String> = angles.map(|rad| quantity(*rad, Dimension::Angle, units)).collect();
-    if !angles.is_empty() {
-        text += &format!("It holds at an inclination of {}\n", angles.join(", "));
-    } else if let Some(first) = summary
-        .sweep
-        .iter()
-        .filter(|point| point.varied == BhaVaried::Inclination)
-        .find_map(|point| point.found)
-    {
-        let word = if first.side_force_N[0] > 0.0 { "builds" } else { "drops" };
-        text += &format!("It {word} at every inclination that was tried\n");
-    }
-    if let Some([high_N, right_N]) = summary.mean_side_force_N {
-        let force = |newton: f64| quantity(newton, Dimension::Force, units);
-        text += &format!(
-            "Mean of all tool faces: {} to the high side, {} to the right\n",
-            force(high_N),
-            force(right_N)
-        );
-    }
-    text
+    let lines = tendency(summary, units).into_iter().map(|sentence| format!("{sentence}\n"));
+    std::iter::once("\n".to_owned()).chain(lines).collect()
 }
 
 /// An error with one significant digit.
@@ -235,32 +215,4 @@ fn small(si: f64, dimension: Dimension, units: UnitSet) -> String {
     } else {
         format!("{value:.0e}")
     }
-}
-
-/// A number without trailing zeros.
-fn plain(number: String) -> String {
-    match number.contains('.') {
-        true => number.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => number,
-    }
-}
-
-/// Four digits of a quantity, with its unit.
-fn quantity(si: f64, dimension: Dimension, units: UnitSet) -> String {
-    format!("{} {}", plain(number(si, dimension, units)), dimension.unit_in(units).symbol)
-}
-
-/// A number in the chosen unit, with four digits or to the third decimal; a length to the second
-/// decimal at least, because contacts are identified by their depth.
-fn number(si: f64, dimension: Dimension, units: UnitSet) -> String {
-    let value = dimension.unit_in(units).from_si(si);
-    let digits = match value.abs() {
-        size if size >= 10.0 && dimension == Dimension::Length => 2,
-        size if size >= 1000.0 => 0,
-        size if size >= 100.0 => 1,
-        size if size >= 10.0 => 2,
-        _ => 3,
-    };
-    let text = format!("{value:.digits$}");
-    if text.trim_matches(['-', '0', '.']).is_empty() { "0".to_owned() } else { text }
 }

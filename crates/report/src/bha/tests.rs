@@ -40,6 +40,7 @@ fn bha() -> Bha {
                 value: Cell::quantity(1e5, "force"),
             }],
         },
+        tendency: ["si", "metric", "field"].map(|units| vec![format!("It drops, in {units}")]),
         message: Some("a <point> lacks".into()),
         parts: vec![
             part("bit", 0.0, 0.3, 0.2159),

@@ -254,7 +254,7 @@ impl Drawing<'_> {
             panels,
             Vec::new(),
         );
-        figure.subtitle = format!("Answer to {}", self.display.chosen(&self.modes.forcing));
+        figure.subtitle = format!("Response to {}", self.display.chosen(&self.modes.forcing));
         figure
     }
 }

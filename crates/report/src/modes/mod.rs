@@ -32,8 +32,8 @@ pub struct Modes {
     pub branches: Vec<ModeBranch>,
     /// Response to the excitation.
     pub answer: AnswerCurve,
-    /// Results of the map of torsional stability, or the reason why there is none, in sentences,
-    /// in the same units.
+    /// Results of the map of torsional stability, the verdict first, or the reason why there is
+    /// none, in sentences, in the same units.
     pub stability: [Vec<String>; 3],
     /// The map.
     pub stability_map: Option<StabilityPicture>,

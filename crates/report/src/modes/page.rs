@@ -17,6 +17,10 @@ const ABOUT: &str = "Linear vibration about static equilibrium: natural frequenc
     Nodes that touch the wall in equilibrium are held by it, the others are free, and friction \
     does not hold: the string slides as it turns.";
 
+/// Number of sentences on torsional stability that are its verdict: the speed from which the string
+/// is stable, and the growth at the case's own.
+const VERDICT: usize = 2;
+
 /// Returns the page as the text of an HTML file. No name in it can end the element that contains
 /// it.
 pub fn modes_html(modes: &Modes) -> String {
@@ -26,16 +30,24 @@ pub fn modes_html(modes: &Modes) -> String {
 fn page(modes: &Modes, units: &str) -> StudyPage {
     let display = DisplayUnits::new(&modes.head.dimensions, units);
     let facts = modes.head.facts.iter().filter_map(|fact| display.fact(fact));
-    let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
+    let stability = display.chosen(&modes.stability);
+    let mut verdict = Vec::new();
     if !modes.stable {
-        description += "\n\nThe static equilibrium is not stable: the motion away from it has no \
-                        frequency and is left out.";
+        verdict.push(
+            "The static equilibrium is not stable: the motion away from it has no frequency and is \
+             left out.",
+        );
     }
+    if modes.stability_map.is_some() {
+        verdict.extend(stability.iter().take(VERDICT).map(String::as_str));
+    }
+    let facts = format!("{}.", facts.collect::<Vec<_>>().join("; "));
+    let mut description = [&*verdict.join(" "), &*facts, ABOUT].join("\n\n");
     if let Some(message) = &modes.message {
         description += &format!("\n\n{message}.");
     }
     if modes.stability_map.is_none() {
-        let reasons = display.chosen(&modes.stability).iter();
+        let reasons = stability.iter();
         description.extend(reasons.map(|why| format!("\n\nNo map of torsional stability: {why}.")));
     }
     let mut parts = vec![modes_part(modes, display), critical_part(modes, display)];
@@ -84,7 +96,7 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
         };
         let caption = match plot.name.as_str() {
             "response" => format!("{caption} It is {}.", display.chosen(&modes.forcing)),
-            "stability" => format!("{caption} {}", display.chosen(&modes.stability).join(" ")),
+            "stability" => format!("{caption} {}", stability.join(" ")),
             _ => (*caption).to_owned(),
         };
         parts.push(StudyPart::Figure {

@@ -14,7 +14,7 @@ use crate::{
 /// Shapes of the buckled string, in the order of the weights.
 const SHAPES: [&str; 2] = ["sinusoid", "helix"];
 
-/// Turning to the left, sliding to the right: a line for each friction.
+/// A panel for each operation, a line for each friction.
 pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
     let mut operations: Vec<&str> = Vec::new();
     for curve in &plan.buckling {

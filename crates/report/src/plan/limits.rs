@@ -3,22 +3,18 @@
 use super::{Plan, PlanLimitRow, PlanVerdict};
 use crate::grid_cells::head;
 use crate::operation_words::{four, operation_name};
-use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
+use crate::{Grid, StudyPart, Verdict, check_row::printed, plots::DisplayUnits};
 
-/// A sentence of the judge with the units printed as on a page.
-fn printed(sentence: &str) -> String {
-    sentence.replace("N.m", "N·m").replace("ft-lbf", "ft·lbf")
-}
-
-/// The checks that need attention, the most severe first.
+/// The checks that need attention, the most severe first, then the governing limit of each
+/// operation.
 pub(super) fn verdicts(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    let heads = ["verdict", "check", "operation", "friction", "bit at", "finding"];
+    let heads = ["verdict", "operation", "friction", "bit at", "finding"];
     let heads = heads.map(|name| head(name, true)).into();
     let row = |found: &PlanVerdict| {
         let plain = |text: String| (text, Verdict::None);
+        let governs = if found.governs { ", governs" } else { "" };
         vec![
-            (found.verdict.clone(), Verdict::Judged(found.severity)),
-            plain(found.label.clone()),
+            (format!("{}{governs}", found.verdict), Verdict::Judged(found.severity)),
             plain(format!("{}, {}", operation_name(&found.operation), found.model)),
             plain(found.friction.clone()),
             plain(display.depth(found.bit_depth_m)),
@@ -26,23 +22,10 @@ pub(super) fn verdicts(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPa
         ]
     };
     let rows: Vec<_> = plan.checks.iter().map(row).collect();
-    let caption = "The most severe check of each kind and operation, over all models, depths and \
-        frictions.";
+    let caption = "Errors first, then warnings: the most severe check of each kind and operation, \
+        over all models, depths and frictions. The limit that governs an operation has the least \
+        reserve among those that break something or stop it.";
     (!rows.is_empty()).then(|| part("Verdict", caption.to_owned(), Grid { heads, rows }))
-}
-
-/// The governing limit of each operation, from sentences that begin with the operation.
-pub(super) fn governing(sentences: &[String]) -> Option<StudyPart> {
-    let heads = vec![head("operation", true), head("limit", true)];
-    let plain = |text: &str| (printed(text.trim_end_matches('.')), Verdict::None);
-    let row = |sentence: &String| {
-        let (operation, limit) = sentence.split_once(": ").unwrap_or(("", sentence));
-        vec![plain(operation), plain(limit)]
-    };
-    let rows: Vec<_> = sentences.iter().map(row).collect();
-    let caption = "The governing limit of each operation: the one with the least reserve among \
-        those that break something or stop it, over all depths and frictions.";
-    (!rows.is_empty()).then(|| part("Governing limits", caption.to_owned(), Grid { heads, rows }))
 }
 
 /// Kinds in their order.

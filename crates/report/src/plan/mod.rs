@@ -46,11 +46,10 @@ pub struct Plan {
     pub surface_limits: Vec<PlanSurfaceLimit>,
     /// For each kind of limit and each operation the nearest one, kind after kind.
     pub limits: Vec<PlanLimitRow>,
-    /// The checks that need attention, the most severe first.
+    /// The checks that need attention, the most severe first, then the governing limit of each
+    /// operation that is not among them.
     pub checks: Vec<PlanVerdict>,
-    /// For each operation the governing limit, in sentences, in SI, metric and field units.
-    pub first: [Vec<String>; 3],
-    /// Limits that could not be checked, and the missing numbers, in the same units.
+    /// Limits that could not be checked, and the missing numbers, in SI, metric and field units.
     pub unchecked: [Vec<String>; 3],
     /// The parts of the campaign that fatigue and casing wear count, in the same units.
     pub counted: [Vec<String>; 3],
@@ -246,15 +245,15 @@ pub struct PlanLimitRow {
     pub severity: Severity,
 }
 
-/// A check that needs attention.
+/// A check that needs attention, or the governing limit of an operation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanVerdict {
     /// Its severity.
     pub severity: Severity,
     /// The verdict in words.
     pub verdict: String,
-    /// Quantity that is compared, or state that is reported, as shown to users.
-    pub label: String,
+    /// Whether it is the limit with the least reserve of its operation.
+    pub governs: bool,
     /// Name of the model.
     pub model: String,
     /// `trip_out`, `drill`, ...

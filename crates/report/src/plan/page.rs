@@ -29,7 +29,8 @@ const PICTURES: [(&str, &str, &str); 6] = [
         "buckling_weight",
         "Weight to buckle",
         "The least weight on bit at which part of the string buckles to a sinusoid, or to a helix: \
-         left rotating, right sliding, where friction reduces the push on the way down.",
+         a chart for the string that rotates, and one for the string that slides, where friction \
+         reduces the push on the way down.",
     ),
     (
         "hydraulics",
@@ -81,7 +82,6 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
         })
     });
     let mut parts: Vec<StudyPart> = limits::verdicts(plan, display).into_iter().collect();
-    parts.extend(limits::governing(display.chosen::<Vec<String>>(&plan.first)));
     parts.extend(pictures);
     if let Some(samples) = &plan.uncertain {
         parts.extend(uncertain::inputs(samples));

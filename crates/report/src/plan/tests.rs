@@ -127,17 +127,28 @@ fn plan() -> Plan {
             },
             limit("Hoist", 1.2, "marginal", Severity::Note),
         ],
-        checks: vec![PlanVerdict {
-            severity: Severity::Error,
-            verdict: "exceeded".into(),
-            label: "Lock-up".into(),
-            model: "soft".into(),
-            operation: "slide".into(),
-            friction: "high".into(),
-            bit_depth_m: 2000.0,
-            sentences: ["the string <locks> up"; 3].map(str::to_owned),
-        }],
-        first: ["si", "metric", "field"].map(|set| vec![format!("trip out: <tension> in {set}.")]),
+        checks: vec![
+            PlanVerdict {
+                severity: Severity::Error,
+                verdict: "exceeded".into(),
+                governs: false,
+                model: "soft".into(),
+                operation: "slide".into(),
+                friction: "high".into(),
+                bit_depth_m: 2000.0,
+                sentences: ["kN.m", "kN.m", "ft-lbf"].map(|unit| format!("Lock-up <at> 3 {unit}")),
+            },
+            PlanVerdict {
+                severity: Severity::Note,
+                verdict: "OK".into(),
+                governs: true,
+                model: "soft".into(),
+                operation: "drill".into(),
+                friction: "high".into(),
+                bit_depth_m: 2000.0,
+                sentences: ["N.m", "N.m", "ft-lbf"].map(|unit| format!("Tension 3 {unit}")),
+            },
+        ],
         unchecked: [(); 3].map(|()| vec!["no make-up torque of pipe".into()]),
         counted: [(); 3].map(|()| vec!["drill from 900 m to 2000 m in 55.0 h".into()]),
         not_counted: [(); 3].map(|()| vec!["trip in: no <speed>".into()]),
@@ -427,12 +438,12 @@ fn what_would_break_first() {
     let (_, nearest) = page.split_once("<h2>Nearest limits").expect("a table");
     let place = |kind: &str| nearest.find(kind).unwrap_or_else(|| panic!("{kind}"));
     assert!(place("Tension") < place("Hoist") && place("Hoist") < place("Helical buckling"));
-    for units in ["si", "metric", "field"] {
-        let sentence = format!(
-            "<td class=\"words\">trip out</td><td class=\"words\">&lt;tension&gt; in {units}</td>"
-        );
-        assert!(page.contains(&sentence), "{sentence}");
+    // The verdict is one table, in the reader's units; its sentences name their check.
+    for sentence in ["Lock-up &lt;at&gt; 3\u{a0}kN·m", "Lock-up &lt;at&gt; 3\u{a0}ft·lbf"] {
+        assert!(page.contains(sentence), "{sentence}");
     }
+    assert!(!page.contains("<h2>Governing limits") && !page.contains("<th class=\"words\">check"));
+    assert!(page.contains("<td class=\"words level-note\">OK, governs</td>"));
 }
 
 /// A used-up life is written as a word, and so is an unknown one; numbers are in the reader's

@@ -6,7 +6,7 @@ mod page;
 pub use figures::{REACH_PICTURES, reach_plots};
 pub use page::reach_html;
 
-use crate::{PageHead, Uncertain};
+use crate::{PageHead, Severity, Uncertain};
 
 /// A reach as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +16,8 @@ pub struct Reach {
     /// The limit that stops the well first, a sentence for each friction, in SI, metric and field
     /// units.
     pub answers: [Vec<String>; 3],
+    /// The reach of each operation at each friction.
+    pub checks: Vec<ReachVerdict>,
     /// Further notes, in sentences, in the same units.
     pub notes: [Vec<String>; 3],
     /// Friction factors, as shown to users, in the order of the curves.
@@ -30,6 +32,17 @@ pub struct Reach {
     pub depths_m: [f64; 2],
     /// Effect of uncertain numbers; `None` where all are exact.
     pub uncertain: Option<Uncertain>,
+}
+
+/// The reach of an operation at a friction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReachVerdict {
+    /// Its severity.
+    pub severity: Severity,
+    /// The friction factor in words.
+    pub friction: String,
+    /// The operation, a colon and the depth that it reaches, in SI, metric and field units.
+    pub sentences: [String; 3],
 }
 
 /// A limit of an operation at a friction.

@@ -1,6 +1,6 @@
 //! The page of a reach as one self-contained file.
 
-use super::{Reach, ReachRow, figures::reach_plots};
+use super::{Reach, ReachRow, ReachVerdict, figures::reach_plots};
 use crate::{
     Grid, StudyPage, StudyPart, Verdict,
     grid_cells::head,
@@ -37,7 +37,7 @@ fn page(reach: &Reach, units: &str) -> StudyPage {
     let answers = reach.answers[set].iter().map(String::as_str);
     let notes = reach.notes[set].iter().map(String::as_str);
     let paragraphs = answers.chain([&*facts, ABOUT]).chain(notes);
-    let mut parts = Vec::new();
+    let mut parts: Vec<StudyPart> = verdicts(reach, set).into_iter().collect();
     for plot in reach_plots(reach, units) {
         let (title, caption) = match plot.name.as_str() {
             "uncertain" => ("Sensitivity", uncertain::CAPTION),
@@ -66,14 +66,44 @@ fn page(reach: &Reach, units: &str) -> StudyPage {
     }
 }
 
+/// The reach of each operation at each friction, the most severe first.
+fn verdicts(reach: &Reach, set: usize) -> Option<StudyPart> {
+    let several = reach.frictions.len() > 1;
+    let mut heads = vec![head("operation", true), head("reach", true)];
+    heads.extend(several.then(|| head("friction", true)));
+    let mut checks: Vec<&ReachVerdict> = reach.checks.iter().collect();
+    checks.sort_by_key(|check| std::cmp::Reverse(check.severity));
+    let row = |check: &ReachVerdict| {
+        let sentence = &check.sentences[set];
+        let (operation, reached) = sentence.split_once(": ").unwrap_or(("", sentence));
+        let mut cells = vec![
+            (operation.to_owned(), Verdict::Judged(check.severity)),
+            (reached.to_owned(), Verdict::None),
+        ];
+        cells.extend(several.then(|| (check.friction.clone(), Verdict::None)));
+        cells
+    };
+    let rows: Vec<_> = checks.into_iter().map(row).collect();
+    let caption = "How far each operation goes, the most severe first: short of the planned depth \
+        is an error.";
+    (!rows.is_empty()).then(|| StudyPart::Table {
+        title: "Verdict".into(),
+        caption: caption.into(),
+        grid: Grid { heads, rows },
+        files: "summary".into(),
+        endings: &["json"],
+    })
+}
+
 fn limits(reach: &Reach, display: DisplayUnits<'_>) -> StudyPart {
     let [from, to] = reach.depths_m.map(|depth_m| display.depth(depth_m));
     // A single friction is given above, for the whole page.
     let several = reach.frictions.len() > 1;
-    let mut heads = vec![head("operation", true), head("limit", true)];
+    // The depth is the answer: it is in sight on a narrow page too.
+    let mut heads =
+        vec![head("limit", true), head("reached with the bit at", false), head("operation", true)];
     heads.extend(several.then(|| head("friction", true)));
     heads.extend([
-        head("reached with the bit at", false),
         head(format!("margin at {from}, %"), false),
         head(format!("margin at {to}, %"), false),
         head("worst at MD", false),
@@ -96,9 +126,9 @@ fn limits(reach: &Reach, display: DisplayUnits<'_>) -> StudyPart {
             _ => ("", Verdict::None),
         };
         let friction = reach.frictions.get(row.friction).cloned().unwrap_or_default();
-        let mut cells = vec![row.operation.clone(), row.limit.clone()];
+        let mut cells = vec![row.limit.clone(), depth, row.operation.clone()];
         cells.extend(several.then_some(friction));
-        cells.extend([depth, at_from, at_to, md.unwrap_or_default()]);
+        cells.extend([at_from, at_to, md.unwrap_or_default()]);
         let cells = cells.into_iter().map(|cell| (cell, Verdict::None));
         cells.chain([(word.to_owned(), verdict)]).collect()
     };

@@ -36,6 +36,11 @@ fn reach() -> Reach {
             facts: Vec::new(),
         },
         answers: ["si", "metric", "field"].map(|units| vec![format!("{NASTY} {units}")]),
+        checks: vec![ReachVerdict {
+            severity: Severity::Error,
+            friction: "friction 0.4".into(),
+            sentences: ["m", "m", "ft"].map(|unit| format!("drill: stopped at 5000 {unit}")),
+        }],
         notes: Default::default(),
         frictions: vec!["friction 0.2".into(), "friction 0.4".into()],
         titles: vec!["top drive".into()],
@@ -81,5 +86,11 @@ fn the_page_says_it() {
     for part in ["none to 10000", "5000", "locked up", "stops the well first", "friction 0.4"] {
         assert!(page.contains(part), "{part}");
     }
+    // The verdict on each operation is before the first figure, with its severity.
+    let verdict = page.find("stopped at 5000\u{a0}m").expect("a verdict");
+    assert!(verdict < page.find("<figure").expect("a figure"));
+    assert!(page.contains("level-error"));
+    // The depth of a limit, which is the answer, follows its name.
+    assert!(page.contains("<th class=\"words\">limit</th><th>reached with the bit at</th>"));
     assert!(reach_plots(&Reach { curves: Vec::new(), ..reach() }, "si").is_empty());
 }

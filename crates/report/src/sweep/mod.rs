@@ -5,8 +5,10 @@ mod figures;
 mod legend;
 mod panel;
 mod varied;
+mod verdict;
 
 pub use figures::sweep_plots;
+pub(crate) use verdict::SweepVerdict;
 
 use std::collections::BTreeMap;
 
@@ -23,6 +25,8 @@ pub struct Sweep {
     pub keys: Vec<String>,
     /// The solutions: a row for each model and operation of each case.
     pub rows: Vec<SweepRow>,
+    /// Whether the rows were checked; results of early versions were not.
+    pub checked: bool,
 }
 
 /// The result of one model for one operation of one case.

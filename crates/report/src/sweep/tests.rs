@@ -51,6 +51,7 @@ fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
             facts: Vec::new(),
         },
         keys: keys.map(String::from).to_vec(),
+        checked: true,
         rows,
     }
 }
@@ -319,4 +320,70 @@ fn judged_cases_are_ringed() {
     // A full ring and a broken one are drawn.
     let svg = judged.drawing().svg();
     assert!(svg.contains("stroke-over") && svg.contains("stroke-near"), "{svg}");
+}
+
+/// The verdict counts cases rather than rows, names the case of the most severe check, and prints
+/// its units as on a page.
+#[test]
+fn the_verdict_counts_cases_and_quotes_the_most_severe_check() {
+    let mut sweep = sweep(["friction", "rpm"], [&["0.2", "0.4"], &["60", "120"]]);
+    let verdict = |sweep: &Sweep| {
+        serde_json::to_value(sweep.verdict().expect("a verdict")).expect("words").to_string()
+    };
+    assert!(verdict(&sweep).contains("no errors and no warnings in 4 cases"));
+    for (row, errors, warnings) in [(0, 0, 1), (6, 1, 0), (7, 2, 0)] {
+        sweep.rows[row].errors = errors;
+        sweep.rows[row].warnings = warnings;
+        sweep.rows[row].check =
+            ["kN.m", "kN.m", "ft-lbf"].map(|unit| format!("{errors} errors at 3 {unit}"));
+    }
+    let text = verdict(&sweep);
+    assert!(text.contains(r#""severity":"error""#), "{text}");
+    assert!(text.contains("errors in 1 of 4 cases, warnings in 1 more"), "{text}");
+    assert!(text.contains("friction 0.4, rpm 120, drill: 2 errors at 3 kN·m"), "{text}");
+    assert!(crate::sweep_html(&sweep).contains("errors in 1 of 4 cases"));
+    sweep.checked = false;
+    assert_eq!(sweep.verdict(), None);
+}
+
+/// Curves that end at one point have one name, not a stack of them; names of others are beyond the
+/// ends, where no curve runs.
+#[test]
+fn names_of_curves_that_coincide_are_one() {
+    let mut sweep =
+        sweep(["friction", "rpm"], [&["0.1", "0.2", "0.3", "0.4"], &["60", "120", "180"]]);
+    let names = |sweep: &Sweep| -> Vec<String> {
+        let marks = figure(sweep, "si").panels.swap_remove(0).marks;
+        let name = |mark: &Mark| match mark {
+            Mark::Foot { text, .. } => Some(text.clone()),
+            _ => None,
+        };
+        marks.iter().filter_map(name).collect()
+    };
+    assert_eq!(names(&sweep).len(), 3);
+    let page = figure(&sweep, "si").drawing().element("f");
+    let line = |part: &str| page.lines().find(|line| line.contains(part)).expect("a line");
+    let after = |line: &str, start: &str| -> f64 {
+        let (_, rest) = line.split_once(start).expect("a number");
+        let end = rest.find(|letter: char| !letter.is_ascii_digit() && letter != '.');
+        rest[..end.unwrap_or(rest.len())].parse().expect("a number")
+    };
+    // Each spot is x, y and row.
+    let (_, spots) = page.split_once("data-spots=\"").expect("spots");
+    let spots: Vec<f64> = spots[..spots.find('"').expect("an end")]
+        .split(' ')
+        .map(|number| number.parse().expect("a number"))
+        .collect();
+    let end = spots.iter().step_by(3).copied().fold(0.0, f64::max);
+    let name = after(line(">180</text>"), "x=\"");
+    assert!(name > end, "a name at {name} over curves that end at {end}");
+    // On a narrow page, where they would take the room of the curves, the legend has them.
+    let mut narrow = figure(&sweep, "si");
+    narrow.layout.columns = 1;
+    narrow.layout.width_mm = 20.0;
+    assert!(!narrow.drawing().element("f").contains(">180</text>"));
+    for row in &mut sweep.rows {
+        row.numbers.insert("hook_load_N".into(), 1e5);
+    }
+    assert_eq!(names(&sweep), ["all 3"]);
 }

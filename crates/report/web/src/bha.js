@@ -1,6 +1,7 @@
 // The page of a static BHA analysis: how it lies, what it does to the bit, how it bends, and what was varied.
 
 import { el } from "../../../../web/components/dom.ts";
+import { ofReader } from "../../../../web/components/units.ts";
 import { facts } from "./key_results.js";
 import { contents } from "./contents.js";
 import { downloads } from "./downloads.js";
@@ -8,6 +9,7 @@ import { figure } from "./figure.js";
 import { licences } from "./footer.js";
 import { header } from "./header.js";
 import { pageTable, tableDownloads } from "./page_table.js";
+import { on } from "./state.js";
 
 const section = (id, title, ...children) => el("section", { id }, el("h2", {}, title), children);
 
@@ -18,9 +20,24 @@ function drawn(id, title, name, ...notes) {
 }
 
 /** A table with its title, which one whose columns are quantities does not show itself. */
-const titled = (table) => (table.place === "cases" ? [el("h3", {}, table.title, tableDownloads(table)), pageTable(table)] : pageTable(table));
+const titled = (table) => (table.place === "cases" ? [el("h3", {}, table.title, tableDownloads(table)), pageTable(table, EXACT)] : pageTable(table));
+
+/** Contacts and sensors are identified by their depth. */
+const EXACT = { exact: true };
 
 const note = (text) => el("p", { class: "note" }, text);
+
+/** What the assembly does to the inclination, in the reader's units. */
+function tendency(report) {
+  const line = el("p", { class: "verdict" });
+  const draw = () => {
+    line.textContent = ofReader(report.tendency).map((sentence) => `${sentence}.`).join(" ");
+    line.hidden = line.textContent === "";
+  };
+  on("units", draw);
+  draw();
+  return line;
+}
 
 const VARIED = { toolface: "Tool face", weight: "Weight on bit", inclination: "Inclination" };
 
@@ -31,7 +48,7 @@ export function bhaPage(report) {
   const [contacts, ...others] = results;
   const page = document.getElementById("page");
   page.append(
-    header(report.title, facts(report), () => {}),
+    header(report.title, [tendency(report), facts(report)], () => {}),
     ...(report.message ? [el("p", { class: "warning" }, report.message)] : []),
     drawn(
       "views",
@@ -42,7 +59,7 @@ export function bhaPage(report) {
           "turns the hole to the right. Directions are as one looks down the hole.",
       ),
     ),
-    section("contacts", ["Contacts", tableDownloads(contacts)], pageTable(contacts)),
+    section("contacts", ["Contacts", tableDownloads(contacts)], pageTable(contacts, EXACT)),
     drawn("bending", "Bending", "bending"),
     ...report.sweeps.map(([name]) => drawn(name, VARIED[name] ?? name, name)),
     section("results", "Numbers", others.flatMap(titled)),

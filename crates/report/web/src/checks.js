@@ -28,7 +28,9 @@ export const placedOf = (report) =>
 export function placeText({ md_m, to_md_m }) {
   if (md_m === null) return null;
   const at = depthText(md_m);
-  return to_md_m === null ? `at ${at}` : `${at} to ${depthText(to_md_m)}`;
+  // A stretch shorter than the unit of a depth is a place.
+  const to = to_md_m === null ? at : depthText(to_md_m);
+  return to === at ? `at ${at}` : `${at} to ${to}`;
 }
 
 const numberText = (cell) => (typeof cell === "number" ? plain(cell, 4) : quantity(cell.value, cell.dimension, 4, plain));

@@ -64,8 +64,15 @@ function byRow(table) {
   );
 }
 
-/** Writes the numbers of a column of results: whole ones, such as what was set, without decimals. */
-function caseText(column) {
+/** A length without its unit, to the centimetre or the hundredth of a foot at any depth. */
+const lengthText = (cell) => (cell?.dimension === "length" ? grouped(shown(cell.value, "length").toFixed(2)) : cellText(cell));
+
+/**
+ * Writes the numbers of a column of results: whole ones, such as what was set, without decimals; lengths in two decimals
+ * where `exact` says so.
+ */
+function caseText(column, exact = false) {
+  if (exact && common(column) === "length") return lengthText;
   const whole = ({ value, dimension, std }) => {
     const number = shown(value, dimension);
     return std === undefined && Math.abs(number - Math.round(number)) <= 1e-9 * Math.abs(number);
@@ -138,14 +145,15 @@ function fileRows(table, results) {
 export const tableDownloads = (table) =>
   downloads(table.title, { csv: () => csv(...fileRows(table, ["results", "numerics"].includes(table.place))) });
 
-export function pageTable(table) {
+/** A table; `exact` writes the lengths in its columns in two decimals, for what is identified by its depth. */
+export function pageTable(table, { exact = false } = {}) {
   const body = el("tbody", {});
   const head = el("thead", {});
   const cases = table.place === "cases";
   const results = table.place !== "inputs" && !cases;
   const rows = () => {
     if (results) return byRow(table);
-    if (cases) return byColumn(table, caseText);
+    if (cases) return byColumn(table, (column) => caseText(column, exact));
     return table.heads.length ? byColumn(table, () => inputText) : keys(table);
   };
   const draw = () => {

@@ -9,6 +9,8 @@ import { figure } from "./figure.js";
 import { header } from "./header.js";
 import { cellText, pageTable, tableDownloads } from "./page_table.js";
 import { usePageUnits } from "./page_units.js";
+import { SEVERITIES, severityMark } from "./severities.js";
+import { on } from "./state.js";
 import { ofReader } from "../../../../web/components/units.ts";
 
 const report = readReport();
@@ -29,6 +31,22 @@ function describe(row) {
 }
 
 const drawn = figure("figure", "Nothing was solved.", describe);
+/** The verdict in the head of the page: how many cases have errors or warnings, and the most severe check. */
+function verdict({ severity, counts, sentences }) {
+  const [word] = SEVERITIES[severity];
+  const text = counts[0].toUpperCase() + counts.slice(1);
+  const most = el("span", {});
+  const draw = () => (most.textContent = ofReader(sentences) && ` Most severe: ${ofReader(sentences)}`);
+  on("units", draw);
+  draw();
+  return el(
+    "div",
+    { class: `check level-${severity} verdict` },
+    el("span", { class: "level" }, severityMark(severity), ` ${word}`),
+    el("span", {}, el("strong", {}, `${text}.`), most),
+  );
+}
+
 const save = downloads("Sweep", { svg: drawn.there() ? drawn.file : null });
 const sections = [
   el("section", { id: "sweep" }, el("h2", {}, "What came out of it", save, tableDownloads(report.page_table)), drawn.element),
@@ -43,7 +61,7 @@ sections[0].querySelector("h2").after(hint);
 document
   .getElementById("page")
   .append(
-    header(report.title, facts(report), () => {}),
+    header(report.title, [report.verdict && verdict(report.verdict), facts(report)].filter(Boolean), () => {}),
     contents(sections).element,
     ...sections,
     el(

@@ -7,7 +7,7 @@ import { isPrinting } from "../../../../web/components/printing.ts";
 import { schematic, lies } from "../../../../web/components/schematic.ts";
 import { hideTip, showTip } from "../../../../web/components/tip.ts";
 import { depthAxis } from "../../../../web/components/track.ts";
-import { digits, quantity, shown, si, symbol } from "../../../../web/components/units.ts";
+import { depthText, digits, quantity, shown, si, symbol } from "../../../../web/components/units.ts";
 import { csv, downloads, svgFile } from "./downloads.js";
 import { placedOf } from "./checks.js";
 import { inkOf, SEVERITIES } from "./severities.js";
@@ -156,16 +156,17 @@ export function tracks(report) {
     });
     const cursor = svg("line", { x1: AXIS, x2: width, class: "cursor", visibility: "hidden" });
     const chosenLine = svg("line", { x1: AXIS, x2: width, class: "chosen", visibility: "hidden" });
+    const chosenName = svg("text", { x: width - 4, class: "side end", visibility: "hidden" });
     const flag = svg("text", { x: 2, class: "flag", visibility: "hidden" });
     const what = svg("g", { class: "readout" });
     const band = svg("rect", { x: AXIS, width: width - AXIS, class: "drag", visibility: "hidden" });
     const cover = svg("rect", { x: AXIS, y: HEAD, width: width - AXIS, height, class: "cover" });
-    picture.append(band, chosenLine, cursor, flag, what, cover);
+    picture.append(band, chosenLine, chosenName, cursor, flag, what, cover);
     cover.addEventListener("pointermove", (event) => showReadout(event, picture, readouts, [from, to], height));
     cover.addEventListener("pointerleave", hideTip);
     const point = (pointer) => choose({ pointer });
     listenToDepths({ cover, band, picture, head: HEAD, height, total, full, view, zoom, point, choose: (depth) => choose({ depth }) });
-    return { picture, y, readouts, cursor, chosenLine, flag, what };
+    return { picture, y, readouts, cursor, chosenLine, chosenName, flag, what };
   }
 
   /** Names and values of the track under the pointer, and what was found at its depth. */
@@ -202,14 +203,19 @@ export function tracks(report) {
   /** What the tracks show at the depth that is pointed at. */
   function point() {
     const [from, to] = view();
-    for (const { y, readouts, cursor, chosenLine, flag, what } of rows) {
+    for (const { y, readouts, cursor, chosenLine, chosenName, flag, what } of rows) {
       const at = (line, depth) => {
         const inView = depth !== null && depth >= from && depth <= to;
         line.setAttribute("visibility", inView ? "visible" : "hidden");
         if (inView) for (const end of ["y1", "y2"]) line.setAttribute(end, y(depth));
         return inView;
       };
-      at(chosenLine, state.depth);
+      const hasChosen = at(chosenLine, state.depth);
+      chosenName.setAttribute("visibility", hasChosen ? "visible" : "hidden");
+      // Over the line; below it where it is at the top.
+      const line = hasChosen ? y(state.depth) : 0;
+      chosenName.setAttribute("y", line < HEAD + 16 ? line + 13 : line - 4);
+      chosenName.textContent = hasChosen ? `chosen depth ${depthText(state.depth)}` : "";
       const inView = at(cursor, state.pointer);
       flag.setAttribute("visibility", inView ? "visible" : "hidden");
       flag.setAttribute("y", inView ? y(state.pointer) + 4 : 0);

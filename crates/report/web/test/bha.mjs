@@ -29,6 +29,9 @@ await check("tables hold words and numbers, and no objects", async () => {
   const rows = page.locator("#contacts tbody tr");
   assert.ok((await rows.count()) > 3);
   assert.match(await rows.first().textContent(), /^bitbit/);
+  // Contacts are identified by their depth, to the centimetre.
+  for (const text of await page.locator("#contacts tbody td:nth-child(5)").allTextContents()) assert.match(text, /^[\d,\u202f]+\.\d\d$/);
+  assert.match(await page.locator("header .verdict").textContent(), /builds|drops|holds/);
   assert.match(await text(page, "#results"), /measured \+ correction = hole/);
 });
 

@@ -58,8 +58,11 @@ await check("a light has a word and a mark", async () => {
     const known = half.map((row) => Number(row.at(-2)) / Number(row.at(-1))).filter(Number.isFinite);
     assert.ok(known.every((reserve, i) => i === 0 || reserve >= known[i - 1] - 0.02), `${known}`);
   }
-  const governing = part("Governing limits").rows;
-  assert.ok(governing.some(([operation, limit]) => /^trip out, high friction, bit at \d+ m$/.test(operation) && /^Hoist/.test(limit)), `${governing}`);
+  // One table of verdicts: errors, warnings, then the limits that govern.
+  const verdicts = part("Verdict").rows;
+  const governs = verdicts.filter(([verdict]) => verdict.endsWith(", governs"));
+  assert.ok(governs.some(([, operation, friction, , finding]) => /^trip out/.test(operation) && friction === "high" && /^Hoist/.test(finding)), `${verdicts}`);
+  assert.equal(part("Governing limits"), undefined);
 });
 
 await check("what was measured, another program, peaks and samples have their sections", async () => {

@@ -9,10 +9,12 @@ const browser = await browse(executablePath, file, { timeout_ms: 60_000 });
 const { check, close } = browser;
 
 const page = await browser.open({ colorScheme: "light" });
-const [figure, limits] = await read(page);
+const parts = await read(page);
+const [verdict, figure] = parts;
+const limits = parts.find((part) => part.title === "Limits");
 
 await check("each operation has a panel, each limit a colour of its own", async () => {
-  const operations = new Set(limits.rows.map((row) => row[0]));
+  const operations = new Set(limits.rows.map((row) => row[2]));
   const frames = await page.locator(".in-si figure path.stroke-frame").count();
   assert.ok(frames >= operations.size, `${frames} frames of ${operations.size} operations`);
   const samples = await page.locator(".in-si figure:not(.narrow) .legend-key path").evaluateAll((all) =>
@@ -29,7 +31,9 @@ await check("what stops the well first is said, marked and in the table", async 
   const rows = limits.rows.filter((row) => row.at(-1) === "stops the well first");
   assert.ok(rows.length >= 1, "a row stops the well");
   assert.ok(rows[0].includes(`${depth[1]} m`), `${rows[0]}`);
-  assert.deepEqual(rows[0].slice(0, 2), [depth[3], depth[2]]);
+  assert.deepEqual([rows[0][0], rows[0][2]], [depth[2], depth[3]]);
+  assert.ok(verdict.rows.length >= 1 && verdict.title === "Verdict", `${verdict.title}`);
+  assert.match(verdict.rows[0].join(" "), /stopped|goes to|nothing stops/);
   const texts = await page.locator(".in-si figure").first().locator("text").allTextContents();
   assert.ok(texts.includes(depth[2]), `${depth[2]} in ${texts}`);
 });

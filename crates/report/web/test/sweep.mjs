@@ -34,6 +34,10 @@ await check("units switch in the figure and in the table", async () => {
   }
 });
 
+await check("the verdict is above the figure", async () => {
+  assert.match(await page.locator("header .verdict").textContent(), /(errors|warnings).* cases/);
+});
+
 await check("every case has its row", async () => {
   const rows = page.locator("#cases tbody tr");
   assert.ok((await rows.count()) >= 4);

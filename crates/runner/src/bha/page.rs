@@ -8,10 +8,10 @@ use wholestring_report::{
 use wholestring_results::{BhaSummary, BhaVaried, ResultsError, Table};
 use wholestring_units::UnitSet;
 
-use super::{nodes::NODES, page_tables::page_tables};
+use super::{nodes::NODES, page_tables::page_tables, tendency::tendency};
 use crate::{
     column::numbers,
-    page::{self, facts::readable, inputs, table},
+    page::{self, checks::in_sets, facts::readable, inputs, table},
     results_kind::Results,
 };
 
@@ -34,6 +34,12 @@ impl Results for Bha {
         tables.extend(inputs::page_tables(settings));
         Ok(Self {
             head: page::head(title, units, Some(settings), facts(&summary)),
+            tendency: in_sets(|units| {
+                let sentences = tendency(&summary, units).into_iter();
+                sentences
+                    .map(|sentence| sentence.replace(" deg", " °").replace(" -", " \u{2212}"))
+                    .collect()
+            }),
             message: (!warnings.is_empty()).then(|| warnings.join("; ")),
             parts: summary.parts.iter().map(part).collect(),
             length_m: state.length_m,

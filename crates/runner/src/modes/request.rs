@@ -204,7 +204,7 @@ fn forcing(case: &Case, motions: &SmallMotions, middle_m: impl Fn() -> f64) -> (
     let from_bit_m = case.modes.force_from_bit_m.unwrap_or_else(middle_m);
     let force_N = case.modes.force_N;
     let words = format!(
-        "a force of {} that turns with the string, {} from the bit",
+        "a rotating force of {}, {} from the bit",
         Quantity::new(Dimension::Force, force_N, Rounding::Five),
         Quantity::new(Dimension::Length, from_bit_m, Rounding::Tenth)
     );

@@ -1,13 +1,15 @@
 //! Checks in the form of the page.
 
 use wholestring::outcome::QuantityKind;
-use wholestring_report::{Cell, CheckRow, shown_dimension};
+use wholestring_report::{Cell, CheckRow, printed, shown_dimension};
 use wholestring_results::{Check, Status};
 use wholestring_units::UnitSet;
 
+use super::dimensions::SETS;
+
 /// A text in SI, metric and field units.
 pub(crate) fn in_sets<T>(text: impl FnMut(UnitSet) -> T) -> [T; 3] {
-    [UnitSet::Si, UnitSet::Metric, UnitSet::Field].map(text)
+    SETS.map(text)
 }
 
 /// Reason why an operation ended early: the sentence of its check where it is one.
@@ -19,7 +21,7 @@ pub(crate) fn message(status: &Status, checks: &[Check]) -> Option<[String; 3]> 
     };
     let check = checks.iter().find(|check| check.sentence == reason);
     Some(in_sets(|units| match check {
-        Some(check) => check.sentence_in(units),
+        Some(check) => printed(&check.sentence_in(units)),
         None => reason.to_owned(),
     }))
 }
@@ -45,6 +47,6 @@ pub(crate) fn row(check: &Check) -> CheckRow {
         limit: cell(check.limit),
         factor: check.factor,
         required: check.required,
-        sentences: in_sets(|units| check.sentence_in(units)),
+        sentences: in_sets(|units| printed(&check.sentence_in(units))),
     }
 }

@@ -6,6 +6,9 @@ use wholestring_case::dimension_of;
 use wholestring_report::DisplayUnit;
 use wholestring_units::{Dimension, UnitSet};
 
+/// Sets of units of a page, in its order.
+pub(super) const SETS: [UnitSet; 3] = [UnitSet::Si, UnitSet::Metric, UnitSet::Field];
+
 /// Dimensions that appear only in output: name, then symbol and factor in each set.
 const OTHERS: &[(&str, [(&str, f64); 3])] = &[
     ("ratio", [("", 1.0); 3]),
@@ -23,7 +26,7 @@ const OTHERS: &[(&str, [(&str, f64); 3])] = &[
 /// Every dimension by its name, and its unit in each set: SI, metric, field.
 pub fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
     let known = Dimension::ALL.iter().map(|dimension| {
-        let units = [UnitSet::Si, UnitSet::Metric, UnitSet::Field].map(|set| {
+        let units = SETS.map(|set| {
             let unit = dimension.unit_in(set);
             DisplayUnit { symbol: pretty(unit.symbol), factor: unit.factor }
         });
@@ -38,8 +41,7 @@ pub fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
 
 /// Unit of a dimension by its name in a set of units; `None` for a bare number.
 pub(crate) fn unit(dimension: &str, units: UnitSet) -> Option<DisplayUnit> {
-    let place =
-        [UnitSet::Si, UnitSet::Metric, UnitSet::Field].iter().position(|set| *set == units)?;
+    let place = SETS.iter().position(|set| *set == units)?;
     all().remove(dimension).map(|sets| sets[place].clone())
 }
 

@@ -16,7 +16,6 @@ use wholestring_units::UnitSet;
 
 use super::{
     files::{FATIGUE, PEAKS_TIME, Tables, WEAR, WORKBOOK},
-    governing::governing_sentences,
     levels::{LEVELS, label, short},
     mud, peaks, surface, weight,
     workbook::workbook,
@@ -108,7 +107,6 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         hole: hole(summary),
         limits: summary.checks.iter().filter_map(limit).collect(),
         checks: verdicts(summary),
-        first: in_sets(|units| governing_sentences(summary, units)),
         unchecked: in_sets(|units| texts(summary, &summary.unchecked, units)),
         counted: in_sets(|units| texts(summary, &summary.counted, units)),
         not_counted: in_sets(|units| texts(summary, &summary.not_counted, units)),
@@ -133,7 +131,7 @@ fn level(summary: &PlanSummary, name: &str) -> PlanLevel {
         let kind = if section.kind == "casing" { "casing" } else { "open hole" };
         let around = match section.around == section.along {
             true => String::new(),
-            false => format!(", {} around", short(section.around)),
+            false => format!(", rotational {}", short(section.around)),
         };
         format!("{kind} {}{around}", short(section.along))
     });
@@ -223,15 +221,19 @@ fn operation(row: &PlanCheck) -> String {
         .map_or_else(|| row.operation.clone(), |event| format!("{}, dynamics", event.label()))
 }
 
-/// Checks that require attention, the most severe first.
+/// Checks that require attention, the most severe first, then the governing limit of each operation
+/// that is not among them.
 fn verdicts(summary: &PlanSummary) -> Vec<PlanVerdict> {
     let mut rows: Vec<&PlanCheck> =
         summary.checks.iter().filter(|row| row.check.severity >= Severity::Warning).collect();
     rows.sort_by_key(|row| std::cmp::Reverse(row.check.severity));
+    let others: Vec<&PlanCheck> =
+        summary.governing.iter().filter(|governing| !rows.contains(governing)).collect();
+    rows.extend(others);
     let verdict = |row: &&PlanCheck| PlanVerdict {
         severity: row.check.severity,
         verdict: row.check.verdict.words().to_owned(),
-        label: row.check.kind.label().to_owned(),
+        governs: summary.governing.contains(row),
         model: row.model.clone(),
         operation: operation(row),
         friction: row.friction.clone(),

@@ -4,9 +4,10 @@ use std::path::Path;
 
 use wholestring_plan::reach::Limit;
 use wholestring_report::{
-    Cell, Fact, Plot, REACH_PICTURES, Reach, ReachCurve, ReachRow, reach_html, reach_plots,
+    Cell, Fact, Plot, REACH_PICTURES, Reach, ReachCurve, ReachRow, ReachVerdict, reach_html,
+    reach_plots,
 };
-use wholestring_results::{ReachOfFriction, ReachSummary, ResultsError, Table};
+use wholestring_results::{ReachCheck, ReachOfFriction, ReachSummary, ResultsError, Table};
 use wholestring_units::UnitSet;
 
 use super::{sentences, tables::REACH};
@@ -29,6 +30,7 @@ impl Results for Reach {
         let head = page::head(title, units, Some(&summary.settings), facts(&summary));
         Ok(Self {
             head,
+            checks: summary.checks.iter().map(check).collect(),
             answers: in_sets(|set| sentences::answers(&summary, set)),
             notes: in_sets(|set| sentences::notes(&summary, set)),
             frictions: summary.frictions.iter().map(sentences::friction).collect(),
@@ -49,6 +51,14 @@ impl Results for Reach {
 
     fn plots(&self) -> Vec<Plot> {
         reach_plots(self, &self.head.units)
+    }
+}
+
+fn check(row: &ReachCheck) -> ReachVerdict {
+    ReachVerdict {
+        severity: row.check.severity,
+        friction: sentences::friction_words(row.friction),
+        sentences: in_sets(|units| row.check.sentence_in(units)),
     }
 }
 

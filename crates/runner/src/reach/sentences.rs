@@ -8,7 +8,12 @@ use crate::page::facts::readable;
 
 /// A friction factor in words.
 pub(super) fn friction(reach: &ReachOfFriction) -> String {
-    match reach.friction {
+    friction_words(reach.friction)
+}
+
+/// A friction factor in words; without one, the sections have the case's own.
+pub(super) fn friction_words(friction: Option<f64>) -> String {
+    match friction {
         Some(friction) => format!("friction {friction}"),
         None => "the case's friction".into(),
     }

@@ -107,6 +107,7 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
     Ok(Sweep {
         head: page::head(title, units, settings, common),
         keys: varied.iter().map(|column| column.name.clone()).collect(),
+        checked: table.columns().iter().any(|column| column.name == "errors"),
         rows,
     })
 }

@@ -1,0 +1,31 @@
+//! Numbers of a static BHA analysis as text.
+
+use wholestring_units::{Dimension, UnitSet};
+
+/// A number without trailing zeros.
+pub fn plain(number: String) -> String {
+    match number.contains('.') {
+        true => number.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => number,
+    }
+}
+
+/// Four digits of a quantity, with its unit.
+pub fn quantity(si: f64, dimension: Dimension, units: UnitSet) -> String {
+    format!("{} {}", plain(number(si, dimension, units)), dimension.unit_in(units).symbol)
+}
+
+/// A number in the chosen unit, with four digits or to the third decimal; a length to the second
+/// decimal at least, because contacts are identified by their depth.
+pub fn number(si: f64, dimension: Dimension, units: UnitSet) -> String {
+    let value = dimension.unit_in(units).from_si(si);
+    let digits = match value.abs() {
+        size if size >= 10.0 && dimension == Dimension::Length => 2,
+        size if size >= 1000.0 => 0,
+        size if size >= 100.0 => 1,
+        size if size >= 10.0 => 2,
+        _ => 3,
+    };
+    let text = format!("{value:.digits$}");
+    if text.trim_matches(['-', '0', '.']).is_empty() { "0".to_owned() } else { text }
+}
