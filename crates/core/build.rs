@@ -1,5 +1,4 @@
-//! A digest of the engine's sources, by which checkpoints of two builds of one version are told
-//! apart.
+//! A digest of the engine's sources, which distinguishes checkpoints of two builds of one version.
 
 use std::{
     env, fs, io,

@@ -18,6 +18,7 @@ mod dependencies;
 mod features;
 mod finding;
 mod folders;
+mod language;
 mod metadata;
 mod packages;
 mod page;
@@ -57,6 +58,7 @@ const TEST: &[Step] = &[
     ("Table of dependencies", dependencies::check_table),
     ("Picture of the crates", architecture::check),
     ("Packages", packages::check),
+    ("Language", language::check),
     ("Features of the Python package", features::check),
     ("Equations of the documentation", site::check_equations),
     ("Workflows", workflows::check),

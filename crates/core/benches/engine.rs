@@ -1,4 +1,4 @@
-//! Speed of the engine's parts on NP13-X1042, for whoever works on them:
+//! Speed of the engine's parts on NP13-X1042, for its developers:
 //! `cargo bench -p wholestring`.
 //!
 //! `wholestring bench` shows the speed of a machine; this reports whether a change made a part
@@ -6,7 +6,7 @@
 
 #[path = "../tests/common/mod.rs"]
 mod common;
-// It serves the tests of the dynamics.
+// Written for the tests of the dynamics.
 #[allow(dead_code)]
 #[path = "../tests/dynamics/wells.rs"]
 mod wells;
@@ -62,7 +62,7 @@ fn records(criterion: &mut Criterion) {
     let settled = settled(np13(0.3), Precision::Double);
     let sample_s = settled.sample_interval_s();
     let mut group = criterion.benchmark_group("records");
-    // A fresh copy for each sample would be one that the caches do not know.
+    // A fresh copy for each sample would not be in the caches.
     let mut running = settled.clone();
     group.bench_function("sample", |bencher| {
         bencher.iter(|| go(&mut running, sample_s));
@@ -72,8 +72,9 @@ fn records(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Whole runs beside their inner loop, per element and step, by the length of the elements, the
-/// precision and the interval between samples: what statistics and the ends of the string add.
+/// Whole runs and their inner loop, per element and step, by the length of the elements, the
+/// precision and the interval between samples: the difference is due to statistics and the ends of
+/// the string.
 fn runs(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("run");
     let precisions = [("double", Precision::Double), ("single", Precision::Single)];
@@ -180,7 +181,7 @@ fn broomstick(threads: usize) {
             1 => Operation::trip_in(depth_m),
             _ => Operation::rotate_off_bottom(depth_m),
         };
-        // Where a string cannot go down there is none, which takes its time, too.
+        // A string that cannot go down has no equilibrium: its solution takes time, too.
         black_box(stiff::solve(&case.model, &operation, &StiffSettings::default())).ok();
     };
     std::thread::scope(|scope| {

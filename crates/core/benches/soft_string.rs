@@ -16,7 +16,7 @@ use wholestring::{
 
 use common::{along, arcs, mud, number, operation};
 
-/// What welleng solves at once, too.
+/// Operations that welleng solves at once, too.
 const OPERATIONS: [OperationKind; 3] =
     [OperationKind::TripOut, OperationKind::TripIn, OperationKind::RotateOffBottom];
 const REPEATS: usize = 201;
@@ -81,14 +81,14 @@ fn solved(model: &Model, spacing_m: f64) -> Value {
     })
 }
 
-/// All three, with what they have in common made once.
+/// Solves all three, with their common parts computed once.
 fn solutions(model: &Model, settings: &SoftSettings) -> [SoftProfile; 3] {
     let bit_depth_m = model.well.path.last_md_m();
     let string = SoftString::new(model, bit_depth_m, settings).expect("a string");
     OPERATIONS.map(|kind| string.solve(&operation(kind, bit_depth_m)).expect("a solution"))
 }
 
-/// What disturbs a measurement only adds to it.
+/// Returns the smallest time, s, because disturbances only add to it.
 fn least_s(model: &Model, settings: &SoftSettings) -> f64 {
     let once = |_| {
         let begin = Instant::now();

@@ -4,7 +4,7 @@
 //! `Measured Depth ( ft )`, `md_m`, `INCL`, `Azimuth Grid [deg]`. Units are in the headings or in a
 //! row below them. The reader accepts titles and comments above the header; commas, semicolons,
 //! tabs or blanks between the columns; decimal commas and thousands separators.
-//! [`ImportedSurvey::notes`] lists what was recognised.
+//! [`ImportedSurvey::notes`] lists the recognised contents.
 //!
 //! No value is guessed where an error would go unnoticed: lengths without any unit are an error
 //! until their unit is [given](Said). With a unit, three columns need no header either. Angles

@@ -2,7 +2,7 @@
 
 use wholestring_config::prelude::*;
 
-/// How a bit breaks rock.
+/// Cutting mechanism of a bit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Pdc,

@@ -170,7 +170,7 @@ fn weights_in_another_unit_are_refused_with_it() {
     let kilo_deca = file(|_, [md, a, b, c, torque]| [md, a / 10.0, b / 10.0, c / 10.0, torque]);
     let text = refused(&kilo_deca.replace("(kN)", "(klbf)"), &["--set=rig.block_weight=250 kN"]);
     assert!(text.contains("Is the unit kdaN"), "{text}");
-    // A factor of a thousand is not said in per cent.
+    // A factor of a thousand is not written in per cent.
     let thousand = file(|_, row| row).replace("(kN)", "(N)");
     let text = refused(&thousand, &["--set=rig.block_weight=250 kN"]);
     assert!(

@@ -36,7 +36,7 @@ fn has_none_of(text: &str, units: &[&str]) {
     }
 }
 
-/// What a page of tables shows to a reader with these units: its text without its tags.
+/// Text of a page of tables as shown with these units, without its tags.
 fn shown(page: &str, units: &str) -> String {
     let parts = page.split("<div class=\"in-units in-").skip(1);
     let own: String = parts.filter(|part| part.starts_with(units)).collect();

@@ -1,4 +1,4 @@
-//! What became of a well.
+//! Result of the solution of a well.
 
 use wholestring::{
     operation::OperationKind,
@@ -17,7 +17,7 @@ pub struct Try {
     pub weight_N: f64,
     pub kind: OperationKind,
     pub ms: f64,
-    /// Newton steps; none where a string that locks up does not say.
+    /// Newton steps; zero where the error of a string that locks up has no number.
     pub steps: usize,
     /// The largest compression over the loads of the sinusoid and of the helix.
     pub over: [f64; 2],

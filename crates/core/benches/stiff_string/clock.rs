@@ -1,4 +1,4 @@
-//! The time that this thread had of the processor: what else the machine does is not in it.
+//! Processor time of this thread, without that of other work on the machine.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What a solution costs by the length of the string.
+//! Time of a solution by the length of the string.
 
 use std::time::Instant;
 
@@ -18,11 +18,11 @@ use crate::{
 /// Lengths of the string, km.
 const LENGTHS_KM: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 15.0];
 
-/// Times that each is solved; the fastest counts.
+/// Number of solutions of each; the fastest counts.
 const TIMES: usize = 5;
 
-/// A build to 60 deg over a fifth of the length and a tangent, drill pipe with joints from end to end,
-/// elements from joint to joint: pulled out, and turning off bottom.
+/// A build to 60 deg over a fifth of the length and a tangent, drill pipe with joints from end to
+/// end, elements from joint to joint: pulled out, and turning off bottom.
 pub fn lengths() {
     println!("length, km | elements | pulled: iterations, ms | turning: iterations, ms");
     for length_km in LENGTHS_KM {

@@ -1,6 +1,6 @@
-//! What the stiff string costs by its length, and how often and how fast it finds its equilibrium in
-//! random wells: `cargo bench -p wholestring --bench stiff_string -- 1000`. With the word `whirl` the
-//! dynamics says of the buckled strings that turn whether they go round their holes for ever; `only 77
+//! Time of the stiff string by its length, and the rate and time of its solutions in random wells:
+//! `cargo bench -p wholestring --bench stiff_string -- 1000`. With the word `whirl` the dynamics
+//! determine whether the buckled strings that rotate roll around their holes for ever; `only 77
 //! 220` solves one well, by its seed, with one weight in kN.
 //!
 //! The seeds are fixed: every machine tries the same [wells](well).
@@ -18,20 +18,20 @@ use attempt::{Class, End, Try};
 /// Diameter of the hole, m.
 const HOLE_M: f64 = 0.2159;
 
-/// Weights on the bit of what drills and slides, N: none, and about the sinusoidal and the helical
-/// load of 5 in pipe that lies in such a hole, and twice that.
+/// Weights on the bit while drilling and sliding, N: none, about the sinusoidal and the helical
+/// load of 5 in pipe in such a horizontal hole, and twice the latter.
 const WEIGHTS_N: [f64; 4] = [0.0, 150e3, 220e3, 440e3];
 
 /// Wells of a list.
 const LISTED: usize = 12;
 
-/// Wells, where the command does not say.
+/// Default number of wells.
 const WELLS: u64 = 200;
 
-/// Until a string that comes to rest in the dynamics is there, and how long it is looked at then, s.
+/// Time in which a string reaches rest in the dynamics, if it does, and the window after it, s.
 const WHIRL_S: [f64; 2] = [40.0, 40.0];
 
-/// Medians that no solution may take longer than.
+/// Solutions slower than this number of medians are counted.
 const MEDIANS: f64 = 50.0;
 
 fn main() {
@@ -60,17 +60,17 @@ fn main() {
     times(&tried);
     let mut slowest: Vec<&Try> = tried.iter().collect();
     slowest.sort_by(|a, b| b.ms.total_cmp(&a.ms));
-    let of = |end: End| tried.iter().filter(move |one| one.end == end).take(LISTED);
+    let ended = |end: End| tried.iter().filter(move |one| one.end == end).take(LISTED);
     list("slowest", slowest.into_iter().take(LISTED));
-    list("no reason", of(End::NotConverged));
-    list("found, but not stable", of(End::Found { stable: false }));
+    list("no reason", ended(End::NotConverged));
+    list("found, but not stable", ended(End::Found { stable: false }));
     if words.iter().any(|word| word == "whirl") {
         whirls(&tried);
     }
 }
 
-/// What became of them by their compression; of those that do not roll for ever, which have no state
-/// of rest, the part that was found; and the part that was found or has its reason.
+/// Prints the results by compression; among those that have a static equilibrium and do not roll
+/// for ever, the part that was found; and the part that was found or has a reason.
 fn classes(tried: &[Try]) {
     println!(
         "| compression | tries | found | stable | locks up | rolls | no reason | found of those that \
@@ -78,23 +78,23 @@ fn classes(tried: &[Try]) {
     );
     println!("|---|---|---|---|---|---|---|---|---|");
     for class in Class::ALL {
-        let of: Vec<&Try> = tried.iter().filter(|one| Class::of(one) == class).collect();
-        let count = |end: End| of.iter().filter(|one| one.end == end).count();
-        let found = of.iter().filter(|one| one.found()).count();
+        let members: Vec<&Try> = tried.iter().filter(|one| Class::of(one) == class).collect();
+        let count = |end: End| members.iter().filter(|one| one.end == end).count();
+        let found = members.iter().filter(|one| one.found()).count();
         let [locks_up, rolls, unknown] = [End::LocksUp, End::Rolls, End::NotConverged].map(count);
         let part = |some: usize, all: usize| 100.0 * some as f64 / all.max(1) as f64;
         println!(
             "| {} | {} | {found} | {} | {locks_up} | {rolls} | {unknown} | {:.1} | {:.1} |",
             class.name(),
-            of.len(),
+            members.len(),
             count(End::Found { stable: true }),
-            part(found, of.len() - rolls - locks_up),
-            part(of.len() - unknown, of.len()),
+            part(found, members.len() - rolls - locks_up),
+            part(members.len() - unknown, members.len()),
         );
     }
 }
 
-/// How long they took, and how many took too long.
+/// Prints the times, and the number of solutions that took too long.
 fn times(tried: &[Try]) {
     let sorted_ms = |belongs: &dyn Fn(&Try) -> bool| {
         let some = tried.iter().filter(|one| belongs(one));
@@ -123,7 +123,7 @@ fn times(tried: &[Try]) {
     }
 }
 
-/// Wells of a list, to be looked at.
+/// Prints a list of wells for inspection.
 fn list<'a>(title: &str, tries: impl Iterator<Item = &'a Try>) {
     println!("{title}:");
     for one in tries {
@@ -141,22 +141,22 @@ fn described(one: &Try) -> String {
     )
 }
 
-/// What the dynamics does with the buckled strings that turn: of each how far the node that goes
-/// round farthest goes in the window, in turns.
+/// Prints the whirl of the buckled strings that rotate, by the dynamics: the turns around the hole
+/// in the window of the node that moves farthest.
 fn whirls(tried: &[Try]) {
     for (name, found) in [("not found", false), ("found", true)] {
-        let of = tried.iter().filter(|one| {
+        let buckled = tried.iter().filter(|one| {
             Class::of(one) == Class::Buckled && one.kind.rotates() && one.found() == found
         });
         println!("{name} by the stiff string; turns backwards round the hole by the dynamics:");
-        for one in of {
+        for one in buckled {
             println!("  {} turns: {}: {:?}", turns(one), described(one), one.end);
         }
     }
 }
 
-fn turns(of: &Try) -> String {
-    let (model, operation) = well::well(of.seed, of.weight_N);
+fn turns(one: &Try) -> String {
+    let (model, operation) = well::well(one.seed, one.weight_N);
     let turns = common::whirl::turns(&model, &operation, WHIRL_S);
     turns.map_or("none".to_owned(), |turns| format!("{turns:.1}"))
 }

@@ -1,5 +1,5 @@
-//! Random but sensible wells: 300 m to 12 km with doglegs to 20 deg/30 m, spline and arcs; motors with
-//! and without a bend at three tool faces, none to three blades, friction from 0 to 0.6, every
+//! Random but sensible wells: 300 m to 12 km with doglegs to 20 deg/30 m, spline and arcs; motors
+//! with and without a bend at three tool faces, none to three blades, friction from 0 to 0.6, every
 //! operation.
 
 use wholestring::{
@@ -35,7 +35,7 @@ impl Random {
     }
 }
 
-/// A random well, its string, and what is done with it.
+/// A random well, its string and its operation.
 pub fn well(seed: u64, weight_N: f64) -> (Model, Operation) {
     let mut random = Random(1000 + seed);
     let depth_m = 300.0 * 40.0_f64.powf(random.unit());

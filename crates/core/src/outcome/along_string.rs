@@ -13,7 +13,7 @@ columns! {
     /// grows strictly. Values of dynamics are means over the window unless stated otherwise, and
     /// tension and torque those of the two elements at the node.
     #[derive(Debug, Clone, PartialEq, Default)]
-    pub struct Profile, "What a profile along the string holds, in the order of `nodes.parquet`."
+    pub struct Profile, "Columns of a profile along the string, in the order of `nodes.parquet`."
     PROFILE {
         md_m: Vec<f64> => Depth, "Measured depth of the node";
         tension_N: Vec<f64> => Force, "Effective tension; negative in compression",
@@ -46,17 +46,17 @@ columns! {
             "Work of friction over the window per metre of string: force times sliding distance",
             known_by IN_TIME;
         wear_power_W_per_m: Vec<f64> => PowerPerLength,
-            "Its mean rate, of a soft string the rate: friction force times sliding speed per \
-             metre of string";
+            "Mean rate of the work of friction, for a soft string the rate: friction force times \
+             sliding speed per metre of string";
         twist_rad: Vec<f64> => Angle, "Turn of the node against the bit; positive where it leads";
         stretch_m: Vec<f64> => Length, "Elongation of the string between the node and the bit";
         contact_class = contact_classes => Ratio,
             "`none`, `intermittent` or `continuous`: in contact for less than 1 %, up to 99 % or \
              more of the time";
         contact_side = contact_sides => Ratio,
-            "`high` or `low`, by the sign of the mean side force; `none` where nothing presses";
+            "`high` or `low`, by the sign of the mean side force; `none` where it is zero";
         side_force_per_joint_N: Vec<Option<f64>> => Force,
-            "Side force that a tool joint carries, `side_force_N_per_m` over the spacing of the \
+            "Side force on a tool joint, `side_force_N_per_m` over the spacing of the \
              joints; `null` where the string has none",
             null_where "the string has no joints";
         tension_p05_N: Vec<f64> => Force, "5th percentile of `tension_N`", known_by IN_TIME;
@@ -77,13 +77,13 @@ columns! {
         contact_force_p95_N: Vec<f64> => Force,
             "95th percentile of `contact_force_N`", known_by IN_TIME;
         true_tension_N: Vec<f64> => Force,
-            "Force in the metal, `T + p_i A_i − p_o A_o + ρ Q²/A_i`: effective tension and what \
-             the mud's pressures and its stream add";
+            "Force in the metal, `T + p_i A_i − p_o A_o + ρ Q²/A_i`: effective tension plus \
+             the terms of the mud's pressures and flow";
         outside_pressure_Pa: Vec<f64> => Pressure,
-            "Pressure of the mud in the annulus: of its weight and its flow";
+            "Pressure of the mud in the annulus, hydrostatic and from its flow";
         inside_pressure_Pa: Vec<f64> => Pressure, "Pressure of the mud in the bore";
         bending_moment_N_m: Vec<f64> => Torque,
-            "Bending moment at the node, whatever its direction; of a soft string that at tool joints";
+            "Magnitude of the bending moment at the node; for a soft string, at tool joints";
         bending_moment_max_N_m: Vec<f64> => Torque,
             "Largest bending moment of any sample", known_by IN_TIME;
         bending_moment_p05_N_m: Vec<f64> => Torque,
@@ -93,48 +93,48 @@ columns! {
         bending_moment_p95_N_m: Vec<f64> => Torque,
             "95th percentile of `bending_moment_N_m`", known_by IN_TIME;
         bending_moment_between_N_m: Vec<f64> => Torque,
-            "Bending moment of the body half-way to the next node down, of a soft string half-way \
-             between tool joints", label "Bending moment between the nodes";
+            "Bending moment of the body half-way to the next node down; for a soft string, \
+             half-way between tool joints", label "Bending moment between the nodes";
         bending_moment_between_max_N_m: Vec<f64> => Torque,
             "Largest `bending_moment_between_N_m` of any sample", known_by IN_TIME;
         sag_m: Vec<f64> => Length,
-            "How far the body sags half-way to the next node down, of a soft string half-way \
-             between tool joints, beyond the arc in which its ends stand";
+            "Sag of the body half-way to the next node down (for a soft string, half-way between \
+             tool joints), measured from the arc through its ends";
         body_contact_fraction: Vec<f64> => Ratio,
-            "Share of the time in which the body touches the wall half-way to the next node down, \
-             of a soft string half-way between tool joints";
+            "Share of the time in which the body touches the wall half-way to the next node down; \
+             for a soft string, half-way between tool joints";
         bending_stress_Pa: Vec<f64> => Pressure,
-            "Stress that alternates at the body's surface as it turns, `M D/2I`, of the larger of \
-             the moments at the node and half-way to the next";
+            "Alternating bending stress at the surface of the rotating body, `M D/2I`, from the \
+             larger of the moments at the node and half-way to the next";
         von_mises_stress_Pa: Vec<f64> => Pressure,
-            "Von Mises stress where the body's surface bears most";
+            "Von Mises stress at the most stressed point of the body's surface";
         von_mises_stress_max_Pa: Vec<f64> => Pressure,
             "Largest von Mises stress of any sample", label "Largest von Mises stress", known_by IN_TIME;
         yield_use: Vec<Option<f64>> => Ratio,
-            "Largest von Mises stress, of a soft string `von_mises_stress_Pa`, over the minimum \
-             yield strength; `null` where that is not known",
+            "Largest von Mises stress, for a soft string `von_mises_stress_Pa`, over the minimum \
+             yield strength; `null` where the yield strength is not known",
             null_where "the yield strength is not known";
         sinusoidal_load_N: Vec<Option<f64>> => Force,
-            "Compression at which the pipe there leaves its straight course for a sinusoid, of the \
-             one in `tension_N` the load that it has passed or the next; `null` where the pipe fills \
-             its hole",
+            "Compression at which the straight pipe there buckles into a sinusoid: of several such \
+             loads, the one that the compression in `tension_N` exceeds, or else the next above; \
+             `null` where the pipe fills its hole",
             label "Sinusoidal buckling load", null_where "the pipe fills its hole";
         helical_load_N: Vec<Option<f64>> => Force,
             "The same for a helix; `null` where the pipe fills its hole",
             label "Helical buckling load", null_where "the pipe fills its hole";
         buckling = bucklings => Ratio,
-            "`none`, `sinusoidal` or `helical`: the compression in `tension_N` against those loads";
+            "`none`, `sinusoidal` or `helical`, by the compression in `tension_N` and those loads";
         whirl_rate_rad_per_s: Vec<f64> => RotarySpeed,
             "Mean angular velocity of the string's axis about the hole's; positive with the \
              rotation", known_by IN_TIME;
         whirl_coherence: Vec<f64> => Ratio,
-            "How much of the lateral motion that whirl is, from 0 to 1", known_by IN_TIME;
+            "Part of the lateral motion that is this whirl, from 0 to 1", known_by IN_TIME;
         lateral_speed_rms_m_per_s: Vec<f64> => Speed,
             "Root mean square of the lateral speed", known_by IN_TIME;
         element_length_m: Vec<f64> => Length,
             "Length of the element below the node; at the bit, of the one above", known_by IN_ELEMENTS;
         element_size = size_reasons => Ratio,
-            "What asked for that length: `given`, or where the mesh chooses itself `joint to joint`, \
+            "Reason for that length: `given`, or, where the mesh determines it, `joint to joint`, \
              `plain pipe`, `assembly`, `rotating bend`, `body contact` or `compression`", known_by IN_ELEMENTS;
     }
     beside {

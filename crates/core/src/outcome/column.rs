@@ -40,7 +40,7 @@ impl Values<'_> {
 }
 
 impl<'a> Values<'a> {
-    /// The numbers as they are kept; none of words and of a column with gaps.
+    /// The numbers as they are stored; none for words and for a column with gaps.
     pub(crate) fn kept(self) -> Option<&'a [f64]> {
         match self {
             Self::Numbers(Cow::Borrowed(values)) => Some(values),
@@ -49,14 +49,14 @@ impl<'a> Values<'a> {
     }
 }
 
-/// A quantity that a `T` has a value of in each of its rows, and where they are.
+/// A quantity of which a `T` has a value in each of its rows, and the access to those values.
 #[derive(Debug)]
 pub struct Column<T: 'static> {
     /// Declaration of the quantity.
     pub quantity: Quantity,
-    /// Its values; none where the method that made the `T` leaves the quantity out.
+    /// Its values; none where the method that made the `T` does not provide the quantity.
     pub of: fn(&T) -> Values<'_>,
-    /// The same from a row on, counted from zero, without a look at those before it.
+    /// The same from a row on, counted from zero, without reading those before it.
     pub rows_from: fn(&T, usize) -> Values<'_>,
     /// Drops the first rows of it.
     pub(crate) drop_first: fn(&mut T, usize),
@@ -105,7 +105,7 @@ pub enum DriftScale {
     Force,
     /// The largest torque.
     Torque,
-    /// Its own magnitude, but at least so much, in its unit.
+    /// Its own magnitude, but at least this value, in its unit.
     Own(f64),
 }
 
@@ -138,9 +138,9 @@ impl Rows for Vec<Option<f64>> {
     }
 }
 
-/// The columns that a `T` of a method does not have as they are declared: one that the method knows
-/// and that is shorter or longer than the others, and one that it does not know but has. By their
-/// names.
+/// Names of the columns that in the table of a method differ from their declaration: columns that
+/// the method provides and that are shorter or longer than the others, and columns that it has
+/// though it does not provide them.
 pub(crate) fn unlike_declared<T>(
     columns: &'static [Column<T>],
     table: &T,
@@ -160,11 +160,11 @@ pub(crate) fn unlike_declared<T>(
 }
 
 /// Declares a structure of columns and the list of their [`Column`]s at once, in the order of the
-/// files: a column is a field that is kept (`name: Vec<f64>`), or texts that follow from the others
-/// (`name = |of| ..`), its kind and its meaning, its label where that differs from its name, and,
-/// where it is not available in all rows of all methods, the methods that provide it and the rows
-/// without a value; for a scalar whose statistics are taken, its place among them and the scale of
-/// its drift. Fields after `beside` are no columns.
+/// files: a column is a stored field (`name: Vec<f64>`), or texts that follow from the others
+/// (`name = |table| ..`), its kind and its meaning, its label where that differs from its name,
+/// and, where it is not available in all rows of all methods, the methods that provide it and the
+/// rows without a value; for a scalar whose statistics are taken, its place among them and the
+/// scale of its drift. Fields after `beside` are no columns.
 macro_rules! columns {
     (
         $(#[$about:meta])*
@@ -193,7 +193,7 @@ macro_rules! columns {
             $crate::outcome::Column {
                 quantity: columns!(@quantity $column, $kind, $meaning $(, words $words)?)
                     $(.labelled($label))? $(.of($known_by))? $(.null_where($null_where))?,
-                of: columns!(@of $column $(: $type)? $(= $words)?),
+                of: columns!(@values $column $(: $type)? $(= $words)?),
                 rows_from: columns!(@rows_from $column $(: $type)? $(= $words)?),
                 drop_first: columns!(@drop_first $column $(: $type)? $(= $words)?),
                 statistics: columns!(@statistics $($place on $scale)?),
@@ -216,20 +216,20 @@ macro_rules! columns {
     (@statistics $place:literal on $scale:expr) => {
         Some($crate::outcome::WindowStatistics { place: $place, scale: $scale })
     };
-    (@of $column:ident: $type:ty) => {
-        |of| $crate::outcome::Rows::values_from(&of.$column, 0)
+    (@values $column:ident: $type:ty) => {
+        |table| $crate::outcome::Rows::values_from(&table.$column, 0)
     };
-    (@of $column:ident = $words:expr) => {
-        |of| $crate::outcome::Values::Words($words(of))
+    (@values $column:ident = $words:expr) => {
+        |table| $crate::outcome::Values::Words($words(table))
     };
     (@rows_from $column:ident: $type:ty) => {
-        |of, row| $crate::outcome::Rows::values_from(&of.$column, row)
+        |table, row| $crate::outcome::Rows::values_from(&table.$column, row)
     };
     (@rows_from $column:ident = $words:expr) => {
-        |of, row| $crate::outcome::Values::Words($words(of).into_iter().skip(row).collect())
+        |table, row| $crate::outcome::Values::Words($words(table).into_iter().skip(row).collect())
     };
     (@drop_first $column:ident: $type:ty) => {
-        |of, rows| $crate::outcome::Rows::drop_first(&mut of.$column, rows)
+        |table, rows| $crate::outcome::Rows::drop_first(&mut table.$column, rows)
     };
     (@drop_first $column:ident = $words:expr) => {
         |_, _| ()

@@ -9,7 +9,7 @@ columns! {
     /// There is one stretch of string per column of a row, at most 200 of them, and each row is an
     /// average over the time since the one before, at most 201.
     #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-    pub struct ContactMap, "What a map of contact holds, in the order of `contact.parquet`."
+    pub struct ContactMap, "Columns of a map of contact, in the order of `contact.parquet`."
     CONTACT_MAP {
         time_s: Vec<f64> => Time,
             "Simulated time at the end of the average, settling included", known_by IN_TIME;

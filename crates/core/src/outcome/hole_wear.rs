@@ -7,17 +7,17 @@ use super::{
 
 columns! {
     /// Wear of the hole from the surface to the bit, a row per [`HOLE_STEP_M`]. Columns that the
-    /// method does not know are empty.
+    /// method does not provide are empty.
     #[derive(Debug, Clone, PartialEq, Default)]
-    pub struct HoleWear, "What is known of the wear of the hole, in the order of `wear.parquet`."
+    pub struct HoleWear, "Columns of the wear of the hole, in the order of `wear.parquet`."
     HOLE_WEAR {
         md_m: Vec<f64> => Depth, "Measured depth of the middle of the stretch";
         wear_work_J_per_m: Vec<f64> => WorkPerLength,
             "Work of friction over the window per metre of hole: force times sliding distance",
             known_by IN_TIME;
         wear_power_W_per_m: Vec<f64> => PowerPerLength,
-            "Its mean rate, of a soft string the rate: force times sliding speed; times 3600, the \
-             work in an hour of the same";
+            "Mean rate of the work of friction, for a soft string the rate: force times sliding \
+             speed; multiplied by 3600, the work in an hour of the same operation";
     }
 }
 
@@ -31,12 +31,12 @@ impl HoleWear {
 /// Length of hole that one number of a profile along the hole represents, m.
 pub const HOLE_STEP_M: f64 = 5.0;
 
-/// Numbers that a hole down to a depth, m, takes; at least one.
+/// Number of values for a hole down to a depth, m; at least one.
 pub(crate) fn hole_steps(to_md_m: f64) -> usize {
     (to_md_m / HOLE_STEP_M).ceil().max(1.0) as usize
 }
 
-/// Measured depths of the middles of so many stretches, m.
+/// Measured depths of the middles of this many stretches, m.
 pub(crate) fn hole_depths_m(steps: usize) -> Vec<f64> {
     (0..steps).map(|i| (i as f64 + 0.5) * HOLE_STEP_M).collect()
 }

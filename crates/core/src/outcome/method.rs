@@ -100,7 +100,7 @@ impl ModelKind {
         names
     };
 
-    /// The names as the meaning of a column lists them.
+    /// The names as listed in the meaning of a column.
     pub const LISTED: &str = match str::from_utf8(&LISTED) {
         Ok(listed) => listed,
         Err(_) => panic!("names are text"),
@@ -116,12 +116,12 @@ impl ModelKind {
         Self::ALL.iter().copied().find(|method| method.name() == name)
     }
 
-    /// Whether it answers in time.
+    /// Whether its results are in time.
     pub const fn in_time(self) -> bool {
         self.method().in_time
     }
 
-    /// Whether one of them answers in time.
+    /// Whether the results of one of them are in time.
     pub fn any_in_time(all: &[Self]) -> bool {
         all.iter().any(|method| method.in_time())
     }
@@ -133,7 +133,7 @@ impl ModelKind {
     }
 }
 
-/// Declares a list of the methods of which something is so.
+/// Declares a list of the methods that have a property.
 macro_rules! methods_that {
     ($(#[$about:meta])* $list:ident, $is:ident) => {
         $(#[$about])*

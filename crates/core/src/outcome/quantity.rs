@@ -3,7 +3,7 @@
 
 use super::{method::ModelKind, quantity_kind::QuantityKind};
 
-/// Name, unit and meaning of a quantity that answers hold, and who knows it.
+/// Name, unit and meaning of a quantity in results, and the methods that provide it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Quantity {
     /// Name in results, with the unit in it.
@@ -14,11 +14,11 @@ pub struct Quantity {
     pub meaning: &'static str,
     /// Common label, where it differs from the name.
     pub label: Option<&'static str>,
-    /// Its kind; of words a ratio.
+    /// Its kind; a ratio for words.
     pub kind: QuantityKind,
     /// Whether it is words rather than numbers.
     pub text: bool,
-    /// The methods that know it; the others leave it out.
+    /// The methods that provide it; the others leave it out.
     pub known_by: &'static [ModelKind],
     /// Cases in which a method that provides it has no value (empty for a text); none where there
     /// always is one.
@@ -26,12 +26,12 @@ pub struct Quantity {
 }
 
 impl Quantity {
-    /// Words, which every method knows.
+    /// Words that every method provides.
     pub const fn text(name: &'static str, meaning: &'static str) -> Self {
         Self { text: true, ..Self::number(name, QuantityKind::Ratio, meaning) }
     }
 
-    /// Numbers, which every method knows.
+    /// Numbers that every method provides.
     ///
     /// # Panics
     /// Where the name does not end in the unit: in a constant this is a compile error.
@@ -49,22 +49,22 @@ impl Quantity {
         }
     }
 
-    /// The same, known by these methods alone.
+    /// The same, provided by these methods alone.
     pub const fn of(self, known_by: &'static [ModelKind]) -> Self {
         Self { known_by, ..self }
     }
 
-    /// The same, called so.
+    /// The same with this label.
     pub const fn labelled(self, label: &'static str) -> Self {
         Self { label: Some(label), ..self }
     }
 
-    /// The same, without a value there.
+    /// The same, without a value in these cases.
     pub const fn null_where(self, place: &'static str) -> Self {
         Self { null_where: Some(place), ..self }
     }
 
-    /// Whether a method has values of it.
+    /// Whether a method provides values of it.
     pub fn is_known_by(&self, model: ModelKind) -> bool {
         self.known_by.contains(&model)
     }

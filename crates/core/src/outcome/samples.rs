@@ -1,5 +1,5 @@
-//! Samples of a scalar that may be kept on a disk: whoever needs them goes through them in their
-//! order, as often as it takes.
+//! Samples of a scalar that may be stored on a disk, and are read in their order as often as
+//! needed.
 
 use std::ops::Range;
 
@@ -76,7 +76,7 @@ impl<S: Samples + ?Sized> Samples for Part<'_, S> {
     }
 }
 
-/// Values that follow one by one from the samples and their places.
+/// Values computed one by one from the samples and their places.
 pub(crate) struct Mapped<'a, S: ?Sized, F> {
     pub(crate) samples: &'a S,
     pub(crate) value: F,
@@ -184,7 +184,7 @@ pub(crate) fn sorted_at<const N: usize>(
     keys.map(value)
 }
 
-/// A whole number that is ordered as numbers are in total.
+/// Returns a whole number with the total order of the numbers.
 fn key(value: f64) -> u64 {
     let bits = value.to_bits();
     if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
@@ -199,7 +199,7 @@ mod tests {
     use super::*;
     use crate::random::Random;
 
-    /// Samples that come in stretches, as those on a disk do.
+    /// Samples in stretches, like those on a disk.
     struct Stretches<'a>(&'a [f64], usize);
 
     impl Samples for Stretches<'_> {

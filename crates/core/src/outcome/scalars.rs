@@ -1,4 +1,4 @@
-//! The scalars that every method answers with, declared once.
+//! The scalars that every method provides, declared once.
 
 use serde::{Deserialize, Serialize};
 
@@ -14,7 +14,7 @@ pub struct Scalar {
     pub quantity: Quantity,
     /// Label for display.
     pub label: &'static str,
-    /// Its row in tables for people, counted from one.
+    /// Row in tables for people, counted from one.
     pub row: u8,
     /// Its value.
     pub of: fn(&Scalars) -> Option<f64>,
@@ -76,7 +76,7 @@ macro_rules! scalars {
                     $(.null_where($null_where))?,
                 label: $label,
                 row: $row,
-                of: |of| of.$scalar.into(),
+                of: |scalars| scalars.$scalar.into(),
             },
         )*];
     };
@@ -84,7 +84,7 @@ macro_rules! scalars {
 
 scalars! {
     /// Torque and drag of one operation: the quantities that every method reports under the same
-    /// names, so that their answers can be compared. A dynamic one reports means over its window.
+    /// names, so that their results can be compared. The dynamics report means over their window.
     #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
     pub struct Scalars {
         #[serde(with = "crate::finite::unsigned_zero")]
@@ -99,7 +99,7 @@ scalars! {
             "Torque at the top of the string";
         #[serde(with = "crate::finite::unsigned_zero")]
         friction_torque_N_m: f64 => Torque, "Friction torque" row 6,
-            "Part of the surface torque that comes from wall contact alone";
+            "Part of the surface torque due to wall contact alone";
         #[serde(with = "crate::finite::unsigned_zero")]
         axial_friction_N: f64 => Force, "Axial friction" row 2,
             "Axial friction of the wall; positive adds to hook load";
@@ -122,7 +122,7 @@ scalars! {
 }
 
 impl Scalars {
-    /// Of an operation without an answer: none of them is a number.
+    /// The scalars of an operation without a solution: none of them is a number.
     pub const UNKNOWN: Self = Self {
         weight_on_bit_N: f64::NAN,
         bit_torque_N_m: f64::NAN,

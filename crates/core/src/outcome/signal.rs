@@ -1,4 +1,4 @@
-//! The scalars against time that spectra can be taken of.
+//! The scalars against time that have spectra.
 
 use serde::Serialize;
 

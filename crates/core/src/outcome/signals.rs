@@ -1,7 +1,6 @@
 //! Declaration of the quantities against time that have spectra.
 
-/// Declares signals: each is a column of numbers without gaps, and is called as it is, without the
-/// unit.
+/// Declares signals: each is a column of numbers without gaps, and has its name without the unit.
 macro_rules! signals {
     (
         $(#[$about:meta])*

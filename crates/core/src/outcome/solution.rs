@@ -13,7 +13,7 @@ use crate::{
     },
 };
 
-/// The answer of a method, for whoever writes it down, draws it or compares it.
+/// Results of a method, to be written, drawn or compared.
 #[derive(Debug, Clone, Copy)]
 pub struct Solution<'a> {
     /// The method.
@@ -29,7 +29,7 @@ pub struct Solution<'a> {
     /// For an equilibrium: the method of its solution, and the loads of its bit. The stiff string
     /// only.
     pub at_rest: Option<EquilibriumSummary>,
-    /// In time; none of a method that answers with a state of equilibrium.
+    /// In time; none for a method that computes a state of equilibrium.
     pub in_time: Option<InTime<'a>>,
 }
 

@@ -16,7 +16,7 @@ columns! {
     /// Scalars against time, from time zero; rows are samples, contact quantities averages over
     /// them.
     #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-    pub struct TimeSeries, "What a series against time holds, in the order of `time.parquet`."
+    pub struct TimeSeries, "Columns of the series against time, in the order of `time.parquet`."
     TIME_SERIES {
         time_s: Vec<f64> => Time, "Simulated time from the start, settling included",
             known_by IN_TIME;
@@ -31,19 +31,20 @@ columns! {
         bit_force_right_N: Vec<f64> => Force, "The same to the right, looking down the hole",
             known_by IN_TIME;
         bit_moment_N_m: Vec<f64> => Torque,
-            "Bending moment of solid rock on the bit, whatever its direction; 0 of other laws",
+            "Magnitude of the bending moment of solid rock on the bit; 0 for other laws",
             known_by IN_TIME;
         depth_of_cut_m: Vec<f64> => Length,
-            "Rock that a revolution of the bit takes away; 0 where a motor turns it at a speed \
+            "Depth of rock removed per revolution of the bit; 0 where a motor turns it at a speed \
              that is not given", known_by IN_TIME;
         rate_of_penetration_m_per_s: Vec<f64> => RateOfPenetration,
-            "Rock that the bit takes away per time", known_by IN_TIME,
+            "Depth of rock that the bit removes per time", known_by IN_TIME,
             statistics 8 on DriftScale::Own(1.0 / 3600.0);
         motor_speed_rad_per_s: Vec<Option<f64>> => RotarySpeed,
-            "Speed of the mud motor against the string; `null` without a motor", known_by IN_TIME,
+            "Speed of the mud motor relative to the string; `null` without a motor",
+            known_by IN_TIME,
             null_where "there is no motor";
         motor_pressure_Pa: Vec<Option<f64>> => Pressure,
-            "Pressure that the mud motor takes off the mud; `null` without a motor or where its \
+            "Pressure drop across the mud motor; `null` without a motor or where its \
              speed alone is given", known_by IN_TIME,
             null_where "there is no motor, or its speed alone is given";
         hook_load_N: Vec<f64> => Force,
@@ -70,29 +71,30 @@ columns! {
             known_by IN_TIME,
             null_where "there is none";
         cutoff_depth_m: Vec<Option<f64>> => Depth,
-            "Deepest change of the side force, averaged over the second before, from high to low \
-             side: a value a second, `null` between and if none", known_by IN_TIME,
+            "Deepest change of the side force, averaged over the preceding second, from high to \
+             low side: one value per second, `null` in between and if there is none",
+            known_by IN_TIME,
             null_where "there is none, and between whole seconds";
         block_velocity_m_per_s: Vec<f64> => Speed,
             "Speed of the travelling block; positive downwards", known_by IN_TIME;
         bit_rotary_speed_rad_per_s: Vec<f64> => RotarySpeed,
-            "Rotary speed of the string at the bit; a mud motor's comes on top", known_by IN_TIME,
+            "Rotary speed of the string at the bit, without that of a mud motor", known_by IN_TIME,
             statistics 11 on DriftScale::Own(1.0);
         rotary_speed_rad_per_s: Vec<f64> => RotarySpeed, "Rotary speed at surface",
             known_by IN_TIME;
         rotary_speed_set_rad_per_s: Vec<f64> => RotarySpeed,
-            "What the rotary speed at surface is set to", known_by IN_TIME;
+            "Set point of the rotary speed at surface", known_by IN_TIME;
         block_velocity_set_m_per_s: Vec<Option<f64>> => Speed,
-            "What the speed of the block is set to; positive downwards, `null` where something \
-             else is", known_by IN_TIME,
+            "Set point of the speed of the block; positive downwards, `null` where another \
+             quantity is set", known_by IN_TIME,
             null_where "something else is set";
         weight_on_bit_set_N: Vec<Option<f64>> => Force,
-            "What the autodriller is set to hold; `null` where it is not in control",
+            "Set point of the autodriller for the weight on bit; `null` where it is not in control",
             known_by IN_TIME,
             null_where "the autodriller is not in control";
-        flow_rate_m3_per_s: Vec<f64> => FlowRate, "What the pumps deliver", known_by IN_TIME;
+        flow_rate_m3_per_s: Vec<f64> => FlowRate, "Flow rate of the pumps", known_by IN_TIME;
         pump_pressure_Pa: Vec<Option<f64>> => Pressure,
-            "Pressure that the pumps deliver at; `null` without a rheology", known_by IN_TIME,
+            "Delivery pressure of the pumps; `null` without a rheology", known_by IN_TIME,
             null_where "the mud has no rheology";
     }
     beside {

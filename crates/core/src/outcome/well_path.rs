@@ -6,7 +6,7 @@ use crate::well::Path;
 columns! {
     /// The path of a well at some measured depths.
     #[derive(Debug, Clone, PartialEq, Default)]
-    pub struct WellPath, "What is known of the path of a well."
+    pub struct WellPath, "Columns of the path of a well."
     WELL_PATH {
         md_m: Vec<f64> => Depth, "Measured depth";
         north_m: Vec<f64> => Length, "North";
@@ -40,8 +40,8 @@ impl WellPath {
         Self { md_m, ..well }
     }
 
-    /// The same for a drawing in single precision: coordinates of a map, which have no digits to spare there, are counted
-    /// from the first station; distances from a slot stay.
+    /// The same for a drawing in single precision: coordinates of a map, which have no digits to
+    /// spare there, are counted from the first station; distances from a slot stay.
     pub fn drawn(mut self, path: &Path) -> Self {
         let start = path.tie_in();
         if start.is_on_map() {

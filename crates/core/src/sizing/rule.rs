@@ -263,7 +263,7 @@ fn loaded(
         let joint = joint_m(component);
         let mut ask = |element_length_m: f64, reason: SizeReason| {
             // Whole parts of a joint, and a joint to either side. From joint to joint: a joint that
-            // has elements of two lengths beside it would give way to nodes at equal distances.
+            // has elements of two lengths next to it would give way to nodes at equal distances.
             let joint_m = joint.unwrap_or(PLAIN_M);
             let element_length_m = joint_m / (joint_m / (coarser * element_length_m)).ceil();
             let stretch_m = [(from_bit_m - joint_m).max(0.0), from_bit_m + joint_m]

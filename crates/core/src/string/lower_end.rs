@@ -8,7 +8,7 @@ const AT_SURFACE_M: f64 = 1e-3;
 
 impl StringSpec {
     /// The lowest components up to a length, m, with the bit at that depth, because a rig runs them
-    /// from the bit up, and what is above the surface is not in the hole yet. The component at the
+    /// from the bit up, and any part above the surface is not in the hole yet. The component at the
     /// surface is cut there; its bend, lateral force or survey sensor is left out where it would be
     /// above the surface. A string that is no longer than that, or that runs to the surface, is
     /// whole.

@@ -234,7 +234,7 @@ fn a_held_bit_shows_its_penetration() {
     // The largest of the samples is not below their mean.
     assert!(deepest_m >= offset_m, "{deepest_m} {offset_m}");
     assert!(deepest_m < 2.0 * offset_m, "{deepest_m} {offset_m}");
-    // The wall is not what gives way: the nodes that touch it lie far less deep.
+    // The wall does not yield: the nodes that touch it penetrate far less.
     let contact = outcome.numerics.deepest_contact.expect("the collar lies on the wall");
     assert!(contact.penetration_m < 0.1 * offset_m, "{contact:?} {offset_m}");
     let bit_m = *outcome.nodes.md_m.last().expect("a bit");

@@ -19,7 +19,7 @@ use crate::{
     force_N, nearest, piece, pressed, settings, solve,
 };
 
-/// Stiffness of a wall whose penetration is negligible beside a clearance of 1.6 mm, N/m. With
+/// Stiffness of a wall whose penetration is negligible against a clearance of 1.6 mm, N/m. With
 /// 1e10 N/m the blades of the fulcrum penetrate by a thousandth of that, which changes the force of
 /// the bit by 2.7e-4 of the largest force; with 1e12 and 1e13 N/m it agrees to 4e-6.
 const RIGID_N_PER_M: f64 = 1e12;
@@ -35,8 +35,8 @@ struct Case {
 
 const LENGTH_M: f64 = 120.0;
 
-fn list(of: &Value) -> Vec<f64> {
-    of.as_array().expect("a list").iter().map(number).collect()
+fn list(value: &Value) -> Vec<f64> {
+    value.as_array().expect("a list").iter().map(number).collect()
 }
 
 fn cases() -> Vec<Case> {
@@ -103,10 +103,10 @@ fn s1b_assemblies_in_a_straight_hole() {
     }
 }
 
-/// The same as the assembly's page has them: shorter elements where collars lie down, 100 m of them
-/// above the highest blade, every element halved once more. Forces of bit and blades within 2e-4 of
-/// the largest; what halving changes is no less than a third of what is left of the bit's, against
-/// elements of 0.1 m everywhere.
+/// The same by static BHA analysis: shorter elements where collars lie down, 100 m of them above
+/// the highest blade, every element halved once more. Forces of bit and blades agree within 2e-4 of
+/// the largest. The change by halving is no less than a third of the remaining error of the bit's
+/// force, against elements of 0.1 m everywhere.
 #[test]
 fn s1b_by_the_assembly_alone() {
     for Case { id, model, operation, blades_from_bit_m, expected } in cases() {
@@ -130,9 +130,11 @@ fn s1b_by_the_assembly_alone() {
         };
         let mut rows = vec![row("force of the bit", found.bit_side_force_N[0], expected_bit)];
         for (from_bit_m, expected) in blades_from_bit_m.iter().zip(expected_blades) {
-            let blades = found.contacts.iter().filter(|of| of.touching == Touching::Blades);
-            let near = |of: &&assembly::Contact| (of.from_bit_m[0] - from_bit_m).abs() < 0.1;
-            let force_N = blades.clone().find(near).map_or(0.0, |of| of.force_N[0]);
+            let blades =
+                found.contacts.iter().filter(|contact| contact.touching == Touching::Blades);
+            let near =
+                |contact: &&assembly::Contact| (contact.from_bit_m[0] - from_bit_m).abs() < 0.1;
+            let force_N = blades.clone().find(near).map_or(0.0, |contact| contact.force_N[0]);
             rows.push(row(&format!("force of the blade at {from_bit_m} m"), force_N, expected));
         }
         let errors = found.errors.expect("an estimate");
@@ -145,7 +147,7 @@ fn s1b_by_the_assembly_alone() {
     }
 }
 
-/// Steel of such a stiffness that a pipe has a bending stiffness, and a pipe of it with a weight.
+/// A pipe with this bending stiffness and weight, by the stiffness and the density of its steel.
 fn pipe(od_m: f64, id_m: f64, stiffness_N_m2: f64, weight_N_per_m: f64) -> ComponentSpec {
     let moment_m4 = std::f64::consts::PI / 64.0 * (od_m.powi(4) - id_m.powi(4));
     let steel = Material {
@@ -184,8 +186,8 @@ fn c05_pendulum() {
 }
 
 /// Blades as long as their component end where the next one begins: the force at their edges is
-/// theirs, not the neighbour's. A pinned bit, which neither wall nor spring has, is pressed on its
-/// place with the side force: the first contact.
+/// theirs, not the neighbour's. A pinned bit, which has neither wall nor spring, has its side force
+/// as the first contact.
 #[test]
 fn contacts_have_the_name_of_what_touches() {
     let part = |name: &str, od_m: f64, length_m: f64| {
@@ -234,7 +236,7 @@ fn contacts_have_the_name_of_what_touches() {
             };
             assert_eq!((contact.name.as_str(), contact.touching), (name, Touching::Blades));
         }
-        let named = |name: &str| found.contacts.iter().any(|of| of.name == name);
+        let named = |name: &str| found.contacts.iter().any(|contact| contact.name == name);
         assert!(named("lower stabiliser") && named("upper stabiliser"), "{:?}", found.contacts);
     }
 }

@@ -10,7 +10,8 @@ use crate::{
     piece, pressed, settings, solve,
 };
 
-/// What the file has at a compression and at a part of the best wavelength, between its rows.
+/// Value of the file at a compression and at a part of the best wavelength, interpolated in its
+/// rows.
 fn at_wavelength(data: &serde_json::Value, f: f64, wavelengths: f64, key: &str) -> f64 {
     let rows = data["fixed_wavelength_sensitivity"].as_array().expect("rows");
     let mut rows: Vec<[f64; 2]> = rows
@@ -24,9 +25,9 @@ fn at_wavelength(data: &serde_json::Value, f: f64, wavelengths: f64, key: &str) 
     y0 + (y1 - y0) * (wavelengths - x0) / (x1 - x0)
 }
 
-/// Wavelength within 8 %, amplitude and mean contact force at the wavelength found within 3 %, as
-/// the file asks: the energy hardly depends on the wavelength, and a string of 20 of them takes a
-/// whole number. In the middle half; at the ends it is held to the axis.
+/// Wavelength within 8 %, amplitude and mean contact force at the wavelength found within 3 %, the
+/// file's tolerances: the energy hardly depends on the wavelength, and a string of 20 of them has a
+/// whole number. In the middle half, because at the ends the string is held to the axis.
 #[test]
 fn s1e_snaking() {
     let data = verification("S1e_sinusoidal_post_buckling.json");
@@ -79,19 +80,19 @@ fn s1e_snaking() {
     }
 }
 
-/// How a string snakes in its middle half: wavelength, m, and amplitude, rad.
-fn snake(of: &StiffProfile, length_m: f64) -> [f64; 2] {
-    let middle: Vec<usize> = (0..of.md_m.len())
-        .filter(|node| (0.25..0.75).contains(&(of.md_m[*node] / length_m)))
+/// Snake in the middle half of a string: wavelength, m, and amplitude, rad.
+fn snake(profile: &StiffProfile, length_m: f64) -> [f64; 2] {
+    let middle: Vec<usize> = (0..profile.md_m.len())
+        .filter(|node| (0.25..0.75).contains(&(profile.md_m[*node] / length_m)))
         .collect();
-    let climb = |node: usize| of.climb_rad[node].unwrap_or(0.0);
+    let climb = |node: usize| profile.climb_rad[node].unwrap_or(0.0);
     let crosses = |pair: &&[usize]| (climb(pair[0]) > 0.0) != (climb(pair[1]) > 0.0);
     let crossings: Vec<f64> = middle
         .windows(2)
         .filter(crosses)
         .map(|pair| {
             let ([at_m, next_m], [a, b]) =
-                ([pair[0], pair[1]].map(|n| of.md_m[n]), [pair[0], pair[1]].map(climb));
+                ([pair[0], pair[1]].map(|n| profile.md_m[n]), [pair[0], pair[1]].map(climb));
             at_m + (next_m - at_m) * a / (a - b)
         })
         .collect();
@@ -100,11 +101,11 @@ fn snake(of: &StiffProfile, length_m: f64) -> [f64; 2] {
     [2.0 * spans_m / (crossings.len() - 1) as f64, amplitude]
 }
 
-/// Without friction the string snakes in the waves of least energy, whatever wave grew first: at 1.1
-/// to 1.5 times the load, wavelengths within the half wave by which twenty waves can miss the best, one
-/// part in forty, and amplitudes within 2 %. The best are those of `S1e`'s energy, which we have
-/// minimised by Newton's method over the wavelength and four odd harmonics: to five digits the file's
-/// at 1.1 and 1.2.
+/// Without friction the string snakes in the waves of least energy, whatever wave grew first: at
+/// 1.1 to 1.5 times the load, wavelengths within the half wave by which twenty waves can miss the
+/// best, one part in forty, and amplitudes within 2 %. The best are those of `S1e`'s energy, which
+/// we have minimised by Newton's method over the wavelength and four odd harmonics: to five digits
+/// the file's at 1.1 and 1.2.
 #[test]
 fn a_snake_has_the_waves_of_least_energy() {
     /// Load and wavelength over the critical ones, and amplitude, deg.
@@ -135,17 +136,17 @@ fn a_snake_has_the_waves_of_least_energy() {
     }
 }
 
-/// The longest stretch that winds one way, a pitch taken off at either end, m.
-fn longest_turn_m(of: &StiffProfile, pitch_m: f64) -> [f64; 2] {
+/// The longest stretch that winds one way, without a pitch at either end, m.
+fn longest_turn_m(profile: &StiffProfile, pitch_m: f64) -> [f64; 2] {
     let mut longest = [0.0, 0.0];
     let (mut from, mut way) = (0, 0.0);
-    for node in 1..of.md_m.len() {
-        let turned = of.climb_rad[node].zip(of.climb_rad[node - 1]);
+    for node in 1..profile.md_m.len() {
+        let turned = profile.climb_rad[node].zip(profile.climb_rad[node - 1]);
         let turned = turned.map_or(0.0, |(to, at)| (to - at + PI).rem_euclid(TAU) - PI);
         if way * turned <= 0.0 {
             (from, way) = (node - 1, turned);
         }
-        let stretch = [of.md_m[from] + pitch_m, of.md_m[node] - pitch_m];
+        let stretch = [profile.md_m[from] + pitch_m, profile.md_m[node] - pitch_m];
         if stretch[1] - stretch[0] > longest[1] - longest[0] {
             longest = stretch;
         }
@@ -166,7 +167,7 @@ fn a_helix_presses_as_it_should() {
     let model = common::model(path, hole, vec![pipe], common::mud(0.0), length_m);
     let force_N = 4.0 * number(&inputs["Fc_N"]);
     let found = solve(&model, &pressed(length_m, force_N), &settings(1.0));
-    // A pipe let go winds up both ways: of the stretches between, the longest, without its ends.
+    // A released pipe winds both ways: the longest stretch between reversals, without its ends.
     let pitch_m = TAU * (2.0 * number(&inputs["pipe"]["EI"]) / force_N).sqrt();
     let [from_m, to_m] = longest_turn_m(&found, pitch_m);
     assert!(to_m - from_m > 2.0 * pitch_m, "{from_m} {to_m}");
@@ -180,11 +181,11 @@ fn a_helix_presses_as_it_should() {
         .report(expected, mean_N_per_m);
 }
 
-/// A snake that slides with friction keeps the waves in which it grew: of the band of half waves that
-/// are stable, one that depends on the friction and the mesh. At 1.3 and 1.4 times the load they are 5
+/// A snake that slides with friction keeps the waves in which it grew: one wavelength of the stable
+/// band, which depends on the friction and the mesh. At 1.3 and 1.4 times the load they are 5
 /// to 10 % shorter than those of least energy, with amplitudes 13 % smaller to 3 % larger; without
-/// friction they are those of least energy. The friction lets the compression vary along the string: it
-/// is that half-way.
+/// friction they are those of least energy. The friction lets the compression vary along the
+/// string: it is that half-way.
 #[test]
 fn a_snake_that_rubs_keeps_the_waves_in_which_it_grew() {
     /// Load and wavelength over the critical ones, and amplitude, deg, of least energy.

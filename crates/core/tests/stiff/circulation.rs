@@ -1,4 +1,4 @@
-//! What circulation costs, by the stiff string and by the soft one.
+//! Pressure losses of circulation, by the stiff string and by the soft one.
 
 use wholestring::{
     mud::{Hydraulics, Rheology},
@@ -13,7 +13,7 @@ use crate::{common, settings, solve};
 /// Solid bits and collars of random lengths: the mesh has elements with two and three components,
 /// and ends that miss those of components by a last digit. The pump's pressure is that of the soft
 /// string, which goes from component to component, within 1e-3: the string's stretch shifts the
-/// shoe against its annulus by millimetres. Each number is one that mud makes.
+/// shoe against its annulus by millimetres. All results are plausible for a mud.
 #[test]
 fn pump_pressure_is_that_of_the_components() {
     let mut random = Random::new(4);
@@ -38,12 +38,12 @@ fn pump_pressure_is_that_of_the_components() {
             common::operation(OperationKind::RotateOffBottom, 150.0).flow_rate_m3_per_s(0.03);
         let expected = soft::soft_string(&model, &operation).expect("an answer").hydraulics;
         let found = solve(&model, &operation, &settings(4.0)).hydraulics;
-        let [expected, found] = [expected, found].map(|of| of.expect("a rheology"));
+        let [expected, found] = [expected, found].map(|hydraulics| hydraulics.expect("a rheology"));
         assert_eq!(found.implausible(), None, "{bit_m} {collar_m}");
         let losses: [fn(&Hydraulics) -> f64; 3] =
-            [|of| of.bore_loss_Pa, |of| of.annulus_loss_Pa, |of| of.pump_pressure_Pa];
-        for of in losses {
-            let error = of(&found) / of(&expected) - 1.0;
+            [|mud| mud.bore_loss_Pa, |mud| mud.annulus_loss_Pa, |mud| mud.pump_pressure_Pa];
+        for loss in losses {
+            let error = loss(&found) / loss(&expected) - 1.0;
             assert!(error.abs() < 1e-3, "{bit_m} {collar_m}: {found:?} for {expected:?}");
         }
     }

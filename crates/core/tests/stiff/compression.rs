@@ -1,4 +1,4 @@
-//! Bending of pipe under compression, from joint to joint and by the mesh that is chosen.
+//! Bending of pipe under compression, from joint to joint and by the default mesh.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -32,7 +32,7 @@ fn stiffness_N_m2() -> f64 {
     common::steel().youngs_modulus_Pa * std::f64::consts::PI / 64.0 * (OD_M.powi(4) - ID_M.powi(4))
 }
 
-/// How the joints are given.
+/// Description of the joints in the case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Joints {
     /// As the tool joints of one component.
@@ -70,15 +70,15 @@ fn string(joints: Joints, inclination: f64, dogleg: f64) -> Model {
 }
 
 /// Moment at the node, or half-way between two, that is nearest to a depth, N·m.
-fn moment_N_m(of: &StiffProfile, md_m: f64) -> f64 {
-    let nodes = of.md_m.iter().copied().zip(of.bending_moment_N_m.iter().copied());
-    let half_way = of.md_m.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-    let between = half_way.zip(of.bending_moment_between_N_m.iter().copied());
+fn moment_N_m(profile: &StiffProfile, md_m: f64) -> f64 {
+    let nodes = profile.md_m.iter().copied().zip(profile.bending_moment_N_m.iter().copied());
+    let half_way = profile.md_m.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    let between = half_way.zip(profile.bending_moment_between_N_m.iter().copied());
     let off = |sample: &(f64, f64)| (sample.0 - md_m).abs();
     nodes.chain(between).min_by(|a, b| off(a).total_cmp(&off(b))).expect("nodes").1
 }
 
-/// Pushed so that the compression is that half-way, N.
+/// Operation with this compression half-way, N.
 fn pushed(model: &Model, compression_N: f64) -> Operation {
     let tvd_m = |md_m: f64| model.well.path.at(md_m).position_m.z;
     let below_N = weight_N_per_m() * (tvd_m(LENGTH_M) - tvd_m(0.5 * LENGTH_M));
@@ -90,9 +90,9 @@ fn auto() -> StiffSettings {
 }
 
 /// Curvature at a joint and half-way to the next of pipe under compression whose joints lie on the
-/// outside of an arc of curvature `κ` (Paslay and Cernocky 1991). With the tangent of the arc at its
-/// joints the curvature of the pipe is `A cos kx + q/F`, `k² = F/EI`, `q` the weight across the hole
-/// to the inside of the joints' curvature, and its mean `κ`.
+/// outside of an arc of curvature `κ` (Paslay and Cernocky 1991). With the tangent of the arc at
+/// its joints the curvature of the pipe is `A cos kx + q/F`, `k² = F/EI`, `q` the weight across the
+/// hole to the inside of the joints' curvature, and its mean `κ`.
 fn paslay_cernocky(compression_N: f64, load_N_per_m: f64, arc_per_m: f64) -> [f64; 2] {
     let half = 0.5 * SPACING_M * (compression_N / stiffness_N_m2()).sqrt();
     let own_per_m = load_N_per_m / compression_N;
@@ -152,8 +152,8 @@ fn joints_bend_as_paslay_and_cernocky_say() {
 }
 
 /// The largest bending moment at nodes and half-way between them, N·m.
-fn largest_N_m(of: &StiffProfile) -> f64 {
-    let moments = of.bending_moment_N_m.iter().chain(&of.bending_moment_between_N_m);
+fn largest_N_m(profile: &StiffProfile) -> f64 {
+    let moments = profile.bending_moment_N_m.iter().chain(&profile.bending_moment_between_N_m);
     moments.copied().fold(0.0, f64::max)
 }
 

@@ -1,4 +1,4 @@
-//! What the criteria of buckling say beside the shape that the stiff string takes. It prints the
+//! Predictions of the buckling criteria compared with the shape of the stiff string. It prints the
 //! table of `docs/src/theory/stiff-string.md`:
 //! `cargo test -p wholestring --test stiff criteria -- --nocapture`.
 
@@ -24,11 +24,11 @@ const PARTS: [f64; 7] = [0.8, 1.1, 1.4, 1.8, 2.2, 3.0, 4.0];
 const CRITERIA: [Criterion; 3] =
     [Criterion::HeKyllingstad, Criterion::ChenLinCheatham, Criterion::WuJuvkamWold];
 
-/// A climb beyond which the pipe snakes, and one beyond which it has gone round, rad.
+/// A climb beyond which the pipe snakes, and one beyond which it is a helix, rad.
 const SNAKES: f64 = 0.1;
 const ROUND: f64 = TAU;
 
-/// What a pipe does, by a criterion or as it lies.
+/// Shape of a pipe, by a criterion or by the stiff string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Shape {
     Straight,
@@ -48,7 +48,7 @@ impl Shape {
         }
     }
 
-    /// By how far round the hole the middle fifth goes, rad.
+    /// By the range of the middle fifth around the hole, rad.
     fn of(goes_rad: f64) -> Self {
         match goes_rad {
             round if round > ROUND => Self::Helix,
@@ -68,13 +68,13 @@ fn pipe_in(from_deg: f64, to_deg: f64) -> Model {
     common::model(path, hole, vec![pipe], common::mud(1200.0), LENGTH_M)
 }
 
-/// How far round the hole the middle fifth goes, from one extreme to the other, rad.
-fn goes_rad(of: &StiffProfile) -> f64 {
-    let middle =
-        (0..of.md_m.len()).filter(|node| (0.4..0.6).contains(&(of.md_m[*node] / LENGTH_M)));
+/// Range of the middle fifth around the hole, from one extreme to the other, rad.
+fn goes_rad(profile: &StiffProfile) -> f64 {
+    let middle = (0..profile.md_m.len())
+        .filter(|node| (0.4..0.6).contains(&(profile.md_m[*node] / LENGTH_M)));
     let (mut at, mut last) = (0.0, None::<f64>);
     let [mut low, mut high] = [0.0_f64; 2];
-    for climb in middle.filter_map(|node| of.climb_rad[node]) {
+    for climb in middle.filter_map(|node| profile.climb_rad[node]) {
         if let Some(last) = last {
             at += (climb - last + PI).rem_euclid(TAU) - PI;
         }
@@ -84,10 +84,10 @@ fn goes_rad(of: &StiffProfile) -> f64 {
     high - low
 }
 
-/// Below the sinusoidal load of He and Kyllingstad, which counts the hole's curvature, the pipe
-/// lies straight in every hole; beyond it, it does not; at four times the load of a straight hole
-/// it is a helix. In between, snake and helix are two states that both would stay: which is found
-/// is printed, and held to nothing.
+/// Below the sinusoidal load of He and Kyllingstad, which includes the hole's curvature, the pipe
+/// is straight in every hole; beyond it, it is not; at four times the load of a straight hole it is
+/// a helix. In between, snake and helix are both stable: the state that is found is printed, and
+/// not checked.
 #[test]
 fn criteria_beside_the_shape() {
     let holes = [
@@ -103,16 +103,16 @@ fn criteria_beside_the_shape() {
         let model = pipe_in(from_deg, to_deg);
         let place = Place::above(&model, LENGTH_M, 0.5 * LENGTH_M);
         let [load_N, _] = place.loads_N(Criterion::ChenLinCheatham, 1.0).expect("a clearance");
-        let middle_N = |of: &StiffProfile| of.tension_N[nearest(of, 0.5 * LENGTH_M)];
+        let middle_N = |profile: &StiffProfile| profile.tension_N[nearest(profile, 0.5 * LENGTH_M)];
         let hangs_N = middle_N(&solve(&model, &pressed(LENGTH_M, 0.0), &settings(1.5)));
         for part in PARTS {
             let operation = pressed(LENGTH_M, part * load_N + hangs_N);
             let found = solve(&model, &operation, &settings(1.5));
             let compression_N = -middle_N(&found);
-            let says = CRITERIA.map(|by| Shape::by(by, &place, compression_N));
+            let predicted = CRITERIA.map(|by| Shape::by(by, &place, compression_N));
             let goes = goes_rad(&found);
             let shape = Shape::of(goes);
-            let [hk, clc, wjw] = says;
+            let [hk, clc, wjw] = predicted;
             println!(
                 "{name} | {part} | {hk:?} | {clc:?} | {wjw:?} | {shape:?} | {:.0}",
                 goes.to_degrees()

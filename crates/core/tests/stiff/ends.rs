@@ -1,4 +1,4 @@
-//! How the ends are held, what pulls at the bit, what pushes at the top and what acts across.
+//! Supports of the ends, pull at the bit, push at the top and lateral forces.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -49,7 +49,7 @@ fn beams_with_ends_of_every_kind() {
 
 /// A lateral force a third of the way up from a pinned bit presses the bit by
 /// `F b² (3L − b)/(2 L³)`, `b` its distance from the clamped top, or by `F b/L` under a pinned one;
-/// against its direction, at every tool face. What the weight presses is taken off.
+/// against its direction, at every tool face. The part of the weight is subtracted.
 #[test]
 fn a_lateral_force_presses_the_bit() {
     const FORCE_N: f64 = 300.0;
@@ -110,8 +110,8 @@ fn c05_lifted_beam() {
     }
 }
 
-/// A free bit lies on the wall as the pipe above it does, and rubs there: a pipe on the low side of
-/// a slant bears its weight to the end.
+/// A free bit touches the wall like the pipe above it, with friction: a pipe on the low side of a
+/// slant rests on it to its end.
 #[test]
 fn a_free_bit_lies_on_the_wall() {
     const DEPTH_M: f64 = 200.0;
@@ -131,8 +131,8 @@ fn a_free_bit_lies_on_the_wall() {
 }
 
 /// A pull on the bit reaches the hook through an arc by the capstan's factor, as in the soft
-/// string: `T e^(μα)` of a string without weight. What the stiff string differs by is how it enters
-/// and leaves its arc: found 7e-4.
+/// string: `T e^(μα)` of a string without weight. The stiff string differs by its bending at both
+/// ends of the arc: found 7e-4.
 #[test]
 fn a_pull_on_the_bit_comes_up_through_an_arc() {
     const PULL_N: f64 = 2e5;
@@ -164,8 +164,8 @@ fn a_pull_on_the_bit_comes_up_through_an_arc() {
     }
 }
 
-/// A stuck string that hangs straight is stretched by `F L/EA` more, by which its free length is
-/// told.
+/// A stuck string that hangs straight is stretched by `F L/EA` more, from which its free length
+/// follows.
 #[test]
 fn a_stuck_string_stretches_by_its_free_length() {
     const DEPTH_M: f64 = 1000.0;
@@ -177,20 +177,21 @@ fn a_stuck_string_stretches_by_its_free_length() {
         let soft = soft_string(&model, &operation).expect("a soft string").scalars;
         [soft, solve(&model, &operation, &settings(5.0)).scalars]
     });
-    for (of, name) in ["soft", "stiff"].iter().enumerate() {
+    for (method, name) in ["soft", "stiff"].iter().enumerate() {
         verify("ends", format!("stretch of the {name} string under a pull on the bit, m"))
             .relative(1e-9, "exact, rounding")
-            .report(PULL_N * DEPTH_M / steel_N, stuck[of].stretch_m - free[of].stretch_m);
-        let pulls_N = stuck[of].hook_load_N - free[of].hook_load_N;
+            .report(PULL_N * DEPTH_M / steel_N, stuck[method].stretch_m - free[method].stretch_m);
+        let pulls_N = stuck[method].hook_load_N - free[method].hook_load_N;
         assert_close("hook load", pulls_N, PULL_N, 1e-9);
     }
 }
 
-/// Weight on the bit of a level hole is pushed at the top, with what rubs besides: `−(W + μ w L)`.
-/// Of the stiff string, below the load of the sinusoid, all but what its clamped top carries off
-/// the wall rubs, 8 m of 1000; what touches and what is pushed balance to rounding.
+/// Weight on the bit of a level hole is pushed at the top, with the friction in addition:
+/// `−(W + μ w L)`. In the stiff string, below the load of the sinusoid, all of its weight has
+/// friction but the part that its clamped top carries, 8 m of 1000; contact forces and push balance
+/// to rounding.
 #[test]
-fn a_level_hole_asks_for_a_push() {
+fn a_level_hole_requires_a_push() {
     const LENGTH_M: f64 = 1000.0;
     let (mu, weight_N_per_m, wob_N) = (0.25, 250.0, 15e3);
     let mut model = common::straight_model(90.0, LENGTH_M, weight_N_per_m, 0.0635, mu);

@@ -15,7 +15,7 @@ use crate::{
 const HOLE_M: f64 = 0.2159;
 const LENGTH_M: f64 = 120.0;
 const INCLINATION_DEG: f64 = 42.0;
-/// Where the bend is, from the bit, and its angle.
+/// Distance of the bend from the bit, and its angle.
 const BEND_M: f64 = 3.3;
 const ANGLE_RAD: f64 = 10.0 * std::f64::consts::PI / 180.0;
 /// Outside and inside diameter and upper end from the bit, m: of the motor, and of the pipe.
@@ -23,7 +23,7 @@ const MOTOR: [f64; 3] = [0.17145, 0.0762, 6.3];
 const PIPE: [f64; 2] = [0.127, 0.1016];
 const MUD_KG_PER_M3: f64 = 1100.0;
 
-/// So stiff that nothing shears, Pa.
+/// A shear modulus so large that shear is negligible, Pa.
 const SHEAR_PA: f64 = 1e15;
 
 /// Stiffness of a wall that 1 MN penetrates by a tenth of a millimetre, N/m.
@@ -56,8 +56,9 @@ const TOP_M: f64 = 60.0;
 const STEPS: u32 = 40;
 const ITERATIONS: usize = 200;
 
-/// A planar beam between rigid walls, in cubic elements of small slopes. The slope jumps by the bend
-/// at its node, the bit is on the axis, the upper end lies on the low side, and walls act at nodes.
+/// A planar beam between rigid walls, in cubic elements of small slopes. The slope jumps by the
+/// bend at its node, the bit is on the axis, the upper end is on the low side, and walls act at
+/// nodes.
 struct Planar {
     element_m: f64,
     /// Offset towards the high side, m, and slope above each node, from the bit up.
@@ -112,7 +113,7 @@ impl Planar {
         0.5 * (HOLE_M - body(node as f64 * self.element_m)[0])
     }
 
-    /// How far a node is beyond the wall, m.
+    /// Penetration of a node into the wall, m.
     fn beyond_m(&self, node: usize) -> f64 {
         self.unknowns[2 * node].abs() - self.clearance_m(node)
     }
@@ -122,7 +123,8 @@ impl Planar {
         (0..=last).map(|node| node > 0 && node < last && self.beyond_m(node) > 0.0).collect()
     }
 
-    /// The beam with walls at the nodes that touch. Rows hold the diagonal and three to either side.
+    /// The beam with walls at the nodes that touch. Rows hold the diagonal and three to either
+    /// side.
     fn next(&self, angle_rad: f64, touches: &[bool]) -> Vec<f64> {
         let (sine, cosine) = INCLINATION_DEG.to_radians().sin_cos();
         let (h, size) = (self.element_m, self.unknowns.len());
@@ -138,10 +140,10 @@ impl Planar {
             let load = [0.5 * q * h, q * h * h / 12.0, 0.5 * q * h, -q * h * h / 12.0];
             // The element below the bend has a slope there that is larger by the angle.
             let jump = if element + 1 == self.bend_node() { angle_rad } else { 0.0 };
-            for (a, of) in matrix.iter().enumerate() {
+            for (a, entries) in matrix.iter().enumerate() {
                 let row = 2 * element + a;
-                right[row] += load[a] - of[3] * jump;
-                for (b, value) in of.iter().enumerate() {
+                right[row] += load[a] - entries[3] * jump;
+                for (b, value) in entries.iter().enumerate() {
                     rows[row][3 + b - a] += value;
                 }
             }
@@ -179,8 +181,8 @@ impl Planar {
     }
 }
 
-/// Stiffness of a cubic element of length `h`: `EI/h³` times that of bending, and `T/30h` times that
-/// of tension.
+/// Stiffness of a cubic element of length `h`: `EI/h³` times that of bending, and `T/30h` times
+/// that of tension.
 fn element_matrix(bending: f64, tension: f64, h: f64) -> [[f64; 4]; 4] {
     let of_bending = [
         [12.0, 6.0 * h, -12.0, 6.0 * h],
@@ -222,11 +224,11 @@ fn banded(rows: &mut [[f64; 7]], right: &mut [f64]) -> Vec<f64> {
 }
 
 /// Contact force of the bend and the largest moment against the planar beam, of which elements of
-/// 0.05 and 0.025 m differ by less than 2e-4: 1232 kN and 966 kN·m. Slopes of 5 deg, which the planar
-/// beam takes for small, are worth 0.5 % and 0.7 %: so much is left with elements of 0.05 m. Lengths of
-/// 3.2, 1.6, 0.8, 0.4, 0.2 and 0.1 m give 307, 1074, 1076, 1233, 1222 and 1226 kN: the body touches
-/// 1.4 m below the bend and 1.6 m above it, between the nodes of the longer ones. The default mesh cuts
-/// the elements whose body bulges through the wall.
+/// 0.05 and 0.025 m differ by less than 2e-4: 1232 kN and 966 kN·m. Slopes of 5 deg, which the
+/// planar beam takes for small, are worth 0.5 % and 0.7 %: this difference remains with elements of
+/// 0.05 m. Lengths of 3.2, 1.6, 0.8, 0.4, 0.2 and 0.1 m give 307, 1074, 1076, 1233, 1222 and 1226
+/// kN: the body touches 1.4 m below the bend and 1.6 m above it, between the nodes of the longer
+/// ones. The default mesh cuts the elements whose body bulges through the wall.
 #[test]
 fn a_bend_that_its_hole_forces_straight() {
     let [coarser, beam] = [0.05, 0.025].map(Planar::solve);

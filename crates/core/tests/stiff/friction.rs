@@ -1,4 +1,5 @@
-//! S1d: hook load and torque of a whole string, plain and tortuous; and how a rotating one climbs.
+//! S1d: hook load and torque of a whole string, plain and tortuous, and the climb of a rotating
+//! one.
 
 use wholestring::{prelude::*, string::ComponentLength};
 
@@ -14,13 +15,13 @@ fn smooth_step(x: f64) -> f64 {
 
 /// The file's well, its inclination every metre.
 fn path(inputs: &serde_json::Value, amplitude_deg: f64, wavelength_m: f64) -> Path {
-    let of = |key: &str| number(&inputs[key]);
-    let (from_m, end_m, td_m) = (of("kop_m"), of("eob_m"), of("td_m"));
+    let input = |key: &str| number(&inputs[key]);
+    let (from_m, end_m, td_m) = (input("kop_m"), input("eob_m"), input("td_m"));
     let stations: Vec<[f64; 3]> = (0..=td_m as usize)
         .map(|md| {
             let md = md as f64;
-            let planned =
-                (of("build_deg_30m") * (md.min(end_m) - from_m).max(0.0) / 30.0).min(of("inc_deg"));
+            let planned = (input("build_deg_30m") * (md.min(end_m) - from_m).max(0.0) / 30.0)
+                .min(input("inc_deg"));
             let taper = smooth_step(((md - from_m) / 60.0).clamp(0.0, 1.0))
                 * smooth_step(((td_m - md) / 60.0).clamp(0.0, 1.0));
             let wave = std::f64::consts::TAU * (md - from_m) / wavelength_m;
@@ -32,9 +33,8 @@ fn path(inputs: &serde_json::Value, amplitude_deg: f64, wavelength_m: f64) -> Pa
     common::arcs(&stations)
 }
 
-/// By how much a newton of tension presses the string to its wall, along all of the string, rad:
-/// the angle of the capstan, less where the string lies on the outside of its curve. A pull at the
-/// bit `δT` comes up as `dδT/ds = ±μ (n·κ) δT`, `N = |T κ + w⊥|` and `n` its direction: up with the
+/// Sum of the contact force per newton of tension along the string, rad: the angle of the capstan,
+/// less where the string lies on the outside of its curve. A pull at the bit `δT` comes up as `dδT/ds = ±μ (n·κ) δT`, `N = |T κ + w⊥|` and `n` its direction: up with the
 /// plus, and down with the minus, for friction takes off the tension there.
 fn pressed_rad(model: &Model, operation: &Operation) -> f64 {
     let soft = soft_string(model, operation).expect("a soft string");
@@ -46,10 +46,11 @@ fn pressed_rad(model: &Model, operation: &Operation) -> f64 {
     .sum()
 }
 
-/// Hook load within 300 N or a tenth of what stiff and soft differ by, side force within 1.5 %, as
-/// the file asks of elements of 1 m; of rotating strings torque and side force within 0.2 %. It
-/// lets the bit rub, which here its own hole holds: the friction of its reaction there is taken
-/// off. It leaves out that a rotating string climbs: its torque is `√(1 + μ²)` of ours.
+/// Hook load within 300 N or a tenth of the difference between stiff and soft, side force within
+/// 1.5 %, the file's tolerances for elements of 1 m; for rotating strings torque and side force
+/// within 0.2 %. The file includes friction of the bit, which here is held by its own hole: the
+/// friction of its reaction is subtracted. It leaves out that a rotating string climbs: its torque
+/// is `√(1 + μ²)` of ours.
 #[test]
 fn s1d_whole_strings() {
     let data = verification("S1d_long_string_stiff_vs_soft.json");
@@ -78,7 +79,7 @@ fn s1d_whole_strings() {
         operation.rotary_speed_rad_per_s = 10.0;
         operation.trip_speed_m_per_s = 0.1;
         let found = solve(&model, &operation, &settings(1.0));
-        let of = |key: &str| number(&expected[key]);
+        let result = |key: &str| number(&expected[key]);
         // The file's; one of its cases lacks it.
         let bit_N =
             expected["end_reactions_N"].get(1).map_or(found.bit_side_force_N[0], number).abs();
@@ -87,18 +88,18 @@ fn s1d_whole_strings() {
             "so" => -mu * bit_N * (-mu * pressed_rad(&model, &operation)).exp(),
             _ => 0.0,
         };
-        let expected_N = of("stiff_hook_N") - rubs_N;
+        let expected_N = result("stiff_hook_N") - rubs_N;
         let hook_N = found.scalars.hook_load_N;
-        let difference_N = (of("stiff_hook_N") - of("soft_hook_N")).abs();
+        let difference_N = (result("stiff_hook_N") - result("soft_hook_N")).abs();
         let side_N = found.scalars.side_force_total_N;
         let id = case["id"].as_str().expect("a name").replace('_', " ");
         verify("S1d", format!("hook load {id}, N"))
             .absolute(f64::max(300.0, 0.1 * difference_N), "the file's; the bit's friction apart")
             .report(expected_N, hook_N);
         if kind == "rot" {
-            // The bit's reaction rubs there, too.
+            // The bit's reaction has friction there, too.
             let od_m = number(&inputs[if collars_m > 0.0 { "collar" } else { "pipe" }]["od"]);
-            let expected_N_m = of("stiff_torque_Nm") - mu * bit_N * 0.5 * od_m;
+            let expected_N_m = result("stiff_torque_Nm") - mu * bit_N * 0.5 * od_m;
             let climbs = f64::hypot(1.0, mu);
             let torque_N_m = found.scalars.surface_torque_N_m * climbs;
             let reason = "the file's mesh, 0.5 m; here 1 m";
@@ -107,11 +108,11 @@ fn s1d_whole_strings() {
                 .report(expected_N_m, torque_N_m);
             verify("S1d", format!("side force times √(1 + μ²) {id}, N"))
                 .relative(2e-3, reason)
-                .report(of("stiff_sum_side_N") - bit_N, side_N * climbs);
+                .report(result("stiff_sum_side_N") - bit_N, side_N * climbs);
         } else {
             verify("S1d", format!("side force {id}, N"))
                 .relative(1.5e-2, "the file's; the bit's friction presses the string, too")
-                .report(of("stiff_sum_side_N") - bit_N, side_N);
+                .report(result("stiff_sum_side_N") - bit_N, side_N);
         }
     }
 }

@@ -8,12 +8,12 @@ use wholestring::{
 
 use crate::{common, settings, solve};
 
-/// Without friction nothing but the weight is done work on as the string slides, whatever the wall
-/// does: the hook carries `w (z_low − z_top) − T²/2EA`. `z_low` is the depth of the low side, on
-/// which the string lies above its bit, for the shape of the last metres moves along the hole with
-/// the bit; `z_top` that of its top on the axis, above the surface by what the string is stretched
-/// and what it saves on the inside of the bend; the last term is that of an elastic string, whose
-/// weight per stretched length is less. The bit is where the operation has it.
+/// Without friction only the weight does work as the string slides, whatever the wall does: the
+/// hook carries `w (z_low − z_top) − T²/2EA`. `z_low` is the depth of the low side, on which the
+/// string lies above its bit, for the shape of the last metres moves along the hole with the bit;
+/// `z_top` that of its top on the axis, above the surface by the stretch of the string and its
+/// shortcut on the inside of the bend; the last term is that of an elastic string, whose weight per
+/// stretched length is less. The bit is where the operation has it.
 ///
 /// Tolerances: the bit within a millimetre, the hook load within 3e-6, of which 1e-6 is found. With
 /// the shortcut counted twice the bit was 47 mm deeper, and the hook load 3e-5 more.

@@ -89,7 +89,7 @@ fn c05_joints_under_a_pull() {
         let second_moment = std::f64::consts::PI / 64.0 * (od_m.powi(4) - id_m.powi(4));
         let steel = Material {
             youngs_modulus_Pa: input("EI") / second_moment,
-            // Nothing shears.
+            // Shear is negligible.
             shear_modulus_Pa: input("EI") / second_moment,
             ..common::steel()
         };

@@ -30,7 +30,7 @@ use wholestring::{
 
 use common::{number, rigid::rigid as settings};
 
-/// Solves and holds the equilibrium to what every one must be.
+/// Solves, and checks that the equilibrium has a small residual and is stable.
 #[track_caller]
 fn solve(model: &Model, operation: &Operation, settings: &StiffSettings) -> StiffProfile {
     let found = stiff::solve(model, operation, settings).expect("an equilibrium");
@@ -39,14 +39,14 @@ fn solve(model: &Model, operation: &Operation, settings: &StiffSettings) -> Stif
     found
 }
 
-/// A plain piece of a file's pipe or collar, whose buoyed weight is given.
-fn piece(of: &Value, length: ComponentLength) -> ComponentSpec {
-    let of = |key: &str| number(&of[key]);
+/// A plain piece of a file's pipe or collar with the buoyed weight of the file.
+fn piece(section: &Value, length: ComponentLength) -> ComponentSpec {
+    let value = |key: &str| number(&section[key]);
     let steel =
-        Material { youngs_modulus_Pa: of("E"), shear_modulus_Pa: of("G"), ..common::steel() };
+        Material { youngs_modulus_Pa: value("E"), shear_modulus_Pa: value("G"), ..common::steel() };
     ComponentSpec {
-        mass_per_length_kg_per_m: of("w") / wholestring::GRAVITY_M_PER_S2,
-        ..ComponentSpec::uniform("pipe", of("od"), of("id"), length, steel)
+        mass_per_length_kg_per_m: value("w") / wholestring::GRAVITY_M_PER_S2,
+        ..ComponentSpec::uniform("pipe", value("od"), value("id"), length, steel)
     }
 }
 
@@ -56,12 +56,12 @@ fn pressed(bit_depth_m: f64, compression_N: f64) -> Operation {
 }
 
 /// The node nearest to a depth.
-fn nearest(of: &StiffProfile, md_m: f64) -> usize {
-    let off = |index: &usize| (of.md_m[*index] - md_m).abs();
-    (0..of.md_m.len()).min_by(|a, b| off(a).total_cmp(&off(b))).expect("nodes")
+fn nearest(profile: &StiffProfile, md_m: f64) -> usize {
+    let off = |index: &usize| (profile.md_m[*index] - md_m).abs();
+    (0..profile.md_m.len()).min_by(|a, b| off(a).total_cmp(&off(b))).expect("nodes")
 }
 
 /// Contact force of a node, N, positive on the high side.
-fn force_N(of: &StiffProfile, index: usize) -> f64 {
-    of.contact_force_N[index].copysign(of.side_force_N_per_m[index])
+fn force_N(profile: &StiffProfile, index: usize) -> f64 {
+    profile.contact_force_N[index].copysign(profile.side_force_N_per_m[index])
 }

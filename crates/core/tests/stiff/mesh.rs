@@ -1,4 +1,4 @@
-//! A mesh that finds its contacts, equilibria that begin with others, and strings that have none.
+//! A mesh refined at its contacts, warm starts, and strings that have no equilibrium.
 
 use wholestring::{
     operation::OperationKind,
@@ -31,9 +31,10 @@ fn auto(accuracy: Accuracy) -> StiffSettings {
 }
 
 /// Hook load, contact and bending of the mesh that finds its contacts, against elements of 0.4 m,
-/// ten times as many: those of 0.2 m change hook load and contact by 2e-7. What is left is the
-/// weight that is lumped where the pipe lies, in elements of 9.6 m and of half of that. Elements of
-/// 3 m, as many, miss the bending where the hole turns from build to drop by three times as much.
+/// ten times as many: those of 0.2 m change hook load and contact by 2e-7. The rest is the
+/// weight that is lumped where the pipe is on the wall, in elements of 9.6 m and of half of that.
+/// Elements of 3 m, as many, miss the bending where the hole turns from build to drop by three
+/// times as much.
 #[test]
 fn a_mesh_finds_its_contacts() {
     let (model, operation) = build_and_drop(0.3, 900.0);
@@ -49,29 +50,29 @@ fn a_mesh_finds_its_contacts() {
                 .row(expected, found)
         };
         rows.push(row("hook load", fine.scalars.hook_load_N, found.scalars.hook_load_N));
-        let [fine_N, found_N] = [&fine, found].map(|of| of.scalars.side_force_total_N);
+        let [fine_N, found_N] = [&fine, found].map(|profile| profile.scalars.side_force_total_N);
         rows.push(row("contact", fine_N, found_N));
     }
     report_worst(rows);
     assert!(found.convergence.elements <= even.convergence.elements, "{:?}", found.convergence);
     assert!(found.element_size.contains(&SizeReason::Refined));
-    let largest_off_N_m = |of: &stiff::StiffProfile| {
+    let largest_off_N_m = |profile: &stiff::StiffProfile| {
         let off = |node: usize| {
-            let there = crate::nearest(&fine, of.md_m[node]);
-            (of.bending_moment_N_m[node] - fine.bending_moment_N_m[there]).abs()
+            let there = crate::nearest(&fine, profile.md_m[node]);
+            (profile.bending_moment_N_m[node] - fine.bending_moment_N_m[there]).abs()
         };
-        (0..of.md_m.len()).map(off).fold(0.0, f64::max)
+        (0..profile.md_m.len()).map(off).fold(0.0, f64::max)
     };
     let [found_N_m, even_N_m] = [&found, &even].map(largest_off_N_m);
     assert!(2.0 * found_N_m < even_N_m, "{found_N_m} {even_N_m}");
-    // What the last halving changed is as much as the answer is off.
+    // The change by the last halving is as large as the error of the result.
     let error = found.convergence.mesh_error.expect("an estimate");
     assert!(found_N_m < 2.0 * error.bending_moment_N_m, "{found_N_m} {error:?}");
     assert_eq!(fine.convergence.mesh_error, None);
 }
 
-/// A warm start leads to the equilibrium that the middle of the hole leads to, below the critical
-/// loads the only one, in fewer steps: to what the iterations leave, 1e-10.
+/// A warm start leads to the same equilibrium as a start from the middle of the hole, which is the
+/// only one below the critical loads, in fewer steps: to the residual of the iterations, 1e-10.
 #[test]
 fn a_warm_start_ends_where_a_cold_one_does() {
     let (model, operation) = build_and_drop(0.3, 900.0);
@@ -91,7 +92,7 @@ fn a_warm_start_ends_where_a_cold_one_does() {
         assert!(hook_N < 1e-10 * cold.scalars.hook_load_N, "{hook_N}");
         assert!(worst_N < 1e-10 * cold.scalars.side_force_total_N, "{worst_N}");
     }
-    // Deeper by a joint, the state goes down with the string.
+    // Deeper by a joint, the state moves down with the string.
     let (shorter, shallower) = build_and_drop(0.3, 890.4);
     let near = stiff::equilibrium(&shorter, &shallower, &settings).expect("an equilibrium");
     let warm = stiff::equilibrium_near(&model, &operation, &settings, &near).expect("one");
@@ -101,10 +102,10 @@ fn a_warm_start_ends_where_a_cold_one_does() {
     assert!(hook_N < 1e-10 * cold.scalars.hook_load_N, "{hook_N}");
 }
 
-/// 2000 m of level hole beyond the helix: the string locks up, and the error says so. Without
-/// friction the same push goes through, and less of it does with friction.
+/// 2000 m of level hole beyond the helix: the string locks up, and the error reports it. A smaller
+/// push with less friction reaches the bit.
 #[test]
-fn a_string_that_locks_up_is_told_from_one_that_is_not_found() {
+fn a_string_that_locks_up_is_reported_as_such() {
     let solve = |friction: f64, weight_on_bit_N: f64| {
         let stations = [[0.0, 90.0, 0.0], [2000.0, 90.0, 0.0]];
         let path = common::path(&stations, Interpolation::MinimumCurvature);
@@ -131,9 +132,9 @@ fn a_string_that_locks_up_is_told_from_one_that_is_not_found() {
     solve(0.3, 50e3).expect("an equilibrium");
 }
 
-/// 500 m of level hole under four times the sinusoidal load of the pipe: turning, its helix rolls
-/// around the hole, and the error says so; sliding it comes to rest, as it does turning without
-/// friction.
+/// 500 m of level hole under four times the sinusoidal load of the pipe: while it rotates, its
+/// helix rolls around the hole, and the error reports it. While it slides, or rotates without
+/// friction, it has an equilibrium.
 #[test]
 fn a_buckled_string_that_turns_rolls() {
     let solve = |friction: f64, operation: Operation| {
@@ -188,9 +189,9 @@ fn elements_of_a_length_that_buckles_between_its_nodes_are_named() {
     assert!(solve(6.0).expect("an equilibrium").convergence.stable);
 }
 
-/// The cut-off does not jump with the mesh: where the string crosses from the high to the low side of
-/// a shallow horizontal well it hangs free over some 40 m. Elements of 2 m to 9 m and those that are
-/// found agree within 1.5 m; by the mean of their contacts alone they were 14 m apart.
+/// The cut-off does not jump with the mesh: where the string crosses from the high to the low side
+/// of a shallow horizontal well it hangs free over some 40 m. Elements of 2 m to 9 m and those that
+/// are found agree within 1.5 m; by the mean of their contacts alone they were 14 m apart.
 #[test]
 fn the_cutoff_does_not_jump_with_the_mesh() {
     let path = common::path(
@@ -217,9 +218,9 @@ fn the_cutoff_does_not_jump_with_the_mesh() {
     assert!((found_m - fine_m).abs() < 1.5, "{found_m} for {fine_m}");
 }
 
-/// The same string under 72 kN and what friction adds: beyond `π² EI/h²`, 82.8 kN, but below the
-/// `12 EI/h²` at which the chain of elements gives way. The equilibrium that is found is reported
-/// with the element that buckles most between its nodes; elements of half that length bear it.
+/// The same string under 72 kN in addition to friction: beyond `π² EI/h²`, 82.8 kN, but below the
+/// `12 EI/h²` at which the chain of elements collapses. The equilibrium is reported with the
+/// element that exceeds its own load most; elements of half that length do not buckle.
 #[test]
 fn an_equilibrium_with_an_element_beyond_its_own_load_is_reported() {
     let path = common::arcs(&[[0.0, 90.0, 0.0], [500.0, 90.0, 0.0]]);

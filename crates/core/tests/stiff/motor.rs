@@ -1,5 +1,5 @@
-//! The assembly on its own: a bent motor by the three-moment theorem, sag between two supports, how
-//! much of the string matters, tool faces.
+//! Static BHA analysis: a bent motor by the three-moment theorem, sag between two supports, the
+//! influence of the pipe above, tool faces.
 
 use wholestring::{
     ends::TopEnd,
@@ -31,14 +31,14 @@ fn whole(element_length_m: f64) -> AssemblySettings {
 /// F = 3 EI (θ − κ (a + b)/2)/(a (a + b))
 /// ```
 ///
-/// The supports are blades with 10 µm of room. What a light pipe without a bend has in a straight
-/// hole is taken off. Of the force of the bend in a straight hole, 22 kN, the room leaves 2e-3,
-/// elements of 0.25 m 1e-4.
+/// The supports are blades with 10 µm of clearance. The force of a light pipe without a bend in a
+/// straight hole is subtracted. Relative to the force of the bend in a straight hole, 22 kN, the
+/// clearance causes an error of 2e-3, elements of 0.25 m 1e-4.
 #[test]
 fn a_bent_motor_on_three_points() {
     let (a_m, b_m, bent_rad) = (3.0, 7.0, 1.5 * DEGREE);
     let length_m = a_m + b_m;
-    // No shear to speak of.
+    // Shear is negligible.
     let steel = Material { shear_modulus_Pa: 1e15, ..common::steel() };
     let piece = |length_m: f64| ComponentSpec { material: steel, ..collar(length_m) };
     let blades = Some(Blades { od_m: 0.3111, length_m: 0.02 });
@@ -87,8 +87,8 @@ fn a_bent_motor_on_three_points() {
 /// A beam between two supports `L` apart under `q = w sin i` is tilted by
 /// `q (L³ − 6 L x² + 4 x³)/24 EI` at a distance `x` from the lower one, which points down and to
 /// the low side more than the hole: the sensor there measures too little inclination below the
-/// middle and too much above. Elements of 0.05 m, 0.2 m in the upper half: weight that stands at
-/// the nodes leaves 1e-4. The hole is level, so that no tension holds the beam.
+/// middle and too much above. Elements of 0.05 m, 0.2 m in the upper half: weight lumped at
+/// the nodes causes an error of 1e-4. The hole is level, so that no tension holds the beam.
 #[test]
 fn sag_between_two_supports() {
     let length_m = 12.0;
@@ -184,8 +184,9 @@ fn pipe_farther_up_does_not_matter() {
     }
 }
 
-/// A string that is turned by a revolution is the one that it was; a bend to the right presses the
-/// bit to the right, and the mean over a revolution lies below what the high side has.
+/// A string turned by a full revolution has the same side force. A bend to the right presses the
+/// bit to the right, and the mean over a revolution is below the force with the bend on the high
+/// side.
 #[test]
 fn a_tool_face_turns_the_side_force() {
     let (model, operation) = well(0.0);
@@ -211,16 +212,16 @@ fn inclination_and_curvature_of_a_straight_hole() {
     // Without the bend and the lower blades: a pendulum below a stabiliser at 9 m.
     let mut spec: Vec<ComponentSpec> = Vec::new();
     for span in model.string.spans() {
-        let of = span.component;
+        let component = span.component;
         spec.push(ComponentSpec {
-            joints: of.joints,
-            blades: if of.name == "stabiliser" { of.blades } else { None },
+            joints: component.joints,
+            blades: if component.name == "stabiliser" { component.blades } else { None },
             ..ComponentSpec::uniform(
-                &of.name,
-                of.od_m,
-                of.id_m,
-                ComponentLength::Metres(of.length_m),
-                of.material,
+                &component.name,
+                component.od_m,
+                component.id_m,
+                ComponentLength::Metres(component.length_m),
+                component.material,
             )
         });
     }

@@ -30,13 +30,14 @@ fn rows(name: &str) -> Vec<Vec<f64>> {
     text.lines().skip(1).map(numbers).collect()
 }
 
-/// Length of collar that goes on above the file's assembly, m: the file holds its top otherwise.
+/// Length of collar added above the file's assembly, m, because the file supports its top
+/// otherwise.
 const ABOVE_M: f64 = 45.0;
 
 fn model() -> (Model, Operation, AssemblySettings) {
     let steel_kg_per_m3 = 65.5 * 119.826_427;
     let elements = rows("M01_bent_motor_elements.csv");
-    // What lies between two places is of one section; blades have a short one of their own.
+    // Between two places the section is constant; blades have a short one of their own.
     let blades_m = [2.75 * FOOT, 36.75 * FOOT];
     let half_m = 0.02;
     let mut parts: Vec<ComponentSpec> = Vec::new();
@@ -71,8 +72,8 @@ fn model() -> (Model, Operation, AssemblySettings) {
             to_m = cut_m;
         }
     }
-    // Half-way between the file's nodes at 4.75 and 5.75 ft, towards the high side: so its offsets
-    // say.
+    // Half-way between the file's nodes at 4.75 and 5.75 ft, towards the high side, as its offsets
+    // show.
     let mut low_m = 0.0;
     for one in &mut parts {
         let ComponentLength::Metres(length_m) = one.length else { unreachable!() };
@@ -98,7 +99,7 @@ fn model() -> (Model, Operation, AssemblySettings) {
     let model = common::model(common::arcs(&stations), hole, parts, mud, depth_m);
     let operation =
         Operation { bit_torque_N_m: 3500.0 * POUND_N * FOOT, ..pressed(depth_m, 30e3 * POUND_N) };
-    // What the file's nodes penetrate by, over their forces.
+    // From the penetrations and forces of the file's nodes.
     let wall_N_per_m = 751e3 * POUND_N / INCH;
     let stiff = StiffSettings {
         contact_law: wholestring::dynamics::ContactLaw::Linear {
@@ -112,18 +113,18 @@ fn model() -> (Model, Operation, AssemblySettings) {
     (model, operation, settings)
 }
 
-/// What the nodes have at a distance from the bit.
-fn at(nodes: &[AssemblyNode], from_bit_m: f64, of: impl Fn(&AssemblyNode) -> f64) -> f64 {
+/// A value of the nodes, interpolated at a distance from the bit.
+fn at(nodes: &[AssemblyNode], from_bit_m: f64, value: impl Fn(&AssemblyNode) -> f64) -> f64 {
     let above = nodes.partition_point(|node| node.from_bit_m < from_bit_m);
     let above = above.clamp(1, nodes.len() - 1);
     let (low, high) = (&nodes[above - 1], &nodes[above]);
     let part = (from_bit_m - low.from_bit_m) / (high.from_bit_m - low.from_bit_m);
-    of(low) + part * (of(high) - of(low))
+    value(low) + part * (value(high) - value(low))
 }
 
 /// Forces of bit and blades, offsets and bending moments in both planes against the file's, as far
-/// as its upper blades. What is between the two is mostly its top, at 105 ft, which it holds at the
-/// wall with a moment of its own, where the pipe here goes on; elements half as long change 6e-4.
+/// as its upper blades. The difference is mostly due to its top, at 105 ft, which it holds at the
+/// wall with a moment of its own, where the pipe here continues; elements half as long change 6e-4.
 #[test]
 fn m01_a_bent_motor_in_a_turn() {
     const TO_FT: f64 = 38.0;
@@ -141,7 +142,7 @@ fn m01_a_bent_motor_in_a_turn() {
     let places = [(0.0, "the bit"), (2.75, "the lower blades"), (36.75, "the upper blades")];
     for (from_bit_ft, name) in places {
         let row = table.iter().find(|row| (row[0] - from_bit_ft).abs() < 1e-6).expect("a node");
-        let near = |of: &&Contact| (of.from_bit_m[0] / FOOT - from_bit_ft).abs() < 0.1;
+        let near = |contact: &&Contact| (contact.from_bit_m[0] / FOOT - from_bit_ft).abs() < 0.1;
         let contact = found.contacts.iter().find(near).expect("a contact");
         for (side, plane) in [(0, "high side"), (1, "right")] {
             // The file has the force of the wall.

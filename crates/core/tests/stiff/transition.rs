@@ -8,9 +8,9 @@ use crate::{
     nearest, piece, pressed, settings, solve,
 };
 
-/// Where it leaves the high side, where it lies down on the low side, and where it is between, from
-/// elements of 0.25 m against free boundaries that were collocated: within the file's 0.15 m and an
-/// element, and 2e-4 m, half of which the line between two nodes makes.
+/// Depths at which the pipe leaves the high side and touches the low side, and its offset in
+/// between, by elements of 0.25 m against collocated solutions with free boundaries: within the
+/// file's 0.15 m and an element, and 2e-4 m, half of which the line between two nodes makes.
 #[test]
 fn s1c_from_a_build_to_a_hold() {
     const ELEMENT_M: f64 = 0.25;

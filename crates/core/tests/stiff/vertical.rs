@@ -1,4 +1,4 @@
-//! A pipe in a vertical hole under the weight on its bit: where it buckles, and how.
+//! A pipe in a vertical hole under the weight on its bit: its critical load and its buckled shape.
 //!
 //! Lengths in units of `(EI/w)^(1/3)`, forces of `(EI w²)^(1/3)`, as of Lubinski (1950).
 
@@ -51,9 +51,10 @@ fn hanging(length_m: f64, top: TopEnd, friction: f64) -> Model {
     Model { ends, ..common::model(path, hole, vec![pipe], mud, length_m) }
 }
 
-/// The larger part of the clearance that a node goes off the axis by.
-fn far(of: &StiffProfile) -> f64 {
-    let most_m = of.lateral_offset_m.iter().fold(0.0_f64, |most, offset| most.max(offset.abs()));
+/// Largest offset of a node from the axis, as a part of the clearance.
+fn far(profile: &StiffProfile) -> f64 {
+    let most_m =
+        profile.lateral_offset_m.iter().fold(0.0_f64, |most, offset| most.max(offset.abs()));
     most_m / (0.5 * (HOLE_M - OD_M))
 }
 
@@ -100,8 +101,8 @@ fn critical(length: f64, top: TopEnd) -> f64 {
     low
 }
 
-/// Stays straight below the critical load and lies on the wall beyond it: found by halving between
-/// 1.5 and 2.5 to 1e-3. What costs less than 1e-5 of the foundation `w/c` counts as neutral, which
+/// The pipe is straight below the critical load and on the wall beyond it: found by halving between
+/// 1.5 and 2.5 to 1e-3. A stiffness below 1e-5 of the foundation `w/c` counts as neutral, which
 /// here is 0.9 % of the load.
 #[test]
 fn a_hanging_pipe_buckles_where_a_beam_does() {
@@ -144,13 +145,13 @@ fn a_hanging_pipe_buckles_where_a_beam_does() {
     report_worst(rows);
 }
 
-/// How far the part below the neutral point goes round the hole, rad.
-fn goes_rad(of: &StiffProfile) -> f64 {
+/// Range of the part below the neutral point around the hole, rad.
+fn goes_rad(profile: &StiffProfile) -> f64 {
     let (mut at, mut last) = (0.0, None::<f64>);
     let [mut low, mut high] = [0.0_f64; 2];
-    for (node, [up, right]) in of.axis.offset_m.iter().enumerate() {
+    for (node, [up, right]) in profile.axis.offset_m.iter().enumerate() {
         let off_m = up.hypot(*right);
-        if of.tension_N[node] > 0.0 || off_m < 0.15 * (HOLE_M - OD_M) {
+        if profile.tension_N[node] > 0.0 || off_m < 0.15 * (HOLE_M - OD_M) {
             continue;
         }
         let angle = right.atan2(*up);
@@ -163,10 +164,10 @@ fn goes_rad(of: &StiffProfile) -> f64 {
     high - low
 }
 
-/// Beyond it a pipe lies in a plane against one wall, then against two, and winds up from 4 units
-/// on. A helix of Lubinski, Althouse and Logan winds by `√(F/2EI)` a metre, `0.4714 f^1.5` rad up
-/// to the neutral point; a quarter of a turn of it is missing at the ends. A torque of the bit
-/// winds it somewhat more.
+/// Beyond the critical load a pipe is in a plane against one wall, then against two, and winds up
+/// from 4 units on. A helix of Lubinski, Althouse and Logan winds by `√(F/2EI)` a metre, `0.4714
+/// f^1.5` rad up to the neutral point; a quarter of a turn of it is missing at the ends. A torque
+/// of the bit winds it somewhat more.
 #[test]
 fn beyond_it_it_winds_up() {
     const LENGTH: f64 = 30.0;
@@ -183,20 +184,20 @@ fn beyond_it_it_winds_up() {
             let found =
                 stiff::solve(&model, &operation, &settings(ELEMENT_M)).expect("an equilibrium");
             let ms = 1e3 * begin.elapsed().as_secs_f64();
-            let of = found.convergence;
+            let convergence = found.convergence;
             let touching = found.contact_force_N.iter().filter(|force| **force > 0.0).count();
             let goes_deg = goes_rad(&found).to_degrees();
             println!(
                 "{friction} {torque_N_m} {f:5}: {} steps, stable {}, far {:.3}, goes {goes_deg:.0} deg, helix {:.0}, touches {touching}, {ms:.0} ms",
-                of.iterations,
-                of.stable,
+                convergence.iterations,
+                convergence.stable,
                 far(&found),
                 helix(f).to_degrees()
             );
-            assert!(of.stable && far(&found) > 0.99, "{f}: {of:?}");
+            assert!(convergence.stable && far(&found) > 0.99, "{f}: {convergence:?}");
             goes.push((f, goes_rad(&found)));
         }
-        let at = |f: f64| goes.iter().find(|(of, _)| *of == f).expect("a row").1;
+        let at = |f: f64| goes.iter().find(|(load, _)| *load == f).expect("a row").1;
         let flat = |(f, goes): &(f64, f64)| *f > 3.8 || *goes < 0.01;
         assert!(torque_N_m > 0.0 || goes.iter().all(flat), "{goes:?}");
         if torque_N_m == 0.0 {
@@ -208,11 +209,12 @@ fn beyond_it_it_winds_up() {
     }
 }
 
-/// A pipe that turns with friction in a vertical hole can touch nowhere at rest: about the hole's axis
-/// weight and ends have no moment, and the friction's, `Σ μ N |u|` beside what twists the pipe, nothing
-/// to balance it. Beyond its critical load it has no state of rest that would stay. The straight one
-/// is given and told unstable, with the depth where the pipe rolls when it is let go; the dynamics
-/// says the same. Below that load, or without friction, it has one.
+/// A pipe that rotates with friction in a vertical hole has no static equilibrium with contact:
+/// weight and ends have no moment about the hole's axis, so that nothing balances that of the
+/// friction, `Σ μ N |u|` in addition to the torque that twists the pipe. Beyond its critical load
+/// it has no stable equilibrium. The straight one is returned as unstable, with the depth at which
+/// the released pipe rolls; the dynamics confirm this. Below that load, or without friction, it has
+/// one.
 #[test]
 fn a_turning_pipe_has_no_buckled_state_of_rest() {
     const LENGTH: f64 = 12.0;
@@ -224,20 +226,22 @@ fn a_turning_pipe_has_no_buckled_state_of_rest() {
         let found = stiff::solve(&model, &drill, &settings(ELEMENT_M)).expect("an equilibrium");
         (found, model, drill)
     };
-    let touches =
-        |of: &StiffProfile| of.contact_force_N.iter().fold(0.0_f64, |most, on| most.max(*on));
+    let touches = |profile: &StiffProfile| {
+        profile.contact_force_N.iter().fold(0.0_f64, |most, on| most.max(*on))
+    };
     let (below, ..) = turning(0.3, 1.5);
     assert!(below.convergence.stable && below.convergence.rolls_at_md_m.is_none());
-    // What touches with few newtons rolls slowly, for the damping holds it: least turns in 20 s.
+    // A pipe with a small contact force rolls slowly because of the damping: minimum turns in 20 s.
     for (f, least_turns) in [(3.0, 0.2), (5.0, 0.4), (8.0, 2.0)] {
         let (slippery, ..) = turning(0.0, f);
         println!("{f}: {:?}, {} N", slippery.convergence, touches(&slippery));
         assert!(slippery.convergence.stable && touches(&slippery) > 0.0);
         let (straight, model, drill) = turning(0.3, f);
-        let of = straight.convergence;
-        let rolls_m = of.rolls_at_md_m.expect("rolls");
-        println!("{f}: {of:?}, of {length_m:.0} m, {} N", touches(&straight));
-        assert!(!of.stable && touches(&straight) == 0.0 && far(&straight) < 1e-6, "{of:?}");
+        let convergence = straight.convergence;
+        let rolls_m = convergence.rolls_at_md_m.expect("rolls");
+        println!("{f}: {convergence:?}, of {length_m:.0} m, {} N", touches(&straight));
+        assert!(!convergence.stable && touches(&straight) == 0.0, "{convergence:?}");
+        assert!(far(&straight) < 1e-6, "{convergence:?}");
         // In the part that is compressed, or not far above it.
         assert!((0.0..1.5 * f * units.length_m).contains(&(length_m - rolls_m)), "{rolls_m}");
         let turns = common::whirl::turns(&model, &drill, [60.0, 20.0]).expect("a simulation");

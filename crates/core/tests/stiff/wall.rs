@@ -1,4 +1,4 @@
-//! How far a wall gives way.
+//! Penetration of a wall.
 
 use wholestring::{
     prelude::*,
@@ -8,8 +8,8 @@ use wholestring::{
 
 use crate::{common, settings, solve};
 
-/// A wall that gives way by more than the string's clearance is none: the error says where and by how
-/// much. One that gives way by a tenth of it is solved; steel and rock give way by far less.
+/// A penetration that exceeds the string's clearance is an error, with its depth and its amount. A
+/// penetration of a tenth of it is solved; steel and rock have far smaller ones.
 #[test]
 fn a_wall_that_gives_way_is_not_trusted() {
     let model = common::straight_model(60.0, 300.0, 300.0, 0.0635, 0.3);

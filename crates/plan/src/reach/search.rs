@@ -39,7 +39,7 @@ pub struct Curve {
     pub stops: bool,
     /// Its margins, at each depth of the grid.
     pub margins: Vec<Margin>,
-    /// Where it is reached first.
+    /// Depth at which it is first reached, if it is.
     pub end: End,
     /// The margin there, nearly zero. For a limit that is not reached: at the last depth.
     pub there: Margin,

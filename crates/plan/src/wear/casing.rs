@@ -13,7 +13,7 @@ pub const DEFAULT_WEAR_FACTOR_PER_PA: f64 = 5e-10 / PSI_PA;
 /// Wear factors of the casings of a hole.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct WearFactors {
-    /// Where no other is given, 1/Pa.
+    /// Wear factor where no other is given, 1/Pa.
     pub usual_per_Pa: f64,
     /// Wear factors of sections of the hole, counted from the surface, 1/Pa.
     pub of_section_per_Pa: Vec<(usize, f64)>,

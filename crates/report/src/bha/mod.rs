@@ -17,7 +17,7 @@ use crate::{PageHead, PageTable};
 pub struct Bha {
     /// Head of the page, under the name of the case.
     pub head: PageHead,
-    /// What the assembly does to the inclination, in sentences, in SI, metric and field units.
+    /// Tendency of the inclination with this assembly, in sentences, in SI, metric and field units.
     pub tendency: [Vec<String>; 3],
     /// Warnings.
     pub message: Option<String>,

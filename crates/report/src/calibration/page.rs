@@ -82,8 +82,8 @@ fn page(calibration: &Calibration, units: &str) -> StudyPage {
     }
 }
 
-/// How outliers are found. With a comparison, those of the robust fit are measured by its scale, which
-/// wrong readings do not widen, so that a reading can be an outlier of that fit within the rules.
+/// Caption of the outliers. With a comparison, those of the robust fit are measured by its scale,
+/// which wrong readings do not widen, so that a reading can be an outlier of that fit within the rules.
 fn outliers_caption(calibration: &Calibration) -> String {
     let beyond = calibration.outlier_beyond;
     match &calibration.comparison {

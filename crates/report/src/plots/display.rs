@@ -21,7 +21,7 @@ impl<'a> DisplayUnits<'a> {
         Self { dimensions, set: set.unwrap_or(0) }
     }
 
-    /// What is given for each set of units, in the reader's.
+    /// Selects the value of the reader's set of units.
     pub(crate) fn chosen<'t, T>(&self, sets: &'t [T; 3]) -> &'t T {
         &sets[self.set]
     }

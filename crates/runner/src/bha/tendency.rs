@@ -1,4 +1,4 @@
-//! What an assembly does to the inclination of the hole, in sentences.
+//! Tendency of an assembly to change the inclination of the hole, in sentences.
 
 use wholestring_results::{BhaSummary, BhaVaried};
 use wholestring_units::{Dimension, UnitSet};

@@ -9,7 +9,7 @@ columns! {
     /// High and right are those of a person who looks down the hole; contact and friction are
     /// averages over the sample that ends at this moment.
     #[derive(Debug, Clone, PartialEq, Default)]
-    pub struct Frame, "What a frame holds of every node, in the order of `frames.parquet`."
+    pub struct Frame, "Columns of a frame, one value per node, in the order of `frames.parquet`."
     FRAME {
         md_m: Vec<f64> => Depth, "Measured depth of the node", known_by IN_TIME;
         offset_high_m: Vec<f64> => Length,
@@ -44,9 +44,9 @@ columns! {
             "Effective tension; negative in compression", label "Effective tension", known_by IN_TIME;
         torque_N_m: Vec<f64> => Torque, "Torque that the string carries", known_by IN_TIME;
         bending_moment_N_m: Vec<f64> => Torque,
-            "Bending moment, whatever its direction", known_by IN_TIME;
+            "Magnitude of the bending moment", known_by IN_TIME;
         von_mises_stress_Pa: Vec<f64> => Pressure,
-            "Von Mises stress where the body's surface bears most", known_by IN_TIME;
+            "Von Mises stress at the most stressed point of the body's surface", known_by IN_TIME;
     }
     beside {
         /// Time since the start, s.

@@ -1,8 +1,8 @@
-//! Contact by the primal-dual active set: each node on the wall or off it, Newton's step for that,
-//! and who is on the wall looked at again.
+//! Contact by the primal-dual active set: each node is on the wall or off it, Newton's step is
+//! computed for that set, and the set is then updated.
 //!
 //! M. Hintermüller, K. Ito and K. Kunisch, *The primal-dual active set strategy as a semismooth
-//! Newton method*, SIAM J. Optim. 13 (2003). It ends exactly, but only from nearby: see
+//! Newton method*, SIAM J. Optim. 13 (2003). It converges exactly, but only from nearby: see
 //! `docs/src/theory/stiff-string.md`.
 
 use super::{
@@ -15,24 +15,26 @@ use super::{
     string_in_hole::StringInHole,
 };
 
-/// Iterations before it gives up.
+/// Maximum number of iterations.
 const MOST: usize = 40;
 
 /// Longest step across the hole, m.
 const LONGEST_M: f64 = 0.05;
 
-/// Steps shorter than this end it, m, and a next one that would be shorter than that: whole ones in
-/// which no node meets the wall or leaves it.
+/// The iterations end after a step shorter than the first length, m, or where the next step is
+/// expected to be shorter than the second. Only whole steps count in which no node meets the wall
+/// or leaves it.
 const STILL_M: f64 = 1e-10;
 const FORESEEN_M: f64 = 1e-12;
 
-/// Brings a state that is near to equilibrium into it, and leaves the equations of where it ended.
+/// Iterates a state near equilibrium until it converges. The equations are left as those of the
+/// final state.
 pub(super) fn iterate(
     string: &StringInHole,
     state: &mut State,
     equations: &mut Equations,
 ) -> Result<Iterated, Singular> {
-    // Of the last two steps, if nothing changed but places.
+    // Lengths of the last two steps, m, where only positions changed.
     let mut settled_m = [None::<f64>; 2];
     for count in 0..=MOST {
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
@@ -62,8 +64,8 @@ pub(super) fn iterate(
     Ok(Iterated { count: MOST, converged: false })
 }
 
-/// Whether the last two steps, m, say that it is there: the error of Newton's method is squared from
-/// step to step.
+/// Whether the lengths of the last two steps, m, show convergence: the error of Newton's method is
+/// squared from step to step.
 fn is_still(settled_m: [Option<f64>; 2]) -> bool {
     match settled_m {
         [_, Some(last_m)] if last_m < STILL_M => true,

@@ -1,4 +1,4 @@
-//! The string at rest as others read it, who look at small motions about it.
+//! The string at rest, as the computation of small motions about it reads it.
 
 use nalgebra::{Matrix2, Vector2, Vector3};
 
@@ -19,7 +19,7 @@ use crate::{
 /// A node at rest.
 #[derive(Debug, Clone)]
 pub(crate) struct NodeAtRest {
-    /// Its measured depth, m.
+    /// Measured depth, m.
     pub(crate) md_m: f64,
     /// Two directions across the hole, and the hole's.
     pub(crate) axes: [Vector3<f64>; 3],
@@ -29,8 +29,8 @@ pub(crate) struct NodeAtRest {
     pub(crate) offset_m: Vector2<f64>,
     /// Contact force, N.
     pub(crate) normal_N: f64,
-    /// What holds small motions across the hole, N/m: the wall where it touches, the rock beside
-    /// the bit.
+    /// Stiffness against small motions across the hole, N/m: of the wall where the node touches it,
+    /// and of the rock around the bit.
     pub(crate) held_N_per_m: Matrix2<f64>,
 }
 
@@ -39,14 +39,14 @@ pub(crate) struct NodeAtRest {
 pub(crate) struct ElementAtRest {
     /// Its stiffness, with the rest length that gives it its tension.
     pub(crate) stiffness: Stiffness<f64>,
-    /// How it stands, twisted by its torque.
+    /// Pose, twisted by its torque.
     pub(crate) pose: Pose<f64>,
 }
 
 /// The string at rest.
 #[derive(Debug, Clone)]
 pub(crate) struct AtRest {
-    /// How it is cut.
+    /// Mesh of the string.
     pub(crate) mesh: Mesh,
     /// From the top down.
     pub(crate) nodes: Vec<NodeAtRest>,
@@ -59,7 +59,7 @@ pub(crate) struct AtRest {
     pub(crate) stable: bool,
 }
 
-/// The string of one operation at rest.
+/// Computes the string of one operation at rest.
 ///
 /// # Errors
 /// As [`solve`](super::solve).
@@ -73,8 +73,8 @@ pub(crate) fn at_rest(
 }
 
 impl AtRest {
-    fn new(model: &Model, of: &Equilibrium) -> Self {
-        let Equilibrium { mesh, string, state, convergence, .. } = of;
+    fn new(model: &Model, solution: &Equilibrium) -> Self {
+        let Equilibrium { mesh, string, state, convergence, .. } = solution;
         let nodes = string.nodes.iter().enumerate().map(|(index, node)| {
             let heading = &state.heading[index];
             let [b1, b2] = heading.across;
@@ -91,7 +91,7 @@ impl AtRest {
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
         let elements = string.elements.iter().enumerate().map(|(index, element)| {
             let k = element.stiffness;
-            // The tension is EA/L of what the chord and its bowing are longer than this.
+            // The tension is EA/L times the excess of the chord and its bowing over this length.
             let stiffness = Stiffness { length: k.length + element.slack_m, ..k };
             ElementAtRest {
                 pose: Pose {

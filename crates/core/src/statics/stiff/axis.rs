@@ -1,19 +1,19 @@
-//! Where the string's axis lies in its hole.
+//! Position of the string's axis in its hole.
 
 use nalgebra::Vector3;
 
 use super::{bending::Bending, state::State, string_in_hole::StringInHole};
 use crate::model::Model;
 
-/// Where the string's axis lies in its hole, from the surface to the bit. Each pair is the part
-/// towards the high side and that to the right of it as one looks down the hole.
+/// Position of the string's axis in its hole, from the surface to the bit. Each pair is the
+/// component towards the high side and that to the right of it, looking down the hole.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct StringAxis {
     /// Offset from the hole's axis, m.
     pub offset_m: Vec<[f64; 2]>,
     /// Tilt of the axis downwards against the hole's, rad; at a bend that of the part above it.
     pub tilt_rad: Vec<[f64; 2]>,
-    /// Contact force on the wall, N; at the bit what holds it to the axis.
+    /// Contact force on the wall, N; at the bit the force that holds it to the axis.
     pub push_N: Vec<[f64; 2]>,
     /// Bending moment, N·m, towards the centre of curvature.
     pub moment_N_m: Vec<[f64; 2]>,
@@ -33,7 +33,7 @@ impl StringAxis {
             let [e1, e2, tangent] = node.axes;
             let high = model.well.path.high_side_of(node.md_m, &tangent);
             let right = tangent.cross(&high);
-            let parts = |of: Vector3<f64>| [of.dot(&high), of.dot(&right)];
+            let parts = |vector: Vector3<f64>| [vector.dot(&high), vector.dot(&right)];
             let u = state.offset_m[index];
             let offset = e1 * u.x + e2 * u.y;
             let toward = offset / offset.norm().max(f64::MIN_POSITIVE);
@@ -51,9 +51,9 @@ impl StringAxis {
         axis
     }
 
-    /// Measured depth where it crosses the hole's axis downwards, from its high to its low half, m:
-    /// of nodes at measured depths `md_m` the crossing that is nearest to a depth, and no farther
-    /// from it than `within_m`.
+    /// Measured depth at which the string crosses the hole's axis downwards, from the high to the
+    /// low half, m. `md_m` are the measured depths of the nodes. Returns the crossing nearest to
+    /// `near_m`, if it is no farther from it than `within_m`.
     pub(super) fn crossing_near_m(&self, md_m: &[f64], near_m: f64, within_m: f64) -> Option<f64> {
         let pairs = md_m.windows(2).zip(self.offset_m.windows(2));
         let crossings = pairs.filter_map(|(md_m, offset_m)| {

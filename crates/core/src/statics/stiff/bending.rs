@@ -1,4 +1,4 @@
-//! How the elements bend between their nodes: [`beam_column`](crate::rod::beam_column).
+//! Bending of the elements between their nodes: [`beam_column`](crate::rod::beam_column).
 
 use nalgebra::Vector3;
 
@@ -12,7 +12,7 @@ use crate::{
     simd::vector::Vector,
 };
 
-/// What an element bears.
+/// Bending moments and sag of an element.
 #[derive(Debug, Clone, Copy)]
 struct Bent {
     /// Moment at the upper and at the lower end and half-way, N·m, towards the centre of curvature.
@@ -20,11 +20,11 @@ struct Bent {
     half_way_N_m: Vector3<f64>,
     sag_m: f64,
     touches: f64,
-    /// How much it holds its upper and its lower end with, N·m.
+    /// Rotational stiffness of its upper and its lower end, N·m.
     holds_N_m: [f64; 2],
-    /// Part of what turns one end that comes to the other.
+    /// Carry-over factor: part of a moment on one end that reaches the other.
     carry_over: f64,
-    /// Moment half-way as one end is turned, over what turns it.
+    /// Moment half-way over the moment that turns one end.
     to_half_way: f64,
     /// `cosh (L/4)√(T/EI)`, in compression a cosine, down to that of Euler's load.
     quarter: f64,
@@ -35,7 +35,7 @@ impl Bent {
     /// Between `M1`, `M2` and `Mh` half-way the beam-column has at the quarter points
     /// `Mh + (E − Mh)/(2 (c + 1)) ± O/(2 c)`, with `E` and `O` the mean and half the difference of
     /// the ends and `c = cosh (L/4)√(T/EI)`. The peak is that of the parabola through each end, the
-    /// quarter point beside it and the middle.
+    /// quarter point next to it and the middle.
     fn peak_excess_N_m(&self, [upper, lower]: [Vector3<f64>; 2]) -> f64 {
         let half_way = self.half_way_N_m;
         let (mean, half) = ((upper + lower) * 0.5, (upper - lower) * 0.5);
@@ -45,30 +45,30 @@ impl Bent {
         let halves = [[upper, even + odd, half_way], [lower, even - odd, half_way]];
         let peak_N_m = halves.map(|half| {
             let largest = half.iter().max_by(|a, b| a.norm().total_cmp(&b.norm()));
-            let along = largest.and_then(|of| of.try_normalize(0.0)).unwrap_or_default();
+            let along = largest.and_then(|moment| moment.try_normalize(0.0)).unwrap_or_default();
             peak(half.map(|moment| moment.dot(&along)))
         });
         peak_N_m[0].max(peak_N_m[1]) - known_N_m
     }
 }
 
-/// Peak of the parabola through three values at equal distances, where it is between them; else the
-/// middle value.
+/// Returns the peak of the parabola through three values at equal distances where it is between
+/// them, else the middle value.
 fn peak([before, middle, after]: [f64; 3]) -> f64 {
     let (rises, bends) = (0.5 * (after - before), before - 2.0 * middle + after);
     if bends < 0.0 && rises.abs() <= -bends { middle - 0.5 * rises * rises / bends } else { middle }
 }
 
-/// Largest `(L/4)√(T/EI)` that counts: beyond it the quarter points bend as half-way.
+/// Upper limit of `(L/4)√(T/EI)`: beyond it the quarter points bend like the middle.
 const MOST_ROOT: f64 = 30.0;
 
 /// An element's ends.
 const UPPER: usize = 0;
 const LOWER: usize = 1;
 
-/// Releases the ends of the string that are free to tilt: what the element there would bear is
-/// carried over to its other end, and what that differs by from the next element to the far end of
-/// that one, as in the [dynamics](crate::dynamics).
+/// Releases the ends of the string that are free to tilt. The moment of the element there is
+/// carried over to its other end, and its difference from the moment of the next element to the far
+/// end of that element, as in the [dynamics](crate::dynamics).
 fn release(elements: &mut [Bent], ends: &crate::ends::Ends) {
     if ends.top != TopEnd::Clamped {
         release_end(elements.iter_mut(), UPPER);
@@ -78,7 +78,7 @@ fn release(elements: &mut [Bent], ends: &crate::ends::Ends) {
     }
 }
 
-/// Releases an end of the first of elements, from that end on.
+/// Releases an end of the first of the elements, which are ordered from that end on.
 fn release_end<'a>(mut elements: impl Iterator<Item = &'a mut Bent>, end: usize) {
     let other = 1 - end;
     let Some(own) = elements.next() else { return };
@@ -92,29 +92,30 @@ fn release_end<'a>(mut elements: impl Iterator<Item = &'a mut Bent>, end: usize)
     next.ends_N_m[other] -= differs * (takes * next.carry_over);
 }
 
-/// What the nodes and the stretches below them bear, from the top down.
+/// Bending moments at the nodes and in the elements below them, from the top down.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Bending {
     /// At the node, N·m.
     pub(super) at_node_N_m: Vec<f64>,
-    /// How far the elements on the two sides of the node are apart about it, N·m: what their
-    /// lengths leave out.
+    /// Difference between the moments of the elements on the two sides of the node, N·m, which is
+    /// due to their finite lengths.
     pub(super) jump_N_m: Vec<f64>,
     /// The same as a vector towards the centre of curvature.
     pub(super) towards_N_m: Vec<Vector3<f64>>,
-    /// Half-way to the next, N·m; at the bit nothing.
+    /// Half-way to the next node, N·m; zero at the bit.
     pub(super) between_N_m: Vec<f64>,
     /// Excess of the largest moment on the way to the next node over those at both nodes and
     /// half-way, N·m.
     pub(super) peak_excess_N_m: Vec<f64>,
     /// Sag half-way, m.
     pub(super) sag_m: Vec<f64>,
-    /// One where the body touches half-way.
+    /// One where the body touches the wall half-way, else zero.
     pub(super) touches: Vec<f64>,
 }
 
 impl Bending {
-    /// Of the string as it is, with its buoyed weight in a mud of a density.
+    /// Computes the moments of the string in its state, with its buoyed weight in mud of this
+    /// density.
     pub(super) fn of(
         string: &StringInHole,
         state: &State,
@@ -129,8 +130,8 @@ impl Bending {
         for index in 0..string.nodes.len() {
             let above = index.checked_sub(1).map(|above| &elements[above]);
             let below = elements.get(index);
-            // The two sides of a node agree but for what each mesh leaves out: by what they hold
-            // it.
+            // The moments on the two sides of a node differ only by the error of the mesh: their
+            // mean, weighted by the stiffnesses of the two sides.
             let moment = match (above, below) {
                 (Some(above), Some(below)) => {
                     let [above_N_m, below_N_m] = [above.holds_N_m[LOWER], below.holds_N_m[UPPER]];
@@ -148,9 +149,9 @@ impl Bending {
             bending.at_node_N_m.push(moment.norm());
             bending.jump_N_m.push(jump.map_or(0.0, |jump| jump.norm()));
             bending.towards_N_m.push(moment);
-            bending.between_N_m.push(below.map_or(0.0, |of| of.half_way_N_m.norm()));
-            bending.sag_m.push(below.map_or(0.0, |of| of.sag_m));
-            bending.touches.push(below.map_or(0.0, |of| of.touches));
+            bending.between_N_m.push(below.map_or(0.0, |element| element.half_way_N_m.norm()));
+            bending.sag_m.push(below.map_or(0.0, |element| element.sag_m));
+            bending.touches.push(below.map_or(0.0, |element| element.touches));
         }
         for (index, element) in elements.iter().enumerate() {
             let ends = [bending.towards_N_m[index], bending.towards_N_m[index + 1]];
@@ -183,7 +184,7 @@ fn bent(
     let load = even * pull_N_per_m + weight_N_per_m;
     let column = BeamColumn::of(tension_N * length_m * length_m / (64.0 * stiffness_N_m2));
     let nodes = [&string.nodes[index], &string.nodes[index + 1]];
-    // Half-way the hole is a quarter of what its two directions differ by off its chord.
+    // Half-way, the hole's axis is off its chord by `L/8` times the difference of its directions.
     let hole = nodes[1].axes[2] - nodes[0].axes[2];
     let chord_middle = (upper + lower) * 0.5 + across(hole) * (0.125 * length_m);
     let middle = Middle {
@@ -210,7 +211,7 @@ fn bent(
     }
 }
 
-/// `cosh z` of `z²`, a cosine where that is negative.
+/// Returns `cosh z` for `z²`; a cosine where `z²` is negative.
 fn quarter(square: f64) -> f64 {
     if square < 0.0 {
         libm::cos((-square).sqrt().min(std::f64::consts::FRAC_PI_4))

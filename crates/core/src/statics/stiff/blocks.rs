@@ -1,11 +1,11 @@
-//! A block-tridiagonal system of linear equations: what a chain of elements comes to.
+//! A block-tridiagonal system of linear equations, as of a chain of elements.
 
 use nalgebra::{SMatrix, SVector};
 
 /// Unknowns of a node: displacement along the hole's axes, and the director's two angles.
 pub(super) const UNKNOWNS: usize = 5;
 
-/// How a node's forces change with a node's place.
+/// Derivative of a node's forces with respect to a node's displacements.
 pub(super) type Block = SMatrix<f64, UNKNOWNS, UNKNOWNS>;
 
 /// A number for each unknown of a node.
@@ -30,7 +30,7 @@ pub(super) struct Singular {
 }
 
 impl Tridiagonal {
-    /// So many rows of zeros.
+    /// A matrix of this many block rows, all zero.
     pub(super) fn zeros(rows: usize) -> Self {
         let zeros = |rows: usize| vec![Block::zeros(); rows];
         Self { diagonal: zeros(rows), upper: zeros(rows - 1), lower: zeros(rows - 1) }
@@ -43,7 +43,7 @@ impl Tridiagonal {
         }
     }
 
-    /// Takes the unknown `k` of a block row out: its equation says that it is what is on the right.
+    /// Eliminates the unknown `k` of a block row: its equation sets it to the right-hand side.
     pub(super) fn hold(&mut self, row: usize, k: usize) {
         self.diagonal[row].row_mut(k).fill(0.0);
         self.diagonal[row].column_mut(k).fill(0.0);
@@ -59,7 +59,7 @@ impl Tridiagonal {
     }
 
     /// Solves for a right-hand side in place, by block elimination with row exchanges within
-    /// blocks. The matrix is used up.
+    /// blocks. The matrix is overwritten.
     pub(super) fn solve(&mut self, rhs: &mut [Entry]) -> Result<(), Singular> {
         let rows = self.diagonal.len();
         for row in 0..rows {
@@ -82,7 +82,7 @@ impl Tridiagonal {
     }
 
     /// Whether the matrix, which is symmetric, is positive definite with `shift` added to its
-    /// diagonal: whether Cholesky's factors of every block exist. Its lower blocks are not read.
+    /// diagonal, that is, whether Cholesky factors of every block exist. Lower blocks are not read.
     pub(super) fn is_positive_definite(&self, shift: &Entry) -> bool {
         let shift = Block::from_diagonal(shift);
         let mut above = Block::zeros();
@@ -96,31 +96,32 @@ impl Tridiagonal {
     }
 }
 
-/// Cholesky's factor of a block, the inverse of its diagonal in place of that; none where the block
-/// is not positive definite. What is above the diagonal is not read.
-fn cholesky(mut of: Block) -> Option<Block> {
+/// Computes the Cholesky factor of a block, with the inverse of its diagonal in place of the
+/// diagonal; none where the block is not positive definite. Entries above the diagonal are not
+/// read.
+fn cholesky(mut block: Block) -> Option<Block> {
     for column in 0..UNKNOWNS {
-        let mut pivot = of[(column, column)];
+        let mut pivot = block[(column, column)];
         for k in 0..column {
-            pivot -= of[(column, k)] * of[(column, k)];
+            pivot -= block[(column, k)] * block[(column, k)];
         }
         if !(pivot > 0.0 && pivot.is_finite()) {
             return None;
         }
         let over = 1.0 / pivot.sqrt();
-        of[(column, column)] = over;
+        block[(column, column)] = over;
         for row in column + 1..UNKNOWNS {
-            let mut entry = of[(row, column)];
+            let mut entry = block[(row, column)];
             for k in 0..column {
-                entry -= of[(row, k)] * of[(column, k)];
+                entry -= block[(row, k)] * block[(column, k)];
             }
-            of[(row, column)] = entry * over;
+            block[(row, column)] = entry * over;
         }
     }
-    Some(of)
+    Some(block)
 }
 
-/// What such a factor comes before in a block: `L x = block`.
+/// Solves `L x = block` for a Cholesky factor `L`.
 fn forwards(factor: &Block, mut block: Block) -> Block {
     for column in 0..UNKNOWNS {
         for row in 0..UNKNOWNS {
@@ -134,7 +135,7 @@ fn forwards(factor: &Block, mut block: Block) -> Block {
     block
 }
 
-/// Turns `matrix x + upper x' = rhs` into `x + upper' x' = rhs'`, by Gauss's elimination with
+/// Turns `matrix x + upper x' = rhs` into `x + upper' x' = rhs'`, by Gaussian elimination with
 /// partial pivoting; none where no pivot is left.
 fn eliminate(matrix: &mut Block, upper: &mut Block, rhs: &mut Entry) -> Option<()> {
     for column in 0..UNKNOWNS {
@@ -189,8 +190,8 @@ mod tests {
     use super::*;
     use crate::random::Random;
 
-    /// A system without symmetry whose blocks ask for row exchanges, against nalgebra's general LU
-    /// of the whole matrix: rounding is left, 1e-16 times a condition of some thousands.
+    /// A system without symmetry whose blocks need row exchanges, compared with nalgebra's general
+    /// LU of the whole matrix: only rounding remains, 1e-16 times a condition of some thousands.
     #[test]
     fn solves_what_a_general_solver_solves() {
         const ROWS: usize = 12;
@@ -227,8 +228,8 @@ mod tests {
         }
     }
 
-    /// A chain of springs is positive definite; with one spring that pushes more than its
-    /// neighbours hold it is not; a row of zeros has no pivot.
+    /// A chain of springs is positive definite. It is not where one spring pushes more than its
+    /// neighbours can balance, and a row of zeros has no pivot.
     #[test]
     fn tells_a_stable_chain_from_an_unstable_one() {
         let chain = |middle: f64| {

@@ -1,8 +1,8 @@
-//! A state carried from one string to another: of a finer mesh, of another load, or somewhat
-//! deeper.
+//! Transfer of a state from one string to another, with a finer mesh, another load or a somewhat
+//! deeper bit.
 //!
-//! Everything is carried along the string, by the distance from the bit, in the hole's own axes:
-//! those are carried along the hole without twisting, and so hardly depend on the mesh.
+//! All quantities are transferred along the string, by the distance from the bit, in the hole's own
+//! axes: those follow the hole without twisting, and so hardly depend on the mesh.
 
 use nalgebra::{Vector2, Vector3};
 
@@ -16,7 +16,7 @@ use crate::rod::mesh::Mesh;
 const SAME_M: f64 = 1e-6;
 
 impl Equilibrium {
-    /// The state of `string`, cut into `mesh`, that this one suggests.
+    /// Returns an initial state of `string` with mesh `mesh`, interpolated from this one.
     pub(super) fn carried_to(&self, string: &StringInHole, mesh: &Mesh) -> State {
         let mut state = State::centred(string);
         for (index, node) in mesh.nodes.iter().enumerate() {
@@ -32,14 +32,14 @@ impl Equilibrium {
         }
         for (index, element) in string.elements.iter().enumerate() {
             let middle_m = 0.5 * (mesh.nodes[index].from_bit_m + mesh.nodes[index + 1].from_bit_m);
-            let of = self.place(middle_m).element;
+            let own = self.place(middle_m).element;
             state.tension_N[index] =
-                element.guess_N + self.state.tension_N[of] - self.string.elements[of].guess_N;
+                element.guess_N + self.state.tension_N[own] - self.string.elements[own].guess_N;
         }
         state
     }
 
-    /// Its own state with its waves drawn out.
+    /// Returns its own state with its waves stretched.
     pub(super) fn drawn(&self, drawn: &Drawn) -> State {
         let mut state = self.state.clone();
         for (index, node) in self.mesh.nodes.iter().enumerate() {
@@ -52,8 +52,8 @@ impl Equilibrium {
             let there = &self.string.nodes[place.element].low_and_side();
             let own = &self.string.nodes[index];
             let here = own.low_and_side();
-            let turned = |of: Vector2<f64>, scale: f64| {
-                (here[0] * there[0].dot(&of) + here[1] * (sign * there[1].dot(&of))) * scale
+            let turned = |vector: Vector2<f64>, scale: f64| {
+                (here[0] * there[0].dot(&vector) + here[1] * (sign * there[1].dot(&vector))) * scale
             };
             let (offset, slope) = (turned(across.xy(), 1.0), turned(slope.xy(), rate));
             state.offset_m[index].x = offset.x;
@@ -66,19 +66,19 @@ impl Equilibrium {
         state
     }
 
-    /// Where a distance from the bit, m, lies.
+    /// The element at a distance from the bit, m, and the part of it above that distance.
     fn place(&self, from_bit_m: f64) -> Place {
         let nodes = &self.mesh.nodes;
-        // The distances go down along the nodes.
+        // The distances decrease along the nodes.
         let below = nodes.partition_point(|node| node.from_bit_m > from_bit_m - SAME_M);
         let element = below.saturating_sub(1).min(nodes.len() - 2);
         let (upper_m, lower_m) = (nodes[element].from_bit_m, nodes[element + 1].from_bit_m);
         Place { element, part: ((upper_m - from_bit_m) / (upper_m - lower_m)).clamp(0.0, 1.0) }
     }
 
-    /// How far the body of an element bulges through the wall between its nodes, m: beyond its
-    /// clearance, and farther from the hole's axis than both nodes. By the cubic between them, at
-    /// its quarter points.
+    /// Penetration of an element's body into the wall between its nodes, m: its excess over its
+    /// clearance and over the offsets of both nodes, by the cubic between them at its quarter
+    /// points.
     pub(super) fn bulges_m(&self, element: usize) -> f64 {
         let ends = [element, element + 1].map(|node| self.state.offset_m[node].xy().norm());
         let inside_m = self.string.elements[element].body_clearance_m.max(ends[0]).max(ends[1]);
@@ -86,7 +86,7 @@ impl Equilibrium {
         [0.25, 0.5, 0.75].into_iter().map(off_m).fold(0.0, f64::max) - inside_m
     }
 
-    /// Offset, m, and direction across the hole for one along it, by the cubic between the nodes.
+    /// Offset, m, and slope across the hole per length along it, by the cubic between the nodes.
     fn shape(&self, place: &Place) -> [Vector3<f64>; 2] {
         let Place { element, part: t } = *place;
         let length_m = self.mesh.elements[element].length_m;
@@ -108,20 +108,20 @@ impl Equilibrium {
         [Vector3::new(across.x, across.y, along), Vector3::new(slope.x, slope.y, 0.0)]
     }
 
-    /// A director at a node, across the hole for one along it.
+    /// Slope of a director at a node: its components across the hole over that along it.
     fn slope(&self, node: usize, director: Vector3<f64>) -> Vector2<f64> {
         let [e1, e2, along] = &self.string.nodes[node].axes;
         Vector2::new(director.dot(e1), director.dot(e2)) / director.dot(along)
     }
 
-    /// Contact force of a node of another mesh, N.
+    /// Contact force of a node of another mesh, N, from those of this one.
     fn normal_N(&self, place: &Place, mesh: &Mesh, index: usize) -> f64 {
         let own_m = mesh.tributary_length_m(index);
         let at = |node: usize| {
             let force_N = self.state.normal_N[node];
-            // What lies along the wall presses by its length, a joint by itself.
-            let beside = [node.checked_sub(1), Some(node + 1)].into_iter().flatten();
-            let lies = beside
+            // Continuous contact has a force per length, a joint a force of its own.
+            let adjacent = [node.checked_sub(1), Some(node + 1)].into_iter().flatten();
+            let lies = adjacent
                 .filter_map(|other| self.state.normal_N.get(other))
                 .any(|other_N| *other_N > 0.0);
             if lies { force_N * own_m / self.mesh.tributary_length_m(node) } else { force_N }
@@ -138,7 +138,7 @@ impl Equilibrium {
     }
 }
 
-/// An element and how much of it lies above a place.
+/// An element and the part of it that is above a place.
 struct Place {
     element: usize,
     part: f64,

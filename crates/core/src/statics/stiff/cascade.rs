@@ -1,4 +1,4 @@
-//! How the equilibrium is looked for, from the fastest way to the surest.
+//! Search for the equilibrium, from the fastest method to the most robust one.
 
 use super::{
     StiffError,
@@ -17,7 +17,7 @@ pub(super) struct NotFound {
     pub(super) tension_N: Vec<f64>,
 }
 
-/// The equilibrium that is found from the middle of the hole, after so many iterations elsewhere.
+/// Searches for the equilibrium from the middle of the hole, after `iterations` of other attempts.
 pub(super) fn from_the_middle(
     string: &StringInHole,
     equations: &mut Equations,
@@ -28,12 +28,12 @@ pub(super) fn from_the_middle(
     if let Some(found) = found.filter(|found| found.stable) {
         return Ok((found, state));
     }
-    // One that would not stay is better than none.
+    // An unstable equilibrium is better than none.
     let straight = found.map(|found| Reached { found, state, hook_load_N: equations.hook_load_N });
     let_go(string, equations, straight, iterations)
 }
 
-/// The stable equilibrium next to a state.
+/// Searches for the stable equilibrium next to a state.
 pub(super) fn warm_start(
     string: &StringInHole,
     carried: State,
@@ -49,7 +49,7 @@ pub(super) fn warm_start(
     Some((found.filter(|found| found.stable)?, state))
 }
 
-/// The stable equilibrium so near to a state that the contacts alone have to be found.
+/// Searches for a stable equilibrium so near to a state that only the contacts have to be found.
 pub(super) fn settle(
     string: &StringInHole,
     mut state: State,
@@ -60,7 +60,7 @@ pub(super) fn settle(
     found.stable.then_some((found, state))
 }
 
-/// Interior point and active set; none where they reach no equilibrium.
+/// Applies the interior point and then the active set; none where they reach no equilibrium.
 fn reach(
     string: &StringInHole,
     state: &mut State,
@@ -77,8 +77,8 @@ fn reach(
     finish(string, state, equations, iterations)
 }
 
-/// Leaves the nodes on the wall whose contact force is more of the mean weight than their room is
-/// of their clearance.
+/// Keeps those nodes on the wall whose ratio of contact force to mean weight exceeds the ratio of
+/// their remaining gap to their clearance.
 fn touch(string: &StringInHole, state: &mut State) {
     let weight_N = string.weight_N() / string.nodes.len() as f64;
     for (index, node) in string.nodes.iter().enumerate() {
@@ -90,14 +90,14 @@ fn touch(string: &StringInHole, state: &mut State) {
     }
 }
 
-/// An equilibrium, and what carries it.
+/// An equilibrium and its hook load.
 struct Reached {
     found: Convergence,
     state: State,
     hook_load_N: f64,
 }
 
-/// Lets the string go, and nothing else.
+/// Searches by dynamic relaxation alone.
 pub(super) fn released(
     string: &StringInHole,
     equations: &mut Equations,
@@ -105,7 +105,8 @@ pub(super) fn released(
     let_go(string, equations, None, 0)
 }
 
-/// Lets the string go and looks at where it comes to rest; at `otherwise` where it does not.
+/// Searches by dynamic relaxation: releases the string in the middle of its hole and takes the
+/// state in which it reaches equilibrium, or `otherwise` where it does not.
 fn let_go(
     string: &StringInHole,
     equations: &mut Equations,
@@ -113,7 +114,7 @@ fn let_go(
     mut iterations: usize,
 ) -> Result<(Convergence, State), NotFound> {
     let mut relaxation = Relaxation::begin(string);
-    // What friction holds, though by its energy alone it would not stay.
+    // An equilibrium held by friction, though by its energy alone it is unstable.
     let mut held = None;
     let mut does = Does::Rests;
     for _ in 0..LOOKS {

@@ -4,7 +4,7 @@ use nalgebra::{Matrix2, Matrix3x2, Vector3};
 
 use super::heading::Heading;
 
-/// A director that an element sees, and how it turns with the node's.
+/// A director that an element sees, and its derivative with respect to the node's rotation.
 #[derive(Debug)]
 pub(super) struct Director {
     pub(super) along: Vector3<f64>,
@@ -30,7 +30,7 @@ impl Director {
         Self { along: director, by, own: false }
     }
 
-    /// What a director's turning adds to the tangent: of a gradient on it, N·m.
+    /// Second-order term of a director's rotation in the tangent, for a gradient on it, N·m.
     pub(super) fn second(
         &self,
         heading: &Heading,
@@ -40,7 +40,7 @@ impl Director {
         if self.own {
             return Matrix2::identity() * -pull_N_m;
         }
-        // The gradient is known but for its part along the director.
+        // The gradient is known except for its component along the director.
         let d = self.along;
         let whole = gradient + d * (pull_N_m - gradient.dot(&d));
         let turns = heading.across.map(|b| heading.along.cross(&b));

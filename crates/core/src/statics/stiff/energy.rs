@@ -1,5 +1,5 @@
-//! Energy of the string in its hole: of two states of one string without friction, the one with less
-//! of it is the one that stays.
+//! Energy of the string in its hole. Of two states of a string without friction, the one with the
+//! lower energy is the one that stays.
 
 use super::{state::State, string_in_hole::StringInHole};
 
@@ -23,12 +23,12 @@ fn element_J(string: &StringInHole, state: &State, index: usize) -> f64 {
     let k = &element.stiffness;
     let chord = state.chord_m(string, index).normalize();
     let [upper, lower] = [element.seen(&state.heading[index]), state.heading[index + 1].along];
-    // What lies across the chord keeps its digits where the angles are small.
+    // The components across the chord keep their digits where the angles are small.
     let across = [upper, lower].map(|director| director - chord * chord.dot(&director));
     let own = across[0].norm_squared() + across[1].norm_squared();
     let bent_J = 0.5 * k.bending_near() * own + k.bending_far * across[0].dot(&across[1]);
     let tension_N = state.tension_N[index];
-    // The weight between its nodes sinks by what the directors bow.
+    // The weight between its nodes sinks as the directors bow.
     let sunk_J = element.couple_N_m().dot(&(upper - lower));
     0.5 * tension_N * tension_N / k.axial + bent_J - sunk_J
 }

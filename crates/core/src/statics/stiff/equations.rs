@@ -1,5 +1,5 @@
-//! Equilibrium of the string without its wall, and how it changes: what the elements, the weight
-//! and the ends come to at every node.
+//! Equilibrium of the string without its wall: forces of the elements, the weight and the ends at
+//! every node, and their derivatives.
 
 #[cfg(test)]
 mod tests;
@@ -21,17 +21,17 @@ use crate::{
 /// The equations of a Newton step, without the wall: `matrix · step = force`.
 #[derive(Debug, Clone)]
 pub(super) struct Equations {
-    /// How the forces that hold the nodes change with their places.
+    /// Derivative of the forces that hold the nodes with respect to their positions.
     pub(super) matrix: Tridiagonal,
-    /// Forces on the nodes, and moments on their directors, that are not in balance.
+    /// Unbalanced forces on the nodes and moments on their directors.
     pub(super) force: Vec<Entry>,
-    /// How each element lengthens with the places of its two nodes, and how much it is longer than
-    /// its tension says, m.
+    /// Derivative of each element's length with respect to the positions of its two nodes, and the
+    /// excess of its length over that of its tension, m.
     lengthening: Vec<Lengthening>,
-    /// What carries the string at its top, N.
+    /// Force that carries the string at its top, N.
     pub(super) hook_load_N: f64,
-    /// What presses the bit across the hole, N: on what holds it there, if it does not leave the
-    /// axis.
+    /// Lateral force of the bit on the constraint that holds it to the axis, N, where its end has
+    /// one.
     pub(super) bit_side_N: Vector2<f64>,
 }
 
@@ -43,7 +43,7 @@ struct Lengthening {
 }
 
 impl Equations {
-    /// For so many nodes.
+    /// Equations of this many nodes.
     pub(super) fn new(nodes: usize) -> Self {
         Self {
             matrix: Tridiagonal::zeros(nodes),
@@ -54,8 +54,8 @@ impl Equations {
         }
     }
 
-    /// Of the string as it is, under the torque of each element, N·m. Without `torque_N_m` the
-    /// matrix is that of an energy, and symmetric.
+    /// Assembles the equations of a state of the string under the torque of each element, N·m.
+    /// Without `torque_N_m` the matrix is the second derivative of an energy, and symmetric.
     pub(super) fn assemble(
         &mut self,
         string: &StringInHole,
@@ -96,14 +96,14 @@ impl Equations {
         let directors = [seen[0].along, seen[1].along];
         let ends = Ends { chord_m: state.chord_m(string, index), directors };
         let tension_N = state.tension_N[index];
-        let mut of = Tangent::of(&element.stiffness, &ends, tension_N);
+        let mut tangent = Tangent::of(&element.stiffness, &ends, tension_N);
         let couple_N_m = element.couple_N_m();
         for (end, load_N_m) in [(0, couple_N_m), (1, -couple_N_m)] {
-            of.gradient.directors[end] -= load_N_m;
-            of.pull_N_m[end] -= load_N_m.dot(&directors[end]);
+            tangent.gradient.directors[end] -= load_N_m;
+            tangent.pull_N_m[end] -= load_N_m.dot(&directors[end]);
         }
         let axial_N_per_m = element.stiffness.axial;
-        let excess_m = of.longer_m - element.slack_m - tension_N / axial_N_per_m;
+        let excess_m = tangent.longer_m - element.slack_m - tension_N / axial_N_per_m;
         let axes = nodes.map(|node| Matrix3::from_columns(&node.axes));
         let entry = |gradient: &Gradient, end: usize| {
             let sign = if end == 0 { -1.0 } else { 1.0 };
@@ -111,10 +111,10 @@ impl Equations {
             let moment = transposed_product(&seen[end].by, &gradient.directors[end]);
             Entry::new(force.x, force.y, force.z, moment.x, moment.y)
         };
-        let lengthening = [0, 1].map(|end| entry(&of.lengthening, end));
+        let lengthening = [0, 1].map(|end| entry(&tangent.lengthening, end));
         // The symmetric blocks of the energy, its tension condensed.
-        let by_chord = [0, 1].map(|end| of.chord_chord * axes[end]);
-        let by_director = [0, 1].map(|end| of.chord_director[end] * seen[end].by);
+        let by_chord = [0, 1].map(|end| tangent.chord_chord * axes[end]);
+        let by_director = [0, 1].map(|end| tangent.chord_director[end] * seen[end].by);
         let sign = |end: usize| if end == 0 { -1.0 } else { 1.0 };
         let block = |row: usize, column: usize| {
             let mut block = Block::zeros();
@@ -125,10 +125,14 @@ impl Equations {
             let dr = transposed_product(&by_director[row], &axes[column]) * sign(column);
             block.fixed_view_mut::<2, 3>(3, 0).copy_from(&dr);
             let dd = if row == column {
-                transposed_product(&seen[row].by, &(of.director[row] * seen[row].by))
-                    + seen[row].second(headings[row], of.gradient.directors[row], of.pull_N_m[row])
+                transposed_product(&seen[row].by, &(tangent.director[row] * seen[row].by))
+                    + seen[row].second(
+                        headings[row],
+                        tangent.gradient.directors[row],
+                        tangent.pull_N_m[row],
+                    )
             } else {
-                transposed_product(&seen[0].by, &(of.director_director * seen[1].by))
+                transposed_product(&seen[0].by, &(tangent.director_director * seen[1].by))
             };
             block.fixed_view_mut::<2, 2>(3, 3).copy_from(&dd);
             block + lengthening[row] * (lengthening[column].transpose() * axial_N_per_m)
@@ -140,7 +144,7 @@ impl Equations {
         self.matrix.lower[index] = upper.transpose();
         for end in [0, 1] {
             let unbalanced =
-                entry(&of.gradient, end) + lengthening[end] * (axial_N_per_m * excess_m);
+                entry(&tangent.gradient, end) + lengthening[end] * (axial_N_per_m * excess_m);
             self.force[index + end] -= unbalanced;
         }
         self.lengthening.push(Lengthening { ends: lengthening, excess_m, axial_N_per_m });
@@ -151,8 +155,8 @@ impl Equations {
         }
     }
 
-    /// Takes out of the matrix what the torques under which it was assembled add: it is then that
-    /// of an energy.
+    /// Removes the contribution of the torques under which the matrix was assembled: it is then the
+    /// second derivative of an energy.
     pub(super) fn untwist(&mut self, string: &StringInHole, state: &State, torque_N_m: &[f64]) {
         for (index, torque_N_m) in torque_N_m.iter().enumerate() {
             if *torque_N_m != 0.0 {
@@ -165,10 +169,10 @@ impl Equations {
         self.hold_unknowns(string);
     }
 
-    /// What turns the string at its top and holds it at its bit, where those are free to tilt: as
-    /// by a joint that turns alike on both sides, about the direction half-way between the hole's
-    /// and the string's. About either of the two a couple has a part about the hole's axis that
-    /// nothing balances, and drives a buckled pipe in a vertical hole round for ever.
+    /// Adds the torques at the top and at the bit where those are free to tilt. They act as by a
+    /// joint that turns alike on both sides, about the direction half-way between the hole's and
+    /// the string's: about either of the two, a couple has a component about the hole's axis that
+    /// nothing balances, which drives a buckled pipe around a vertical hole for ever.
     fn turn_ends(&mut self, string: &StringInHole, state: &State, [top_N_m, bit_N_m]: [f64; 2]) {
         for (node, moment_N_m) in [(0, top_N_m), (self.force.len() - 1, -bit_N_m)] {
             let director = Director::of(&state.heading[node], None);
@@ -183,7 +187,7 @@ impl Equations {
         }
     }
 
-    /// The couple `−M (d1 + d2)/(1 + c12)` of the torque `M` that the string carries, on end 1, the
+    /// Adds the couple `−M (d1 + d2)/(1 + c12)` of the torque `M` in the string on end 1, and the
     /// opposite on end 2.
     fn add_couple(&mut self, index: usize, torque_N_m: f64, seen: &[Director; 2]) {
         let [d1, d2] = [seen[0].along, seen[1].along];
@@ -211,7 +215,7 @@ impl Equations {
         }
     }
 
-    /// Holds the ends, and keeps what holds them.
+    /// Constrains the ends, and stores the forces that hold them.
     fn hold_ends(&mut self, string: &StringInHole) {
         let last = self.force.len() - 1;
         self.hook_load_N = self.force[0][2];
@@ -219,8 +223,8 @@ impl Equations {
         self.hold_unknowns(string);
     }
 
-    /// The top does not move, nor turn if it is clamped. The bit moves along the hole, and across
-    /// it as its end lets it.
+    /// Constrains the unknowns of the ends. The top does not move, nor turn if it is clamped. The
+    /// bit moves along the hole, and across it as its end allows.
     fn hold_unknowns(&mut self, string: &StringInHole) {
         let last = self.force.len() - 1;
         let held: &[usize] = match string.ends.top {
@@ -240,15 +244,15 @@ impl Equations {
         }
     }
 
-    /// An unknown of a node does not change.
+    /// Constrains an unknown of a node to its present value.
     fn hold(&mut self, node: usize, row: usize) {
         self.force[node][row] = 0.0;
         self.matrix.hold(node, row);
     }
 
-    /// Shifts the matrix across the hole by so much, N/m (Levenberg's regularisation): what costs
-    /// no energy, as going round a vertical hole, has an answer then. Equilibria stay what they
-    /// are.
+    /// Adds this stiffness across the hole to the matrix, N/m (Levenberg's regularisation), so that
+    /// motions without a change of energy, such as around a vertical hole, have a solution. The
+    /// equilibria are not changed by it.
     pub(super) fn shift_across(&mut self, by_N_per_m: f64) {
         for diagonal in &mut self.matrix.diagonal {
             diagonal[(0, 0)] += by_N_per_m;
@@ -256,14 +260,14 @@ impl Equations {
         }
     }
 
-    /// Whether the matrix is positive definite with such a shift, N/m.
+    /// Whether the matrix is positive definite with this shift, N/m.
     pub(super) fn is_definite(&self, by_N_per_m: f64) -> bool {
         let shift = Entry::new(by_N_per_m, by_N_per_m, 0.0, 0.0, 0.0);
         self.matrix.is_positive_definite(&shift)
     }
 
-    /// Adds the wall of a node, its contact force condensed: what it is and what it changes by in
-    /// any case, N, and what it changes by for a metre of offset.
+    /// Adds the wall of a node, its contact force condensed: the force and its change at a fixed
+    /// offset, N, and its change per metre of offset.
     pub(super) fn press(
         &mut self,
         index: usize,
@@ -284,21 +288,24 @@ impl Equations {
         across -= push.change * normal_N;
     }
 
-    /// Changes the tensions by a part of what the step, to which the forces were solved, makes of
-    /// them.
+    /// Changes the tensions by a part of their change in the step, which the solution has left in
+    /// `force`.
     pub(super) fn stretch(&self, state: &mut State, part: f64) {
-        for (index, (of, tension_N)) in
+        for (index, (element, tension_N)) in
             self.lengthening.iter().zip(&mut state.tension_N).enumerate()
         {
             let step = &self.force[index..=index + 1];
-            let lengthening_m = of.ends[0].dot(&step[0]) + of.ends[1].dot(&step[1]);
-            *tension_N += part * of.axial_N_per_m * (lengthening_m + of.excess_m);
+            let lengthening_m = element.ends[0].dot(&step[0]) + element.ends[1].dot(&step[1]);
+            *tension_N += part * element.axial_N_per_m * (lengthening_m + element.excess_m);
         }
     }
 
-    /// The largest force by which a tension does not fit the shape of its element, N.
+    /// The largest difference between a tension and that of its element's shape, N.
     pub(super) fn misfit_N(&self) -> f64 {
-        self.lengthening.iter().map(|of| (of.axial_N_per_m * of.excess_m).abs()).fold(0.0, f64::max)
+        self.lengthening
+            .iter()
+            .map(|element| (element.axial_N_per_m * element.excess_m).abs())
+            .fold(0.0, f64::max)
     }
 }
 
@@ -308,7 +315,7 @@ fn seen(string: &StringInHole, state: &State, index: usize) -> [Director; 2] {
     [Director::of(upper, string.elements[index].bend.as_ref()), Director::of(lower, None)]
 }
 
-/// `Aᵀ B` of columns of three numbers, without the loops of a matrix of any size.
+/// `Aᵀ B` for columns of three numbers, without the loops of a matrix of general size.
 fn transposed_product<const R: usize, const C: usize>(
     a: &SMatrix<f64, 3, R>,
     b: &SMatrix<f64, 3, C>,
@@ -317,7 +324,7 @@ fn transposed_product<const R: usize, const C: usize>(
     SMatrix::from_fn(|row, column| dot(&a.data.0[row], &b.data.0[column]))
 }
 
-/// A vector's parts along axes.
-fn local(axes: &[Vector3<f64>; 3], of: Vector3<f64>) -> Vector3<f64> {
-    Vector3::new(axes[0].dot(&of), axes[1].dot(&of), axes[2].dot(&of))
+/// Components of a vector along axes.
+fn local(axes: &[Vector3<f64>; 3], vector: Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(axes[0].dot(&vector), axes[1].dot(&vector), axes[2].dot(&vector))
 }

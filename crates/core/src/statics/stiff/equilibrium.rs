@@ -1,4 +1,4 @@
-//! The string at rest, and how that was found.
+//! The string at rest, and the convergence of its solution.
 
 use serde::{Deserialize, Serialize};
 
@@ -14,10 +14,10 @@ use crate::{
 /// Strings whose lengths differ by less have the same mesh, m.
 const SAME_M: f64 = 1e-6;
 
-/// How the equilibrium was found.
+/// Convergence of an equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Convergence {
-    /// Elements.
+    /// Number of elements.
     pub elements: usize,
     /// Newton steps of all stages.
     pub iterations: usize,
@@ -26,21 +26,21 @@ pub struct Convergence {
     pub residual: f64,
     /// Whether every small motion costs energy: friction and torque apart, the state is stable.
     pub stable: bool,
-    /// Of a state that would not stay, where the string rolls around its hole when it is let go,
-    /// measured depth in m: it turns, and has no state of rest in which it is buckled.
+    /// For an unstable state, measured depth at which the released string rolls around its hole, m:
+    /// it rotates, and has no static equilibrium in which it is buckled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rolls_at_md_m: Option<f64>,
-    /// What the elements' lengths leave uncertain where contacts begin and end; none where the
-    /// lengths are given.
+    /// Discretisation error where contacts begin and end; none where the lengths of the elements
+    /// are given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh_error: Option<MeshError>,
-    /// The element that is most beyond its own buckling load, where one is: the state holds only as
-    /// long as nothing moves between its nodes.
+    /// The element that exceeds its own buckling load most, where one does: the state is valid only
+    /// as long as nothing moves between its nodes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub buckled_element: Option<BuckledElement>,
 }
 
-/// The string at rest: what a neighbouring load, depth or friction begins with.
+/// The string at rest, with which the solution of a neighbouring load, depth or friction can begin.
 #[derive(Debug, Clone)]
 pub struct Equilibrium {
     pub(super) settings: StiffSettings,
@@ -52,14 +52,14 @@ pub struct Equilibrium {
 }
 
 impl Equilibrium {
-    /// How it was found.
+    /// Convergence of its solution.
     pub fn convergence(&self) -> &Convergence {
         &self.convergence
     }
 }
 
 impl Equilibrium {
-    /// This state, with the element that its compression buckles most in its convergence.
+    /// The same, with the element that exceeds its own buckling load most in its convergence.
     pub(super) fn with_buckled_element(mut self) -> Self {
         let md_m = |node: usize| self.string.nodes[node].md_m;
         let compression_N = |index: usize| -self.state.tension_N[index];
@@ -67,7 +67,7 @@ impl Equilibrium {
         self
     }
 
-    /// Whether a string has this one's mesh: that of its length, by the same settings.
+    /// Whether a string can use this one's mesh: it has the same length and settings.
     pub(super) fn is_like(&self, model: &Model, settings: &StiffSettings) -> bool {
         self.settings == *settings
             && (self.mesh.length_m() - model.string.length_m()).abs() < SAME_M
@@ -82,8 +82,8 @@ impl Equilibrium {
             .max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// An error where the wall gives way farther than its law holds: by more than the mean clearance
-    /// it is another hole.
+    /// Returns an error where the penetration of the wall exceeds the mean clearance of the string,
+    /// beyond which its contact law is not valid.
     pub(super) fn within_its_hole(self) -> Result<Self, StiffError> {
         let Some((penetration_m, index)) = self.deepest() else { return Ok(self) };
         let clearance_m = self.string.mean_clearance_m();

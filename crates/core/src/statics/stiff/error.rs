@@ -1,25 +1,25 @@
-//! Why there is no stiff string.
+//! Errors of the stiff string.
 
 use crate::statics::soft::SoftError;
 
-/// Why there is no stiff string.
+/// Error of the stiff string.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StiffError {
-    /// The soft string, which it begins with, has no answer.
+    /// The soft string, with which the stiff string begins, has no solution.
     #[error(transparent)]
     Soft(#[from] SoftError),
-    /// A string that slides down and is pressed against its wall the harder the harder it is
-    /// pushed.
+    /// A sliding string locks up: the harder it is pushed, the harder its helix presses on the
+    /// wall.
     #[error(
-        "no equilibrium was found: by the wall load of its helix the string locks up at MD \
-         {md_m:.0} m, and no push brings the weight to the bit"
+        "no equilibrium was found: the string locks up at MD {md_m:.0} m by the wall force of its \
+         helix, and no push brings the weight to the bit"
     )]
     LocksUp {
         /// Measured depth where the compression grows beyond all bounds, m.
         md_m: f64,
     },
-    /// Its compression grows beyond all bounds, though the wall load of a helix by itself would let
-    /// it through.
+    /// The compression grows beyond all bounds, though the push would pass the wall load of a helix
+    /// alone.
     #[error(
         "no equilibrium was found: the compression grows beyond all bounds, {compression_N:.3e} N at \
          MD {md_m:.0} m after {iterations} iterations: the string locks up"
@@ -32,24 +32,24 @@ pub enum StiffError {
         /// Newton steps of all stages.
         iterations: usize,
     },
-    /// A string that turns, is buckled, and goes round its hole by its friction without an end.
+    /// A rotating, buckled string that rolls around its hole by its friction without an end.
     #[error(
-        "no equilibrium was found: about MD {md_m:.0} m the buckled string rolls around its hole, by \
-         the friction of its rotation, and went on for {iterations} iterations. It may have no \
-         state of rest: the dynamics show how it whirls"
+        "no equilibrium was found: about MD {md_m:.0} m the buckled string still rolls around its \
+         hole, by the friction of its rotation, after {iterations} iterations. It may have no \
+         static equilibrium: the dynamics compute its whirl"
     )]
     Rolls {
-        /// Measured depth where it went round farthest, m.
+        /// Measured depth where it rolled farthest, m.
         md_m: f64,
         /// Newton steps of all stages.
         iterations: usize,
     },
-    /// An element of a length that was given is too long for the compression that it came to bear:
-    /// it buckles between its nodes, where no wall holds it.
+    /// An element of a given length is too long for the compression on it: it buckles between its
+    /// nodes, where no wall supports it.
     #[error(
-        "no equilibrium was found: at MD {md_m:.0} m the compression came to {compression_N:.3e} N, \
-         under which an element of {length_m:.1} m buckles between its nodes; shorter elements are \
-         needed"
+        "no equilibrium was found: at MD {md_m:.0} m the compression reached {compression_N:.3e} \
+         N, under which an element of {length_m:.1} m buckles between its nodes; shorter elements \
+         are needed"
     )]
     ElementBuckles {
         /// Measured depth of the element, m.
@@ -59,7 +59,7 @@ pub enum StiffError {
         /// Its length, m.
         length_m: f64,
     },
-    /// The wall gives way farther than its contact law holds.
+    /// The penetration of the wall exceeds the range of its contact law.
     #[error(
         "at MD {md_m:.0} m the string is pressed {penetration_m:.3} m into the wall, farther than its \
         mean clearance of {clearance_m:.3} m: no wall that the contact law describes is so soft. \
@@ -73,7 +73,7 @@ pub enum StiffError {
         /// Mean clearance of the string, m.
         clearance_m: f64,
     },
-    /// The iterations came to no end.
+    /// The iterations did not converge.
     #[error(
         "no equilibrium was found: at MD {md_m:.1} m forces are out of balance by {residual_N:.3e} N \
          after {iterations} iterations"

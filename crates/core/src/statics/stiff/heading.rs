@@ -1,4 +1,4 @@
-//! Where a node points to.
+//! Direction of a node.
 
 use nalgebra::{UnitVector3, Vector3};
 
@@ -12,13 +12,13 @@ pub(super) struct Heading {
 }
 
 impl Heading {
-    /// Along a direction, the first of those across as near to a given one as can be.
-    pub(super) fn new(along: Vector3<f64>, beside: Vector3<f64>) -> Self {
-        let first = (beside - along * along.dot(&beside)).normalize();
+    /// A heading along a direction; the first direction across is as near as possible to `near`.
+    pub(super) fn new(along: Vector3<f64>, near: Vector3<f64>) -> Self {
+        let first = (near - along * along.dot(&near)).normalize();
         Self { along, across: [first, along.cross(&first)] }
     }
 
-    /// Turned so that the director moves by two parts across it, rad.
+    /// Rotated so that the director moves by two components across it, rad.
     pub(super) fn turned(&self, by: [f64; 2]) -> Self {
         let toward = self.across[0] * by[0] + self.across[1] * by[1];
         let Some((toward, angle)) = UnitVector3::try_new_and_get(toward, 0.0) else {
@@ -26,7 +26,7 @@ impl Heading {
         };
         let (sine, cosine) = libm::sincos(angle);
         let along = (self.along * cosine + toward.into_inner() * sine).normalize();
-        // Carried by the least rotation, so that a bend keeps its tool face.
+        // Transported by the smallest rotation, so that a bend keeps its tool face.
         let first = self.across[0];
         let share = first.dot(&along) / (1.0 + self.along.dot(&along));
         Self::new(along, first - (self.along + along) * share)

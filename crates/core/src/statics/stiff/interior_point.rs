@@ -1,14 +1,14 @@
-//! Contact by an interior point: every node inside its hole, pushed off the wall by a force that
-//! falls with the room left, until `N s` is nothing.
+//! Contact by an interior point: every node is inside its hole, pushed off the wall by a force that
+//! is inverse to the remaining gap, until `N s` vanishes.
 //!
-//! With `u` the offset from the axis, `c` the clearance and `α(N)` what the wall gives way,
+//! With `u` the offset from the axis, `c` the clearance and `α(N)` the penetration of the wall,
 //!
 //! ```text
 //! s = (c² − |u|²)/(2c) + α(N) > 0,    N > 0,    N s = μ → 0
 //! ```
 //!
-//! The constraint is smooth on the axis, where nothing says which side the pipe will lie on: the
-//! string begins there. J. Nocedal and S. J. Wright, *Numerical Optimization*, chapter 19.
+//! The constraint is smooth on the axis, where the pipe's side of the hole is not known
+//! yet: the string begins there. J. Nocedal and S. J. Wright, *Numerical Optimization*, chapter 19.
 
 use nalgebra::Vector2;
 
@@ -20,7 +20,7 @@ use super::{
     string_in_hole::StringInHole,
 };
 
-/// Iterations before it gives up.
+/// Maximum number of iterations.
 const MOST: usize = 60;
 
 /// Part of the way to the wall that a step may take.
@@ -29,48 +29,48 @@ const TO_THE_WALL: f64 = 0.995;
 /// The parameter `μ` begins at this part of the mean of `N s`.
 const FIRST: f64 = 0.1;
 
-/// Product of force and room at which the active set takes over, as a part of a newton times the
-/// clearance.
+/// Product of force and gap at which the active set takes over, as a part of the mean weight of a
+/// node times the clearance.
 const FLOOR: f64 = 1e-7;
 
-/// Shift of the matrix in a step, as a part of the foundation that the weight is.
+/// Shift of the matrix in a step, as a part of the stiffness of the foundation by weight.
 pub(super) const SHIFT: f64 = 1e-4;
 
-/// Steps shorter than this end it, m.
+/// The iterations end after a step shorter than this, m.
 const STILL_M: f64 = 1e-6;
 
-/// How the iterations went.
+/// Result of the iterations.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Iterated {
-    /// Iterations.
+    /// Number of iterations.
     pub(super) count: usize,
-    /// Whether they came to an end.
+    /// Whether they converged.
     pub(super) converged: bool,
 }
 
-/// What the wall of a node adds to a Newton step.
+/// Condensed wall of a node in a Newton step.
 #[derive(Debug, Clone, Copy, Default)]
 struct Coupling {
-    /// Change of the contact force: so much, and so much for a metre of offset.
+    /// Change of the contact force: a constant part, and a part per metre of offset.
     force_N: f64,
     by_offset: Vector2<f64>,
-    /// What the room lacks of its definition, m.
+    /// Difference between the definition of the gap and its present value, m.
     lacking_m: f64,
-    /// Direction in which it falls, and what a newton gives way, m.
+    /// Gradient of the gap by offset, and penetration per newton, m.
     towards: Vector2<f64>,
     gives_m_per_N: f64,
 }
 
-/// Where the interior point begins.
+/// Initial state of the interior point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Begins {
     /// From the axis.
     Cold,
-    /// From a state whose contact forces and room belong together.
+    /// From a state whose contact forces and gaps belong together.
     Warm,
 }
 
-/// Brings a state near to equilibrium.
+/// Iterates a state until it is near equilibrium.
 pub(super) fn iterate(
     string: &StringInHole,
     state: &mut State,
@@ -109,10 +109,10 @@ pub(super) fn iterate(
         let (mut room, mut force) = (1.0_f64, 1.0_f64);
         let mut changes = Vec::with_capacity(walled.len());
         for index in &walled {
-            let of = &couplings[*index];
+            let coupling = &couplings[*index];
             let du = Vector2::new(step[*index][0], step[*index][1]);
-            let dn = of.force_N + of.by_offset.dot(&du);
-            let ds = of.lacking_m + of.towards.dot(&du) + of.gives_m_per_N * dn;
+            let dn = coupling.force_N + coupling.by_offset.dot(&du);
+            let ds = coupling.lacking_m + coupling.towards.dot(&du) + coupling.gives_m_per_N * dn;
             if ds < 0.0 {
                 room = room.min(-TO_THE_WALL * state.slack_m[*index] / ds);
             }
@@ -121,7 +121,7 @@ pub(super) fn iterate(
             }
             changes.push((*index, dn, ds));
         }
-        // Friction ties forces and places together: one length for both.
+        // Friction couples forces and positions: one step length for both.
         let part = room.min(force);
         for (index, dn, ds) in changes {
             state.normal_N[index] += part * dn;
@@ -148,7 +148,7 @@ pub(super) fn iterate(
     Ok(Iterated { count: MOST, converged: false })
 }
 
-/// Adds the wall of a node to the equations, its contact force and its room condensed.
+/// Adds the wall of a node to the equations, its contact force and its gap condensed.
 fn couple(
     string: &StringInHole,
     state: &State,

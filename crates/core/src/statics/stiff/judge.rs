@@ -1,4 +1,4 @@
-//! Whether a state is an equilibrium, and whether it would stay.
+//! Whether a state is an equilibrium, and whether it is stable.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -11,14 +11,14 @@ use super::{
     string_in_hole::{Node, StringInHole},
 };
 
-/// Forces out of balance that an equilibrium may have, as a part of the string's weight.
+/// Largest unbalanced force of an equilibrium, as a part of the string's weight.
 const RESIDUAL: f64 = 1e-8;
 
-/// What costs less energy than this part of the foundation that the weight is costs none: a buckled
-/// pipe in a vertical hole may go round it.
+/// Motions whose stiffness is below this part of the foundation by weight count as neutral, because
+/// a buckled pipe in a vertical hole can move around it.
 const NEUTRAL: f64 = 1e-5;
 
-/// Ends the contact exactly and looks at what was found; none where it is no equilibrium.
+/// Converges the contact exactly and assesses the result; none where it is no equilibrium.
 pub(super) fn finish(
     string: &StringInHole,
     state: &mut State,
@@ -44,7 +44,7 @@ pub(super) fn finish(
     .filter(|_| residual < RESIDUAL)
 }
 
-/// The largest force out of balance, N, and its node.
+/// The node with the largest unbalanced force, and that force, N.
 pub(super) fn residual(
     string: &StringInHole,
     state: &State,
@@ -55,7 +55,7 @@ pub(super) fn residual(
     unbalanced(string, state, equations)
 }
 
-/// The same of a state whose equations are assembled.
+/// The same for a state whose equations are assembled.
 fn unbalanced(string: &StringInHole, state: &State, equations: &Equations) -> (usize, f64) {
     let mut worst = (0, equations.misfit_N());
     for (index, node) in string.nodes.iter().enumerate().skip(1) {
@@ -77,8 +77,8 @@ fn direction(state: &State, index: usize) -> (Vector2<f64>, f64) {
     (offset / radius_m.max(f64::MIN_POSITIVE), radius_m)
 }
 
-/// Whether every small motion costs energy, the wall given way to where the string touches it. The
-/// equations are those of the state, and used up.
+/// Whether every small motion costs energy, with the compliance of the wall where the string
+/// touches it. The equations are those of the state, and are overwritten.
 fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) -> bool {
     equations.untwist(string, state, &contact::torques_N_m(string, &state.normal_N));
     for (index, node) in string.nodes.iter().enumerate() {
@@ -90,8 +90,8 @@ fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) ->
     equations.is_definite(NEUTRAL * string.foundation_N_per_m())
 }
 
-/// What the wall of a node that touches it holds small motions across the hole with, N/m: it gives
-/// way along the normal, and around the hole its force turns with the node. None of another node.
+/// Stiffness of the wall against small motions of a node across the hole, N/m: its compliance acts
+/// along the normal, and around the hole its force turns with the node. None without contact.
 pub(super) fn wall_N_per_m(node: &Node, state: &State, index: usize) -> Option<Matrix2<f64>> {
     let normal_N = state.normal_N[index];
     (normal_N > 0.0).then(|| {

@@ -1,10 +1,10 @@
-//! What the elements' lengths leave uncertain.
+//! Discretisation error of the elements.
 
 use serde::{Deserialize, Serialize};
 
 use crate::finite;
 
-/// What the elements' lengths leave uncertain, by the last two meshes.
+/// Discretisation error of the elements, estimated from the last two meshes.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct MeshError {
     /// Hook load, N.
@@ -19,7 +19,7 @@ pub struct MeshError {
     /// Bending moment at a node, N·m: the largest change.
     #[serde(with = "finite")]
     pub bending_moment_N_m: f64,
-    /// Where that is, measured depth, m.
+    /// Measured depth of that change, m.
     #[serde(with = "finite")]
     pub md_m: f64,
 }

@@ -1,5 +1,5 @@
-//! The stiff string: static equilibrium of the whole string in its hole, bending stiffness and
-//! clearance counted, contact found.
+//! The stiff string: static equilibrium of the whole string in its hole, with bending stiffness,
+//! clearance and contact.
 
 mod active_set;
 mod at_rest;

@@ -1,5 +1,5 @@
-//! The nodes on the wall and off it in a Newton step: those on it press, and who is there is looked
-//! at again after the step.
+//! The nodes on the wall and off it in a Newton step: those on it press, and the set of them is
+//! updated after the step.
 
 use nalgebra::Vector2;
 
@@ -10,13 +10,13 @@ use super::{
 /// Contact force of a node that meets the wall, as a part of the mean weight of a node.
 const FIRST: f64 = 0.1;
 
-/// Part of its contact force that a node keeps which would be pulled, but is in the wall; below
-/// this part of the mean weight it has none.
+/// Part of its contact force that a node in the wall keeps where the step would make the force
+/// negative; below the second part of the mean weight the node has no force.
 const LESS: f64 = 0.1;
 const NOTHING: f64 = 1e-9;
 
-/// What the wall of a node on it adds to a Newton step: its contact force changes by so much, and
-/// so much for a metre of offset.
+/// Change of a node's contact force in a Newton step: a constant part, and a part per metre of
+/// offset.
 #[derive(Debug, Clone, Copy)]
 struct Coupling {
     force_N: f64,
@@ -38,8 +38,8 @@ impl OnWall {
         Self { couplings: couplings.collect() }
     }
 
-    /// Takes a part of the step, which the nodes have gone already, for the contact forces: how
-    /// many nodes meet the wall or leave it.
+    /// Applies a part of the step, by which the nodes have already moved, to the contact forces.
+    /// Returns the number of nodes that meet the wall or leave it.
     pub(super) fn follow(
         &self,
         string: &StringInHole,
@@ -53,11 +53,12 @@ impl OnWall {
             let inside = state.offset_m[index].xy().norm() < node.clearance_m;
             let normal_N = &mut state.normal_N[index];
             match self.couplings[index] {
-                Some(of) => {
+                Some(coupling) => {
                     let du = Vector2::new(step[index][0], step[index][1]);
-                    let after_N = *normal_N + part * (of.force_N + of.by_offset.dot(&du));
+                    let change_N = coupling.force_N + coupling.by_offset.dot(&du);
+                    let after_N = *normal_N + part * change_N;
                     if after_N <= 0.0 {
-                        // A wall that is soft at first: Newton's step from above goes too far.
+                        // The wall is soft at first, so that Newton's step from above is too long.
                         let leaves = inside || *normal_N < NOTHING * weight_N;
                         *normal_N = if leaves { 0.0 } else { LESS * *normal_N };
                         changed += 1;

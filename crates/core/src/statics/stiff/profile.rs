@@ -1,4 +1,4 @@
-//! What the stiff string answers with.
+//! Results of the stiff string.
 
 use std::ops::Deref;
 
@@ -25,10 +25,10 @@ use crate::{
     string::BodySection,
 };
 
-/// What the stiff string answers: loads along the string, from the surface to the bit, and their
+/// Results of the stiff string: loads along the string, from the surface to the bit, and their
 /// scalars.
 ///
-/// Its profile's columns are read as its own: `stiff.tension_N`.
+/// The columns of its profile are available as its own: `stiff.tension_N`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StiffProfile {
     /// Along the string.
@@ -37,18 +37,18 @@ pub struct StiffProfile {
     pub wear: HoleWear,
     /// The operation's scalars.
     pub scalars: Scalars,
-    /// What the mud does; none without a rheology.
+    /// Effect of the mud; none without a rheology.
     pub hydraulics: Option<Hydraulics>,
-    /// Side force of the bit on the rock or on what holds it, N, towards the high side and to the
-    /// right of it as one looks down the hole.
+    /// Side force of the bit on the rock or on its support, N, towards the high side and to the
+    /// right of it, looking down the hole.
     pub bit_side_force_N: [f64; 2],
     /// Tilt of the bit against the hole's axis, rad, towards the high side and to the right of it.
     pub bit_tilt_rad: [f64; 2],
-    /// Where its axis lies in the hole, which wall it presses and how it bends.
+    /// Position of its axis in the hole, its forces on the wall and its bending.
     pub axis: StringAxis,
     /// Deepest penetration of the wall, m, and its measured depth, m; zeros where nothing touches.
     pub deepest_penetration_m: [f64; 2],
-    /// How the equilibrium was found.
+    /// Convergence of the equilibrium.
     pub convergence: Convergence,
 }
 
@@ -61,8 +61,8 @@ impl Deref for StiffProfile {
 }
 
 impl StiffProfile {
-    pub(super) fn new(model: &Model, operation: &Operation, of: &Equilibrium) -> Self {
-        let Equilibrium { mesh, string, state, hook_load_N, convergence, .. } = of;
+    pub(super) fn new(model: &Model, operation: &Operation, solution: &Equilibrium) -> Self {
+        let Equilibrium { mesh, string, state, hook_load_N, convergence, .. } = solution;
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
         let mut profile = along(model, mesh, string, state, &torques_N_m);
         let last = string.nodes.len() - 1;
@@ -84,7 +84,7 @@ impl StiffProfile {
             let compression_N = -profile.tension_N[index];
             profile.push_buckling_loads(place.loads_N(model.buckling, compression_N));
         }
-        let sum = |of: &dyn Fn(usize) -> f64| (0..string.nodes.len()).map(of).sum::<f64>();
+        let sum = |value: &dyn Fn(usize) -> f64| (0..string.nodes.len()).map(value).sum::<f64>();
         let scalars = Scalars {
             hook_load_N: *hook_load_N,
             surface_torque_N_m,
@@ -100,7 +100,7 @@ impl StiffProfile {
         };
         let [bit_side_force_N, bit_tilt_rad] = at_bit(model, string, state, &torques_N_m);
         if let BitEnd::Pinned | BitEnd::Clamped = string.ends.bit {
-            // No wall and no spring has it: what holds the bit to the axis.
+            // Neither a wall nor a spring has this force: it is that of the constraint on the axis.
             axis.push_N[last] = bit_side_force_N;
         }
         Self {
@@ -111,7 +111,7 @@ impl StiffProfile {
             bit_side_force_N,
             bit_tilt_rad,
             axis,
-            deepest_penetration_m: of
+            deepest_penetration_m: solution
                 .deepest()
                 .map_or([0.0; 2], |(depth_m, index)| [depth_m, string.nodes[index].md_m]),
             convergence: *convergence,
@@ -120,19 +120,20 @@ impl StiffProfile {
 }
 
 impl Equilibrium {
-    /// Torque and drag of the model and the operation that it is the equilibrium of.
+    /// Torque and drag of this equilibrium, for its model and operation.
     pub fn profile(&self, model: &Model, operation: &Operation) -> StiffProfile {
         StiffProfile::new(model, operation, self)
     }
 }
 
-/// Length over which the side force says where the string changes sides, m: the mean that
-/// [`cutoff_in_build_m`] takes, to both sides of it.
+/// Distance from the depth at which the side force changes sides within which the cut-off is
+/// searched for, m: the length of the mean of [`cutoff_in_build_m`], to both sides.
 const CUTOFF_WITHIN_M: f64 = 30.0;
 
-/// The cut-off: where the string's axis crosses that of the hole next to where the mean side force
-/// changes sides. Between the last contact above and the first below it the string hangs free over
-/// tens of metres, in which the mean of the contacts moves with every node of the mesh.
+/// The cut-off: the crossing of the string's axis and the hole's that is nearest to the change of
+/// side of the mean side force. Between the last contact above and the first below it the string
+/// hangs free over tens of metres, in which the mean of the contacts moves with every node of the
+/// mesh.
 fn cutoff_depth_m(
     model: &Model,
     operation: &Operation,
@@ -145,18 +146,18 @@ fn cutoff_depth_m(
     Some(axis.crossing_near_m(md_m, by_force_m, CUTOFF_WITHIN_M).unwrap_or(by_force_m))
 }
 
-/// Torque at the top, of what the elements carry, N·m.
+/// Torque at the top from the torques in the elements, N·m.
 fn surface_torque_N_m(string: &StringInHole, torques_N_m: &[f64]) -> f64 {
     torques_N_m[0] + 0.5 * string.elements[0].mud_torque_N_m
 }
 
 /// Hook load, N, and surface torque, N·m.
-pub(super) fn hook_and_torque(of: &Equilibrium) -> [f64; 2] {
-    let torques_N_m = contact::torques_N_m(&of.string, &of.state.normal_N);
-    [of.hook_load_N, surface_torque_N_m(&of.string, &torques_N_m)]
+pub(super) fn hook_and_torque(solution: &Equilibrium) -> [f64; 2] {
+    let torques_N_m = contact::torques_N_m(&solution.string, &solution.state.normal_N);
+    [solution.hook_load_N, surface_torque_N_m(&solution.string, &torques_N_m)]
 }
 
-/// What friction does at the nodes.
+/// Sliding friction at the nodes.
 struct Rubbing<'a> {
     operation: &'a Operation,
     string: &'a StringInHole,
@@ -168,23 +169,24 @@ impl Rubbing<'_> {
         contact::rubbed_N_m(&self.string.nodes[index], self.state.normal_N[index])
     }
 
-    /// Positive where it adds to hook load.
+    /// Axial friction at a node, N; positive where it adds to hook load.
     fn drag_N(&self, index: usize) -> f64 {
         self.string.nodes[index].friction[0] * self.state.normal_N[index]
     }
 
-    /// Force times sliding speed, about and along.
+    /// Power of friction at a node, W: force times sliding speed, about and along the hole.
     fn power_W(&self, index: usize) -> f64 {
         self.operation.rotation_rad_per_s() * self.torque_N_m(index)
             - self.operation.axial_velocity_m_per_s() * self.drag_N(index)
     }
 }
 
-/// What presses and rubs per metre.
+/// Sets the side forces, friction and wear per metre.
 fn press(model: &Model, mesh: &Mesh, rubbing: &Rubbing<'_>, p: &mut Profile) {
     let (string, state) = (rubbing.string, rubbing.state);
     let spans = contact_length::contact_spans(mesh, |index| state.normal_N[index] > 0.0);
-    let per_m = |of: &dyn Fn(usize) -> f64| contact_length::spread(&spans, string.nodes.len(), of);
+    let count = string.nodes.len();
+    let per_m = |value: &dyn Fn(usize) -> f64| contact_length::spread(&spans, count, value);
     p.axial_friction_N_per_m = per_m(&|index| rubbing.drag_N(index));
     p.friction_torque_N_m_per_m = per_m(&|index| rubbing.torque_N_m(index));
     p.wear_power_W_per_m = per_m(&|index| rubbing.power_W(index));
@@ -202,7 +204,7 @@ fn press(model: &Model, mesh: &Mesh, rubbing: &Rubbing<'_>, p: &mut Profile) {
     }
 }
 
-/// What friction does to the hole, each node over half of its elements.
+/// Wear of the hole by friction; that of each node is spread over half of its two elements.
 fn hole_wear(mesh: &Mesh, rubbing: &Rubbing<'_>) -> HoleWear {
     let mut hole_W = vec![0.0; hole_steps(rubbing.operation.bit_depth_m)];
     for (index, node) in rubbing.string.nodes.iter().enumerate() {
@@ -234,7 +236,7 @@ fn at_bit(
     let pushed = match string.ends.bit {
         BitEnd::Held => off * node.hold_N_per_m,
         BitEnd::Free => off.try_normalize(0.0).unwrap_or_default() * state.normal_N[last],
-        // On the axis: what the string presses there.
+        // On the axis: the force of the string on the constraint.
         BitEnd::Pinned | BitEnd::Clamped => {
             let mut equations = Equations::new(string.nodes.len());
             equations.assemble(string, state, Some(torques_N_m));
@@ -245,7 +247,7 @@ fn at_bit(
     [[pushed.dot(&high), pushed.dot(&right)], [tilt.dot(&high), tilt.dot(&right)]]
 }
 
-/// What the nodes show of themselves.
+/// The columns that follow directly from the nodes.
 fn along(
     model: &Model,
     mesh: &Mesh,
@@ -254,8 +256,8 @@ fn along(
     torques_N_m: &[f64],
 ) -> Profile {
     let elements = string.elements.len();
-    let at_node = |of: &[f64], index: usize| {
-        0.5 * (of[index.saturating_sub(1)] + of[index.min(elements - 1)])
+    let at_node = |values: &[f64], index: usize| {
+        0.5 * (values[index.saturating_sub(1)] + values[index.min(elements - 1)])
     };
     let mut p = Profile::default();
     for (index, node) in string.nodes.iter().enumerate() {
@@ -279,7 +281,7 @@ fn along(
     p
 }
 
-/// What the metal bears.
+/// Sets pressures, true tension, bending moments and stresses.
 fn bear(
     model: &Model,
     operation: &Operation,
@@ -320,8 +322,8 @@ fn bear(
     p.body_contact_fraction = bending.touches;
 }
 
-/// Turn and elongation against the bit, from the bit up: by tension, by the mud at rest and by its
-/// flow.
+/// Sets twist and elongation relative to the bit, from the bit up: by tension, by the mud at rest
+/// and by its flow.
 fn deform(
     model: &Model,
     mesh: &Mesh,

@@ -1,4 +1,4 @@
-//! Where a mesh is too coarse for the bending that it shows, and what that is worth.
+//! Elements that are too long for the bending of the solution, and the error that they cause.
 
 use super::{
     bending::Bending, equilibrium::Equilibrium, mesh_error::MeshError, profile::hook_and_torque,
@@ -6,22 +6,22 @@ use super::{
 };
 use crate::model::Model;
 
-/// Part of the tolerance by which the peak of an element's moment may exceed its moments at the nodes
-/// and half-way.
+/// Part of the tolerance by which the peak of an element's moment may exceed its moments at the
+/// nodes and half-way.
 const PEAK: f64 = 0.5;
 
-/// Part of its clearance by which the body of an element may bulge through the wall between its
-/// nodes, and the least that counts, m.
+/// Part of its clearance by which the body of an element may penetrate the wall between its nodes,
+/// and the smallest penetration that counts, m.
 const BULGE: f64 = 0.02;
 const LEAST_BULGE_M: f64 = 2e-4;
 
-/// Elements that are shorter are not cut, m.
+/// Elements shorter than this are not divided, m.
 const SHORTEST_M: f64 = 0.2;
 
 impl Equilibrium {
-    /// The elements that are too long: in which a contact of the body begins or ends, whose body
-    /// touches between nodes that do not lie on the wall, which are apart from their neighbours about
-    /// the moment by more than a part of the largest one, and whose nodes miss what is between them.
+    /// The elements that are too long: those in which a contact of the body begins or ends, whose
+    /// body touches between nodes that are off the wall, whose moment differs from that of their
+    /// neighbours by more than a part of the largest one, or whose nodes miss a peak between them.
     pub(super) fn too_long(&self, model: &Model, tolerance: f64) -> Vec<bool> {
         let bending = self.bending(model);
         let most_N_m = tolerance * bending.at_node_N_m.iter().copied().fold(0.0, f64::max);
@@ -42,16 +42,17 @@ impl Equilibrium {
             long[element] |= cut;
             // It may lift off on the other side of the node, too.
             if cut && lifts {
-                let beside = if lies[element] { element.checked_sub(1) } else { Some(element + 1) };
-                if let Some(beside) = beside.and_then(|index| long.get_mut(index)) {
-                    *beside = true;
+                let next = if lies[element] { element.checked_sub(1) } else { Some(element + 1) };
+                if let Some(next) = next.and_then(|index| long.get_mut(index)) {
+                    *next = true;
                 }
             }
         }
         long
     }
 
-    /// Whether any element needs to be cut, however little the last halving changed at the nodes.
+    /// Whether any element needs to be divided, however little the last halving changed at the
+    /// nodes.
     pub(super) fn any_unresolved(&self, model: &Model, tolerance: f64) -> bool {
         let bending = self.bending(model);
         let most_N_m = tolerance * bending.at_node_N_m.iter().copied().fold(0.0, f64::max);
@@ -60,8 +61,8 @@ impl Equilibrium {
         elements.any(|element| self.misses(element, &bending, most_N_m))
     }
 
-    /// Whether nodes and middle of an element miss what is between them: a peak of the moment, or a
-    /// body that bulges through the wall.
+    /// Whether nodes and middle of an element miss a peak of the moment between them, or a body
+    /// that penetrates the wall there.
     fn misses(&self, element: usize, bending: &Bending, most_N_m: f64) -> bool {
         let clearance_m = self.string.elements[element].body_clearance_m;
         let in_hole = [element, element + 1].iter().any(|node| self.string.nodes[*node].has_wall());
@@ -70,16 +71,17 @@ impl Equilibrium {
         bending.peak_excess_N_m[element] > PEAK * most_N_m || bulges()
     }
 
-    /// Whether the body of a node, and no joint or blade, lies on the wall.
+    /// Whether the body at a node, and no joint or blade, touches the wall.
     fn body_lies(&self, node: usize) -> bool {
         let clearance_m = self.string.nodes[node].clearance_m;
-        let beside = [node.checked_sub(1), Some(node)].into_iter().flatten();
-        let mut bodies = beside.filter_map(|index| self.string.elements.get(index));
+        let adjacent = [node.checked_sub(1), Some(node)].into_iter().flatten();
+        let mut bodies = adjacent.filter_map(|index| self.string.elements.get(index));
         self.state.normal_N[node] > 0.0
             && bodies.all(|body| body.body_clearance_m < clearance_m + STANDS_OUT_M)
     }
 
-    /// What a mesh whose nodes all belong to this one's left uncertain.
+    /// Error of a coarser mesh whose nodes are all nodes of this one's: the differences between the
+    /// two.
     pub(super) fn change_since(&self, coarser: &Self, model: &Model) -> MeshError {
         let [[hook_N, torque_N_m], [was_N, was_N_m]] = [self, coarser].map(hook_and_torque);
         let [moments, were] = [self, coarser].map(|one| one.bending(model).at_node_N_m);

@@ -1,16 +1,16 @@
-//! The string let go in the middle of its hole, in a fluid so thick that it never swings: it sinks
-//! to the wall, buckles, rolls and comes to rest, or does not.
+//! Dynamic relaxation: the string is released in the middle of its hole, in a fluid so viscous that
+//! it never swings. It sinks to the wall, buckles, rolls and reaches equilibrium, or does not.
 //!
 //! ```text
-//! drag · du/dt = forces on the nodes across the hole,    all else in balance
+//! drag · du/dt = forces on the nodes across the hole,    all else in equilibrium
 //! ```
 //!
 //! One step of Newton's method with the drag on its diagonal is a step of implicit Euler; the drag
 //! falls as the string slows down, and the last steps are Newton's own: pseudo-transient
 //! continuation (C. T. Kelley and D. E. Keyes, *Convergence analysis of pseudo-transient
-//! continuation*, SIAM J. Numer. Anal. 35 (1998)). Friction and torque are there from the
-//! beginning, energy or not. As the real string does, this one leaves a state that would not stay:
-//! the drag is always more than what the steepest way down takes.
+//! continuation*, SIAM J. Numer. Anal. 35 (1998)). Friction and torque act from the
+//! beginning, though they have no energy. Like the real string, this one leaves an unstable state:
+//! the drag always exceeds the rate at which the steepest descent gains energy.
 
 use nalgebra::Matrix2;
 
@@ -25,129 +25,129 @@ use super::{
 };
 use crate::random::Random;
 
-/// Steps before it gives up: so many, fewer of a string with many elements, that a refusal does not
-/// take for ever, but no fewer than that. What comes to rest took 210 at most, and 260 000 times its
-/// elements, in hundreds of wells.
+/// Maximum number of steps; that number times the elements, which limits the time of a failure; and
+/// the smallest number that this may lead to. In hundreds of wells strings that reached equilibrium
+/// took 210 steps at most, and 260 000 as steps times elements.
 const MOST: usize = 400;
 const MOST_OF_ELEMENTS: usize = 350_000;
 const AT_LEAST: usize = 90;
 
-/// Seeded disturbance, as a part of the room of each node: a straight string under too much
-/// compression would stay so for ever.
+/// Seeded disturbance, as a part of the gap of each node: without it a straight string under too
+/// much compression would stay straight.
 const DISTURBANCE: f64 = 1e-3;
 
-/// Farthest that a node goes round the axis in a step, rad, that a director turns, and that a node
-/// goes in or out, as a part of its clearance.
+/// Limits of a step: rotation of a node around the axis, rad, rotation of a director, rad, and
+/// radial motion of a node, as a part of its clearance.
 const MOST_ROUND: f64 = 0.5;
 const MOST_TURN: f64 = 0.2;
 const MOST_OUT: f64 = 0.5;
 
-/// First drag, the least, and one under which nothing moves any more, over the foundation that the
-/// weight is.
+/// Initial drag, the smallest drag, and a drag under which nothing moves any more, over the
+/// stiffness of the foundation by weight.
 const FIRST: f64 = 1.0;
 const LEAST: f64 = 1e-4;
 const FROZEN: f64 = 1e9;
 
-/// What the drag is multiplied by where it is too little, as after a step of less than this part,
-/// ...
+/// Factor of the drag where it is too small, as after a step of less than this part, ...
 const MORE: f64 = 1.5;
 const SHORT: f64 = 0.3;
 
 /// ... and after a step at full length: with nodes that met the wall or left it, and without.
 const LESS: [f64; 2] = [0.7, 0.3];
 
-/// So many steps in a row in which nodes meet the wall or leave it, at the least drag, are a cycle:
-/// every step goes too far. The drag is raised to this then, or to so many times what it is, and
-/// falls no more while any node does.
+/// Number of consecutive steps at the smallest drag in which nodes meet the wall or leave it that
+/// counts as a cycle, because every step is too long. The drag is then raised to the second value,
+/// or by the third factor, and is no longer reduced while any node meets the wall or leaves it.
 const CYCLE: usize = 20;
 const CAREFUL: f64 = 1e-2;
 const MORE_CAREFUL: f64 = 10.0;
 
-/// So many times the drag is raised by little before it is asked whether any would do.
+/// Number of small increases of the drag after which it is checked whether any drag is sufficient.
 const TRIES: usize = 8;
 
-/// A string whose steps are shorter may be at rest, m; after a look in vain, this part of it, so
-/// often.
+/// A string whose steps are shorter than this may be at rest, m. After a failed check the length is
+/// multiplied by the factor; there are this many checks.
 const STILL_M: f64 = 1e-4;
 const STILLER: f64 = 1e-2;
 pub(super) const LOOKS: usize = 3;
 
-/// A string whose steps are longer has left where it was, m.
+/// A string with a step longer than this has left its state, m.
 const MOVES_M: f64 = 1e-2;
 
-/// A node that went round its hole by so much, rad, goes on; by so much it may, where the string
-/// did not come to rest. What does rest went round by less than a turn in hundreds of wells.
+/// Angle around its hole beyond which a node is taken to roll without end, rad, and the angle that
+/// is sufficient where the string did not reach equilibrium. In hundreds of wells strings that did
+/// moved around by less than a turn.
 const ROLLS: [f64; 2] = [3.0 * std::f64::consts::PI, 2.0 * std::f64::consts::PI];
 
-/// Compression that runs away, over the largest of the soft string, where the string does not come to
-/// rest.
+/// Ratio to the largest compression of the soft string beyond which the compression of a string
+/// that does not reach equilibrium is taken to run away.
 const AWAY: f64 = 2.0;
 
-/// Compression over the largest of the soft string that no string comes back from, when it has grown
-/// beyond it from step to step for so long: of the points of a plan of 8.5 km those that came to rest
-/// had 2.7 at most, pushed with 1.2 MN.
+/// Ratio to the largest compression of the soft string from which no string recovers, when the
+/// compression has grown beyond it in this many consecutive steps: among the points of a plan of
+/// 8.5 km those that reached equilibrium had 2.7 at most, pushed with 1.2 MN.
 const LOST: f64 = 4.0;
 const LOST_STEPS: usize = 5;
 
-/// Compression by the soft string from which that is looked at, as a part of the string's weight.
+/// Compression by the soft string from which this is checked, as a part of the string's weight.
 const PUSHED: f64 = 0.02;
 
-/// A string whose compression is beyond the soft string's by this factor when its steps are used up
-/// gets twice as many: it comes to rest, or is seen to run away.
+/// A string whose compression exceeds the soft string's by this factor after its last step is given
+/// twice as many, so that it reaches equilibrium or runs away.
 const GROWING: f64 = 1.25;
 
-/// What the string does.
+/// Behaviour of the string.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Does {
-    /// It lies still, or nearly so.
+    /// It is at rest, or nearly so.
     Rests,
-    /// Turned by its friction, it rolls around the hole: most at this node.
+    /// It rolls around the hole by its friction: most at this node.
     Rolls(usize),
     /// Its compression grows beyond all bounds: most in this element.
     RunsAway(usize),
-    /// It went on moving for as long as was looked at.
+    /// It was still moving after the last step.
     Moves,
 }
 
-/// A string that sinks.
+/// A released string.
 pub(super) struct Relaxation<'a> {
     string: &'a StringInHole,
     pub(super) state: State,
-    /// Over the foundation that the weight is.
+    /// Drag over the stiffness of the foundation by weight.
     drag: f64,
-    /// Steps in a row in which contacts changed, and whether they went on for too long once.
+    /// Number of consecutive steps in which contacts changed, and whether it was once too large.
     restless: usize,
     careful: bool,
-    /// How far each node went round, rad.
+    /// Angle of each node around the hole, rad.
     round_rad: Vec<f64>,
-    /// Steps so far.
+    /// Number of steps so far.
     pub(super) steps: usize,
     still_m: f64,
-    /// Steps in a row in which the compression has grown beyond [`LOST`], and the largest of the
-    /// last step, N.
+    /// Number of consecutive steps in which the compression has grown beyond [`LOST`], and the
+    /// largest compression of the last step, N.
     lost_steps: usize,
     compression_N: f64,
 }
 
-/// What a step came to.
+/// Result of a step.
 struct Stepped {
     longest_m: f64,
     whole: bool,
     /// Nodes that met the wall or left it.
     changed: usize,
-    /// Whether less drag would have let it go down faster than any motion does.
+    /// Whether the drag had to be raised to exceed the rate of every descent.
     slowed: bool,
 }
 
 impl<'a> Relaxation<'a> {
-    /// In the middle of the hole, but for a little that is never the same way.
+    /// Begins in the middle of the hole, with a small random offset.
     pub(super) fn begin(string: &'a StringInHole) -> Self {
         let mut state = State::centred(string);
         let mut random = Random::new(1);
         for (index, node) in string.nodes.iter().enumerate() {
             state.normal_N[index] = 0.0;
             if node.has_wall() {
-                // Half of the clearance is the room that the middle counts as.
+                // In the middle the gap counts as half of the clearance.
                 let by_m = 0.5 * DISTURBANCE * node.clearance_m;
                 state.offset_m[index].x += by_m * random.signed();
                 state.offset_m[index].y += by_m * random.signed();
@@ -168,8 +168,8 @@ impl<'a> Relaxation<'a> {
         }
     }
 
-    /// Goes on until it may be at rest, or never will be. `moved` is told where the string has left
-    /// the state that it was in when it was last said to rest.
+    /// Continues until the string may be at rest, or never will be. Sets `moved` where the string
+    /// has left the state in which it last counted as at rest.
     pub(super) fn go_on(&mut self, equations: &mut Equations, moved: &mut bool) -> Does {
         let turns = self.string.nodes.iter().any(|node| node.friction[1] != 0.0);
         let most = MOST.min(MOST_OF_ELEMENTS / self.string.elements.len()).max(AT_LEAST);
@@ -196,22 +196,23 @@ impl<'a> Relaxation<'a> {
         rolling.map_or_else(away, Does::Rolls)
     }
 
-    /// The node that went round the hole farthest, if it is farther than an angle, rad.
+    /// The node that moved farthest around the hole, if by more than an angle, rad.
     fn rolling(&self, angle_rad: f64) -> Option<usize> {
         let far = |index: &usize| self.round_rad[*index].abs();
         let most = (0..self.round_rad.len()).max_by(|a, b| far(a).total_cmp(&far(b)))?;
         (far(&most) > angle_rad).then_some(most)
     }
 
-    /// The element under the largest compression, if that is far beyond what the soft string has.
+    /// The element under the largest compression, if that is far beyond the soft string's.
     fn running_away(&self) -> Option<usize> {
         self.is_beyond(AWAY)
     }
 
-    /// The same, if its compression has grown without a pause for some steps, so far that it will not
-    /// come back.
+    /// The same, if its compression has grown in several consecutive steps, so far that it will not
+    /// recover.
     fn is_lost(&mut self) -> Option<usize> {
-        let pushed_N = self.string.elements.iter().map(|of| -of.guess_N).fold(0.0, f64::max);
+        let pushed_N =
+            self.string.elements.iter().map(|element| -element.guess_N).fold(0.0, f64::max);
         // A string that hangs is pressed by its bends alone.
         let is_pushed = pushed_N > PUSHED * self.string.weight_N();
         let found = self.is_beyond(LOST).filter(|_| is_pushed);
@@ -222,7 +223,7 @@ impl<'a> Relaxation<'a> {
         found.filter(|_| self.lost_steps >= LOST_STEPS)
     }
 
-    /// The element under the largest compression, if that is so many times what the soft string has.
+    /// The element under the largest compression, if that exceeds the soft string's by this factor.
     fn is_beyond(&self, times: f64) -> Option<usize> {
         let least = |a: &f64, b: &f64| a.total_cmp(b);
         let tensions_N = self.state.tension_N.iter().enumerate();
@@ -232,7 +233,7 @@ impl<'a> Relaxation<'a> {
         (*tension_N < times * guess_N).then_some(index)
     }
 
-    /// A step; none where it has none.
+    /// Takes a step; none where there is no solution.
     fn step(&mut self, equations: &mut Equations) -> Option<Stepped> {
         let Self { string, state, .. } = self;
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
@@ -266,7 +267,7 @@ impl<'a> Relaxation<'a> {
         Some(Stepped { longest_m, whole, changed, slowed })
     }
 
-    /// Whether contacts changed in so many steps that they would go on doing so.
+    /// Whether contacts changed in so many steps that they are in a cycle.
     fn cycles(&mut self, changed: usize) -> bool {
         let counts = changed > 0 && (self.careful || self.drag == LEAST);
         self.restless = if counts { self.restless + 1 } else { 0 };
@@ -277,8 +278,8 @@ impl<'a> Relaxation<'a> {
         cycles
     }
 
-    /// Raises the drag until it is more than what any motion gains, friction apart, and says
-    /// whether it had to; none where there is no such drag.
+    /// Raises the drag until it exceeds the energy that any motion gains, friction apart. Returns
+    /// whether it had to be raised; none where there is no such drag.
     fn slow_down(&mut self, equations: &mut Equations) -> Option<bool> {
         let string = self.string;
         let walls: Vec<Option<Matrix2<f64>>> = (0..string.nodes.len())
@@ -304,7 +305,7 @@ impl<'a> Relaxation<'a> {
     }
 }
 
-/// Adds to the equations, times a sign, what the walls hold the nodes with.
+/// Adds the stiffness of the walls at the nodes, times a sign, to the equations.
 fn lean(equations: &mut Equations, walls: &[Option<Matrix2<f64>>], sign: f64) {
     for (diagonal, wall) in equations.matrix.diagonal.iter_mut().zip(walls) {
         if let Some(wall_N_per_m) = wall {
@@ -314,10 +315,11 @@ fn lean(equations: &mut Equations, walls: &[Option<Matrix2<f64>>], sign: f64) {
     }
 }
 
-/// The part of a step that goes neither too far round nor in or out.
+/// The part of a step that exceeds no limit of rotation or radial motion.
 fn part_of(string: &StringInHole, state: &State, step: &[Entry]) -> f64 {
     let mut part = 1.0_f64;
-    let mut at_most = |most: f64, of: f64| part = part.min(most / of.abs().max(f64::MIN_POSITIVE));
+    let mut at_most =
+        |most: f64, size: f64| part = part.min(most / size.abs().max(f64::MIN_POSITIVE));
     for (index, node) in string.nodes.iter().enumerate() {
         let by = &step[index];
         at_most(MOST_TURN, libm::hypot(by[3], by[4]));

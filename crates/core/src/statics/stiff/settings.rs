@@ -1,21 +1,21 @@
-//! How the stiff string is solved.
+//! Settings of the stiff string.
 
 use crate::{sizing::ElementLength, wall::contact::ContactLaw};
 
-/// How the stiff string is solved.
+/// Settings of the stiff string.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StiffSettings {
     /// Length of the elements.
     pub element_length: ElementLength,
-    /// What every length is divided by: 1, and more for convergence studies.
+    /// Divisor of every element length: 1, and more for convergence studies.
     pub refinement: u32,
-    /// How the wall answers penetration.
+    /// Contact law of the wall.
     pub contact_law: ContactLaw,
-    /// What holds the bit to the axis of its hole, N/m, where its end of the string is
-    /// [held](crate::ends::BitEnd::Held) so.
+    /// Lateral stiffness that holds the bit to the axis of its hole, N/m, where its end of the
+    /// string is [held](crate::ends::BitEnd::Held).
     pub bit_lateral_stiffness_N_per_m: f64,
     /// Whether the weight between nodes acts on them by its forces alone, as in the dynamics, and
-    /// not by its fixed-end moments too: for comparisons of the two on the same elements.
+    /// not by its fixed-end moments, too: for comparisons of the two on the same elements.
     pub lumped_weight: bool,
 }
 

@@ -1,29 +1,29 @@
 //! The wavelength of a string that snakes.
 //!
-//! A string that is let go buckles in the wave that grows fastest, and keeps the number of its half
-//! waves: each such state is stable, whether its waves are as long as the load wants them or shorter.
-//! Without friction the state of least energy is the one that a slow load ends in. It is found by
-//! drawing the waves out, so that there are fewer of them, as long as that releases energy.
+//! A released string buckles in the wave that grows fastest, and keeps the number of its half
+//! waves: each such state is stable, even where its waves are shorter than the best ones under its
+//! load. Without friction a slow load leads to the state of least energy. It is found by stretching
+//! the waves, so that there are fewer of them, as long as that releases energy.
 
 use super::{
     cascade::warm_start, energy::energy_J, equations::Equations, equilibrium::Equilibrium,
     string_in_hole::Node,
 };
 
-/// Half waves that make a snake, at least.
+/// Minimum number of half waves of a snake.
 const LEAST_HALF_WAVES: usize = 6;
 
-/// Part of its clearance that a node goes to either side of a half wave, at least.
+/// Minimum lateral amplitude of a half wave, as a part of the clearance.
 const LEAST_AMPLITUDE: f64 = 0.05;
 
-/// Part of the half waves that the first attempt draws out.
+/// The first attempt removes the number of half waves over this.
 const FIRST_ATTEMPT: usize = 16;
 
-/// Most attempts to draw its waves out.
+/// Maximum number of attempts.
 const ATTEMPTS: usize = 24;
 
-/// Of a string without friction that snakes, the state whose waves are so long that no others have
-/// less energy; any other string as it is.
+/// Returns the state of least energy by wavelength for a string without friction that snakes; any
+/// other string unchanged.
 pub(super) fn of_least_energy(mut found: Equilibrium, equations: &mut Equations) -> Equilibrium {
     if !found.convergence.stable || found.string.nodes.iter().any(Node::rubs) {
         return found;
@@ -59,22 +59,22 @@ pub(super) fn of_least_energy(mut found: Equilibrium, equations: &mut Equations)
 
 /// The half waves of a snake.
 struct Snake {
-    /// Distances from the bit at which it crosses from side to side, m, from the bit up.
+    /// Distances from the bit at which the string crosses from side to side, m, from the bit up.
     crossings_m: Vec<f64>,
 }
 
-/// The snake with other half waves: where each place of the string was before.
+/// The snake with another number of half waves: the earlier position of each place of the string.
 pub(super) struct Drawn {
     /// Distances from the bit, m, from the bit up: after, and before.
     places_m: Vec<[f64; 2]>,
-    /// Whether what is above the snake is mirrored.
+    /// Whether the string above the snake is mirrored.
     mirrored: bool,
 }
 
 impl Snake {
-    /// The longest snake of an equilibrium: half waves next to each other, each on its low side.
-    fn of(of: &Equilibrium) -> Option<Self> {
-        let nodes = &of.string.nodes;
+    /// The longest snake of an equilibrium: consecutive half waves, each on the low side.
+    fn of(solution: &Equilibrium) -> Option<Self> {
+        let nodes = &solution.string.nodes;
         let mut longest: Vec<f64> = Vec::new();
         let mut crossings_m: Vec<f64> = Vec::new();
         let mut largest = 0.0_f64;
@@ -86,9 +86,9 @@ impl Snake {
             }
         };
         for (index, node) in nodes.iter().enumerate().rev() {
-            let from_bit_m = of.mesh.nodes[index].from_bit_m;
-            let [low, side] = towards(node, of, index);
-            // A helix, and what is off the wall or on the high side, ends a snake.
+            let from_bit_m = solution.mesh.nodes[index].from_bit_m;
+            let [low, side] = towards(node, solution, index);
+            // A helix, and a node off the wall or on the high side, ends a snake.
             if !node.has_wall() || low < 0.0 {
                 end(&mut crossings_m);
                 (largest, below) = (0.0, None);
@@ -110,12 +110,12 @@ impl Snake {
         (longest.len() > LEAST_HALF_WAVES).then_some(Self { crossings_m: longest })
     }
 
-    /// Its half waves.
+    /// Number of its half waves.
     fn half_waves(&self) -> usize {
         self.crossings_m.len() - 1
     }
 
-    /// The number of half waves that the first attempt takes away.
+    /// Number of half waves that the first attempt removes.
     fn first_attempt(&self) -> usize {
         (self.half_waves() / FIRST_ATTEMPT).max(1)
     }
@@ -132,7 +132,7 @@ impl Snake {
                 let [low_m, high_m] = [self.crossings_m[below], self.crossings_m[below + 1]];
                 low_m + (high_m - low_m) * (phase - below as f64)
             };
-            // Long waves stay long beside short ones: the length of each is that of what was there.
+            // Long waves stay long next to short ones: the length of each is that of those before.
             let after_m =
                 self.crossings_m[0] + (self.crossings_m[last] - self.crossings_m[0]) * part;
             [after_m, at(self.phase(after_m) * number as f64 / own as f64)]
@@ -140,7 +140,7 @@ impl Snake {
         Drawn { places_m: places_m.collect(), mirrored: number % 2 != own % 2 }
     }
 
-    /// Half waves below a place, m from the bit.
+    /// Number of half waves below a place, m from the bit.
     fn phase(&self, from_bit_m: f64) -> f64 {
         let last = self.crossings_m.len() - 1;
         let above = self.crossings_m.partition_point(|at_m| *at_m <= from_bit_m).clamp(1, last);
@@ -150,8 +150,8 @@ impl Snake {
 }
 
 impl Drawn {
-    /// Where a place of the string was before, m from the bit, how long a metre there was, and the
-    /// sign of what was to its side.
+    /// Earlier position of a place of the string, m from the bit, its earlier length per metre, and
+    /// the sign of its lateral offset.
     pub(super) fn before(&self, from_bit_m: f64) -> [f64; 3] {
         let last = self.places_m.len() - 1;
         let (lowest_m, highest_m) = (self.places_m[0][0], self.places_m[last][0]);
@@ -169,8 +169,8 @@ impl Drawn {
 }
 
 /// Offset of a node towards the low side and to the side of it, over its clearance.
-fn towards(node: &Node, of: &Equilibrium, index: usize) -> [f64; 2] {
+fn towards(node: &Node, solution: &Equilibrium, index: usize) -> [f64; 2] {
     let [low, side] = node.low_and_side();
-    let offset = of.state.offset_m[index].xy() / node.clearance_m;
+    let offset = solution.state.offset_m[index].xy() / node.clearance_m;
     [offset.dot(&low), offset.dot(&side)]
 }

@@ -1,4 +1,4 @@
-//! From a model and an operation to the string at rest.
+//! Computes the string at rest from a model and an operation.
 
 use super::{
     StiffError, StiffProfile, StiffSettings,
@@ -21,31 +21,31 @@ use crate::{
     },
 };
 
-/// What the largest bending moment changes by, as a part of it, when the mesh is fine enough, and
-/// how often elements are halved at most.
+/// Relative change of the largest bending moment below which the mesh is fine enough, and the
+/// maximum number of halvings.
 const FINE_ENOUGH: [(Accuracy, f64, usize); 2] =
     [(Accuracy::Standard, 0.02, 4), (Accuracy::Fine, 0.005, 6)];
 
-/// Most that a compression grows by beyond the soft string's where the string does not run away, and
-/// how often elements are halved for it.
+/// Largest ratio of a compression to the soft string's where the string does not run away, and the
+/// maximum number of halvings for it.
 const GROWS: f64 = 2.0;
 const HALVED: usize = 3;
 
-/// Helical loads beyond which a string that locks up by the wall load of its helix is not looked
-/// for: of those of a thousand random wells none rests in a state that would stay.
+/// Multiple of the helical load beyond which no search is made for a string that locks up by the
+/// wall load of its helix: none of those in a thousand random wells has a stable equilibrium.
 const FAR_BEYOND: f64 = 25.0;
 
-/// How often the elements that lie on the wall are found anew at most.
+/// Maximum number of updates of the elements that are on the wall.
 const HANGS: usize = 4;
 
-/// Steps of the soft string with which it begins, m: it says where the nodes stand, and no force comes
-/// of it.
+/// Steps of the initial soft string, m: it determines the positions of the nodes, and no force
+/// follows from it.
 const SOFT: SoftSettings = SoftSettings { step_m: 4.0, helix_side_force: false };
 
-/// Torque and drag of one operation by the stiff string.
+/// Computes torque and drag of one operation by the stiff string.
 ///
 /// # Errors
-/// Those of the [soft string](crate::statics::soft::solve), with which it begins, and an
+/// Those of the [soft string](crate::statics::soft::solve), with which the solution begins, and an
 /// equilibrium that was not found.
 pub fn solve(
     model: &Model,
@@ -56,8 +56,8 @@ pub fn solve(
     Ok(StiffProfile::new(model, operation, &equilibrium))
 }
 
-/// The same with elements that are given: those of the whole string, or of its lower end alone,
-/// whose top then is on the hole's axis. `soft` is the soft string of the operation.
+/// The same on a given mesh, of the whole string or of its lower end alone, whose top then is on
+/// the hole's axis. `soft` is the soft string of the operation.
 ///
 /// # Errors
 /// An equilibrium that was not found.
@@ -73,7 +73,7 @@ pub(crate) fn solve_on(
     Ok(StiffProfile::new(model, operation, &equilibrium))
 }
 
-/// The string at rest in one operation.
+/// Computes the string at rest in one operation.
 ///
 /// # Errors
 /// As of [`solve`].
@@ -87,9 +87,10 @@ pub fn equilibrium(
     task.refine(task.found(task.mesh()?, None)?).within_its_hole()
 }
 
-/// The string at rest, begun with that of a neighbouring friction, load or depth (a warm start):
-/// faster, and the same where there is but one equilibrium. Where that does not converge it begins
-/// anew. A string of the same length and settings keeps the neighbour's mesh and its error.
+/// Computes the string at rest from that of a neighbouring friction, load or depth (a warm start),
+/// which is faster, and leads to the same result where there is only one equilibrium. Where it does
+/// not converge, the solution starts again. A string of the same length and settings keeps the
+/// neighbour's mesh and its error.
 ///
 /// # Errors
 /// As of [`solve`].
@@ -104,17 +105,18 @@ pub fn equilibrium_near(
     if !near.is_like(model, settings) {
         return task.refine(task.found(task.mesh()?, Some(near))?).within_its_hole();
     }
-    // Refined for the neighbour: a mesh that grew from one to the next would have no end.
+    // Refined for the neighbour: a mesh refined from one to the next would grow without limit.
     let mut found = task.found(near.mesh.clone(), Some(near))?;
     found.convergence.mesh_error = near.convergence.mesh_error;
     found.within_its_hole()
 }
 
-/// The string at rest, begun with that of a neighbouring friction, load or depth on the neighbour's
-/// mesh, and by itself, on its own mesh, where that leads to no stable equilibrium.
+/// Computes the string at rest from that of a neighbouring friction, load or depth on the
+/// neighbour's mesh, and from a cold start on its own mesh where that leads to no stable
+/// equilibrium.
 ///
-/// As [`equilibrium_near`], but a neighbour that does not help costs little: nothing is looked for on
-/// a mesh that was made for another load.
+/// As [`equilibrium_near`], but a neighbour that does not help costs little, because no search is
+/// made on a mesh that was made for another load.
 ///
 /// # Errors
 /// As of [`solve`].
@@ -135,7 +137,7 @@ pub fn equilibrium_beside(
     task.refine(task.found(task.mesh()?, None)?).within_its_hole()
 }
 
-/// What is asked for.
+/// A string to be solved.
 struct Task<'a> {
     model: &'a Model,
     operation: &'a Operation,
@@ -144,7 +146,7 @@ struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// The mesh that the string asks for before its contacts are known.
+    /// The initial mesh, before the contacts of the string are known.
     fn mesh(&self) -> Result<Mesh, StiffError> {
         let sizing = match self.settings.element_length {
             ElementLength::Uniform(length_m) => Sizing::uniform(length_m),
@@ -155,8 +157,8 @@ impl Task<'_> {
         Ok(Mesh::new(&self.model.string, &sizing.refined(self.settings.refinement)))
     }
 
-    /// The equilibrium on a mesh, begun with another one where there is one, and in the middle of
-    /// the hole where that leads nowhere.
+    /// The equilibrium on a mesh, from another one where it is given, and from the middle of the
+    /// hole where that does not converge.
     fn found(&self, mesh: Mesh, near: Option<&Equilibrium>) -> Result<Equilibrium, StiffError> {
         let mut string = self.string_in_hole(&mesh);
         let mut equations = Equations::new(string.nodes.len());
@@ -186,8 +188,8 @@ impl Task<'_> {
         Ok(of_least_energy(found, &mut equations))
     }
 
-    /// The same where the compression grew beyond what the soft string, by which the mesh was made,
-    /// has of it, and elements buckled between their nodes: on a mesh that is made for it.
+    /// The same where the compression grew beyond that of the soft string, by which the mesh was
+    /// made, and elements buckled between their nodes: on a mesh for the larger compression.
     fn found_finer(
         &self,
         mut mesh: Mesh,
@@ -219,7 +221,7 @@ impl Task<'_> {
         Ok(of_least_energy(found, &mut equations))
     }
 
-    /// The same, begun with another one alone.
+    /// The same from another equilibrium alone.
     fn found_near(&self, mesh: Mesh, near: &Equilibrium) -> Option<Equilibrium> {
         let mut string = self.string_in_hole(&mesh);
         let mut equations = Equations::new(string.nodes.len());
@@ -229,7 +231,8 @@ impl Task<'_> {
         Some(self.equilibrium(mesh, string, state, &mut equations, convergence))
     }
 
-    /// The same on the other one's mesh, and only where it is so near that few contacts change.
+    /// The same on the mesh of the other one, and only where it is so near that few contacts
+    /// change.
     fn found_beside(&self, near: &Equilibrium) -> Option<Equilibrium> {
         let mesh = near.mesh.clone();
         let mut string = self.string_in_hole(&mesh);
@@ -254,7 +257,7 @@ impl Task<'_> {
         mut convergence: Convergence,
     ) -> Equilibrium {
         let mut hook_load_N = equations.hook_load_N;
-        // The weight between its nodes turns the nodes of what hangs, and of that alone.
+        // The weight between nodes turns the nodes of hanging elements only.
         for _ in 0..HANGS {
             let mut next = string.clone();
             if !next.hang(|node| state.normal_N[node] > 0.0) {
@@ -271,8 +274,8 @@ impl Task<'_> {
         found.with_buckled_element()
     }
 
-    /// Whether the soft string bears so many times its helical load that nothing is looked for
-    /// where it [locks up](Self::locks_up).
+    /// Whether the compression of the soft string exceeds its helical load so far that no search is
+    /// made where it [locks up](Self::locks_up).
     fn is_far_beyond(&self) -> bool {
         let loads_N = self.soft.tension_N.iter().zip(&self.soft.helical_load_N);
         loads_N.into_iter().any(|(tension_N, load_N)| {
@@ -280,8 +283,8 @@ impl Task<'_> {
         })
     }
 
-    /// An error where the string cannot be pushed that far by the wall load of its helix: there is
-    /// no equilibrium to be found.
+    /// Returns an error where the string cannot be pushed that far by the wall load of its helix,
+    /// so that there is no equilibrium.
     fn locks_up(&self) -> Result<(), StiffError> {
         if !self.operation.slides_down() {
             return Ok(());
@@ -299,8 +302,8 @@ impl Task<'_> {
     /// Halves the elements that are too long, as long as that changes the bending.
     fn refine(&self, mut found: Equilibrium) -> Equilibrium {
         let ElementLength::Auto(accuracy) = self.settings.element_length else { return found };
-        let wanted = FINE_ENOUGH.iter().find(|(of, ..)| *of == accuracy);
-        let Some((_, tolerance, rounds)) = wanted else { return found };
+        let row = FINE_ENOUGH.iter().find(|(level, ..)| *level == accuracy);
+        let Some((_, tolerance, rounds)) = row else { return found };
         for _ in 0..*rounds {
             let long = found.too_long(self.model, *tolerance);
             if !long.contains(&true) {

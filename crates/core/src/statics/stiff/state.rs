@@ -1,25 +1,25 @@
-//! Where the string is: what the iterations change.
+//! State of the string, which the iterations change.
 
 use nalgebra::{Vector2, Vector3};
 
 use super::{blocks::Entry, heading::Heading, string_in_hole::StringInHole};
 
-/// What a node off the wall is pressed with when an interior point begins beside it, as a part of
-/// the mean weight of a node, and what one on it has of its clearance.
+/// Initial contact force of a node off the wall in an interior point, as a part of the mean weight
+/// of a node, and initial gap of a node on the wall, as a part of its clearance.
 const SOME: f64 = 0.01;
 
-/// A way round the hole's axis.
+/// A motion around the hole's axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Round {
     direction: Vector2<f64>,
     radius_m: f64,
-    /// What a whole step takes outwards, m, and round, rad.
+    /// Motion of a whole step outwards, m, and around the axis, rad.
     pub(super) outwards_m: f64,
     pub(super) turn_rad: f64,
 }
 
 impl Round {
-    /// Of a node that is off the axis by more than half of its clearance.
+    /// Motion of a node, if it is off the axis by more than half of its clearance.
     pub(super) fn of(offset_m: &Vector2<f64>, step: &Entry, clearance_m: f64) -> Option<Self> {
         let radius_m = offset_m.norm();
         (radius_m > 0.5 * clearance_m).then(|| {
@@ -34,7 +34,7 @@ impl Round {
         })
     }
 
-    /// Where it is after a part of it.
+    /// Offset after a part of the motion, m.
     fn after(&self, part: f64) -> Vector2<f64> {
         let (sine, cosine) = libm::sincos(part * self.turn_rad);
         let n = self.direction;
@@ -43,7 +43,7 @@ impl Round {
     }
 }
 
-/// Where the string is and what it bears.
+/// Positions of the string's nodes, tensions and contact forces.
 #[derive(Debug, Clone)]
 pub(super) struct State {
     /// Displacements of the nodes from their anchors in the hole's axes there, m: two across, one
@@ -55,13 +55,13 @@ pub(super) struct State {
     pub(super) tension_N: Vec<f64>,
     /// Contact force of the nodes, N.
     pub(super) normal_N: Vec<f64>,
-    /// Room left to the wall of the nodes, m: a variable of its own of the interior point.
+    /// Remaining gap between the nodes and the wall, m: a separate variable of the interior point.
     pub(super) slack_m: Vec<f64>,
 }
 
 impl State {
-    /// On the hole's axis, with the tension that the rest lengths were chosen by; half of the room
-    /// left.
+    /// State on the hole's axis, with the tension by which the rest lengths were chosen, and half
+    /// of the clearance as the gap.
     pub(super) fn centred(string: &StringInHole) -> Self {
         let nodes = &string.nodes;
         Self {
@@ -73,7 +73,7 @@ impl State {
         }
     }
 
-    /// Gives every node some room and some contact force: what an interior point can begin with.
+    /// Gives every node a gap and a contact force, with which an interior point can begin.
     pub(super) fn leave_the_wall(&mut self, string: &StringInHole) {
         let weight_N = string.weight_N() / string.nodes.len() as f64;
         for (index, node) in string.nodes.iter().enumerate().filter(|(_, node)| node.has_wall()) {
@@ -91,8 +91,8 @@ impl State {
         axes[0] * u.x + axes[1] * u.y + axes[2] * u.z
     }
 
-    /// From a node to the next. The difference of two places in the well would be rounded at
-    /// kilometres: short elements would be out of balance by it.
+    /// Vector from a node to the next, m. The difference of two positions in the well would have
+    /// the rounding error of kilometres, by which short elements would be unbalanced.
     pub(super) fn chord_m(&self, string: &StringInHole, index: usize) -> Vector3<f64> {
         let [upper, lower] = [index, index + 1].map(|node| self.moved_m(string, node));
         string.elements[index].anchor_chord_m + (lower - upper)
@@ -106,8 +106,8 @@ impl State {
         }
     }
 
-    /// The same, nodes that are farther from the axis than half their clearance going round it: a
-    /// straight way along the wall would soon be beyond it.
+    /// The same, but nodes farther from the axis than half their clearance move around it, because
+    /// a straight motion along the wall would soon leave the hole.
     pub(super) fn advance_round(&mut self, string: &StringInHole, step: &[Entry], part: f64) {
         let before: Vec<Vector2<f64>> = self.offset_m.iter().map(|offset| offset.xy()).collect();
         self.advance(step, part);

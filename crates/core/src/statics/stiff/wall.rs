@@ -1,4 +1,4 @@
-//! How the wall gives way under a contact force.
+//! Compliance of the wall under a contact force.
 
 use crate::{
     string::Component,
@@ -16,7 +16,7 @@ pub(super) enum Compliance {
 }
 
 impl Compliance {
-    /// Of a component's steel on the wall of a hole.
+    /// Compliance of a component's steel on the wall of a hole.
     pub(super) fn new(
         law: &ContactLaw,
         component: &Component,
@@ -39,7 +39,7 @@ impl Compliance {
         }
     }
 
-    /// Penetration under a force, m, and what a newton adds, m/N.
+    /// Penetration under a force, m, and its derivative, m/N.
     pub(super) fn penetration_m(self, force_N: f64) -> (f64, f64) {
         match self {
             Self::Hertz(stiffness) => {

@@ -34,7 +34,7 @@ fn bent_string() -> (StringInHole, State) {
     (string, state)
 }
 
-/// Tensions that fit the shape.
+/// Sets the tensions to those of the shape.
 fn fit(string: &StringInHole, state: &mut State) {
     for (index, element) in string.elements.iter().enumerate() {
         let directors = [element.seen(&state.heading[index]), state.heading[index + 1].along];
@@ -44,9 +44,9 @@ fn fit(string: &StringInHole, state: &mut State) {
     }
 }
 
-/// The matrix is how the forces change, by central differences that halve their step: the rest
-/// falls by four until 2e-7 of the largest entry of a row is rounding. Where a torque is carried
-/// the change of `1/(1 + c12)` is left out: 1e-4 of it.
+/// The matrix is the derivative of the forces, by central differences: as their step is halved, the
+/// remaining error falls by four down to rounding at 2e-7 of the largest entry of a row. With a
+/// torque the change of `1/(1 + c12)` is left out, 1e-4 of it.
 #[test]
 fn the_tangent_is_exact() {
     let (string, mut state) = bent_string();
@@ -59,7 +59,8 @@ fn the_tangent_is_exact() {
             equations
         };
         let matrix = forces(&state).matrix;
-        let bent = string.elements.iter().position(|of| of.bend.is_some()).expect("a bend");
+        let bent =
+            string.elements.iter().position(|element| element.bend.is_some()).expect("a bend");
         let mut changes = Tridiagonal::zeros(nodes);
         for (node, unknown) in (1..nodes).flat_map(|node| (0..5).map(move |k| (node, k))) {
             let size = if unknown < 3 { 1e-6 } else { 1e-5 };
@@ -79,8 +80,8 @@ fn the_tangent_is_exact() {
                 changes.lower[node].set_column(unknown, &change(node + 1));
             }
         }
-        // A director that turns about two axes one after the other comes back turned about
-        // itself: what a bend's moment about it makes of that is no part of a symmetric matrix.
+        // A director that is rotated about two axes one after the other is also rotated about
+        // itself. The effect of this with a bend's moment is no part of a symmetric matrix.
         let own = changes.diagonal[bent].fixed_view::<2, 2>(3, 3).into_owned();
         let symmetric = (own + own.transpose()) * 0.5;
         changes.diagonal[bent].fixed_view_mut::<2, 2>(3, 3).copy_from(&symmetric);

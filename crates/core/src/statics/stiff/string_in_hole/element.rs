@@ -43,14 +43,15 @@ pub(in super::super) struct Element {
     pub(in super::super) slack_m: f64,
     /// That tension, N.
     pub(in super::super) guess_N: f64,
-    /// Torque that the mud takes of its rotation, N·m.
+    /// Torque of the mud against its rotation, N·m.
     pub(in super::super) mud_torque_N_m: f64,
-    /// The director that it sees at its upper node, in parts of the node's frame: the last along
-    /// the node's director. Other than that where the body has a bend.
+    /// Director that it sees at its upper node, in components of the node's frame, the last along
+    /// the node's director. None where the body has no bend there.
     pub(in super::super) bend: Option<Vector3<f64>>,
-    /// How far its body may go from the hole's axis half-way, m.
+    /// Clearance of its body half-way, from the hole's axis, m.
     pub(in super::super) body_clearance_m: f64,
-    /// Loads on its upper director, N·m, reversed on the lower one: what acts between its nodes.
+    /// Moments on its upper director by the loads between its nodes, N·m; reversed on the lower
+    /// one.
     pub(in super::super) couples: Couples,
     /// Whether it hangs between its nodes, off the wall.
     pub(in super::super) hangs: bool,
@@ -64,7 +65,7 @@ impl Element {
         b1 * parts.x + b2 * parts.y + heading.along * parts.z
     }
 
-    /// The load on its upper director of what acts between its nodes, N·m.
+    /// The moment on its upper director by the loads between its nodes, N·m.
     pub(in super::super) fn couple_N_m(&self) -> Vector3<f64> {
         if self.hangs { self.couples.hanging_N_m } else { self.couples.lying_N_m }
     }
@@ -80,9 +81,9 @@ pub(super) fn between(
 ) -> Vec<Element> {
     let pairs = nodes.windows(2).zip(&mesh.elements).zip(circulating).zip(inside_m);
     type Pair<'a> = (((&'a [Node], &'a MeshElement), &'a Circulating), &'a f64);
-    let element = |(((pair, of), flow), inside_m): Pair<'_>| {
+    let element = |(((pair, cut), flow), inside_m): Pair<'_>| {
         let (upper, lower) = (&pair[0], &pair[1]);
-        let stiffness = Stiffness::new(&of.section, of.length_m);
+        let stiffness = Stiffness::new(&cut.section, cut.length_m);
         let middle_m = 0.5 * (upper.md_m + lower.md_m);
         let guess_N = soft.tension_at_N(middle_m);
         let anchor_chord_m = lower.anchor_m - upper.anchor_m;
@@ -92,9 +93,9 @@ pub(super) fn between(
             slack_m: centred.longer_m(&stiffness) - inside_m - guess_N / stiffness.axial,
             stiffness,
             guess_N,
-            mud_torque_N_m: of.length_m * flow.torque_N_m_per_m,
+            mud_torque_N_m: cut.length_m * flow.torque_N_m_per_m,
             bend: None,
-            body_clearance_m: bore.smooth_radius_m(middle_m) - 0.5 * of.section.od_m,
+            body_clearance_m: bore.smooth_radius_m(middle_m) - 0.5 * cut.section.od_m,
             couples: Couples::default(),
             hangs: true,
         }
@@ -114,7 +115,7 @@ pub(super) fn bend(elements: &mut [Element], model: &Model, mesh: &Mesh, high_ra
     }
 }
 
-/// What the mud does to each element, from the top down.
+/// Effect of the mud on each element, from the top down.
 pub(super) fn circulation(
     model: &Model,
     operation: &Operation,

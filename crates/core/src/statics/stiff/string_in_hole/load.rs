@@ -1,4 +1,4 @@
-//! What acts on the nodes beside the wall.
+//! Loads on the nodes other than those of the wall.
 
 use nalgebra::Vector3;
 
@@ -15,9 +15,10 @@ pub(super) fn add_weight(
     circulating: &[Circulating],
     mud_kg_per_m3: f64,
 ) {
-    for (index, (of, flow)) in mesh.elements.iter().zip(circulating).enumerate() {
-        let weight_N = 0.5 * of.length_m * of.section.buoyed_weight_N_per_m(mud_kg_per_m3);
-        let pull_N = 0.5 * of.length_m * flow.pull_N_per_m;
+    for (index, (element, flow)) in mesh.elements.iter().zip(circulating).enumerate() {
+        let weight_N =
+            0.5 * element.length_m * element.section.buoyed_weight_N_per_m(mud_kg_per_m3);
+        let pull_N = 0.5 * element.length_m * flow.pull_N_per_m;
         for node in &mut nodes[index..=index + 1] {
             // A pull that adds to hook load points to the bit.
             node.load_N += Vector3::z() * weight_N + node.axes[2] * pull_N;
@@ -25,7 +26,7 @@ pub(super) fn add_weight(
     }
 }
 
-/// Gives each element the fixed-end moments of what acts between its nodes.
+/// Gives each element the fixed-end moments of the loads between its nodes.
 pub(super) fn add_couples(
     elements: &mut [Element],
     nodes: &[Node],
@@ -56,8 +57,8 @@ pub(super) fn add_pull(nodes: &mut [Node], tension_N: f64) {
 /// bit, which has the parts `high_rad` everywhere.
 pub(super) fn add_lateral(nodes: &mut [Node], model: &Model, mesh: &Mesh, high_rad: f64) {
     for span in model.string.spans() {
-        let Some(of) = span.component.lateral_force else { continue };
-        let node = &mut nodes[mesh.nearest_inner_node(span.from_bit_m + of.from_lower_end_m)];
-        node.load_N += node.across(high_rad + of.toolface_rad) * of.force_N;
+        let Some(lateral) = span.component.lateral_force else { continue };
+        let node = &mut nodes[mesh.nearest_inner_node(span.from_bit_m + lateral.from_lower_end_m)];
+        node.load_N += node.across(high_rad + lateral.toolface_rad) * lateral.force_N;
     }
 }

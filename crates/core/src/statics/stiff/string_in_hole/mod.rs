@@ -1,4 +1,4 @@
-//! The string in its hole: what the iterations do not change.
+//! The string in its hole: the quantities that the iterations do not change.
 
 mod element;
 mod load;
@@ -18,7 +18,7 @@ use crate::{
 pub(super) use element::Element;
 pub(super) use node::Node;
 
-/// How much farther than the body a node of a joint or a blade stands out, m.
+/// Minimum excess of the radius of a joint or a blade over that of the body, m.
 pub(super) const STANDS_OUT_M: f64 = 1e-4;
 
 /// The string in its hole.
@@ -28,13 +28,13 @@ pub(super) struct StringInHole {
     pub(super) nodes: Vec<Node>,
     /// From the top down.
     pub(super) elements: Vec<Element>,
-    /// How its ends are held.
+    /// Supports of its ends.
     pub(super) ends: ends::Ends,
     /// Torque of the bit, N·m.
     pub(super) bit_torque_N_m: f64,
-    /// What the mud does; none without a rheology.
+    /// Effect of the mud; none without a rheology.
     pub(super) hydraulics: Option<Hydraulics>,
-    /// What the flow does to each element.
+    /// Effect of the flow on each element.
     pub(super) circulating: Vec<Circulating>,
 }
 
@@ -74,16 +74,15 @@ impl StringInHole {
         string
     }
 
-    /// Marks the elements that hang between their nodes: all but those whose body touches the wall at
-    /// both ends. `touches` is the contact of a node; returns whether any element
-    /// changed.
+    /// Marks the elements that hang between their nodes: all but those whose body touches the wall
+    /// at both ends. `touches` is the contact of a node. Returns whether any element changed.
     pub(super) fn hang(&mut self, touches: impl Fn(usize) -> bool) -> bool {
         let mut changed = false;
         for index in 0..self.elements.len() {
             let body = self.elements[index].body_clearance_m;
             let lies = [index, index + 1].into_iter().all(|node| {
-                let of = &self.nodes[node];
-                touches(node) && of.has_wall() && of.clearance_m > body - STANDS_OUT_M
+                let end = &self.nodes[node];
+                touches(node) && end.has_wall() && end.clearance_m > body - STANDS_OUT_M
             });
             changed |= self.elements[index].hangs == lies;
             self.elements[index].hangs = !lies;
@@ -92,7 +91,7 @@ impl StringInHole {
     }
 
     /// Mean weight of a node over its mean clearance, N/m: the elastic foundation on which a pipe
-    /// lies on the low side of its hole, `w/r` of Dawson and Paslay.
+    /// rests on the low side of its hole, `w/r` of Dawson and Paslay.
     pub(super) fn foundation_N_per_m(&self) -> f64 {
         self.weight_N() / self.nodes.len() as f64 / self.mean_clearance_m()
     }

@@ -1,4 +1,4 @@
-//! The nodes: where the hole is around them and how its wall acts.
+//! The nodes, with the position and the wall of the hole around them.
 
 use nalgebra::{Vector2, Vector3};
 
@@ -16,26 +16,26 @@ const LEAST_CLEARANCE_M: f64 = 1e-5;
 /// A node.
 #[derive(Debug, Clone)]
 pub(in super::super) struct Node {
-    /// Its measured depth, m.
+    /// Measured depth, m.
     pub(in super::super) md_m: f64,
-    /// Its place on the hole's axis, m.
+    /// Position on the hole's axis, m.
     pub(in super::super) anchor_m: Vector3<f64>,
     /// Two directions across the hole, carried along it without twisting, and the hole's.
     pub(in super::super) axes: [Vector3<f64>; 3],
-    /// How far it may go from the axis, m; infinite where no wall acts.
+    /// Clearance from the axis, m; infinite where no wall acts.
     pub(in super::super) clearance_m: f64,
-    /// How the wall gives way.
+    /// Compliance of the wall.
     pub(in super::super) compliance: Compliance,
-    /// Radius of what touches, m.
+    /// Radius of the surface that touches, m.
     pub(in super::super) contact_radius_m: f64,
     /// Friction of a newton of contact force along the hole, positive towards the bit, and around
     /// it, against a positive rotation.
     pub(in super::super) friction: [f64; 2],
-    /// Weight, pull of the mud, and what else acts there, N.
+    /// Weight, pull of the mud and other loads, N.
     pub(in super::super) load_N: Vector3<f64>,
-    /// What holds it to the hole's axis, N/m.
+    /// Stiffness that holds it to the hole's axis, N/m.
     pub(in super::super) hold_N_per_m: f64,
-    /// Contact force that the iterations begin with, N.
+    /// Initial contact force of the iterations, N.
     pub(in super::super) guess_N: f64,
 }
 
@@ -77,14 +77,14 @@ pub(super) fn along(
     let held_to_m = model.held_length_m();
     let last = mesh.nodes.len() - 1;
     let held_N_per_m = model.ends.bit.stiffness_N_per_m(settings.bit_lateral_stiffness_N_per_m);
-    let mut beside: Option<[Vector3<f64>; 2]> = None;
+    let mut previous: Option<[Vector3<f64>; 2]> = None;
     let mut nodes: Vec<Node> = Vec::with_capacity(mesh.nodes.len());
     for (index, at) in mesh.nodes.iter().enumerate() {
         let md_m = depths_m[index];
         let wall = bore.at(&model.well.path, md_m);
         let tangent = wall.axis.tangent;
         // Carried from node to node by the least rotation.
-        let first = match beside {
+        let first = match previous {
             None => model.well.path.high_side_of(md_m, &tangent),
             Some([axis, above]) => {
                 let half = axis.dot(&tangent) / (1.0 + above.dot(&tangent));
@@ -92,14 +92,14 @@ pub(super) fn along(
             }
         };
         let first = (first - tangent * tangent.dot(&first)).normalize();
-        beside = Some([first, tangent]);
+        previous = Some([first, tangent]);
         let (_, component) = model.string.component_at(at.from_bit_m);
         let section = bore.section(md_m);
         let friction = section.friction;
         let (along, around) = sliding.direction(at.contact_radius_m);
         let touches = index != 0 && at.from_bit_m >= held_to_m;
         let room = wall.radius_m - at.contact_radius_m;
-        // What does not leave the axis at all is no spring: see the ends of the equations.
+        // A rigid support is no spring: see the ends of the equations.
         let holds = index == last && held_N_per_m.is_finite();
         nodes.push(Node {
             md_m,
@@ -123,13 +123,13 @@ pub(super) fn along(
     nodes
 }
 
-/// Where the nodes of a string are whose bit is at a depth: stretched by the soft string's tension,
-/// and reaching farther on the inside of a bend than the hole's axis does.
+/// Depths of the nodes of a string whose bit is at a depth: it is stretched by the soft string's
+/// tension, and on the inside of a bend it spans more than its own length of the hole's axis.
 pub(super) struct Depths {
     /// Measured depths, m, from the top down.
     pub(super) md_m: Vec<f64>,
-    /// What each element spans more of the hole's axis than its own length, by lying on the inside of
-    /// a bend, m.
+    /// Excess of the length of the hole's axis that each element spans over its own length, m,
+    /// where it is on the inside of a bend.
     pub(super) inside_m: Vec<f64>,
 }
 
@@ -141,7 +141,7 @@ impl Depths {
         mesh: &Mesh,
         soft: &SoftProfile,
     ) -> Self {
-        // What a metre of string on the wall is shorter by than a metre of axis.
+        // Difference between a metre of axis and the string on the wall along it.
         let inside = |index: usize, md_m: f64| {
             let clearance_m = bore.smooth_radius_m(md_m) - mesh.nodes[index].contact_radius_m;
             let curvature_per_m = model.well.path.at(md_m).curvature_per_m;
