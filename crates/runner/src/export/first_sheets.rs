@@ -12,8 +12,9 @@ use crate::{
 
 /// Entries of a summary that are not its scalars: they have sheets of their own, or mean nothing to
 /// a reader.
-const NOT_SCALARS: [&str; 8] = [
+const NOT_SCALARS: [&str; 9] = [
     "settings",
+    "texts",
     "checks",
     "unchecked",
     "schema_version",
