@@ -53,7 +53,9 @@ struct Prose {
 impl Prose {
     /// Counts a line of prose.
     fn add(&mut self, line: &str) {
-        let line = PLAIN.iter().fold(without_code(line).to_lowercase(), |line, plain| line.replace(plain, ""));
+        let line = PLAIN
+            .iter()
+            .fold(without_code(line).to_lowercase(), |line, plain| line.replace(plain, ""));
         let words = line
             .split(|letter: char| !letter.is_ascii_alphabetic() && letter != '\'' && letter != '-')
             .filter(|word| word.starts_with(|first: char| first.is_ascii_alphabetic()));
@@ -129,7 +131,13 @@ fn without_code(line: &str) -> String {
 /// Tracked files that match a pattern.
 fn files(pattern: &str) -> Result<Vec<String>, Failure> {
     let mut git = Command::new("git");
-    git.current_dir(root()).args(["ls-files", "--cached", "--others", "--exclude-standard", pattern]);
+    git.current_dir(root()).args([
+        "ls-files",
+        "--cached",
+        "--others",
+        "--exclude-standard",
+        pattern,
+    ]);
     Ok(printed(&mut git, "git lists the files")?.lines().map(str::to_owned).collect())
 }
 

@@ -168,6 +168,6 @@ mod tests {
     #[test]
     fn a_sum_that_is_none_is_refused() {
         assert!(refused("12ab").starts_with("`12ab` is not a checksum"));
-        assert!(refused(&SUM.replace('0', "g")).contains("is no sum"));
+        assert!(refused(&SUM.replace('0', "g")).contains("is not a checksum"));
     }
 }

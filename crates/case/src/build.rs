@@ -157,10 +157,6 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         ),
         _ => None,
     };
-    if let (Some(operations), Some(hole), Some(bit_depth_m)) = (&operations, &hole, bit_depth_m) {
-        let kinds: Vec<_> = operations.iter().map(|operation| operation.kind).collect();
-        programme::check_drilling(&kinds, bit_depth_m, bit_place, hole, reader);
-    }
     let sample_interval_s = case.dynamics.get().and_then(DynamicsTable::sample_interval_s);
     let valid = bit.as_ref().zip(operations.as_ref()).zip(sample_interval_s);
     let bit_test = match (&drilling, valid, case.bit_test.at()) {

@@ -2,7 +2,6 @@
 //! the string that are wider than the drift of a casing.
 
 use wholestring::{
-    operation::OperationKind,
     string::DrillString,
     well::{Hole, HoleKind, HoleSection},
 };
@@ -108,28 +107,6 @@ fn drift(table: &HoleTable, own: &OwnCatalogue) -> Option<(f64, Span)> {
     }
     let name = table.casing.given()?;
     own.find_casing(&name.value).ok().map(|casing| (casing.drift_m, name.place))
-}
-
-/// Warns of an operation that drills with its bit in a casing.
-pub(crate) fn check_drilling(
-    kinds: &[OperationKind],
-    bit_depth_m: f64,
-    bit_place: Option<Span>,
-    hole: &Hole,
-    reader: &mut Reader,
-) {
-    let Some(kind) = kinds.iter().find(|kind| kind.on_bottom()) else { return };
-    let at_bit = hole.sections().iter().find(|section| section.to_md_m >= bit_depth_m);
-    let Some(section) = at_bit.filter(|section| section.kind == HoleKind::Casing) else { return };
-    let depth = |md_m: f64| reader.shown(Dimension::Length, md_m);
-    let message = format!("`{}` with the bit in casing", kind.name());
-    let label = format!("bit at {}, casing to {}", depth(bit_depth_m), depth(section.to_md_m));
-    let diagnostic = Diagnostic::warning(message);
-    let diagnostic = match bit_place {
-        Some(place) => diagnostic.at(place, label),
-        None => diagnostic.help(label),
-    };
-    diagnostic.help("the open hole below the shoe is a section of its own").report(reader);
 }
 
 fn width(section: &HoleSection, reader: &Reader) -> String {

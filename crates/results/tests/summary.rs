@@ -35,7 +35,7 @@ fn buckled() -> Value {
         "kind": "helical_buckling", "severity": "warning", "verdict": "exceeded",
         "component": "5 in drill pipe", "md_m": 50.0, "to_md_m": 3350.0, "value": 190e3,
         "limit": 95e3, "factor": 0.5, "required": 1.0, "unit": "N",
-        "sentence": "Buckled to a helix"
+        "sentence": "Buckled to a helix", "parts": []
     })
 }
 

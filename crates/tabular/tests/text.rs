@@ -65,7 +65,7 @@ fn semicolons_with_decimal_commas() {
     let survey = survey("MD (m);Inc (°);Azi (°)\n0,0;0,0;0\n30,5;1,25;90,125\n1.060,5;1,25;90\n");
     assert_stations(&survey, &[[0.0, 0.0, 0.0], [30.5, 1.25, 90.125], [1060.5, 1.25, 90.0]]);
     noted(&survey, "comma is read as the decimal sign");
-    noted(&survey, "parted by semicolons");
+    noted(&survey, "columns separated by semicolons");
 }
 
 #[test]

@@ -78,7 +78,7 @@ fn a_survey_goes_out_and_comes_back() {
         ("xlsx", "bent-survey.xlsx", 1e-9, 1e-9),
     ] {
         desk.done(&["export", "bent.toml", "--what", "survey", "--to", format, "--units", "field"]);
-        let output = desk.done(&["survey", name]);
+        let output = desk.done(&["survey", name, "--units", "si"]);
         let rows = text(&output.stdout);
         let rows: Vec<Vec<f64>> = rows
             .lines()

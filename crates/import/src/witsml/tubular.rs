@@ -121,7 +121,7 @@ fn order(
         }
         Some(index) if index == last => {
             notes.push(Note::Read(format!(
-                "the order is reversed: {}is last, so that the components are listed from the top \
+                "the order is reversed: {} is last, so that the components are listed from the top \
                  down",
                 components[last].label()
             )));

@@ -96,7 +96,7 @@ fn units_are_those_of_each_number() {
     let wrong = trajectory(&mixed.replace("'rad'", "'m'"));
     assert!(refusal(&wrong).contains("line 1: 'm' is not a unit of angle; expected deg"));
     let weight = tubular(&component("drill pipe", "", "<wtPerLen uom='N/m'>300</wtPerLen>"));
-    assert!(refusal(&weight).contains("'N/m' is no unit of mass per length"));
+    assert!(refusal(&weight).contains("'N/m' is not a unit of mass per length"));
 }
 
 #[test]

@@ -140,7 +140,7 @@ class Assemblies(Checked):
         Interrupted
             If the user interrupted the run; ``results`` of the error holds any results so far.
         NoAnswerError
-            If the string has no static equilibrium.
+            If no equilibrium is found.
         FolderError
             If the results cannot be written to the folder.
 

@@ -243,7 +243,7 @@ def sweep(
         sweep runs.
     in_flight
         Largest number of bundles of cases in the executor at a time; three for each worker by
-        default, so that no worker waits and no scheduler is overloaded.
+        default, so that no worker waits and no scheduler is flooded.
     bundle
         Approximate time of a bundle of short cases. Longer cases are submitted one by one.
     tries

@@ -46,7 +46,8 @@ pub const BHA_CONTACTS: &[ColumnSpec] = specs! {
 /// row for each.
 pub const BHA_SWEEP: &[ColumnSpec] = specs! {
     "varied": Words, "Quantity varied: `toolface`, `weight` or `inclination`";
-    "message": Words, "Reason why there is no equilibrium; else empty";
+    "message": Words, "Reason why there is no equilibrium; else empty",
+        null_where "there is an equilibrium";
     "toolface_rad": Angle, "Tool face of the lowest bend; `null` without one",
         null_where "no component has a bend";
     "weight_on_bit_N": Force, "Weight on bit";
