@@ -31,14 +31,15 @@ const TURNS: [Turn; 6] = [
 /// Largest part of the documentation comments that begin with "What", %.
 const BEGIN_WITH_WHAT: f64 = 0.45;
 
-/// Uses of these words that are plain: terms of the field and of physics.
-const PLAIN: [&str; 6] = [
-    "lies on the wall",
-    "lies on the low side",
-    "lie on the wall",
-    "stand of pipe",
-    "stands of pipe",
-    "stand pipe",
+/// Uses of these words that are plain: positions of pipe.
+const PLAIN: [&str; 3] = ["lies on the wall", "lies on the low side", "lie on the wall"];
+
+/// Words before a stand of pipe, a noun.
+const BEFORE_A_STAND: [&str; 35] = [
+    "a", "the", "this", "that", "each", "every", "one", "two", "three", "four", "five", "six",
+    "some", "many", "several", "all", "whole", "of", "to", "from", "with", "within", "between",
+    "over", "per", "into", "for", "their", "new", "next", "last", "longer", "drilled", "tripped",
+    "drawn",
 ];
 
 /// The words of a kind of text and the turns found in them.
@@ -56,14 +57,19 @@ impl Prose {
         let line = PLAIN
             .iter()
             .fold(without_code(line).to_lowercase(), |line, plain| line.replace(plain, ""));
+        let mut before = "";
         let words = line
             .split(|letter: char| !letter.is_ascii_alphabetic() && letter != '\'' && letter != '-')
             .filter(|word| word.starts_with(|first: char| first.is_ascii_alphabetic()));
         for word in words {
             self.words += 1;
+            let is_pipe = word.starts_with("stand")
+                && (BEFORE_A_STAND.contains(&before)
+                    || matches!(before, "number" | "thousand" | ""));
             for (count, turn) in self.turns.iter_mut().zip(&TURNS) {
-                *count += usize::from(turn.words.contains(&word));
+                *count += usize::from(turn.words.contains(&word) && !is_pipe);
             }
+            before = word;
         }
     }
 
@@ -172,7 +178,7 @@ mod tests {
     fn turns_are_counted_in_comments_alone() {
         let mut prose = Prose::default();
         prose.add_source(
-            "/// What stands beside `what`.\n/// More of it.\nlet what = \"says\"; // says so\n\
+            "/// What it is: it stands beside `what`, a stand of pipe.\n/// More of it.\nlet what = \"says\"; // says so\n\
              // It lies on the wall, and asks.\n",
         );
         assert_eq!(prose.turns, [1, 1, 1, 0, 1, 1]);
