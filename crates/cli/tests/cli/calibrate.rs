@@ -264,7 +264,7 @@ fn friction_of_each_section() {
     let many = depths.map(|to| ("casing", to, "230 mm", "0.2"));
     fs::write(desk.path("well.toml"), sections(&many)).unwrap();
     let screen = refused(&desk, &calibrate(&[&ERRORS[..], &more[..2]].concat()));
-    assert!(screen.contains("the hole has 6, 5 are the most"), "{screen}");
+    assert!(screen.contains("6 sections, but at most 5 can be fitted"), "{screen}");
     let screen = refused(&desk, &calibrate(&["--by-section", "--one-factor"]));
     assert!(screen.contains("cannot be used with"), "{screen}");
 }

@@ -175,7 +175,7 @@ fn the_governing_limit_of_each_operation_is_given() {
     }
     let drilling = "drill, high friction, bit at ";
     assert!(stdout.contains(drilling), "{stdout}");
-    assert!(desk.text("out/report.html").contains(drilling));
+    assert!(desk.text("out/report.html").contains(", governs"));
     let pick_up =
         summary.governing.iter().find(|governing| governing.operation == "trip_out").unwrap();
     let place = format!("of {} at ", pick_up.check.component.as_deref().unwrap());
