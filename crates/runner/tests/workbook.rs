@@ -181,7 +181,10 @@ fn compare(sheet: &str, cells: &Range<Read>, table: &Table) -> usize {
                 Data::Text(words) => {
                     let word = match column.name.as_str() {
                         "operation" => operation_name(&words[row]),
-                        "worst_check" => words[row].replace('_', " "),
+                        "worst_check" => {
+                            let kind = wholestring_judge::CheckKind::named(&words[row]);
+                            kind.map_or_else(|| words[row].clone(), |kind| kind.label().to_owned())
+                        }
                         // In display units.
                         "unit" => continue,
                         _ => words[row].clone(),

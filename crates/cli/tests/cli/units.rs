@@ -186,5 +186,5 @@ fn modes_are_told_in_the_reader_s_units() {
     let [si, field] = ["si", "field"].map(|units| shown(&page, units));
     has_none_of(&field, &SI);
     has_none_of(&si, &FIELD);
-    assert!(si.contains("a force of") && field.contains("a force of"), "{si}");
+    assert!(si.contains("rotating force of") && field.contains("rotating force of"), "{si}");
 }
