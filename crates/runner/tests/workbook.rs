@@ -181,7 +181,7 @@ fn compare(sheet: &str, cells: &Range<Read>, table: &Table) -> usize {
                 Data::Text(words) => {
                     let word = match column.name.as_str() {
                         "operation" => operation_name(&words[row]),
-                        "worst_check" => {
+                        "worst_check" | "kind" => {
                             let kind = wholestring_judge::CheckKind::named(&words[row]);
                             kind.map_or_else(|| words[row].clone(), |kind| kind.label().to_owned())
                         }
