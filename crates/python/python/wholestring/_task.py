@@ -153,8 +153,7 @@ def _solve_apart(
         for name, content in task.begun:
             (folder / name).write_bytes(content)
     cases = [
-        (task.name, task.changes, str(folder))
-        for task, folder in zip(tasks, folders, strict=True)
+        (task.name, task.changes, str(folder)) for task, folder in zip(tasks, folders, strict=True)
     ]
     ended = _solve(held, variations, cases, None, done)
     return [
