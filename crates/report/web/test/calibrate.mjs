@@ -14,7 +14,7 @@ const part = (title) => parts.find((part) => part.title === title);
 
 await check("what was found stands first, with its error and its interval", async () => {
   const { rows } = parts[0];
-  assert.equal(parts[0].title, "What was found");
+  assert.equal(parts[0].title, "Fitted parameters");
   for (const [name, value, error, interval] of rows) {
     const [low, high] = interval.split(" to ").map(Number);
     if (name.startsWith("friction")) assert.ok(low < Number(value) && Number(value) < high && Number(error) > 0, `${name} ${value} ${interval}`);

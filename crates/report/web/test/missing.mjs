@@ -21,7 +21,7 @@ const detailed = whole.models[0].name;
 /** An answer that a model did not find. */
 function fail(report, has) {
   for (const solved of report.solved.filter(has))
-    Object.assign(solved, { key_results: [], profile: {}, wear: {}, message: "no static equilibrium was found" });
+    Object.assign(solved, { key_results: [], profile: {}, wear: {}, message: Array(3).fill("no static equilibrium was found") });
   const gone = (run) => report.solved.some((solved) => has(solved) && solved.operation === run.operation && solved.model === detailed);
   report.runs = report.runs.filter((run) => !gone(run));
 }
@@ -35,7 +35,7 @@ const missing = {
   "all answers of the first operation": (report) => fail(report, (solved) => solved.operation === all[0]),
   "all answers of the last operation, which has an error": (report) => {
     fail(report, (solved) => solved.operation === all.at(-1));
-    const check = { kind: "lock_up", label: "Lock-up", severity: "error", verdict: "exceeded", sentence: "the string stops", component: "", md_m: null, to_md_m: null, value: null, limit: null, factor: 0, required: 1 };
+    const check = { kind: "lock_up", label: "Lock-up", severity: "error", verdict: "exceeded", sentences: Array(3).fill("the string stops"), component: "", md_m: null, to_md_m: null, value: null, limit: null, factor: 0, required: 1 };
     report.solved.filter((solved) => solved.operation === all.at(-1)).forEach((solved) => (solved.checks = [check]));
   },
   "all answers": (report) => fail(report, () => true),

@@ -66,7 +66,7 @@ await check("a light has a word and a mark", async () => {
 });
 
 await check("what was measured, another program, peaks and samples have their sections", async () => {
-  for (const title of ["Measured", "Beside another program", "Setting in motion", "What is uncertain", "Bands", "Sobol indices"])
+  for (const title of ["Measured", "Comparison with another program", "Peaks", "Uncertain inputs", "Bands", "Sobol indices"])
     assert.ok(part(title), `${title} in ${parts.map((of) => of.title)}`);
   const figure = page.locator(".in-si section:has(> h2:text-is('Surface torque')) figure svg").first();
   const names = await figure.locator("text").allTextContents();
