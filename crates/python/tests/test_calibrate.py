@@ -196,7 +196,7 @@ def test_readings_that_no_string_gives(rig: ws.Case, data: dict[str, Any]) -> No
     kinds = [check["kind"] for check in found.summary["checks"]]
     assert "zero" in kinds
     warned = [finding for finding in found.findings if finding.severity == "warning"]
-    assert any("no reading" in finding.sentence for finding in warned)
+    assert any("not a reading" in finding.sentence for finding in warned)
     assert found.friction_open == pytest.approx(0.3, abs=2e-3)
 
 

@@ -50,7 +50,7 @@ def test_doubtful_surveys_are_noted_and_warned_of(tmp_path: Path) -> None:
     (tmp_path / "survey.csv").write_text(DOUBTFUL)
     doubts = ["deg/100ft above the station at 1100 ft", "true vertical depth of the file is"]
     imported = ws.import_files(tmp_path / "survey.csv")
-    checked = [note.text for note in imported.notes if note.kind == "checked"]
+    checked = [note.text for note in imported.notes if note.kind == "warning"]
     for doubt in doubts:
         assert any(doubt in text and "line " in text for text in checked), checked
     case = tmp_path / "case.toml"

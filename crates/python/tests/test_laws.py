@@ -166,7 +166,7 @@ def test_a_law_does_not_ask_the_run_that_waits_for_it(short: ws.Case) -> None:
         sim.checkpoint,
     ):
         asks[:] = [ask]
-        with pytest.raises(ws.InputError, match="waits for its answer"):
+        with pytest.raises(ws.InputError, match="waiting for its value"):
             sim.advance(0.1)
 
 

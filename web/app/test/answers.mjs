@@ -345,7 +345,7 @@ await run({
     const page = await openAnswers(served, "rolls.toml");
     await drawn(page);
     const words = await page.locator("section[aria-labelledby=answers-title]").innerText();
-    check(words.includes("The stiff string has no answer: no equilibrium was found"), `the message: ${words}`);
+    check(words.includes("The stiff string has no answer: No static equilibrium"), `the message: ${words}`);
     equal(await page.locator(".key-numbers thead th").allInnerTexts(), ["Quantity", "soft string"], "columns of the numbers");
     await accessible(page, "an operation without an equilibrium");
     equal(page.complaints, [], "complaints");

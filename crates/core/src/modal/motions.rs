@@ -56,7 +56,10 @@ impl SmallMotions {
         settings: &StiffSettings,
         dynamics: &DynamicsSettings,
     ) -> Result<Self, ModalError> {
-        let rest = stiff::at_rest(model, operation, settings)?;
+        // As in the dynamics: on long elements the fixed-end moments of the weight would turn with the
+        // twist, which lowers its frequencies.
+        let settings = StiffSettings { lumped_weight: true, ..*settings };
+        let rest = stiff::at_rest(model, operation, &settings)?;
         let chain = pull::chain(model, operation, dynamics, &rest);
         let mud = &model.mud;
         let mut drag = vec![[0.0; 2]; rest.nodes.len()];

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 from ._base import BaseResults, Check
@@ -35,6 +35,13 @@ class PlanCheck(Check):
     operation: str
     friction: str
     bit_depth_m: float
+
+
+_KEYS = {field.name for field in fields(PlanCheck)}
+
+
+def _plan_check(row: dict[str, Any]) -> PlanCheck:
+    return PlanCheck(**{key: value for key, value in row.items() if key in _KEYS})
 
 
 class Plan(BaseResults):
@@ -79,12 +86,12 @@ class Plan(BaseResults):
     @property
     def checks(self) -> tuple[PlanCheck, ...]:
         """The most severe check of each kind and operation over all depths and frictions."""
-        return tuple(PlanCheck(**row) for row in self.summary["checks"])
+        return tuple(map(_plan_check, self.summary["checks"]))
 
     @property
     def governing(self) -> tuple[PlanCheck, ...]:
         """The limit that governs each operation: the least reserve of all that break or stop it."""
-        return tuple(PlanCheck(**row) for row in self.summary["governing"])
+        return tuple(map(_plan_check, self.summary["governing"]))
 
     @property
     def unchecked(self) -> tuple[str, ...]:

@@ -39,7 +39,7 @@ const LONGEST_FIRST = Object.keys(UNITS).sort((a, b) => b.length - a.length);
 const named = (text) => text.split(", ").slice(1).find((part) => part in UNITS);
 
 /** Columns whose unit is told by a cell of their row: of `unit`, or behind what the row is of, as in `hook load, kN`. */
-const OF_ROW = /^(the case|5 %|50 %|95 %|measured|low friction|expected|high|residual|mean difference|largest|theirs there)$/;
+const OF_ROW = /^(the case|5 %|50 %|95 %|measured|low friction|expected|high|residual|mean difference|largest|theirs at that depth)$/;
 
 /** The unit of such a column; none where its row does not tell one. */
 function ofRow(heads, row, heading) {
@@ -53,7 +53,7 @@ function ofRow(heads, row, heading) {
  * it, in the heading, or in the title. Words may hold numbers that are names, such as `line 2`: there those with a unit count.
  */
 export function quantities({ title, heads, rows }, row, column) {
-  const text = rows[row][column];
+  const text = rows[row][column].replaceAll("kN.m", "kN·m").replaceAll("N.m", "N·m").replaceAll("ft-lbf", "ft·lbf");
   const { text: heading, words } = heads[column];
   const around = words ? undefined : (ofRow(heads, rows[row], heading) ?? named(heading) ?? named(title));
   const found = [];

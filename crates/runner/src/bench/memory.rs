@@ -23,7 +23,7 @@ pub struct Memory {
     pub simulated_s: f64,
     /// Wall-clock time.
     pub wall_time_s: f64,
-    /// Largest resident memory.
+    /// Largest resident memory, without the pages of the program file.
     pub peak_MB: f64,
 }
 
@@ -62,10 +62,13 @@ impl Bench<'_> {
     }
 }
 
-/// Largest resident memory of a process so far; `None` once it has ended.
+/// Largest resident memory of a process so far, without the pages of its program file, which vary
+/// with the debug information and which the system shares; `None` once it has ended.
 fn resident_MB(process: u32) -> Option<f64> {
     let status = fs::read_to_string(format!("/proc/{process}/status")).ok()?;
-    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
-    let kB: f64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(kB * 1024e-6)
+    let kB = |name: &str| -> Option<f64> {
+        let line = status.lines().find(|line| line.starts_with(name))?;
+        line.split_whitespace().nth(1)?.parse().ok()
+    };
+    Some((kB("VmHWM:")? - kB("RssFile:")?) * 1024e-6)
 }

@@ -103,7 +103,7 @@ def lock_up(inputs: Inputs, expected: Mapping[str, Any]) -> dict[str, Any]:
             answers["push_N"] = -made.soft()["slide"].hook_load_N
         else:
             found = made.reach(to="10 km", operation="slide")
-            answers["lock_up_length_m"] = limit_m(found, "slide", "lock_up")
+            answers["lock_up_length_m"] = limit_m(found, "slide", "push_absorbed")
     return answers
 
 

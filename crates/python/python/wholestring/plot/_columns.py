@@ -51,7 +51,7 @@ class Columns:
         try:
             numbers = np.asarray(values, dtype=np.float64)
         except (TypeError, ValueError):
-            message = f"{self._what} needs numbers in `{name}`: it holds {values[:1].tolist()}"
+            message = f"{self._subject} needs numbers in `{name}`: it holds {values[:1].tolist()}"
             raise InputError(message) from None
         return numbers if self._rows is None else numbers[self._rows]
 
@@ -101,7 +101,7 @@ class Columns:
         if missing:
             noun = "column" if len(missing) == 1 else "columns"
             there = ", ".join(self._names())
-            message = f"{self._what} needs the {noun} {', '.join(missing)}: there are {there}"
+            message = f"{self._subject} needs the {noun} {', '.join(missing)}: there are {there}"
             raise InputError(message)
 
     def _names(self) -> list[str]:
