@@ -227,7 +227,7 @@ impl BhaSummary {
         let [high_N, right_N] = self.state.side_force_N;
         let differ = own.map(|found| {
             let [other_high_N, other_right_N] = found.side_force_N;
-            (high_N - other_high_N).hypot(right_N - other_right_N)
+            libm::hypot(high_N - other_high_N, right_N - other_right_N)
         });
         differ.reduce(f64::max)
     }

@@ -102,24 +102,6 @@ fn fits(text: &str, room: f64) -> bool {
     text_width(text, SUBTITLE) <= room
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// No word of a subtitle is cut off: a part that is longer than a line is broken between words,
-    /// and the next part follows it.
-    #[test]
-    fn a_long_subtitle_is_broken_between_words() {
-        let text = "soft string; limits beyond the picture: top drive 30 kN·m, peak 40 kN·m; mud";
-        let lines = wrapped(text, 120.0);
-        assert!(lines.len() > 2, "{lines:?}");
-        assert!(lines.iter().all(|line| fits(line, 120.0) && !line.contains('…')), "{lines:?}");
-        let words = |text: &str| text.replace(';', "").split_whitespace().count();
-        assert_eq!(lines.iter().map(|line| words(line)).sum::<usize>(), words(text));
-        assert_eq!(lines[0], "soft string");
-    }
-}
-
 /// Width next to a frame for the names of curves that end at its right, so that no curve runs through
 /// them; zero where there are none. `None` where they would take too much of this width and the
 /// legend has them too, so that they are left out.
@@ -295,5 +277,23 @@ fn hole(on: &mut Drawing, figure: &Figure, place: &Place<'_>) {
             let middle = (right + 7.0, (from + to) / 2.0);
             on.upright(&interval.label, middle, SIZE, Ink::Note);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No word of a subtitle is cut off: a part that is longer than a line is broken between words,
+    /// and the next part follows it.
+    #[test]
+    fn a_long_subtitle_is_broken_between_words() {
+        let text = "soft string; limits beyond the picture: top drive 30 kN·m, peak 40 kN·m; mud";
+        let lines = wrapped(text, 120.0);
+        assert!(lines.len() > 2, "{lines:?}");
+        assert!(lines.iter().all(|line| fits(line, 120.0) && !line.contains('…')), "{lines:?}");
+        let words = |text: &str| text.replace(';', "").split_whitespace().count();
+        assert_eq!(lines.iter().map(|line| words(line)).sum::<usize>(), words(text));
+        assert_eq!(lines[0], "soft string");
     }
 }

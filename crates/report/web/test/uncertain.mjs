@@ -13,8 +13,8 @@ const parts = await read(page);
 
 await check("samples have their sections, and each leads to its own table", async () => {
   for (const [title, name] of [
-    ["What is uncertain", "reach_uncertain_samples.csv"],
-    ["What stops the samples", "reach_uncertain_stops.csv"],
+    ["Uncertain inputs", "reach_uncertain_samples.csv"],
+    ["Limits that stop the samples", "reach_uncertain_stops.csv"],
     ["Bands", "reach_uncertain.csv"],
     ["Sobol indices", "reach_uncertain_indices.csv"],
   ]) {
@@ -25,7 +25,7 @@ await check("samples have their sections, and each leads to its own table", asyn
 });
 
 await check("the samples that something stops are all of them", async () => {
-  const { rows } = parts.find((of) => of.title === "What stops the samples");
+  const { rows } = parts.find((of) => of.title === "Limits that stop the samples");
   assert.equal(rows.reduce((sum, row) => sum + Number(row.at(-1)), 0), 20);
 });
 

@@ -36,7 +36,7 @@ pub(super) fn first_sheets(summary: &Json, units: UnitSet) -> Vec<Sheet> {
     let rows: Vec<[String; 3]> = tables.iter().flat_map(|table| lines(table, units)).collect();
     let inputs = inputs_of("The inputs of the case with all defaults filled in", rows);
     let sheets = [inputs, verdict(summary, units), scalars(summary, units)];
-    sheets.into_iter().filter(|sheet| sheet.columns[0].cells.len() > 0).collect()
+    sheets.into_iter().filter(|sheet| !sheet.columns[0].cells.is_empty()).collect()
 }
 
 /// A check, and the solution that it belongs to.
