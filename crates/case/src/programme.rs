@@ -33,10 +33,9 @@ pub(crate) fn check(hole: &Hole, tables: &[Spanned<HoleTable>], reader: &mut Rea
         let above = &sections[..index];
         if let Some((narrower, at)) = above.iter().find(|(above, _)| does_not_pass(section, above))
         {
-            let mut diagnostic = Diagnostic::error("a casing does not pass the section above it")
-                .at(place(table), width(section, reader));
-            diagnostic = diagnostic.at(place(at), width(narrower, reader));
-            diagnostic
+            Diagnostic::error("a casing does not pass the section above it")
+                .at(place(table), width(section, reader))
+                .at(place(at), width(narrower, reader))
                 .help("sections are listed from the surface down, each with the innermost casing at its depth")
                 .report(reader);
         } else if let Some((_, at)) = above.iter().find(|(above, _)| above.kind == HoleKind::Open) {
@@ -55,7 +54,7 @@ fn does_not_pass(casing: &HoleSection, above: &HoleSection) -> bool {
     let od_m = |section: &HoleSection| section.casing.map(|pipe| pipe.od_m);
     match (od_m(casing), od_m(above)) {
         (Some(od_m), Some(above_od_m)) => {
-            od_m > above_od_m || { od_m < above_od_m && od_m > above.diameter_m }
+            od_m > above_od_m || (od_m < above_od_m && od_m > above.diameter_m)
         }
         (Some(od_m), None) if above.kind == HoleKind::Open => od_m > above.diameter_m,
         _ => casing.diameter_m > TAPER * above.diameter_m,
