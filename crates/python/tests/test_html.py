@@ -101,6 +101,6 @@ def test_a_case_and_a_simulation_show_what_they_are(slant: ws.Case, short: ws.Ca
     sim = short.with_(units="field").simulation()
     assert "Simulation: drill" in Tags(sim._repr_html_()).text
     sim.advance(0.1)
-    text = Tags(sim._repr_html_()).text
-    assert "0.1 s" in text
-    assert f"{sim.now['hook_load_N'] / 4448.2216152605:.4g} klbf" in text
+    cells = Tags(sim._repr_html_()).text
+    assert "0.1 s" in cells
+    assert f"{sim.now['hook_load_N'] / 4448.2216152605:.4g} klbf" in cells
