@@ -219,7 +219,7 @@ await run({
     await start(page, "Plan");
     await ends(page, "finished");
     await page.getByText("Values for this job only").click();
-    await page.getByLabel(/A key with its value a line/).fill("mud.density=1.4sg");
+    await page.getByLabel(/One key with its value per line/).fill("mud.density=1.4sg");
     await button(page, "Start").click();
     await until(async () => (await jobs(page).count()) === 2, "a second job is listed");
     await ends(page, "finished");
