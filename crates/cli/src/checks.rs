@@ -9,12 +9,15 @@ const INDENT: usize = 4;
 /// Length of a stand of pipe, m.
 const STAND_M: f64 = 30.0;
 
+/// Two models report the same where their values differ by less than this part.
+const SAME: f64 = 0.05;
+
 /// Smallest width at which lines are wrapped, characters.
 const NARROWEST: usize = 40;
 
 /// The checks of all operations that need attention, the most severe first, in lines of at most
-/// `width` characters; then the checks that could not be evaluated. A finding shared by two models
-/// is one line. Sentences are in these units.
+/// `width` characters; then the checks that could not be evaluated. A check that two models
+/// share is one line, with the more severe value. Sentences are in these units.
 pub(crate) fn lines(
     summary: &Summary,
     units: UnitSet,
@@ -30,7 +33,12 @@ pub(crate) fn lines(
                         && is_alike(of_other, check)
                 };
             match groups.iter_mut().find(is_same) {
-                Some((_, models, _)) => models.push(solved.model.name()),
+                Some((_, models, shown)) => {
+                    models.push(solved.model.name());
+                    if check.cmp_severity(shown).is_gt() {
+                        *shown = check;
+                    }
+                }
                 None => groups.push((solved, vec![solved.model.name()], check)),
             }
         }
@@ -49,14 +57,19 @@ pub(crate) fn lines(
     text
 }
 
-/// Whether two models report the same: kind, severity, component, and a place within a stand of
-/// pipe.
+/// Whether two models report the same: kind, severity, component, a place within a stand of pipe,
+/// and about the same value.
 fn is_alike(one: &Check, other: &Check) -> bool {
     let near = match (one.md_m, other.md_m) {
         (Some(one), Some(other)) => (one - other).abs() < STAND_M,
         (one, other) => one.is_some() == other.is_some(),
     };
-    one.kind == other.kind
+    let close = match (one.value, other.value) {
+        (Some(one), Some(other)) => (one - other).abs() <= SAME * one.abs().max(other.abs()),
+        (one, other) => one.is_some() == other.is_some(),
+    };
+    close
+        && one.kind == other.kind
         && one.severity == other.severity
         && one.component == other.component
         && near

@@ -157,9 +157,11 @@ impl Descent {
         let check = Check::load(CheckKind::LockUp, load_N, capacity_N, required)?;
         let check = match self.locks_up {
             true => Check { verdict: Verdict::Exceeded, severity: Severity::Error, ..check },
-            // Rounding alone, for a string that reaches its depth.
-            false if check.verdict == Verdict::Exceeded => {
-                Check { verdict: Verdict::Marginal, severity: Severity::Note, ..check }
+            // Beyond the limit by rounding alone, for a string that reaches its depth.
+            false if matches!(check.verdict, Verdict::Exceeded | Verdict::Marginal) => {
+                // Only the block drives a string that its weight does not, and hardly so.
+                let severity = if self.by_its_weight { Severity::Note } else { Severity::Warning };
+                Check { verdict: Verdict::Marginal, severity, ..check }
             }
             false => check,
         };
@@ -203,11 +205,10 @@ pub(crate) fn goes_down(
     let severity = match descent {
         Some(descent) if descent.locks_up => Severity::Error,
         _ if hangs => Severity::Ok,
-        Some(_) => Severity::Warning,
-        None if hook_load_N + model.rig.block_weight_N.unwrap_or(0.0) > least_N => {
-            Severity::Warning
-        }
-        None => Severity::Error,
+        // A static descent that does not lock up reaches its depth, pushed.
+        Some(descent) if !descent.in_time => Severity::Warning,
+        _ if hook_load_N + model.rig.block_weight_N.unwrap_or(0.0) > least_N => Severity::Warning,
+        _ => Severity::Error,
     };
     let goes_down = descent.is_some() || operation.axial_velocity_m_per_s() > 0.0;
     let limit_N = 0.0 - model.rig.push_N();

@@ -51,6 +51,9 @@ pub struct Reached<'a> {
     /// Depth of the bit at which it is stopped, m, and the limit that stops it; `None` where none
     /// does.
     pub stopped: Option<(f64, &'a str)>,
+    /// Depth of the bit from which on no weight hangs on the hook and the block or the rig pushes,
+    /// m; `None` where the weight of the string drives it.
+    pub pushed_from_m: Option<f64>,
     /// First depth that was tried, m.
     pub from_m: f64,
     /// Depth of the bit of the case's operation, m, which a planned well must reach.
@@ -109,14 +112,14 @@ impl Judge {
         // The margin to lock-up of a moving string is not known: the part that its hook load leaves
         // is friction.
         let locked = descent.as_ref().filter(|descent| descent.locks_up);
-        let words = self.words(model, solution);
+        let words = self.words(model, solution).of_run(settings);
         checks.checks.extend(self.lock_up(model, operation, locked, &words));
         checks.checks.extend(weight_on_bit::checks(operation, settings, &window));
         self.add_limits(model, operation, &Loads::of(model, operation, solution), &mut checks);
         checks.checks.extend(motion::checks(settings, &window));
         checks.checks.extend(numerics::checks(model, operation, solution, &window));
         checks.checks.extend(steadiness::checks(operation, settings, &window));
-        self.worded(checks, model, solution)
+        self.with_sentences(checks, &words)
     }
 
     /// The checks of a bottom-hole assembly in static equilibrium: its largest von Mises stress,
@@ -161,13 +164,17 @@ impl Judge {
     /// stops it, or the last depth that was tried, `to_m`. An operation that is stopped at the
     /// first depth already, or above the planned depth, is an error.
     pub fn reach(&self, reach: &Reached<'_>) -> Check {
-        let Reached { operation, stopped, to_m, from_m, planned_m } = *reach;
+        let Reached { operation, stopped, pushed_from_m, to_m, from_m, planned_m } = *reach;
+        let end_m = stopped.map_or(to_m, |(depth_m, _)| depth_m);
+        // As `goes_down`: a string that only the block pushes is warned of.
+        let pushed_from_m = pushed_from_m.filter(|depth_m| *depth_m < end_m);
         let severity = match stopped {
-            None => Severity::Ok,
+            None if pushed_from_m.is_none() => Severity::Ok,
             Some((depth_m, _)) if depth_m <= from_m || depth_m < planned_m => Severity::Error,
-            Some(_) => Severity::Note,
+            _ if pushed_from_m.is_some() => Severity::Warning,
+            _ => Severity::Note,
         };
-        let sentence = match stopped {
+        let mut sentence = match stopped {
             None => format!("{operation}: nothing stops it down to {}", depth(to_m)),
             Some((depth_m, limit)) if depth_m <= from_m => {
                 format!("{operation}: stopped at {} already: {limit}", depth(depth_m))
@@ -180,8 +187,12 @@ impl Judge {
                 format!("{operation}: goes to {}, where it is stopped: {limit}", depth(depth_m))
             }
         };
-        let depth_m = stopped.map_or(to_m, |(depth_m, _)| depth_m);
-        let check = Check::reported(CheckKind::Reach, severity).value(depth_m).limit(to_m);
+        if let Some(depth_m) = pushed_from_m {
+            let from = if depth_m <= from_m { from_m } else { depth_m };
+            sentence +=
+                &format!("; from {} on its weight does not drive it, it is pushed", depth(from));
+        }
+        let check = Check::reported(CheckKind::Reach, severity).value(end_m).limit(to_m);
         check.worded(sentence).in_units(self.units)
     }
 

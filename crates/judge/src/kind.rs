@@ -145,7 +145,7 @@ kinds! {
     findings {
         /// Whether the string goes down by its weight: hook load without the block, against zero or
         /// the force of a rig that pushes.
-        GoesDown = goes_down, "Goes down by its weight": Force;
+        GoesDown = goes_down, "Descent by own weight": Force;
         /// Requested weight on bit that the string does not have even without friction, block and
         /// rig pushing, against the weight that is available.
         WeightNotAvailable = weight_not_available, "Weight on bit not available": Force;

@@ -60,6 +60,7 @@ pub use reading_check::ReadingCheck;
 pub use root::root;
 pub use sentence::shorter_element;
 pub use settings::LimitSettings;
+pub use strengths::torque_capacity_N_m;
 pub use surface::{SurfaceLimit, surface_limits};
 pub use unchecked::{Missing, Unchecked};
 pub use unsolved::NoAnswer;

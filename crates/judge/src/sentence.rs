@@ -7,7 +7,7 @@ mod tests;
 mod text;
 
 use wholestring::{
-    dynamics::{Indicators, Statistic, TableUse},
+    dynamics::{DynamicsSettings, HoistControl, Indicators, Statistic, TableUse},
     outcome::{ModelKind, Solution},
     rig::Rig,
     rod::buckled_element::BuckledElement,
@@ -29,6 +29,8 @@ pub(crate) struct Words<'a> {
     hook_load_N: f64,
     /// Weight on bit, N; for a dynamic run its mean.
     weight_on_bit_N: f64,
+    /// Hook load that the hoist holds, block excluded, N; `None` where it holds something else.
+    held_hook_load_N: Option<f64>,
     indicators: Option<&'a Indicators>,
     bit_table: Option<TableUse>,
     statistics: &'a [(&'static str, Statistic)],
@@ -50,6 +52,7 @@ impl<'a> Words<'a> {
             has_helix_friction,
             hook_load_N: solution.scalars.hook_load_N,
             weight_on_bit_N: solution.scalars.weight_on_bit_N,
+            held_hook_load_N: None,
             indicators: solution.in_time.map(|run| run.indicators),
             bit_table: solution.in_time.and_then(|run| run.bit_table),
             statistics: solution.in_time.map_or(&[], |run| run.statistics),
@@ -69,12 +72,22 @@ impl<'a> Words<'a> {
             has_helix_friction: false,
             hook_load_N,
             weight_on_bit_N: f64::NAN,
+            held_hook_load_N: None,
             indicators: None,
             bit_table: None,
             statistics: &[],
             bit_travel_m: 0.0,
             buckled_element: None,
         }
+    }
+
+    /// The same words for a run with these settings.
+    pub(crate) fn of_run(self, settings: &DynamicsSettings) -> Self {
+        let held_hook_load_N = match settings.hoist_control {
+            Some(HoistControl::HookLoad(hook_load_N)) => Some(hook_load_N),
+            _ => None,
+        };
+        Self { held_hook_load_N, ..self }
     }
 
     /// A sentence with marked quantities that begins with a capital and ends without a full stop.
@@ -115,7 +128,9 @@ pub(crate) fn unsolved(why: &NoAnswer, check: &Check) -> String {
             text::across(*clearance_m)
         ),
         NoAnswer::Stiff(StiffError::NotConverged { residual_N, iterations, .. }) => format!(
-            "Did not converge: forces are out of balance by {}{place} after {iterations} iterations",
+            "Did not converge: forces are out of balance by {}{place} after {iterations} iterations. \
+             The soft string or the dynamics may have an answer, or the stiff string with another \
+             `mesh.element_length`",
             text::force(*residual_N)
         ),
         _ if check.kind == CheckKind::LockUp => format!(

@@ -27,12 +27,18 @@ const OF_YIELD: [CheckKind; 6] = [
     CheckKind::Collapse,
 ];
 
+impl<'a> Strength<'a> {
+    fn of(component: &'a Component) -> Self {
+        Self { connection: component.connection, body: Body::of(component) }
+    }
+}
+
 impl<'a> Strengths<'a> {
     /// The strengths of a model's string. Missing numbers are added to `checks`, except those of a
     /// bit.
     pub fn of(model: &'a Model, checks: &mut Checks) -> Self {
         let strength = |component: &'a Component| {
-            let strength = Strength { connection: component.connection, body: Body::of(component) };
+            let strength = Strength::of(component);
             if !component.is_bit() {
                 let name = Some(component.name.as_str());
                 for kind in OF_YIELD {
@@ -74,6 +80,16 @@ impl Strength<'_> {
     pub fn torsional_yield_N_m(&self) -> Option<f64> {
         let body = self.body.map(|body| body.torsional_yield_N_m());
         least(body, self.connection.torsional_yield_N_m)
+    }
+}
+
+/// Torque that a component carries by the limits [`CheckKind::MakeUp`] and [`CheckKind::Torsion`],
+/// N·m, without their required factors; `None` where it is not known, and for other limits.
+pub fn torque_capacity_N_m(component: &Component, limit: CheckKind) -> Option<f64> {
+    match limit {
+        CheckKind::MakeUp => component.connection.make_up_torque_N_m,
+        CheckKind::Torsion => Strength::of(component).torsional_yield_N_m(),
+        _ => None,
     }
 }
 

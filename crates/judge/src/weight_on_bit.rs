@@ -18,6 +18,10 @@ const OFF: f64 = 0.05;
 /// A mean that is off by more than this belongs to a different operation than the requested one.
 const FAR_OFF: f64 = 0.2;
 
+/// The same of a weight that no control holds, but that follows from a hook load: twice the
+/// requested weight.
+const FAR_OFF_UNHELD: f64 = 1.0;
+
 /// A standard deviation beyond this part of the mean is reported: the weight then swings by half of
 /// it either way.
 const UNSTEADY: f64 = 0.25;
@@ -81,6 +85,7 @@ fn off_target(mean_N: f64, target_N: f64, held: bool) -> Option<Check> {
         true => CheckKind::WeightOnBitNotReached,
         false => CheckKind::WeightOnBitExceeded,
     };
-    let severity = if held && off.abs() > FAR_OFF { Severity::Error } else { Severity::Warning };
+    let far = if held { FAR_OFF } else { FAR_OFF_UNHELD };
+    let severity = if off.abs() > far { Severity::Error } else { Severity::Warning };
     (off.abs() > OFF).then(|| Check::reported(kind, severity).value(mean_N).limit(target_N))
 }

@@ -426,6 +426,37 @@ fn a_hanging_string_stops_at_hoist_and_yield() {
     assert_eq!(first.limit, Limit::Hoist);
 }
 
+/// The torque at the surface meets the make-up torque of the topmost connection at the depth at
+/// which it meets an equal rating of the top drive, and the torsional yield with a required factor
+/// of two where it meets half of the yield.
+#[test]
+fn a_string_that_turns_stops_at_its_connections() {
+    let file = verification("S5_reach.json");
+    let inputs = &file["inputs"];
+    let mut setup = setup(inputs, &[[0.0, 0.0], [1000.0, 0.0], [1500.0, 75.0]], 0.3);
+    let turn = Operation::rotate_off_bottom(0.0).rotary_speed_rad_per_s(10.0);
+    let capacity_N_m = 15e3;
+    setup.rig.top_drive_torque_N_m = Some(capacity_N_m);
+    let connection = &mut setup.string.components[0].connection;
+    connection.make_up_torque_N_m = Some(capacity_N_m);
+    connection.torsional_yield_N_m = Some(2.0 * capacity_N_m);
+    let factors = DesignFactors { torsion: 2.0, ..ONE };
+    let settings =
+        ReachSettings { to_m: 12e3, depths: 12, factors, ..ReachSettings::from_depth(1600.0) };
+    let found = reach(&setup, &turn, &settings).expect("a reach");
+    let depth_m = |limit| {
+        let curve = found.curves.iter().find(|curve| curve.limit == limit).expect("a limit");
+        (curve.end.depth_m().expect("a depth"), curve.there)
+    };
+    let (expected_m, _) = depth_m(Limit::TopDrive);
+    for limit in [Limit::MakeUp, Limit::Torsion] {
+        let (found_m, there) = depth_m(limit);
+        assert!((found_m - expected_m).abs() < 1e-6 * expected_m, "{limit:?} {found_m}");
+        assert!((there.load - capacity_N_m).abs() < 1e-5 * capacity_N_m, "{there:?}");
+        assert_eq!(there.at_md_m, Some(0.0));
+    }
+}
+
 /// A level hole is not vertical, locked up or not; one that begins vertical is there. The wall of
 /// the level hole holds the pipe by 2.83 sqrt(EI w/r), the weight in a vertical one by 5.55 (EI
 /// w²)^(1/3).

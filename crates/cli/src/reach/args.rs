@@ -12,7 +12,7 @@ pub(crate) struct ReachArgs {
     #[command(flatten)]
     pub(crate) case: CaseArgs,
 
-    /// Bit depth to start from, such as `4000m` [default: the end of the survey]
+    /// Bit depth to start from, such as `4000m` [default: the end of the survey, or of the hole where that is shallower]
     #[arg(long, value_name = "DEPTH")]
     pub(crate) from: Option<String>,
 

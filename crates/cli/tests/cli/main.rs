@@ -19,6 +19,7 @@ mod folders;
 mod frames;
 mod import;
 mod import_log;
+mod judged_alike;
 mod modes;
 mod new_case;
 mod plan;

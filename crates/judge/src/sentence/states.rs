@@ -25,14 +25,16 @@ impl Words<'_> {
                 text::force(limit)
             ),
             CheckKind::WeightOnBitNotReached => format!(
-                "The weight on bit of {} is not reached: {} on average",
+                "The weight on bit of {} is not reached: {} on average{}",
                 text::force(limit),
-                text::force(value)
+                text::force(value),
+                self.held_hook_load()
             ),
             CheckKind::WeightOnBitExceeded => format!(
-                "The weight on bit of {} is exceeded: {} on average",
+                "The weight on bit of {} is exceeded: {} on average{}",
                 text::force(limit),
-                text::force(value)
+                text::force(value),
+                self.held_hook_load()
             ),
             CheckKind::WeightOnBitUnsteady => format!(
                 "The weight on bit is not steady: it varies by ± {} (standard deviation) about {}",
@@ -135,6 +137,14 @@ impl Words<'_> {
         let Some(element) = self.buckled_element else { return String::new() };
         let length = text::element_length(element.sufficient_length_m());
         format!(", such as mesh.element_length = \"{length}\"")
+    }
+
+    /// `, which follows from the hook load of 80 kN that the hoist holds`.
+    fn held_hook_load(&self) -> String {
+        self.held_hook_load_N.map_or_else(String::new, |hook_load_N| {
+            let hook_load = text::force(hook_load_N);
+            format!(", which follows from the hook load of {hook_load} that the hoist holds")
+        })
     }
 
     fn goes_down(&self, check: &Check) -> String {

@@ -20,6 +20,7 @@ impl InUnits<'_> {
 
 fn words(model: ModelKind, rig: &Rig, units: UnitSet) -> InUnits<'_> {
     let words = Words {
+        held_hook_load_N: None,
         rig,
         model,
         has_helix_friction: true,

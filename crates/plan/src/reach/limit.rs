@@ -1,6 +1,7 @@
 //! Limits of the depth of a string.
 
 use wholestring::{operation::Operation, rig::Rig, string::DrillString};
+use wholestring_judge::{CheckKind, torque_capacity_N_m};
 
 /// Declares the limits, each once, with name in results, words, load and bound.
 macro_rules! limits {
@@ -49,6 +50,10 @@ limits! {
     /// bit. A lock-up limits the push of block and rig, this one no push does: [`Self::PushSpent`]
     /// is met before.
     PushAbsorbed = push_absorbed ("any push absorbed", "");
+    /// The torque of a connection equals that with which it was made up.
+    MakeUp = make_up ("make-up torque", "N·m");
+    /// The torque equals the torsional yield of a pipe or its connection.
+    Torsion = torsion ("torsional yield", "N·m");
     /// The largest von Mises stress equals the yield strength.
     Yield = yield_strength ("yield", "");
     /// Somewhere the compression equals the load of the helix, where the wall holds a straight
@@ -70,6 +75,14 @@ impl Limit {
         !matches!(self, Self::Helix | Self::Sinusoid | Self::VerticalHelix | Self::VerticalSinusoid)
     }
 
+    /// The judge's check of the torque along the string with which it is the same.
+    pub(super) const fn torque_check(self) -> CheckKind {
+        match self {
+            Self::MakeUp => CheckKind::MakeUp,
+            _ => CheckKind::Torsion,
+        }
+    }
+
     /// Whether it is a limit of an operation of that string on that rig.
     pub(super) fn concerns(self, operation: &Operation, rig: &Rig, string: &DrillString) -> bool {
         let goes_down = operation.axial_velocity_m_per_s() > 0.0 || operation.slides_down();
@@ -83,6 +96,12 @@ impl Limit {
             | Self::VerticalSinusoid => goes_down,
             Self::PushSpent => goes_down && rig.push_with_block_N() > 0.0,
             Self::PushAbsorbed => operation.slides_down(),
+            Self::MakeUp | Self::Torsion => {
+                let mut components = string.components().iter();
+                let kind = self.torque_check();
+                let is_known = |component| torque_capacity_N_m(component, kind).is_some();
+                operation.kind.rotates() && components.any(is_known)
+            }
             Self::Yield => {
                 let mut components = string.components().iter();
                 components.any(|component| component.yield_strength_Pa.is_some())

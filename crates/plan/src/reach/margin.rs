@@ -9,7 +9,7 @@ use wholestring::{
     },
 };
 
-use wholestring_judge::DesignFactors;
+use wholestring_judge::{DesignFactors, torque_capacity_N_m};
 
 use super::{
     limit::Limit,
@@ -82,6 +82,7 @@ fn locked_up(limit: Limit, model: &Model, factors: &DesignFactors, md_m: f64) ->
             .top_drive_torque_N_m
             .map_or(f64::NAN, |rated_N_m| rated_N_m / factors.top_drive),
         Limit::Yield => 1.0 / factors.von_mises,
+        Limit::MakeUp | Limit::Torsion => f64::NAN,
         Limit::HookLoadZero | Limit::PushSpent | Limit::PushAbsorbed => 0.0,
         Limit::Hoist
         | Limit::Helix
@@ -147,9 +148,37 @@ impl At<'_> {
                 let allowed = 1.0 / self.factors.von_mises;
                 Margin { at_md_m, ..below(most, Some(allowed)) }
             }
+            Limit::MakeUp | Limit::Torsion => self.torque(limit),
             Limit::Helix | Limit::Sinusoid => self.buckling(limit, false),
             Limit::VerticalHelix | Limit::VerticalSinusoid => self.buckling(limit, true),
         })
+    }
+
+    /// Returns the margin where torque over the capacity of pipe or connection is largest. A row
+    /// between two components belongs to both.
+    fn torque(&self, limit: Limit) -> Margin {
+        let string = &self.model.string;
+        let kind = limit.torque_check();
+        let required = self.factors.required(kind);
+        let capacities_N_m: Vec<Option<f64>> = string
+            .components()
+            .iter()
+            .map(|component| Some(torque_capacity_N_m(component, kind)? / required))
+            .collect();
+        let mut worst = Margin { limit, load: 0.0, bound: f64::NAN, margin: 1.0, at_md_m: None };
+        for (md_m, torque_N_m) in self.profile.md_m.iter().zip(&self.profile.torque_N_m) {
+            let from_bit_m = self.operation.bit_depth_m - md_m;
+            let places = [from_bit_m - JUST_M, from_bit_m + JUST_M];
+            for (component, _) in places.map(|from_bit_m| string.component_at(from_bit_m)) {
+                let Some(bound) = capacities_N_m[component] else { continue };
+                let load = torque_N_m.abs();
+                let margin = 1.0 - load / bound;
+                if margin < worst.margin {
+                    worst = Margin { limit, load, bound, margin, at_md_m: Some(*md_m) };
+                }
+            }
+        }
+        worst
     }
 
     /// Returns the hook load without friction and off bottom, N: the weight of the string along the

@@ -185,7 +185,8 @@ class Planning(Checked):
         folder
             Folder for the results; a temporary folder by default.
         from_
-            First depth of the bit: ``"4000 m"``, or m; the end of the survey by default.
+            First depth of the bit: ``"4000 m"``, or m; by default the end of the
+            survey, or of the hole where that is shallower.
         to
             Last depth of the bit; by default, 15 km or twice the first depth, whichever is deeper.
         friction

@@ -7,7 +7,7 @@ use crate::ColumnSpec;
 pub const REACH: &[ColumnSpec] = specs! {
     "operation": Words, "`trip_out`, `drill`, ...";
     "limit": Words,
-        "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `push_absorbed`, \
+        "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `push_absorbed`, `make_up`, `torsion`, \
          `yield_strength`, `helix`, `sinusoid`, `vertical_helix` or `vertical_sinusoid`";
     "friction": Ratio, "Friction factor of all sections, `null` where they have the case's own",
         null_where "the sections have the case's own";
@@ -22,10 +22,12 @@ pub const REACH: &[ColumnSpec] = specs! {
         null_where "the limit is no force, or the string is locked up";
     "force_limit_N": Force, "Its limit: capacity, zero, critical load; else `null`",
         null_where "the limit is no force, nothing is compressed, or the string is locked up";
-    "torque_N_m": Torque, "Torque at surface for `top_drive`, else `null`",
-        null_where "the limit is no torque";
-    "torque_limit_N_m": Torque, "Rated torque of the top drive, else `null`",
-        null_where "the limit is no torque";
+    "torque_N_m": Torque, "Torque compared with a limit: at the surface for `top_drive`, at `md_m` for `make_up` and \
+         `torsion`; else `null`",
+        null_where "the limit is no torque, or the string is locked up";
+    "torque_limit_N_m": Torque, "Its limit: rated torque of the top drive, capacity of connection or pipe, over the required \
+         factor; else `null`",
+        null_where "the limit is no torque, or no component with a known capacity turns";
     "md_m": Depth,
         "Measured depth of the smallest margin in the string, `null` for a limit at the surface",
         null_where "it is a limit at the surface, or nothing is compressed";

@@ -10,6 +10,7 @@ mod files;
 mod governing;
 mod inputs_sheet;
 mod kind;
+mod left_out;
 mod levels;
 mod measured;
 mod mud;

@@ -17,6 +17,7 @@ use super::{
     dynamic::{Parts, Ran, Run, runs},
     files::Tables,
     governing::governing,
+    left_out::left_out,
     measured::{Measured, MeasuredDone, MeasuredTask},
     mud, packed_checks,
     request::Request,
@@ -331,7 +332,8 @@ impl<'a> Work<'a> {
             settings["plan"]["uncertain"] = json!(uncertain);
         }
         all_limits.extend(parts.limits);
-        let mut unchecked = Unchecked::phrases(&lacking);
+        let mut unchecked = left_out(case);
+        unchecked.extend(Unchecked::phrases(&lacking));
         let mut texts = Texts::default();
         let mut worded = |all: Vec<String>| -> Vec<String> {
             all.into_iter().map(|text| texts.worded(text, case.units)).collect()

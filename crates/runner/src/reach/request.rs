@@ -112,7 +112,10 @@ impl<'a> Request<'a> {
         let depth = |md_m: f64| Dimension::Length.format(md_m, units);
         let setup = self.case.setup();
         let least_m = setup.least_depth_m();
-        let end_m = self.case.model.well.path.last_md_m();
+        // A string that runs in a hole above the end of its survey, as a casing does, begins there.
+        let well = &self.case.model.well;
+        let hole_m = well.hole.sections().last().map_or(f64::INFINITY, |section| section.to_md_m);
+        let end_m = well.path.last_md_m().min(hole_m);
         let from_m = self.from_m.unwrap_or(end_m.max(least_m + 1.0));
         let mut settings = ReachSettings::from_depth(from_m);
         settings.to_m = self.to_m.unwrap_or(settings.to_m);

@@ -1,6 +1,7 @@
 //! Results of a reach in sentences.
 
 use wholestring_judge::{Judge, Reached};
+use wholestring_plan::reach::Limit;
 use wholestring_results::{ReachCheck, ReachOfFriction, ReachSummary};
 use wholestring_units::{Dimension, UnitSet};
 
@@ -74,9 +75,15 @@ pub(super) fn checks(
             let stops =
                 found.limits.iter().filter(|limit| limit.stops && limit.operation == operation);
             let met = stops.filter_map(|limit| Some((limit.depth_m?, limit.title.as_str())));
+            let zero = found.limits.iter().find(|limit| {
+                limit.operation == operation
+                    && limit.limit == Limit::HookLoadZero.name()
+                    && !limit.stops
+            });
             let reached = Reached {
                 operation: &readable(operation),
                 stopped: met.min_by(|a, b| a.0.total_cmp(&b.0)),
+                pushed_from_m: zero.and_then(|limit| limit.depth_m),
                 from_m,
                 planned_m,
                 to_m,
