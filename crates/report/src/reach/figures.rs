@@ -11,8 +11,11 @@ use crate::{
 /// Least margin that is drawn, per cent.
 const BELOW: f64 = -25.0;
 
+/// A margin that never falls below this is not drawn: its limit is far at every depth.
+const FAR: f64 = 0.999;
+
 /// Colours of the limits: those of lines first, because there are seldom more limits than these.
-pub(super) const INKS: [Ink; 9] = [
+pub(super) const INKS: [Ink; 10] = [
     Ink::Line(0),
     Ink::Line(1),
     Ink::Line(2),
@@ -22,6 +25,7 @@ pub(super) const INKS: [Ink; 9] = [
     Ink::Line(6),
     Ink::Rock,
     Ink::Casing,
+    Ink::Text,
 ];
 
 /// Names of the pictures of a reach.
@@ -44,7 +48,7 @@ fn margins(reach: &Reach, units: &str) -> Figure {
     let drawn_titles: Vec<&String> = reach
         .titles
         .iter()
-        .filter(|title| reach.curves.iter().any(|curve| curve.limit == **title))
+        .filter(|title| reach.curves.iter().any(|curve| curve.limit == **title && is_drawn(curve)))
         .collect();
     let ink = |limit: &str| {
         let place = drawn_titles.iter().position(|drawn_title| *drawn_title == limit);
@@ -56,7 +60,8 @@ fn margins(reach: &Reach, units: &str) -> Figure {
         let scattered = scattered
             .filter(|scattered| scattered.operation == *operation && !scattered.limit.is_empty());
         marks.extend(scatter(scattered.collect(), display, &ink));
-        for curve in reach.curves.iter().filter(|curve| curve.operation == *operation) {
+        let curves = reach.curves.iter().filter(|curve| curve.operation == *operation);
+        for curve in curves.filter(|curve| is_drawn(curve)) {
             let (ink, stroke) = (ink(&curve.limit), Stroke::of(curve.friction));
             marks.push(Mark::Curve { ink, stroke, points: visible(curve, display) });
         }
@@ -142,6 +147,11 @@ fn scatter(
         marks.push(Mark::Bars { ink: ink(&depth.limit), bars: vec![[from, to]] });
     }
     marks
+}
+
+/// Whether a curve falls at all, or its string is locked up.
+fn is_drawn(curve: &ReachCurve) -> bool {
+    curve.points.iter().any(|(_, margin)| margin.is_nan() || *margin < FAR)
 }
 
 /// A curve up to the edge of the frame, per cent.
