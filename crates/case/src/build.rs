@@ -101,9 +101,10 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let rough = well.and_then(|at| at.value.roughness.given());
     let rough = rough.map(|at| &at.value);
     let hole = sections.and_then(|sections| hole::build(sections, rough, own.as_ref(), reader));
-    if let (Some(hole), Some(sections)) = (&hole, sections) {
-        programme::check(hole, sections, reader);
-    }
+    let hole_notes = match (&hole, sections) {
+        (Some(hole), Some(sections)) => programme::check(hole, sections, reader),
+        _ => Vec::new(),
+    };
 
     let last_md_m = path.as_ref().map(|path| path.last_md_m());
     let operation = case.operation.get();
@@ -308,6 +309,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         checkpoint_interval_s,
         records,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
+        hole_notes,
         mud_notes: case.mud.get()?.note(reader).into_iter().collect(),
         warnings: Report::default(),
         settings,

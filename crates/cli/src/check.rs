@@ -177,11 +177,13 @@ fn held(step: &str, holder: Option<StepHolder>, effort: &Effort, case: &Case) ->
     text
 }
 
-/// The survey as it was interpreted, and the mud rheology fitted to viscometer readings.
+/// The survey and the casing programme as they were interpreted, and the mud rheology fitted to
+/// viscometer readings.
 fn survey(case: &Case) -> String {
-    let notes = case.survey_notes.iter();
+    let notes = case.survey_notes.iter().map(|note| format!("survey: {note}\n"));
+    let hole = case.hole_notes.iter().map(|note| format!("hole: {note}\n"));
     let mud = case.mud_notes.iter().map(|note| format!("mud: {note}\n"));
-    notes.map(|note| format!("survey: {note}\n")).chain(mud).collect()
+    notes.chain(hole).chain(mud).collect()
 }
 
 /// The rock and the bit's face, and the expected drilling response.
