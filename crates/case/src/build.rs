@@ -18,7 +18,7 @@ use crate::{
     case_table::CaseTable,
     catalogue::OwnCatalogue,
     dynamics::{DynamicsTable, GivenSettings},
-    effort, fit, hole, modes,
+    effort, fit, hole, modes, named_size,
     operation::OperationTable,
     overrides::{self, Override},
     plan, programme, rock, roughness, schema,
@@ -221,6 +221,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
             let rms = rough.and_then(|table| table.rms.given());
             roughness::check_clearance(drill_string, hole, rms.map(|at| at.place), reader);
         }
+        named_size::check(drill_string, components, reader);
         fit::check_programme(drill_string, components, reader);
         if let Some(mud) = &mud {
             let wob = operation.and_then(|operation| operation.wob.given());
