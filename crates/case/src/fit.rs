@@ -235,15 +235,33 @@ pub(crate) fn check_weight(
             .or(table.value.density.given())
             .map_or(table.place, |at| at.place);
         let density = |kg_per_m3: f64| reader.shown(Dimension::Density, kg_per_m3);
-        Diagnostic::error(format!("`{}` floats in this mud", short(&component.name)))
-            .at(
-                place,
-                format!(
-                    "{} of metal of {}",
-                    reader.shown(Dimension::MassPerLength, component.mass_per_length_kg_per_m),
-                    density(component.material.density_kg_per_m3)
-                ),
+        let mass = |kg_per_m: f64| reader.shown(Dimension::MassPerLength, kg_per_m);
+        let metal = component.material.density_kg_per_m3;
+        let name = short(&component.name);
+        let diagnostic = if mud.density_kg_per_m3 >= metal {
+            Diagnostic::error(format!("`{name}` floats in this mud: its metal is no denser"))
+                .at(place, format!("metal of {}", density(metal)))
+                .help("give the density of its metal as `density`")
+        } else {
+            Diagnostic::error(format!(
+                "`{name}` floats in this mud: it weighs {} in air, and its metal displaces {} of \
+                 mud",
+                mass(component.mass_per_length_kg_per_m),
+                mass(displaced)
+            ))
+            .at(place, format!("weight in air: expected more than {}", mass(displaced)))
+            .help(format!(
+                "a body of its od and id in metal of {} weighs {} in air: leave \
+                 `mass_per_length` out, or give the weight in air",
+                density(metal),
+                mass(metal * component.area_m2())
+            ))
+            .help(
+                "mud is in the bore and around the string: a bore filled with air, as of floated \
+                 casing, is not modelled",
             )
+        };
+        diagnostic
             .at(mud_place, format!("mud of {}", density(mud.density_kg_per_m3)))
             .report(reader);
     }

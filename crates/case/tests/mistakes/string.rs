@@ -47,6 +47,7 @@ fn sizes_and_lengths() {
         ("made_up_beyond_yield", explicit(&format!("{pipe}\nmake_up_torque = \"130 kN.m\""))),
         ("class_unknown", explicit("catalogue = \"5-1/2 in 21.90 lb/ft S-135 class 3\"")),
         ("pipe_floats", explicit(&format!("{pipe}\nmass_per_length = \"3.58 kg/m\""))),
+        ("metal_floats", explicit(&format!("{pipe}\ndensity = \"1100 kg/m3\""))),
     ]);
     each_refused(
         r#"
