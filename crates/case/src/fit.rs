@@ -7,6 +7,7 @@ use wholestring::{
 };
 
 use wholestring_config::prelude::*;
+use wholestring_tabular::is_stabiliser;
 
 use crate::{component::ComponentTable, hole::HoleTable};
 
@@ -133,7 +134,7 @@ pub(crate) fn check_gauge(
         let part = span.component;
         let Some((section, _)) = at_depth(bit_depth_m - span.from_bit_m) else { continue };
         let fills = 2.0 * part.contact_radius_m() > FILLS * section.diameter_m;
-        if part.blades.is_some() || fills || !is_stabiliser(part) {
+        if part.blades.is_some() || fills || !is_stabiliser(&part.name) {
             continue;
         }
         Diagnostic::warning(format!(
@@ -147,13 +148,6 @@ pub(crate) fn check_gauge(
         .help("give its gauge as blade_od")
         .report(reader);
     }
-}
-
-/// Whether a component's name is that of a stabiliser or a reamer.
-fn is_stabiliser(component: &Component) -> bool {
-    let lower = component.name.to_lowercase();
-    let mut words = lower.split(|c: char| !c.is_alphanumeric());
-    words.any(|word| word == "stab" || word.starts_with("stabili") || word.ends_with("reamer"))
 }
 
 /// Warns of casings that do not fit into each other.

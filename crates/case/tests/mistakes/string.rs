@@ -136,6 +136,8 @@ fn weights_and_gauges() {
         warn_bit_of_its_shank: `od = "215.9 mm"` -> `od = "6.25 in"`
         warn_named_size: `component = "drill pipe"` -> `component = "5-7/8 in drill pipe"`
         warn_named_size_in_quotes: `component = "drill pipe"` -> `component = '6 5/8" DP'`
+        warn_ibs_without_blades: `[[string]]\ncomponent = "drill pipe"`
+            -> `[[string]]\ncomponent = "IBS"\nod = "6.5 in"\nid = "2.25 in"\nlength = "5.1 ft"\n[[string]]\ncomponent = "drill pipe"`
         warn_stabiliser_without_blades: `[[string]]\ncomponent = "drill pipe"`
             -> `[[string]]\ncomponent = "NB stab"\nod = "6.5 in"\nid = "2.25 in"\nlength = "5.1 ft"\n[[string]]\ncomponent = "drill pipe"`
         "#,
