@@ -127,8 +127,9 @@ pub(crate) fn of(
         block.push("blade_od", quantity(blades), origin(blades));
         if let Some(length) = given(part, Column::BladeLength) {
             block.push("blade_length", quantity(length), origin(length));
+        } else {
+            said.bladed.push(part.name.clone());
         }
-        said.bladed.push(part.name.clone());
     } else if is_stabiliser(&part.name) && entry.is_none() {
         said.bladeless.push(part.name.clone());
     }
