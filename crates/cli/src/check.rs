@@ -71,10 +71,14 @@ fn is_case(file: &Path) -> bool {
     is_called && import::contents(file).is_err()
 }
 
-/// Format and contents of another program's file.
+/// Format and contents of another program's file. Readings that a calibration refuses are a failure.
 fn show(name: &str, contents: Contents) -> Result<(), Failure> {
     let lines: String = contents.lines.iter().map(|line| format!("  {line}\n")).collect();
-    print_stdout(&format!("{name}: {}\n{lines}", contents.what))
+    print_stdout(&format!("{name}: {}\n{lines}", contents.what))?;
+    match &contents.errors[..] {
+        [] => Ok(()),
+        errors => Err(Failure::BadInput(format!("error: {name}: {}", errors.join("\n")))),
+    }
 }
 
 /// The operations and models that a run of the case would solve, in one line.
