@@ -1,0 +1,28 @@
+//! `calibrate`: readings that the model does not explain, and weights below those of the string.
+
+use crate::calibrate_checks::{check, file, made, refused};
+
+const BLOCK: [&str; 1] = ["--set=rig.block_weight=250 kN"];
+
+/// Torques and drag that disagree by the ratio of two units: the unit is proposed only where the
+/// rotating weights match the model, and each column is named.
+#[test]
+fn a_unit_is_proposed_only_where_the_rotating_weights_agree() {
+    let text = |rotating: f64| {
+        file(|_, [md, up, down, turning, torque]| {
+            [md, up, down, rotating * turning, torque / 1.355_818]
+        })
+    };
+    let sentence = |text: &str| {
+        let (summary, ..) = made(text, &BLOCK);
+        check(&summary, "unit").check.sentence.clone()
+    };
+    let agrees = sentence(&text(1.0));
+    assert!(agrees.starts_with("the torques off bottom require 0.7"), "{agrees}");
+    assert!(agrees.contains("in kft-lbf instead of kN.m. Is that the unit?"), "{agrees}");
+    let differs = sentence(&text(0.94));
+    assert!(differs.starts_with("the torques off bottom require 0.7"), "{differs}");
+    assert!(differs.contains("the model does not explain both"), "{differs}");
+    assert!(!differs.contains("kft-lbf"), "{differs}");
+}
+
