@@ -26,3 +26,23 @@ fn a_unit_is_proposed_only_where_the_rotating_weights_agree() {
     assert!(!differs.contains("kft-lbf"), "{differs}");
 }
 
+/// Rotating weights that deviate from the fit by 8 %, which no indicator does.
+#[test]
+fn weights_that_the_model_does_not_explain() {
+    let text = file(|_, [md, up, down, turning, torque]| [md, up, down, 1.09 * turning, torque]);
+    let (summary, screen, _) = made(&text, &BLOCK);
+    let own = check(&summary, "estimated_error");
+    let sentence = &own.check.sentence;
+    for part in [
+        "the rotating weights deviate from the fit by 7",
+        "8 % of their values, whereas a weight indicator has an error of 1 to 3 %",
+        "the model does not explain them",
+        "above it with the bit at 1600 m",
+        "above it with the bit at 3000 m",
+        "likely causes are the weights of block or pipe, the mud",
+    ] {
+        assert!(sentence.contains(part), "{part}: {sentence}");
+    }
+    assert!(screen.contains("warning: the rotating weights deviate"), "{screen}");
+}
+
