@@ -46,3 +46,25 @@ fn weights_that_the_model_does_not_explain() {
     assert!(screen.contains("warning: the rotating weights deviate"), "{screen}");
 }
 
+/// One rule for every line: weights far below that of the string alone are left out and named, and
+/// if they are most of a column the readings are refused.
+#[test]
+fn weights_below_that_of_the_string() {
+    let light = |lines: usize| {
+        move |place: usize, [md, up, down, turning, torque]: [f64; 5]| {
+            let part = if place % 2 == 0 { 0.4 } else { 0.65 };
+            let turning = if place < lines { part * (turning - 250.0) } else { turning };
+            [md, up, down, turning, torque]
+        }
+    };
+    let (summary, ..) = made(&file(light(3)), &[]);
+    let own = check(&summary, "below_block");
+    assert_eq!(own.lines, ["line 2", "line 3", "line 4"]);
+    assert!(own.check.sentence.contains("in lines 2 to 4"), "{own:?}");
+    let text = refused(&file(light(8)), &[]);
+    assert!(
+        text.contains("in lines 2 to 9, 8 of 8 readings, although the string alone weighs 43"),
+        "{text}"
+    );
+    assert!(text.contains("too few remain"), "{text}");
+}
