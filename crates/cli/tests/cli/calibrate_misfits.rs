@@ -1,5 +1,7 @@
 //! `calibrate`: readings that the model does not explain, and weights below those of the string.
 
+use wholestring_results::CheckKind;
+
 use crate::calibrate_checks::{check, file, made, refused};
 
 const BLOCK: [&str; 1] = ["--set=rig.block_weight=250 kN"];
@@ -67,4 +69,32 @@ fn weights_below_that_of_the_string() {
         "{text}"
     );
     assert!(text.contains("too few remain"), "{text}");
+}
+
+/// The outliers that are named one by one are those that the comparison leaves out, also where one
+/// of them is an outlier of the fit of all readings only.
+#[test]
+fn one_list_of_outliers() {
+    // The rotating weights keep the robust fit from a narrow scale of the torques.
+    let text = file(|place, [md, up, down, turning, torque]| {
+        let up = if place == 3 { up + 90.0 } else { up };
+        let torque = if place == 5 { 0.55 * torque } else { torque };
+        [md, up, down, 1.12 * turning - 60.0, torque]
+    });
+    for more in [&BLOCK[..], &[BLOCK[0], "--one-factor"], &[BLOCK[0], "--outlier=2"]] {
+        let (summary, screen, _) = made(&text, more);
+        let checks = summary.checks.iter();
+        let outliers = checks.filter(|check| check.check.kind == CheckKind::Outlier);
+        let named: Vec<String> = outliers
+            .map(|check| {
+                let words = check.check.sentence.split_whitespace().nth(1).unwrap();
+                format!("{words} of {}", check.lines[0])
+            })
+            .collect();
+        let comparison = summary.comparison.as_ref().expect("outliers");
+        assert!(named.len() > 1, "{screen}");
+        assert_eq!(named, comparison.outliers, "{screen}");
+        assert_eq!(check(&summary, "outliers").lines, comparison.outliers);
+        assert!(!screen.contains("found by Huber"), "{screen}");
+    }
 }
