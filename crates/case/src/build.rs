@@ -18,7 +18,7 @@ use crate::{
     case_table::CaseTable,
     catalogue::OwnCatalogue,
     dynamics::{DynamicsTable, GivenSettings},
-    effort, fit, hole, modes,
+    effort, fit, hole, modes, named_size,
     operation::OperationTable,
     overrides::{self, Override},
     plan, programme, rock, roughness, schema,
@@ -101,9 +101,10 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let rough = well.and_then(|at| at.value.roughness.given());
     let rough = rough.map(|at| &at.value);
     let hole = sections.and_then(|sections| hole::build(sections, rough, own.as_ref(), reader));
-    if let (Some(hole), Some(sections)) = (&hole, sections) {
-        programme::check(hole, sections, reader);
-    }
+    let hole_notes = match (&hole, sections) {
+        (Some(hole), Some(sections)) => programme::check(hole, sections, reader),
+        _ => Vec::new(),
+    };
 
     let last_md_m = path.as_ref().map(|path| path.last_md_m());
     let operation = case.operation.get();
@@ -220,6 +221,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
             let rms = rough.and_then(|table| table.rms.given());
             roughness::check_clearance(drill_string, hole, rms.map(|at| at.place), reader);
         }
+        named_size::check(drill_string, components, reader);
         fit::check_programme(drill_string, components, reader);
         if let Some(mud) = &mud {
             let wob = operation.and_then(|operation| operation.wob.given());
@@ -308,6 +310,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         checkpoint_interval_s,
         records,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
+        hole_notes,
         mud_notes: case.mud.get()?.note(reader).into_iter().collect(),
         warnings: Report::default(),
         settings,

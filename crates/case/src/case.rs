@@ -51,6 +51,8 @@ pub struct Case {
     pub records: Records,
     /// Interpretation of the survey file, in sentences; empty where the stations are in the case.
     pub survey_notes: Vec<String>,
+    /// Interpretation of the casing programme, in sentences.
+    pub hole_notes: Vec<String>,
     /// Results of fits to readings of the mud, in sentences.
     pub mud_notes: Vec<String>,
     /// Warnings: input that can be computed but is probably a mistake.

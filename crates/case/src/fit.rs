@@ -7,6 +7,7 @@ use wholestring::{
 };
 
 use wholestring_config::prelude::*;
+use wholestring_tabular::is_stabiliser;
 
 use crate::{component::ComponentTable, hole::HoleTable};
 
@@ -133,7 +134,7 @@ pub(crate) fn check_gauge(
         let part = span.component;
         let Some((section, _)) = at_depth(bit_depth_m - span.from_bit_m) else { continue };
         let fills = 2.0 * part.contact_radius_m() > FILLS * section.diameter_m;
-        if part.blades.is_some() || fills || !is_stabiliser(part) {
+        if part.blades.is_some() || fills || !is_stabiliser(&part.name) {
             continue;
         }
         Diagnostic::warning(format!(
@@ -147,13 +148,6 @@ pub(crate) fn check_gauge(
         .help("give its gauge as blade_od")
         .report(reader);
     }
-}
-
-/// Whether a component's name is that of a stabiliser or a reamer.
-fn is_stabiliser(component: &Component) -> bool {
-    let lower = component.name.to_lowercase();
-    let mut words = lower.split(|c: char| !c.is_alphanumeric());
-    words.any(|word| word == "stab" || word.starts_with("stabili") || word.ends_with("reamer"))
 }
 
 /// Warns of casings that do not fit into each other.
@@ -235,15 +229,33 @@ pub(crate) fn check_weight(
             .or(table.value.density.given())
             .map_or(table.place, |at| at.place);
         let density = |kg_per_m3: f64| reader.shown(Dimension::Density, kg_per_m3);
-        Diagnostic::error(format!("`{}` floats in this mud", short(&component.name)))
-            .at(
-                place,
-                format!(
-                    "{} of metal of {}",
-                    reader.shown(Dimension::MassPerLength, component.mass_per_length_kg_per_m),
-                    density(component.material.density_kg_per_m3)
-                ),
+        let mass = |kg_per_m: f64| reader.shown(Dimension::MassPerLength, kg_per_m);
+        let metal = component.material.density_kg_per_m3;
+        let name = short(&component.name);
+        let diagnostic = if mud.density_kg_per_m3 >= metal {
+            Diagnostic::error(format!("`{name}` floats in this mud: its metal is no denser"))
+                .at(place, format!("metal of {}", density(metal)))
+                .help("give the density of its metal as `density`")
+        } else {
+            Diagnostic::error(format!(
+                "`{name}` floats in this mud: it weighs {} in air, and its metal displaces {} of \
+                 mud",
+                mass(component.mass_per_length_kg_per_m),
+                mass(displaced)
+            ))
+            .at(place, format!("weight in air: expected more than {}", mass(displaced)))
+            .help(format!(
+                "a body of its od and id in metal of {} weighs {} in air: leave \
+                 `mass_per_length` out, or give the weight in air",
+                density(metal),
+                mass(metal * component.area_m2())
+            ))
+            .help(
+                "mud is in the bore and around the string: a bore filled with air, as of floated \
+                 casing, is not modelled",
             )
+        };
+        diagnostic
             .at(mud_place, format!("mud of {}", density(mud.density_kg_per_m3)))
             .report(reader);
     }

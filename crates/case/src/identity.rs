@@ -44,6 +44,7 @@ impl Case {
             name: _,
             units: _,
             survey_notes: _,
+            hole_notes: _,
             mud_notes: _,
             warnings: _,
             // No effect on the results.

@@ -49,6 +49,7 @@ mod mesh;
 mod model_rule;
 mod modes;
 mod mud;
+mod named_size;
 mod narrowed;
 mod new_case;
 mod operation;

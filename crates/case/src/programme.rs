@@ -15,8 +15,13 @@ use crate::{catalogue::OwnCatalogue, component::ComponentTable, fit::od_place, h
 const TAPER: f64 = 1.08;
 
 /// Reports casings that do not pass the section above, rock above a casing, and a drift that is wider
-/// than its bore.
-pub(crate) fn check(hole: &Hole, tables: &[Spanned<HoleTable>], reader: &mut Reader) {
+/// than its bore. Returns notes on the casings that are taken as liners.
+pub(crate) fn check(
+    hole: &Hole,
+    tables: &[Spanned<HoleTable>],
+    reader: &mut Reader,
+) -> Vec<String> {
+    let mut notes = Vec::new();
     let sections: Vec<(&HoleSection, &Spanned<HoleTable>)> =
         hole.sections().iter().zip(tables).collect();
     for (index, (section, table)) in sections.iter().enumerate() {
@@ -44,8 +49,42 @@ pub(crate) fn check(hole: &Hole, tables: &[Spanned<HoleTable>], reader: &mut Rea
                 .at(place(table), "casing below it")
                 .help("casing that was run reaches up to the casing above or to the surface")
                 .report(reader);
+        } else if let Some((above, _)) = above.last() {
+            notes.extend(liner(section, &table.value, above, reader));
         }
     }
+    notes
+}
+
+/// Note on a casing that is narrower than the one above it, of which the case does not give the
+/// upper end: sections end where the next begins, so that it is hung below the casing above.
+fn liner(
+    casing: &HoleSection,
+    table: &HoleTable,
+    above: &HoleSection,
+    reader: &Reader,
+) -> Option<String> {
+    let is_narrower = match (casing.casing, above.casing) {
+        (Some(pipe), Some(pipe_above)) => pipe.od_m < pipe_above.od_m,
+        _ => TAPER * casing.diameter_m < above.diameter_m,
+    };
+    if !is_narrower || above.kind != HoleKind::Casing || table.from.given().is_some() {
+        return None;
+    }
+    let name = match table.casing.given() {
+        Some(name) => short(name.value.split_once(" in ").map_or(&name.value, |(size, _)| size)),
+        None => reader.shown(Dimension::Diameter, casing.diameter_m),
+    };
+    let name = match table.casing.given() {
+        Some(whole) if whole.value.contains(" in ") => format!("{name} in casing"),
+        Some(_) => format!("casing `{name}`"),
+        None => format!("casing with a bore of {name}"),
+    };
+    let from = reader.shown(Dimension::Length, casing.from_md_m);
+    Some(format!(
+        "{name} is taken from {from} down, as a liner is; where it reaches the surface, leave out \
+         the sections above it; where it is a liner, from = \"{from}\" in its section confirms it"
+    ))
 }
 
 /// Whether a casing is too wide for a section above it. Sections of one casing string, whose walls

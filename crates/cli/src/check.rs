@@ -71,10 +71,14 @@ fn is_case(file: &Path) -> bool {
     is_called && import::contents(file).is_err()
 }
 
-/// Format and contents of another program's file.
+/// Format and contents of another program's file. Readings that a calibration refuses are a failure.
 fn show(name: &str, contents: Contents) -> Result<(), Failure> {
     let lines: String = contents.lines.iter().map(|line| format!("  {line}\n")).collect();
-    print_stdout(&format!("{name}: {}\n{lines}", contents.what))
+    print_stdout(&format!("{name}: {}\n{lines}", contents.what))?;
+    match &contents.errors[..] {
+        [] => Ok(()),
+        errors => Err(Failure::BadInput(format!("error: {name}: {}", errors.join("\n")))),
+    }
 }
 
 /// The operations and models that a run of the case would solve, in one line.
@@ -177,11 +181,13 @@ fn held(step: &str, holder: Option<StepHolder>, effort: &Effort, case: &Case) ->
     text
 }
 
-/// The survey as it was interpreted, and the mud rheology fitted to viscometer readings.
+/// The survey and the casing programme as they were interpreted, and the mud rheology fitted to
+/// viscometer readings.
 fn survey(case: &Case) -> String {
-    let notes = case.survey_notes.iter();
+    let notes = case.survey_notes.iter().map(|note| format!("survey: {note}\n"));
+    let hole = case.hole_notes.iter().map(|note| format!("hole: {note}\n"));
     let mud = case.mud_notes.iter().map(|note| format!("mud: {note}\n"));
-    notes.map(|note| format!("survey: {note}\n")).chain(mud).collect()
+    notes.chain(hole).chain(mud).collect()
 }
 
 /// The rock and the bit's face, and the expected drilling response.

@@ -63,7 +63,8 @@ pub(crate) fn import_files(
 pub(crate) fn contents(py: Python<'_>, file: PathBuf) -> PyResult<(String, Vec<String>)> {
     let found = py.detach(|| import::contents(&file));
     let found = found.map_err(|refused| refusal(py, refused))?;
-    Ok((found.what, found.lines))
+    let errors = found.errors.iter().map(|error| format!("error: {error}"));
+    Ok((found.what, found.lines.iter().cloned().chain(errors).collect()))
 }
 
 /// A refusal of a file: no mistake of a case, although it is shown as one, underlined.

@@ -87,7 +87,7 @@ pub struct CalibrationSummary {
 /// The fit of all readings, to compare with that without outliers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct OutlierComparison {
-    /// Name of the loss by which the outliers were found.
+    /// Name of the loss of the robust fit, of which and of the fit of all readings these are outliers.
     pub loss: String,
     /// The outliers: `pick-up of line 5`.
     pub outliers: Vec<String>,

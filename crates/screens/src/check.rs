@@ -42,8 +42,9 @@ pub fn check(name: &str, text: &str, files: &dyn Files) -> Checked {
         Err(report) => diagnostic::of_report(report),
         Ok(checked) => {
             let survey = checked.survey_notes.iter().map(|note| ("well.survey", note));
+            let hole = checked.hole_notes.iter().map(|note| ("well.hole", note));
             let mud = checked.mud_notes.iter().map(|note| ("mud.dial_readings", note));
-            let notes = survey.chain(mud).map(|(key, note)| Diagnostic {
+            let notes = survey.chain(hole).chain(mud).map(|(key, note)| Diagnostic {
                 level: Level::Note,
                 key: Some(key.to_owned()),
                 ..Diagnostic::sentence(note)

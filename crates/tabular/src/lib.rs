@@ -33,6 +33,7 @@ mod reading_checks;
 mod readings;
 mod row_names;
 mod sheets;
+mod stabiliser;
 mod survey;
 mod tally;
 
@@ -45,6 +46,7 @@ pub use reading_checks::CHANNEL_WORDS;
 pub use readings::{ImportedReading, ImportedReadings};
 pub use row_names::row_names;
 pub use sheets::{SheetText, is_workbook, sheets};
+pub use stabiliser::is_stabiliser;
 pub use survey::{
     doubts::{StationDoubt, station_doubts},
     imported::{ImportedSurvey, StatedPosition, SurveyTable, under_origin},

@@ -108,32 +108,34 @@ impl ImportedReadings {
     /// units. Loads computed by another program are not checked.
     pub fn measured(mut self, units: UnitSet) -> (Self, Vec<ReadingCheck>) {
         let mut checks = Vec::new();
+        let is_empty =
+            |reading: &ImportedReading| CHANNELS.iter().all(|by| (by.get)(reading).is_none());
+        let had_values = !self.readings.iter().all(is_empty);
         for channel in CHANNELS.iter().chain([&DENSITY]) {
             checks.extend(zeros(&mut self.readings, channel));
             checks.extend(negatives(&mut self.readings, channel, units));
             checks.extend(impossible(&mut self.readings, channel, units));
             checks.extend(unusual(&self.readings, channel, units));
         }
-        let is_empty =
-            |reading: &ImportedReading| CHANNELS.iter().all(|by| (by.get)(reading).is_none());
         let is_error = |check: &ReadingCheck| check.check.severity == Severity::Error;
         if self.readings.iter().all(is_empty) && !checks.iter().any(is_error) {
-            checks.push(
-                ReadingCheck::new(
-                    CheckKind::NoReadings,
-                    Severity::Error,
-                    "no weight and no torque is left of the readings".to_owned(),
-                )
-                .on(self
-                    .readings
-                    .iter()
-                    .map(|reading| reading.place.clone())
-                    .collect()),
-            );
+            checks.push(nothing_left(&self.readings, had_values));
         }
         checks.extend(order(&self.readings, units));
         (self, checks)
     }
+}
+
+/// The refusal of a file of which no weight and no torque is left.
+fn nothing_left(readings: &[ImportedReading], had_values: bool) -> ReadingCheck {
+    let places: Vec<String> = readings.iter().map(|reading| reading.place.clone()).collect();
+    let rows = row_names(&places);
+    let why = match had_values {
+        true => format!("all are 0, in {rows}; a zero is not a reading"),
+        false => format!("{rows} have none"),
+    };
+    let sentence = format!("no weight and no torque is left of the readings: {why}");
+    ReadingCheck::new(CheckKind::NoReadings, Severity::Error, sentence).on(places)
 }
 
 /// Finds zeros in a column and removes them.

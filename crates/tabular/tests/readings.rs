@@ -185,7 +185,12 @@ fn readings_that_no_string_gives() {
             Error,
             "is negative, -700 kN to -710 kN",
         ),
-        ("1,0,0,0,0\n2,0,0,0,0\n", "no_readings", Error, "no weight and no torque is left"),
+        (
+            "1,0,0,0,0\n2,0,0,0,0\n",
+            "no_readings",
+            Error,
+            "no weight and no torque is left of the readings: all are 0, in lines 2 and 3",
+        ),
         (
             "1,600,700,650,3\n2,610,710,655,3.5\n3,800,790,795,4\n",
             "swapped",

@@ -101,7 +101,11 @@ pub(crate) fn read(
             .map_err(|error| error.to_string())
             .and_then(|file| contents(Input::new(&name, file)).map_err(|error| error.to_string()));
         match found {
-            Ok(found) => Held { name, what: Some(found.what), lines: found.lines },
+            Ok(found) => {
+                let errors = found.errors.iter().map(|error| format!("error: {error}"));
+                let lines = found.lines.iter().cloned().chain(errors).collect();
+                Held { name, what: Some(found.what), lines }
+            }
             Err(why) => Held { name, what: None, lines: vec![why] },
         }
     });

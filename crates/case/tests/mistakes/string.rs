@@ -47,6 +47,7 @@ fn sizes_and_lengths() {
         ("made_up_beyond_yield", explicit(&format!("{pipe}\nmake_up_torque = \"130 kN.m\""))),
         ("class_unknown", explicit("catalogue = \"5-1/2 in 21.90 lb/ft S-135 class 3\"")),
         ("pipe_floats", explicit(&format!("{pipe}\nmass_per_length = \"3.58 kg/m\""))),
+        ("metal_floats", explicit(&format!("{pipe}\ndensity = \"1100 kg/m3\""))),
     ]);
     each_refused(
         r#"
@@ -133,8 +134,28 @@ fn weights_and_gauges() {
         warn_nominal_weight_of_diameters: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
             -> `od = "5-1/2 in"\nid = "4.778 in"\nmass_per_length = "21.9 lb/ft"`
         warn_bit_of_its_shank: `od = "215.9 mm"` -> `od = "6.25 in"`
+        warn_named_size: `component = "drill pipe"` -> `component = "5-7/8 in drill pipe"`
+        warn_named_size_in_quotes: `component = "drill pipe"` -> `component = '6 5/8" DP'`
+        warn_ibs_without_blades: `[[string]]\ncomponent = "drill pipe"`
+            -> `[[string]]\ncomponent = "IBS"\nod = "6.5 in"\nid = "2.25 in"\nlength = "5.1 ft"\n[[string]]\ncomponent = "drill pipe"`
         warn_stabiliser_without_blades: `[[string]]\ncomponent = "drill pipe"`
             -> `[[string]]\ncomponent = "NB stab"\nod = "6.5 in"\nid = "2.25 in"\nlength = "5.1 ft"\n[[string]]\ncomponent = "drill pipe"`
         "#,
     );
+}
+
+/// Names that give the size of the body, of its worn pipe, of a gauge or of a thread.
+#[test]
+fn sizes_in_names() {
+    let named = |name: &str, catalogue: &str| {
+        let text = changed("5-1/2 in 21.90 lb/ft S-135", catalogue);
+        read(&text.replace("\"drill pipe\"", &format!("'{name}'"))).expect("a valid case").warnings
+    };
+    let pipe = "5-1/2 in 21.90 lb/ft S-135";
+    for name in ["5-1/2 in drill pipe", "5.5\" DP", "139.7 mm drill pipe", "8-1/2 in hole pipe"] {
+        assert!(named(name, pipe).is_empty(), "{name}");
+    }
+    let worn = "5-1/2 in 21.90 lb/ft S-135 premium";
+    assert!(named("5-1/2 in drill pipe", worn).is_empty());
+    assert!(!named("5 in drill pipe", worn).is_empty());
 }

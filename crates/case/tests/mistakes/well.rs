@@ -51,6 +51,39 @@ fn casing_programme() {
     );
 }
 
+/// A casing that is narrower than the one above it is taken as a liner, with a note; none on a
+/// casing of other walls, on one whose upper end is given, and on open hole.
+#[test]
+fn liners() {
+    let notes = |text: &str| {
+        let case = read(text).expect("a valid case");
+        assert!(case.warnings.is_empty(), "{}", case.warnings.render(false));
+        case.hole_notes
+    };
+    let liner = "[[well.hole]]\nkind = \"casing\"\nto = \"3500 m\"\ncasing = \"9-5/8 in 40 lb/ft\"\nfriction = 0.2\n[[well.hole]]\nkind = \"open\"";
+    let named = EXAMPLE
+        .replace("diameter = \"222.96 mm\"", "casing = \"13-3/8 in 72 lb/ft\"")
+        .replace("[[well.hole]]\nkind = \"open\"", liner);
+    assert_eq!(
+        notes(&named),
+        ["9-5/8 in casing is taken from 2986.53 m down, as a liner is; where it reaches the \
+             surface, leave out the sections above it; where it is a liner, from = \"2986.53 m\" in \
+             its section confirms it"]
+    );
+    let bores = named
+        .replace("casing = \"13-3/8 in 72 lb/ft\"", "diameter = \"313.6 mm\"")
+        .replace("casing = \"9-5/8 in 40 lb/ft\"", "diameter = \"224.4 mm\"");
+    let [note] = &notes(&bores)[..] else { panic!("one note") };
+    assert!(note.starts_with("casing with a bore of 224.4 mm is taken from 2986.53 m"), "{note}");
+    for silent in [
+        EXAMPLE.to_owned(),
+        named.replace("to = \"3500 m\"", "from = \"2986.53 m\"\nto = \"3500 m\""),
+        named.replace("13-3/8 in 72 lb/ft", "9-5/8 in 47 lb/ft"),
+    ] {
+        assert_eq!(notes(&silent), [""; 0], "{silent}");
+    }
+}
+
 #[test]
 fn roughness() {
     each_refused(

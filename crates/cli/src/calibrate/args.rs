@@ -74,7 +74,7 @@ pub(crate) struct CalibrateArgs {
     #[arg(long, value_name = "N", default_value = "3", value_parser = beyond)]
     pub(crate) outlier: f64,
 
-    /// Exclude the outliers found with Huber's loss from the fit; by default both fits are shown
+    /// Exclude the outliers from the fit; by default both fits are shown
     #[arg(long)]
     pub(crate) without_outliers: bool,
 

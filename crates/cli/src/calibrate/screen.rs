@@ -56,8 +56,8 @@ pub(super) fn text(summary: &CalibrationSummary, units: UnitSet) -> String {
 
 /// The estimates of all readings next to those without the outliers.
 fn comparison(summary: &CalibrationSummary, other: &OutlierComparison, units: UnitSet) -> String {
-    let title = format!("With and without the outliers that {}'s loss finds", other.loss);
-    let mut table = Table::new(&title, 1, &["number", "all readings", "without outliers"]);
+    let mut table =
+        Table::new("With and without outliers", 1, &["number", "all readings", "without outliers"]);
     for estimate in &summary.estimates {
         let same = other.estimates.iter().find(|one| one.parameter == estimate.parameter);
         let value = |estimate: Option<&EstimateFound>| {

@@ -140,3 +140,29 @@ fn a_number_without_its_unit() {
     let range = desk.run(&["sweep", "slant.toml", "--vary", range, "--set", "model=soft"]);
     assert_snapshot!("a_range_without_unit", transcript(&range));
 }
+
+/// The warnings on readings are those of a calibration, and so are its refusals.
+#[test]
+fn readings_are_checked_as_by_calibrate() {
+    let desk = Desk::new();
+    let file = |rows: &str| {
+        let head = "Bit depth (m),Pick-up (kN),Slack-off (kN),Torque (kN.m)\n";
+        fs::write(desk.path("r.csv"), format!("{head}{rows}")).unwrap();
+        let output = desk.run(&["check", "r.csv"]);
+        (output.status.code(), transcript(&output))
+    };
+    let (status, text) = file("1000,300,200,3\n1100,-310,205,-3.2\n1200,320,330,3.5\n");
+    assert_eq!(status, Some(0), "{text}");
+    for warning in [
+        "warning: the pick-up weight is -310 kN in line 3, 1 of 3 rows",
+        "warning: the torque off bottom is -3.2 kN.m in line 3",
+        "warning: the pick-up weight is below the slack-off weight in 1 of 2 rows (line 4)",
+    ] {
+        assert!(text.contains(warning), "{text}");
+    }
+    let (status, text) = file("1000,200,300,3\n1100,205,310,3.2\n");
+    assert_eq!(status, Some(2), "{text}");
+    assert!(text.contains("error: r.csv: the pick-up weight is below the slack-off"), "{text}");
+    let (status, text) = file("1000,300,200,3\n1100,310,205,3.2\n");
+    assert!(status == Some(0) && !text.contains("warning"), "{text}");
+}

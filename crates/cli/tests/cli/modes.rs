@@ -80,6 +80,8 @@ fn a_map_of_torsional_stability() {
     assert_eq!(stability.highest_frequency_Hz, 3.0);
     assert!(stability.complete);
     assert!(stdout.contains("steady rotation is "), "{stdout}");
+    // The analysed operation does not rotate on bottom.
+    assert!(stdout.contains("`trip out` does not rotate on bottom, and the case's `drill` at"));
     let table = Table::read_parquet(&desk.path("out/stability.parquet")).unwrap();
     assert!(table.is_like(&Table::with_columns(STABILITY)));
     assert_eq!(table.rows(), 20 * 19);
@@ -135,6 +137,7 @@ fn a_map_that_the_rate_of_penetration_drives_says_so() {
     let stability = summary.torsional_stability.expect("a map");
     assert!(stability.driven_by_rate, "{stability:?}");
     assert!(stdout.contains("is driven by the rate of penetration"), "{stdout}");
+    assert!(!stdout.contains("does not rotate on bottom"), "{stdout}");
     // A bit whose torque does not depend on its weight has no such cause, and therefore no map.
     let (summary, _) = of_vertical(&["--set", "bit.torque=1 N.m"]);
     assert!(summary.torsional_stability.is_none());

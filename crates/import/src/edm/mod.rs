@@ -69,5 +69,9 @@ fn name_entry(chosen: &chooser::Chosen, name: String) -> Option<Entry> {
 /// Lists the wellbores of an export and the cases of each.
 pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
     let rows = Rows::read(Xml::new(input))?;
-    Ok(Contents { what: "a Landmark EDM export".to_owned(), lines: chooser::list(&rows)? })
+    Ok(Contents {
+        what: "a Landmark EDM export".to_owned(),
+        lines: chooser::list(&rows)?,
+        ..Contents::default()
+    })
 }

@@ -88,6 +88,8 @@ pub struct Fragment {
     pub units: Option<UnitSet>,
     /// Notes on assumptions, omissions and checks.
     pub notes: Vec<Note>,
+    /// Those of its measured readings for which a calibration refuses them.
+    pub refused: Vec<String>,
 }
 
 impl Fragment {

@@ -60,7 +60,7 @@ pub(super) fn contents_of(mut log: Log) -> Result<Contents, ImportError> {
     }
     lines.extend(log.notes.iter().map(|note| format!("{}: {}", note.kind(), note.text())));
     lines.extend(log.asked.iter().map(|kind| format!("to import it: {kind}")));
-    Ok(Contents { what: log.what, lines })
+    Ok(Contents { what: log.what, lines, ..Contents::default() })
 }
 
 /// Hours, minutes and seconds.

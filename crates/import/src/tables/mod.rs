@@ -4,6 +4,7 @@ mod note;
 mod survey;
 mod tally;
 
+use wholestring_judge::{ReadingCheck, Severity};
 use wholestring_tabular::{Held, TableErrorKind, held, read_readings, sheets};
 use wholestring_units::{Unit, UnitSet};
 
@@ -85,8 +86,14 @@ pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
     match read(again, &Choices::default()) {
         Ok(fragment) => {
             let mut lines: Vec<String> = fragment.string.iter().map(tally::line).collect();
-            lines.extend(fragment.notes.iter().map(|note| note.text().to_owned()));
-            Ok(Contents { what: fragment.what, lines })
+            let errors = fragment.refused;
+            let notes =
+                fragment.notes.iter().filter(|note| !errors.iter().any(|own| own == note.text()));
+            lines.extend(notes.map(|note| match note {
+                Note::Warning(text) => format!("warning: {text}"),
+                note => note.text().to_owned(),
+            }));
+            Ok(Contents { what: fragment.what, lines, errors })
         }
         // The table is recognised; the message lists the option that its import requires.
         Err(error) if is_asked(error.kind()) => {
@@ -98,7 +105,7 @@ pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
             };
             let place = error.place().map_or(String::new(), |place| format!("{place}: "));
             let line = format!("to import it: {place}{}", error.kind());
-            Ok(Contents { what: what.to_owned(), lines: vec![line] })
+            Ok(Contents { what: what.to_owned(), lines: vec![line], ..Contents::default() })
         }
         Err(error) => Err(error),
     }
@@ -167,11 +174,18 @@ fn sheet<'a>(
 fn readings(bytes: &[u8], name: &str) -> Result<Fragment, ImportError> {
     let read = read_readings(bytes, name)?;
     let is_field = read.units.into_iter().flatten().any(Unit::is_field);
+    let units = if is_field { UnitSet::Field } else { UnitSet::Si };
+    // The case gets the readings as they were read; a calibration checks them again.
+    let (_, checks) = read.clone().measured(units);
+    let sentence = |check: &ReadingCheck| check.check.sentence.clone();
+    let is_error = |check: &&ReadingCheck| check.check.severity == Severity::Error;
+    let notes = read.notes.into_iter().map(note::of);
     Ok(Fragment {
-        units: Some(if is_field { UnitSet::Field } else { UnitSet::Si }),
+        units: Some(units),
         what: format!("weights and torques at {} depths of the bit", read.readings.len()),
         measured: read.readings,
-        notes: read.notes.into_iter().map(note::of).collect(),
+        notes: notes.chain(checks.iter().map(|check| Note::Warning(sentence(check)))).collect(),
+        refused: checks.iter().filter(is_error).map(sentence).collect(),
         ..Fragment::default()
     })
 }
@@ -196,6 +210,7 @@ fn join(whole: &mut Fragment, part: Fragment) {
         all.entries.extend(own.entries);
     }
     whole.units = whole.units.or(part.units);
+    whole.refused.extend(part.refused);
     whole.measured.extend(part.measured);
     whole.overlay.extend(part.overlay);
     whole.picks = whole.picks.take().or(part.picks);

@@ -109,7 +109,7 @@ pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
     lines.extend(
         objects.others.iter().map(|(name, count)| format!("{count} of <{name}>: not read")),
     );
-    Ok(Contents { what: format!("WITSML {}", objects.version), lines })
+    Ok(Contents { what: format!("WITSML {}", objects.version), lines, ..Contents::default() })
 }
 
 /// Returns the name of a file and its objects, of which there is at least one.

@@ -131,3 +131,17 @@ fn weights_at_the_surface_are_recognised() {
     let imported = imported(text);
     assert_eq!(imported.files[0].1, "weights and torques at 2 depths of the bit");
 }
+
+/// Blades are assumed along the whole component only where the tally gives no length of theirs.
+#[test]
+fn lengths_of_blades_are_not_assumed_where_they_are_given() {
+    let table = |length: &str| {
+        imported(&format!(
+            "component,od_m,id_m,length_m,blade_od_m,blade_length_m\nbit,0.216,0.05,0.3,,\n\
+             stabiliser,0.165,0.07,1.5,0.21,{length}\nDC,0.165,0.07,100,,\n"
+        ))
+    };
+    let is_assumed = |length: &str| notes(&table(length)).contains("blades along the whole");
+    assert!(!is_assumed("0.6"));
+    assert!(is_assumed(""));
+}

@@ -303,7 +303,7 @@ class Planning(Checked):
         outlier
             Limit of a residual in standard errors; larger residuals are outliers.
         without_outliers
-            Whether to exclude outliers, as found by Huber's loss, from the fit; otherwise
+            Whether to exclude the outliers from the fit; otherwise
             ``summary["comparison"]`` has the estimates without them.
         band
             Confidence of the bands, %.

@@ -89,9 +89,9 @@ fn outliers_caption(calibration: &Calibration) -> String {
     match &calibration.comparison {
         Some(comparison) => format!(
             "Rules: {beyond} standard errors of this fit, beyond which a reading is marked. The \
-             outliers under \"With and without outliers\" are those of the fit with {}'s loss, \
-             over the scale of its own residuals, which is smaller than the standard error here: \
-             they may be within the rules.",
+             outliers under \"With and without outliers\" are these and those of the fit with {}'s \
+             loss, over the scale of its own residuals, which is smaller than the standard error \
+             here: the latter may be within the rules.",
             comparison.loss
         ),
         None => format!("Beyond {beyond} a reading is an outlier."),
@@ -155,8 +155,7 @@ fn comparison(calibration: &Calibration, display: DisplayUnits<'_>) -> Option<St
     Some(StudyPart::Table {
         title: "With and without outliers".into(),
         caption: format!(
-            "Outliers by {}'s loss: {}. The result above is that {}.",
-            other.loss,
+            "Outliers: {}. The result above is that {}.",
             other.outliers.join(", "),
             if other.left_out { "without them" } else { "of all readings" }
         ),

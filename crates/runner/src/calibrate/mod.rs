@@ -5,6 +5,7 @@ mod dynamic;
 mod fit;
 mod notes;
 pub mod option;
+mod outliers;
 mod page;
 mod predictions;
 mod request;

@@ -6,21 +6,17 @@ use std::{
 };
 
 use wholestring::outcome::ModelKind;
-use wholestring_judge::{CheckKind, ReadingCheck, Severity};
-use wholestring_plan::calibration::{
-    Calibration, CalibrationError, LOSS, Outliers, Settings, calibrate, outliers,
-};
+use wholestring_judge::{CheckKind, Severity};
+use wholestring_plan::calibration::{Calibration, CalibrationError, Settings, calibrate};
 use wholestring_report as report;
-use wholestring_results::{
-    CALIBRATION_VERSION, CalibrationSummary, Occupant, OutlierComparison, Texts, digest,
-};
+use wholestring_results::{CALIBRATION_VERSION, CalibrationSummary, Occupant, Texts, digest};
 use wholestring_units::UnitSet;
 
 use super::{
     checks,
     dynamic::{self, CheckDynamics},
     fit::Fit,
-    notes,
+    notes, outliers,
     predictions::Predictions,
     settings::settings,
     tables, toml,
@@ -110,46 +106,27 @@ pub fn run(
     // Determined again, because the readings that were left out may be the only ones of a part of
     // the hole.
     let settings = settings(&request.fit, request.cases, &data)?;
-    let robust = robust(request, &data, &settings, cancellation)?;
-    let parted = robust.as_ref().and_then(|robust| Parted::of(&data, robust));
-    let (data, other) = match (parted, request.fit.without_outliers) {
-        (Some(parted), true) => (parted.without, Some((data, parted.outliers))),
-        (Some(parted), false) => (data, Some((parted.without, parted.outliers))),
-        (None, _) => (data, None),
-    };
-    let check = match &request.check {
-        Some(check) => Some((check, dynamic::chosen(check, &data, units)?)),
-        None => None,
-    };
+    let mut robust = outliers::robust(request, &data, &settings, cancellation)?;
+    if let Some(check) = &request.check {
+        dynamic::chosen(check, &data, units)?;
+    }
     let name = format!("{} calibration", first.case.name);
     let occupant =
         Occupant { kind: "calibration".into(), name, identity: request.identity(&bytes) };
     let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let folder = &claimed.folder;
     let begun = Instant::now();
-    let found = find(request, &data, &settings, true, (observer, cancellation))?;
-    let comparison = match other {
-        Some((other, outliers)) => {
-            let work = (observer, cancellation);
-            // If too few readings are left, there is no fit for comparison.
-            match find(request, &other, &settings, false, work) {
-                Ok(found) => Some(OutlierComparison {
-                    loss: LOSS.to_owned(),
-                    outliers,
-                    left_out: request.fit.without_outliers,
-                    estimates: tables::estimates(&found),
-                }),
-                Err(Error::Interrupted) => return Err(Error::Interrupted),
-                Err(_) => None,
-            }
-        }
+    let outliers::Fits { data, found, comparison } =
+        outliers::fits(request, data, &settings, robust.as_mut(), (observer, cancellation))?;
+    let check = match &request.check {
+        Some(check) => Some((check, dynamic::chosen(check, &data, units)?)),
         None => None,
     };
     let took = begun.elapsed();
     let robust = robust.filter(|robust| robust.outlier.len() == found.points.len());
     let mut all = data.checks.clone();
     all.extend(checks::of_fit(&data, &found, &settings, robust.as_ref()));
-    all.extend(outlier_check(comparison.as_ref()));
+    all.extend(outliers::check(comparison.as_ref()));
     let mut summary = summary(request, &data, &settings, &found, units);
     summary.comparison = comparison;
     let (fragment, refused) = toml::fragment(first, &summary, &found, first.case.units);
@@ -176,83 +153,8 @@ pub fn run(
     Ok(Outcome { summary, folder: folder.path().to_owned(), took, interrupted })
 }
 
-/// Readings that a robust fit by the soft string does not follow; `None` if there is no such fit.
-fn robust(
-    request: &Request<'_>,
-    data: &Readings,
-    settings: &Settings,
-    cancellation: &CancellationToken,
-) -> Result<Option<Outliers>, Error> {
-    let model = Predictions {
-        assemblies: &data.assemblies,
-        stiff: None,
-        cancellation,
-        observer: &crate::observer::Silent,
-    };
-    let settings = Settings { outlier_beyond: request.fit.outlier_beyond, ..settings.clone() };
-    match outliers(&model, &data.readings, &settings) {
-        Ok(found) => Ok(Some(found)),
-        Err(CalibrationError::Interrupted) => Err(Error::Interrupted),
-        // The fit itself reports the reason.
-        Err(_) => Ok(None),
-    }
-}
-
-/// Readings without their outliers, which are held out.
-struct Parted {
-    without: Readings,
-    outliers: Vec<String>,
-}
-
-impl Parted {
-    /// `None` if there are no outliers.
-    fn of(data: &Readings, robust: &Outliers) -> Option<Self> {
-        if !robust.outlier.contains(&true) {
-            return None;
-        }
-        let mut without = Readings { readings: Vec::new(), places: Vec::new(), ..data.clone() };
-        let mut outliers = Vec::new();
-        let rows = data.readings.iter().zip(&data.places);
-        for ((reading, place), is) in rows.zip(&robust.outlier) {
-            let (readings, places) = match is {
-                false => (&mut without.readings, &mut without.places),
-                true => (&mut without.held_out, &mut without.held_out_places),
-            };
-            readings.push(*reading);
-            places.push(place.clone());
-            if *is {
-                let name = reading.channel.name().replace('_', "-");
-                outliers.push(format!("{name} of {place}"));
-            }
-        }
-        Some(Self { without, outliers })
-    }
-}
-
-/// Check that the fit with the outliers differs from that without them.
-fn outlier_check(comparison: Option<&OutlierComparison>) -> Option<ReadingCheck> {
-    let comparison = comparison?;
-    let (count, loss) = (comparison.outliers.len(), &comparison.loss);
-    let (noun, verb) = if count == 1 { ("outlier", "is") } else { ("outliers", "are") };
-    let sentence = match comparison.left_out {
-        true => format!(
-            "{count} {noun} ({}), found by {loss}'s loss, left out of the fit",
-            comparison.outliers.join(", ")
-        ),
-        false => format!(
-            "{count} {noun} ({}), found by {loss}'s loss, {verb} in the fit; the results without \
-             them are shown for comparison, and `--without-outliers` leaves them out",
-            comparison.outliers.join(", ")
-        ),
-    };
-    Some(
-        checks::warning(CheckKind::Outliers, sentence)
-            .numbers([Some(count as f64), None])
-            .on(comparison.outliers.clone()),
-    )
-}
-
-fn find(
+/// Fits the parameters by the requested model; `is_main` with intervals and bands.
+pub(super) fn find(
     request: &Request<'_>,
     data: &Readings,
     settings: &Settings,

@@ -115,9 +115,8 @@ pub(super) fn fragment(
         let which = if other.left_out { "With" } else { "Without" };
         let _ = writeln!(
             text,
-            "# {which} the {} outliers found by {}'s loss: {}",
-            other.outliers.len(),
-            other.loss,
+            "# {which} outliers ({}): {}",
+            other.outliers.join(", "),
             values.collect::<Vec<_>>().join(", ")
         );
     }

@@ -113,12 +113,22 @@ fn settings(case: &Case) -> StabilitySettings {
     }
 }
 
-/// Conclusions from the map, in sentences.
-pub fn sentences(summary: &StabilitySummary, units: UnitSet) -> Vec<String> {
+/// Conclusions from the map, in sentences. `operation` is the name of the analysed operation, which
+/// is not that of the map if it does not rotate on bottom.
+pub fn sentences(operation: &str, summary: &StabilitySummary, units: UnitSet) -> Vec<String> {
     let speed = |si: f64| Dimension::RotarySpeed.format(three(si / RPM) * RPM, units);
     let weight = Dimension::Force.format(summary.weight_on_bit_N, units);
     let own = speed(summary.rotary_speed_rad_per_s);
-    let mut sentences = vec![match summary.from {
+    let mut sentences = Vec::new();
+    let drill = OperationKind::Drill.name();
+    if operation != drill {
+        sentences.push(format!(
+            "The map is of the rotating string: `{}` does not rotate on bottom, and the case's \
+             `{drill}` at {own} is taken.",
+            operation.replace('_', " "),
+        ));
+    }
+    sentences.push(match summary.from {
         StableFrom { threshold_rad_per_s: Some(threshold), .. } => format!(
             "At {weight} steady rotation is stable from {} on; the case's {own} is {:.0} % {}.",
             speed(threshold),
@@ -131,7 +141,7 @@ pub fn sentences(summary: &StabilitySummary, units: UnitSet) -> Vec<String> {
         _ => format!(
             "At {weight} steady rotation is not stable even at the fastest speed of the map."
         ),
-    }];
+    });
     if let (Some(growth), Some(frequency)) = (summary.growth_per_s, summary.frequency_Hz) {
         let how = if growth > 0.0 { "grows" } else { "dies away" };
         sentences.push(format!(

@@ -1,7 +1,7 @@
 //! A component as keys of `[[string]]`.
 
 use wholestring::string::catalogue::CatalogueEntry;
-use wholestring_tabular::{Column, Holds, TallyCell};
+use wholestring_tabular::{Column, Holds, TallyCell, is_stabiliser};
 use wholestring_units::{Dimension, number_text};
 
 use super::{
@@ -127,9 +127,10 @@ pub(crate) fn of(
         block.push("blade_od", quantity(blades), origin(blades));
         if let Some(length) = given(part, Column::BladeLength) {
             block.push("blade_length", quantity(length), origin(length));
+        } else {
+            said.bladed.push(part.name.clone());
         }
-        said.bladed.push(part.name.clone());
-    } else if has_blades_by_name(&part.name) && entry.is_none() {
+    } else if is_stabiliser(&part.name) && entry.is_none() {
         said.bladeless.push(part.name.clone());
     }
     let joints_m =
@@ -180,13 +181,6 @@ pub(crate) fn of(
 /// The cell of a column with a quantity above zero.
 fn given<'a>(part: &Part<'a>, column: Column) -> Option<&'a TallyCell> {
     part.row().get(column).filter(|cell| cell.si() > Some(0.0))
-}
-
-/// Whether a name is that of a component with blades.
-fn has_blades_by_name(name: &str) -> bool {
-    let lower = name.to_lowercase();
-    let mut words = lower.split(|c: char| !c.is_alphanumeric());
-    words.any(|word| word == "stab" || word.starts_with("stabili") || word.ends_with("reamer"))
 }
 
 /// The cell of a diameter above zero.

@@ -20,10 +20,12 @@ const WORSE: f64 = 2.5;
 /// Smallest number of weights from which a block is identified.
 const FEWEST: usize = 4;
 
-/// A pick-up or rotating weight below this fraction of the string's buoyed weight is no reading.
-const LIGHT: f64 = 0.5;
+/// A pick-up or rotating weight below this fraction of the string's buoyed weight is no reading: the
+/// rest is the error of the string's weight, of the mud, and of the weight indicator.
+const LIGHT: f64 = 0.75;
 
-/// Readings are left out only if they are less than this fraction of their column.
+/// Readings are left out if they are less than this fraction of their column; otherwise a fitted
+/// block cannot explain the column, and a block that is held is wrong.
 const FEW: f64 = 0.5;
 
 /// Friction that changes no weight by more than this fraction, and that causes less than this
@@ -77,7 +79,8 @@ pub(super) fn of_case(data: &Readings, trial: &Trial) -> Option<ReadingCheck> {
     )
 }
 
-/// Leaves out hook loads below the block's weight or far below the string's, if they are few.
+/// Leaves out hook loads below the block's weight or far below the string's, if they are few. Many
+/// far below the string's are an error: no block and no friction gives them.
 pub(super) fn below(data: &mut Readings, trial: &Trial) -> Vec<ReadingCheck> {
     let mut checks = Vec::new();
     let mut out = vec![false; data.readings.len()];
@@ -90,24 +93,54 @@ pub(super) fn below(data: &mut Readings, trial: &Trial) -> Vec<ReadingCheck> {
         };
         let low: Vec<usize> =
             own.iter().copied().filter(|&row| data.readings[row].value < least_N(row)).collect();
-        let (Some(&first), true) = (low.first(), (low.len() as f64) < FEW * own.len() as f64)
-        else {
+        let Some(&first) = low.first() else { continue };
+        let is_few = (low.len() as f64) < FEW * own.len() as f64;
+        if !is_few && !is_free(trial.block) {
             continue;
-        };
-        low.iter().for_each(|&row| out[row] = true);
+        }
         let places: Vec<String> = low.iter().map(|&row| data.places[row].clone()).collect();
         let force = |force_N: f64| shown(force_N, Dimension::Force);
         let why = match is_free(trial.block) {
-            true => format!("the string weighs {} in the mud", force(trial.weights_N[first])),
+            true => format!("the string alone weighs {}", force(trial.weights_N[first])),
             false => format!("the block alone weighs {}", force(least_N(first))),
         };
-        let sentence = format!(
-            "the {} is {} in {}, although {why}: it is no valid reading and is left out",
-            words(channel),
-            force(data.readings[first].value),
-            row_names(&places),
-        );
-        let check = ReadingCheck::new(CheckKind::BelowBlock, Severity::Warning, sentence);
+        let last = low[low.len() - 1];
+        let values = match low.len() {
+            1 => format!("is {}", force(data.readings[first].value)),
+            _ => format!(
+                "is {} to {}",
+                force(data.readings[first].value),
+                force(data.readings[last].value)
+            ),
+        };
+        let why = match (is_free(trial.block), low.len()) {
+            (true, 1) => format!("{why} in the mud"),
+            (true, _) => format!("{why} to {} in the mud", force(trial.weights_N[last])),
+            _ => why,
+        };
+        let check = if is_few {
+            low.iter().for_each(|&row| out[row] = true);
+            let noun = match low.len() {
+                1 => "it is no valid reading and is left out",
+                _ => "they are no valid readings and are left out",
+            };
+            let sentence = format!(
+                "the {} {values} in {}, although {why}: {noun}",
+                words(channel),
+                row_names(&places)
+            );
+            ReadingCheck::new(CheckKind::BelowBlock, Severity::Warning, sentence)
+        } else {
+            let sentence = format!(
+                "the {} {values} in {}, {} of {} readings, although {why}: too few remain; check \
+                 the unit of the weights, the string, the mud and the survey",
+                words(channel),
+                row_names(&places),
+                low.len(),
+                own.len(),
+            );
+            ReadingCheck::new(CheckKind::BelowBlock, Severity::Error, sentence)
+        };
         let numbers = [data.readings[first].value, least_N(first)].map(Some);
         checks.push(check.numbers(numbers).on(places));
     }

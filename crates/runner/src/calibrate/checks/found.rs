@@ -18,8 +18,12 @@ use crate::readings::Readings;
 const TOO_FAR: f64 = 3.0;
 
 /// Estimated errors beyond this fraction of the readings are not errors of an instrument, by
-/// [`ErrorKind`].
-const PLAUSIBLE: [f64; 3] = [0.1, 0.1, 0.35];
+/// [`ErrorKind`]. Readings from a rig's daily reports scatter by 7 to 8 % of their weights.
+const PLAUSIBLE: [f64; 3] = [0.08, 0.08, 0.35];
+
+/// Estimated errors beyond this multiple of the plausible ones leave their readings without
+/// information.
+const NO_INFORMATION: f64 = 1.5;
 
 /// A block weight below this fraction of the weights means that the readings exclude the block.
 const NO_BLOCK: f64 = 0.01;
@@ -107,28 +111,58 @@ fn no_block(found: &Calibration, settings: &Settings) -> Option<ReadingCheck> {
 /// Estimated errors far beyond those of an instrument: the band then contains every reading, and
 /// readings of that kind carry no information.
 fn estimated_errors(found: &Calibration) -> impl Iterator<Item = ReadingCheck> {
-    let large = found.errors.iter().filter_map(move |error| {
-        let size = size(found, error.kind);
-        let limit = PLAUSIBLE[error.kind.place()] * size;
-        (!error.given && error.value > limit).then(|| {
+    let large =
+        found.errors.iter().filter_map(move |error| {
+            let size = size(found, error.kind);
+            let limit = PLAUSIBLE[error.kind.place()] * size;
+            (!error.given && error.value > limit).then(|| {
             let instrument = match error.kind {
                 ErrorKind::Torque => "a torque reading has an error of 2 to 10 %",
                 _ => "a weight indicator has an error of 1 to 3 %",
             };
+            let little = match error.value > NO_INFORMATION * limit {
+                true => ", they contribute almost nothing to the fit",
+                false => "",
+            };
+            let causes = match error.kind {
+                ErrorKind::Torque => "check the columns, units, torque on bit, string and survey",
+                _ => "likely causes are the weights of block or pipe, the mud, the pumps, and the \
+                      hole and survey of the case; check columns and units too",
+            };
             let sentence = format!(
                 "the {} deviate from the fit by {} (their standard error, estimated), {}, whereas \
-                 {instrument}: the model does not describe them, they \
-                 contribute almost nothing to the fit, and readings within so wide a band are no \
-                 agreement; check the columns, units, block, mud, pumps, string and survey, or \
-                 give the error",
+                 {instrument}: the model does not explain them{little}, and readings within so \
+                 wide a band are no agreement{}; {causes}, or give the error",
                 error.kind.name(),
                 shown(error.value, of_kind(error.kind)),
                 of_values(error.value / size.max(1e-9)),
+                ends(found, error.kind),
             );
             warning(CheckKind::EstimatedError, sentence).numbers([Some(error.value), Some(limit)])
         })
-    });
+        });
     large.collect::<Vec<_>>().into_iter()
+}
+
+/// Deviations of the shallowest and the deepest rotating weights from the fit, in words: an error of
+/// the block is the same at all depths, one of the pipe or the mud is not.
+fn ends(found: &Calibration, kind: ErrorKind) -> String {
+    let points = found.points.iter().filter(|point| point.reading.channel.error() == kind);
+    let by_depth = |a: &&Point, b: &&Point| a.reading.bit_depth_m.total_cmp(&b.reading.bit_depth_m);
+    let (shallowest, deepest) = (points.clone().min_by(by_depth), points.max_by(by_depth));
+    let (ErrorKind::Rotating, Some(shallowest), Some(deepest)) = (kind, shallowest, deepest) else {
+        return String::new();
+    };
+    let deviation = |point: &Point| {
+        let off_N = point.reading.value - point.predicted;
+        format!(
+            "{} {} it with the bit at {}",
+            shown(off_N.abs(), Dimension::Force),
+            if off_N < 0.0 { "below" } else { "above" },
+            Quantity::depth(point.reading.bit_depth_m),
+        )
+    };
+    format!(" ({}, {})", deviation(shallowest), deviation(deepest))
 }
 
 /// A relative deviation of readings in words.

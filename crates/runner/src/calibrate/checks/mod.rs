@@ -48,7 +48,8 @@ pub(super) fn by_string(
     refused(name, &checks)?;
     checks.extend(block::of_case(data, &trial));
     if !checks.iter().any(|check| check.check.kind == CheckKind::BlockNotInReadings) {
-        checks.extend(block::below(data, &trial));
+        checks.extend(in_units(block::below(data, &trial), units));
+        refused(name, &checks)?;
     }
     data.checks.extend(in_units(checks, units));
     Ok(())

@@ -45,6 +45,12 @@ const SAME: f64 = 1e-6;
 const NEAR: f64 = 0.04;
 const EVEN: f64 = 0.05;
 
+/// The unit is proposed only if that ratio is within this many standard errors of the median, or
+/// within the error of reading a torque, and the rotating weights match within this part.
+const ERRORS: f64 = 3.0;
+const READ: f64 = 0.01;
+const ROTATING: f64 = 0.03;
+
 /// The other units of a dimension, each with the factor that corrects numbers written in it; of
 /// units with the same factor the first.
 pub(super) fn others(dimension: Dimension, heading: &Unit) -> Vec<(&'static Unit, f64)> {
@@ -284,11 +290,26 @@ fn as_feet(
         return None;
     }
     let others = others(Dimension::Torque, heading);
-    let (unit, _) = others.iter().find(feet)?;
+    let (unit, factor) = others.iter().find(feet)?;
+    // Standard error of a median of normal errors, from their median deviation.
+    let spread = 1.2533 * 1.4826 * apart / (ratios.len() as f64).sqrt() / middle;
+    let rotating = rows(data, |channel| channel == Channel::Rotating);
+    let agrees = !rotating.is_empty()
+        && trial.misfit(data, &rotating, 1.0, trial.block).part < ROTATING
+        && (middle * factor - 1.0).abs() < (ERRORS * spread).max(READ);
+    let advice = match agrees {
+        true => format!(
+            "it would be the same if they were in {} instead of {}. Is that the unit?",
+            unit.symbol, heading.symbol
+        ),
+        false => "the model does not explain both; check the weights of pipe and block, the mud, \
+                  the well, and the units"
+            .to_owned(),
+    };
     let sentence = format!(
-        "the torques require {middle:.2} times the friction of the pick-up and slack-off weights: \
-         it would be the same if the torques were in {} instead of {}. Is that the unit?",
-        unit.symbol, heading.symbol
+        "the {} require {middle:.2} times the friction of the pick-up and slack-off weights: \
+         {advice}",
+        plural(data.readings[*own.first()?].channel),
     );
     let mut check = error(data, own, sentence);
     check.check.severity = Severity::Warning;
