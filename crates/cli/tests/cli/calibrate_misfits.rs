@@ -54,7 +54,7 @@ fn weights_that_the_model_does_not_explain() {
 fn weights_below_that_of_the_string() {
     let light = |lines: usize| {
         move |place: usize, [md, up, down, turning, torque]: [f64; 5]| {
-            let part = if place % 2 == 0 { 0.4 } else { 0.65 };
+            let part = if place.is_multiple_of(2) { 0.4 } else { 0.65 };
             let turning = if place < lines { part * (turning - 250.0) } else { turning };
             [md, up, down, turning, torque]
         }
