@@ -9,6 +9,7 @@ mod outliers;
 mod page;
 mod predictions;
 mod request;
+mod search;
 mod settings;
 mod tables;
 mod toml;

@@ -6,30 +6,22 @@ use wholestring_plan::calibration::{
 };
 use wholestring_results::OutlierComparison;
 
-use super::{
-    checks,
-    predictions::Predictions,
-    request::{Request, find},
-    tables,
-};
-use crate::{
-    cancellation::CancellationToken, error::Error, observer::Observer, readings::Readings,
-};
+use super::{checks, predictions::Predictions, search::Search, tables};
+use crate::{error::Error, readings::Readings};
 
 /// Readings that a robust fit by the soft string does not follow; `None` if there is no such fit.
 pub(super) fn robust(
-    request: &Request<'_>,
+    search: &Search<'_>,
     data: &Readings,
     settings: &Settings,
-    cancellation: &CancellationToken,
 ) -> Result<Option<Outliers>, Error> {
     let model = Predictions {
         assemblies: &data.assemblies,
         stiff: None,
-        cancellation,
+        cancellation: search.cancellation,
         observer: &crate::observer::Silent,
     };
-    let settings = Settings { outlier_beyond: request.fit.outlier_beyond, ..settings.clone() };
+    let settings = Settings { outlier_beyond: search.fit.outlier_beyond, ..settings.clone() };
     match outliers(&model, &data.readings, &settings) {
         Ok(found) => Ok(Some(found)),
         Err(CalibrationError::Interrupted) => Err(Error::Interrupted),
@@ -48,14 +40,13 @@ pub(super) struct Fits {
 /// Fits all readings, and those without the outliers. An outlier is beyond the bound in the fit of
 /// all readings or in the robust fit, to which those of the former are added.
 pub(super) fn fits(
-    request: &Request<'_>,
+    search: &Search<'_>,
     data: Readings,
     settings: &Settings,
     robust: Option<&mut Outliers>,
-    work: (&dyn Observer, &CancellationToken),
 ) -> Result<Fits, Error> {
-    let left_out = request.fit.without_outliers;
-    let all = match find(request, &data, settings, !left_out, work) {
+    let left_out = search.fit.without_outliers;
+    let all = match search.calibration(&data, settings, !left_out) {
         Err(error) if !left_out || matches!(error, Error::Interrupted) => return Err(error),
         found => found.ok(),
     };
@@ -75,7 +66,7 @@ pub(super) fn fits(
     match (parted, all) {
         (Some(parted), Some(all)) if !left_out => {
             // If too few readings are left, there is no fit for comparison.
-            let comparison = match find(request, &parted.without, settings, false, work) {
+            let comparison = match search.calibration(&parted.without, settings, false) {
                 Err(Error::Interrupted) => return Err(Error::Interrupted),
                 found => found.ok().map(|found| compared(parted.outliers, &found)),
             };
@@ -87,7 +78,7 @@ pub(super) fn fits(
                 Some(parted) => (parted.without, Some(parted.outliers)),
                 None => (data, None),
             };
-            let found = find(request, &data, settings, true, work)?;
+            let found = search.calibration(&data, settings, true)?;
             let comparison = outliers.zip(all).map(|(outliers, all)| compared(outliers, &all));
             Ok(Fits { data, found, comparison })
         }

@@ -5,9 +5,8 @@ use std::{
     time::Duration,
 };
 
-use wholestring::outcome::ModelKind;
 use wholestring_judge::{CheckKind, Severity};
-use wholestring_plan::calibration::{Calibration, CalibrationError, Settings, calibrate};
+use wholestring_plan::calibration::{Calibration, Settings};
 use wholestring_report as report;
 use wholestring_results::{CALIBRATION_VERSION, CalibrationSummary, Occupant, Texts, digest};
 use wholestring_units::UnitSet;
@@ -17,7 +16,7 @@ use super::{
     dynamic::{self, CheckDynamics},
     fit::Fit,
     notes, outliers,
-    predictions::Predictions,
+    search::Search,
     settings::settings,
     tables, toml,
 };
@@ -31,15 +30,6 @@ use crate::{
     readings::{self, NamedCase, Readings},
     results_kind::Results,
 };
-
-/// Number of depths of the bands of a case, for the soft and for the stiff string.
-const DEPTHS: usize = 30;
-const STIFF_DEPTHS: usize = 10;
-
-/// Nodes of a factor for predictions by the stiff string, and their distance from the solution of
-/// the soft string, which is reduced if strings at that distance have no solution.
-const STIFF_NODES: usize = 3;
-const STIFF_REACH: [f64; 2] = [0.08, 0.025];
 
 /// Request to find friction factors from readings.
 #[derive(Debug)]
@@ -106,7 +96,8 @@ pub fn run(
     // Determined again, because the readings that were left out may be the only ones of a part of
     // the hole.
     let settings = settings(&request.fit, request.cases, &data)?;
-    let mut robust = outliers::robust(request, &data, &settings, cancellation)?;
+    let search = Search { fit: &request.fit, cases: request.cases, observer, cancellation };
+    let mut robust = outliers::robust(&search, &data, &settings)?;
     if let Some(check) = &request.check {
         dynamic::chosen(check, &data, units)?;
     }
@@ -117,7 +108,7 @@ pub fn run(
     let folder = &claimed.folder;
     let begun = Instant::now();
     let outliers::Fits { data, found, comparison } =
-        outliers::fits(request, data, &settings, robust.as_mut(), (observer, cancellation))?;
+        outliers::fits(&search, data, &settings, robust.as_mut())?;
     let check = match &request.check {
         Some(check) => Some((check, dynamic::chosen(check, &data, units)?)),
         None => None,
@@ -151,77 +142,6 @@ pub fn run(
     folder.write_file(toml::FRAGMENT, fragment.as_bytes())?;
     report::Calibration::gather(folder.path(), Some(units))?.write(folder, request.png)?;
     Ok(Outcome { summary, folder: folder.path().to_owned(), took, interrupted })
-}
-
-/// Fits the parameters by the requested model; `is_main` with intervals and bands.
-pub(super) fn find(
-    request: &Request<'_>,
-    data: &Readings,
-    settings: &Settings,
-    is_main: bool,
-    (observer, cancellation): (&dyn Observer, &CancellationToken),
-) -> Result<Calibration, Error> {
-    let is_stiff = request.fit.model == ModelKind::Stiff;
-    // A fit for comparison requires only the parameters.
-    let settings = &Settings { profiles: is_main && settings.profiles, ..settings.clone() };
-    let depths = match is_main {
-        true => depths(data, if is_stiff { STIFF_DEPTHS } else { DEPTHS }),
-        false => Vec::new(),
-    };
-    let solve = |stiff, settings: &Settings, depths: &[(usize, f64)]| {
-        let model = Predictions { assemblies: &data.assemblies, stiff, cancellation, observer };
-        calibrate(&model, &data.readings, &data.held_out, depths, settings)
-    };
-    let explained = |error: CalibrationError| match cancellation.is_cancelled() {
-        true => Error::Interrupted,
-        false => Error::BadInput(error.to_string()),
-    };
-    if !is_stiff {
-        return solve(None, settings, &depths).map_err(explained);
-    }
-    let soft = Settings { profiles: false, ..settings.clone() };
-    let soft = solve(None, &soft, &[]).map_err(explained)?;
-    let factors = soft.estimates.iter().filter(|estimate| estimate.parameter.is_factor());
-    let factors: Vec<f64> = factors.map(|factor| factor.value).collect();
-    let least = factors.iter().copied().fold(f64::INFINITY, f64::min);
-    let most = factors.iter().copied().fold(0.0, f64::max);
-    let stiff = data.cases.iter().map(|&case| request.cases[case].case.dynamics.stiff_string());
-    let stiff: Vec<_> = stiff.collect();
-    let within = |reach: f64| {
-        let first_box = [(least.min(most) - reach).max(0.0), most + reach];
-        let settings = Settings { first_box, nodes: STIFF_NODES, ..settings.clone() };
-        solve(Some(stiff.clone()), &settings, &depths)
-    };
-    let [far, near] = STIFF_REACH;
-    let found = match within(far) {
-        Err(CalibrationError::NoAnswer { .. }) => within(near),
-        found => found,
-    };
-    found.map_err(explained)
-}
-
-/// Depths of the bands: in each case from its first reading to its last, in the deepest to the end
-/// of its hole, with the string and mud of its deepest reading.
-fn depths(data: &Readings, count: usize) -> Vec<(usize, f64)> {
-    let mut cases: Vec<usize> = data.cases.clone();
-    cases.sort_unstable();
-    cases.dedup();
-    let span = |case: usize| {
-        let readings = data.readings.iter().filter(|reading| data.cases[reading.setup] == case);
-        let depths = readings.map(|reading| (reading.bit_depth_m, reading.setup));
-        let least = depths.clone().map(|depth| depth.0).fold(f64::INFINITY, f64::min);
-        let (most, setup) = depths.fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
-        (least, most, setup)
-    };
-    let spans: Vec<_> = cases.into_iter().map(span).collect();
-    let deepest = spans.iter().map(|span| span.1).fold(0.0, f64::max);
-    let grid = |&(from, to, setup): &(f64, f64, usize)| {
-        let to = if to == deepest { readings::deepest_m(&data.assemblies[setup]) } else { to };
-        let last = if to > from { count - 1 } else { 0 };
-        let at = move |k: usize| from + (to - from) * k as f64 / last.max(1) as f64;
-        (0..=last).map(move |k| (setup, at(k))).collect::<Vec<_>>()
-    };
-    spans.iter().flat_map(grid).collect()
 }
 
 fn summary(
