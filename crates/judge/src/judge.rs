@@ -188,9 +188,8 @@ impl Judge {
             }
         };
         if let Some(depth_m) = pushed_from_m {
-            let from = if depth_m <= from_m { from_m } else { depth_m };
-            sentence +=
-                &format!("; from {} on its weight does not drive it, it is pushed", depth(from));
+            let from = depth(depth_m.max(from_m));
+            sentence += &format!("; from {from} on it must be pushed: no weight hangs on the hook");
         }
         let check = Check::reported(CheckKind::Reach, severity).value(end_m).limit(to_m);
         check.worded(sentence).in_units(self.units)

@@ -93,7 +93,7 @@ fn a_push_of_the_block_and_make_up_torque_are_the_same_everywhere() {
     };
     let pushed = sentence("trip in");
     assert!(pushed.severity >= Severity::Warning, "{}", pushed.sentence);
-    assert!(pushed.sentence.contains("it is pushed"), "{}", pushed.sentence);
+    assert!(pushed.sentence.contains("it must be pushed"), "{}", pushed.sentence);
     let turned = sentence("rotate off bottom");
     assert_eq!(turned.severity, Severity::Error, "{}", turned.sentence);
     assert!(turned.sentence.ends_with("make-up torque"), "{}", turned.sentence);

@@ -171,3 +171,19 @@ fn buckled_stretches_are_given_in_the_units_of_the_case() {
         "Buckled to a helix at 1500 ft: compression 100 klbf, critical 50 klbf"
     );
 }
+
+/// The weight on bit of a hoist that holds a hook load follows from that load.
+#[test]
+fn a_held_hook_load_explains_the_weight_on_bit() {
+    let rig = Rig::default();
+    let InUnits(free, units) = words(ModelKind::Dynamic, &rig, UnitSet::Si);
+    let check = reported(CheckKind::WeightOnBitExceeded, Severity::Error, 211.8e3, 30e3);
+    let sentence = |words| InUnits(words, units).sentence(&check);
+    let plain = "The weight on bit of 30 kN is exceeded: 211.8 kN on average";
+    assert_eq!(
+        sentence(Words { held_hook_load_N: Some(80e3), ..free }),
+        format!("{plain}, which follows from the hook load of 80 kN that the hoist holds")
+    );
+    let InUnits(free, _) = words(ModelKind::Dynamic, &rig, UnitSet::Si);
+    assert_eq!(sentence(free), plain);
+}

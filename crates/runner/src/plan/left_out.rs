@@ -12,8 +12,8 @@ pub(super) fn left_out(case: &Case) -> Vec<String> {
         let long_name = model.method().long_name;
         format!("torque and drag by the {long_name} (`plan.models` does not list it)")
     });
-    let planned = |kind| plan.operations.iter().find(|operation| operation.kind == kind).copied();
-    let operations = case.operations.iter().filter(|own| planned(own.kind).is_none());
+    let planned = |kind| plan.operations.iter().any(|operation| operation.kind == kind);
+    let operations = case.operations.iter().filter(|own| !planned(own.kind));
     let operations = operations.map(|own| {
         let name = own.kind.name();
         format!("{} (`plan.operations` does not list `{name}`)", name.replace('_', " "))
