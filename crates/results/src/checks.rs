@@ -3,6 +3,7 @@
 use serde::Deserialize;
 use serde_json::Value;
 use wholestring_judge::Check;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 
 /// A check and the operation that it concerns.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,8 +26,8 @@ struct Holder {
 /// An operation of a run.
 #[derive(Deserialize)]
 struct Operation {
-    operation: String,
-    model: String,
+    operation: OperationKind,
+    model: ModelKind,
     #[serde(default, alias = "findings")]
     checks: Vec<Check>,
 }
@@ -35,9 +36,9 @@ struct Operation {
 #[derive(Deserialize)]
 struct Row {
     #[serde(default)]
-    operation: Option<String>,
+    operation: Option<OperationKind>,
     #[serde(default)]
-    model: Option<String>,
+    model: Option<ModelKind>,
     #[serde(flatten)]
     check: Check,
 }
@@ -48,24 +49,24 @@ pub fn checks_of(summary: &Value) -> Vec<NamedCheck> {
     let Ok(holder) = Holder::deserialize(summary) else { return Vec::new() };
     let operations = holder.operations.and_then(|value| Vec::<Operation>::deserialize(value).ok());
     let of_operations = operations.into_iter().flatten().flat_map(|operation| {
-        let name = name(&operation.operation, Some(&operation.model));
+        let name = name(Some(operation.operation), Some(operation.model));
         operation.checks.into_iter().map(move |check| NamedCheck { name: name.clone(), check })
     });
-    let rows = holder.checks.into_iter().map(|row| {
-        let operation = row.operation.as_deref().unwrap_or_default();
-        NamedCheck { name: name(operation, row.model.as_deref()), check: row.check }
-    });
+    let rows = holder
+        .checks
+        .into_iter()
+        .map(|row| NamedCheck { name: name(row.operation, row.model), check: row.check });
     let mut all: Vec<NamedCheck> = of_operations.chain(rows).collect();
     all.sort_by_key(|named| std::cmp::Reverse(named.check.severity));
     all
 }
 
-fn name(operation: &str, model: Option<&str>) -> String {
-    let operation = operation.replace('_', " ");
-    match model.filter(|model| !model.is_empty()) {
-        Some(model) if operation.is_empty() => model.to_owned(),
-        Some(model) => format!("{operation} ({model})"),
-        None => operation,
+fn name(operation: Option<OperationKind>, model: Option<ModelKind>) -> String {
+    match (operation, model) {
+        (Some(operation), Some(model)) => format!("{} ({})", operation.words(), model.name()),
+        (Some(operation), None) => operation.words().to_owned(),
+        (None, Some(model)) => model.name().to_owned(),
+        (None, None) => String::new(),
     }
 }
 

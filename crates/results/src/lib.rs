@@ -28,6 +28,7 @@ mod json;
 mod modes;
 mod modes_tables;
 mod names;
+mod or_empty;
 mod parquet_file;
 mod parquet_guard;
 mod parts;

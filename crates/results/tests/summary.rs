@@ -3,13 +3,9 @@
 use std::{collections::BTreeMap, fs, path::Path};
 
 use serde_json::{Value, json};
-use wholestring::{
-    dynamics::{
+use wholestring::{dynamics::{
         self, EnergyBalance, Indicators, StickSlip, TableUse, TorqueUse, TunedHookLoad, Whirl,
-    },
-    mud::Hydraulics,
-    outcome::{ModelKind, Scalars},
-};
+    }, mud::Hydraulics, outcome::{ModelKind, Scalars}, operation::OperationKind};
 use wholestring_results::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status,
     Summary, digest,
@@ -42,7 +38,7 @@ fn buckled() -> Value {
 fn soft() -> OperationSummary {
     OperationSummary {
         model: ModelKind::Soft,
-        operation: "drill".into(),
+        operation: OperationKind::Drill,
         status: Status::Complete,
         friction: Friction::of(&[0.3, 0.3]),
         bit_depth_m: 4305.0,

@@ -1,6 +1,6 @@
 //! The methods that solve an operation, and the results that each of them provides: one table.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Duration of a method's computation for an operation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -36,7 +36,8 @@ macro_rules! methods {
     ($($(#[$about:meta])* $model:ident => $method:expr;)*) => {
         /// A method that solves an operation. Its name and its results are described by its
         /// [`Method`].
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+        #[serde(rename_all = "snake_case")]
         pub enum ModelKind {
             $($(#[$about])* $model,)*
         }

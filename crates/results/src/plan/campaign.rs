@@ -1,6 +1,7 @@
 //! Fatigue and wear of string and casing by the campaign of a plan.
 
 use serde::{Deserialize, Serialize};
+use wholestring::outcome::ModelKind;
 
 use crate::{PLAN_FATIGUE, PLAN_WEAR, Table};
 
@@ -9,7 +10,7 @@ use crate::{PLAN_FATIGUE, PLAN_WEAR, Table};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanFatigue {
     /// Name of the model.
-    pub model: String,
+    pub model: ModelKind,
     /// The component.
     pub component: String,
     /// Part of the life of its worst part that the campaign uses up.
@@ -39,7 +40,7 @@ pub struct PlanFatigueHour {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanDamage {
     /// Name of the model.
-    pub model: String,
+    pub model: ModelKind,
     /// The component.
     pub component: String,
     /// Distance of the part's lower end from that of the component, m.
@@ -52,7 +53,7 @@ pub struct PlanDamage {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanWear {
     /// Name of the model.
-    pub model: String,
+    pub model: ModelKind,
     /// Section of the hole, counted from one.
     pub section: usize,
     /// Measured depth of its middle, m.
@@ -77,7 +78,7 @@ pub fn plan_fatigue_table(damage: &[PlanDamage]) -> Table {
     let mut table = Table::with_columns(PLAN_FATIGUE);
     for part in damage {
         table.append(
-            &[("model", &[&part.model]), ("component", &[&part.component])],
+            &[("model", &[part.model.name()]), ("component", &[&part.component])],
             &[("from_lower_end_m", &[part.from_lower_end_m]), ("damage", &[part.damage])],
         );
     }
@@ -91,7 +92,7 @@ pub fn plan_wear_table(wear: &[PlanWear]) -> Table {
         let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
         let of_pair = |pair: Option<[f64; 2]>, place: usize| number(pair.map(|pair| pair[place]));
         table.append(
-            &[("model", &[&stretch.model])],
+            &[("model", &[stretch.model.name()])],
             &[
                 ("section", &[stretch.section as f64]),
                 ("md_m", &[stretch.md_m]),

@@ -1,6 +1,7 @@
 //! The mud of a plan: pressures and equivalent densities against the depth of the bit.
 
 use serde::{Deserialize, Serialize};
+use wholestring::operation::OperationKind;
 
 use crate::{PLAN_HYDRAULICS, Table};
 
@@ -8,7 +9,7 @@ use crate::{PLAN_HYDRAULICS, Table};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanHydraulics {
     /// Name of the operation whose pumps run.
-    pub operation: String,
+    pub operation: OperationKind,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// Pressure at the standpipe, Pa.
@@ -75,7 +76,7 @@ pub(super) fn table(rows: &[PlanHydraulics]) -> Table {
             .zip(&cells)
             .map(|((name, _), cell)| (name.as_str(), cell.as_slice()))
             .collect();
-        table.append(&[("operation", &[&row.operation])], &columns);
+        table.append(&[("operation", &[row.operation.name()])], &columns);
     }
     table
 }
