@@ -2,6 +2,8 @@
 
 mod set_points;
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
 /// Axial motion of the string in an operation.
@@ -119,6 +121,13 @@ operation_kinds! {
     Ream = ream, "ream" { moves: In, rotates: true, circulates: true } needs "a rotary speed";
     /// Rotating while pulling out, off bottom.
     BackReam = back_ream, "back ream" { moves: Out, rotates: true, circulates: true } needs "a rotary speed";
+}
+
+/// Its [words](OperationKind::words).
+impl fmt::Display for OperationKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.words())
+    }
 }
 
 impl OperationKind {

@@ -1,7 +1,10 @@
 //! The pages of a run, of a sweep and of a bit test, each one self-contained file.
 
 use serde::Serialize;
-use wholestring::outcome::Method;
+use wholestring::{
+    operation::OperationKind,
+    outcome::{Method, ModelKind},
+};
 
 use crate::{
     Bha, BitTest, BottomPicture, PageHead, PageTable, Plot, Report, Sweep, bha_plots,
@@ -338,8 +341,8 @@ pub(crate) mod tests {
                 fact(Cell::quantity(1e300, "force")),
             ],
             solved: vec![Solved {
-                model: "soft".into(),
-                operation: "drill".into(),
+                model: ModelKind::Soft,
+                operation: OperationKind::Drill,
                 message: Some([NASTY; 3].map(Into::into)),
                 checks: vec![CheckRow {
                     kind: NASTY.into(),
@@ -390,7 +393,7 @@ pub(crate) mod tests {
                 contact_od_m: 0.1,
             }],
             runs: vec![TimeRun {
-                operation: "drill".into(),
+                operation: OperationKind::Drill,
                 window_s: 1.0,
                 samples: 3,
                 history: BTreeMap::from([("time_s".into(), column())]),

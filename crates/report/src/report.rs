@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 
 use crate::{BottomPicture, Cell, CheckRow, Packed};
 
@@ -73,9 +74,9 @@ pub struct Fact {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Solved {
     /// Name of the method.
-    pub model: String,
+    pub model: ModelKind,
     /// `trip_out`, `drill`, ...
-    pub operation: String,
+    pub operation: OperationKind,
     /// Reason why it ended early, in SI, metric and field units; `None` where it did not.
     pub message: Option<[String; 3]>,
     /// The checks of the answer, the most severe first.
@@ -168,7 +169,7 @@ pub struct Part {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TimeRun {
     /// `trip_out`, `drill`, ...
-    pub operation: String,
+    pub operation: OperationKind,
     /// Beginning of the statistics window, s.
     pub window_s: f64,
     /// Number of samples of the run.

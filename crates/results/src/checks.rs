@@ -2,8 +2,8 @@
 
 use serde::Deserialize;
 use serde_json::Value;
-use wholestring_judge::Check;
 use wholestring::{operation::OperationKind, outcome::ModelKind};
+use wholestring_judge::Check;
 
 /// A check and the operation that it concerns.
 #[derive(Debug, Clone, PartialEq)]

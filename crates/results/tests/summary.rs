@@ -3,9 +3,14 @@
 use std::{collections::BTreeMap, fs, path::Path};
 
 use serde_json::{Value, json};
-use wholestring::{dynamics::{
+use wholestring::{
+    dynamics::{
         self, EnergyBalance, Indicators, StickSlip, TableUse, TorqueUse, TunedHookLoad, Whirl,
-    }, mud::Hydraulics, outcome::{ModelKind, Scalars}, operation::OperationKind};
+    },
+    mud::Hydraulics,
+    operation::OperationKind,
+    outcome::{ModelKind, Scalars},
+};
 use wholestring_results::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status,
     Summary, digest,

@@ -1,5 +1,7 @@
 //! Sections of the hole: casing and open hole.
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
 use super::Roughness;
@@ -56,6 +58,13 @@ pub enum FrictionLevel {
     Expected,
     /// More than expected.
     High,
+}
+
+/// Its [name](FrictionLevel::name).
+impl fmt::Display for FrictionLevel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
 }
 
 impl FrictionLevel {

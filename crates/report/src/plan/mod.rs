@@ -12,6 +12,8 @@ mod overlay;
 mod page;
 mod peaks;
 mod tables;
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
+
 #[cfg(test)]
 mod tests;
 
@@ -29,7 +31,7 @@ pub struct Plan {
     /// Warnings.
     pub message: Option<String>,
     /// Models by their names, the first drawn as lines, others as points.
-    pub models: Vec<String>,
+    pub models: Vec<ModelKind>,
     /// Levels of friction, from the least to the most.
     pub levels: Vec<PlanLevel>,
     /// Hook load and torque: model after model, operation after operation, level after level.
@@ -86,9 +88,9 @@ pub struct PlanOverlay {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOverlayRow {
     /// Name of our model that it is compared with.
-    pub model: String,
+    pub model: ModelKind,
     /// Name of the operation.
-    pub operation: String,
+    pub operation: OperationKind,
     /// Whether it is a torque rather than a hook load.
     pub is_torque: bool,
     /// Measured depth of the bit, m.
@@ -107,9 +109,9 @@ impl PlanOverlayRow {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOverlayDifference {
     /// Name of our model.
-    pub model: String,
+    pub model: ModelKind,
     /// Name of the operation.
-    pub operation: String,
+    pub operation: OperationKind,
     /// Whether it is of torques rather than of hook loads.
     pub is_torque: bool,
     /// Number of depths at which both are known.
@@ -130,11 +132,11 @@ pub struct PlanOverlayDifference {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanMeasured {
     /// Name of the model.
-    pub model: String,
+    pub model: ModelKind,
     /// Place of the reading in its file.
     pub place: String,
     /// Name of the operation.
-    pub operation: String,
+    pub operation: OperationKind,
     /// Whether it is a torque rather than a weight.
     pub is_torque: bool,
     /// Whether it is held out of a calibration.
@@ -175,9 +177,9 @@ pub struct PlanLevel {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanCurve {
     /// Name of the model.
-    pub model: String,
+    pub model: ModelKind,
     /// Name of the operation.
-    pub operation: String,
+    pub operation: OperationKind,
     /// Place of its friction among [`Plan::levels`].
     pub level: usize,
     /// Depth after depth.
@@ -205,7 +207,7 @@ pub struct PlanSpot {
 #[derive(Debug, Clone, PartialEq)]
 pub struct BucklingCurve {
     /// `drill` or `slide`.
-    pub operation: String,
+    pub operation: OperationKind,
     /// Place of its friction among [`Plan::levels`].
     pub level: usize,
     /// Measured depth of the bit, m, and the weights of a sinusoid and of a helix, N.
@@ -220,9 +222,9 @@ pub struct PlanLimitRow {
     /// Kind of the limit.
     pub kind: String,
     /// Name of the operation.
-    pub operation: String,
+    pub operation: OperationKind,
     /// `low`, `expected` or `high`.
-    pub friction: String,
+    pub friction: FrictionLevel,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// The component; empty for the rig.
@@ -255,11 +257,11 @@ pub struct PlanVerdict {
     /// Whether it is the limit with the least reserve of its operation.
     pub governs: bool,
     /// Name of the model.
-    pub model: String,
+    pub model: ModelKind,
     /// `trip_out`, `drill`, ...
-    pub operation: String,
+    pub operation: OperationKind,
     /// `low`, `expected` or `high`.
-    pub friction: String,
+    pub friction: FrictionLevel,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// The check as a sentence, in SI, metric and field units.
@@ -270,7 +272,7 @@ pub struct PlanVerdict {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanFatigueRow {
     /// Name of the model.
-    pub model: String,
+    pub model: ModelKind,
     /// The component.
     pub component: String,
     /// Part of its life that the campaign uses up.
@@ -296,7 +298,7 @@ pub struct PlanFatigueHourRow {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanWearRow {
     /// Name of the model.
-    pub model: String,
+    pub model: ModelKind,
     /// Section of the hole, counted from one.
     pub section: usize,
     /// Measured depth, m.
@@ -365,7 +367,7 @@ pub struct PlanPeakRow {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanMud {
     /// Name of the operation whose pumps run.
-    pub operation: String,
+    pub operation: OperationKind,
     /// Density of the mud at rest, kg/m³.
     pub density_kg_per_m3: f64,
     /// Limit of pumps and standpipe, Pa.
@@ -412,7 +414,11 @@ impl PlanSurfaceLimit {
 
 impl Plan {
     /// The curves of a model and an operation, from the least friction to the most.
-    fn of<'a>(&'a self, model: &'a str, operation: &'a str) -> impl Iterator<Item = &'a PlanCurve> {
+    fn curves_of(
+        &self,
+        model: ModelKind,
+        operation: OperationKind,
+    ) -> impl Iterator<Item = &PlanCurve> {
         self.curves.iter().filter(move |curve| curve.model == model && curve.operation == operation)
     }
 
@@ -423,13 +429,13 @@ impl Plan {
     }
 
     /// Operations in their order.
-    fn operations(&self) -> Vec<&str> {
-        let mut names: Vec<&str> = Vec::new();
+    fn operations(&self) -> Vec<OperationKind> {
+        let mut operations: Vec<OperationKind> = Vec::new();
         for curve in &self.curves {
-            if !names.contains(&curve.operation.as_str()) {
-                names.push(&curve.operation);
+            if !operations.contains(&curve.operation) {
+                operations.push(curve.operation);
             }
         }
-        names
+        operations
     }
 }
