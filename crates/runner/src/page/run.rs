@@ -130,7 +130,7 @@ pub(crate) fn along_the_hole(
         let nodes = tables.of("nodes", &solved.operation)?;
         let wear = tables.of("wear", &solved.operation)?;
         Ok(Solved {
-            model: solved.model.name().into(),
+            model: solved.model,
             operation: solved.operation.clone(),
             message: checks::message(&solved.status, &solved.checks),
             checks: solved.checks.iter().map(checks::row).collect(),

@@ -111,7 +111,7 @@ fn broomstick(
             let rows = rows(summary, sheet, name, friction);
             let title = format!("{} {}", operation_name(name), label(summary, friction));
             all.extend(series(sheet, title, heading, rows).map(|series| WorkbookSeries {
-                colour: operation_colour(name),
+                colour: operation_colour(*name),
                 stroke: Some(stroke),
                 ..series
             }));
@@ -150,7 +150,7 @@ fn read(
             across,
             down,
             rows: first..first + count,
-            colour: operation_colour(name),
+            colour: operation_colour(*name),
             stroke: None,
         });
     }
@@ -188,7 +188,7 @@ fn laid_over(
             across,
             down,
             rows: first..first + count,
-            colour: operation_colour(name),
+            colour: operation_colour(*name),
             stroke: Some(Stroke::LongDashed),
         });
     }

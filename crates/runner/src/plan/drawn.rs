@@ -63,7 +63,7 @@ pub(super) fn with_peaks(summary: &PlanSummary, table: &Table) -> Table {
         let mut row = |name: &'static str, time_s: f64, value: f64| {
             rows.push(vec![
                 ("event", Entry::Word(event.event.clone())),
-                ("friction", Entry::Word(event.friction.clone())),
+                ("friction", Entry::Word(event.friction.name().to_owned())),
                 ("bit_depth_m", Entry::Number(event.bit_depth_m)),
                 ("time_s", Entry::Number(time_s)),
                 (name, Entry::Number(value)),
@@ -112,7 +112,7 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         for model in &summary.models {
             for operation in &summary.operations {
                 for friction in LEVELS {
-                    let points = summary.curve(model, operation, friction);
+                    let points = summary.curve(*model, operation, friction);
                     let found: Vec<_> = points.map(|one| at(one.bit_depth_m, point(one))).collect();
                     let name = format!("{operation}_{friction}_{model}_{quantity}");
                     columns.push(column(name, &found));

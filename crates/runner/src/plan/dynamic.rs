@@ -79,7 +79,7 @@ impl Run {
 fn row(task: &EventTask) -> PlanPeak {
     PlanPeak {
         event: task.event.name().to_owned(),
-        friction: task.friction.name().to_owned(),
+        friction: task.friction,
         bit_depth_m: task.bit_depth_m,
         hook_load_N: None,
         surface_torque_N_m: None,
@@ -134,9 +134,9 @@ fn event(task: &EventTask, answer: EventAnswer) -> Ran {
         flow_rate_m3_per_s: series.flow_rate_m3_per_s,
     };
     let limits = answer.limits.into_iter().map(|check| PlanCheck {
-        model: ModelKind::Dynamic.name().to_owned(),
-        friction: task.friction.name().to_owned(),
-        operation: task.event.name().to_owned(),
+        model: ModelKind::Dynamic,
+        friction: task.friction,
+        operation: task.event,
         bit_depth_m: task.bit_depth_m,
         check,
     });

@@ -113,8 +113,8 @@ impl Measured {
             for (reading, place, held_out) in self.all().filter(|row| row.0.channel == channel) {
                 let operation = operation(&self.readings.assemblies[reading.setup], reading);
                 let is = |point: &PlanPoint| {
-                    point.model == model.name()
-                        && point.operation == operation.kind.name()
+                    point.model == model
+                        && point.operation == operation.kind
                         && point.bit_depth_m == reading.bit_depth_m
                 };
                 let of_string = done.iter().filter(|done| done.string == reading.setup);
@@ -132,9 +132,9 @@ impl Measured {
                     })
                 };
                 rows.push(PlanMeasured {
-                    model: model.name().to_owned(),
+                    model: model,
                     place: place.clone(),
-                    operation: operation.kind.name().to_owned(),
+                    operation: operation.kind,
                     reading: reading.channel.name().to_owned(),
                     is_torque,
                     held_out,

@@ -34,7 +34,7 @@ fn row(operation: &Operation, row: &HydraulicsRow) -> PlanHydraulics {
     let [[surge_closed, surge_open], [swab_closed, swab_open]] =
         [row.surge, row.swab].map(|ends| ends.map(density));
     PlanHydraulics {
-        operation: operation.kind.name().to_owned(),
+        operation: operation.kind,
         bit_depth_m: row.bit_depth_m,
         standpipe_pressure_Pa: row.standpipe_Pa,
         bore_loss_Pa: row.bore_loss_Pa,

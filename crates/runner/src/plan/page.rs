@@ -13,6 +13,7 @@ use wholestring_results::{
     PlanCheck, PlanFatigue, PlanPoint, PlanSummary, PlanWear, ResultsError, ResultsFolder, Table,
 };
 use wholestring_units::UnitSet;
+use wholestring::well::FrictionLevel;
 
 use super::{
     files::{FATIGUE, PEAKS_TIME, Tables, WEAR, WORKBOOK},
@@ -150,7 +151,7 @@ fn curves(summary: &PlanSummary) -> Vec<PlanCurve> {
                     operation: operation.clone(),
                     level,
                     points: summary
-                        .curve(model, operation, friction)
+                        .curve(*model, operation, friction)
                         .map(|point| spot(summary, point))
                         .collect(),
                 });
@@ -321,7 +322,7 @@ fn overlay(overlay: &wholestring_results::PlanOverlay) -> PlanOverlay {
 fn hole(summary: &PlanSummary) -> Vec<Section> {
     let holes = summary.settings["well"]["hole"].as_array();
     let diameters = holes.into_iter().flatten().map(|hole| hole["diameter_m"].as_f64());
-    let sections = summary.frictions.iter().filter(|friction| friction.friction == "expected");
+    let sections = summary.frictions.iter().filter(|friction| friction.friction == FrictionLevel::Expected);
     let section =
         |(friction, diameter_m): (&wholestring_results::PlanFriction, Option<f64>)| Section {
             kind: friction.kind.clone(),

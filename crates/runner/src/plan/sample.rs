@@ -1,7 +1,7 @@
 //! Samples of a plan: the operations at every depth with expected friction, for the case with
 //! sampled inputs.
 
-use wholestring::operation::{Operation, OperationKind};
+use wholestring::{operation::{Operation, OperationKind}, well::FrictionLevel};
 use wholestring_judge::CheckKind;
 use wholestring_plan::Broomstick;
 use wholestring_results::{PlanBuckling, PlanCheck, PlanPoint};
@@ -115,8 +115,8 @@ impl<'a> SampleSolver<'a> {
         for kind in &self.kinds {
             let of_kind = |point: &&PlanPoint| {
                 point.model == model
-                    && point.operation == kind.name()
-                    && point.friction == "expected"
+                    && point.operation == *kind
+                    && point.friction == FrictionLevel::Expected
             };
             let own: Vec<&PlanPoint> = points.iter().filter(of_kind).collect();
             for bit_depth_m in self.depths_m {
@@ -135,8 +135,8 @@ impl<'a> SampleSolver<'a> {
         for kind in &self.kinds {
             let of_kind = |check: &&PlanCheck| {
                 check.model == model
-                    && check.operation == kind.name()
-                    && check.friction == "expected"
+                    && check.operation == *kind
+                    && check.friction == FrictionLevel::Expected
             };
             let own: Vec<&PlanCheck> = limits.iter().filter(of_kind).collect();
             for limit in CheckKind::LIMITS {
@@ -155,8 +155,8 @@ impl<'a> SampleSolver<'a> {
         let deepest_m = self.depths_m.last().copied();
         for kind in DRILLS {
             let own = weights.iter().find(|weight| {
-                weight.operation == kind.name()
-                    && weight.friction == "expected"
+                weight.operation == kind
+                    && weight.friction == FrictionLevel::Expected
                     && Some(weight.bit_depth_m) == deepest_m
             });
             let quantity = |name, expected| Quantity {

@@ -30,8 +30,8 @@ pub(super) fn verdict_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
         words("verdict", "The verdict in words", &|row| row.check.verdict.words().to_owned()),
         words("check", "What is compared or reported", &|row| row.check.kind.label().to_owned()),
         words("operation", "The operation", &|row| operation_name(&row.operation)),
-        words("model", "The model that found it", &|row| row.model.clone()),
-        words("friction", "Low, expected or high", &|row| row.friction.clone()),
+        words("model", "The model that found it", &|row| row.model.name().to_owned()),
+        words("friction", "Low, expected or high", &|row| row.friction.name().to_owned()),
         number(["bit depth", length.symbol, "Measured depth of the bit"], &|row| {
             Some(length.from_si(row.bit_depth_m))
         }),

@@ -281,7 +281,7 @@ impl Answer {
     fn summary(&self, friction_at_bit: f64) -> ReachOfFriction {
         let first = first_stop(&self.reaches).and_then(|(reach, curve)| {
             Some(ReachStop {
-                operation: reach.kind.name().into(),
+                operation: reach.kind,
                 limit: curve.limit.name().into(),
                 depth_m: curve.end.depth_m()?,
             })

@@ -65,7 +65,7 @@ impl Record {
         };
         self.summary.operations.push(OperationSummary {
             model,
-            operation: operation.kind.name().into(),
+            operation: operation.kind,
             status,
             friction: Friction::of(&friction(&self.hole)),
             bit_depth_m: operation.bit_depth_m,
@@ -139,7 +139,7 @@ impl Record {
     pub(crate) fn add_unsolved(&mut self, model: ModelKind, operation: &Operation, why: String) {
         self.summary.operations.push(OperationSummary {
             model,
-            operation: operation.kind.name().into(),
+            operation: operation.kind,
             status: Status::Failed(why),
             friction: Friction::of(&friction(&self.hole)),
             bit_depth_m: operation.bit_depth_m,

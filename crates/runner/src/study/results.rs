@@ -33,7 +33,7 @@ pub(super) type Series = (usize, ModelKind, String);
 
 impl CaseResult {
     pub(super) fn series(&self) -> Series {
-        (self.sweep, self.solved.model, self.solved.operation.clone())
+        (self.sweep, self.solved.model, self.solved.operation.words().to_owned())
     }
 
     /// Whether it belongs to the chosen series, apart from the chosen cases.
