@@ -1,6 +1,9 @@
 //! The driller's operation.
 
+mod event;
 mod set_points;
+
+pub use event::Event;
 
 use std::fmt;
 

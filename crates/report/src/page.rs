@@ -1,10 +1,7 @@
 //! The pages of a run, of a sweep and of a bit test, each one self-contained file.
 
 use serde::Serialize;
-use wholestring::{
-    operation::OperationKind,
-    outcome::{Method, ModelKind},
-};
+use wholestring::outcome::Method;
 
 use crate::{
     Bha, BitTest, BottomPicture, PageHead, PageTable, Plot, Report, Sweep, bha_plots,
@@ -314,6 +311,8 @@ pub(crate) fn escaped(text: &str) -> String {
 #[cfg(test)]
 pub(crate) mod tests {
     use std::collections::BTreeMap;
+
+    use wholestring::{operation::OperationKind, outcome::ModelKind};
 
     use super::*;
     use crate::{

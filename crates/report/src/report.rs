@@ -73,9 +73,9 @@ pub struct Fact {
 /// The result of one model for one operation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Solved {
-    /// Name of the method.
+    /// The method.
     pub model: ModelKind,
-    /// `trip_out`, `drill`, ...
+    /// The operation.
     pub operation: OperationKind,
     /// Reason why it ended early, in SI, metric and field units; `None` where it did not.
     pub message: Option<[String; 3]>,
@@ -168,7 +168,7 @@ pub struct Part {
 /// An operation in time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TimeRun {
-    /// `trip_out`, `drill`, ...
+    /// The operation.
     pub operation: OperationKind,
     /// Beginning of the statistics window, s.
     pub window_s: f64,

@@ -26,7 +26,7 @@ pub struct CalibrationSummary {
     pub settings: Value,
     /// The file of the readings.
     pub data: String,
-    /// `soft` or `stiff`.
+    /// The model: `soft` or `stiff`.
     pub model: ModelKind,
     /// The fitted parameters.
     pub estimates: Vec<EstimateFound>,

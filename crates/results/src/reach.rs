@@ -81,7 +81,7 @@ pub struct ReachOfFriction {
     /// Operations that were not solved because the work was interrupted: one of them may stop the
     /// well earlier.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub missing: Vec<String>,
+    pub missing: Vec<OperationKind>,
 }
 
 /// Limit that stops a well.

@@ -8,7 +8,7 @@ use crate::{Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_STOPS, or_empty};
 /// Results of samples of uncertain numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct UncertainSummary {
-    /// Name of the model that solved the samples.
+    /// The model that solved the samples.
     pub model: ModelKind,
     /// Number of samples drawn.
     pub samples: usize,

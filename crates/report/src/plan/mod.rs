@@ -30,7 +30,7 @@ pub struct Plan {
     pub head: PageHead,
     /// Warnings.
     pub message: Option<String>,
-    /// Models by their names, the first drawn as lines, others as points.
+    /// Models, the first drawn as lines, others as points.
     pub models: Vec<ModelKind>,
     /// Levels of friction, from the least to the most.
     pub levels: Vec<PlanLevel>,
@@ -87,9 +87,9 @@ pub struct PlanOverlay {
 /// A weight or torque of another program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOverlayRow {
-    /// Name of our model that it is compared with.
+    /// Our model that it is compared with.
     pub model: ModelKind,
-    /// Name of the operation.
+    /// The operation.
     pub operation: OperationKind,
     /// Whether it is a torque rather than a hook load.
     pub is_torque: bool,
@@ -108,9 +108,9 @@ impl PlanOverlayRow {
 /// Difference between our curve and theirs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOverlayDifference {
-    /// Name of our model.
+    /// Our model.
     pub model: ModelKind,
-    /// Name of the operation.
+    /// The operation.
     pub operation: OperationKind,
     /// Whether it is of torques rather than of hook loads.
     pub is_torque: bool,
@@ -131,11 +131,11 @@ pub struct PlanOverlayDifference {
 /// A measured weight or torque, with a model's prediction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanMeasured {
-    /// Name of the model.
+    /// The model.
     pub model: ModelKind,
     /// Place of the reading in its file.
     pub place: String,
-    /// Name of the operation.
+    /// The operation.
     pub operation: OperationKind,
     /// Whether it is a torque rather than a weight.
     pub is_torque: bool,
@@ -176,9 +176,9 @@ pub struct PlanLevel {
 /// One operation by one model with one friction, down the hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanCurve {
-    /// Name of the model.
+    /// The model.
     pub model: ModelKind,
-    /// Name of the operation.
+    /// The operation.
     pub operation: OperationKind,
     /// Place of its friction among [`Plan::levels`].
     pub level: usize,
@@ -206,7 +206,7 @@ pub struct PlanSpot {
 /// Weights on bit at which the string begins to buckle, down the hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BucklingCurve {
-    /// `drill` or `slide`.
+    /// The operation: `drill` or `slide`.
     pub operation: OperationKind,
     /// Place of its friction among [`Plan::levels`].
     pub level: usize,
@@ -221,9 +221,9 @@ pub struct PlanLimitRow {
     pub breaks: bool,
     /// Kind of the limit.
     pub kind: String,
-    /// Name of the operation.
-    pub operation: OperationKind,
-    /// `low`, `expected` or `high`.
+    /// The operation in words, or the event of the dynamic part.
+    pub operation: String,
+    /// Level of friction.
     pub friction: FrictionLevel,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
@@ -256,11 +256,11 @@ pub struct PlanVerdict {
     pub verdict: String,
     /// Whether it is the limit with the least reserve of its operation.
     pub governs: bool,
-    /// Name of the model.
+    /// The model.
     pub model: ModelKind,
-    /// `trip_out`, `drill`, ...
-    pub operation: OperationKind,
-    /// `low`, `expected` or `high`.
+    /// The operation in words, or the event of the dynamic part.
+    pub operation: String,
+    /// Level of friction.
     pub friction: FrictionLevel,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
@@ -271,7 +271,7 @@ pub struct PlanVerdict {
 /// Fatigue of a component.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanFatigueRow {
-    /// Name of the model.
+    /// The model.
     pub model: ModelKind,
     /// The component.
     pub component: String,
@@ -297,7 +297,7 @@ pub struct PlanFatigueHourRow {
 /// Wear of a casing at its most worn place; an unknown number is not a number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanWearRow {
-    /// Name of the model.
+    /// The model.
     pub model: ModelKind,
     /// Section of the hole, counted from one.
     pub section: usize,
@@ -366,7 +366,7 @@ pub struct PlanPeakRow {
 /// Pressures and densities of the mud in a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanMud {
-    /// Name of the operation whose pumps run.
+    /// The operation whose pumps run.
     pub operation: OperationKind,
     /// Density of the mud at rest, kg/m³.
     pub density_kg_per_m3: f64,

@@ -1,7 +1,5 @@
 //! Errors and warnings that have a place along the string.
 
-use wholestring::operation::OperationKind;
-
 use super::{display::DisplayUnits, styles::CurveStyles};
 use crate::{
     Severity,
@@ -91,6 +89,8 @@ fn joined(mut stretches: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
+    use wholestring::operation::OperationKind;
+
     use super::*;
     use crate::{CheckRow, Packed, Report, Run, figure::Figure, page::tests::report, plots::plots};
 

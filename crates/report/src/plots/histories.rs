@@ -1,7 +1,5 @@
 //! Quantities against time.
 
-use wholestring::outcome::ModelKind;
-
 use super::{
     catalogue::{TimePlot, bit_plots, time_plots},
     run::{Context, Plot},

@@ -22,7 +22,7 @@ pub struct Run<'a> {
 /// A power spectral density of one signal, SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
-    /// `trip_out`, `drill`, ...
+    /// The operation.
     pub operation: OperationKind,
     /// `surface_torque`, or for a node `tension`, ...
     pub signal: String,

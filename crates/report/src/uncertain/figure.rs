@@ -81,8 +81,8 @@ fn bars(numbers: &[&UncertainNumber]) -> Vec<Mark> {
     let height = FULL / numbers.len() as f64;
     for (place, number) in numbers.iter().enumerate() {
         let Some(owed) = &number.owed else { continue };
-        // Numbers of no operation, as the depth of the first stop of all, have the first colour.
-        let ink = Ink::Line(number.operation.map_or(0, operation_colour));
+        // Numbers of no operation, as the depth of the first stop of all, have the last colour.
+        let ink = Ink::Line(number.operation.map_or(Ink::LINES - 1, operation_colour));
         let middle = (place as f64 + 0.5) * height - 0.5 * FULL;
         for (input, (first, total)) in owed.first.iter().zip(&owed.total).enumerate() {
             if *total < SEEN {

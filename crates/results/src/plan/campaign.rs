@@ -9,7 +9,7 @@ use crate::{PLAN_FATIGUE, PLAN_WEAR, Table};
 /// depth uses up most of its life.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanFatigue {
-    /// Name of the model.
+    /// The model.
     pub model: ModelKind,
     /// The component.
     pub component: String,
@@ -39,7 +39,7 @@ pub struct PlanFatigueHour {
 /// Damage of a part of the string.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanDamage {
-    /// Name of the model.
+    /// The model.
     pub model: ModelKind,
     /// The component.
     pub component: String,
@@ -52,7 +52,7 @@ pub struct PlanDamage {
 /// Wear of a stretch of casing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanWear {
-    /// Name of the model.
+    /// The model.
     pub model: ModelKind,
     /// Section of the hole, counted from one.
     pub section: usize,

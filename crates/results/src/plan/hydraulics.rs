@@ -8,7 +8,7 @@ use crate::{PLAN_HYDRAULICS, Table};
 /// The mud with the bit at one depth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanHydraulics {
-    /// Name of the operation whose pumps run.
+    /// The operation whose pumps run.
     pub operation: OperationKind,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,

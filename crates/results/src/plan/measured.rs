@@ -12,11 +12,11 @@ const SAME: f64 = 2e-3;
 /// A measured weight or torque, and its prediction at each level of friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanMeasured {
-    /// Name of the model that predicts.
+    /// The model that predicts.
     pub model: ModelKind,
     /// Place of the reading in its file.
     pub place: String,
-    /// Name of the operation.
+    /// The operation.
     pub operation: OperationKind,
     /// Kind of reading: `pick_up`, `slack_off`, `rotating`, `torque` or `torque_on_bottom`.
     pub reading: String,

@@ -3,6 +3,7 @@
 mod campaign;
 mod hydraulics;
 mod measured;
+mod operation;
 mod overlay;
 mod peaks;
 mod surface;
@@ -13,6 +14,7 @@ pub use campaign::{
 };
 pub use hydraulics::{PlanDensity, PlanHydraulics};
 pub use measured::PlanMeasured;
+pub use operation::PlanOperation;
 pub use overlay::{PlanOverlay, PlanOverlayDifference, PlanOverlayRow};
 pub use peaks::{
     PlanGel, PlanHistory, PlanPeak, PlanPeakOf, plan_peaks_table, plan_peaks_time_table,
@@ -153,7 +155,7 @@ pub struct PlanBuckling {
     pub model: ModelKind,
     /// Level of friction.
     pub friction: FrictionLevel,
-    /// `drill` or `slide`.
+    /// The operation: `drill` or `slide`.
     pub operation: OperationKind,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
@@ -172,8 +174,8 @@ pub struct PlanCheck {
     pub model: ModelKind,
     /// Level of friction.
     pub friction: FrictionLevel,
-    /// The operation.
-    pub operation: OperationKind,
+    /// The operation, or the event.
+    pub operation: PlanOperation,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// The check.

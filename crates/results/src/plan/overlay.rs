@@ -21,9 +21,9 @@ pub struct PlanOverlay {
 /// A weight or torque of another program, and ours.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanOverlayRow {
-    /// Name of our model.
+    /// Our model.
     pub model: ModelKind,
-    /// Name of the operation.
+    /// The operation.
     pub operation: OperationKind,
     /// Place of their value in its file.
     pub place: String,
@@ -48,9 +48,9 @@ impl PlanOverlayRow {
 /// Difference between our curve and theirs in an operation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanOverlayDifference {
-    /// Name of our model.
+    /// Our model.
     pub model: ModelKind,
-    /// Name of the operation.
+    /// The operation.
     pub operation: OperationKind,
     /// Whether it is of torques, N·m, rather than of hook loads, N.
     pub is_torque: bool,
@@ -95,8 +95,8 @@ impl PlanOverlay {
                     }
                 }
                 None => all.push(PlanOverlayDifference {
-                    model: row.model.clone(),
-                    operation: row.operation.clone(),
+                    model: row.model,
+                    operation: row.operation,
                     is_torque: row.is_torque,
                     count: 1,
                     mean: difference,

@@ -10,7 +10,7 @@ use crate::{PLAN_PEAKS, PLAN_PEAKS_TIME, Table};
 pub struct PlanPeak {
     /// `pick_up_from_slips`, `break_circulation`, ...
     pub event: String,
-    /// `low`, `expected` or `high`.
+    /// Level of friction.
     pub friction: FrictionLevel,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,

@@ -2,16 +2,16 @@
 
 use std::collections::BTreeSet;
 
-use wholestring::{well::HoleKind, outcome::ModelKind};
+use wholestring::{outcome::ModelKind, well::HoleKind};
 use wholestring_judge::{Check, Judge, Unchecked};
 use wholestring_plan::{Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel};
-use wholestring_results::{PlanBuckling, PlanCheck, PlanFriction, PlanPoint};
+use wholestring_results::{PlanBuckling, PlanCheck, PlanFriction, PlanOperation, PlanPoint};
 
 pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
     let point = |point: &BroomstickPoint| {
         let answer = point.outcome.as_ref().ok();
         PlanPoint {
-            model: point.model,
+            model: point.model.kind(),
             friction: point.friction,
             operation: point.operation,
             bit_depth_m: point.bit_depth_m,
@@ -31,9 +31,9 @@ pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
 pub(super) fn checks(found: &[BroomstickPoint]) -> Vec<PlanCheck> {
     let rows = |point: &BroomstickPoint| {
         let row = |check: &Check| PlanCheck {
-            model: point.model,
+            model: point.model.kind(),
             friction: point.friction,
-            operation: point.operation,
+            operation: PlanOperation::Kind(point.operation),
             bit_depth_m: point.bit_depth_m,
             check: check.clone(),
         };

@@ -1,10 +1,13 @@
 //! Samples of a plan: the operations at every depth with expected friction, for the case with
 //! sampled inputs.
 
-use wholestring::{operation::{Operation, OperationKind}, well::FrictionLevel};
+use wholestring::{
+    operation::{Operation, OperationKind},
+    well::FrictionLevel,
+};
 use wholestring_judge::CheckKind;
 use wholestring_plan::Broomstick;
-use wholestring_results::{PlanBuckling, PlanCheck, PlanPoint};
+use wholestring_results::{PlanBuckling, PlanCheck, PlanOperation, PlanPoint};
 
 use crate::uncertain::{Quantity, Sampled, Sampler};
 
@@ -94,8 +97,7 @@ impl<'a> SampleSolver<'a> {
             for loads in found.iter().skip(place).step_by(operations.len()) {
                 sampled.answers.extend(loads.as_ref().map_or([None; 2], |load| load.map(Some)));
                 if let Err(why) = loads {
-                    let name = operation.kind.name().replace('_', " ");
-                    sampled.lacks(|| format!("{name}: {why}"));
+                    sampled.lacks(|| format!("{}: {why}", operation.kind));
                 }
             }
         }
@@ -110,7 +112,7 @@ impl<'a> SampleSolver<'a> {
         limits: &[PlanCheck],
         weights: &[PlanBuckling],
     ) -> Vec<Quantity> {
-        let model = self.sampler.uncertain.model.name();
+        let model = self.sampler.uncertain.model.kind();
         let mut all = Vec::new();
         for kind in &self.kinds {
             let of_kind = |point: &&PlanPoint| {
@@ -125,7 +127,7 @@ impl<'a> SampleSolver<'a> {
                 let quantity = |name, unit, expected| Quantity {
                     bit_depth_m: Some(*bit_depth_m),
                     expected,
-                    ..Quantity::new(name, kind.name(), unit)
+                    ..Quantity::new(name, Some(*kind), unit)
                 };
                 all.push(quantity("hook_load", "N", found.map(|scalars| scalars.hook_load_N)));
                 let torque = found.map(|scalars| scalars.surface_torque_N_m);
@@ -135,7 +137,7 @@ impl<'a> SampleSolver<'a> {
         for kind in &self.kinds {
             let of_kind = |check: &&PlanCheck| {
                 check.model == model
-                    && check.operation == *kind
+                    && check.operation == PlanOperation::Kind(*kind)
                     && check.friction == FrictionLevel::Expected
             };
             let own: Vec<&PlanCheck> = limits.iter().filter(of_kind).collect();
@@ -148,7 +150,7 @@ impl<'a> SampleSolver<'a> {
                         .filter(|reserve| reserve.is_finite())
                         .reduce(f64::min),
                     must_be: false,
-                    ..Quantity::new("reserve", kind.name(), "1")
+                    ..Quantity::new("reserve", Some(*kind), "1")
                 });
             }
         }
@@ -163,7 +165,7 @@ impl<'a> SampleSolver<'a> {
                 bit_depth_m: deepest_m,
                 expected,
                 must_be: false,
-                ..Quantity::new(name, kind.name(), "N")
+                ..Quantity::new(name, Some(kind), "N")
             };
             all.push(quantity(
                 "sinusoidal_weight",
