@@ -25,7 +25,7 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
     let title = format!(
         "{}: {} at {}, an assembly of {}",
         summary.case,
-        summary.operation.replace('_', " "),
+        summary.operation,
         Dimension::RotarySpeed.format(summary.rotary_speed_rad_per_s, units),
         Dimension::Length.format((10.0 * summary.assembly_length_m).round() / 10.0, units),
     );
