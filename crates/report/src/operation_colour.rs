@@ -2,16 +2,18 @@
 
 use wholestring::operation::OperationKind;
 
+/// Operations with a colour of their own, in the order of the colours of curves; others share the
+/// next.
+const COLOURED: [OperationKind; 6] = [
+    OperationKind::TripIn,
+    OperationKind::TripOut,
+    OperationKind::RotateOffBottom,
+    OperationKind::Drill,
+    OperationKind::Slide,
+    OperationKind::Ream,
+];
+
 /// Place of an operation among the colours of curves: the same in every picture.
 pub fn operation_colour(kind: OperationKind) -> usize {
-    use OperationKind::{BackReam, Drill, Ream, RotateOffBottom, Slide, TripIn, TripOut};
-    match kind {
-        TripIn => 0,
-        TripOut => 1,
-        RotateOffBottom => 2,
-        Drill => 3,
-        Slide => 4,
-        Ream => 5,
-        BackReam => 6,
-    }
+    COLOURED.iter().position(|coloured| *coloured == kind).unwrap_or(COLOURED.len())
 }

@@ -85,7 +85,7 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
     }
     text += "\nTorsional stability\n";
     let sentences = match (&summary.torsional_stability, &summary.no_torsional_stability) {
-        (Some(map), _) => stability_sentences(&summary.operation, map, units),
+        (Some(map), _) => stability_sentences(summary.operation, map, units),
         (None, Some(why)) => vec![format!("no map: {why}")],
         (None, None) => Vec::new(),
     };

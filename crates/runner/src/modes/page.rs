@@ -62,7 +62,7 @@ impl Results for Modes {
             branches: shapes::branches(&table(folder, DIAGRAM)?),
             answer: shapes::answer(&table(folder, ANSWER)?),
             stability: in_sets(|units| match &summary.torsional_stability {
-                Some(map) => stability::sentences(&summary.operation, map, units),
+                Some(map) => stability::sentences(summary.operation, map, units),
                 None => summary.no_torsional_stability.iter().cloned().collect(),
             }),
             stability_map: match &summary.torsional_stability {
