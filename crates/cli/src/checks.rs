@@ -46,7 +46,7 @@ pub(crate) fn lines(
     groups.sort_by_key(|(_, _, check)| std::cmp::Reverse(check.severity));
     let mut text = String::new();
     for (solved, models, check) in groups {
-        let name = format!("{} ({})", solved.operation.replace('_', " "), models.join(", "));
+        let name = format!("{} ({})", solved.operation, models.join(", "));
         text += &line(&name, check, units, (width, color));
     }
     let unchecked = summary.operations.iter().flat_map(|solved| &solved.unchecked);

@@ -1,5 +1,6 @@
 //! The table at the end of a run: models and operations side by side, in the chosen units.
 
+use wholestring::operation::OperationKind;
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
 use wholestring_runner::{ComparedRow, Comparison, checks::quantities::deviation};
 use wholestring_units::{Dimension, UnitSet};
@@ -14,7 +15,7 @@ const WIDE: usize = 4;
 
 /// One column of numbers under its heading.
 struct Column {
-    operation: String,
+    operation: OperationKind,
     heading: String,
     /// Whether the same operation already has a column to the left.
     joined: bool,
@@ -114,16 +115,16 @@ impl Column {
 }
 
 /// The columns of every operation and model, with the deviations of the dynamic ones.
-fn columns(comparison: &Comparison<'_>) -> Vec<Column> {
+fn columns(comparison: &Comparison) -> Vec<Column> {
     let mut columns: Vec<Column> = Vec::new();
     for solved in &comparison.columns {
-        let operation = solved.operation.replace('_', " ");
+        let operation = solved.operation;
         let mut push = |heading: String, cells: Vec<String>, across: usize| {
             let joined = columns.last().is_some_and(|last| last.operation == operation);
             let widest = cells.iter().map(|cell| cell.chars().count()).max();
             columns.push(Column {
                 width: widest.unwrap_or(0).max(heading_width(&heading)).max(across),
-                operation: operation.clone(),
+                operation,
                 heading,
                 joined,
                 cells,
@@ -136,7 +137,7 @@ fn columns(comparison: &Comparison<'_>) -> Vec<Column> {
         // The name of an operation with only one column must fit in that column.
         let all = comparison.columns.iter();
         let alone = all.filter(|other| other.operation == solved.operation);
-        let across = if alone.count() == 1 { operation.len() } else { 0 };
+        let across = if alone.count() == 1 { operation.words().len() } else { 0 };
         push(heading, cells.collect(), across);
         if let Some(deviations) = &solved.deviations {
             let deviations = deviations.iter().map(|spread| match spread {

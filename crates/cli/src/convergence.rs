@@ -77,7 +77,7 @@ fn tables(base: &Summary, halved: &Summary, units: UnitSet) -> String {
         let [Some(coarse), Some(fine)] = [base, halved].map(elements) else {
             continue;
         };
-        let name = format!("{} ({})", base.operation, base.model.name());
+        let name = format!("{} ({})", base.operation.name(), base.model);
         let title = format!("{name}: {coarse} elements as given, {fine} halved");
         text += &table(&title, &one, before, after);
         text.push('\n');
@@ -90,12 +90,7 @@ fn elements(operation: &OperationSummary) -> Option<usize> {
     in_time.or_else(|| Some(operation.at_rest.as_ref()?.convergence.elements))
 }
 
-fn table(
-    title: &str,
-    rows: &Comparison<'_>,
-    base: &ComparedColumn<'_>,
-    halved: &ComparedColumn<'_>,
-) -> String {
+fn table(title: &str, rows: &Comparison, base: &ComparedColumn, halved: &ComparedColumn) -> String {
     let headings = ["", "", "as given", "halved", "change", "std as given", "std halved"];
     let mut table = Table::new(title, 2, &headings);
     for (index, row) in rows.rows.iter().enumerate() {
@@ -103,7 +98,7 @@ fn table(
             continue;
         };
         let number = |value: f64| format!("{value:.0$}", row.decimals);
-        let std = |column: &ComparedColumn<'_>| {
+        let std = |column: &ComparedColumn| {
             let deviation = column.deviations.as_ref().and_then(|deviation| deviation[index]);
             deviation.map_or_else(String::new, |deviation| {
                 format!("{:.1$}", deviation.std, row.decimals + 1)

@@ -1,8 +1,13 @@
 //! The driller's operation.
 
+mod event;
 mod set_points;
 
-use serde::Serialize;
+pub use event::Event;
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
 
 /// Axial motion of the string in an operation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,17 +34,18 @@ impl AxialMotion {
 }
 
 /// Declares the kinds of operation, each once: its description and motion of the string, its name
-/// in case files and results, which is also that of its constructor, and the constructor's further
-/// arguments.
+/// in case files and results, which is also that of its constructor, its words for a reader, and
+/// the constructor's further arguments.
 macro_rules! operation_kinds {
     ($(
         $(#[$meaning:meta])*
-        $kind:ident = $name:ident {
+        $kind:ident = $name:ident, $words:literal {
             moves: $motion:ident, rotates: $rotates:literal, circulates: $circulates:literal
         } $(needs $needs:literal)?;
     )+) => {
         /// The operations that torque and drag are computed for.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+        #[serde(rename_all = "snake_case")]
         pub enum OperationKind {
             $($(#[$meaning])* $kind,)+
         }
@@ -52,6 +58,13 @@ macro_rules! operation_kinds {
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$kind => stringify!($name),)+
+                }
+            }
+
+            /// Name in messages, pages and tables: "trip out", "rotate off bottom", ...
+            pub const fn words(self) -> &'static str {
+                match self {
+                    $(Self::$kind => $words,)+
                 }
             }
 
@@ -95,22 +108,29 @@ macro_rules! operation_kinds {
 
 operation_kinds! {
     /// Pulling the string out of the hole without rotation.
-    TripOut = trip_out { moves: Out, rotates: false, circulates: false };
+    TripOut = trip_out, "trip out" { moves: Out, rotates: false, circulates: false };
     /// Running the string into the hole without rotation.
-    TripIn = trip_in { moves: In, rotates: false, circulates: false };
+    TripIn = trip_in, "trip in" { moves: In, rotates: false, circulates: false };
     /// Rotating with the bit off bottom and no axial motion.
-    RotateOffBottom = rotate_off_bottom { moves: Still, rotates: true, circulates: true }
+    RotateOffBottom = rotate_off_bottom, "rotate off bottom" { moves: Still, rotates: true, circulates: true }
         needs "a rotary speed";
     /// Rotary drilling: rotating and advancing with weight on the bit.
-    Drill = drill { moves: Drilling, rotates: true, circulates: true }
+    Drill = drill, "drill" { moves: Drilling, rotates: true, circulates: true }
         needs "a rotary speed, and weight on bit, torque and rate of penetration of the bit";
     /// Advancing with weight on the bit without rotating the string (mud motor).
-    Slide = slide { moves: Drilling, rotates: false, circulates: true }
+    Slide = slide, "slide" { moves: Drilling, rotates: false, circulates: true }
         needs "weight on bit, torque and rate of penetration of the bit";
     /// Rotating while running in, off bottom.
-    Ream = ream { moves: In, rotates: true, circulates: true } needs "a rotary speed";
+    Ream = ream, "ream" { moves: In, rotates: true, circulates: true } needs "a rotary speed";
     /// Rotating while pulling out, off bottom.
-    BackReam = back_ream { moves: Out, rotates: true, circulates: true } needs "a rotary speed";
+    BackReam = back_ream, "back ream" { moves: Out, rotates: true, circulates: true } needs "a rotary speed";
+}
+
+/// Its [words](OperationKind::words).
+impl fmt::Display for OperationKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.words())
+    }
 }
 
 impl OperationKind {
@@ -275,6 +295,16 @@ mod tests {
             let operation = super::Operation::new(kind, 1e3).weight_on_bit_N(4e4).bit_pull_N(9e4);
             let expected = if kind.on_bottom() { -4e4 } else { 9e4 };
             assert_eq!(operation.tension_at_bit_N(), expected);
+        }
+    }
+
+    #[test]
+    fn its_name_is_that_in_files() {
+        for kind in OperationKind::ALL {
+            assert_eq!(serde_json::to_value(kind).expect("a name"), kind.name());
+            assert_eq!(kind.name().replace('_', " "), kind.words());
+            let read: OperationKind = serde_json::from_value(kind.name().into()).expect("a kind");
+            assert_eq!(read, kind);
         }
     }
 

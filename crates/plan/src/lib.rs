@@ -21,11 +21,12 @@ pub mod uncertainty;
 pub mod wear;
 
 pub use broomstick::{
-    Broomstick, BroomstickPoint, BroomstickTask, BucklingWeight, ExpectedLoads, FrictionLevel,
-    Frictions, KindFriction, LevelFriction, PointAnswer, Statics, bit_depths_m,
+    Broomstick, BroomstickPoint, BroomstickTask, BucklingWeight, ExpectedLoads, Frictions,
+    KindFriction, LevelFriction, PointAnswer, Statics, bit_depths_m,
 };
 pub use campaign::{Campaign, CampaignPart, CampaignSettings, Share};
 pub use error::PlanError;
 pub use setup::{Setup, WallFriction};
 pub use stage::{Stage, lengths_m};
+pub use wholestring::well::FrictionLevel;
 pub use wholestring_judge::root;

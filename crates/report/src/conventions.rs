@@ -10,7 +10,7 @@ use crate::{
     calibration::READINGS,
     draw::palette::{LINES, PALETTE},
     figure::{BAND, CURVE, Stroke},
-    operation_words::{colour, operation_name},
+    operation_colour::operation_colour,
     plots::{
         catalogue::{RULES, Rules, TimePlot, Track, bit_plots, time_plots, tracks},
         models,
@@ -65,8 +65,8 @@ impl Conventions {
             |all: Vec<TimePlot>| all.into_iter().map(|plot| Named { name: plot.name, of: plot });
         let look = |kind: OperationKind| OperationLook {
             operation: kind.name(),
-            words: operation_name(kind.name()),
-            colour: colour(kind.name()),
+            words: kind.words().to_owned(),
+            colour: operation_colour(kind),
         };
         Self {
             colours: PALETTE

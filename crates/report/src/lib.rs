@@ -8,11 +8,12 @@ mod calibration;
 mod cell;
 mod check_row;
 mod conventions;
+mod digits;
 mod draw;
 pub mod figure;
 mod grid_cells;
 mod modes;
-mod operation_words;
+mod operation_colour;
 mod packed;
 mod page;
 mod picks;
@@ -42,7 +43,7 @@ pub use modes::{
     AnswerCurve, CriticalRow, MODES_PICTURES, ModeBranch, ModeRow, ModeShape, Modes, modes_html,
     modes_plots,
 };
-pub use operation_words::{colour as operation_colour, operation_name};
+pub use operation_colour::operation_colour;
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
 pub use picks::{

@@ -312,6 +312,8 @@ pub(crate) fn escaped(text: &str) -> String {
 pub(crate) mod tests {
     use std::collections::BTreeMap;
 
+    use wholestring::{operation::OperationKind, outcome::ModelKind};
+
     use super::*;
     use crate::{
         BottomPicture, Cell, CheckRow, DisplayUnit, DrillOff, Fact, KeyResult, Packed, PageTable,
@@ -338,8 +340,8 @@ pub(crate) mod tests {
                 fact(Cell::quantity(1e300, "force")),
             ],
             solved: vec![Solved {
-                model: "soft".into(),
-                operation: "drill".into(),
+                model: ModelKind::Soft,
+                operation: OperationKind::Drill,
                 message: Some([NASTY; 3].map(Into::into)),
                 checks: vec![CheckRow {
                     kind: NASTY.into(),
@@ -390,7 +392,7 @@ pub(crate) mod tests {
                 contact_od_m: 0.1,
             }],
             runs: vec![TimeRun {
-                operation: "drill".into(),
+                operation: OperationKind::Drill,
                 window_s: 1.0,
                 samples: 3,
                 history: BTreeMap::from([("time_s".into(), column())]),

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 
 use crate::{BottomPicture, Cell, CheckRow, Packed};
 
@@ -72,10 +73,10 @@ pub struct Fact {
 /// The result of one model for one operation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Solved {
-    /// Name of the method.
-    pub model: String,
-    /// `trip_out`, `drill`, ...
-    pub operation: String,
+    /// The method.
+    pub model: ModelKind,
+    /// The operation.
+    pub operation: OperationKind,
     /// Reason why it ended early, in SI, metric and field units; `None` where it did not.
     pub message: Option<[String; 3]>,
     /// The checks of the answer, the most severe first.
@@ -167,8 +168,8 @@ pub struct Part {
 /// An operation in time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TimeRun {
-    /// `trip_out`, `drill`, ...
-    pub operation: String,
+    /// The operation.
+    pub operation: OperationKind,
     /// Beginning of the statistics window, s.
     pub window_s: f64,
     /// Number of samples of the run.

@@ -4,7 +4,10 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use wholestring::statics::assembly::{AssemblyErrors, Contact, Largest, Sag};
+use wholestring::{
+    operation::OperationKind,
+    statics::assembly::{AssemblyErrors, Contact, Largest, Sag},
+};
 use wholestring_judge::{Check, CheckKind, Severity, Unchecked};
 
 use crate::{
@@ -30,7 +33,7 @@ pub struct BhaSummary {
     /// The case's settings with all defaults filled in.
     pub settings: Value,
     /// The operation: `drill`, `slide`, ...
-    pub operation: String,
+    pub operation: OperationKind,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// Weight on bit, N.

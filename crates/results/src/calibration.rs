@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use wholestring::outcome::ModelKind;
 use wholestring_judge::ReadingCheck;
 
 use crate::{
@@ -25,8 +26,8 @@ pub struct CalibrationSummary {
     pub settings: Value,
     /// The file of the readings.
     pub data: String,
-    /// `soft` or `stiff`.
-    pub model: String,
+    /// The model: `soft` or `stiff`.
+    pub model: ModelKind,
     /// The fitted parameters.
     pub estimates: Vec<EstimateFound>,
     /// The fixed parameters, by name, SI.

@@ -2,7 +2,10 @@
 
 use serde::Deserialize;
 use serde_json::Value;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_judge::Check;
+
+use crate::PlanOperation;
 
 /// A check and the operation that it concerns.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,8 +28,8 @@ struct Holder {
 /// An operation of a run.
 #[derive(Deserialize)]
 struct Operation {
-    operation: String,
-    model: String,
+    operation: OperationKind,
+    model: ModelKind,
     #[serde(default, alias = "findings")]
     checks: Vec<Check>,
 }
@@ -35,9 +38,9 @@ struct Operation {
 #[derive(Deserialize)]
 struct Row {
     #[serde(default)]
-    operation: Option<String>,
+    operation: Option<PlanOperation>,
     #[serde(default)]
-    model: Option<String>,
+    model: Option<ModelKind>,
     #[serde(flatten)]
     check: Check,
 }
@@ -48,24 +51,25 @@ pub fn checks_of(summary: &Value) -> Vec<NamedCheck> {
     let Ok(holder) = Holder::deserialize(summary) else { return Vec::new() };
     let operations = holder.operations.and_then(|value| Vec::<Operation>::deserialize(value).ok());
     let of_operations = operations.into_iter().flatten().flat_map(|operation| {
-        let name = name(&operation.operation, Some(&operation.model));
+        let name = name(Some(operation.operation.words()), Some(operation.model));
         operation.checks.into_iter().map(move |check| NamedCheck { name: name.clone(), check })
     });
-    let rows = holder.checks.into_iter().map(|row| {
-        let operation = row.operation.as_deref().unwrap_or_default();
-        NamedCheck { name: name(operation, row.model.as_deref()), check: row.check }
+    let rows = holder.checks.into_iter().map(|row| NamedCheck {
+        name: name(row.operation.map(PlanOperation::words), row.model),
+        check: row.check,
     });
     let mut all: Vec<NamedCheck> = of_operations.chain(rows).collect();
     all.sort_by_key(|named| std::cmp::Reverse(named.check.severity));
     all
 }
 
-fn name(operation: &str, model: Option<&str>) -> String {
-    let operation = operation.replace('_', " ");
-    match model.filter(|model| !model.is_empty()) {
-        Some(model) if operation.is_empty() => model.to_owned(),
-        Some(model) => format!("{operation} ({model})"),
-        None => operation,
+/// Name of a check: the words of an operation, and its model.
+fn name(operation: Option<&str>, model: Option<ModelKind>) -> String {
+    match (operation, model) {
+        (Some(operation), Some(model)) => format!("{operation} ({})", model.name()),
+        (Some(operation), None) => operation.to_owned(),
+        (None, Some(model)) => model.name().to_owned(),
+        (None, None) => String::new(),
     }
 }
 
@@ -103,6 +107,10 @@ mod tests {
         assert_eq!(found[0].name, "slide (soft)");
         assert_eq!(found[0].check.verdict, Verdict::Exceeded);
         assert_eq!((found[0].check.severity, found[0].check.value), (Severity::Error, Some(2.0)));
+        let events = json!({"checks": [{"model": "dynamic", "operation": "pick_up_from_slips",
+            "friction": "low", "kind": "tension", "severity": "ok", "verdict": "OK",
+            "sentence": "Tension"}]});
+        assert_eq!(checks_of(&events)[0].name, "pick up from slips (dynamic)");
         assert_eq!(checks_of(&json!([1])), []);
     }
 }

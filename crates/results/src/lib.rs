@@ -28,6 +28,7 @@ mod json;
 mod modes;
 mod modes_tables;
 mod names;
+mod or_empty;
 mod parquet_file;
 mod parquet_guard;
 mod parts;
@@ -73,7 +74,7 @@ pub use hold::{Hold, Holding, Occupant};
 pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use plan::{
     PLAN_VERSION, PlanBuckling, PlanCheck, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour,
-    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured, PlanOverlay,
+    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured, PlanOperation, PlanOverlay,
     PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPoint, PlanSummary,
     PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_fatigue_table, plan_limits_table,
     plan_peaks_table, plan_peaks_time_table, plan_wear_table,

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use wholestring::operation::OperationKind;
 use wholestring_judge::Check;
 
 use crate::{
@@ -24,7 +25,7 @@ pub struct ModesSummary {
     /// The case's settings with all defaults filled in.
     pub settings: Value,
     /// The operation whose static equilibrium is analysed.
-    pub operation: String,
+    pub operation: OperationKind,
     /// Its rotary speed, rad/s.
     pub rotary_speed_rad_per_s: f64,
     /// Elements of the string.

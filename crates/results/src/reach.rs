@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use wholestring::operation::OperationKind;
 use wholestring_judge::Check;
 
 use crate::{
@@ -53,7 +54,7 @@ pub struct ReachSummary {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReachCheck {
     /// The operation: `drill`, `slide`, ...
-    pub operation: String,
+    pub operation: OperationKind,
     /// Friction factor of all sections; none where the sections have the case's own.
     pub friction: Option<f64>,
     /// The check; its value is the depth that the bit reaches, m, its limit the last depth that was
@@ -80,14 +81,14 @@ pub struct ReachOfFriction {
     /// Operations that were not solved because the work was interrupted: one of them may stop the
     /// well earlier.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub missing: Vec<String>,
+    pub missing: Vec<OperationKind>,
 }
 
 /// Limit that stops a well.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReachStop {
     /// The operation: `drill`, `slide`, ...
-    pub operation: String,
+    pub operation: OperationKind,
     /// The limit: `top_drive`, `hook_load_zero`, ...
     pub limit: String,
     /// Depth of the bit, m.
@@ -98,7 +99,7 @@ pub struct ReachStop {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReachLimit {
     /// The operation: `drill`, `slide`, ...
-    pub operation: String,
+    pub operation: OperationKind,
     /// The limit: `top_drive`, `hook_load_zero`, ...
     pub limit: String,
     /// The same in words.

@@ -10,7 +10,7 @@ pub fn reach_limits_table(summary: &ReachSummary) -> Table {
     for answer in &summary.frictions {
         for limit in &answer.limits {
             table.append(
-                &[("operation", &[&limit.operation]), ("limit", &[&limit.limit])],
+                &[("operation", &[limit.operation.name()]), ("limit", &[&limit.limit])],
                 &[
                     ("friction", &number(answer.friction)),
                     ("stops", &flag(limit.stops)),

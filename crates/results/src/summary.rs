@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use wholestring::{
     dynamics::{self, Indicators, Statistic, TableUse, TunedHookLoad},
     mud::Hydraulics,
+    operation::OperationKind,
     outcome::{ModelKind, Scalars},
     statics::stiff::EquilibriumSummary,
 };
@@ -81,10 +82,9 @@ impl Friction {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct OperationSummary {
     /// The model.
-    #[serde(with = "model_name")]
     pub model: ModelKind,
     /// The operation, as in case files: `trip_out`, `drill`, ...
-    pub operation: String,
+    pub operation: OperationKind,
     /// Progress of the solution.
     #[serde(flatten)]
     pub status: Status,
@@ -155,21 +155,6 @@ pub struct Numerics {
     /// Simulated time over wall-clock time.
     #[serde(with = "finite")]
     pub real_time_factor: f64,
-}
-
-/// The words for a [`ModelKind`] in the file.
-mod model_name {
-    use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
-    use wholestring::outcome::ModelKind;
-
-    pub(super) fn serialize<S: Serializer>(model: &ModelKind, to: S) -> Result<S::Ok, S::Error> {
-        model.name().serialize(to)
-    }
-
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<ModelKind, D::Error> {
-        let name = String::deserialize(from)?;
-        ModelKind::named(&name).ok_or_else(|| D::Error::unknown_variant(&name, ModelKind::NAMES))
-    }
 }
 
 /// JSON has no NaN: a number that is not finite is `null`, and `null` is read back as NaN. Zero has

@@ -1,14 +1,15 @@
 //! Uncertain inputs and their effect, for plans and reaches alike.
 
 use serde::{Deserialize, Serialize};
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 
-use crate::{Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_STOPS};
+use crate::{Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_STOPS, or_empty};
 
 /// Results of samples of uncertain numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct UncertainSummary {
-    /// Name of the model that solved the samples.
-    pub model: String,
+    /// The model that solved the samples.
+    pub model: ModelKind,
     /// Number of samples drawn.
     pub samples: usize,
     /// Number of samples solved: fewer where the work was interrupted.
@@ -45,8 +46,9 @@ pub struct UncertainBand {
     pub quantity: String,
     /// The limit; empty for other numbers.
     pub limit: String,
-    /// The operation; empty for all.
-    pub operation: String,
+    /// The operation; none for all, empty in the file.
+    #[serde(with = "or_empty")]
+    pub operation: Option<OperationKind>,
     /// Friction factor of all sections; none where they have their own.
     pub friction: Option<f64>,
     /// Measured depth of the bit, m; none for all depths.
@@ -90,12 +92,18 @@ pub struct UncertainOwed {
 pub struct UncertainStop {
     /// Friction factor of all sections; none where they have their own.
     pub friction: Option<f64>,
-    /// The operation; empty where nothing stops it.
-    pub operation: String,
+    /// The operation; none where nothing stops it, empty in the file.
+    #[serde(with = "or_empty")]
+    pub operation: Option<OperationKind>,
     /// The limit; empty where nothing stops it.
     pub limit: String,
     /// Number of samples.
     pub samples: usize,
+}
+
+/// Name of an operation; empty where there is none.
+fn name(operation: Option<OperationKind>) -> &'static str {
+    operation.map_or("", OperationKind::name)
 }
 
 impl UncertainSummary {
@@ -108,7 +116,7 @@ impl UncertainSummary {
                 &[
                     ("quantity", &[&band.quantity]),
                     ("limit", &[&band.limit]),
-                    ("operation", &[&band.operation]),
+                    ("operation", &[name(band.operation)]),
                     ("unit", &[&band.unit]),
                 ],
                 &[
@@ -136,7 +144,7 @@ impl UncertainSummary {
         let mut table = Table::with_columns(UNCERTAIN_STOPS);
         for stop in &self.stops {
             table.append(
-                &[("operation", &[&stop.operation]), ("limit", &[&stop.limit])],
+                &[("operation", &[name(stop.operation)]), ("limit", &[&stop.limit])],
                 &[("friction", &number(stop.friction)), ("samples", &[stop.samples as f64])],
             );
         }
@@ -154,7 +162,7 @@ impl UncertainSummary {
                     &[
                         ("quantity", &[&band.quantity]),
                         ("limit", &[&band.limit]),
-                        ("operation", &[&band.operation]),
+                        ("operation", &[name(band.operation)]),
                         ("input", &[&input.key]),
                     ],
                     &[

@@ -8,6 +8,7 @@ use wholestring::{
         self, EnergyBalance, Indicators, StickSlip, TableUse, TorqueUse, TunedHookLoad, Whirl,
     },
     mud::Hydraulics,
+    operation::OperationKind,
     outcome::{ModelKind, Scalars},
 };
 use wholestring_results::{
@@ -42,7 +43,7 @@ fn buckled() -> Value {
 fn soft() -> OperationSummary {
     OperationSummary {
         model: ModelKind::Soft,
-        operation: "drill".into(),
+        operation: OperationKind::Drill,
         status: Status::Complete,
         friction: Friction::of(&[0.3, 0.3]),
         bit_depth_m: 4305.0,

@@ -17,5 +17,5 @@ pub fn has_error(solved: &OperationSummary) -> bool {
 
 /// Operation and model in words, such as `trip in (soft)`.
 pub fn name(solved: &OperationSummary) -> String {
-    format!("{} ({})", solved.operation.replace('_', " "), solved.model.name())
+    format!("{} ({})", solved.operation, solved.model)
 }

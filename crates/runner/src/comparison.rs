@@ -1,6 +1,9 @@
 //! Results of a run next to each other: models and operations, in the user's units.
 
-use wholestring::outcome::{ModelKind, scalars_by_row};
+use wholestring::{
+    operation::OperationKind,
+    outcome::{ModelKind, scalars_by_row},
+};
 use wholestring_results::{Statistic, Status, Summary};
 use wholestring_units::UnitSet;
 
@@ -8,11 +11,11 @@ use crate::checks::quantities::{shown, symbol};
 
 /// The scalars of every operation and model.
 #[derive(Debug)]
-pub struct Comparison<'a> {
+pub struct Comparison {
     /// Scalars that are compared.
     pub rows: Vec<ComparedRow>,
     /// Results, in the order of the summary.
-    pub columns: Vec<ComparedColumn<'a>>,
+    pub columns: Vec<ComparedColumn>,
 }
 
 /// A scalar.
@@ -29,9 +32,9 @@ pub struct ComparedRow {
 
 /// Results of one operation and model.
 #[derive(Debug)]
-pub struct ComparedColumn<'a> {
+pub struct ComparedColumn {
     /// The operation.
-    pub operation: &'a str,
+    pub operation: OperationKind,
     /// The model of these results.
     pub model: ModelKind,
     /// Whether it was computed to its end.
@@ -72,12 +75,12 @@ impl From<&Statistic> for Drift {
     }
 }
 
-impl<'a> Comparison<'a> {
+impl Comparison {
     /// Compares the results of a run.
-    pub fn of(summary: &'a Summary, units: UnitSet) -> Self {
+    pub fn of(summary: &Summary, units: UnitSet) -> Self {
         let scalars = scalars_by_row();
         let columns = summary.operations.iter().map(|solved| ComparedColumn {
-            operation: &solved.operation,
+            operation: solved.operation,
             model: solved.model,
             is_complete: solved.status == Status::Complete,
             values: scalars

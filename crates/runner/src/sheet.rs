@@ -3,8 +3,8 @@
 use wholestring_case::dimension_at;
 use wholestring_judge::CheckKind;
 use wholestring_plan::reach::Limit;
-use wholestring_report::{Cells, DisplayUnit, Sheet, SheetColumn, operation_name, reading_words};
-use wholestring_results::{Column, Data, Table};
+use wholestring_report::{Cells, DisplayUnit, Sheet, SheetColumn, reading_words};
+use wholestring_results::{Column, Data, PlanOperation, Table};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::page::dimensions::{of_setting, pretty, unit};
@@ -127,12 +127,18 @@ fn heading(stem: &str) -> String {
     }
 }
 
+/// An operation or an event in words; other names, as that of a bit test, with spaces.
+pub(crate) fn operation_words(name: &str) -> String {
+    let found = PlanOperation::from_name(name);
+    found.map_or_else(|| name.replace('_', " "), |operation| operation.words().to_owned())
+}
+
 /// Readable names of operations, checks, limits and readings; other words are unchanged.
 fn readable(column: &Column, word: &str) -> String {
     let of_kind = || CheckKind::named(word).map(|kind| kind.label().to_owned());
     let spaced = || word.replace('_', " ");
     match column.name.as_str() {
-        "operation" => operation_name(word),
+        "operation" => operation_words(word),
         "limit" => {
             let limit = Limit::ALL.iter().find(|limit| limit.name() == word);
             limit.map_or_else(spaced, |limit| limit.title().to_owned())

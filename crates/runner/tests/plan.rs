@@ -7,6 +7,7 @@ use std::fs;
 use wholestring_runner::{CancellationToken, Error, Existing, FolderRefused, Silent, plan};
 
 use slant::{Slant, Stops, same};
+use wholestring::outcome::ModelKind;
 
 /// An interrupted plan keeps finished tasks, reports the missing ones, is refused without a request
 /// to resume, and does not solve finished tasks again; in the end all files equal those of an
@@ -86,10 +87,12 @@ fn what_the_dynamics_is_asked_for() {
     );
     let of_events = |kind: &str| {
         let limits = done.summary.checks.iter();
-        limits.filter(|row| row.model == "dynamic" && row.check.kind.name() == kind).count()
+        limits
+            .filter(|row| row.model == ModelKind::Dynamic && row.check.kind.name() == kind)
+            .count()
     };
     assert_eq!(of_events("hoist"), 3);
-    assert!(done.summary.wear.iter().any(|wear| wear.model == "dynamic"));
+    assert!(done.summary.wear.iter().any(|wear| wear.model == ModelKind::Dynamic));
     let page = fs::read_to_string(whole.join("report.html")).expect("a page");
     for expected in
         ["Setting in motion", "pick-up from slips, dynamics", "plan_peaks.csv", "peaks.csv"]

@@ -4,7 +4,7 @@ mod slant;
 
 use std::{fs, path::Path};
 
-use wholestring::GRAVITY_M_PER_S2;
+use wholestring::{GRAVITY_M_PER_S2, operation::OperationKind};
 use wholestring_results::{PlanSummary, UncertainBand, UncertainSummary};
 use wholestring_runner::{CancellationToken, Existing, Output, Silent, plan, reach};
 use wholestring_verification::{report_worst, verify};
@@ -20,7 +20,11 @@ fn planned(slant: &Slant, folder: &Path) -> PlanSummary {
     plan::run(&request, &Silent, &CancellationToken::new()).expect("a plan").summary
 }
 
-fn band<'a>(summary: &'a UncertainSummary, quantity: &str, operation: &str) -> &'a UncertainBand {
+fn band<'a>(
+    summary: &'a UncertainSummary,
+    quantity: &str,
+    operation: Option<OperationKind>,
+) -> &'a UncertainBand {
     let found = summary
         .bands
         .iter()
@@ -45,7 +49,7 @@ fn hook_load_of_a_slant_has_its_bands() {
     let hangs_N =
         |density: f64, slope: f64| GRAVITY_M_PER_S2 * area_m2 * 600.0 * (7850.0 - density) * slope;
     let (cos, sin) = (0.5, 0.75_f64.sqrt());
-    let turning = band(&found, "hook_load", "rotate_off_bottom");
+    let turning = band(&found, "hook_load", Some(OperationKind::RotateOffBottom));
     let range_N = hangs_N(1000.0, cos) - hangs_N(2000.0, cos);
     // Each of 200 equal parts contains one sample. The quantile is between two consecutive samples
     // at 199 parts of the count: less than two parts of the range away.
@@ -66,7 +70,7 @@ fn hook_load_of_a_slant_has_its_bands() {
     assert!((owed.first[0].expect("an index") - 1.0).abs() < 1e-9, "{owed:?}");
     assert!(owed.total[1] < 1e-9, "{owed:?}");
 
-    let pulling = band(&found, "hook_load", "trip_out");
+    let pulling = band(&found, "hook_load", Some(OperationKind::TripOut));
     let owed = pulling.owed.as_ref().expect("indices");
     let spread = |from: f64, to: f64| (0.5 * (from + to), (to - from).powi(2) / 12.0);
     let (heavy, v_heavy) = spread(7850.0 - 2000.0, 7850.0 - 1000.0);
@@ -118,7 +122,8 @@ fn seeds_have_what_is_left() {
         "plan.operations=[\"trip_out\"]",
     ]);
     let found = planned(&slant, place.path()).uncertain.expect("bands");
-    let owed = band(&found, "hook_load", "trip_out").owed.as_ref().expect("indices");
+    let owed =
+        band(&found, "hook_load", Some(OperationKind::TripOut)).owed.as_ref().expect("indices");
     assert_eq!(owed.first[0], None);
     assert!(owed.total[0] > 0.1 && owed.total.iter().sum::<f64>() < 1.0 + 1e-9, "{owed:?}");
 }
@@ -139,10 +144,10 @@ fn samples_without_an_answer_are_counted() {
     let found = planned(&slant, place.path()).uncertain.expect("bands");
     assert_eq!(found.solved, 40);
     assert!((1..40).contains(&found.lacking), "{found:?}");
-    let sliding = band(&found, "hook_load", "slide");
+    let sliding = band(&found, "hook_load", Some(OperationKind::Slide));
     let counts = (sliding.answers, sliding.without_answer);
     assert_eq!(counts, (40 - found.lacking, found.lacking));
-    assert_eq!(band(&found, "hook_load", "trip_in").without_answer, 0);
+    assert_eq!(band(&found, "hook_load", Some(OperationKind::TripIn)).without_answer, 0);
     assert_eq!(found.reasons.iter().map(|(_, count)| count).sum::<usize>(), found.lacking);
     let notes = plan::notes(&found).join(" ");
     let counted = format!("{} of 40 samples have points without an answer", found.lacking);
@@ -217,7 +222,7 @@ fn a_reach_has_bands_and_goes_on() {
     let token = CancellationToken::new();
     let done = reach::run(&request(&whole, Existing::Protect), &Silent, &token).expect("a reach");
     let found = done.summary.uncertain.as_ref().expect("bands");
-    let first = band(found, "depth", "");
+    let first = band(found, "depth", None);
     let own = done.summary.frictions[0].first.as_ref().expect("a stop").depth_m;
     assert_eq!(first.expected, Some(own));
     assert!(first.quantiles[0] < own && own < first.quantiles[4], "{first:?}");

@@ -4,8 +4,8 @@
 use std::{f64::consts::PI, path::Path};
 
 use calamine::{Data as Read, Range, Reader, Xlsx, open_workbook};
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
 use wholestring_case::{Override, Template};
-use wholestring_report::operation_name;
 use wholestring_results::{Data, PlanSummary, Table};
 use wholestring_runner::{CancellationToken, Existing, Output, Silent, plan};
 use wholestring_units::UnitSet;
@@ -109,10 +109,10 @@ fn every_cell_is_that_of_a_table() {
     let last = roadmap.rows().next_back().expect("a row");
     let deepest_m = summary.bit_depths_m.last().copied();
     for (operation, level, heading, unit) in [
-        ("trip_out", "high", "trip out hook load high, klbf", UNITS[2].1),
-        ("drill", "low", "drill torque low, ft·lbf", UNITS[3].1),
+        (OperationKind::TripOut, FrictionLevel::High, "trip out hook load high, klbf", UNITS[2].1),
+        (OperationKind::Drill, FrictionLevel::Low, "drill torque low, ft·lbf", UNITS[3].1),
     ] {
-        let mut curve = summary.curve("soft", operation, level);
+        let mut curve = summary.curve(ModelKind::Soft, operation, level);
         let scalars = curve.find(|point| Some(point.bit_depth_m) == deepest_m).expect("a point");
         let scalars = scalars.scalars.expect("an answer");
         let is_torque = heading.contains("torque");
@@ -187,7 +187,10 @@ fn compare(sheet: &str, cells: &Range<Read>, table: &Table) -> usize {
                 }
                 Data::Text(words) => {
                     let word = match column.name.as_str() {
-                        "operation" => operation_name(&words[row]),
+                        "operation" => {
+                            let operation = OperationKind::from_name(&words[row]);
+                            operation.expect("an operation").words().to_owned()
+                        }
                         "worst_check" | "kind" => {
                             let kind = wholestring_judge::CheckKind::named(&words[row]);
                             kind.map_or_else(|| words[row].clone(), |kind| kind.label().to_owned())

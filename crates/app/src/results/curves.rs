@@ -4,7 +4,11 @@ use std::{fs, path::Path};
 
 use serde::Serialize;
 use utoipa::ToSchema;
-use wholestring::outcome::{PROFILE, QuantityKind};
+use wholestring::{
+    operation::OperationKind,
+    outcome::{PROFILE, QuantityKind},
+    well::FrictionLevel,
+};
 use wholestring_results::{PlanSummary, Table};
 use wholestring_runner::checks::quantities::{shown, symbol};
 use wholestring_screens::answers::{Column, DRAWN};
@@ -63,7 +67,9 @@ fn of_nodes(nodes: &Table, result: usize, units: UnitSet) -> Vec<Curve> {
         let key = (&models[from], &operations[from]);
         let rows = (from..nodes.rows()).take_while(|row| (&models[*row], &operations[*row]) == key);
         let rows = from..from + rows.count();
-        let subject = format!("{} ({})", key.1.replace('_', " "), key.0);
+        let operation = OperationKind::from_name(key.1);
+        let words = operation.map_or(key.1.as_str(), |operation| operation.words());
+        let subject = format!("{words} ({})", key.0);
         for quantity in PROFILE.iter().map(|column| column.quantity) {
             let numbers = match nodes.numbers(quantity.name) {
                 Some(numbers) if DRAWN.contains(&quantity.name) => &numbers[rows.clone()],
@@ -94,9 +100,9 @@ fn of_nodes(nodes: &Table, result: usize, units: UnitSet) -> Vec<Curve> {
 
 fn of_plan(plan: &PlanSummary, result: usize, units: UnitSet) -> Vec<Curve> {
     let mut curves = Vec::new();
-    for model in &plan.models {
-        for operation in &plan.operations {
-            for friction in ["low", "expected", "high"] {
+    for model in plan.models.iter().copied() {
+        for operation in plan.operations.iter().copied() {
+            for friction in FrictionLevel::ALL {
                 let points: Vec<_> = plan
                     .curve(model, operation, friction)
                     .filter_map(|curve| Some((curve.bit_depth_m, curve.scalars?)))
@@ -104,8 +110,7 @@ fn of_plan(plan: &PlanSummary, result: usize, units: UnitSet) -> Vec<Curve> {
                 if points.is_empty() {
                     continue;
                 }
-                let subject =
-                    format!("{} ({model}), {friction} friction", operation.replace('_', " "));
+                let subject = format!("{operation} ({model}), {friction} friction");
                 let mut push = |quantity: &str, kind, values: Vec<f64>| {
                     let (depth_unit, depth) = depths(points.iter().map(|point| point.0), units);
                     curves.push(Curve {

@@ -47,7 +47,7 @@ pub(super) fn scalars(folder: &Path, summary: &Value, units: UnitSet) -> Vec<Sca
 fn of_run(summary: &Summary, units: UnitSet) -> Vec<Scalar> {
     let compared = Comparison::of(summary, units);
     let columns = compared.columns.iter().flat_map(|column| {
-        let subject = format!("{} ({})", column.operation.replace('_', " "), column.model.name());
+        let subject = format!("{} ({})", column.operation, column.model);
         compared.rows.iter().zip(&column.values).filter_map(move |(row, value)| {
             let value = value.filter(|value| value.is_finite())?;
             let (label, unit) = (row.label.to_owned(), row.symbol.to_owned());
@@ -64,9 +64,10 @@ fn of_plan(summary: &PlanSummary, units: UnitSet) -> Vec<Scalar> {
     let mut found: Vec<Scalar> = deepest
         .filter_map(|deepest| Some((deepest, deepest.scalars?)))
         .flat_map(|(row, scalars)| {
-            let name = row.operation.replace('_', " ");
-            let name =
-                format!("{name} ({}), {} friction, bit at its deepest", row.model, row.friction);
+            let name = format!(
+                "{} ({}), {} friction, bit at its deepest",
+                row.operation, row.model, row.friction
+            );
             let scalar = |label: &str, kind, si| Scalar {
                 of: name.clone(),
                 label: label.to_owned(),
@@ -81,7 +82,7 @@ fn of_plan(summary: &PlanSummary, units: UnitSet) -> Vec<Scalar> {
         .collect();
     found.extend(summary.checks.iter().filter_map(|row| {
         Some(Scalar {
-            of: format!("{}, least reserve", row.operation.replace('_', " ")),
+            of: format!("{}, least reserve", row.operation.words()),
             label: format!("Factor: {}", row.check.kind.label().to_lowercase()),
             unit: String::new(),
             value: row.check.factor?,

@@ -43,7 +43,7 @@ fn head(summary: &BhaSummary, units: UnitSet) -> String {
     let mut head = format!(
         "{}: static BHA analysis, {}, bit at {}, inclination {}",
         summary.case,
-        summary.operation.replace('_', " "),
+        summary.operation,
         quantity(summary.bit_depth_m, Dimension::Length, units),
         quantity(summary.inclination_rad, Dimension::Angle, units),
     );

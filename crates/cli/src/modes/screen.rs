@@ -25,7 +25,7 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
     let title = format!(
         "{}: {} at {}, an assembly of {}",
         summary.case,
-        summary.operation.replace('_', " "),
+        summary.operation,
         Dimension::RotarySpeed.format(summary.rotary_speed_rad_per_s, units),
         Dimension::Length.format((10.0 * summary.assembly_length_m).round() / 10.0, units),
     );
@@ -85,7 +85,7 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
     }
     text += "\nTorsional stability\n";
     let sentences = match (&summary.torsional_stability, &summary.no_torsional_stability) {
-        (Some(map), _) => stability_sentences(&summary.operation, map, units),
+        (Some(map), _) => stability_sentences(summary.operation, map, units),
         (None, Some(why)) => vec![format!("no map: {why}")],
         (None, None) => Vec::new(),
     };

@@ -36,6 +36,6 @@ pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
     }
     conclude(&outcome.batch, "plan", "tasks", args.page.quiet)?;
     let rows = outcome.summary.checks.iter();
-    let named = rows.map(|row| (row.operation.replace('_', " "), &row.check));
+    let named = rows.map(|row| (row.operation.words().to_owned(), &row.check));
     refuse_errors(args.page.strict, named)
 }

@@ -1,13 +1,11 @@
 //! Output of a plan on the screen.
 
+use wholestring::well::FrictionLevel;
 use wholestring_results::{PlanPoint, PlanSummary, Severity};
 use wholestring_runner::plan::{governing_sentences, notes, scatter};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{checks, screen_table::Table};
-
-/// Levels of friction, from the least to the most.
-const LEVELS: [&str; 3] = ["low", "expected", "high"];
 
 /// Every operation at the deepest depth, and the points without a result.
 pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
@@ -28,13 +26,13 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
         vec!["operation".to_owned(), "model".to_owned(), "most severe check".to_owned()];
     for (name, symbol) in [("hook load", force.symbol), ("torque", torque.symbol)] {
         headings.push(format!("{name} low, {symbol}"));
-        headings.extend(LEVELS[1..].iter().map(|level| (*level).to_owned()));
+        headings.extend(FrictionLevel::ALL[1..].iter().map(|level| level.name().to_owned()));
     }
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let mut table = Table::new(&title, 3, &headings);
-    for model in &summary.models {
-        for operation in &summary.operations {
-            let points = LEVELS.map(|level| {
+    for model in summary.models.iter().copied() {
+        for operation in summary.operations.iter().copied() {
+            let points = FrictionLevel::ALL.map(|level| {
                 let mut curve = summary.curve(model, operation, level);
                 curve.find(|curve| curve.bit_depth_m == deepest_m)
             });
@@ -43,7 +41,8 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
                     let value = point.and_then(value);
                     value.map_or_else(|| "–".to_owned(), |value| format!("{:.1}", value / worth))
                 };
-            let mut row = vec![operation.replace('_', " "), model.clone(), worst(&points)];
+            let mut row =
+                vec![operation.words().to_owned(), model.name().to_owned(), worst(&points)];
             let hook = |point: &PlanPoint| Some(point.scalars?.hook_load_N);
             let turns = |point: &PlanPoint| Some(point.scalars?.surface_torque_N_m);
             row.extend(points.map(|point| number(point, hook, force.factor)));
@@ -68,7 +67,7 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
     for row in open {
         let name = format!(
             "{} ({}), {} friction, bit at {:.0} {}",
-            row.operation.replace('_', " "),
+            row.operation.words(),
             row.model,
             row.friction,
             length.from_si(row.bit_depth_m),
@@ -83,7 +82,7 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
         let phrase = summary.texts.in_units(phrase, units);
         text += &format!("not counted in fatigue and casing wear: {phrase}\n");
     }
-    for model in summary.models.iter().filter(|_| !summary.measured.is_empty()) {
+    for model in summary.models.iter().copied().filter(|_| !summary.measured.is_empty()) {
         let (between, all) = summary.measured_between(model);
         text += &format!(
             "measured: {between} of {all} readings that depend on friction are between low and high \
@@ -97,7 +96,7 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
             "{}: ours less theirs, {} {}, {} string: {:.1} {unit} in the mean of {} depths, {:.1} at most, the bit \
              at {:.0} {}\n",
             summary.overlay.as_ref().map_or("", |overlay| &overlay.file),
-            difference.operation.replace('_', " "),
+            difference.operation,
             if difference.is_torque { "torque" } else { "hook load" },
             difference.model,
             unit.from_si(difference.mean),
@@ -153,7 +152,7 @@ fn peaks(summary: &PlanSummary, units: UnitSet) -> String {
             table.row(vec![
                 event.clone(),
                 format!("{name}, {}", unit.symbol),
-                event_peaks.friction.clone(),
+                event_peaks.friction.name().to_owned(),
                 bit.clone(),
                 number(peak.at_rest),
                 number(peak.peak),

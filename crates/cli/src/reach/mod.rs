@@ -54,7 +54,7 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
         print_stdout(&screen::text(&outcome.summary, units))?;
     }
     let checks = outcome.summary.checks.iter();
-    let named = checks.map(|row| (row.operation.replace('_', " "), &row.check));
+    let named = checks.map(|row| (row.operation.words().to_owned(), &row.check));
     let refused = || refuse_errors(args.page.strict, named);
     if let Some(samples) = &outcome.samples {
         conclude(samples, "reach", "samples", args.page.quiet)?;

@@ -28,7 +28,7 @@ pub(super) fn text(summary: &ReachSummary, units: UnitSet) -> String {
                 None => format!("none to {}", depth(summary.to_m)),
             };
             table.row(vec![
-                limit.operation.replace('_', " "),
+                limit.operation.words().to_owned(),
                 limit.title.clone(),
                 met,
                 percent(limit.margin_at_from),

@@ -2,6 +2,7 @@
 
 use std::{collections::BTreeSet, fs, path::Path};
 
+use wholestring::operation::OperationKind;
 use wholestring_results::{BhaSummary, BhaVaried};
 
 use crate::desk::{Desk, transcript};
@@ -50,7 +51,7 @@ fn an_assembly_at_rest() {
         assert!(screen.contains(part), "{part}: {screen}");
     }
     let summary = summary(&desk, "results");
-    assert_eq!((summary.case.as_str(), summary.operation.as_str()), ("Bent motor", "slide"));
+    assert_eq!((summary.case.as_str(), summary.operation), ("Bent motor", OperationKind::Slide));
     let state = &summary.state;
     assert!(state.stable && state.residual < 1e-8);
     // It presses towards 30° from the high side, the direction of its bend.
@@ -112,7 +113,7 @@ fn other_ways() {
     assert!((force_N(&whole) / force_N(&slide) - 1.0).abs() < 1e-3);
     assert!((whole.state.solved_m - 1500.0).abs() < 1e-6);
     let drill = run(&["--operation", "drill"], "drill");
-    assert_eq!(drill.operation, "drill");
+    assert_eq!(drill.operation, OperationKind::Drill);
     let builds = run(&["--build", "4deg/30m"], "builds");
     let drops = run(&["--build", "-4deg/30m"], "drops");
     let straight = |summary: &BhaSummary| {

@@ -4,6 +4,7 @@ use std::{fs, path::Path};
 
 use wholestring::{
     operation::{Operation, OperationKind},
+    outcome::ModelKind,
     statics::soft::soft_string,
 };
 use wholestring_results::{
@@ -377,7 +378,7 @@ fn friction_by_the_stiff_string() {
     let counts = Counts::default();
     let outcome = calibrate::run(&request, &counts, &CancellationToken::new()).unwrap();
     let summary = outcome.summary;
-    assert_eq!(summary.model, "stiff");
+    assert_eq!(summary.model, ModelKind::Stiff);
     let [friction, block] = &summary.estimates[..] else { panic!("{:?}", summary.estimates) };
     // Between the nodes a prediction may be off by a fiftieth of an error, 100 N; the drag of a
     // pick-up at 1200 m changes by more than 100 kN for a change of friction by one.

@@ -3,7 +3,7 @@
 
 use std::{collections::BTreeSet, fs, path::Path};
 
-use wholestring::outcome::ModelKind;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_results::{Check, CheckKind, OperationSummary, Severity};
 
 use crate::{
@@ -35,12 +35,12 @@ fn the_lateral_that_cannot_be_drilled_says_so() {
     let output = desk.done(&["run", &lateral(), "-o", "results"]);
     let text = String::from_utf8(output.stdout).unwrap();
     let summary = desk.summary("results");
-    let solved = |operation: &str, model| {
+    let solved = |operation: OperationKind, model| {
         let mut all = summary.operations.iter();
         let solved = all.find(|solved| solved.operation == operation && solved.model == model);
         solved.unwrap_or_else(|| panic!("{operation}"))
     };
-    for operation in ["trip_in", "slide"] {
+    for operation in [OperationKind::TripIn, OperationKind::Slide] {
         for model in [ModelKind::Soft, ModelKind::Dynamic] {
             let solved = solved(operation, model);
             let errors = kinds(solved, Severity::Error);
@@ -57,14 +57,14 @@ fn the_lateral_that_cannot_be_drilled_says_so() {
             assert!(solved.checks.windows(2).all(|pair| pair[0].severity >= pair[1].severity));
             let sentence = "The string does not go down by its weight: hook load ";
             let named = |line: &str| {
-                line.starts_with(&format!("error: {} (", operation.replace('_', " ")))
+                line.starts_with(&format!("error: {operation} ("))
                     && line.contains(model.name())
                     && line.contains(sentence)
             };
             assert!(text.lines().any(named), "{text}");
         }
     }
-    let slide = solved("slide", ModelKind::Dynamic);
+    let slide = solved(OperationKind::Slide, ModelKind::Dynamic);
     let weight = found(slide, CheckKind::WeightOnBitNotReached);
     assert_eq!(weight.severity, Severity::Error);
     assert_eq!(weight.value, Some(slide.scalars.weight_on_bit_N));

@@ -2,6 +2,7 @@
 
 use std::{fs, path::Path};
 
+use wholestring::operation::OperationKind;
 use wholestring_results::{
     CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, ModesSummary, RESPONSE, STABILITY, Table,
 };
@@ -24,7 +25,7 @@ fn modes_of_a_slant_well() {
     let stdout = String::from_utf8(output.stdout).unwrap();
     let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();
     assert!(summary.stable);
-    assert_eq!(summary.operation, "rotate_off_bottom");
+    assert_eq!(summary.operation, OperationKind::RotateOffBottom);
     assert_eq!(summary.settings["modes"]["orders"], serde_json::json!([1.0, 4.0]));
     let count = |family: &str| summary.modes.iter().filter(|mode| mode.family == family).count();
     assert_eq!([count("lateral"), count("axial"), count("torsional")], [3; 3]);

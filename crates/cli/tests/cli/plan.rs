@@ -2,10 +2,11 @@
 
 use std::{fs, path::Path};
 
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
 use wholestring_results::{
     CheckKind, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PLAN_MEASURED,
-    PLAN_OVERLAY, PLAN_SURFACE_LIMITS, PlanSummary, Table, UNCERTAIN, UNCERTAIN_INDICES,
-    UNCERTAIN_SAMPLES,
+    PLAN_OVERLAY, PLAN_SURFACE_LIMITS, PlanOperation, PlanSummary, Table, UNCERTAIN,
+    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
 };
 
 use crate::desk::{Desk, transcript};
@@ -36,16 +37,17 @@ fn a_plan_of_a_slant_well() {
     let output = desk.done(&few(&["-o", "out"]));
     let stdout = String::from_utf8(output.stdout).unwrap();
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
-    assert_eq!(summary.operations, ["trip_out", "trip_in", "rotate_off_bottom", "drill"]);
-    assert_eq!(summary.models, ["soft"]);
+    use OperationKind::{Drill, RotateOffBottom, TripIn, TripOut};
+    assert_eq!(summary.operations, [TripOut, TripIn, RotateOffBottom, Drill]);
+    assert_eq!(summary.models, [ModelKind::Soft]);
     let depths = summary.bit_depths_m.len();
     assert!(depths >= 4);
     assert_eq!(summary.points.len(), depths * 4 * 3);
     assert_eq!(summary.buckling.len(), depths * 2 * 3);
     assert_eq!(summary.missing, 0);
-    for operation in &summary.operations {
-        for level in ["low", "expected", "high"] {
-            let last = summary.curve("soft", operation, level).last().expect("points");
+    for operation in summary.operations.iter().copied() {
+        for level in FrictionLevel::ALL {
+            let last = summary.curve(ModelKind::Soft, operation, level).last().expect("points");
             let hook_kN = 1e-3 * last.scalars.expect("an answer").hook_load_N;
             assert!(stdout.contains(&format!("{hook_kN:.1}")), "{stdout}");
         }
@@ -147,9 +149,9 @@ fn the_governing_limit_of_each_operation_is_given() {
     let stdout = String::from_utf8(output.stdout).unwrap();
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let operations: Vec<&str> =
-        summary.governing.iter().map(|governing| &*governing.operation).collect();
-    let mut all = summary.operations.clone();
-    all.sort();
+        summary.governing.iter().map(|governing| governing.operation.name()).collect();
+    let mut all: Vec<&str> = summary.operations.iter().map(|operation| operation.name()).collect();
+    all.sort_unstable();
     let mut sorted = operations.clone();
     sorted.sort_unstable();
     assert_eq!(sorted, all);
@@ -158,7 +160,8 @@ fn the_governing_limit_of_each_operation_is_given() {
     let numbers = |name: &str| limits.numbers(name).unwrap();
     let bends = ["sinusoidal_buckling", "helical_buckling", "overpull", "side_force"];
     for first in &summary.governing {
-        let rows = (0..limits.rows()).filter(|row| words("operation")[*row] == first.operation);
+        let rows =
+            (0..limits.rows()).filter(|row| words("operation")[*row] == first.operation.name());
         let (mut least, mut least_of_all) = (f64::INFINITY, f64::INFINITY);
         for row in rows {
             let reserve = numbers("factor")[row].unwrap() / numbers("required")[row].unwrap();
@@ -168,16 +171,22 @@ fn the_governing_limit_of_each_operation_is_given() {
             }
         }
         assert_eq!(first.check.reserve(), least, "{first:?}");
-        if first.operation == "drill" {
-            assert_eq!((first.check.kind, first.friction.as_str()), (CheckKind::TopDrive, "high"));
+        if first.operation == PlanOperation::Kind(OperationKind::Drill) {
+            assert_eq!(
+                (first.check.kind, first.friction),
+                (CheckKind::TopDrive, FrictionLevel::High)
+            );
             assert!(least_of_all < least, "{first:?}");
         }
     }
     let drilling = "drill, high friction, bit at ";
     assert!(stdout.contains(drilling), "{stdout}");
     assert!(desk.text("out/report.html").contains(", governs"));
-    let pick_up =
-        summary.governing.iter().find(|governing| governing.operation == "trip_out").unwrap();
+    let pick_up = summary
+        .governing
+        .iter()
+        .find(|governing| governing.operation == PlanOperation::Kind(OperationKind::TripOut))
+        .unwrap();
     let place = format!("of {} at ", pick_up.check.component.as_deref().unwrap());
     let sentence = stdout.lines().find(|line| line.trim_start().starts_with("trip out, ")).unwrap();
     assert!(sentence.contains(&place), "{sentence}");
@@ -223,8 +232,18 @@ fn what_has_no_answer_says_why() {
     let locks_up = |point: &&wholestring_results::PlanPoint| {
         point.message.as_ref().is_some_and(|why| why.starts_with("Locks up"))
     };
-    assert!(summary.points.iter().any(|point| point.operation == "slide" && locks_up(&point)));
-    assert!(!summary.points.iter().any(|point| point.operation == "trip_in" && locks_up(&point)));
+    assert!(
+        summary
+            .points
+            .iter()
+            .any(|point| point.operation == OperationKind::Slide && locks_up(&point))
+    );
+    assert!(
+        !summary
+            .points
+            .iter()
+            .any(|point| point.operation == OperationKind::TripIn && locks_up(&point))
+    );
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
     assert!(page.contains("Without an answer"));
 }
@@ -294,14 +313,14 @@ fn another_program_is_laid_over_the_plan() {
     let own = PlanSummary::read(&desk.path("own/summary.json")).unwrap();
     let mut theirs = String::from("Bit depth (m),Pick-up (kN),Slack-off (kN),Torque (kN.m)\n");
     let depths: Vec<f64> = own.bit_depths_m.clone();
-    let scalars = |operation: &str, depth_m: f64| {
-        let mut curve = own.curve("soft", operation, "expected");
+    let scalars = |operation: OperationKind, depth_m: f64| {
+        let mut curve = own.curve(ModelKind::Soft, operation, FrictionLevel::Expected);
         curve.find(|curve| curve.bit_depth_m == depth_m).unwrap().scalars.unwrap()
     };
     for &depth_m in &depths {
-        let pick_up_kN = scalars("trip_out", depth_m).hook_load_N / 1e3;
-        let slack_off_kN = scalars("trip_in", depth_m).hook_load_N / 1e3 + 10.0;
-        let torque = scalars("rotate_off_bottom", depth_m).surface_torque_N_m / 1e3;
+        let pick_up_kN = scalars(OperationKind::TripOut, depth_m).hook_load_N / 1e3;
+        let slack_off_kN = scalars(OperationKind::TripIn, depth_m).hook_load_N / 1e3 + 10.0;
+        let torque = scalars(OperationKind::RotateOffBottom, depth_m).surface_torque_N_m / 1e3;
         theirs += &format!("{depth_m},{pick_up_kN},{slack_off_kN},{torque}\n");
     }
     fs::write(desk.path("other.csv"), &theirs).unwrap();
@@ -313,13 +332,16 @@ fn another_program_is_laid_over_the_plan() {
     let overlay = summary.overlay.as_ref().unwrap();
     assert_eq!(overlay.file, "other.csv");
     let differences = &overlay.differences;
-    let means: Vec<(&str, bool, f64)> = differences
+    let means: Vec<(OperationKind, bool, f64)> = differences
         .iter()
-        .map(|difference| (difference.operation.as_str(), difference.is_torque, difference.mean))
+        .map(|difference| (difference.operation, difference.is_torque, difference.mean))
         .collect();
     // To the digits of the file.
-    let expected =
-        [("trip_out", false, 0.0), ("trip_in", false, -10e3), ("rotate_off_bottom", true, 0.0)];
+    let expected = [
+        (OperationKind::TripOut, false, 0.0),
+        (OperationKind::TripIn, false, -10e3),
+        (OperationKind::RotateOffBottom, true, 0.0),
+    ];
     assert_eq!(means.len(), expected.len(), "{means:?}");
     for (found, expected_row) in means.iter().zip(expected) {
         assert_eq!((found.0, found.1), (expected_row.0, expected_row.1));
@@ -398,7 +420,7 @@ fn what_was_measured_is_held_against_the_plan() {
     let rows = &summary.measured;
     let readings: Vec<&str> = rows.iter().map(|row| row.reading.as_str()).collect();
     assert_eq!(readings, ["pick_up", "pick_up", "slack_off", "rotating", "torque"]);
-    let (between, all) = summary.measured_between("soft");
+    let (between, all) = summary.measured_between(ModelKind::Soft);
     assert!(stdout.contains(&format!("measured: {between} of {all} readings")), "{stdout}");
     // Friction of rotating off bottom moves no weight.
     assert_eq!((all, rows[3].between()), (4, None));
@@ -407,9 +429,14 @@ fn what_was_measured_is_held_against_the_plan() {
     desk.done(&measured(&["-o", "at", "--set=plan.bit_depths=[\"500 m\"]"]));
     let at = PlanSummary::read(&desk.path("at/summary.json")).unwrap();
     let (first, other) = (&rows[0], &rows[1]);
-    for (level, predicted) in ["low", "expected", "high"].into_iter().zip(first.predicted) {
-        let hook_load_N =
-            at.curve("soft", "trip_out", level).next().unwrap().scalars.unwrap().hook_load_N;
+    for (level, predicted) in FrictionLevel::ALL.into_iter().zip(first.predicted) {
+        let hook_load_N = at
+            .curve(ModelKind::Soft, OperationKind::TripOut, level)
+            .next()
+            .unwrap()
+            .scalars
+            .unwrap()
+            .hook_load_N;
         assert_eq!(predicted, Some(hook_load_N + 200e3));
     }
     assert_eq!(first.residual(), Some(330e3 - first.predicted[1].unwrap()));

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use wholestring::operation::OperationKind;
 use wholestring_results::{REACH, REACH_LIMITS, ReachSummary, Table, UNCERTAIN_STOPS};
 
 use crate::desk::{Desk, transcript};
@@ -77,7 +78,7 @@ fn reach_of_a_slant_well() {
             friction.limits.iter().filter(|limit| limit.depth_m.is_some() && !limit.already)
         {
             for row in 0..margins.rows() {
-                let same = words("operation")[row] == limit.operation
+                let same = words("operation")[row] == limit.operation.name()
                     && words("limit")[row] == limit.limit
                     && numbers("friction")[row] == friction.friction;
                 let above = numbers("bit_depth_m")[row] < limit.depth_m;
@@ -109,7 +110,7 @@ fn one_operation_at_the_cases_friction() {
     let summary = summary(&desk);
     let [friction] = &summary.frictions[..] else { panic!("one friction") };
     assert_eq!(friction.friction, None);
-    assert!(friction.limits.iter().all(|limit| limit.operation == "trip_in"));
+    assert!(friction.limits.iter().all(|limit| limit.operation == OperationKind::TripIn));
     let locks = friction.limits.iter().find(|limit| limit.limit == "push_absorbed").unwrap();
     assert_eq!(locks.depth_m, None);
     let output = desk.run(&["reach", "slant.toml", "-o", "out", "-q"]);

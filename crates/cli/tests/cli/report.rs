@@ -33,7 +33,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
     let solved: Vec<_> = report
         .solved
         .iter()
-        .map(|solved| (solved.model.as_str(), solved.operation.as_str(), solved.key_results.len()))
+        .map(|solved| (solved.model.name(), solved.operation.name(), solved.key_results.len()))
         .collect();
     assert_eq!(
         solved,

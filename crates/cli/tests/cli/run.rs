@@ -93,7 +93,7 @@ fn soft_string_and_dynamics_side_by_side() {
     let solved: Vec<_> = summary
         .operations
         .iter()
-        .map(|solved| (solved.model, solved.operation.as_str(), &solved.status))
+        .map(|solved| (solved.model, solved.operation.name(), &solved.status))
         .collect();
     let done = &Status::Complete;
     assert_eq!(

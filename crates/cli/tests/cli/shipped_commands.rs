@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use serde_json::Value;
+use wholestring::well::FrictionLevel;
 use wholestring_cases::{ALL, LATERAL_THAT_CANNOT_BE_DRILLED, ReadyCase};
 use wholestring_results::{PlanSummary, ReachSummary, Severity, Table};
 
@@ -84,10 +85,9 @@ fn every_case_is_planned() {
             assert!(point.scalars.is_some() != reason, "{}: {point:?}", case.name);
         }
         let deepest_m = plan.bit_depths_m.last().copied();
-        let expected = plan
-            .points
-            .iter()
-            .filter(|point| point.friction == "expected" && Some(point.bit_depth_m) == deepest_m);
+        let expected = plan.points.iter().filter(|point| {
+            point.friction == FrictionLevel::Expected && Some(point.bit_depth_m) == deepest_m
+        });
         let errors: Vec<_> = expected
             .filter_map(|point| point.worst.as_ref())
             .filter(|check| check.severity == Severity::Error)

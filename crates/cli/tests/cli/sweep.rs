@@ -77,7 +77,7 @@ fn every_combination_is_a_row() {
         assert_eq!(cells[place("folder")], name);
         assert_eq!(format!("friction={},bit_depth={}", cells[0], cells[1]), name);
         let solved = &desk.summary(&format!("results/{name}")).operations[row % 4];
-        assert_eq!(cells[place("operation")], solved.operation);
+        assert_eq!(cells[place("operation")], solved.operation.name());
         assert_eq!(cells[place("model")], solved.model.name());
         assert_eq!(cells[place("status")], "complete");
         let number = |name: &str| cells[place(name)].parse::<f64>().unwrap();

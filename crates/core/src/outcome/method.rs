@@ -1,6 +1,8 @@
 //! The methods that solve an operation, and the results that each of them provides: one table.
 
-use serde::Serialize;
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
 
 /// Duration of a method's computation for an operation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -36,7 +38,8 @@ macro_rules! methods {
     ($($(#[$about:meta])* $model:ident => $method:expr;)*) => {
         /// A method that solves an operation. Its name and its results are described by its
         /// [`Method`].
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+        #[serde(rename_all = "snake_case")]
         pub enum ModelKind {
             $($(#[$about])* $model,)*
         }
@@ -86,6 +89,13 @@ methods! {
         has_helix_friction: true,
         cost: Cost::Minutes,
     };
+}
+
+/// Its [name](ModelKind::name).
+impl fmt::Display for ModelKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
 }
 
 impl ModelKind {
@@ -222,6 +232,7 @@ mod tests {
         for (index, kind) in ModelKind::ALL.iter().copied().enumerate() {
             assert_eq!(ModelKind::named(kind.name()), Some(kind));
             assert_eq!(kind.rank(), ModelKind::ALL.len() - 1 - index);
+            assert_eq!(serde_json::to_value(kind).expect("a name"), kind.name());
         }
         assert_eq!(ModelKind::named("dynamics"), None);
     }

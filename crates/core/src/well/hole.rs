@@ -1,6 +1,8 @@
 //! Sections of the hole: casing and open hole.
 
-use serde::Serialize;
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
 
 use super::Roughness;
 
@@ -43,6 +45,39 @@ impl Friction {
     /// The same coefficient at rest and sliding, along the hole and around it.
     pub const fn uniform(coefficient: f64) -> Self {
         Self { kinetic: coefficient, at_rest: coefficient, around: 1.0 }
+    }
+}
+
+/// Level of the friction within the range of its uncertainty.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FrictionLevel {
+    /// Less than expected.
+    Low,
+    /// Expected.
+    Expected,
+    /// More than expected.
+    High,
+}
+
+/// Its [name](FrictionLevel::name).
+impl fmt::Display for FrictionLevel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FrictionLevel {
+    /// Every level, from the least friction to the most.
+    pub const ALL: [Self; 3] = [Self::Low, Self::Expected, Self::High];
+
+    /// Name in case files and results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Low => "low",
+            Self::Expected => "expected",
+            Self::High => "high",
+        }
     }
 }
 

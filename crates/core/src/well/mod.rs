@@ -17,7 +17,9 @@ mod vertical;
 pub use doubtful_turn::{
     DoubtfulTurn, USUAL_DOGLEG_RAD_PER_M, doubtful_turns, endured_dogleg_rad_per_m,
 };
-pub use hole::{CasingPipe, Friction, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND};
+pub use hole::{
+    CasingPipe, Friction, FrictionLevel, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND,
+};
 pub use interpolation::Interpolation;
 pub(crate) use path::Heading;
 pub use path::{Path, PathError, PathPoint, TieIn};

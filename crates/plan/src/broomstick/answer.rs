@@ -12,9 +12,10 @@ use wholestring::{
 use wholestring_judge::{Checks, NoAnswer};
 
 use super::{
-    Broomstick, BroomstickPoint, BroomstickTask, FrictionLevel,
+    Broomstick, BroomstickPoint, BroomstickTask,
     point::{PointAnswer, Statics},
 };
+use crate::FrictionLevel;
 
 /// A result with its checks.
 type Judged = (PointAnswer, Checks);

@@ -7,7 +7,8 @@ use wholestring::{
 
 use wholestring_judge::NoAnswer;
 
-use super::{Broomstick, FrictionLevel};
+use super::Broomstick;
+use crate::FrictionLevel;
 use crate::root;
 
 /// Upper limit of the weight on bit, N: a string that does not buckle below it does not buckle in

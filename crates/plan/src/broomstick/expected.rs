@@ -8,7 +8,8 @@ use wholestring::{
 
 use wholestring_judge::{Checks, NoAnswer};
 
-use super::{Broomstick, FrictionLevel, Statics};
+use super::{Broomstick, Statics};
+use crate::FrictionLevel;
 
 /// Loads of an operation at the surface, and its limits.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,34 +1,9 @@
 //! Friction, low, expected and high.
 
 use serde::Serialize;
-use wholestring::well::{Friction, HoleError, HoleKind, HoleSection};
+use wholestring::well::{Friction, FrictionLevel, HoleError, HoleKind, HoleSection};
 
 use crate::Setup;
-
-/// Friction level within the range of uncertainty.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-pub enum FrictionLevel {
-    /// Less than expected.
-    Low,
-    /// Expected.
-    Expected,
-    /// More than expected.
-    High,
-}
-
-impl FrictionLevel {
-    /// Every level, from the least friction to the most.
-    pub const ALL: [Self; 3] = [Self::Low, Self::Expected, Self::High];
-
-    /// Name in case files and results.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Low => "low",
-            Self::Expected => "expected",
-            Self::High => "high",
-        }
-    }
-}
 
 /// Friction of one kind of hole at one level.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

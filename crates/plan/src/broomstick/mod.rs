@@ -15,7 +15,7 @@ mod point;
 pub use buckling_weight::BucklingWeight;
 pub use depths::bit_depths_m;
 pub use expected::ExpectedLoads;
-pub use friction::{FrictionLevel, Frictions, KindFriction, LevelFriction};
+pub use friction::{Frictions, KindFriction, LevelFriction};
 pub use point::{BroomstickPoint, PointAnswer, Statics};
 
 use wholestring::{
@@ -26,7 +26,7 @@ use wholestring::{
 
 use wholestring_judge::Judge;
 
-use crate::{Campaign, CampaignSettings, Setup, wear::CasingError};
+use crate::{Campaign, CampaignSettings, FrictionLevel, Setup, wear::CasingError};
 
 /// A string at several depths of the bit, with several frictions.
 #[derive(Debug, Clone)]

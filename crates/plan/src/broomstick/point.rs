@@ -7,8 +7,7 @@ use wholestring::{
 };
 use wholestring_judge::{Checks, NoAnswer};
 
-use super::FrictionLevel;
-use crate::Share;
+use crate::{FrictionLevel, Share};
 
 /// The models of a plan: states of equilibrium, which take milliseconds to seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]

@@ -12,8 +12,8 @@ mod settings;
 mod solve;
 mod wear;
 
-pub use event::Event;
 pub use peak::{History, Peak};
 pub use settings::DynamicPlan;
 pub use solve::{EventAnswer, EventTask, NoDynamics};
 pub use wear::WearTask;
+pub use wholestring::operation::Event;

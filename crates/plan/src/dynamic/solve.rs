@@ -13,7 +13,8 @@ use wholestring::{
 use wholestring_judge::Check;
 
 use super::{
-    DynamicPlan, Event, History, Peak, extremes::Extremes, peak::Toward, settings::REST_S,
+    DynamicPlan, Event, History, Peak, event::bears_on, extremes::Extremes, peak::Toward,
+    settings::REST_S,
 };
 use crate::{
     Broomstick, FrictionLevel,
@@ -130,7 +131,7 @@ impl Broomstick {
             .map(|hydraulic| Hydraulics { pump_pressure_Pa: pump_Pa, ..hydraulic });
         let solution = Solution { profile: &profile, hydraulics, ..(&outcome).into() };
         let found = self.judge().limits(&model, &steady(event, &operation), &solution);
-        let is_its = |check: &Check| event.bears_on(check.kind);
+        let is_its = |check: &Check| bears_on(event, check.kind);
         Ok(Some(EventAnswer {
             hook_load_N,
             surface_torque_N_m,

@@ -8,7 +8,7 @@ use crate::{
     figure::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
     },
-    operation_words::colour,
+    operation_colour::operation_colour,
     plots::{DisplayUnits, named},
 };
 
@@ -28,7 +28,7 @@ pub const CALIBRATION_PICTURES: [&str; 3] =
 
 /// The colour of the reading of this place.
 fn ink(place: usize) -> Ink {
-    Ink::Line(colour(READINGS[place].2.name()))
+    Ink::Line(operation_colour(READINGS[place].2))
 }
 
 /// Pictures of a calibration, in these units.

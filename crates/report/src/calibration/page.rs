@@ -6,8 +6,8 @@ use super::{
 };
 use crate::{
     Grid, StudyPage, StudyPart, Verdict,
+    digits::four,
     grid_cells::{head, heads, row},
-    operation_words::four,
     plots::DisplayUnits,
     study::study_html_in_units,
 };

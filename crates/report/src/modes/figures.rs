@@ -114,7 +114,7 @@ impl Drawing<'_> {
         }
         marks.push(Mark::SharedRule {
             at: self.speed(modes.rotary_rad_per_s),
-            label: modes.operation.replace('_', " "),
+            label: modes.operation.words().to_owned(),
         });
         let mut keys: Vec<Key> = FAMILIES
             .iter()
@@ -240,7 +240,7 @@ impl Drawing<'_> {
             let curve = Mark::Curve { ink: Ink::Line(0), stroke: Stroke::Solid, points };
             let at = Mark::SharedRule {
                 at: self.speed(self.modes.rotary_rad_per_s),
-                label: self.modes.operation.replace('_', " "),
+                label: self.modes.operation.words().to_owned(),
             };
             Panel::new(axis, vec![curve, at])
         };

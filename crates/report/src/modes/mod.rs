@@ -7,6 +7,8 @@ mod page;
 pub use figures::{MODES_PICTURES, modes_plots};
 pub use page::modes_html;
 
+use wholestring::operation::OperationKind;
+
 use crate::{PageHead, StabilityPicture};
 
 /// Linear vibration as its page shows it. Numbers are SI.
@@ -15,7 +17,7 @@ pub struct Modes {
     /// Head of the page, under the name of the case.
     pub head: PageHead,
     /// The operation whose static equilibrium is analysed.
-    pub operation: String,
+    pub operation: OperationKind,
     /// Its rotary speed, rad/s.
     pub rotary_rad_per_s: f64,
     /// Whether the static equilibrium is stable.

@@ -8,7 +8,7 @@ pub use page::picks_html;
 
 use wholestring::operation::OperationKind;
 
-use crate::{PageHead, figure::Ink, operation_words::colour};
+use crate::{PageHead, figure::Ink, operation_colour::operation_colour};
 
 /// Weights picked from a log as their page shows them. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,7 +78,7 @@ impl PickedKind {
             Self::Rotating => OperationKind::RotateOffBottom,
             Self::Drilling => OperationKind::Drill,
         };
-        Ink::Line(colour(operation.name()))
+        Ink::Line(operation_colour(operation))
     }
 }
 

@@ -1,11 +1,13 @@
 //! Hook load and surface torque against the depth of the bit.
 
+use wholestring::operation::OperationKind;
+
 use super::{
     Plan, PlanCurve, PlanSpot, PlanSurfaceLimit,
     depth_figure::{line, over_depth},
     measured, overlay,
 };
-use crate::operation_words::{colour, on_bottom, operation_name, rotates};
+use crate::operation_colour::operation_colour;
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::DisplayUnits,
@@ -50,17 +52,17 @@ pub(super) fn torque(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
         dimension: "torque",
         value: |spot| spot.torque_N_m,
     };
-    figure(plan, display, &quantity, rotates)
+    figure(plan, display, &quantity, OperationKind::rotates)
 }
 
 fn figure(
     plan: &Plan,
     display: DisplayUnits<'_>,
     quantity: &Quantity<'_>,
-    is_shown: fn(&str) -> bool,
+    is_shown: fn(OperationKind) -> bool,
 ) -> Option<Figure> {
-    let all = plan.operations().into_iter().filter(|operation| is_shown(operation));
-    let (drilling, off): (Vec<&str>, Vec<&str>) = all.partition(|operation| on_bottom(operation));
+    let all = plan.operations().into_iter().filter(|operation| is_shown(*operation));
+    let (drilling, off): (Vec<_>, Vec<_>) = all.partition(|operation| operation.on_bottom());
     let groups = [(off, "off bottom"), (drilling, "on bottom")];
     let groups = groups.into_iter().filter(|(operations, _)| !operations.is_empty());
     let limits: Vec<&PlanSurfaceLimit> = plan.surface(quantity.dimension).collect();
@@ -89,7 +91,7 @@ fn panel(
     plan: &Plan,
     display: DisplayUnits<'_>,
     quantity: &Quantity<'_>,
-    operations: &[&str],
+    operations: &[OperationKind],
     name: &str,
 ) -> (Panel, f64) {
     let value = |spot: &PlanSpot| display.value((quantity.value)(spot), quantity.dimension);
@@ -105,19 +107,19 @@ fn panel(
         .iter()
         .flat_map(|uncertain| operations.iter().map(move |operation| (uncertain, operation)))
     {
-        let band = uncertain.band(quantity.name, operation).map(|(depth_m, ends)| {
+        let band = uncertain.band(quantity.name, *operation).map(|(depth_m, ends)| {
             let [from, to] = ends.map(|end| display.value(end, quantity.dimension));
             largest = largest.max(from.abs()).max(to.abs());
             (display.value(depth_m, "length"), from, to)
         });
-        let ink = Ink::Line(colour(operation));
+        let ink = Ink::Line(operation_colour(*operation));
         marks.push(Mark::Band { ink, points: band.collect() });
     }
     for operation in operations {
-        let ink = Ink::Line(colour(operation));
+        let ink = Ink::Line(operation_colour(*operation));
         for (place, model) in plan.models.iter().enumerate() {
             let mut ends: Vec<((f64, f64), &str)> = Vec::new();
-            for curve in plan.of(model, operation) {
+            for curve in plan.curves_of(*model, *operation) {
                 let points = points(curve);
                 let mut finite = points.iter().filter(|(_, value)| value.is_finite());
                 largest = finite.clone().fold(largest, |most, (_, value)| most.max(value.abs()));
@@ -161,13 +163,13 @@ fn names(ends: &[((f64, f64), &str)], largest: f64) -> Vec<Mark> {
     ends.iter().map(name).collect()
 }
 
-fn keys(plan: &Plan, operations: &[&str]) -> Vec<Key> {
+fn keys(plan: &Plan, operations: &[OperationKind]) -> Vec<Key> {
     let key = |name: String, sample| Key { name, sample };
     let mut keys: Vec<Key> = operations
         .iter()
         .map(|operation| {
-            let ink = Ink::Line(colour(operation));
-            key(operation_name(operation), Sample::Line(ink, Stroke::Solid))
+            let ink = Ink::Line(operation_colour(*operation));
+            key(operation.words().to_owned(), Sample::Line(ink, Stroke::Solid))
         })
         .collect();
     for (place, level) in plan.levels.iter().enumerate() {

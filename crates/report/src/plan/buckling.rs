@@ -1,11 +1,12 @@
 //! The weight on bit at which the string begins to buckle.
 
+use wholestring::operation::OperationKind;
+
 use super::{
     Plan,
     broomstick::STROKES,
     depth_figure::{line, over_depth},
 };
-use crate::operation_words::operation_name;
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::DisplayUnits,
@@ -16,10 +17,10 @@ const SHAPES: [&str; 2] = ["sinusoid", "helix"];
 
 /// A panel for each operation, a line for each friction.
 pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
-    let mut operations: Vec<&str> = Vec::new();
+    let mut operations: Vec<OperationKind> = Vec::new();
     for curve in &plan.buckling {
-        if !operations.contains(&curve.operation.as_str()) {
-            operations.push(&curve.operation);
+        if !operations.contains(&curve.operation) {
+            operations.push(curve.operation);
         }
     }
     let panels: Vec<Panel> =
@@ -38,7 +39,7 @@ pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
     has_rows.then(|| over_depth(plan, display, subtitle, keys, panels))
 }
 
-fn panel(plan: &Plan, display: DisplayUnits<'_>, operation: &str) -> Panel {
+fn panel(plan: &Plan, display: DisplayUnits<'_>, operation: OperationKind) -> Panel {
     let curves = plan.buckling.iter().filter(|buckling| buckling.operation == operation);
     let mut marks = Vec::new();
     for curve in curves {
@@ -54,6 +55,6 @@ fn panel(plan: &Plan, display: DisplayUnits<'_>, operation: &str) -> Panel {
         let at = display.value(weight_N, "force");
         marks.push(Mark::OwnRule { at, label: "the case".to_owned() });
     }
-    let title = format!("Weight to buckle, {}", operation_name(operation));
+    let title = format!("Weight to buckle, {}", operation.words());
     Panel::new(Axis::new(display.label(&title, "force"), Range::Zero), marks)
 }

@@ -1,8 +1,8 @@
 //! Fatigue and casing wear on a plan's page.
 
 use super::{Plan, PlanFatigueRow, PlanWearRow};
+use crate::digits::four;
 use crate::grid_cells::head;
-use crate::operation_words::four;
 use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
 
 /// A damage, or a worn part of a wall, above which its colour is no longer that of a good state.
@@ -76,8 +76,11 @@ pub(super) fn fatigue(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPar
         head(format!("permissible, {dogleg}"), false),
     ];
     let row = |row: &PlanFatigueRow| {
-        let mut cells =
-            vec![plain(row.component.clone()), plain(row.model.clone()), part_of(row.damage)];
+        let mut cells = vec![
+            plain(row.component.clone()),
+            plain(row.model.name().to_owned()),
+            part_of(row.damage),
+        ];
         match &row.hour {
             Some(hour) => cells.extend([
                 plain(percent(hour.damage_per_hour)),
@@ -117,7 +120,7 @@ pub(super) fn wear(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> 
     let row = |row: &PlanWearRow| {
         let mut cells = vec![
             plain(format!("section {}", row.section)),
-            plain(row.model.clone()),
+            plain(row.model.name().to_owned()),
             part_of(row.worn),
             place(display, row.md_m),
             quantity(display, row.groove_m, "diameter"),

@@ -1,8 +1,10 @@
 //! The limits on a plan's page: the nearest of each kind, severities with words.
 
+use wholestring::operation::OperationKind;
+
 use super::{Plan, PlanLimitRow, PlanVerdict};
+use crate::digits::four;
 use crate::grid_cells::head;
-use crate::operation_words::{four, operation_name};
 use crate::{Grid, StudyPart, Verdict, check_row::printed, plots::DisplayUnits};
 
 /// The checks that need attention, the most severe first, then the governing limit of each
@@ -15,8 +17,8 @@ pub(super) fn verdicts(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPa
         let governs = if found.governs { ", governs" } else { "" };
         vec![
             (format!("{}{governs}", found.verdict), Verdict::Judged(found.severity)),
-            plain(format!("{}, {}", operation_name(&found.operation), found.model)),
-            plain(found.friction.clone()),
+            plain(format!("{}, {}", found.operation, found.model)),
+            plain(found.friction.name().to_owned()),
             plain(display.depth(found.bit_depth_m)),
             plain(printed(display.chosen::<String>(&found.sentences))),
         ]
@@ -41,14 +43,15 @@ fn kinds(plan: &Plan) -> Vec<&str> {
 
 /// A row for each kind, a column for each operation: the least factor of all depths and frictions.
 pub(super) fn factors(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    let mut operations = plan.operations();
+    let mut operations: Vec<&str> =
+        plan.operations().into_iter().map(OperationKind::words).collect();
     for limit in &plan.limits {
         if !operations.contains(&limit.operation.as_str()) {
             operations.push(&limit.operation);
         }
     }
     let mut heads = vec![head("limit", true), head("required", false)];
-    heads.extend(operations.iter().map(|operation| head(operation_name(operation), false)));
+    heads.extend(operations.iter().map(|operation| head((*operation).to_owned(), false)));
     let row = |kind: &str| {
         let of_kind = || plan.limits.iter().filter(|limit| limit.kind == kind);
         let required = of_kind().next().map_or(f64::NAN, |of_kind| of_kind.required);
@@ -115,8 +118,8 @@ pub(super) fn nearest(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPar
         vec![
             plain(row.kind.clone()),
             (row.verdict.clone(), Verdict::Judged(row.severity)),
-            plain(operation_name(&row.operation)),
-            plain(row.friction.clone()),
+            plain(row.operation.clone()),
+            plain(row.friction.name().to_owned()),
             plain(place),
             plain(display.depth(row.bit_depth_m)),
             plain(quantity(row.load)),

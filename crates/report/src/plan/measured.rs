@@ -1,7 +1,10 @@
 //! Measured readings, on the broomsticks and in a table.
 
+use wholestring::operation::OperationKind;
+
 use super::{Plan, PlanMeasured};
-use crate::operation_words::{colour, four, operation_name};
+use crate::digits::four;
+use crate::operation_colour::operation_colour;
 use crate::{
     Grid, StudyPart, Verdict,
     figure::{Ink, Key, Mark, Sample, Shape},
@@ -16,12 +19,12 @@ const SHAPE: Shape = Shape::Diamond;
 pub(super) fn marks(
     plan: &Plan,
     display: DisplayUnits<'_>,
-    operations: &[&str],
+    operations: &[OperationKind],
     dimension: &str,
 ) -> Vec<Mark> {
-    let of_operation = |name: &str, held_out: bool| {
+    let of_operation = |operation: OperationKind, held_out: bool| {
         let rows =
-            first_model(plan).filter(|row| row.operation == name && row.held_out == held_out);
+            first_model(plan).filter(|row| row.operation == operation && row.held_out == held_out);
         let rows = rows.filter(|row| row.dimension() == dimension);
         let place = |measured: &PlanMeasured| {
             let value = display.value(measured.measured - measured.block_N, dimension);
@@ -31,8 +34,9 @@ pub(super) fn marks(
     };
     let mut marks = Vec::new();
     for operation in operations {
-        for (held_out, ink) in [(true, Ink::Note), (false, Ink::Line(colour(operation)))] {
-            let points = of_operation(operation, held_out);
+        for (held_out, ink) in [(true, Ink::Note), (false, Ink::Line(operation_colour(*operation)))]
+        {
+            let points = of_operation(*operation, held_out);
             if !points.is_empty() {
                 marks.push(Mark::Points { ink, shape: SHAPE, points });
             }
@@ -42,18 +46,19 @@ pub(super) fn marks(
 }
 
 /// Names of the points.
-pub(super) fn keys(plan: &Plan, operations: &[&str], dimension: &str) -> Vec<Key> {
+pub(super) fn keys(plan: &Plan, operations: &[OperationKind], dimension: &str) -> Vec<Key> {
     let key = |held_out: bool, name: &str, ink: Ink| {
         let is = |measured: &PlanMeasured| {
             measured.held_out == held_out
                 && measured.dimension() == dimension
-                && operations.contains(&measured.operation.as_str())
+                && operations.contains(&measured.operation)
         };
         first_model(plan)
             .any(is)
             .then(|| Key { name: name.to_owned(), sample: Sample::Point(ink, SHAPE) })
     };
-    let used = operations.first().map_or(Ink::Note, |operation| Ink::Line(colour(operation)));
+    let used =
+        operations.first().map_or(Ink::Note, |operation| Ink::Line(operation_colour(*operation)));
     [key(false, "measured", used), key(true, "measured, held out", Ink::Note)]
         .into_iter()
         .flatten()
@@ -86,13 +91,13 @@ pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart>
         let weight = if measured.block_N > 0.0 { "weight with block" } else { "weight" };
         let kind = if measured.is_torque { "torque" } else { weight };
         let mut cells = vec![
-            operation_name(&measured.operation),
+            measured.operation.words().to_owned(),
             format!("{:.0}", display.value(measured.bit_depth_m, "length")),
             match measured.held_out {
                 true => format!("{}, held out", measured.place),
                 false => measured.place.clone(),
             },
-            measured.model.clone(),
+            measured.model.name().to_owned(),
             format!("{kind}, {}", display.symbol(dimension)),
             number(measured.measured),
         ];

@@ -12,6 +12,8 @@ mod overlay;
 mod page;
 mod peaks;
 mod tables;
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
+
 #[cfg(test)]
 mod tests;
 
@@ -28,8 +30,8 @@ pub struct Plan {
     pub head: PageHead,
     /// Warnings.
     pub message: Option<String>,
-    /// Models by their names, the first drawn as lines, others as points.
-    pub models: Vec<String>,
+    /// Models, the first drawn as lines, others as points.
+    pub models: Vec<ModelKind>,
     /// Levels of friction, from the least to the most.
     pub levels: Vec<PlanLevel>,
     /// Hook load and torque: model after model, operation after operation, level after level.
@@ -85,10 +87,10 @@ pub struct PlanOverlay {
 /// A weight or torque of another program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOverlayRow {
-    /// Name of our model that it is compared with.
-    pub model: String,
-    /// Name of the operation.
-    pub operation: String,
+    /// Our model that it is compared with.
+    pub model: ModelKind,
+    /// The operation.
+    pub operation: OperationKind,
     /// Whether it is a torque rather than a hook load.
     pub is_torque: bool,
     /// Measured depth of the bit, m.
@@ -106,10 +108,10 @@ impl PlanOverlayRow {
 /// Difference between our curve and theirs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOverlayDifference {
-    /// Name of our model.
-    pub model: String,
-    /// Name of the operation.
-    pub operation: String,
+    /// Our model.
+    pub model: ModelKind,
+    /// The operation.
+    pub operation: OperationKind,
     /// Whether it is of torques rather than of hook loads.
     pub is_torque: bool,
     /// Number of depths at which both are known.
@@ -129,12 +131,12 @@ pub struct PlanOverlayDifference {
 /// A measured weight or torque, with a model's prediction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanMeasured {
-    /// Name of the model.
-    pub model: String,
+    /// The model.
+    pub model: ModelKind,
     /// Place of the reading in its file.
     pub place: String,
-    /// Name of the operation.
-    pub operation: String,
+    /// The operation.
+    pub operation: OperationKind,
     /// Whether it is a torque rather than a weight.
     pub is_torque: bool,
     /// Whether it is held out of a calibration.
@@ -174,10 +176,10 @@ pub struct PlanLevel {
 /// One operation by one model with one friction, down the hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanCurve {
-    /// Name of the model.
-    pub model: String,
-    /// Name of the operation.
-    pub operation: String,
+    /// The model.
+    pub model: ModelKind,
+    /// The operation.
+    pub operation: OperationKind,
     /// Place of its friction among [`Plan::levels`].
     pub level: usize,
     /// Depth after depth.
@@ -204,8 +206,8 @@ pub struct PlanSpot {
 /// Weights on bit at which the string begins to buckle, down the hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BucklingCurve {
-    /// `drill` or `slide`.
-    pub operation: String,
+    /// The operation: `drill` or `slide`.
+    pub operation: OperationKind,
     /// Place of its friction among [`Plan::levels`].
     pub level: usize,
     /// Measured depth of the bit, m, and the weights of a sinusoid and of a helix, N.
@@ -219,10 +221,10 @@ pub struct PlanLimitRow {
     pub breaks: bool,
     /// Kind of the limit.
     pub kind: String,
-    /// Name of the operation.
+    /// The operation in words, or the event of the dynamic part.
     pub operation: String,
-    /// `low`, `expected` or `high`.
-    pub friction: String,
+    /// Level of friction.
+    pub friction: FrictionLevel,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// The component; empty for the rig.
@@ -254,12 +256,12 @@ pub struct PlanVerdict {
     pub verdict: String,
     /// Whether it is the limit with the least reserve of its operation.
     pub governs: bool,
-    /// Name of the model.
-    pub model: String,
-    /// `trip_out`, `drill`, ...
+    /// The model.
+    pub model: ModelKind,
+    /// The operation in words, or the event of the dynamic part.
     pub operation: String,
-    /// `low`, `expected` or `high`.
-    pub friction: String,
+    /// Level of friction.
+    pub friction: FrictionLevel,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// The check as a sentence, in SI, metric and field units.
@@ -269,8 +271,8 @@ pub struct PlanVerdict {
 /// Fatigue of a component.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanFatigueRow {
-    /// Name of the model.
-    pub model: String,
+    /// The model.
+    pub model: ModelKind,
     /// The component.
     pub component: String,
     /// Part of its life that the campaign uses up.
@@ -295,8 +297,8 @@ pub struct PlanFatigueHourRow {
 /// Wear of a casing at its most worn place; an unknown number is not a number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanWearRow {
-    /// Name of the model.
-    pub model: String,
+    /// The model.
+    pub model: ModelKind,
     /// Section of the hole, counted from one.
     pub section: usize,
     /// Measured depth, m.
@@ -364,8 +366,8 @@ pub struct PlanPeakRow {
 /// Pressures and densities of the mud in a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanMud {
-    /// Name of the operation whose pumps run.
-    pub operation: String,
+    /// The operation whose pumps run.
+    pub operation: OperationKind,
     /// Density of the mud at rest, kg/m³.
     pub density_kg_per_m3: f64,
     /// Limit of pumps and standpipe, Pa.
@@ -412,7 +414,11 @@ impl PlanSurfaceLimit {
 
 impl Plan {
     /// The curves of a model and an operation, from the least friction to the most.
-    fn of<'a>(&'a self, model: &'a str, operation: &'a str) -> impl Iterator<Item = &'a PlanCurve> {
+    fn curves_of(
+        &self,
+        model: ModelKind,
+        operation: OperationKind,
+    ) -> impl Iterator<Item = &PlanCurve> {
         self.curves.iter().filter(move |curve| curve.model == model && curve.operation == operation)
     }
 
@@ -423,13 +429,13 @@ impl Plan {
     }
 
     /// Operations in their order.
-    fn operations(&self) -> Vec<&str> {
-        let mut names: Vec<&str> = Vec::new();
+    fn operations(&self) -> Vec<OperationKind> {
+        let mut operations: Vec<OperationKind> = Vec::new();
         for curve in &self.curves {
-            if !names.contains(&curve.operation.as_str()) {
-                names.push(&curve.operation);
+            if !operations.contains(&curve.operation) {
+                operations.push(curve.operation);
             }
         }
-        names
+        operations
     }
 }

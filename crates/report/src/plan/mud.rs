@@ -4,7 +4,6 @@ use super::{
     FAR, Plan, PlanMudRow,
     depth_figure::{line, over_depth},
 };
-use crate::operation_words::operation_name;
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::DisplayUnits,
@@ -36,7 +35,7 @@ pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
         at: display.value(limit_Pa, "pressure"),
         label: "limit".to_owned(),
     }));
-    let title = format!("Standpipe pressure, {}", operation_name(&mud.operation));
+    let title = format!("Standpipe pressure, {}", mud.operation.words());
     let mut panels =
         vec![Panel::new(Axis::new(display.label(&title, "pressure"), Range::Zero), pressure)];
     let has_shoe = mud.rows.iter().any(|row| row.at_shoe_kg_per_m3[0].is_finite());

@@ -1,7 +1,9 @@
 //! Another program's curves over the broomsticks, and the differences of ours from them.
 
+use wholestring::operation::OperationKind;
+
 use super::{Plan, PlanOverlayRow};
-use crate::operation_words::{four, operation_name};
+use crate::digits::four;
 use crate::{
     Grid, StudyPart, Verdict,
     figure::{Ink, Key, Mark, Sample, Stroke},
@@ -19,14 +21,14 @@ const LETTERS: usize = 24;
 pub(super) fn marks(
     plan: &Plan,
     display: DisplayUnits<'_>,
-    operations: &[&str],
+    operations: &[OperationKind],
     dimension: &str,
 ) -> Vec<Mark> {
     let Some(overlay) = &plan.overlay else { return Vec::new() };
     let mut marks = Vec::new();
     let mut longest: Option<(f64, f64)> = None;
     for operation in operations {
-        let points: Vec<(f64, f64)> = first_model(plan, operation, dimension)
+        let points: Vec<(f64, f64)> = first_model(plan, *operation, dimension)
             .map(|row| {
                 (display.value(row.bit_depth_m, "length"), display.value(row.theirs, dimension))
             })
@@ -44,9 +46,9 @@ pub(super) fn marks(
 }
 
 /// Name of the line.
-pub(super) fn keys(plan: &Plan, operations: &[&str], dimension: &str) -> Option<Key> {
+pub(super) fn keys(plan: &Plan, operations: &[OperationKind], dimension: &str) -> Option<Key> {
     let overlay = plan.overlay.as_ref()?;
-    let mut rows = operations.iter().flat_map(|operation| first_model(plan, operation, dimension));
+    let mut rows = operations.iter().flat_map(|operation| first_model(plan, *operation, dimension));
     rows.next()?;
     let name = format!("another program: {}", overlay.file);
     Some(Key { name, sample: Sample::Line(LINE.0, LINE.1) })
@@ -55,7 +57,7 @@ pub(super) fn keys(plan: &Plan, operations: &[&str], dimension: &str) -> Option<
 /// Rows of an operation once, down the hole.
 fn first_model<'a>(
     plan: &'a Plan,
-    operation: &'a str,
+    operation: OperationKind,
     dimension: &'a str,
 ) -> impl Iterator<Item = &'a PlanOverlayRow> {
     let rows = plan.overlay.iter().flat_map(|overlay| &overlay.rows);
@@ -95,8 +97,8 @@ pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart>
         let dimension = if difference.is_torque { "torque" } else { "force" };
         let number = |value: f64| four(display.value(value, dimension));
         row(vec![
-            operation_name(&difference.operation),
-            difference.model.clone(),
+            difference.operation.words().to_owned(),
+            difference.model.name().to_owned(),
             format!(
                 "{}, {}",
                 if difference.is_torque { "torque" } else { "hook load" },

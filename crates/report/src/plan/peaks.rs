@@ -1,8 +1,8 @@
 //! Peaks of a string that is set in motion: their picture and their table.
 
 use super::{FAR, Plan, PlanEvent, PlanPeakRow, broomstick::STROKES};
+use crate::digits::four;
 use crate::grid_cells::{head, row};
-use crate::operation_words::four;
 use crate::{
     Grid, StudyPart,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape},

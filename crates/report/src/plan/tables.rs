@@ -1,8 +1,10 @@
 //! Tables of a plan's page.
 
+use wholestring::{operation::OperationKind, outcome::ModelKind};
+
 use super::{Plan, PlanSpot, mud::STATES};
+use crate::digits::four;
 use crate::grid_cells::{head, row};
-use crate::operation_words::{four, on_bottom, operation_name, rotates};
 use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
 
 /// Number of reasons that are listed; further ones are counted.
@@ -57,9 +59,9 @@ pub(super) fn at_depth(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPa
         let level = plan.levels.get(curve.level)?;
         let quantity = |si: f64, dimension: &str| four(display.value(si, dimension));
         let mut cells = vec![
-            operation_name(&curve.operation),
+            curve.operation.words().to_owned(),
             format!("{}, {}", level.name, level.label),
-            curve.model.clone(),
+            curve.model.name().to_owned(),
             quantity(spot.hook_load_N, "force"),
         ];
         cells.extend(block_N.map(|block| quantity(spot.hook_load_N + block, "force")));
@@ -82,14 +84,15 @@ pub(super) fn at_depth(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPa
 pub(super) fn against_depth(plan: &Plan, display: DisplayUnits<'_>) -> Vec<StudyPart> {
     let mut parts = Vec::new();
     for model in &plan.models {
-        let hook = grid(plan, display, model, "force", |spot| spot.hook_load_N, |_| true);
+        let hook = grid(plan, display, *model, "force", |spot| spot.hook_load_N, |_| true);
         parts.push(part(
             format!("Hook load without block, {}, {model} string", display.symbol("force")),
             "Against the depth of the bit.",
             hook,
             "plan_broomstick",
         ));
-        let torque = grid(plan, display, model, "torque", |spot| spot.torque_N_m, rotates);
+        let torque =
+            grid(plan, display, *model, "torque", |spot| spot.torque_N_m, OperationKind::rotates);
         if torque.heads.len() > 1 {
             parts.push(part(
                 format!("Surface torque, {}, {model} string", display.symbol("torque")),
@@ -105,20 +108,20 @@ pub(super) fn against_depth(plan: &Plan, display: DisplayUnits<'_>) -> Vec<Study
 fn grid(
     plan: &Plan,
     display: DisplayUnits<'_>,
-    model: &str,
+    model: ModelKind,
     dimension: &str,
     spot: fn(&PlanSpot) -> f64,
-    is_shown: fn(&str) -> bool,
+    is_shown: fn(OperationKind) -> bool,
 ) -> Grid {
     let mut heads = vec![head(format!("bit depth, {}", display.symbol("length")), false)];
     let mut columns = Vec::new();
     // Trip in to the left, trip out to the right, then operations that drill.
     let mut operations = plan.operations();
-    operations.sort_by_key(|operation| (on_bottom(operation), order(operation)));
-    for operation in operations.into_iter().filter(|operation| is_shown(operation)) {
-        for curve in plan.of(model, operation) {
+    operations.sort_by_key(|operation| (operation.on_bottom(), order(*operation)));
+    for operation in operations.into_iter().filter(|operation| is_shown(*operation)) {
+        for curve in plan.curves_of(model, operation) {
             let level = plan.levels.get(curve.level).map_or("", |level| &level.label);
-            heads.push(head(format!("{} {level}", operation_name(operation)), false));
+            heads.push(head(format!("{} {level}", operation.words()), false));
             columns.push(curve);
         }
     }
@@ -135,10 +138,10 @@ fn grid(
     Grid { heads, rows: rows.collect() }
 }
 
-fn order(operation: &str) -> u8 {
+fn order(operation: OperationKind) -> u8 {
     match operation {
-        "trip_in" | "ream" => 0,
-        "rotate_off_bottom" => 1,
+        OperationKind::TripIn | OperationKind::Ream => 0,
+        OperationKind::RotateOffBottom => 1,
         _ => 2,
     }
 }
@@ -153,7 +156,7 @@ pub(super) fn buckling(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPa
     let mut heads = vec![head(format!("bit depth, {}", display.symbol("length")), false)];
     for curve in &curves {
         for shape in ["sinusoid", "helix"] {
-            heads.push(head(format!("{}: {shape}", operation_name(&curve.operation)), false));
+            heads.push(head(format!("{}: {shape}", curve.operation.words()), false));
         }
     }
     let rows = (0..first.points.len()).map(|place| {
@@ -205,7 +208,7 @@ pub(super) fn without_answer(plan: &Plan, display: DisplayUnits<'_>) -> Option<S
         for message in curve.points.iter().filter_map(|spot| spot.message.as_ref()) {
             let message = display.chosen(message);
             let level = plan.levels.get(curve.level).map_or("", |level| &level.name);
-            let operation = operation_name(&curve.operation);
+            let operation = curve.operation.words().to_owned();
             let text = format!("{operation}, {level} friction, {} string: {message}", curve.model);
             match reasons.iter_mut().find(|(reason, _)| *reason == text) {
                 Some((_, count)) => *count += 1,

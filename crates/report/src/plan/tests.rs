@@ -1,5 +1,7 @@
 use std::collections::BTreeMap;
 
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
+
 use super::{
     BucklingCurve, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow, PlanFatigueRow, PlanLevel,
     PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanOverlay, PlanOverlayDifference,
@@ -24,33 +26,33 @@ fn plan() -> Plan {
     let units = units.map(|(name, units)| (name.to_owned(), units));
     let levels = ["low", "expected", "high"].into_iter().zip(["0.1", "0.2", "0.3"]);
     let depths = [500.0, 1000.0, 2000.0];
-    let curve = |operation: &str, level: usize| {
+    let curve = |operation: OperationKind, level: usize| {
         let pull = match operation {
-            "trip_out" => level as f64,
-            "trip_in" => -(level as f64),
+            OperationKind::TripOut => level as f64,
+            OperationKind::TripIn => -(level as f64),
             _ => 0.0,
         };
         let points = depths.map(|bit_depth_m| {
-            let lost = operation == "trip_in" && level == 2 && bit_depth_m > 1500.0;
+            let lost = operation == OperationKind::TripIn && level == 2 && bit_depth_m > 1500.0;
             let value = |value: f64| if lost { f64::NAN } else { value };
             PlanSpot {
                 bit_depth_m,
                 hook_load_N: value(200.0 * bit_depth_m * (1.0 + 0.2 * pull)),
-                torque_N_m: value(if operation == "drill" { 5.0 * bit_depth_m } else { 0.0 }),
+                torque_N_m: value(if operation == OperationKind::Drill {
+                    5.0 * bit_depth_m
+                } else {
+                    0.0
+                }),
                 buckling: if lost { String::new() } else { "none".into() },
-                worst: (operation == "trip_in")
+                worst: (operation == OperationKind::TripIn)
                     .then(|| ("Helical buckling: exceeded".into(), Severity::Warning)),
                 message: lost.then(|| ["the string <locks> up"; 3].map(str::to_owned)),
             }
         });
-        PlanCurve {
-            model: "soft".into(),
-            operation: operation.into(),
-            level,
-            points: points.into(),
-        }
+        PlanCurve { model: ModelKind::Soft, operation, level, points: points.into() }
     };
-    let operations = ["trip_out", "trip_in", "rotate_off_bottom", "drill"];
+    use OperationKind::{Drill, RotateOffBottom, TripIn, TripOut};
+    let operations = [TripOut, TripIn, RotateOffBottom, Drill];
     Plan {
         head: PageHead {
             program: "wholestring".into(),
@@ -60,7 +62,7 @@ fn plan() -> Plan {
             facts: vec![Fact { label: "Depths".into(), value: Cell::Text("3".into()) }],
         },
         message: None,
-        models: vec!["soft".into()],
+        models: vec![ModelKind::Soft],
         levels: levels
             .map(|(name, label)| PlanLevel {
                 name: name.into(),
@@ -70,20 +72,20 @@ fn plan() -> Plan {
             .collect(),
         curves: operations
             .iter()
-            .flat_map(|operation| [0, 1, 2].map(|level| curve(operation, level)))
+            .flat_map(|operation| [0, 1, 2].map(|level| curve(*operation, level)))
             .collect(),
-        buckling: ["drill", "slide"]
+        buckling: [OperationKind::Drill, OperationKind::Slide]
             .iter()
             .flat_map(|operation| {
                 [0, 1, 2].map(|level| BucklingCurve {
-                    operation: (*operation).into(),
+                    operation: *operation,
                     level,
                     points: depths.map(|depth| (depth, [4e4, 6e4])).into(),
                 })
             })
             .collect(),
         mud: Some(PlanMud {
-            operation: "drill".into(),
+            operation: OperationKind::Drill,
             density_kg_per_m3: 1200.0,
             pump_limit_Pa: Some(35e6),
             rows: depths
@@ -132,9 +134,9 @@ fn plan() -> Plan {
                 severity: Severity::Error,
                 verdict: "exceeded".into(),
                 governs: false,
-                model: "soft".into(),
+                model: ModelKind::Soft,
                 operation: "slide".into(),
-                friction: "high".into(),
+                friction: FrictionLevel::High,
                 bit_depth_m: 2000.0,
                 sentences: ["kN.m", "kN.m", "ft-lbf"].map(|unit| format!("Lock-up <at> 3 {unit}")),
             },
@@ -142,9 +144,9 @@ fn plan() -> Plan {
                 severity: Severity::Note,
                 verdict: "OK".into(),
                 governs: true,
-                model: "soft".into(),
+                model: ModelKind::Soft,
                 operation: "drill".into(),
-                friction: "high".into(),
+                friction: FrictionLevel::High,
                 bit_depth_m: 2000.0,
                 sentences: ["N.m", "N.m", "ft-lbf"].map(|unit| format!("Tension 3 {unit}")),
             },
@@ -175,11 +177,11 @@ fn rules(panel: &Panel) -> Vec<(f64, String)> {
     panel.marks.iter().filter_map(rule).collect()
 }
 
-fn measured(operation: &str, bit_depth_m: f64, held_out: bool) -> PlanMeasured {
+fn measured(operation: OperationKind, bit_depth_m: f64, held_out: bool) -> PlanMeasured {
     PlanMeasured {
-        model: "soft".into(),
+        model: ModelKind::Soft,
         place: "line <2>".into(),
-        operation: operation.into(),
+        operation,
         is_torque: false,
         held_out,
         bit_depth_m,
@@ -195,7 +197,7 @@ fn measured(operation: &str, bit_depth_m: f64, held_out: bool) -> PlanMeasured {
 /// plan has room.
 #[test]
 fn what_was_measured_stands_on_the_broomstick() {
-    let rows = [("trip_out", 1000.0, false), ("trip_out", 2400.0, true)];
+    let rows = [(OperationKind::TripOut, 1000.0, false), (OperationKind::TripOut, 2400.0, true)];
     let rows = rows.map(|(operation, depth_m, out)| measured(operation, depth_m, out));
     let measured_plan = Plan { measured: rows.into(), ..plan() };
     let plots = plan_plots(&measured_plan, "si");
@@ -226,8 +228,8 @@ fn what_was_measured_stands_on_the_broomstick() {
 #[test]
 fn another_program_lies_over_the_broomstick() {
     let row = |bit_depth_m: f64, theirs: f64| PlanOverlayRow {
-        model: "soft".into(),
-        operation: "trip_out".into(),
+        model: ModelKind::Soft,
+        operation: OperationKind::TripOut,
         is_torque: false,
         bit_depth_m,
         theirs,
@@ -236,8 +238,8 @@ fn another_program_lies_over_the_broomstick() {
         file: "other <program>.csv".into(),
         rows: vec![row(1000.0, 3e5), row(2500.0, 6e5)],
         differences: vec![PlanOverlayDifference {
-            model: "soft".into(),
-            operation: "trip_out".into(),
+            model: ModelKind::Soft,
+            operation: OperationKind::TripOut,
             is_torque: false,
             count: 2,
             mean: 4e3,
@@ -281,12 +283,12 @@ fn fatigue(component: &str, damage: f64) -> PlanFatigueRow {
         doglegs_rad_per_m: [0.0017, f64::NAN],
     };
     let hour = (damage > 1.0).then_some(hour);
-    PlanFatigueRow { model: "soft".into(), component: component.into(), damage, hour }
+    PlanFatigueRow { model: ModelKind::Soft, component: component.into(), damage, hour }
 }
 
 fn wear() -> PlanWearRow {
     PlanWearRow {
-        model: "soft".into(),
+        model: ModelKind::Soft,
         section: 1,
         md_m: 802.5,
         groove_m: 0.0062,
@@ -301,8 +303,8 @@ fn limit(kind: &str, factor: f64, verdict: &str, severity: Severity) -> PlanLimi
     PlanLimitRow {
         breaks: true,
         kind: kind.into(),
-        operation: "trip_out".into(),
-        friction: "high".into(),
+        operation: "trip out".into(),
+        friction: FrictionLevel::High,
         bit_depth_m: 2000.0,
         component: "drill <pipe>".into(),
         md_m: (kind == "Tension").then_some(0.0),

@@ -89,6 +89,8 @@ fn joined(mut stretches: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
+    use wholestring::operation::OperationKind;
+
     use super::*;
     use crate::{CheckRow, Packed, Report, Run, figure::Figure, page::tests::report, plots::plots};
 
@@ -110,14 +112,14 @@ mod tests {
     }
 
     /// A report of operations with these findings, each with a curve of tension.
-    fn solved(operations: &[(&str, Vec<CheckRow>)]) -> Report {
+    fn solved(operations: &[(OperationKind, Vec<CheckRow>)]) -> Report {
         let mut report = report();
         let remove = report.solved.remove(0);
         let column = |values: &[f64]| Packed::single(values.iter().copied());
         report.solved = operations
             .iter()
             .map(|(operation, checks)| crate::Solved {
-                operation: (*operation).into(),
+                operation: *operation,
                 checks: checks.clone(),
                 profile: [
                     ("md_m".into(), column(&[0.0, 500.0, 1000.0])),
@@ -144,7 +146,7 @@ mod tests {
     fn what_was_found_is_shaded_where_it_is() {
         let report = solved(&[
             (
-                "slide",
+                OperationKind::Slide,
                 vec![
                     finding(Severity::Error, Some(300.0), Some(600.0)),
                     finding(Severity::Error, Some(550.0), Some(700.0)),
@@ -153,7 +155,7 @@ mod tests {
                     finding(Severity::Note, Some(0.0), Some(1000.0)),
                 ],
             ),
-            ("drill", vec![finding(Severity::Warning, Some(100.0), Some(200.0))]),
+            (OperationKind::Drill, vec![finding(Severity::Warning, Some(100.0), Some(200.0))]),
         ]);
         let figure = tension(&report);
         let finding = |mark: &Mark| match mark {
@@ -179,7 +181,7 @@ mod tests {
     /// A single operation needs no name, and without findings there is no key.
     #[test]
     fn nothing_is_said_where_nothing_was_found() {
-        let alone = |checks| tension(&solved(&[("slide", checks)]));
+        let alone = |checks| tension(&solved(&[(OperationKind::Slide, checks)]));
         let has = |figure: &Figure, name: &str| figure.keys.iter().any(|key| key.name == name);
         let judged = alone(vec![finding(Severity::Error, Some(300.0), None)]);
         assert!(has(&judged, "error here"), "{:?}", judged.keys);

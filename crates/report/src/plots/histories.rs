@@ -1,7 +1,5 @@
 //! Quantities against time.
 
-use wholestring::outcome::ModelKind;
-
 use super::{
     catalogue::{TimePlot, bit_plots, time_plots},
     run::{Context, Plot},
@@ -118,7 +116,7 @@ fn panel(
         let solved = run.report.solved.iter();
         let solved = solved.filter(|solved| solved.operation == operation);
         let at_rest = solved.filter_map(|solved| {
-            let model = ModelKind::named(&solved.model).filter(|model| !model.in_time())?;
+            let model = Some(solved.model).filter(|model| !model.in_time())?;
             let at_top = solved.profile.get(column)?.values().first().copied()?;
             at_top.is_finite().then_some((model.method(), at_top))
         });

@@ -18,7 +18,7 @@ pub(crate) use self::{
     bottom::bottoms_figure,
     display::{DisplayUnits, SETS},
     run::named,
-    styles::{models, readable},
+    styles::models,
 };
 pub use self::{
     catalogue::shown_dimension,
@@ -28,6 +28,7 @@ pub use self::{
 };
 use self::{run::Context, styles::CurveStyles};
 use crate::{Fact, Report, figure::Figure};
+use wholestring::operation::OperationKind;
 
 /// Every picture of one run, or of two on the same axes, in a set of units (`si`, `metric` or
 /// `field`).
@@ -41,14 +42,14 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
     let display = DisplayUnits::new(&runs[0].report.dimensions, units);
     let operations = common_operations(runs);
     let several = operations.len() > 1;
-    let suffix = |operation: &str| match several {
-        true => format!("-{}", operation.replace('_', "-")),
+    let suffix = |operation: OperationKind| match several {
+        true => format!("-{}", operation.words().replace(' ', "-")),
         false => String::new(),
     };
     let mut plots = Vec::new();
     if runs.len() > 1 {
-        for operation in &operations {
-            let one = [*operation];
+        for operation in operations.iter().copied() {
+            let one = [operation];
             let styles = CurveStyles::new(runs, &one);
             let subtitle = common_facts(runs, display, Some(operation));
             let suffix = suffix(operation);
@@ -59,7 +60,7 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
         let subtitle = common_facts(runs, display, None);
         plots.extend(tracks::plots(runs, &styles, display, &subtitle, ""));
     }
-    for operation in &operations {
+    for operation in operations.iter().copied() {
         let (suffix, subtitle) = (suffix(operation), common_facts(runs, display, Some(operation)));
         let context = Context { runs, operation, display, subtitle: &subtitle, suffix: &suffix };
         for draw in
@@ -84,12 +85,16 @@ pub fn profile(report: &Report, units: &str) -> Option<Figure> {
 }
 
 /// The operation, or all, and the facts common to every run.
-fn common_facts(runs: &[Run<'_>], display: DisplayUnits<'_>, operation: Option<&str>) -> String {
+fn common_facts(
+    runs: &[Run<'_>],
+    display: DisplayUnits<'_>,
+    operation: Option<OperationKind>,
+) -> String {
     let done = match operation {
-        Some(operation) => readable(operation),
+        Some(operation) => operation.words().to_owned(),
         None => {
             let operations = common_operations(runs);
-            let names = operations.into_iter().map(readable);
+            let names = operations.into_iter().map(OperationKind::words);
             names.collect::<Vec<_>>().join(", ")
         }
     };

@@ -1,5 +1,7 @@
 //! Runs whose pictures are drawn, and their common facts.
 
+use wholestring::operation::OperationKind;
+
 use super::display::DisplayUnits;
 use crate::{
     Report, TimeRun,
@@ -20,8 +22,8 @@ pub struct Run<'a> {
 /// A power spectral density of one signal, SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
-    /// `trip_out`, `drill`, ...
-    pub operation: String,
+    /// The operation.
+    pub operation: OperationKind,
     /// `surface_torque`, or for a node `tension`, ...
     pub signal: String,
     /// Measured depth of the node; `None` for a signal of the whole string.
@@ -53,7 +55,7 @@ pub(crate) fn named<const N: usize>(names: [&str; N], figures: [Option<Figure>; 
 #[derive(Clone, Copy)]
 pub(super) struct Context<'a> {
     pub(super) runs: &'a [Run<'a>],
-    pub(super) operation: &'a str,
+    pub(super) operation: OperationKind,
     pub(super) display: DisplayUnits<'a>,
     pub(super) subtitle: &'a str,
     /// Suffix of the names of its files.
@@ -102,13 +104,14 @@ impl<'a> Context<'a> {
 }
 
 /// The operations that all runs solved, in the order of the first.
-pub fn common_operations<'a>(runs: &[Run<'a>]) -> Vec<&'a str> {
-    let mut common: Vec<&str> = Vec::new();
+pub fn common_operations(runs: &[Run<'_>]) -> Vec<OperationKind> {
+    let mut common: Vec<OperationKind> = Vec::new();
     for solved in runs.iter().take(1).flat_map(|run| &run.report.solved) {
-        let name = solved.operation.as_str();
-        let has = |run: &Run<'_>| run.report.solved.iter().any(|solved| solved.operation == name);
-        if !common.contains(&name) && runs.iter().all(has) {
-            common.push(name);
+        let operation = solved.operation;
+        let has =
+            |run: &Run<'_>| run.report.solved.iter().any(|solved| solved.operation == operation);
+        if !common.contains(&operation) && runs.iter().all(has) {
+            common.push(operation);
         }
     }
     common

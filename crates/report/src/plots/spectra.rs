@@ -8,7 +8,6 @@ use wholestring::{
 use super::{
     catalogue::shown_dimension,
     run::{Context, Plot},
-    styles::readable,
 };
 use crate::{
     Spectrum,
@@ -93,7 +92,7 @@ fn figure(signal: &str, spectra: &[&(usize, &Spectrum)], context: Context<'_>) -
             }
         }));
     }
-    let name = readable(signal);
+    let name = signal.replace('_', " ");
     let logarithmic =
         |label: String, range| Axis { scale: Scale::Logarithmic, ..Axis::new(label, range) };
     let at = match depths[..] {

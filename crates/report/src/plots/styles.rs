@@ -1,6 +1,9 @@
 //! Colour, stroke and name of each curve.
 
-use wholestring::outcome::{Method, ModelKind};
+use wholestring::{
+    operation::OperationKind,
+    outcome::{Method, ModelKind},
+};
 
 use super::run::Run;
 use crate::{
@@ -15,17 +18,17 @@ use crate::{
 /// does.
 pub(super) struct CurveStyles<'a> {
     runs: &'a [Run<'a>],
-    operations: &'a [&'a str],
+    operations: &'a [OperationKind],
     /// The models that solved them, the most detailed first.
     models: Vec<&'static Method>,
 }
 
 impl<'a> CurveStyles<'a> {
-    pub(super) fn new(runs: &'a [Run<'a>], operations: &'a [&'a str]) -> Self {
-        let has = |model: &str| {
-            runs.iter().flat_map(|run| &run.report.solved).any(|solved| {
-                solved.model == model && operations.contains(&solved.operation.as_str())
-            })
+    pub(super) fn new(runs: &'a [Run<'a>], operations: &'a [OperationKind]) -> Self {
+        let has = |model: ModelKind| {
+            runs.iter()
+                .flat_map(|run| &run.report.solved)
+                .any(|solved| solved.model == model && operations.contains(&solved.operation))
         };
         Self { runs, operations, models: models(has) }
     }
@@ -33,14 +36,14 @@ impl<'a> CurveStyles<'a> {
     /// The place of a model among those that solved.
     fn place(&self, solved: &Solved) -> usize {
         let mut models = self.models.iter();
-        models.position(|model| model.name == solved.model).unwrap_or(0)
+        models.position(|model| model.name == solved.model.name()).unwrap_or(0)
     }
 
     /// The solutions of these operations, with the place of its run.
     pub(super) fn solved(&self) -> impl Iterator<Item = (usize, &'a Solved)> {
         let runs = self.runs.iter().enumerate();
         runs.flat_map(|(place, run)| run.report.solved.iter().map(move |solved| (place, solved)))
-            .filter(|(_, solved)| self.operations.contains(&solved.operation.as_str()))
+            .filter(|(_, solved)| self.operations.contains(&solved.operation))
     }
 
     /// Whether nothing but the model distinguishes curves.
@@ -73,7 +76,7 @@ impl<'a> CurveStyles<'a> {
         if self.runs.len() > 1 {
             Some(self.runs[run].name.to_owned())
         } else {
-            (!self.alone()).then(|| readable(&solved.operation))
+            (!self.alone()).then(|| solved.operation.words().to_owned())
         }
     }
 
@@ -92,7 +95,7 @@ impl<'a> CurveStyles<'a> {
         let names: Vec<String> = if self.runs.len() > 1 {
             self.runs.iter().map(|run| run.name.to_owned()).collect()
         } else {
-            self.operations.iter().map(|name| readable(name)).collect()
+            self.operations.iter().map(|name| name.words().to_owned()).collect()
         };
         let mut keys: Vec<Key> = names
             .iter()
@@ -124,12 +127,7 @@ impl<'a> CurveStyles<'a> {
 }
 
 /// The methods that exist by name, the most detailed first.
-pub(crate) fn models(has: impl Fn(&str) -> bool) -> Vec<&'static Method> {
-    let all = ModelKind::ALL.iter().rev().map(|kind| kind.method());
-    all.filter(|method| has(method.name)).collect()
-}
-
-/// `trip_out` in readable form.
-pub(crate) fn readable(operation: &str) -> String {
-    operation.replace('_', " ")
+pub(crate) fn models(has: impl Fn(ModelKind) -> bool) -> Vec<&'static Method> {
+    let all = ModelKind::ALL.iter().rev().copied();
+    all.filter(|kind| has(*kind)).map(ModelKind::method).collect()
 }

@@ -44,7 +44,7 @@ pub fn reach_plots(reach: &Reach, units: &str) -> Vec<Plot> {
 /// A panel for each operation, a colour for each limit, a stroke for each friction.
 fn margins(reach: &Reach, units: &str) -> Figure {
     let display = DisplayUnits::new(&reach.head.dimensions, units);
-    let operations = distinct(reach.curves.iter().map(|curve| curve.operation.as_str()));
+    let operations = distinct(reach.curves.iter().map(|curve| curve.operation));
     let drawn_titles: Vec<&String> = reach
         .titles
         .iter()
@@ -57,8 +57,9 @@ fn margins(reach: &Reach, units: &str) -> Figure {
     let panels = operations.iter().map(|operation| {
         let mut marks = vec![Mark::OwnRule { at: 0.0, label: String::new() }];
         let scattered = reach.uncertain.iter().flat_map(|uncertain| &uncertain.bands);
-        let scattered = scattered
-            .filter(|scattered| scattered.operation == *operation && !scattered.limit.is_empty());
+        let scattered = scattered.filter(|scattered| {
+            scattered.operation == Some(*operation) && !scattered.limit.is_empty()
+        });
         marks.extend(scatter(scattered.collect(), display, &ink));
         let curves = reach.curves.iter().filter(|curve| curve.operation == *operation);
         for curve in curves.filter(|curve| is_drawn(curve)) {
@@ -75,7 +76,7 @@ fn margins(reach: &Reach, units: &str) -> Figure {
                 marks.push(Mark::Name { at: points[0], text: row.limit.clone() });
             }
         }
-        let mut letters = operation.chars();
+        let mut letters = operation.words().chars();
         let first = letters.next().map(|letter| letter.to_uppercase().to_string());
         let name = first.unwrap_or_default() + letters.as_str();
         let axis = Axis::new(format!("{name}: margin, %"), Range::Fixed(BELOW, 105.0));
@@ -173,7 +174,7 @@ fn visible(curve: &ReachCurve, display: DisplayUnits<'_>) -> Vec<(f64, f64)> {
 }
 
 /// Each name once, in the order of the first occurrence.
-fn distinct<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
     let mut found = Vec::new();
     for one in all {
         if !found.contains(&one) {

@@ -6,6 +6,8 @@ mod page;
 pub use figures::{REACH_PICTURES, reach_plots};
 pub use page::reach_html;
 
+use wholestring::operation::OperationKind;
+
 use crate::{PageHead, Severity, Uncertain};
 
 /// A reach as its page shows it. Numbers are SI.
@@ -48,8 +50,8 @@ pub struct ReachVerdict {
 /// A limit of an operation at a friction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReachRow {
-    /// The operation, as shown to users.
-    pub operation: String,
+    /// The operation.
+    pub operation: OperationKind,
     /// The limit, as shown to users.
     pub limit: String,
     /// Whether the string stops there.
@@ -71,8 +73,8 @@ pub struct ReachRow {
 /// The margin of a limit against the depth of the bit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReachCurve {
-    /// The operation, as shown to users.
-    pub operation: String,
+    /// The operation.
+    pub operation: OperationKind,
     /// The limit, as shown to users.
     pub limit: String,
     /// Place of the friction.

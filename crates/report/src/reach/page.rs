@@ -126,7 +126,7 @@ fn limits(reach: &Reach, display: DisplayUnits<'_>) -> StudyPart {
             _ => ("", Verdict::None),
         };
         let friction = reach.frictions.get(row.friction).cloned().unwrap_or_default();
-        let mut cells = vec![row.limit.clone(), depth, row.operation.clone()];
+        let mut cells = vec![row.limit.clone(), depth, row.operation.words().to_owned()];
         cells.extend(several.then_some(friction));
         cells.extend([at_from, at_to, md.unwrap_or_default()]);
         let cells = cells.into_iter().map(|cell| (cell, Verdict::None));

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use wholestring::operation::OperationKind;
+
 use super::*;
 use crate::figure::{Mark, Shape};
 
@@ -9,7 +11,7 @@ const NASTY: &str = "</script><script>alert(1)</script> & \"";
 
 fn reach() -> Reach {
     let curve = |friction, slope: f64| ReachCurve {
-        operation: "drill".into(),
+        operation: OperationKind::Drill,
         limit: "top drive".into(),
         friction,
         points: (0..11)
@@ -17,7 +19,7 @@ fn reach() -> Reach {
             .collect(),
     };
     let row = |friction, depth_m, first| ReachRow {
-        operation: "drill".into(),
+        operation: OperationKind::Drill,
         limit: "top drive".into(),
         stops: true,
         friction,

@@ -1,6 +1,6 @@
 //! Data of a sweep's figures: the axis, and the distinction of curves.
 
-use wholestring::outcome::Method;
+use wholestring::{operation::OperationKind, outcome::Method};
 
 use super::{
     Sweep, SweepRow,
@@ -9,7 +9,7 @@ use super::{
 use crate::{
     Severity,
     figure::{Axis, Ink, Range, Scale, Shape, Stroke},
-    plots::{DisplayUnits, models, readable},
+    plots::{DisplayUnits, models},
 };
 
 /// Drawing of a sweep's figures.
@@ -21,7 +21,7 @@ pub(super) struct Drawing<'a> {
     pub(super) others: Vec<usize>,
     /// The combinations of their values, in order: each has a colour.
     pub(super) families: Vec<Vec<&'a str>>,
-    pub(super) operations: Vec<&'a str>,
+    pub(super) operations: Vec<OperationKind>,
     /// The models that solved them, the most detailed first.
     pub(super) models: Vec<&'static Method>,
 }
@@ -34,17 +34,15 @@ impl<'a> Drawing<'a> {
             .filter(|key| Some(*key) != along && sweep.values(*key).len() > 1)
             .collect();
         let mut families: Vec<Vec<&str>> = Vec::new();
-        let mut operations: Vec<&str> = Vec::new();
-        for row in sweep.rows.iter().filter(|row| !row.model.is_empty()) {
+        let mut operations: Vec<OperationKind> = Vec::new();
+        for row in sweep.rows.iter().filter(|row| row.model.is_some()) {
             let family: Vec<&str> = others.iter().map(|key| row.values[*key].as_str()).collect();
             if !families.contains(&family) {
                 families.push(family);
             }
-            if !operations.contains(&row.operation.as_str()) {
-                operations.push(&row.operation);
-            }
+            operations.extend(row.operation.filter(|operation| !operations.contains(operation)));
         }
-        let has = |model: &str| sweep.rows.iter().any(|row| row.model == model);
+        let has = |model| sweep.rows.iter().any(|row| row.model == Some(model));
         Self { sweep, display, varied, others, families, operations, models: models(has) }
     }
 
@@ -122,7 +120,7 @@ impl<'a> Drawing<'a> {
             parts.push(self.families[family].join(", "));
         }
         if self.operations.len() > 1 {
-            parts.push(readable(self.operations[operation]));
+            parts.push(self.operations[operation].words().to_owned());
         }
         parts.join(", ")
     }

@@ -7,7 +7,6 @@ use super::{
 use crate::{
     Severity,
     figure::{Ink, Key, Sample, Stroke},
-    plots::readable,
 };
 
 impl Drawing<'_> {
@@ -77,7 +76,7 @@ impl Drawing<'_> {
                 let (ink, shape) = self.style(0, place);
                 let ink = if self.families.len() > 1 { Ink::Note } else { ink };
                 Key {
-                    name: readable(operation),
+                    name: operation.words().to_owned(),
                     sample: if self.models.len() > 1 {
                         Sample::Point(ink, shape)
                     } else {

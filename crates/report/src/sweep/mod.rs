@@ -12,9 +12,12 @@ pub(crate) use verdict::SweepVerdict;
 
 use std::collections::BTreeMap;
 
-use wholestring::outcome::{ModelKind, Scalar};
+use wholestring::{
+    operation::OperationKind,
+    outcome::{ModelKind, Scalar},
+};
 
-use crate::{Cell, PageHead, PageTable, Place, plots::readable, shown_dimension};
+use crate::{Cell, PageHead, PageTable, Place, shown_dimension};
 
 /// A sweep as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,10 +37,10 @@ pub struct Sweep {
 pub struct SweepRow {
     /// The values of the keys, as they were written.
     pub values: Vec<String>,
-    /// Name of the method; empty where the case had no answer.
-    pub model: String,
-    /// `trip_out`, `drill`, ...
-    pub operation: String,
+    /// The method; none where the case had no answer.
+    pub model: Option<ModelKind>,
+    /// The operation; none where the case had no answer.
+    pub operation: Option<OperationKind>,
     /// `complete`, `interrupted` or `failed`.
     pub status: String,
     /// Columns of `sweep.csv` that hold a number here.
@@ -103,11 +106,10 @@ impl Sweep {
             })
             .collect();
         let row = |row: &SweepRow| {
-            let model = ModelKind::named(&row.model);
-            let model = model.map_or(row.model.as_str(), |model| model.method().long_name);
+            let model = row.model.map_or("", |model| model.method().long_name);
             let mut cells: Vec<Cell> = row.values.iter().cloned().map(Cell::Text).collect();
             cells.push(Cell::Text(model.into()));
-            cells.push(Cell::Text(readable(&row.operation)));
+            cells.push(Cell::Text(row.operation.map_or("", OperationKind::words).to_owned()));
             for quantity in &quantities {
                 let number = |end: &str| {
                     row.numbers.get(&format!("{}{end}", quantity.scalar.quantity.name)).copied()

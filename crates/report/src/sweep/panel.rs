@@ -26,8 +26,8 @@ impl Drawing<'_> {
                 let (ink, shape) = self.style(place, done);
                 let mine = |row: &SweepRow| {
                     let values = self.others.iter().map(|key| row.values[*key].as_str());
-                    row.model == method.name
-                        && row.operation == *operation
+                    row.model.is_some_and(|model| model.method() == *method)
+                        && row.operation == Some(*operation)
                         && values.eq(family.iter().copied())
                 };
                 let mut rows: Vec<(f64, usize, &SweepRow)> = self

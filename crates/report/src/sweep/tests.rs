@@ -1,12 +1,14 @@
 //! Pictures and tables of sweeps.
 
+use wholestring::{operation::OperationKind, outcome::ModelKind};
+
 use super::*;
 use crate::{
     DisplayUnit, Severity,
     figure::{Direction, Figure, Mark, Sample, Scale, Stroke},
 };
 
-const MODELS: [&str; 2] = ["soft", "dynamic"];
+const MODELS: [ModelKind; 2] = [ModelKind::Soft, ModelKind::Dynamic];
 
 /// A sweep of two keys by both models, with a number that shows every case.
 fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
@@ -20,15 +22,15 @@ fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
                     ("bit_depth_m".to_owned(), 300.0 * (k + 1) as f64),
                     ("hook_load_N".to_owned(), load),
                 ]);
-                if model == "dynamic" {
+                if model == ModelKind::Dynamic {
                     for (end, value) in [("p05", load - 1e3), ("p95", load + 1e3), ("std", 5e2)] {
                         numbers.insert(format!("hook_load_N_{end}"), value);
                     }
                 }
                 rows.push(SweepRow {
                     values: vec![(*first).to_owned(), (*second).to_owned()],
-                    model: model.into(),
-                    operation: "drill".into(),
+                    model: Some(model),
+                    operation: Some(OperationKind::Drill),
                     status: "complete".into(),
                     numbers,
                     errors: 0,
@@ -168,8 +170,8 @@ fn the_table_has_every_case() {
     );
     sweep.rows[0] = SweepRow {
         values: sweep.rows[0].values.clone(),
-        model: String::new(),
-        operation: String::new(),
+        model: None,
+        operation: None,
         status: "failed".into(),
         numbers: BTreeMap::new(),
         errors: 0,
@@ -211,7 +213,7 @@ fn the_page_of_a_sweep_is_whole() {
 fn more_curves_than_colours_differ_by_stroke() {
     let frictions = ["0.1", "0.15", "0.2", "0.25", "0.3", "0.35", "0.4", "0.45"];
     let mut sweep = sweep(["friction", "bit_depth"], [&frictions, &["300m", "600m"]]);
-    sweep.rows.retain(|row| row.model == "soft");
+    sweep.rows.retain(|row| row.model == Some(ModelKind::Soft));
     let strokes: Vec<Stroke> =
         curves(&figure(&sweep, "si")).iter().map(|(stroke, _)| *stroke).collect();
     assert_eq!(strokes[..7], [Stroke::Solid; 7]);
@@ -223,9 +225,12 @@ fn more_curves_than_colours_differ_by_stroke() {
 #[test]
 fn operations_differ_by_stroke_and_have_their_names() {
     let mut sweep = sweep(["friction", "bit_depth"], [&["0.1"], &["300m", "600m"]]);
-    sweep.rows.retain(|row| row.model == "soft");
-    let slides =
-        sweep.rows.clone().into_iter().map(|row| SweepRow { operation: "slide".into(), ..row });
+    sweep.rows.retain(|row| row.model == Some(ModelKind::Soft));
+    let slides = sweep
+        .rows
+        .clone()
+        .into_iter()
+        .map(|row| SweepRow { operation: Some(OperationKind::Slide), ..row });
     sweep.rows = sweep.rows.iter().cloned().chain(slides).collect();
     let figure = figure(&sweep, "si");
     let strokes: Vec<Stroke> = curves(&figure).iter().map(|(stroke, _)| *stroke).collect();
@@ -289,8 +294,8 @@ fn judged_cases_are_ringed() {
     assert!(rings(&clean).is_empty() && named(&clean).is_empty());
     for row in &mut sweep.rows {
         let deep = row.values[1] == "600m";
-        (row.errors, row.warnings) = match (deep, row.model.as_str()) {
-            (true, "soft") => (1, 2),
+        (row.errors, row.warnings) = match (deep, row.model) {
+            (true, Some(ModelKind::Soft)) => (1, 2),
             (true, _) => (0, 1),
             _ => (0, 0),
         };

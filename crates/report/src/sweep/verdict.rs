@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{Sweep, SweepRow};
-use crate::{check_row::printed, plots::readable};
+use crate::check_row::printed;
 use wholestring_judge::Severity;
 
 /// The verdict of a sweep in words.
@@ -70,7 +70,7 @@ impl Sweep {
             return Default::default();
         };
         let keys = self.keys.iter().zip(&row.values).map(|(key, value)| format!("{key} {value}"));
-        let operation = Some(readable(&row.operation)).filter(|operation| !operation.is_empty());
+        let operation = row.operation.map(|operation| operation.words().to_owned());
         let case = keys.chain(operation).collect::<Vec<_>>().join(", ");
         row.check.each_ref().map(|check| format!("{case}: {}", printed(check)))
     }

@@ -1,9 +1,11 @@
 //! Sensitivity of the samples to the inputs (Sobol indices), as bars.
 
+use wholestring::operation::OperationKind;
+
 use super::{Uncertain, UncertainNumber};
 use crate::{
     figure::{Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape},
-    operation_words::{colour, operation_name},
+    operation_colour::operation_colour,
 };
 
 /// Quantities with bars, and the heading of their panel.
@@ -25,7 +27,7 @@ pub(crate) fn figure(uncertain: &Uncertain, title: &str) -> Option<Figure> {
     if uncertain.inputs.len() < 2 {
         return None;
     }
-    let mut operations: Vec<&str> = Vec::new();
+    let mut operations: Vec<OperationKind> = Vec::new();
     let mut panels = Vec::new();
     for (quantity, heading) in DRAWN {
         let is_drawn = |one: &&UncertainNumber| {
@@ -36,9 +38,7 @@ pub(crate) fn figure(uncertain: &Uncertain, title: &str) -> Option<Figure> {
             continue;
         }
         for one in &numbers {
-            if !operations.contains(&one.operation.as_str()) {
-                operations.push(&one.operation);
-            }
+            operations.extend(one.operation.filter(|operation| !operations.contains(operation)));
         }
         let axis = Axis::new(format!("{heading}, %"), Range::Fixed(0.0, 100.0));
         panels.push(Panel::new(axis, bars(&numbers)));
@@ -46,9 +46,9 @@ pub(crate) fn figure(uncertain: &Uncertain, title: &str) -> Option<Figure> {
     if panels.is_empty() {
         return None;
     }
-    let named = operations.iter().filter(|operation| !operation.is_empty()).map(|operation| Key {
-        name: operation_name(operation),
-        sample: Sample::Band(Ink::Line(colour(operation))),
+    let named = operations.iter().map(|operation| Key {
+        name: operation.words().to_owned(),
+        sample: Sample::Band(Ink::Line(operation_colour(*operation))),
     });
     let what = [
         Key { name: "bar: total index".into(), sample: Sample::Words },
@@ -81,7 +81,8 @@ fn bars(numbers: &[&UncertainNumber]) -> Vec<Mark> {
     let height = FULL / numbers.len() as f64;
     for (place, number) in numbers.iter().enumerate() {
         let Some(owed) = &number.owed else { continue };
-        let ink = Ink::Line(colour(&number.operation));
+        // Numbers of no operation, as the depth of the first stop of all, have the last colour.
+        let ink = Ink::Line(number.operation.map_or(Ink::LINES - 1, operation_colour));
         let middle = (place as f64 + 0.5) * height - 0.5 * FULL;
         for (input, (first, total)) in owed.first.iter().zip(&owed.total).enumerate() {
             if *total < SEEN {

@@ -2,6 +2,8 @@
 
 mod figure;
 mod tables;
+use wholestring::operation::OperationKind;
+
 #[cfg(test)]
 mod tests;
 
@@ -37,8 +39,8 @@ pub struct UncertainNumber {
     pub title: String,
     /// The limit in words; empty for other numbers.
     pub limit: String,
-    /// Name of its operation; empty for all.
-    pub operation: String,
+    /// Its operation; none for all.
+    pub operation: Option<OperationKind>,
     /// Friction factor of all sections; `None` where they have their own.
     pub friction: Option<f64>,
     /// Measured depth of the bit, m; `None` for all depths.
@@ -76,11 +78,12 @@ impl Uncertain {
     pub(crate) fn band<'a>(
         &'a self,
         quantity: &'a str,
-        operation: &'a str,
+        operation: OperationKind,
     ) -> impl Iterator<Item = (f64, [f64; 2])> + 'a {
         let bands = self.bands.iter();
-        let numbers = bands
-            .filter(move |number| number.quantity == quantity && number.operation == operation);
+        let numbers = bands.filter(move |number| {
+            number.quantity == quantity && number.operation == Some(operation)
+        });
         numbers.filter_map(|number| {
             Some((number.bit_depth_m?, [number.quantiles[0], number.quantiles[4]]))
         })

@@ -1,10 +1,12 @@
 //! Tables of uncertain numbers.
 
+use wholestring::operation::OperationKind;
+
 use super::{Uncertain, UncertainNumber};
 use crate::{
     Grid, StudyPart, Verdict,
+    digits::four,
     grid_cells::{head, row},
-    operation_words::{four, operation_name},
     plots::DisplayUnits,
 };
 
@@ -30,11 +32,8 @@ pub(crate) fn inputs(uncertain: &Uncertain) -> Option<StudyPart> {
 
 /// Cells that identify a number.
 fn named(number: &UncertainNumber, all: &Uncertain) -> Vec<String> {
-    let operation = match number.operation.as_str() {
-        "" => "any".to_owned(),
-        name => operation_name(name),
-    };
-    let mut cells = vec![number.title.clone(), operation];
+    let operation = number.operation.map_or("any", OperationKind::words);
+    let mut cells = vec![number.title.clone(), operation.to_owned()];
     if all.has_frictions() {
         cells.push(number.friction.map_or_else(|| "the case's".to_owned(), four));
     }

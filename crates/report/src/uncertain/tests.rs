@@ -1,5 +1,7 @@
 //! Pages of uncertain numbers.
 
+use wholestring::operation::OperationKind;
+
 use super::{Uncertain, UncertainNumber, UncertainShares, bands, figure, owed};
 use crate::{StudyPart, plots::DisplayUnits};
 
@@ -8,7 +10,7 @@ fn number(quantity: &str, not_met: usize) -> UncertainNumber {
         quantity: quantity.into(),
         title: quantity.replace('_', " "),
         limit: String::new(),
-        operation: "trip_out".into(),
+        operation: Some(OperationKind::TripOut),
         friction: None,
         bit_depth_m: (quantity != "depth").then_some(1000.0),
         dimension: "force".into(),

@@ -1,6 +1,7 @@
 //! Fatigue and wear of string and casing by the campaign of a plan.
 
 use serde::{Deserialize, Serialize};
+use wholestring::outcome::ModelKind;
 
 use crate::{PLAN_FATIGUE, PLAN_WEAR, Table};
 
@@ -8,8 +9,8 @@ use crate::{PLAN_FATIGUE, PLAN_WEAR, Table};
 /// depth uses up most of its life.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanFatigue {
-    /// Name of the model.
-    pub model: String,
+    /// The model.
+    pub model: ModelKind,
     /// The component.
     pub component: String,
     /// Part of the life of its worst part that the campaign uses up.
@@ -38,8 +39,8 @@ pub struct PlanFatigueHour {
 /// Damage of a part of the string.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanDamage {
-    /// Name of the model.
-    pub model: String,
+    /// The model.
+    pub model: ModelKind,
     /// The component.
     pub component: String,
     /// Distance of the part's lower end from that of the component, m.
@@ -51,8 +52,8 @@ pub struct PlanDamage {
 /// Wear of a stretch of casing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanWear {
-    /// Name of the model.
-    pub model: String,
+    /// The model.
+    pub model: ModelKind,
     /// Section of the hole, counted from one.
     pub section: usize,
     /// Measured depth of its middle, m.
@@ -77,7 +78,7 @@ pub fn plan_fatigue_table(damage: &[PlanDamage]) -> Table {
     let mut table = Table::with_columns(PLAN_FATIGUE);
     for part in damage {
         table.append(
-            &[("model", &[&part.model]), ("component", &[&part.component])],
+            &[("model", &[part.model.name()]), ("component", &[&part.component])],
             &[("from_lower_end_m", &[part.from_lower_end_m]), ("damage", &[part.damage])],
         );
     }
@@ -91,7 +92,7 @@ pub fn plan_wear_table(wear: &[PlanWear]) -> Table {
         let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
         let of_pair = |pair: Option<[f64; 2]>, place: usize| number(pair.map(|pair| pair[place]));
         table.append(
-            &[("model", &[&stretch.model])],
+            &[("model", &[stretch.model.name()])],
             &[
                 ("section", &[stretch.section as f64]),
                 ("md_m", &[stretch.md_m]),

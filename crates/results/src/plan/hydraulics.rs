@@ -1,14 +1,15 @@
 //! The mud of a plan: pressures and equivalent densities against the depth of the bit.
 
 use serde::{Deserialize, Serialize};
+use wholestring::operation::OperationKind;
 
 use crate::{PLAN_HYDRAULICS, Table};
 
 /// The mud with the bit at one depth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanHydraulics {
-    /// Name of the operation whose pumps run.
-    pub operation: String,
+    /// The operation whose pumps run.
+    pub operation: OperationKind,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// Pressure at the standpipe, Pa.
@@ -75,7 +76,7 @@ pub(super) fn table(rows: &[PlanHydraulics]) -> Table {
             .zip(&cells)
             .map(|((name, _), cell)| (name.as_str(), cell.as_slice()))
             .collect();
-        table.append(&[("operation", &[&row.operation])], &columns);
+        table.append(&[("operation", &[row.operation.name()])], &columns);
     }
     table
 }

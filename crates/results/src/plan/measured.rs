@@ -1,6 +1,7 @@
 //! Measured readings, compared with the predictions of the plan.
 
 use serde::{Deserialize, Serialize};
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 
 use crate::{PLAN_MEASURED, Table};
 
@@ -11,12 +12,12 @@ const SAME: f64 = 2e-3;
 /// A measured weight or torque, and its prediction at each level of friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanMeasured {
-    /// Name of the model that predicts.
-    pub model: String,
+    /// The model that predicts.
+    pub model: ModelKind,
     /// Place of the reading in its file.
     pub place: String,
-    /// Name of the operation.
-    pub operation: String,
+    /// The operation.
+    pub operation: OperationKind,
     /// Kind of reading: `pick_up`, `slack_off`, `rotating`, `torque` or `torque_on_bottom`.
     pub reading: String,
     /// Whether it is a torque, N·m, rather than a weight, N.
@@ -58,7 +59,7 @@ impl PlanMeasured {
 
 /// Number of a model's readings between low and high friction, and number of those that depend on
 /// friction.
-pub(super) fn between(rows: &[PlanMeasured], model: &str) -> (usize, usize) {
+pub(super) fn between(rows: &[PlanMeasured], model: ModelKind) -> (usize, usize) {
     let known = rows.iter().filter(|row| row.model == model).filter_map(PlanMeasured::between);
     known.fold((0, 0), |(within, all), is| (within + usize::from(is), all + 1))
 }
@@ -75,9 +76,9 @@ pub(super) fn table(rows: &[PlanMeasured]) -> Table {
         let answer = |is: bool| if is { "yes" } else { "no" };
         table.append(
             &[
-                ("model", &[&row.model]),
+                ("model", &[row.model.name()]),
                 ("place", &[&row.place]),
-                ("operation", &[&row.operation]),
+                ("operation", &[row.operation.name()]),
                 ("reading", &[&row.reading]),
                 ("between", &[row.between().map_or("", answer)]),
                 ("message", &[row.message.as_deref().unwrap_or_default()]),
@@ -108,9 +109,9 @@ mod tests {
 
     fn row(predicted: [f64; 3], measured: f64) -> PlanMeasured {
         PlanMeasured {
-            model: "soft".into(),
+            model: ModelKind::Soft,
             place: "line 2".into(),
-            operation: "trip_in".into(),
+            operation: OperationKind::TripIn,
             reading: "slack_off".into(),
             is_torque: false,
             held_out: false,
@@ -131,8 +132,8 @@ mod tests {
             [row(slack_off, 210.0), row(slack_off, 190.0), row([250.0, 250.1, 250.2], 260.0)];
         assert_eq!(rows.each_ref().map(PlanMeasured::between), [Some(true), Some(false), None]);
         assert_eq!(rows[0].residual(), Some(-40.0));
-        assert_eq!(between(&rows, "soft"), (1, 2));
-        assert_eq!(between(&rows, "stiff"), (0, 0));
+        assert_eq!(between(&rows, ModelKind::Soft), (1, 2));
+        assert_eq!(between(&rows, ModelKind::Stiff), (0, 0));
         let locked =
             PlanMeasured { predicted: [Some(300.0), Some(250.0), None], ..rows[0].clone() };
         assert_eq!((locked.between(), locked.residual()), (None, Some(-40.0)));

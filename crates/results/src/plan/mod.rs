@@ -3,6 +3,7 @@
 mod campaign;
 mod hydraulics;
 mod measured;
+mod operation;
 mod overlay;
 mod peaks;
 mod surface;
@@ -13,6 +14,7 @@ pub use campaign::{
 };
 pub use hydraulics::{PlanDensity, PlanHydraulics};
 pub use measured::PlanMeasured;
+pub use operation::PlanOperation;
 pub use overlay::{PlanOverlay, PlanOverlayDifference, PlanOverlayRow};
 pub use peaks::{
     PlanGel, PlanHistory, PlanPeak, PlanPeakOf, plan_peaks_table, plan_peaks_time_table,
@@ -24,7 +26,11 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use wholestring::outcome::Scalars;
+use wholestring::{
+    operation::OperationKind,
+    outcome::{ModelKind, Scalars},
+    well::FrictionLevel,
+};
 use wholestring_judge::Check;
 
 use crate::{
@@ -49,9 +55,9 @@ pub struct PlanSummary {
     /// Friction of each hole section at each level.
     pub frictions: Vec<PlanFriction>,
     /// Models, in the order in which they were solved.
-    pub models: Vec<String>,
+    pub models: Vec<ModelKind>,
     /// Operations, in the order of the plan.
-    pub operations: Vec<String>,
+    pub operations: Vec<OperationKind>,
     /// Depths of the bit, m, increasing.
     pub bit_depths_m: Vec<f64>,
     /// Points that are not solved because the plan was interrupted.
@@ -107,8 +113,8 @@ pub struct PlanSummary {
 /// Friction of a hole section at a level.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanFriction {
-    /// `low`, `expected` or `high`.
-    pub friction: String,
+    /// Level of friction.
+    pub friction: FrictionLevel,
     /// `casing` or `open`.
     pub kind: String,
     /// Measured depth of the section's upper end, m.
@@ -124,12 +130,12 @@ pub struct PlanFriction {
 /// One operation at one depth with one friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanPoint {
-    /// Name of the model.
-    pub model: String,
-    /// `low`, `expected` or `high`.
-    pub friction: String,
-    /// Name of the operation.
-    pub operation: String,
+    /// The model.
+    pub model: ModelKind,
+    /// Level of friction.
+    pub friction: FrictionLevel,
+    /// The operation.
+    pub operation: OperationKind,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// Torque and drag; none where there is no answer.
@@ -145,12 +151,12 @@ pub struct PlanPoint {
 /// The weight on bit at which the string begins to buckle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanBuckling {
-    /// Name of the model: `soft`.
-    pub model: String,
-    /// `low`, `expected` or `high`.
-    pub friction: String,
-    /// `drill` or `slide`.
-    pub operation: String,
+    /// The model: `soft`.
+    pub model: ModelKind,
+    /// Level of friction.
+    pub friction: FrictionLevel,
+    /// The operation: `drill` or `slide`.
+    pub operation: OperationKind,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// Weight for a sinusoid, N; none where no weight does it or there is no answer.
@@ -164,12 +170,12 @@ pub struct PlanBuckling {
 /// A check of one operation at one depth with one friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanCheck {
-    /// Name of the model.
-    pub model: String,
-    /// `low`, `expected` or `high`.
-    pub friction: String,
-    /// Name of the operation.
-    pub operation: String,
+    /// The model.
+    pub model: ModelKind,
+    /// Level of friction.
+    pub friction: FrictionLevel,
+    /// The operation, or the event.
+    pub operation: PlanOperation,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// The check.
@@ -195,7 +201,7 @@ impl PlanSummary {
 
     /// Number of a model's readings between low and high friction, and number of those that depend
     /// on friction.
-    pub fn measured_between(&self, model: &str) -> (usize, usize) {
+    pub fn measured_between(&self, model: ModelKind) -> (usize, usize) {
         measured::between(&self.measured, model)
     }
 
@@ -210,12 +216,12 @@ impl PlanSummary {
     }
 
     /// The points of a model, an operation and a friction, down the hole.
-    pub fn curve<'a>(
-        &'a self,
-        model: &'a str,
-        operation: &'a str,
-        friction: &'a str,
-    ) -> impl Iterator<Item = &'a PlanPoint> {
+    pub fn curve(
+        &self,
+        model: ModelKind,
+        operation: OperationKind,
+        friction: FrictionLevel,
+    ) -> impl Iterator<Item = &PlanPoint> {
         self.points.iter().filter(move |point| {
             point.model == model && point.operation == operation && point.friction == friction
         })

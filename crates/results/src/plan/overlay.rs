@@ -1,6 +1,7 @@
 //! Another program's curves, compared with those of a plan.
 
 use serde::{Deserialize, Serialize};
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 
 use crate::{PLAN_OVERLAY, Table};
 
@@ -20,10 +21,10 @@ pub struct PlanOverlay {
 /// A weight or torque of another program, and ours.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanOverlayRow {
-    /// Name of our model.
-    pub model: String,
-    /// Name of the operation.
-    pub operation: String,
+    /// Our model.
+    pub model: ModelKind,
+    /// The operation.
+    pub operation: OperationKind,
     /// Place of their value in its file.
     pub place: String,
     /// Whether it is a torque, N·m, rather than a hook load, N.
@@ -47,10 +48,10 @@ impl PlanOverlayRow {
 /// Difference between our curve and theirs in an operation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanOverlayDifference {
-    /// Name of our model.
-    pub model: String,
-    /// Name of the operation.
-    pub operation: String,
+    /// Our model.
+    pub model: ModelKind,
+    /// The operation.
+    pub operation: OperationKind,
     /// Whether it is of torques, N·m, rather than of hook loads, N.
     pub is_torque: bool,
     /// Number of depths at which both are known.
@@ -94,8 +95,8 @@ impl PlanOverlay {
                     }
                 }
                 None => all.push(PlanOverlayDifference {
-                    model: row.model.clone(),
-                    operation: row.operation.clone(),
+                    model: row.model,
+                    operation: row.operation,
                     is_torque: row.is_torque,
                     count: 1,
                     mean: difference,
@@ -124,8 +125,8 @@ impl PlanOverlay {
             let (weights, torques) = if row.is_torque { (none, values) } else { (values, none) };
             table.append(
                 &[
-                    ("model", &[&row.model]),
-                    ("operation", &[&row.operation]),
+                    ("model", &[row.model.name()]),
+                    ("operation", &[row.operation.name()]),
                     ("place", &[&row.place]),
                 ],
                 &[
@@ -150,8 +151,8 @@ mod tests {
     #[test]
     fn differences_are_ours_less_theirs() {
         let row = |bit_depth_m: f64, theirs: f64, ours: Option<f64>| PlanOverlayRow {
-            model: "soft".into(),
-            operation: "trip_out".into(),
+            model: ModelKind::Soft,
+            operation: OperationKind::TripOut,
             place: "line 2".into(),
             is_torque: false,
             bit_depth_m,

@@ -1,6 +1,7 @@
 //! Peaks of a string that is set in motion from rest, by the dynamics of a plan.
 
 use serde::{Deserialize, Serialize};
+use wholestring::well::FrictionLevel;
 
 use crate::{PLAN_PEAKS, PLAN_PEAKS_TIME, Table};
 
@@ -9,8 +10,8 @@ use crate::{PLAN_PEAKS, PLAN_PEAKS_TIME, Table};
 pub struct PlanPeak {
     /// `pick_up_from_slips`, `break_circulation`, ...
     pub event: String,
-    /// `low`, `expected` or `high`.
-    pub friction: String,
+    /// Level of friction.
+    pub friction: FrictionLevel,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
     /// Peak of the hook load without block, N; none where there is no answer.
@@ -90,7 +91,7 @@ pub fn plan_peaks_table(peaks: &[PlanPeak]) -> Table {
         table.append(
             &[
                 ("event", &[&peak.event]),
-                ("friction", &[&peak.friction]),
+                ("friction", &[peak.friction.name()]),
                 ("message", &[peak.message.as_deref().unwrap_or_default()]),
             ],
             &[
@@ -125,7 +126,7 @@ pub fn plan_peaks_time_table(histories: &[(&PlanPeak, &PlanHistory)]) -> Table {
     for (peak, history) in histories {
         let rows = history.time_s.len();
         table.append(
-            &[("event", &[&peak.event]), ("friction", &[&peak.friction])],
+            &[("event", &[&peak.event]), ("friction", &[peak.friction.name()])],
             &[
                 ("bit_depth_m", &vec![peak.bit_depth_m; rows]),
                 ("time_s", &history.time_s),

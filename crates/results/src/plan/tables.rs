@@ -12,9 +12,9 @@ pub fn plan_limits_table(checks: &[PlanCheck]) -> Table {
         let (Some(factor), Some(required)) = (check.factor, check.required) else { continue };
         table.append(
             &[
-                ("model", &[&row.model]),
-                ("friction", &[&row.friction]),
-                ("operation", &[&row.operation]),
+                ("model", &[row.model.name()]),
+                ("friction", &[row.friction.name()]),
+                ("operation", &[row.operation.name()]),
                 ("kind", &[check.kind.name()]),
                 ("component", &[check.component.as_deref().unwrap_or_default()]),
                 ("unit", &[&check.unit]),
@@ -44,9 +44,9 @@ pub fn plan_broomstick_table(points: &[PlanPoint], block_weight_N: Option<f64>) 
         let with_block_N = scalars.and_then(|scalar| Some(scalar.hook_load_N + block_weight_N?));
         table.append(
             &[
-                ("model", &[&point.model]),
-                ("friction", &[&point.friction]),
-                ("operation", &[&point.operation]),
+                ("model", &[point.model.name()]),
+                ("friction", &[point.friction.name()]),
+                ("operation", &[point.operation.name()]),
                 ("buckling", &[point.buckling.as_deref().unwrap_or_default()]),
                 ("worst_check", &[worst.map_or("", |check| check.kind.name())]),
                 ("worst_severity", &[worst.map_or("", |check| check.severity.name())]),
@@ -85,9 +85,9 @@ impl PlanSummary {
             let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
             table.append(
                 &[
-                    ("model", &[&point.model]),
-                    ("friction", &[&point.friction]),
-                    ("operation", &[&point.operation]),
+                    ("model", &[point.model.name()]),
+                    ("friction", &[point.friction.name()]),
+                    ("operation", &[point.operation.name()]),
                     ("message", &[point.message.as_deref().unwrap_or_default()]),
                 ],
                 &[
@@ -105,7 +105,7 @@ impl PlanSummary {
         let mut table = Table::with_columns(PLAN_FRICTION);
         for friction in &self.frictions {
             table.append(
-                &[("friction", &[&friction.friction]), ("kind", &[&friction.kind])],
+                &[("friction", &[friction.friction.name()]), ("kind", &[&friction.kind])],
                 &[
                     ("from_md_m", &[friction.from_md_m]),
                     ("to_md_m", &[friction.to_md_m]),

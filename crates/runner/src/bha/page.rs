@@ -11,7 +11,7 @@ use wholestring_units::UnitSet;
 use super::{nodes::NODES, page_tables::page_tables, tendency::tendency};
 use crate::{
     column::numbers,
-    page::{self, checks::in_sets, facts::readable, inputs, table},
+    page::{self, checks::in_sets, inputs, table},
     results_kind::Results,
 };
 
@@ -147,7 +147,7 @@ fn facts(summary: &BhaSummary) -> Vec<Fact> {
     let [high_N, right_N] = state.side_force_N;
     let [up_rad, aside_rad] = state.tilt_rad;
     let mut facts = vec![
-        fact("Operation", Cell::Text(readable(&summary.operation))),
+        fact("Operation", Cell::Text(summary.operation.words().to_owned())),
         fact("Bit depth", Cell::quantity(summary.bit_depth_m, "length")),
         fact("Inclination", Cell::quantity(summary.inclination_rad, "angle")),
         fact("Weight on bit", Cell::quantity(summary.weight_on_bit_N, "force")),

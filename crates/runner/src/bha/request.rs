@@ -219,7 +219,7 @@ fn summary(
         schema_version: BHA_VERSION,
         case: case.name.clone(),
         settings: case.settings.clone(),
-        operation: operation.kind.name().to_owned(),
+        operation: operation.kind,
         bit_depth_m: operation.bit_depth_m,
         weight_on_bit_N: operation.weight_on_bit_now_N(),
         toolface_rad: case.model.string.toolface_rad(),

@@ -12,10 +12,10 @@ use wholestring_units::UnitSet;
 
 use super::{
     points::common,
-    tables::{BOTTOM, LAW, OPERATION, POINTS},
+    tables::{BOTTOM, LAW, POINTS},
 };
 use crate::{
-    page::{self, history::bottom, inputs::page_tables, table},
+    page::{self, history::bottom_picture, inputs::page_tables, table},
     results_kind::Results,
 };
 
@@ -36,7 +36,7 @@ impl Results for BitTest {
             if let Some(outcome) = &point.outcome {
                 let table = table(&folder.join(&point.point), BOTTOM)?;
                 points.push(BitTestPoint {
-                    bottom: bottom(&table, OPERATION),
+                    bottom: bottom_picture(&table, &Vec::from_iter(0..table.rows())),
                     ..test_point(outcome)
                 });
             }

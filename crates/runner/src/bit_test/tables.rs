@@ -12,7 +12,7 @@ pub(super) const POINTS: &str = "bit-test";
 /// Name of the table of a point's bottom hole, without its extension, and the name of its
 /// operation.
 pub(super) const BOTTOM: &str = "bottom_hole";
-pub(super) const OPERATION: &str = "bit_test";
+const OPERATION: &str = "bit_test";
 
 /// Name of the table for the law "table".
 pub(super) const LAW: &str = "bit-table.csv";

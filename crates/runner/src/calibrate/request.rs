@@ -160,7 +160,7 @@ fn summary(
         cases: request.cases.iter().map(|case| case.case.name.clone()).collect(),
         settings: request.cases[0].case.settings.clone(),
         data: request.data.display().to_string(),
-        model: request.fit.model.name().to_owned(),
+        model: request.fit.model,
         estimates: tables::estimates(found),
         held: tables::held(settings),
         correlation: found.correlation.clone(),

@@ -2,12 +2,13 @@
 
 use serde_json::{Map, Value as Json};
 use wholestring_judge::Check;
-use wholestring_report::{Cells, Sheet, SheetColumn, operation_name, printed};
+use wholestring_report::{Cells, Sheet, SheetColumn, printed};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
     input_lines::{inputs_of, line_sheet, lines},
     page::inputs,
+    sheet::operation_words,
 };
 
 /// Entries of a summary that are not its scalars: they have sheets of their own, or mean nothing to
@@ -57,7 +58,7 @@ fn rows(summary: &Json) -> Vec<Row> {
     };
     let row = |whose: &Json, check: &Json| {
         Some(Row {
-            operation: operation_name(&word(&whose["operation"])),
+            operation: operation_words(&word(&whose["operation"])),
             model: word(&whose["model"]),
             friction: whose["friction"].as_f64(),
             check: serde_json::from_value(check.clone()).ok()?,
@@ -167,7 +168,7 @@ fn without_lists(key: &str, value: &Json) -> Option<Json> {
                 .collect();
             (!inner.is_empty()).then_some(Json::Object(inner))
         }
-        Json::String(word) if key == "operation" => Some(Json::String(operation_name(word))),
+        Json::String(word) if key == "operation" => Some(Json::String(operation_words(word))),
         other => Some(other.clone()),
     }
 }

@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use wholestring::outcome::ModelKind;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_export::{Curve, Log};
-use wholestring_report::operation_name;
 use wholestring_results::{Data, PlanSummary, Summary};
 use wholestring_units::Dimension;
 
@@ -90,22 +89,18 @@ fn log(name: String, mut points: Vec<Point>) -> Log {
     }
 }
 
-fn model(model: &str) -> String {
-    match ModelKind::named(model) {
-        Some(kind) if kind.method().in_time => format!("{model} model"),
-        _ => format!("{model} string"),
+fn model_words(model: ModelKind) -> String {
+    match model.in_time() {
+        true => format!("{model} model"),
+        false => format!("{model} string"),
     }
 }
 
 fn plan(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
     let summary = PlanSummary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
     let points = summary.points.iter().map(|row| {
-        let name = format!(
-            "{}, {}, {} friction",
-            operation_name(&row.operation),
-            model(&row.model),
-            row.friction
-        );
+        let name =
+            format!("{}, {}, {} friction", row.operation, model_words(row.model), row.friction);
         let scalars = row.scalars.as_ref();
         let point = Point {
             bit_depth_m: row.bit_depth_m,
@@ -121,8 +116,7 @@ fn plan(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
 fn run(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
     let summary = Summary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
     let points = summary.operations.iter().map(|operation| {
-        let name =
-            format!("{}, {}", operation_name(&operation.operation), model(operation.model.name()));
+        let name = format!("{}, {}", operation.operation, model_words(operation.model));
         let point = Point {
             bit_depth_m: operation.bit_depth_m,
             hook_load_N: Some(operation.scalars.hook_load_N),
@@ -139,7 +133,21 @@ fn swept(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
     let (varied, table) = sweep::read(folder).map_err(Error::bad_input)?;
     let number = |name: &str, row: usize| table.numbers(name).and_then(|number| number[row]);
     let word = |name: &str, row: usize| table.words(name).map_or("", |word| word[row].as_str());
+    let unknown = |what: &str, name: &str| {
+        Error::bad_input(format!("{}: '{name}' is no {what}", folder.join(sweep::FILE).display()))
+    };
+    let named = |row: usize| {
+        let (operation, model) = (word("operation", row), word("model", row));
+        let operation =
+            OperationKind::from_name(operation).ok_or_else(|| unknown("operation", operation))?;
+        Ok((operation, ModelKind::named(model).ok_or_else(|| unknown("model", model))?))
+    };
     let rows = (0..table.rows()).filter_map(|row| {
+        let bit_depth_m = number("bit_depth_m", row)?;
+        let (operation, model) = match named(row) {
+            Ok(named) => named,
+            Err(error) => return Some(Err(error)),
+        };
         let keys = table.columns()[..varied].iter();
         let keys = keys.filter(|column| !column.name.ends_with("bit_depth")).map(|column| {
             let value = match &column.data {
@@ -150,15 +158,15 @@ fn swept(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
             };
             format!("{} {value} {}", column.name, column.unit).trim_end().to_owned()
         });
-        let whose = [operation_name(word("operation", row)), model(word("model", row))];
+        let whose = [operation.words().to_owned(), model_words(model)];
         let name = whose.into_iter().chain(keys).collect::<Vec<_>>().join(", ");
         let point = Point {
-            bit_depth_m: number("bit_depth_m", row)?,
+            bit_depth_m,
             hook_load_N: number("hook_load_N", row),
             torque_N_m: number("surface_torque_N_m", row),
             weight_on_bit_N: number("weight_on_bit_N", row),
         };
-        Some((name, point))
+        Some(Ok((name, point)))
     });
-    Ok(rows.collect())
+    rows.collect()
 }

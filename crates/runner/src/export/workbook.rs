@@ -79,7 +79,7 @@ fn operations(summary: &Summary) -> Table {
     let words = |name: &str, values: Vec<String>| Column::words(name, values);
     let mut columns = vec![
         words("model", all.iter().map(|answer| answer.model.name().to_owned()).collect()),
-        words("operation", all.iter().map(|answer| answer.operation.clone()).collect()),
+        words("operation", all.iter().map(|answer| answer.operation.name().to_owned()).collect()),
         Column {
             name: "bit_depth_m".to_owned(),
             unit: "m".to_owned(),

@@ -30,7 +30,7 @@ impl Results for Modes {
         let place = |spot: &Spot| (spot.md_m, spot.component.clone());
         Ok(Self {
             head,
-            operation: summary.operation.clone(),
+            operation: summary.operation,
             rotary_rad_per_s: summary.rotary_speed_rad_per_s,
             stable: summary.stable,
             forcing: in_sets(|units| summary.texts.in_units(&summary.forcing, units)),
@@ -62,7 +62,7 @@ impl Results for Modes {
             branches: shapes::branches(&table(folder, DIAGRAM)?),
             answer: shapes::answer(&table(folder, ANSWER)?),
             stability: in_sets(|units| match &summary.torsional_stability {
-                Some(map) => stability::sentences(&summary.operation, map, units),
+                Some(map) => stability::sentences(summary.operation, map, units),
                 None => summary.no_torsional_stability.iter().cloned().collect(),
             }),
             stability_map: match &summary.torsional_stability {
@@ -86,7 +86,7 @@ impl Results for Modes {
 fn facts(summary: &ModesSummary) -> Vec<Fact> {
     let fact = |label: &str, value: Cell| Fact { label: label.into(), value };
     vec![
-        fact("Operation", Cell::Text(summary.operation.replace('_', " "))),
+        fact("Operation", Cell::Text(summary.operation.words().to_owned())),
         fact("Rotary speed", Cell::quantity(summary.rotary_speed_rad_per_s, "rotary speed")),
         fact("Assembly", Cell::quantity(summary.assembly_length_m, "length")),
         fact("Elements", Cell::Text(summary.elements.to_string())),

@@ -162,7 +162,7 @@ fn find(
         schema_version: MODES_VERSION,
         case: case.name.clone(),
         settings: settings(case),
-        operation: operation.kind.name().to_owned(),
+        operation: operation.kind,
         rotary_speed_rad_per_s: motions.rotary_rad_per_s(),
         elements: motions.nodes() - 1,
         stable: motions.is_stable(),

@@ -113,19 +113,23 @@ fn settings(case: &Case) -> StabilitySettings {
     }
 }
 
-/// Conclusions from the map, in sentences. `operation` is the name of the analysed operation, which
+/// Conclusions from the map, in sentences. `operation` is the analysed operation, which
 /// is not that of the map if it does not rotate on bottom.
-pub fn sentences(operation: &str, summary: &StabilitySummary, units: UnitSet) -> Vec<String> {
+pub fn sentences(
+    operation: OperationKind,
+    summary: &StabilitySummary,
+    units: UnitSet,
+) -> Vec<String> {
     let speed = |si: f64| Dimension::RotarySpeed.format(three(si / RPM) * RPM, units);
     let weight = Dimension::Force.format(summary.weight_on_bit_N, units);
     let own = speed(summary.rotary_speed_rad_per_s);
     let mut sentences = Vec::new();
-    let drill = OperationKind::Drill.name();
+    let drill = OperationKind::Drill;
     if operation != drill {
         sentences.push(format!(
             "The map is of the rotating string: `{}` does not rotate on bottom, and the case's \
              `{drill}` at {own} is taken.",
-            operation.replace('_', " "),
+            operation.words(),
         ));
     }
     sentences.push(match summary.from {

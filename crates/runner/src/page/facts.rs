@@ -16,7 +16,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     let mut add = |label: &str, value: Cell| {
         found.push(Fact { label: label.into(), value });
     };
-    let names: Vec<String> = kinds.iter().map(|kind| readable(kind.name())).collect();
+    let names: Vec<&str> = kinds.iter().map(|kind| kind.words()).collect();
     add(if names.len() > 1 { "Operations" } else { "Operation" }, Cell::Text(names.join(", ")));
     let models: Vec<&str> = texts(&settings["model"])
         .map(|name| ModelKind::named(name).map_or(name, |model| model.method().long_name))
@@ -76,11 +76,6 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     }
     found.retain(|fact| fact.value != Cell::Nothing);
     found
-}
-
-/// Name with spaces instead of underscores, such as `trip out`.
-pub(crate) fn readable(name: &str) -> String {
-    name.replace('_', " ")
 }
 
 fn quantity(value: &Json, dimension: &str) -> Cell {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use wholestring::operation::OperationKind;
 use wholestring_report::{
     BottomPicture, ContactPicture, DrillOff, Packed, Thinned, contact_columns, drill_off_columns,
 };
@@ -37,7 +38,7 @@ impl History {
     /// rows to merge depends on their total.
     pub(super) fn of(
         tables: &Tables,
-        operation: &str,
+        operation: OperationKind,
         window_s: f64,
         many: usize,
     ) -> Result<Self, ResultsError> {
@@ -74,7 +75,7 @@ struct Reading {
 }
 
 impl Reading {
-    fn take(&mut self, piece: &Table, operation: &str) {
+    fn take(&mut self, piece: &Table, operation: OperationKind) {
         let rows = rows(piece, None, operation);
         let times_s = of_rows(piece, "time_s", &rows);
         times_s.iter().for_each(|time_s| self.times.push(*time_s));
@@ -170,10 +171,14 @@ impl DrillOffRows {
 }
 
 /// Bottom hole left by an operation; `None` if its bit was not on solid rock.
-pub(crate) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
-    let rows = rows(table, None, operation);
-    let mut radius_m = of_rows(table, "radius_m", &rows);
-    let mut angle_rad = of_rows(table, "angle_rad", &rows);
+pub(super) fn bottom(table: &Table, operation: OperationKind) -> Option<BottomPicture> {
+    bottom_picture(table, &rows(table, None, operation))
+}
+
+/// Bottom hole in these rows of a table; `None` if they are none.
+pub(crate) fn bottom_picture(table: &Table, rows: &[usize]) -> Option<BottomPicture> {
+    let mut radius_m = of_rows(table, "radius_m", rows);
+    let mut angle_rad = of_rows(table, "angle_rad", rows);
     // Sectors of a ring are consecutive.
     let sectors = radius_m.iter().take_while(|radius| **radius == radius_m[0]).count();
     if sectors == 0 || !radius_m.len().is_multiple_of(sectors) {
@@ -181,7 +186,7 @@ pub(crate) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
     }
     radius_m = radius_m.into_iter().step_by(sectors).collect();
     angle_rad.truncate(sectors);
-    BottomPicture::new(&radius_m, &angle_rad, &of_rows(table, "depth_m", &rows))
+    BottomPicture::new(&radius_m, &angle_rad, &of_rows(table, "depth_m", rows))
 }
 
 /// Numbers of a column in some rows; NaN if there is none.
@@ -192,7 +197,11 @@ fn of_rows(table: &Table, name: &str, rows: &[usize]) -> Vec<f64> {
 }
 
 /// Contact map of an operation that shares the page with `many`, including itself.
-pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<ContactPicture> {
+pub(super) fn contact(
+    table: &Table,
+    operation: OperationKind,
+    many: usize,
+) -> Option<ContactPicture> {
     let rows = rows(table, None, operation);
     let times = of_rows(table, "time_s", &rows);
     // Stretches at one time are consecutive.
@@ -251,7 +260,7 @@ mod tests {
                 ],
             );
         }
-        for (operation, deepest_m) in [("drill", 0.04), ("slide", 0.05)] {
+        for (operation, deepest_m) in [(OperationKind::Drill, 0.04), (OperationKind::Slide, 0.05)] {
             let picture = bottom(&table, operation).expect("a bottom");
             let near = |a: f64, b: f64| (a - b).abs() < 1e-7;
             let radii = picture.radius_m.values();
@@ -260,7 +269,7 @@ mod tests {
             let depths = picture.depth_m.values();
             assert!(near(depths[0], 0.0) && depths[1].is_nan() && near(depths[5], deepest_m));
         }
-        assert_eq!(bottom(&table, "trip_out"), None);
-        assert_eq!(bottom(&Table::new(Vec::new()), "drill"), None);
+        assert_eq!(bottom(&table, OperationKind::TripOut), None);
+        assert_eq!(bottom(&Table::new(Vec::new()), OperationKind::Drill), None);
     }
 }

@@ -4,8 +4,6 @@ use wholestring::outcome::{QuantityKind, Scalar, scalars_by_row};
 use wholestring_report::{Cell, PageTable, Place};
 use wholestring_results::{OperationSummary, Summary};
 
-use super::facts::readable;
-
 /// A row: label, dimension, and the function that reads its value.
 type Row<'a> = (&'a str, &'a str, &'a dyn Fn(&OperationSummary) -> Option<f64>);
 
@@ -126,7 +124,7 @@ pub(super) fn numerics(summary: &Summary) -> Vec<PageTable> {
 /// A table with a column for each model and operation.
 fn side_by_side(place: Place, title: &str, solved: &[OperationSummary]) -> PageTable {
     let head = |summary: &OperationSummary| {
-        format!("{}, {}", readable(&summary.operation), summary.model.method().long_name)
+        format!("{}, {}", summary.operation, summary.model.method().long_name)
     };
     PageTable {
         place,

@@ -161,7 +161,7 @@ fn largest_of(
     convert: fn(f64) -> f64,
 ) -> Option<f64> {
     let values = numbers(nodes, name);
-    rows(nodes, Some(solved.model.name()), &solved.operation)
+    rows(nodes, Some(solved.model), solved.operation)
         .into_iter()
         .filter_map(|row| values.get(row).copied().flatten().map(convert))
         .max_by(f64::total_cmp)

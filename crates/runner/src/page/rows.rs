@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_report::Packed;
 use wholestring_results::Table;
 
@@ -11,15 +12,19 @@ use crate::column::{numbers, words};
 const MAX_NODES: usize = 3000;
 
 /// Rows of a table that belong to an operation, and to a model if the table distinguishes models.
-pub(super) fn rows(table: &Table, model: Option<&str>, operation: &str) -> Vec<usize> {
+pub(super) fn rows(
+    table: &Table,
+    model: Option<ModelKind>,
+    operation: OperationKind,
+) -> Vec<usize> {
     let models = words(table, "model");
     let operations = words(table, "operation").iter().enumerate();
     operations
         .filter(|(row, name)| {
             // A table without a column of models belongs to the time-domain model.
             let models = models.get(*row);
-            let others = models.zip(model).is_some_and(|(own, model)| own != model);
-            *name == operation && !others
+            let others = models.zip(model).is_some_and(|(own, model)| own != model.name());
+            *name == operation.name() && !others
         })
         .map(|(row, _)| row)
         .collect()
@@ -28,8 +33,8 @@ pub(super) fn rows(table: &Table, model: Option<&str>, operation: &str) -> Vec<u
 /// Numbers of those rows by the name of their column; columns without numbers are left out.
 pub(super) fn columns(
     table: &Table,
-    model: Option<&str>,
-    operation: &str,
+    model: Option<ModelKind>,
+    operation: OperationKind,
 ) -> BTreeMap<String, Packed> {
     let rows = rows(table, model, operation);
     let step = rows.len().div_ceil(MAX_NODES).max(1);

@@ -73,7 +73,7 @@ pub(crate) fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, Resu
     let mut report = gather(&Tables::of_folder(folder), &summary, units)?;
     let mut frames = frames::read(folder, report.runs.len())?;
     for run in &mut report.runs {
-        run.frames = frames.remove(&run.operation);
+        run.frames = frames.remove(run.operation.name());
     }
     Ok(report_html(&report))
 }
@@ -91,22 +91,22 @@ pub(crate) fn gather(
         summary.operations.iter().filter(|solved| solved.statistics.is_some()).collect();
     let many = runs.len();
     let timed = |solved: &&OperationSummary| {
-        let contact = tables.of("contact", &solved.operation)?;
-        let spectra = tables.of("spectra", &solved.operation)?;
-        let bottom = tables.of("bottom_hole", &solved.operation)?;
+        let contact = tables.of("contact", solved.operation)?;
+        let spectra = tables.of("spectra", solved.operation)?;
+        let bottom = tables.of("bottom_hole", solved.operation)?;
         let window_s = solved.window_from_s(&summary.settings);
-        let history = History::of(tables, &solved.operation, window_s, many)?;
+        let history = History::of(tables, solved.operation, window_s, many)?;
         Ok(TimeRun {
-            operation: solved.operation.clone(),
+            operation: solved.operation,
             window_s,
             samples: history.samples,
             history: history.columns,
             notes: history.notes,
-            contact: history::contact(&contact, &solved.operation, many),
+            contact: history::contact(&contact, solved.operation, many),
             frames: None,
             drill_off: history.drill_off,
-            bottom: history::bottom(&bottom, &solved.operation),
-            spectra: spectra::pictures(&spectra, &solved.operation),
+            bottom: history::bottom(&bottom, solved.operation),
+            spectra: spectra::pictures(&spectra, solved.operation),
         })
     };
     Ok(Report {
@@ -127,11 +127,11 @@ pub(crate) fn along_the_hole(
     let settings = &summary.settings;
     let well = well::WellBore::of(settings);
     let along = |solved: &OperationSummary| {
-        let nodes = tables.of("nodes", &solved.operation)?;
-        let wear = tables.of("wear", &solved.operation)?;
+        let nodes = tables.of("nodes", solved.operation)?;
+        let wear = tables.of("wear", solved.operation)?;
         Ok(Solved {
-            model: solved.model.name().into(),
-            operation: solved.operation.clone(),
+            model: solved.model,
+            operation: solved.operation,
             message: checks::message(&solved.status, &solved.checks),
             checks: solved.checks.iter().map(checks::row).collect(),
             unchecked: Unchecked::phrases(&solved.unchecked),
@@ -141,8 +141,8 @@ pub(crate) fn along_the_hole(
                 false => results::key_results(solved, settings, &nodes),
             },
             cutoff_depth_m: solved.scalars.cutoff_depth_m,
-            profile: columns(&nodes, Some(solved.model.name()), &solved.operation),
-            wear: columns(&wear, Some(solved.model.name()), &solved.operation),
+            profile: columns(&nodes, Some(solved.model), solved.operation),
+            wear: columns(&wear, Some(solved.model), solved.operation),
         })
     };
     Ok(Report {

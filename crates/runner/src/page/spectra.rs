@@ -1,17 +1,31 @@
 //! Power spectral densities of a run.
 
+use std::path::Path;
+
+use wholestring::operation::OperationKind;
 use wholestring_report::{Packed, Spectrum, SpectrumPicture, spectrum_dimension};
-use wholestring_results::Table;
+use wholestring_results::{ResultsError, Table};
 
-use crate::column::{numbers, words};
+use super::rows::rows;
+use crate::column::{numbers, operation, words};
 
-/// The power spectral densities in a table.
-pub(crate) fn spectra(table: &Table) -> Vec<Spectrum> {
+/// The power spectral densities in the table of a file.
+///
+/// # Errors
+/// A row without a known operation.
+pub(crate) fn spectra(table: &Table, path: &Path) -> Result<Vec<Spectrum>, ResultsError> {
+    let row = |row: usize| Ok((row, operation(table, row, path)?));
+    let rows: Vec<_> = (0..table.rows()).map(row).collect::<Result<_, ResultsError>>()?;
+    Ok(in_rows(table, rows))
+}
+
+/// The power spectral densities in these rows, whose operations are known.
+fn in_rows(table: &Table, rows: impl IntoIterator<Item = (usize, OperationKind)>) -> Vec<Spectrum> {
     let text = |name: &str, row: usize| words(table, name).get(row).cloned().unwrap_or_default();
     let number = |name: &str, row: usize| numbers(table, name).get(row).copied().flatten();
     let mut spectra: Vec<Spectrum> = Vec::new();
-    for row in 0..table.rows() {
-        let (operation, signal) = (text("operation", row), text("signal", row));
+    for (row, operation) in rows {
+        let signal = text("signal", row);
         let md_m = number("md_m", row);
         let same = |spectrum: &Spectrum| {
             spectrum.operation == operation && spectrum.signal == signal && spectrum.md_m == md_m
@@ -35,9 +49,10 @@ pub(crate) fn spectra(table: &Table) -> Vec<Spectrum> {
 }
 
 /// Spectra of an operation for the page.
-pub(super) fn pictures(table: &Table, operation: &str) -> Vec<SpectrumPicture> {
-    let mine = spectra(table).into_iter();
-    mine.filter(|mine| mine.operation == operation)
+pub(super) fn pictures(table: &Table, operation: OperationKind) -> Vec<SpectrumPicture> {
+    let rows = rows(table, None, operation).into_iter().map(|row| (row, operation));
+    in_rows(table, rows)
+        .into_iter()
         .map(|mine| SpectrumPicture {
             dimension: spectrum_dimension(&mine.signal, mine.md_m.is_some())
                 .unwrap_or_default()

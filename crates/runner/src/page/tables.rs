@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use wholestring::operation::OperationKind;
 use wholestring_results::{ResultsError, TABLES, Table};
 
 /// The tables of a run. They are large and are read operation by operation.
@@ -16,10 +17,10 @@ impl Tables {
     }
 
     /// The part of a table for an operation; without rows if there is none.
-    pub(super) fn of(&self, name: &str, operation: &str) -> Result<Table, ResultsError> {
+    pub(super) fn of(&self, name: &str, operation: OperationKind) -> Result<Table, ResultsError> {
         let path = self.folder.join(format!("{name}.parquet"));
         let rows = if path.is_file() {
-            Table::read_parquet_with(&path, "operation", operation)?
+            Table::read_parquet_with(&path, "operation", operation.name())?
         } else {
             None
         };
@@ -33,12 +34,12 @@ impl Tables {
     pub(super) fn pieces_of(
         &self,
         name: &str,
-        operation: &str,
+        operation: OperationKind,
         take: impl FnMut(Table),
     ) -> Result<(), ResultsError> {
         let path = self.folder.join(format!("{name}.parquet"));
         match path.is_file() {
-            true => Table::read_parquet_pieces_with(&path, "operation", operation, take),
+            true => Table::read_parquet_pieces_with(&path, "operation", operation.name(), take),
             false => Ok(()),
         }
     }

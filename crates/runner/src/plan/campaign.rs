@@ -1,7 +1,7 @@
 //! Effects of a plan's campaign on string and casing, in the form of the results.
 
 use serde::{Deserialize, Serialize};
-use wholestring::outcome::ModelKind;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_plan::{
     Broomstick, BroomstickPoint, Campaign, FrictionLevel, Share, Statics,
     fatigue::{DamageRow, FatigueRow},
@@ -15,8 +15,8 @@ const SURELY: f64 = 1e9;
 /// A contribution to the campaign from one operation by one model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Taken {
-    pub(super) model: String,
-    pub(super) operation: String,
+    pub(super) model: ModelKind,
+    pub(super) operation: OperationKind,
     /// Measured depth of the bit, m.
     pub(super) bit_depth_m: f64,
     /// The contribution, or the verdict of a point without a solution.
@@ -38,8 +38,8 @@ pub(super) fn taken(broomstick: &Broomstick, found: &[BroomstickPoint]) -> Vec<T
             Err(why) => Err(why.words().to_owned()),
         };
         Some(Taken {
-            model: point.model.name().to_owned(),
-            operation: point.operation.name().to_owned(),
+            model: point.model.kind(),
+            operation: point.operation,
             bit_depth_m: point.bit_depth_m,
             share,
         })
@@ -62,11 +62,11 @@ pub(super) fn totals(
     broomstick: &Broomstick,
     models: &[Statics],
     taken: &[Taken],
-    by_dynamics: &[(String, Share)],
+    by_dynamics: &[(OperationKind, Share)],
 ) -> Totals {
     let mut totals = Totals::default();
     let Some(campaign) = broomstick.campaign() else { return totals };
-    for model in models.iter().map(|model| model.name()) {
+    for model in models.iter().map(|model| model.kind()) {
         let mut shares = taken
             .iter()
             .filter(|part| part.model == model)
@@ -77,25 +77,26 @@ pub(super) fn totals(
         totals.add(broomstick, campaign, model, &all);
     }
     if let (Some((_, all)), Some(first)) = (by_dynamics.first(), models.first()) {
-        let is_replaced = |name: &str| by_dynamics.iter().any(|(by_dynamic, _)| by_dynamic == name);
+        let is_replaced =
+            |operation| by_dynamics.iter().any(|(by_dynamic, _)| *by_dynamic == operation);
         let others =
-            taken.iter().filter(|part| part.model == first.name() && !is_replaced(&part.operation));
+            taken.iter().filter(|part| part.model == first.kind() && !is_replaced(part.operation));
         let mut all = all.clone();
         by_dynamics[1..].iter().for_each(|(_, share)| all.worn.merge(&share.worn));
         let others = others.filter_map(|part| part.share.as_ref().ok());
         others.for_each(|share| all.worn.merge(&share.worn));
-        totals.add_wear(campaign, ModelKind::Dynamic.name(), &all);
+        totals.add_wear(campaign, ModelKind::Dynamic, &all);
     }
     totals
 }
 
 impl Totals {
-    fn add(&mut self, broomstick: &Broomstick, campaign: &Campaign, model: &str, all: &Share) {
+    fn add(&mut self, broomstick: &Broomstick, campaign: &Campaign, model: ModelKind, all: &Share) {
         let components = &broomstick.setup(FrictionLevel::Expected).string.components;
         let name =
             |row: &DamageRow| components.get(row.component).map(|component| component.name.clone());
         self.damage.extend(all.damage.rows().map(|row| PlanDamage {
-            model: model.to_owned(),
+            model,
             component: name(&row).unwrap_or_default(),
             from_lower_end_m: row.from_lower_end_m,
             damage: row.damage.min(SURELY),
@@ -104,7 +105,7 @@ impl Totals {
             let Some(worst) = all.damage.worst(index) else { continue };
             let hour = all.rates.iter().find(|rate| rate.component == index);
             self.fatigue.push(PlanFatigue {
-                model: model.to_owned(),
+                model,
                 component: name(&worst).unwrap_or_default(),
                 damage: worst.damage.min(SURELY),
                 from_lower_end_m: worst.from_lower_end_m,
@@ -114,7 +115,7 @@ impl Totals {
         self.add_wear(campaign, model, all);
     }
 
-    fn add_wear(&mut self, campaign: &Campaign, model: &str, all: &Share) {
+    fn add_wear(&mut self, campaign: &Campaign, model: ModelKind, all: &Share) {
         let wear: Vec<PlanWear> =
             campaign.casings(all).iter().map(|row| stretch(model, row)).collect();
         for row in &wear {
@@ -143,9 +144,9 @@ fn hourly(row: &FatigueRow) -> PlanFatigueHour {
     }
 }
 
-fn stretch(model: &str, row: &WearRow) -> PlanWear {
+fn stretch(model: ModelKind, row: &WearRow) -> PlanWear {
     PlanWear {
-        model: model.to_owned(),
+        model,
         section: row.section + 1,
         md_m: row.md_m,
         groove_m: row.groove_m,

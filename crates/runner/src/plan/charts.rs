@@ -1,16 +1,12 @@
 //! Charts of `plan.xlsx`: curves against bit depth from the cells of its sheets.
 
-use wholestring::operation::OperationKind;
+use wholestring::{operation::OperationKind, well::FrictionLevel};
 use wholestring_report::{
-    Cells, FRICTION_STROKES, Sheet, WorkbookChart, WorkbookSeries, figure::Stroke,
-    operation_colour, operation_name,
+    Cells, FRICTION_STROKES, Sheet, WorkbookChart, WorkbookSeries, figure::Stroke, operation_colour,
 };
 use wholestring_results::{PlanMeasured, PlanOverlayRow, PlanSummary};
 
-use super::{
-    levels::{LEVELS, label},
-    surface,
-};
+use super::{levels::label, surface};
 
 /// Names of the sheets with data of charts.
 pub(super) const BROOMSTICK: &str = "Broomstick";
@@ -95,6 +91,14 @@ fn chart(
     })
 }
 
+/// Operations of the plan that a chart shows.
+fn shown(
+    summary: &PlanSummary,
+    is_shown: fn(OperationKind) -> bool,
+) -> impl Iterator<Item = OperationKind> {
+    summary.operations.iter().copied().filter(move |operation| is_shown(*operation))
+}
+
 /// A curve for each operation and friction level.
 fn broomstick(
     summary: &PlanSummary,
@@ -103,15 +107,12 @@ fn broomstick(
     is_shown: fn(OperationKind) -> bool,
 ) -> Vec<WorkbookSeries> {
     let mut all = Vec::new();
-    for name in &summary.operations {
-        if !OperationKind::from_name(name).is_some_and(is_shown) {
-            continue;
-        }
-        for (stroke, friction) in FRICTION_STROKES.into_iter().zip(LEVELS) {
-            let rows = rows(summary, sheet, name, friction);
-            let title = format!("{} {}", operation_name(name), label(summary, friction));
+    for operation in shown(summary, is_shown) {
+        for (stroke, level) in FRICTION_STROKES.into_iter().zip(FrictionLevel::ALL) {
+            let rows = rows(summary, sheet, operation, level);
+            let title = format!("{} {}", operation.words(), label(summary, level));
             all.extend(series(sheet, title, heading, rows).map(|series| WorkbookSeries {
-                colour: operation_colour(name),
+                colour: operation_colour(operation),
                 stroke: Some(stroke),
                 ..series
             }));
@@ -133,24 +134,21 @@ fn read(
     let place = |name: &str| table.columns().iter().position(|column| column.name == name);
     let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
     let mut all = Vec::new();
-    for name in &summary.operations {
-        if !OperationKind::from_name(name).is_some_and(is_shown) {
-            continue;
-        }
+    for operation in shown(summary, is_shown) {
         let is_of = |measured: &PlanMeasured| {
             Some(&measured.model) == summary.models.first()
-                && measured.operation == *name
+                && measured.operation == operation
                 && measured.is_torque == is_torque
         };
         let Some(first) = summary.measured.iter().position(is_of) else { continue };
         let count = summary.measured[first..].iter().take_while(|measured| is_of(measured)).count();
         all.push(WorkbookSeries {
-            name: format!("{} measured", operation_name(name)),
+            name: format!("{} measured", operation.words()),
             sheet: sheet.name.clone(),
             across,
             down,
             rows: first..first + count,
-            colour: operation_colour(name),
+            colour: operation_colour(operation),
             stroke: None,
         });
     }
@@ -171,24 +169,21 @@ fn laid_over(
     let place = |name: &str| table.columns().iter().position(|column| column.name == name);
     let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
     let mut all = Vec::new();
-    for name in &summary.operations {
-        if !OperationKind::from_name(name).is_some_and(is_shown) {
-            continue;
-        }
+    for operation in shown(summary, is_shown) {
         let is_of = |row: &PlanOverlayRow| {
             Some(&row.model) == summary.models.first()
-                && row.operation == *name
+                && row.operation == operation
                 && row.is_torque == is_torque
         };
         let Some(first) = overlay.rows.iter().position(is_of) else { continue };
         let count = overlay.rows[first..].iter().take_while(|row| is_of(row)).count();
         all.push(WorkbookSeries {
-            name: format!("{} of another program", operation_name(name)),
+            name: format!("{} of another program", operation.words()),
             sheet: sheet.name.clone(),
             across,
             down,
             rows: first..first + count,
-            colour: operation_colour(name),
+            colour: operation_colour(operation),
             stroke: Some(Stroke::LongDashed),
         });
     }
@@ -207,10 +202,10 @@ fn borne(
     let table = summary.surface_limits_table();
     let place = |name: &str| table.columns().iter().position(|column| column.name == name);
     let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
-    let points = summary.points.iter().filter(|point| {
-        summary.models.first() == Some(&point.model)
-            && OperationKind::from_name(&point.operation).is_some_and(is_shown)
-    });
+    let points = summary
+        .points
+        .iter()
+        .filter(|point| summary.models.first() == Some(&point.model) && is_shown(point.operation));
     let value = points.filter_map(|point| {
         let scalars = point.scalars?;
         Some(if is_torque { scalars.surface_torque_N_m } else { scalars.hook_load_N })
@@ -236,15 +231,15 @@ fn borne(
 /// A curve for each operation that drills, each friction level and each buckling mode.
 fn buckling(summary: &PlanSummary, sheet: &Sheet) -> Vec<WorkbookSeries> {
     let mut all = Vec::new();
-    for name in ["drill", "slide"] {
-        for (stroke, friction) in FRICTION_STROKES.into_iter().zip(LEVELS) {
+    for operation in [OperationKind::Drill, OperationKind::Slide] {
+        for (stroke, level) in FRICTION_STROKES.into_iter().zip(FrictionLevel::ALL) {
             for (shape, heading) in [("sinusoid", "sinusoidal weight"), ("helix", "helical weight")]
             {
-                let rows = rows(summary, sheet, name, friction);
-                let title =
-                    format!("{}, {shape} {}", operation_name(name), label(summary, friction));
+                let rows = rows(summary, sheet, operation, level);
+                let title = format!("{}, {shape} {}", operation.words(), label(summary, level));
                 // Two colours for each operation.
-                let colour = 2 * usize::from(name == "slide") + usize::from(shape == "helix");
+                let colour = 2 * usize::from(operation == OperationKind::Slide)
+                    + usize::from(shape == "helix");
                 all.extend(series(sheet, title, heading, rows).map(|series| WorkbookSeries {
                     colour,
                     stroke: Some(stroke),
@@ -292,8 +287,8 @@ fn series(
 fn rows(
     summary: &PlanSummary,
     sheet: &Sheet,
-    operation: &str,
-    friction: &str,
+    operation: OperationKind,
+    level: FrictionLevel,
 ) -> std::ops::Range<usize> {
     let words = |heading: &str| {
         let found = sheet.columns.iter().find(|column| column.heading == heading);
@@ -302,9 +297,8 @@ fn rows(
             _ => &[],
         }
     };
-    let model = summary.models.first().map_or("", String::as_str);
-    let operation = operation_name(operation);
-    let names = [("model", model), ("friction", friction), (OPERATION, operation.as_str())];
+    let model = summary.models.first().map_or("", |model| model.name());
+    let names = [("model", model), ("friction", level.name()), (OPERATION, operation.words())];
     let columns = names.map(|(heading, word)| (words(heading), word));
     let is_of = |row: &usize| {
         columns.iter().all(|(words, word)| words.get(*row).is_some_and(|found| found == word))

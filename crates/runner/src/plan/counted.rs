@@ -50,7 +50,7 @@ impl Counted {
 /// A part of the campaign with its interval of the hole.
 fn named(part: &CampaignPart) -> String {
     let name = match part.operation {
-        Some(kind) => kind.name().replace('_', " "),
+        Some(kind) => kind.words().to_owned(),
         None if part.drills => "drilling".to_owned(),
         None => "an operation".to_owned(),
     };
@@ -71,7 +71,7 @@ fn unsolved(taken: &[Taken]) -> Vec<String> {
         let Err(why) = &point.share else { continue };
         let at_m = point.bit_depth_m;
         let is_same = |other: &&mut (&Taken, &String, [f64; 2], usize)| {
-            (&other.0.model, &other.0.operation, other.1) == (&point.model, &point.operation, why)
+            (other.0.model, other.0.operation, other.1) == (point.model, point.operation, why)
         };
         match found.iter_mut().find(is_same) {
             Some((_, _, ends_m, count)) => {
@@ -82,13 +82,12 @@ fn unsolved(taken: &[Taken]) -> Vec<String> {
         }
     }
     let text = |(point, why, [from_m, to_m], count): &(&Taken, &String, [f64; 2], usize)| {
-        let operation = point.operation.replace('_', " ");
         let [from, to] = [from_m, to_m].map(|at_m| Quantity::depth(*at_m));
         let bit = match count {
             1 => format!("with the bit at {from}"),
             count => format!("with the bit at {count} depths from {from} to {to}"),
         };
-        format!("{operation} {bit}, {} string: {why}", point.model)
+        format!("{} {bit}, {} string: {why}", point.operation, point.model)
     };
     found.iter().map(text).collect()
 }

@@ -1,10 +1,11 @@
 //! Numbers of each picture of a plan.
 
+use wholestring::{operation::OperationKind, well::FrictionLevel};
 use wholestring_results::{
     Column, Data, PlanMeasured, PlanOverlayRow, PlanPoint, PlanSummary, Table, UncertainBand,
 };
 
-use super::{levels::LEVELS, mud, weight};
+use super::{mud, weight};
 use crate::picture_table::{Entry, Row, with_lines, with_rows};
 
 /// Curves of another program in rows below the plan's, with a column for each operation.
@@ -30,7 +31,8 @@ fn theirs(summary: &PlanSummary, table: Table, quantity: &str, is_torque: bool) 
         if rows.iter().any(of_operation) {
             let mut values = vec![None; above];
             values.extend(rows.iter().map(|row| of_operation(row).then_some(row.theirs)));
-            columns.push(Column::numbers(format!("{operation}_overlay_{quantity}"), values));
+            columns
+                .push(Column::numbers(format!("{}_overlay_{quantity}", operation.name()), values));
         }
     }
     Table::new(columns)
@@ -63,7 +65,7 @@ pub(super) fn with_peaks(summary: &PlanSummary, table: &Table) -> Table {
         let mut row = |name: &'static str, time_s: f64, value: f64| {
             rows.push(vec![
                 ("event", Entry::Word(event.event.clone())),
-                ("friction", Entry::Word(event.friction.clone())),
+                ("friction", Entry::Word(event.friction.name().to_owned())),
                 ("bit_depth_m", Entry::Number(event.bit_depth_m)),
                 ("time_s", Entry::Number(time_s)),
                 (name, Entry::Number(value)),
@@ -111,10 +113,10 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         let mut columns = vec![depth(&[])];
         for model in &summary.models {
             for operation in &summary.operations {
-                for friction in LEVELS {
-                    let points = summary.curve(model, operation, friction);
+                for level in FrictionLevel::ALL {
+                    let points = summary.curve(*model, *operation, level);
                     let found: Vec<_> = points.map(|one| at(one.bit_depth_m, point(one))).collect();
-                    let name = format!("{operation}_{friction}_{model}_{quantity}");
+                    let name = format!("{}_{level}_{model}_{quantity}", operation.name());
                     columns.push(column(name, &found));
                 }
             }
@@ -136,7 +138,8 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
             values.extend(
                 read.iter().map(|reading| of_operation(reading).then(|| reading.beside_curves())),
             );
-            columns.push(Column::numbers(format!("{operation}_measured_{quantity}"), values));
+            columns
+                .push(Column::numbers(format!("{}_measured_{quantity}", operation.name()), values));
         }
         Table::new(columns)
     };
@@ -150,14 +153,15 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         for operation in &summary.operations {
             let operation_bands = bands
                 .iter()
-                .filter(|band| band.quantity == quantity && band.operation == *operation);
+                .filter(|band| band.quantity == quantity && band.operation == Some(*operation));
             for (place, part) in [(0, "p05"), (2, "p50"), (4, "p95")] {
                 let found = operation_bands
                     .clone()
                     .filter_map(|band| Some((band.bit_depth_m?, Some(band.quantiles[place]))));
                 let found: Vec<_> = found.collect();
                 if !found.is_empty() {
-                    let mut band = column(format!("{operation}_{part}_{quantity}_{unit}"), &found);
+                    let name = format!("{}_{part}_{quantity}_{unit}", operation.name());
+                    let mut band = column(name, &found);
                     // Readings are below the rows of the curves.
                     if let Data::Number(values) = &mut band.data {
                         values.resize(rows, None);
@@ -169,10 +173,10 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         Table::new(columns)
     };
     let mut weights = vec![depth(&[])];
-    for operation in ["drill", "slide"] {
-        for friction in LEVELS {
+    for operation in [OperationKind::Drill, OperationKind::Slide] {
+        for level in FrictionLevel::ALL {
             let rows = summary.buckling.iter();
-            let rows = rows.filter(|row| row.operation == operation && row.friction == friction);
+            let rows = rows.filter(|row| row.operation == operation && row.friction == level);
             let rows: Vec<_> = rows.collect();
             for shape in ["sinusoidal", "helical"] {
                 let found: Vec<_> = rows
@@ -182,7 +186,8 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
                         _ => at(row.bit_depth_m, row.helical_weight_N),
                     })
                     .collect();
-                weights.push(column(format!("{operation}_{friction}_{shape}_weight_N"), &found));
+                let name = format!("{}_{level}_{shape}_weight_N", operation.name());
+                weights.push(column(name, &found));
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Dynamic part of a plan, in the form of the results.
 
 use serde::{Deserialize, Serialize};
-use wholestring::outcome::ModelKind;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::Case;
 use wholestring_judge::{Quantity, Rounding};
 use wholestring_plan::{
@@ -9,7 +9,7 @@ use wholestring_plan::{
     dynamic::{EventAnswer, EventTask, NoDynamics, Peak, WearTask},
     hydraulics::GelBreak,
 };
-use wholestring_results::{PlanCheck, PlanGel, PlanHistory, PlanPeak, PlanPeakOf};
+use wholestring_results::{PlanCheck, PlanGel, PlanHistory, PlanOperation, PlanPeak, PlanPeakOf};
 use wholestring_units::Dimension;
 
 /// Largest relative drift of a hook load at the end; beyond it the simulated time was too short.
@@ -30,7 +30,7 @@ pub(super) enum Ran {
     /// An event with its samples and limits.
     Event(Box<PlanPeak>, PlanHistory, #[serde(with = "super::packed_checks")] Vec<PlanCheck>),
     /// Casing wear by an operation.
-    Wear { operation: String, bit_depth_m: f64, found: Result<Share, String> },
+    Wear { operation: OperationKind, bit_depth_m: f64, found: Result<Share, String> },
 }
 
 /// All dynamic runs that a plan requires.
@@ -69,7 +69,7 @@ impl Run {
                     Ok(Some(share)) => Ok(share),
                     Err(error) => Err(error.to_string()),
                 };
-                let operation = task.operation.kind.name().to_owned();
+                let operation = task.operation.kind;
                 Some(Ran::Wear { operation, bit_depth_m: task.operation.bit_depth_m, found })
             }
         }
@@ -79,7 +79,7 @@ impl Run {
 fn row(task: &EventTask) -> PlanPeak {
     PlanPeak {
         event: task.event.name().to_owned(),
-        friction: task.friction.name().to_owned(),
+        friction: task.friction,
         bit_depth_m: task.bit_depth_m,
         hook_load_N: None,
         surface_torque_N_m: None,
@@ -134,9 +134,9 @@ fn event(task: &EventTask, answer: EventAnswer) -> Ran {
         flow_rate_m3_per_s: series.flow_rate_m3_per_s,
     };
     let limits = answer.limits.into_iter().map(|check| PlanCheck {
-        model: ModelKind::Dynamic.name().to_owned(),
-        friction: task.friction.name().to_owned(),
-        operation: task.event.name().to_owned(),
+        model: ModelKind::Dynamic,
+        friction: task.friction,
+        operation: PlanOperation::Event(task.event),
         bit_depth_m: task.bit_depth_m,
         check,
     });
@@ -149,8 +149,8 @@ pub(super) struct Parts {
     pub(super) peaks: Vec<PlanPeak>,
     pub(super) histories: Vec<PlanHistory>,
     pub(super) limits: Vec<PlanCheck>,
-    /// Wear by the name of its operation.
-    pub(super) wear: Vec<(String, Share)>,
+    /// Wear by operation.
+    pub(super) wear: Vec<(OperationKind, Share)>,
     /// Reasons why wear is unknown or incomplete, with depths marked as quantities.
     pub(super) lacking: Vec<String>,
     /// Number of requested runs without an outcome yet.
@@ -174,15 +174,14 @@ impl Parts {
             }
             Ran::Wear { operation, found: Ok(share), .. } => self.wear.push((operation, share)),
             Ran::Wear { operation, bit_depth_m, found: Err(why) } => self.lacking.push(format!(
-                "no casing wear from the dynamics: {} at {}, {why}",
-                operation.replace('_', " "),
+                "no casing wear from the dynamics: {operation} at {}, {why}",
                 Quantity::new(Dimension::Length, bit_depth_m, Rounding::Five)
             )),
         }
     }
 
     /// The wear, if it is complete.
-    pub(super) fn whole_wear(&self) -> &[(String, Share)] {
+    pub(super) fn whole_wear(&self) -> &[(OperationKind, Share)] {
         if self.pending == 0 && self.lacking.is_empty() { &self.wear } else { &[] }
     }
 }

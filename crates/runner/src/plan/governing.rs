@@ -1,9 +1,7 @@
 //! The governing limit of each operation, in the summary and in sentences.
 
 use wholestring_judge::{Quantity, Wording};
-use wholestring_plan::dynamic::Event;
-use wholestring_report::operation_name;
-use wholestring_results::{PlanCheck, PlanSummary};
+use wholestring_results::{PlanCheck, PlanOperation, PlanSummary};
 use wholestring_units::UnitSet;
 
 /// For each operation, the limit with the least reserve among those that damage a component or stop
@@ -26,9 +24,9 @@ pub fn governing_sentences(summary: &PlanSummary, units: UnitSet) -> Vec<String>
 }
 
 fn sentence(row: &PlanCheck, units: UnitSet) -> String {
-    let operation = match Event::from_name(&row.operation) {
-        Some(event) => format!("{} by the dynamics", event.label()),
-        None => operation_name(&row.operation),
+    let operation = match row.operation {
+        PlanOperation::Event(event) => format!("{} by the dynamics", event.label()),
+        PlanOperation::Kind(kind) => kind.words().to_owned(),
     };
     let depth = Wording::from(Quantity::depth(row.bit_depth_m).to_string()).in_units(units);
     let check = row.check.sentence_in(units);

@@ -15,15 +15,15 @@ pub(super) fn left_out(case: &Case) -> Vec<String> {
     let planned = |kind| plan.operations.iter().any(|operation| operation.kind == kind);
     let operations = case.operations.iter().filter(|own| !planned(own.kind));
     let operations = operations.map(|own| {
-        let name = own.kind.name();
-        format!("{} (`plan.operations` does not list `{name}`)", name.replace('_', " "))
+        let (words, name) = (own.kind.words(), own.kind.name());
+        format!("{words} (`plan.operations` does not list `{name}`)")
     });
     let turned = case.operations.iter().any(|own| own.rotary_speed_rad_per_s > 0.0);
     let assumed = plan.operations.iter().filter(|operation| operation.kind.rotates() && !turned);
     let assumed = assumed.map(|operation| {
         let rpm = operation.rotary_speed_rad_per_s * 30.0 / std::f64::consts::PI;
-        let name = operation.kind.name().replace('_', " ");
-        format!("rotary speed of {name} (the case has no `rpm`: {rpm:.0} rpm is used)")
+        let words = operation.kind.words();
+        format!("rotary speed of {words} (the case has no `rpm`: {rpm:.0} rpm is used)")
     });
     models.chain(operations).chain(assumed).collect()
 }

@@ -1,13 +1,11 @@
-//! Names of friction levels.
+//! Friction of the levels, in words.
 
+use wholestring::well::FrictionLevel;
 use wholestring_results::PlanSummary;
 
-/// From low to high.
-pub(super) const LEVELS: [&str; 3] = ["low", "expected", "high"];
-
 /// Friction factors of a level: `0.3`, or `0.2 / 0.3` if sections differ.
-pub(super) fn label(summary: &PlanSummary, name: &str) -> String {
-    let sections = summary.frictions.iter().filter(|friction| friction.friction == name);
+pub(super) fn label(summary: &PlanSummary, level: FrictionLevel) -> String {
+    let sections = summary.frictions.iter().filter(|friction| friction.friction == level);
     let mut values: Vec<String> = sections.map(|section| short(section.along)).collect();
     values.dedup();
     values.join(" / ")

@@ -1,7 +1,7 @@
 //! Measurements compared with the readings predicted by the plan.
 
 use serde::{Deserialize, Serialize};
-use wholestring::operation::Operation;
+use wholestring::{operation::Operation, well::FrictionLevel};
 use wholestring_case::Measured as Measurements;
 use wholestring_plan::{
     Broomstick, BroomstickTask,
@@ -106,15 +106,15 @@ impl Measured {
     pub(super) fn rows(&self, request: &Request<'_>, done: &[MeasuredDone]) -> Vec<PlanMeasured> {
         let block_N = request.case.model.rig.block_weight_N.unwrap_or(0.0);
         let mut rows = Vec::new();
-        let models = request.case.plan.models.iter();
+        let models = request.case.plan.models.iter().map(|model| model.kind());
         for (model, channel) in
             models.flat_map(|model| Channel::ALL.map(|channel| (model, channel)))
         {
             for (reading, place, held_out) in self.all().filter(|row| row.0.channel == channel) {
                 let operation = operation(&self.readings.assemblies[reading.setup], reading);
                 let is = |point: &PlanPoint| {
-                    point.model == model.name()
-                        && point.operation == operation.kind.name()
+                    point.model == model
+                        && point.operation == operation.kind
                         && point.bit_depth_m == reading.bit_depth_m
                 };
                 let of_string = done.iter().filter(|done| done.string == reading.setup);
@@ -124,7 +124,7 @@ impl Measured {
                     continue;
                 };
                 let is_torque = reading.channel.is_torque();
-                let value = |level: &str| {
+                let value = |level: FrictionLevel| {
                     let scalars = found.iter().find(|point| point.friction == level)?.scalars?;
                     Some(match is_torque {
                         true => scalars.surface_torque_N_m,
@@ -132,16 +132,16 @@ impl Measured {
                     })
                 };
                 rows.push(PlanMeasured {
-                    model: model.name().to_owned(),
+                    model,
                     place: place.clone(),
-                    operation: operation.kind.name().to_owned(),
+                    operation: operation.kind,
                     reading: reading.channel.name().to_owned(),
                     is_torque,
                     held_out,
                     bit_depth_m: reading.bit_depth_m,
                     measured: reading.value,
                     block_N: if is_torque { 0.0 } else { block_N },
-                    predicted: super::levels::LEVELS.map(value),
+                    predicted: FrictionLevel::ALL.map(value),
                     message: found.iter().find_map(|point| point.message.clone()),
                 });
             }

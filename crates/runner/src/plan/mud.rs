@@ -34,7 +34,7 @@ fn row(operation: &Operation, row: &HydraulicsRow) -> PlanHydraulics {
     let [[surge_closed, surge_open], [swab_closed, swab_open]] =
         [row.surge, row.swab].map(|ends| ends.map(density));
     PlanHydraulics {
-        operation: operation.kind.name().to_owned(),
+        operation: operation.kind,
         bit_depth_m: row.bit_depth_m,
         standpipe_pressure_Pa: row.standpipe_Pa,
         bore_loss_Pa: row.bore_loss_Pa,
@@ -53,7 +53,7 @@ pub(super) fn shown(summary: &PlanSummary) -> Option<PlanMud> {
     let first = summary.hydraulics.first()?;
     let settings = &summary.settings;
     Some(PlanMud {
-        operation: first.operation.clone(),
+        operation: first.operation,
         density_kg_per_m3: settings["mud"]["density_kg_per_m3"].as_f64().unwrap_or(f64::NAN),
         pump_limit_Pa: settings["rig"]["pump_pressure_limit_Pa"].as_f64(),
         rows: summary.hydraulics.iter().map(spot).collect(),

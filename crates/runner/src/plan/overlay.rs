@@ -2,11 +2,10 @@
 
 use std::path::Path;
 
-use wholestring::operation::OperationKind;
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
 use wholestring_results::{PlanOverlay, PlanOverlayRow, PlanSummary};
 use wholestring_tabular::{ImportedReading, read_readings};
 
-use super::levels::LEVELS;
 use crate::{error::Error, survey};
 
 /// Weights and torques that another program computed.
@@ -81,27 +80,28 @@ impl Overlay {
         let mut rows = Vec::new();
         let mut without = Vec::new();
         for quantity in QUANTITIES {
-            let name = quantity.operation.name();
+            let operation = quantity.operation;
             let mut theirs: Vec<(&ImportedReading, f64)> = self
                 .readings
                 .iter()
                 .filter_map(|reading| Some((reading, (quantity.theirs)(reading)?)))
                 .collect();
-            if !summary.operations.iter().any(|own| own == name) {
+            if !summary.operations.contains(&operation) {
                 if !theirs.is_empty() {
                     let what = if quantity.is_torque { "torques" } else { "hook loads" };
                     without.push(format!(
-                        "left out: its {what} of '{name}', an operation that is not in the plan"
+                        "left out: its {what} of '{}', an operation that is not in the plan",
+                        operation.name()
                     ));
                 }
                 continue;
             }
             theirs.sort_by(|a, b| a.0.bit_depth_m.total_cmp(&b.0.bit_depth_m));
-            for model in &summary.models {
-                let ours = curve(summary, model, name, quantity.is_torque);
+            for model in summary.models.iter().copied() {
+                let ours = curve(summary, model, operation, quantity.is_torque);
                 rows.extend(theirs.iter().map(|(their, theirs)| PlanOverlayRow {
-                    model: model.clone(),
-                    operation: name.to_owned(),
+                    model,
+                    operation,
                     place: their.place.clone(),
                     is_torque: quantity.is_torque,
                     bit_depth_m: their.bit_depth_m,
@@ -111,15 +111,20 @@ impl Overlay {
             }
         }
         // Ordered by model.
-        let place = |model: &str| summary.models.iter().position(|own| own == model);
-        rows.sort_by_key(|row: &PlanOverlayRow| place(&row.model));
+        let place = |model: ModelKind| summary.models.iter().position(|own| *own == model);
+        rows.sort_by_key(|row: &PlanOverlayRow| place(row.model));
         (PlanOverlay::new(self.file.clone(), rows), without)
     }
 }
 
 /// Depths of the bit and expected values of the plan there; NaN without a solution.
-fn curve(summary: &PlanSummary, model: &str, operation: &str, is_torque: bool) -> Vec<(f64, f64)> {
-    let points = summary.curve(model, operation, LEVELS[1]);
+fn curve(
+    summary: &PlanSummary,
+    model: ModelKind,
+    operation: OperationKind,
+    is_torque: bool,
+) -> Vec<(f64, f64)> {
+    let points = summary.curve(model, operation, FrictionLevel::Expected);
     let value = |point: &wholestring_results::PlanPoint| match (point.scalars, is_torque) {
         (Some(scalars), true) => scalars.surface_torque_N_m,
         (Some(scalars), false) => scalars.hook_load_N,

@@ -2,11 +2,12 @@
 //! of a check into those of its row.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use wholestring::{outcome::ModelKind, well::FrictionLevel};
 use wholestring_judge::Check;
-use wholestring_results::PlanCheck;
+use wholestring_results::{PlanCheck, PlanOperation};
 
 /// Model, friction, operation, depth of the bit in m, and the check.
-type Row = (String, String, String, f64, Check);
+type Row = (ModelKind, FrictionLevel, PlanOperation, f64, Check);
 
 pub(super) fn serialize<S: Serializer>(
     checks: &[PlanCheck],

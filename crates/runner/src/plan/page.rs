@@ -3,20 +3,21 @@
 use std::path::Path;
 
 use serde_json::Value as Json;
-use wholestring_plan::dynamic::Event;
+use wholestring::{operation::OperationKind, well::FrictionLevel};
 use wholestring_report::{
     BucklingCurve, Cell, Fact, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow, PlanLevel,
     PlanLimitRow, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow, PlanSpot,
-    PlanVerdict, PlanWearRow, Section, Severity, operation_name, shown_dimension,
+    PlanVerdict, PlanWearRow, Section, Severity, shown_dimension,
 };
 use wholestring_results::{
-    PlanCheck, PlanFatigue, PlanPoint, PlanSummary, PlanWear, ResultsError, ResultsFolder, Table,
+    PlanCheck, PlanFatigue, PlanOperation, PlanPoint, PlanSummary, PlanWear, ResultsError,
+    ResultsFolder, Table,
 };
 use wholestring_units::UnitSet;
 
 use super::{
     files::{FATIGUE, PEAKS_TIME, Tables, WEAR, WORKBOOK},
-    levels::{LEVELS, label, short},
+    levels::{label, short},
     mud, peaks, surface, weight,
     workbook::workbook,
 };
@@ -100,7 +101,7 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         head: page::head(format!("{}: plan", summary.case), units, Some(settings), facts(summary)),
         message,
         models: summary.models.clone(),
-        levels: LEVELS.iter().map(|name| level(summary, name)).collect(),
+        levels: FrictionLevel::ALL.map(|level| shown_level(summary, level)).into(),
         curves: curves(summary),
         buckling: buckling(summary),
         mud: mud::shown(summary),
@@ -125,8 +126,8 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
     }
 }
 
-fn level(summary: &PlanSummary, name: &str) -> PlanLevel {
-    let sections = summary.frictions.iter().filter(|friction| friction.friction == name);
+fn shown_level(summary: &PlanSummary, level: FrictionLevel) -> PlanLevel {
+    let sections = summary.frictions.iter().filter(|friction| friction.friction == level);
     let sections = sections.map(|section| {
         let kind = if section.kind == "casing" { "casing" } else { "open hole" };
         let around = match section.around == section.along {
@@ -137,17 +138,17 @@ fn level(summary: &PlanSummary, name: &str) -> PlanLevel {
     });
     let mut sections: Vec<String> = sections.collect();
     sections.dedup();
-    PlanLevel { name: name.to_owned(), label: label(summary, name), sections }
+    PlanLevel { name: level.name().to_owned(), label: label(summary, level), sections }
 }
 
 fn curves(summary: &PlanSummary) -> Vec<PlanCurve> {
     let mut curves = Vec::new();
-    for model in &summary.models {
-        for operation in &summary.operations {
-            for (level, friction) in LEVELS.iter().enumerate() {
+    for model in summary.models.iter().copied() {
+        for operation in summary.operations.iter().copied() {
+            for (level, friction) in FrictionLevel::ALL.into_iter().enumerate() {
                 curves.push(PlanCurve {
-                    model: model.clone(),
-                    operation: operation.clone(),
+                    model,
+                    operation,
                     level,
                     points: summary
                         .curve(model, operation, friction)
@@ -179,17 +180,17 @@ fn spot(summary: &PlanSummary, point: &PlanPoint) -> PlanSpot {
 
 fn buckling(summary: &PlanSummary) -> Vec<BucklingCurve> {
     let mut curves = Vec::new();
-    for operation in ["drill", "slide"] {
-        for (level, friction) in LEVELS.iter().enumerate() {
+    for operation in [OperationKind::Drill, OperationKind::Slide] {
+        for (level, friction) in FrictionLevel::ALL.into_iter().enumerate() {
             let rows = summary.buckling.iter();
-            let rows = rows.filter(|row| row.operation == operation && row.friction == *friction);
+            let rows = rows.filter(|row| row.operation == operation && row.friction == friction);
             let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
             let points = rows.map(|row| {
                 let weights = [row.sinusoidal_weight_N, row.helical_weight_N];
                 (row.bit_depth_m, weights.map(number))
             });
             let points = points.collect();
-            curves.push(BucklingCurve { operation: operation.to_owned(), level, points });
+            curves.push(BucklingCurve { operation, level, points });
         }
     }
     curves
@@ -202,7 +203,7 @@ fn limit(row: &PlanCheck) -> Option<PlanLimitRow> {
         breaks: check.kind.stops(),
         kind: check.kind.label().to_owned(),
         operation: operation(row),
-        friction: row.friction.clone(),
+        friction: row.friction,
         bit_depth_m: row.bit_depth_m,
         component: check.component.clone().unwrap_or_default(),
         md_m: check.md_m,
@@ -216,9 +217,12 @@ fn limit(row: &PlanCheck) -> Option<PlanLimitRow> {
     })
 }
 
+/// The operation in words, or the event.
 fn operation(row: &PlanCheck) -> String {
-    Event::from_name(&row.operation)
-        .map_or_else(|| row.operation.clone(), |event| format!("{}, dynamics", event.label()))
+    match row.operation {
+        PlanOperation::Event(event) => format!("{}, dynamics", event.label()),
+        PlanOperation::Kind(kind) => kind.words().to_owned(),
+    }
 }
 
 /// Checks that require attention, the most severe first, then the governing limit of each operation
@@ -234,9 +238,9 @@ fn verdicts(summary: &PlanSummary) -> Vec<PlanVerdict> {
         severity: row.check.severity,
         verdict: row.check.verdict.words().to_owned(),
         governs: summary.governing.contains(row),
-        model: row.model.clone(),
+        model: row.model,
         operation: operation(row),
-        friction: row.friction.clone(),
+        friction: row.friction,
         bit_depth_m: row.bit_depth_m,
         sentences: in_sets(|units| row.check.sentence_in(units)),
     };
@@ -245,7 +249,7 @@ fn verdicts(summary: &PlanSummary) -> Vec<PlanVerdict> {
 
 fn fatigue(fatigue: &PlanFatigue) -> PlanFatigueRow {
     PlanFatigueRow {
-        model: fatigue.model.clone(),
+        model: fatigue.model,
         component: fatigue.component.clone(),
         damage: fatigue.damage,
         hour: fatigue.hour.map(|hour| PlanFatigueHourRow {
@@ -261,7 +265,7 @@ fn fatigue(fatigue: &PlanFatigue) -> PlanFatigueRow {
 fn wear(wear: &PlanWear) -> PlanWearRow {
     let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
     PlanWearRow {
-        model: wear.model.clone(),
+        model: wear.model,
         section: wear.section,
         md_m: wear.md_m,
         groove_m: number(wear.groove_m),
@@ -274,9 +278,9 @@ fn wear(wear: &PlanWear) -> PlanWearRow {
 
 fn measured(summary: &PlanSummary, measured: &wholestring_results::PlanMeasured) -> PlanMeasured {
     PlanMeasured {
-        model: measured.model.clone(),
+        model: measured.model,
         place: measured.place.clone(),
-        operation: measured.operation.clone(),
+        operation: measured.operation,
         is_torque: measured.is_torque,
         held_out: measured.held_out,
         bit_depth_m: measured.bit_depth_m,
@@ -293,15 +297,15 @@ fn measured(summary: &PlanSummary, measured: &wholestring_results::PlanMeasured)
 
 fn overlay(overlay: &wholestring_results::PlanOverlay) -> PlanOverlay {
     let rows = overlay.rows.iter().map(|row| PlanOverlayRow {
-        model: row.model.clone(),
-        operation: row.operation.clone(),
+        model: row.model,
+        operation: row.operation,
         is_torque: row.is_torque,
         bit_depth_m: row.bit_depth_m,
         theirs: row.theirs,
     });
     let differences = overlay.differences.iter().map(|difference| PlanOverlayDifference {
-        model: difference.model.clone(),
-        operation: difference.operation.clone(),
+        model: difference.model,
+        operation: difference.operation,
         is_torque: difference.is_torque,
         count: difference.count,
         mean: difference.mean,
@@ -321,7 +325,8 @@ fn overlay(overlay: &wholestring_results::PlanOverlay) -> PlanOverlay {
 fn hole(summary: &PlanSummary) -> Vec<Section> {
     let holes = summary.settings["well"]["hole"].as_array();
     let diameters = holes.into_iter().flatten().map(|hole| hole["diameter_m"].as_f64());
-    let sections = summary.frictions.iter().filter(|friction| friction.friction == "expected");
+    let sections =
+        summary.frictions.iter().filter(|friction| friction.friction == FrictionLevel::Expected);
     let section =
         |(friction, diameter_m): (&wholestring_results::PlanFriction, Option<f64>)| Section {
             kind: friction.kind.clone(),
@@ -340,11 +345,10 @@ fn facts(summary: &PlanSummary) -> Vec<Fact> {
     let quantity = |number: &Json, dimension: &str| {
         number.as_f64().map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
     };
-    let names: Vec<String> =
-        summary.operations.iter().map(|operation| operation_name(operation)).collect();
+    let names: Vec<&str> = summary.operations.iter().map(|operation| operation.words()).collect();
     let models: Vec<String> =
         summary.models.iter().map(|model| format!("{model} string")).collect();
-    let frictions: Vec<String> = LEVELS.iter().map(|level| label(summary, level)).collect();
+    let frictions: Vec<String> = FrictionLevel::ALL.map(|level| label(summary, level)).into();
     let depths = &summary.bit_depths_m;
     let ends = [depths.first(), depths.last()].map(|depth| depth.copied().unwrap_or(f64::NAN));
     vec![

@@ -4,8 +4,6 @@ use wholestring_plan::dynamic::Event;
 use wholestring_report::{PlanEvent, PlanPeakRow};
 use wholestring_results::{PlanPeak, PlanPeakOf, PlanSummary, Table};
 
-use super::levels::LEVELS;
-
 /// Every event with its samples.
 pub(super) fn events(summary: &PlanSummary, samples: &Table) -> Vec<PlanEvent> {
     summary.peaks.iter().map(|peak| event(peak, samples)).collect()
@@ -38,7 +36,7 @@ fn event(peak: &PlanPeak, samples: &Table) -> PlanEvent {
     PlanEvent {
         name: Event::from_name(&peak.event)
             .map_or_else(|| peak.event.clone(), |event| event.label().to_owned()),
-        level: LEVELS.iter().position(|level| *level == peak.friction).unwrap_or(0),
+        level: peak.friction as usize,
         bit_depth_m: peak.bit_depth_m,
         peaks: peaks.into_iter().filter_map(row).collect(),
         gel_Pa: peak.gel.map(|gel| gel.bore_Pa + gel.annulus_Pa),
@@ -60,7 +58,7 @@ fn rows(peak: &PlanPeak, samples: &Table) -> Vec<usize> {
     };
     let is_its = |row: &usize| {
         events[*row] == peak.event
-            && frictions[*row] == peak.friction
+            && frictions[*row] == peak.friction.name()
             && depths[*row] == Some(peak.bit_depth_m)
     };
     (0..samples.rows()).filter(is_its).collect()

@@ -1,19 +1,19 @@
 //! Roadmap of a plan: hook loads and torques of every operation, a row for each depth of the bit.
 
-use wholestring::operation::OperationKind;
-use wholestring_report::{Cells, Sheet, SheetColumn, operation_name};
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
+use wholestring_report::{Cells, Sheet, SheetColumn};
 use wholestring_results::{PlanPoint, PlanSummary};
 use wholestring_units::{Dimension, UnitSet};
 
-use super::levels::LEVELS;
 use crate::page::dimensions::pretty;
 
 /// A row for each depth of each model.
 pub(super) fn roadmap_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
     let depths_m = &summary.bit_depths_m;
-    let rows: Vec<(&String, f64)> = summary
+    let rows: Vec<(ModelKind, f64)> = summary
         .models
         .iter()
+        .copied()
         .flat_map(|model| depths_m.iter().map(move |depth_m| (model, *depth_m)))
         .collect();
     let length = Dimension::Length.unit_in(units);
@@ -30,40 +30,38 @@ pub(super) fn roadmap_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
                 heading: "model".to_owned(),
                 unit: String::new(),
                 meaning: "The model that found it".to_owned(),
-                cells: Cells::Words(rows.iter().map(|row| row.0.clone()).collect()),
+                cells: Cells::Words(rows.iter().map(|row| row.0.name().to_owned()).collect()),
             },
         );
     }
-    let mut add = |operation: &str,
+    let mut add = |operation: OperationKind,
                    what: &str,
                    dimension: Dimension,
                    quantity: fn(&PlanPoint) -> Option<f64>| {
         let unit = dimension.unit_in(units);
-        for level in LEVELS {
-            let value = |(model, depth_m): &(&String, f64)| {
-                let mut curve = summary.curve(model, operation, level);
+        for level in FrictionLevel::ALL {
+            let value = |(model, depth_m): &(ModelKind, f64)| {
+                let mut curve = summary.curve(*model, operation, level);
                 let point = curve.find(|point| point.bit_depth_m == *depth_m)?;
                 Some(unit.from_si(quantity(point)?))
             };
             columns.push(SheetColumn {
-                heading: format!("{} {what} {level}", operation_name(operation)),
+                heading: format!("{operation} {what} {level}"),
                 unit: pretty(unit.symbol),
                 meaning: format!(
-                    "{} of {} with {level} friction; empty without an answer, which is on the \
+                    "{} of {operation} with {level} friction; empty without an answer, which is on the \
                      sheet Verdict",
-                    if what == "torque" { "Surface torque" } else { "Hook load without block" },
-                    operation_name(operation)
+                    if what == "torque" { "Surface torque" } else { "Hook load without block" }
                 ),
                 cells: Cells::Numbers(rows.iter().map(value).collect()),
             });
         }
     };
     for operation in &summary.operations {
-        add(operation, "hook load", Dimension::Force, |point| Some(point.scalars?.hook_load_N));
+        add(*operation, "hook load", Dimension::Force, |point| Some(point.scalars?.hook_load_N));
     }
-    let turns = |name: &&String| OperationKind::from_name(name).is_some_and(OperationKind::rotates);
-    for operation in summary.operations.iter().filter(turns) {
-        add(operation, "torque", Dimension::Torque, |point| {
+    for operation in summary.operations.iter().filter(|operation| operation.rotates()) {
+        add(*operation, "torque", Dimension::Torque, |point| {
             Some(point.scalars?.surface_torque_N_m)
         });
     }

@@ -2,18 +2,18 @@
 
 use std::collections::BTreeSet;
 
-use wholestring::well::HoleKind;
+use wholestring::{outcome::ModelKind, well::HoleKind};
 use wholestring_judge::{Check, Judge, Unchecked};
 use wholestring_plan::{Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel};
-use wholestring_results::{PlanBuckling, PlanCheck, PlanFriction, PlanPoint};
+use wholestring_results::{PlanBuckling, PlanCheck, PlanFriction, PlanOperation, PlanPoint};
 
 pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
     let point = |point: &BroomstickPoint| {
         let answer = point.outcome.as_ref().ok();
         PlanPoint {
-            model: point.model.name().to_owned(),
-            friction: point.friction.name().to_owned(),
-            operation: point.operation.name().to_owned(),
+            model: point.model.kind(),
+            friction: point.friction,
+            operation: point.operation,
             bit_depth_m: point.bit_depth_m,
             scalars: answer.map(|answer| answer.scalars),
             buckling: answer.map(|answer| answer.buckling.name().to_owned()),
@@ -31,9 +31,9 @@ pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
 pub(super) fn checks(found: &[BroomstickPoint]) -> Vec<PlanCheck> {
     let rows = |point: &BroomstickPoint| {
         let row = |check: &Check| PlanCheck {
-            model: point.model.name().to_owned(),
-            friction: point.friction.name().to_owned(),
-            operation: point.operation.name().to_owned(),
+            model: point.model.kind(),
+            friction: point.friction,
+            operation: PlanOperation::Kind(point.operation),
             bit_depth_m: point.bit_depth_m,
             check: check.clone(),
         };
@@ -51,9 +51,9 @@ pub(super) fn buckling(found: &[BucklingWeight], judge: &Judge) -> Vec<PlanBuckl
     let row = |weight: &BucklingWeight| {
         let [sinusoidal, helical] = weight.weights_N.as_ref().map_or([None; 2], |weights| *weights);
         PlanBuckling {
-            model: "soft".to_owned(),
-            friction: weight.friction.name().to_owned(),
-            operation: weight.operation.name().to_owned(),
+            model: ModelKind::Soft,
+            friction: weight.friction,
+            operation: weight.operation,
             bit_depth_m: weight.bit_depth_m,
             sinusoidal_weight_N: sinusoidal,
             helical_weight_N: helical,
@@ -68,7 +68,7 @@ pub(super) fn frictions(broomstick: &Broomstick) -> Vec<PlanFriction> {
     let sections = |level: FrictionLevel| {
         let sections = broomstick.setup(level).well.hole.sections().iter();
         sections.map(move |section| PlanFriction {
-            friction: level.name().to_owned(),
+            friction: level,
             kind: match section.kind {
                 HoleKind::Casing => "casing".to_owned(),
                 HoleKind::Open => "open".to_owned(),

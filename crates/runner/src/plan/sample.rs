@@ -1,10 +1,13 @@
 //! Samples of a plan: the operations at every depth with expected friction, for the case with
 //! sampled inputs.
 
-use wholestring::operation::{Operation, OperationKind};
+use wholestring::{
+    operation::{Operation, OperationKind},
+    well::FrictionLevel,
+};
 use wholestring_judge::CheckKind;
 use wholestring_plan::Broomstick;
-use wholestring_results::{PlanBuckling, PlanCheck, PlanPoint};
+use wholestring_results::{PlanBuckling, PlanCheck, PlanOperation, PlanPoint};
 
 use crate::uncertain::{Quantity, Sampled, Sampler};
 
@@ -94,8 +97,7 @@ impl<'a> SampleSolver<'a> {
             for loads in found.iter().skip(place).step_by(operations.len()) {
                 sampled.answers.extend(loads.as_ref().map_or([None; 2], |load| load.map(Some)));
                 if let Err(why) = loads {
-                    let name = operation.kind.name().replace('_', " ");
-                    sampled.lacks(|| format!("{name}: {why}"));
+                    sampled.lacks(|| format!("{}: {why}", operation.kind));
                 }
             }
         }
@@ -110,13 +112,13 @@ impl<'a> SampleSolver<'a> {
         limits: &[PlanCheck],
         weights: &[PlanBuckling],
     ) -> Vec<Quantity> {
-        let model = self.sampler.uncertain.model.name();
+        let model = self.sampler.uncertain.model.kind();
         let mut all = Vec::new();
         for kind in &self.kinds {
             let of_kind = |point: &&PlanPoint| {
                 point.model == model
-                    && point.operation == kind.name()
-                    && point.friction == "expected"
+                    && point.operation == *kind
+                    && point.friction == FrictionLevel::Expected
             };
             let own: Vec<&PlanPoint> = points.iter().filter(of_kind).collect();
             for bit_depth_m in self.depths_m {
@@ -125,7 +127,7 @@ impl<'a> SampleSolver<'a> {
                 let quantity = |name, unit, expected| Quantity {
                     bit_depth_m: Some(*bit_depth_m),
                     expected,
-                    ..Quantity::new(name, kind.name(), unit)
+                    ..Quantity::new(name, Some(*kind), unit)
                 };
                 all.push(quantity("hook_load", "N", found.map(|scalars| scalars.hook_load_N)));
                 let torque = found.map(|scalars| scalars.surface_torque_N_m);
@@ -135,8 +137,8 @@ impl<'a> SampleSolver<'a> {
         for kind in &self.kinds {
             let of_kind = |check: &&PlanCheck| {
                 check.model == model
-                    && check.operation == kind.name()
-                    && check.friction == "expected"
+                    && check.operation == PlanOperation::Kind(*kind)
+                    && check.friction == FrictionLevel::Expected
             };
             let own: Vec<&PlanCheck> = limits.iter().filter(of_kind).collect();
             for limit in CheckKind::LIMITS {
@@ -148,22 +150,22 @@ impl<'a> SampleSolver<'a> {
                         .filter(|reserve| reserve.is_finite())
                         .reduce(f64::min),
                     must_be: false,
-                    ..Quantity::new("reserve", kind.name(), "1")
+                    ..Quantity::new("reserve", Some(*kind), "1")
                 });
             }
         }
         let deepest_m = self.depths_m.last().copied();
         for kind in DRILLS {
             let own = weights.iter().find(|weight| {
-                weight.operation == kind.name()
-                    && weight.friction == "expected"
+                weight.operation == kind
+                    && weight.friction == FrictionLevel::Expected
                     && Some(weight.bit_depth_m) == deepest_m
             });
             let quantity = |name, expected| Quantity {
                 bit_depth_m: deepest_m,
                 expected,
                 must_be: false,
-                ..Quantity::new(name, kind.name(), "N")
+                ..Quantity::new(name, Some(kind), "N")
             };
             all.push(quantity(
                 "sinusoidal_weight",

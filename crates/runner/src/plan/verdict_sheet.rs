@@ -1,7 +1,7 @@
 //! Sheets of a plan's checks for a reader: the verdict first, then the least reserve of each kind
 //! of limit.
 
-use wholestring_report::{Cells, Sheet, SheetColumn, operation_name};
+use wholestring_report::{Cells, Sheet, SheetColumn};
 use wholestring_results::{PlanCheck, PlanSummary};
 use wholestring_units::{Dimension, UnitSet};
 
@@ -29,9 +29,9 @@ pub(super) fn verdict_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
         words("severity", "How serious it is", &|row| row.check.severity.name().to_owned()),
         words("verdict", "The verdict in words", &|row| row.check.verdict.words().to_owned()),
         words("check", "What is compared or reported", &|row| row.check.kind.label().to_owned()),
-        words("operation", "The operation", &|row| operation_name(&row.operation)),
-        words("model", "The model that found it", &|row| row.model.clone()),
-        words("friction", "Low, expected or high", &|row| row.friction.clone()),
+        words("operation", "The operation", &|row| row.operation.words().to_owned()),
+        words("model", "The model that found it", &|row| row.model.name().to_owned()),
+        words("friction", "Low, expected or high", &|row| row.friction.name().to_owned()),
         number(["bit depth", length.symbol, "Measured depth of the bit"], &|row| {
             Some(length.from_si(row.bit_depth_m))
         }),

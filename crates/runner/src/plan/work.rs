@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 use serde_json::json;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_judge::{CheckKind, Unchecked};
 use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics};
 use wholestring_results::{
@@ -82,8 +83,7 @@ pub(super) struct Ended {
 fn relevant(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     let is_too_light = |row: &PlanCheck| row.check.kind == CheckKind::WeightNotAvailable;
     let is_alike = |row: &PlanCheck, other: &PlanCheck| {
-        (&row.model, &row.operation, &row.friction)
-            == (&other.model, &other.operation, &other.friction)
+        (row.model, row.operation, row.friction) == (other.model, other.operation, other.friction)
     };
     let too_light: Vec<&PlanCheck> = checks
         .iter()
@@ -293,28 +293,27 @@ impl<'a> Work<'a> {
         let parts_of_campaign = Counted::of(self.broomstick, &all_taken);
         let totals = totals(self.broomstick, &plan.models, &all_taken, parts.whole_wear());
         // Sorted curve by curve, because a task contains the friction levels of one depth.
-        let level = |name: &str| FrictionLevel::ALL.iter().position(|level| level.name() == name);
-        let models: Vec<String> = plan.models.iter().map(|model| model.name().to_owned()).collect();
-        let operations: Vec<String> =
-            plan.operations.iter().map(|operation| operation.kind.name().to_owned()).collect();
-        let place = |names: &[String], name: &str| names.iter().position(|own| own == name);
+        let models: Vec<ModelKind> = plan.models.iter().map(|model| model.kind()).collect();
+        let operations: Vec<OperationKind> =
+            plan.operations.iter().map(|operation| operation.kind).collect();
         points.sort_by(|a: &PlanPoint, b: &PlanPoint| {
             let key = |point: &PlanPoint| {
-                let names = (place(&models, &point.model), place(&operations, &point.operation));
-                (names, level(&point.friction))
+                let model = models.iter().position(|model| *model == point.model);
+                let operation = operations.iter().position(|kind| *kind == point.operation);
+                (model, operation, point.friction as usize)
             };
             key(a).cmp(&key(b)).then(a.bit_depth_m.total_cmp(&b.bit_depth_m))
         });
         weights.sort_by(|a: &PlanBuckling, b: &PlanBuckling| {
             let key =
-                |buckling: &PlanBuckling| (buckling.operation.clone(), level(&buckling.friction));
+                |buckling: &PlanBuckling| (buckling.operation.name(), buckling.friction as usize);
             key(a).cmp(&key(b)).then(a.bit_depth_m.total_cmp(&b.bit_depth_m))
         });
         let levels = FrictionLevel::ALL.len();
         let expected = levels * models.len() * operations.len() * plan.bit_depths_m.len();
         let uncertain = self.sampler.zip(solver).map(|(sampler, solver)| {
             let quantities = solver.quantities(&points, &all_limits, &weights);
-            let model = sampler.uncertain.model.name();
+            let model = sampler.uncertain.model.kind();
             let found = uncertain::summary(sampler, model, &quantities, &[], &sampled);
             (found, samples_table(sampler, &sampled))
         });

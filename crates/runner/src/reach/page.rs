@@ -12,8 +12,8 @@ use wholestring_units::UnitSet;
 
 use super::{sentences, tables::REACH};
 use crate::{
-    column::{numbers, words},
-    page::{self, checks::in_sets, facts::readable, table},
+    column::{numbers, operation, words},
+    page::{self, checks::in_sets, table},
     results_kind::Results,
     uncertain::{self, Names},
 };
@@ -36,7 +36,11 @@ impl Results for Reach {
             frictions: summary.frictions.iter().map(sentences::friction).collect(),
             titles: Limit::ALL.map(|limit| limit.title().to_owned()).to_vec(),
             limits: summary.frictions.iter().enumerate().flat_map(rows).collect(),
-            curves: curves(&table(folder, REACH)?, &summary),
+            curves: curves(
+                &table(folder, REACH)?,
+                &folder.join(format!("{REACH}.parquet")),
+                &summary,
+            )?,
             depths_m: [summary.from_m, summary.to_m],
             uncertain: summary
                 .uncertain
@@ -73,7 +77,7 @@ fn facts(summary: &ReachSummary) -> Vec<Fact> {
 
 fn rows((friction, reach): (usize, &ReachOfFriction)) -> Vec<ReachRow> {
     let row = |limit: &wholestring_results::ReachLimit| ReachRow {
-        operation: readable(&limit.operation),
+        operation: limit.operation,
         limit: limit.title.clone(),
         stops: limit.stops,
         friction,
@@ -90,21 +94,25 @@ fn rows((friction, reach): (usize, &ReachOfFriction)) -> Vec<ReachRow> {
 }
 
 /// Curves of `reach.parquet`: rows that differ only in depth.
-fn curves(table: &Table, summary: &ReachSummary) -> Vec<ReachCurve> {
-    let (operation, limit) = (words(table, "operation"), words(table, "limit"));
+fn curves(
+    table: &Table,
+    path: &Path,
+    summary: &ReachSummary,
+) -> Result<Vec<ReachCurve>, ResultsError> {
+    let (operations, limit) = (words(table, "operation"), words(table, "limit"));
     let friction = numbers(table, "friction");
     let (depth_m, margin) = (numbers(table, "bit_depth_m"), numbers(table, "margin"));
     let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
     let mut curves: Vec<ReachCurve> = Vec::new();
     let mut last = None;
-    for row in 0..operation.len().min(limit.len()).min(margin.len()) {
-        let key = (&operation[row], &limit[row], friction[row].map(f64::to_bits));
+    for row in 0..operations.len().min(limit.len()).min(margin.len()) {
+        let key = (&operations[row], &limit[row], friction[row].map(f64::to_bits));
         if last != Some(key) {
             let place = summary.frictions.iter().position(|reach| reach.friction == friction[row]);
             let titled = summary.frictions.iter().flat_map(|friction| &friction.limits);
             let title = titled.clone().find(|titled| titled.limit == limit[row]);
             curves.push(ReachCurve {
-                operation: readable(&operation[row]),
+                operation: operation(table, row, path)?,
                 limit: title.map_or_else(|| limit[row].clone(), |title| title.title.clone()),
                 friction: place.unwrap_or(0),
                 points: Vec::new(),
@@ -115,5 +123,5 @@ fn curves(table: &Table, summary: &ReachSummary) -> Vec<ReachCurve> {
             curve.points.push((number(depth_m[row]), number(margin[row])));
         }
     }
-    curves
+    Ok(curves)
 }

@@ -182,7 +182,7 @@ pub fn run(
     let Operations { all, left_out } = operations(case, &request.operations)?;
     let setups = request.setups()?;
     let name = format!("{} reach", case.name);
-    let kinds: Vec<&str> = all.iter().map(|operation| operation.kind.name()).collect();
+    let kinds: Vec<OperationKind> = all.iter().map(|operation| operation.kind).collect();
     let inputs = json!([settings.from_m, settings.to_m, request.frictions, kinds]);
     let uncertain = &case.plan.uncertain;
     let helix = [request.helix_side_force, request.stop_at_helix];
@@ -267,7 +267,7 @@ struct Answer {
     friction: Option<f64>,
     reaches: Vec<OperationReach>,
     /// Operations that were not solved.
-    missing: Vec<String>,
+    missing: Vec<OperationKind>,
 }
 
 impl Answer {
@@ -277,20 +277,20 @@ impl Answer {
         operations: &[Operation],
     ) -> Self {
         let unsolved = found.iter().zip(operations).filter(|(found, _)| found.is_none());
-        let missing = unsolved.map(|(_, unsolved)| unsolved.kind.name().to_owned()).collect();
+        let missing = unsolved.map(|(_, unsolved)| unsolved.kind).collect();
         Self { friction, reaches: found.iter().flatten().cloned().collect(), missing }
     }
 
     fn summary(&self, friction_at_bit: f64) -> ReachOfFriction {
         let first = first_stop(&self.reaches).and_then(|(reach, curve)| {
             Some(ReachStop {
-                operation: reach.kind.name().into(),
+                operation: reach.kind,
                 limit: curve.limit.name().into(),
                 depth_m: curve.end.depth_m()?,
             })
         });
         let limits = self.reaches.iter().flat_map(|reach| {
-            let limit = |curve: &Curve| limit(reach.kind.name(), curve);
+            let limit = |curve: &Curve| limit(reach.kind, curve);
             reach.curves.iter().map(limit).collect::<Vec<_>>()
         });
         ReachOfFriction {
@@ -328,10 +328,10 @@ fn solve(
     done.iter().map(|done| lock(done).take().transpose().map_err(Error::failed)).collect()
 }
 
-fn limit(operation: &str, curve: &Curve) -> ReachLimit {
+fn limit(operation: OperationKind, curve: &Curve) -> ReachLimit {
     let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
     ReachLimit {
-        operation: operation.into(),
+        operation,
         limit: curve.limit.name().into(),
         title: curve.limit.title().into(),
         stops: curve.stops,

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use wholestring::operation::OperationKind;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::Case;
 use wholestring_plan::{
     Setup,
@@ -63,11 +63,11 @@ impl SampleSolver<'_> {
                 ..Quantity::new("depth", operation, "m")
             };
             let first_m = first_stop(reaches).and_then(|(_, curve)| curve.end.depth_m());
-            all.push(depth("", "", first_m));
+            all.push(depth(None, "", first_m));
             for reache in reaches {
                 for curve in &reache.curves {
                     let name = curve.limit.name();
-                    all.push(depth(reache.kind.name(), name, curve.end.depth_m()));
+                    all.push(depth(Some(reache.kind), name, curve.end.depth_m()));
                     if !curve.stops {
                         continue;
                     }
@@ -77,7 +77,7 @@ impl SampleSolver<'_> {
                         bit_depth_m: Some(*bit_depth_m),
                         expected: Some(*own).filter(|own| own.is_finite()),
                         is_owed: false,
-                        ..Quantity::new("margin", reache.kind.name(), "1")
+                        ..Quantity::new("margin", Some(reache.kind), "1")
                     };
                     let own: Vec<f64> = curve.margins.iter().map(|margin| margin.margin).collect();
                     all.extend(reache.depth_m.iter().zip(&own).map(margin));
@@ -106,7 +106,7 @@ impl SampleSolver<'_> {
         let mut batch = BatchOutcome::begin(folder.path(), count, begun, cancellation);
         batch.finished = tasks.ended();
         let sampled = tasks.into_done();
-        let found = summary(self.sampler, "soft", &quantities, &self.frictions, &sampled);
+        let found = summary(self.sampler, ModelKind::Soft, &quantities, &self.frictions, &sampled);
         Ok((batch, found, samples_table(self.sampler, &sampled)))
     }
 
@@ -129,13 +129,13 @@ impl SampleSolver<'_> {
                 reach.map_or(to_m, |(_, curve)| depth_m(curve.end))
             };
             sampled.answers.push(first.map(of_first));
-            sampled.stops.push(first.flatten().map(|(flatten, curve)| {
-                (flatten.kind.name().to_owned(), curve.limit.name().to_owned())
-            }));
+            let stop = first.flatten();
+            sampled
+                .stops
+                .push(stop.map(|(reach, curve)| (reach.kind, curve.limit.name().to_owned())));
             for (own, found) in own.iter().zip(found) {
                 if let Err(message) = found {
-                    let name = own.kind.name().replace('_', " ");
-                    sampled.lacks(|| format!("{name}: {message}"));
+                    sampled.lacks(|| format!("{}: {message}", own.kind));
                 }
                 for curve in &own.curves {
                     let found = found.as_ref().ok().and_then(|found| of_limit(found, curve.limit));

@@ -1,11 +1,10 @@
 //! Results of a reach in sentences.
 
+use wholestring::operation::OperationKind;
 use wholestring_judge::{Judge, Reached};
 use wholestring_plan::reach::Limit;
 use wholestring_results::{ReachCheck, ReachOfFriction, ReachSummary};
 use wholestring_units::{Dimension, UnitSet};
-
-use crate::page::facts::readable;
 
 /// A friction factor in words.
 pub(super) fn friction(reach: &ReachOfFriction) -> String {
@@ -32,7 +31,8 @@ pub fn answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     let answer = |reach: &ReachOfFriction| {
         let mut at = friction(reach);
         if !reach.missing.is_empty() {
-            let missing: Vec<String> = reach.missing.iter().map(|name| readable(name)).collect();
+            let missing: Vec<&str> =
+                reach.missing.iter().map(|operation| operation.words()).collect();
             at += &format!(" without {}, interrupted,", missing.join(", "));
         }
         let Some(first) = &reach.first else {
@@ -50,7 +50,7 @@ pub fn answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
         format!(
             "At {at} it is stopped{already} at {}: {title}, {}.",
             depth(first.depth_m, units),
-            readable(&first.operation)
+            first.operation
         )
     };
     summary.frictions.iter().map(answer).collect()
@@ -65,10 +65,10 @@ pub(super) fn checks(
 ) -> Vec<ReachCheck> {
     let mut checks = Vec::new();
     for found in frictions {
-        let mut operations: Vec<&str> = Vec::new();
+        let mut operations: Vec<OperationKind> = Vec::new();
         for limit in &found.limits {
-            if !operations.contains(&limit.operation.as_str()) {
-                operations.push(&limit.operation);
+            if !operations.contains(&limit.operation) {
+                operations.push(limit.operation);
             }
         }
         for operation in operations {
@@ -81,7 +81,7 @@ pub(super) fn checks(
                     && !limit.stops
             });
             let reached = Reached {
-                operation: &readable(operation),
+                operation: operation.words(),
                 stopped: met.min_by(|a, b| a.0.total_cmp(&b.0)),
                 pushed_from_m: zero.and_then(|limit| limit.depth_m),
                 from_m,
@@ -89,7 +89,7 @@ pub(super) fn checks(
                 to_m,
             };
             checks.push(ReachCheck {
-                operation: operation.to_owned(),
+                operation,
                 friction: found.friction,
                 check: judge.reach(&reached),
             });

@@ -1,5 +1,6 @@
 //! The table of the margins of a reach.
 
+use wholestring::operation::OperationKind;
 use wholestring_plan::reach::{Limit, Margin, OperationReach};
 use wholestring_results::{REACH as COLUMNS, ReachSummary, Table};
 
@@ -53,9 +54,9 @@ pub(super) fn reach_table(answers: &[(Option<f64>, &[OperationReach])]) -> Table
 /// margins and the bars of depths that contain 90 % of the samples.
 pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
     let mut rows: Vec<Row<'_>> = Vec::new();
-    let named = |operation: &str, limit: &str, friction: Option<f64>| {
+    let named = |operation: Option<OperationKind>, limit: &str, friction: Option<f64>| {
         vec![
-            ("operation", Entry::Word(operation.to_owned())),
+            ("operation", Entry::Word(operation.map_or("", OperationKind::name).to_owned())),
             ("limit", Entry::Word(limit.to_owned())),
             ("friction", Entry::Number(friction.unwrap_or(f64::NAN))),
         ]
@@ -67,7 +68,7 @@ pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
             let is_first = first.is_some_and(|first| {
                 (&first.operation, &first.limit) == (&limit.operation, &limit.limit)
             });
-            let mut row = named(&limit.operation, &limit.limit, answer.friction);
+            let mut row = named(Some(limit.operation), &limit.limit, answer.friction);
             row.extend([
                 ("met_at_bit_depth_m", Entry::Number(depth_m)),
                 ("stops_first", Entry::Number(f64::from(u8::from(is_first)))),
@@ -78,7 +79,7 @@ pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
     let bands = summary.uncertain.iter().flat_map(|uncertain| &uncertain.bands);
     for band in bands.filter(|band| !band.limit.is_empty()) {
         let [low, .., high] = band.quantiles;
-        let mut row = named(&band.operation, &band.limit, band.friction);
+        let mut row = named(band.operation, &band.limit, band.friction);
         match band.quantity.as_str() {
             "margin" => row.extend([
                 ("bit_depth_m", Entry::Number(band.bit_depth_m.unwrap_or(f64::NAN))),

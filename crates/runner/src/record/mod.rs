@@ -177,9 +177,8 @@ impl Record {
 
     /// Whether a model has solved an operation already.
     pub(crate) fn has(&self, model: ModelKind, operation: &Operation) -> bool {
-        let name = operation.kind.name();
         let mut solved = self.summary.operations.iter();
-        solved.any(|solved| solved.model == model && solved.operation == name)
+        solved.any(|solved| solved.model == model && solved.operation == operation.kind)
     }
 
     /// Rows that an operation under way has moved to the disk.

@@ -11,7 +11,6 @@ use wholestring::{
     },
     rock::bit_face::BottomHole,
 };
-use wholestring_report::operation_name;
 use wholestring_results::{
     Friction, Numerics, OperationSummary, ResultsError, ResultsFolder, Spectrum, Status,
 };
@@ -65,7 +64,7 @@ impl Record {
         };
         self.summary.operations.push(OperationSummary {
             model,
-            operation: operation.kind.name().into(),
+            operation: operation.kind,
             status,
             friction: Friction::of(&friction(&self.hole)),
             bit_depth_m: operation.bit_depth_m,
@@ -139,7 +138,7 @@ impl Record {
     pub(crate) fn add_unsolved(&mut self, model: ModelKind, operation: &Operation, why: String) {
         self.summary.operations.push(OperationSummary {
             model,
-            operation: operation.kind.name().into(),
+            operation: operation.kind,
             status: Status::Failed(why),
             friction: Friction::of(&friction(&self.hole)),
             bit_depth_m: operation.bit_depth_m,
@@ -160,9 +159,7 @@ impl Record {
     pub(crate) fn unsolved(&self) -> Option<String> {
         let failed =
             self.summary.operations.iter().filter_map(|operation| match &operation.status {
-                Status::Failed(why) => {
-                    Some(format!("{}: {why}", operation_name(&operation.operation)))
-                }
+                Status::Failed(why) => Some(format!("{}: {why}", operation.operation)),
                 Status::Complete | Status::Interrupted => None,
             });
         let lines: Vec<String> = failed.collect();

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use wholestring::operation::OperationKind;
 use wholestring_report::{Plot, Report, Run, Spectrum, common_operations, plots};
 use wholestring_results::{ResultsFolder, Summary};
 use wholestring_units::UnitSet;
@@ -41,6 +42,9 @@ pub(crate) fn overlaid(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Ve
     drawn(&runs.collect::<Result<Vec<_>, _>>()?)
 }
 
+/// Name of the table of spectra, without its extension.
+const SPECTRA: &str = "spectra";
+
 /// A run to draw.
 struct Drawn {
     folder: PathBuf,
@@ -62,7 +66,11 @@ impl Drawn {
         Ok(Self {
             folder: folder.to_owned(),
             report: gather(&tables, &summary, units).map_err(Error::bad_input)?,
-            spectra: spectra(&table(folder, "spectra").map_err(Error::bad_input)?),
+            spectra: spectra(
+                &table(folder, SPECTRA).map_err(Error::bad_input)?,
+                &folder.join(format!("{SPECTRA}.parquet")),
+            )
+            .map_err(Error::bad_input)?,
         })
     }
 }
@@ -87,7 +95,8 @@ fn drawn(runs: &[Drawn]) -> Result<Vec<Plot>, Error> {
     if common_operations(&runs).is_empty() {
         let solved = |run: &Run<'_>| {
             let operations = common_operations(std::slice::from_ref(run));
-            operations.join(", ").replace('_', " ")
+            let names = operations.into_iter().map(OperationKind::words);
+            names.collect::<Vec<_>>().join(", ")
         };
         return Err(Error::bad_input(format!(
             "nothing to overlay: {} solved {}, {} solved {}",

@@ -28,7 +28,7 @@ pub(super) fn table(
     let mut columns = vec![
         text("sweep", &|curve| sweeps[curve.series.0].clone()),
         text("model", &|curve| curve.series.1.name().to_owned()),
-        text("operation", &|curve| curve.series.2.clone()),
+        text("operation", &|curve| curve.series.2.name().to_owned()),
     ];
     let axis = match &figure.data {
         FigureData::Summary { x, .. } => x.key.as_str(),

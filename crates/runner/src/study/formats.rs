@@ -32,7 +32,10 @@ pub(super) fn data(computed: &Computed<'_>, sweeps: &[String]) -> Table {
         Column::words("source", cells.iter().map(|(row, ..)| row.source.clone()).collect()),
         Column::words("sweep", cells.iter().map(|(_, cell, _)| sweeps[cell.0].clone()).collect()),
         Column::words("model", cells.iter().map(|(_, cell, _)| cell.1.name().to_owned()).collect()),
-        Column::words("operation", cells.iter().map(|(_, cell, _)| cell.2.clone()).collect()),
+        Column::words(
+            "operation",
+            cells.iter().map(|(_, cell, _)| cell.2.name().to_owned()).collect(),
+        ),
         Column::words(
             "unit",
             cells

@@ -69,7 +69,7 @@ fn computed(
     }
     if let Some(model) = row.over_model {
         let (sweep, _, operation) = series;
-        let Some(other) = of_cases(row, &(*sweep, model, operation.clone()), results, only)? else {
+        let Some(other) = of_cases(row, &(*sweep, model, *operation), results, only)? else {
             return Ok(None);
         };
         value /= other;

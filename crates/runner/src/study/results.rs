@@ -6,7 +6,10 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use wholestring::outcome::{ModelKind, Values, WELL_PATH};
+use wholestring::{
+    operation::OperationKind,
+    outcome::{ModelKind, Values, WELL_PATH},
+};
 use wholestring_results::{OperationSummary, ResultsError, Severity, Status, Summary, Table};
 use wholestring_study::{Chosen, Quantity, Selection, Source, Statistic};
 
@@ -29,11 +32,11 @@ pub(super) struct CaseResult {
 }
 
 /// Identity of a result apart from its case: a column of a table, a line style of a figure.
-pub(super) type Series = (usize, ModelKind, String);
+pub(super) type Series = (usize, ModelKind, OperationKind);
 
 impl CaseResult {
     pub(super) fn series(&self) -> Series {
-        (self.sweep, self.solved.model, self.solved.operation.clone())
+        (self.sweep, self.solved.model, self.solved.operation)
     }
 
     /// Whether it belongs to the chosen series, apart from the chosen cases.
@@ -41,8 +44,7 @@ impl CaseResult {
         let (models, operations) = (&chosen.models, &chosen.operations);
         chosen.sweeps.contains(&self.sweep)
             && (models.is_empty() || models.contains(&self.solved.model))
-            && (operations.is_empty()
-                || operations.iter().any(|kind| kind.name() == self.solved.operation))
+            && (operations.is_empty() || operations.contains(&self.solved.operation))
     }
 
     /// Whether it has an error.
@@ -153,7 +155,7 @@ impl CaseResult {
             let model = models
                 .get(row)
                 .map_or(self.solved.model.in_time(), |model| model == self.solved.model.name());
-            if model && *operation == self.solved.operation {
+            if model && *operation == self.solved.operation.name() {
                 visit(columns.map(|column| column.get(row).copied().flatten().unwrap_or(f64::NAN)));
             }
         }
@@ -244,7 +246,7 @@ pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
     let parts: [&dyn Fn(&Series) -> String; 3] = [
         &|(sweep, _, _)| sweeps[*sweep].clone(),
         &|(_, model, _)| model.method().long_name.into(),
-        &|(_, _, operation)| operation.replace('_', " "),
+        &|(_, _, operation)| operation.words().to_owned(),
     ];
     let mut differing: Vec<_> = parts.iter().filter(|part| differ(part)).collect();
     if differing.is_empty() {

@@ -24,7 +24,7 @@ impl CurveStyles {
         let mut series: Vec<Series> = Vec::new();
         for curve in curves {
             if !series.contains(&curve.series) {
-                series.push(curve.series.clone());
+                series.push(curve.series);
             }
         }
         // Dynamics are drawn solid, the soft string dashed.

@@ -2,6 +2,7 @@
 
 use std::{collections::BTreeMap, path::Path};
 
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_judge::Wording;
 use wholestring_report::{Sweep, SweepRow, address, sweep_html, sweep_plots};
 use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Table};
@@ -36,6 +37,23 @@ pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<()
         return folder.remove(page::FILE);
     }
     folder.write_file(page::FILE, sweep_html(&sweep).as_bytes())
+}
+
+/// The model or the operation of a name; `None` for a case that failed before it had any.
+fn known<T>(
+    folder: &Path,
+    what: &str,
+    name: &str,
+    named: fn(&str) -> Option<T>,
+) -> Result<Option<T>, ResultsError> {
+    let found = named(name);
+    match name.is_empty() || found.is_some() {
+        true => Ok(found),
+        false => Err(ResultsError::Format {
+            path: folder.join(FILE),
+            reason: format!("'{name}' is no {what}"),
+        }),
+    }
 }
 
 /// Page data of a sweep.
@@ -73,11 +91,12 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
         sentence => sentence,
     };
     let rows = table.rows();
-    let rows: Vec<SweepRow> = (0..rows)
-        .map(|row| SweepRow {
+    let row = |row: usize| {
+        let [model, operation] = ["model", "operation"].map(|name| word(name, row));
+        Ok(SweepRow {
             values: varied.iter().map(|column| value(column, row)).collect(),
-            model: word("model", row),
-            operation: word("operation", row),
+            model: known(folder, "model", &model, ModelKind::named)?,
+            operation: known(folder, "operation", &operation, OperationKind::from_name)?,
             status: word("status", row),
             numbers: numbers(row),
             errors: count("errors", row),
@@ -88,7 +107,8 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
             },
             page: page(&word("folder", row)),
         })
-        .collect();
+    };
+    let rows: Vec<SweepRow> = (0..rows).map(row).collect::<Result<_, ResultsError>>()?;
     let folders: Vec<String> = (0..rows.len()).map(|row| word("folder", row)).collect();
     let summary = |name: Option<&String>| {
         let path = name.map(|name| folder.join(name).join("summary.json"));

@@ -1,5 +1,7 @@
 //! A quantity that varies between samples.
 
+use wholestring::operation::OperationKind;
+
 /// A quantity that is computed for every sample.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Quantity {
@@ -7,8 +9,8 @@ pub(crate) struct Quantity {
     pub(crate) name: &'static str,
     /// Name of the limit; empty for other quantities.
     pub(crate) limit: &'static str,
-    /// Name of the operation; empty for all.
-    pub(crate) operation: &'static str,
+    /// The operation; `None` for all.
+    pub(crate) operation: Option<OperationKind>,
     /// Friction factor of all sections; `None` for their own.
     pub(crate) friction: Option<f64>,
     /// Measured depth of the bit, m; `None` for all depths.
@@ -27,7 +29,11 @@ pub(crate) struct Quantity {
 
 impl Quantity {
     /// Creates a quantity of an operation, without depth, with this unit.
-    pub(crate) fn new(name: &'static str, operation: &'static str, unit: &'static str) -> Self {
+    pub(crate) fn new(
+        name: &'static str,
+        operation: Option<OperationKind>,
+        unit: &'static str,
+    ) -> Self {
         Self {
             name,
             limit: "",

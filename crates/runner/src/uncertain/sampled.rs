@@ -1,6 +1,7 @@
 //! Result of a sample.
 
 use serde::{Deserialize, Serialize};
+use wholestring::operation::OperationKind;
 
 /// Result of a sample: a value of each quantity, in order.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -12,7 +13,7 @@ pub(crate) struct Sampled {
     /// Reason of the first of them.
     pub(crate) message: Option<String>,
     /// For a reach, the operation and the limit that stop the well first, at each friction factor.
-    pub(crate) stops: Vec<Option<(String, String)>>,
+    pub(crate) stops: Vec<Option<(OperationKind, String)>>,
 }
 
 impl Sampled {

@@ -1,6 +1,5 @@
 //! Results for uncertain inputs, in sentences.
 
-use wholestring_report::operation_name;
 use wholestring_results::{UncertainBand, UncertainSummary};
 use wholestring_units::{Dimension, UnitSet};
 
@@ -67,10 +66,10 @@ fn sentence(summary: &UncertainSummary, band: &UncertainBand, units: UnitSet) ->
     let unit = dimension.unit_in(units);
     let value = |si: f64| format!("{:.decimals$}", unit.from_si(si));
     let [low, _, middle, _, high] = band.quantiles.map(value);
-    let whose = match (band.operation.as_str(), band.friction) {
-        ("", Some(friction)) => format!("friction {friction}: "),
-        ("", None) => String::new(),
-        (name, _) => format!("{}: ", operation_name(name)),
+    let whose = match (band.operation, band.friction) {
+        (None, Some(friction)) => format!("friction {friction}: "),
+        (None, None) => String::new(),
+        (Some(operation), _) => format!("{operation}: "),
     };
     let mut text = format!("{whose}{name} {low} to {high}, median {middle} {}", unit.symbol);
     if band.not_met > 0 {

@@ -1,12 +1,12 @@
 //! Results for uncertain inputs, in the form of the page.
 
+use wholestring::operation::OperationKind;
 use wholestring_judge::CheckKind;
 use wholestring_plan::reach::Limit;
 use wholestring_report::{Uncertain, UncertainNumber, UncertainShares};
 use wholestring_results::{UncertainBand, UncertainStop, UncertainSummary};
 
 use super::{Names, notes};
-use crate::page::facts::readable;
 
 /// Page data of the results, with the names of the tables.
 pub(crate) fn shown(summary: &UncertainSummary, names: &Names) -> Uncertain {
@@ -54,7 +54,7 @@ fn number(band: &UncertainBand) -> UncertainNumber {
         quantity: band.quantity.clone(),
         title,
         limit: limit.to_owned(),
-        operation: if of_reach { readable(&band.operation) } else { band.operation.clone() },
+        operation: band.operation,
         friction: band.friction,
         bit_depth_m: band.bit_depth_m,
         dimension: dimension.to_owned(),
@@ -75,7 +75,10 @@ fn stop(stop: &UncertainStop) -> (String, usize) {
     let at = stop.friction.map_or_else(String::new, |friction| format!(", friction {friction}"));
     let what = match stop.limit.is_empty() {
         true => format!("nothing{at}"),
-        false => format!("{}, {}{at}", limit(&stop.limit, true), readable(&stop.operation)),
+        false => {
+            let operation = stop.operation.map_or("", OperationKind::words);
+            format!("{}, {operation}{at}", limit(&stop.limit, true))
+        }
     };
     (what, stop.samples)
 }

@@ -2,6 +2,7 @@
 
 use std::cmp::Reverse;
 
+use wholestring::outcome::ModelKind;
 use wholestring_plan::uncertainty::{Bands, Distribution, attribute};
 use wholestring_results::{
     UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary,
@@ -12,7 +13,7 @@ use super::{Quantity, Sampled, Sampler};
 /// Statistics of the solved samples.
 pub(crate) fn summary(
     sampler: &Sampler<'_>,
-    model: &str,
+    model: ModelKind,
     quantities: &[Quantity],
     frictions: &[Option<f64>],
     sampled: &[Option<Sampled>],
@@ -41,7 +42,7 @@ pub(crate) fn summary(
     }
     reasons.sort_by_key(|(_, count)| Reverse(*count));
     UncertainSummary {
-        model: model.to_owned(),
+        model,
         samples: uncertain.samples,
         solved: solved.len(),
         lacking: solved.iter().filter(|(_, sampled)| sampled.lacking > 0).count(),
@@ -81,7 +82,7 @@ fn band(
     Some(UncertainBand {
         quantity: quantity.name.to_owned(),
         limit: quantity.limit.to_owned(),
-        operation: quantity.operation.to_owned(),
+        operation: quantity.operation,
         friction: quantity.friction,
         bit_depth_m: quantity.bit_depth_m,
         unit: quantity.unit.to_owned(),
@@ -102,7 +103,8 @@ fn stops(frictions: &[Option<f64>], solved: &[(&Vec<f64>, &Sampled)]) -> Vec<Unc
     for (place, friction) in frictions.iter().enumerate() {
         let mut stops: Vec<UncertainStop> = Vec::new();
         for stop in solved.iter().filter_map(|(_, sampled)| sampled.stops.get(place)) {
-            let (operation, limit) = stop.clone().unwrap_or_default();
+            let (operation, limit) =
+                stop.clone().map(|(operation, limit)| (Some(operation), limit)).unwrap_or_default();
             match stops.iter_mut().find(|stop| stop.operation == operation && stop.limit == limit) {
                 Some(stop) => stop.samples += 1,
                 None => {

@@ -42,7 +42,7 @@ pub struct OperationVerdict {
     /// The model.
     model: &'static str,
     /// The operation: `drill`, ...
-    operation: String,
+    operation: &'static str,
     /// `ok`, `note`, `warning` or `error`.
     severity: &'static str,
     /// The verdict in words.
@@ -51,8 +51,8 @@ pub struct OperationVerdict {
 
 fn verdict(operation: &OperationSummary) -> Option<OperationVerdict> {
     let Overall { severity, words } = Overall::of(&operation.checks)?;
-    let (model, severity) = (operation.model.name(), severity.name());
-    Some(OperationVerdict { model, operation: operation.operation.clone(), severity, words })
+    let (model, operation) = (operation.model.name(), operation.operation.name());
+    Some(OperationVerdict { model, operation, severity: severity.name(), words })
 }
 
 /// Solves a case by these models instead of its own. Nothing is written, and no frames are taken,

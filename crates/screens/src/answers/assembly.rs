@@ -14,7 +14,7 @@ use super::column::Column;
 #[derive(Debug, Serialize, ToSchema)]
 pub struct AssemblyView {
     /// The operation: `drill`, `slide`, ...
-    operation: String,
+    operation: &'static str,
     /// Measured depth of the bit, m.
     bit_depth_m: f64,
     /// Weight on bit, N.
@@ -132,7 +132,7 @@ impl AssemblyView {
             bend_m: part.bend_m,
         });
         Self {
-            operation: summary.operation,
+            operation: summary.operation.name(),
             bit_depth_m: summary.bit_depth_m,
             weight_on_bit_N: summary.weight_on_bit_N,
             inclination_rad: summary.inclination_rad,

@@ -12,7 +12,7 @@ use wholestring_judge::{Check, CheckKind, Checks};
 #[derive(Debug, Serialize, ToSchema)]
 pub struct OperationLimits {
     /// The operation: `drill`, `trip_out`, ...
-    operation: String,
+    operation: &'static str,
     /// The limit with the smallest reserve for each kind, in the order of the plan's tables.
     limits: Vec<Limit>,
     /// Limits that could not be checked.
@@ -66,7 +66,7 @@ pub fn of_operations(case: &Case) -> Vec<OperationLimits> {
         let loads = string.loads(operation).ok()?;
         let checks = judge.soft_limits(&case.model, operation, &loads);
         Some(OperationLimits {
-            operation: operation.kind.name().to_owned(),
+            operation: operation.kind.name(),
             limits: worst_of(&checks),
             unchecked: unchecked(&checks),
         })
@@ -163,7 +163,7 @@ mod tests {
             let run = run.expect("a run");
             for table in limits {
                 let mut operations = run.answers.summary().operations.iter();
-                let solved = operations.find(|one| one.operation == table.operation);
+                let solved = operations.find(|one| one.operation.name() == table.operation);
                 let checks = &solved.expect("the operation").checks;
                 for row in &table.limits {
                     let own = checks.iter().filter(|check| check.kind.name() == row.kind);
