@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, sync::LazyLock};
 
 use wholestring_config::Json;
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, Unit};
 
 use crate::{overrides::long_key, schema::TABLES};
 
@@ -50,7 +50,7 @@ const BY_UNIT: &[Dimension] = &[
 ///
 /// ```
 /// use wholestring_case::dimension_of;
-/// use wholestring_units::Dimension;
+/// use wholestring_units::{Dimension, Unit};
 ///
 /// assert_eq!(dimension_of("bit_depth_m"), Some((Dimension::Length, "bit_depth")));
 /// assert_eq!(dimension_of("wear_flat_m"), Some((Dimension::Diameter, "wear_flat")));
@@ -76,7 +76,7 @@ pub fn dimension_of(key: &str) -> Option<(Dimension, &str)> {
 ///
 /// ```
 /// use wholestring_case::dimension_at;
-/// use wholestring_units::Dimension;
+/// use wholestring_units::{Dimension, Unit};
 ///
 /// assert_eq!(dimension_at("well.hole.0.diameter"), Some(Dimension::Diameter));
 /// assert_eq!(dimension_at("wob"), Some(Dimension::Force));
@@ -85,6 +85,27 @@ pub fn dimension_of(key: &str) -> Option<(Dimension, &str)> {
 /// ```
 pub fn dimension_at(path: &str) -> Option<Dimension> {
     at(&TABLES, &mut long_key(path).split('.')).and_then(declared_by)
+}
+
+/// Returns the unit of a bare number of a dotted or short key of a case file: SI, and rev/min for
+/// rotary speeds. `None` for a pure number, a text, a number of a station, which is in metres or
+/// degrees as its columns are, or an unknown key.
+///
+/// ```
+/// use wholestring_case::unit_of_key;
+///
+/// assert_eq!(unit_of_key("wob").map(|unit| unit.symbol), Some("N"));
+/// assert_eq!(unit_of_key("operation.rpm").map(|unit| unit.symbol), Some("rpm"));
+/// assert_eq!(unit_of_key("seed"), None);
+/// ```
+pub fn unit_of_key(path: &str) -> Option<&'static Unit> {
+    let is_station = path.starts_with("well.stations.");
+    let dimension = dimension_at(path).filter(|_| !is_station)?;
+    let symbol = match dimension {
+        Dimension::RotarySpeed => "rpm",
+        other => other.si_symbol(),
+    };
+    dimension.find_unit(symbol)
 }
 
 /// Returns the schema of the place to which keys lead.

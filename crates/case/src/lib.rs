@@ -90,7 +90,7 @@ pub use bit_test::BitTest;
 pub use build::parse;
 pub use case::Case;
 pub use catalogue::{OwnCatalogue, catalogue_schema};
-pub use dimension::{dimension_at, dimension_of};
+pub use dimension::{dimension_at, dimension_of, unit_of_key};
 pub use edit::{Edit, EditError, edit};
 pub use edited::edited;
 pub use hole::MAX_FRICTION;

@@ -36,12 +36,7 @@ pub(crate) fn si_unit(dimension: &str) -> PyResult<&'static str> {
 /// key.
 #[pyfunction]
 pub(crate) fn unit_of(key: &str) -> Option<&'static str> {
-    // Stations are in metres and degrees, as in the case file.
-    let bare = key.starts_with("well.stations.");
-    wholestring_case::dimension_at(key).filter(|_| !bare).map(|dimension| match dimension {
-        Dimension::RotarySpeed => "rpm",
-        other => other.si_symbol(),
-    })
+    wholestring_case::unit_of_key(key).map(|unit| unit.symbol)
 }
 
 /// Name of the dimension of a dotted or short key of a case; none for a pure number, a text, or an

@@ -392,11 +392,14 @@ def test_a_sweep_draws_a_curve_a_value() -> None:
 
 
 def test_a_sweep_of_keys_names_its_units(slant: ws.Case, tmp_path: Path) -> None:
-    """Numbers of a key are SI in the table and in the units of the reader in a figure."""
+    """Numbers of a key are SI in the table, rotary speeds in rev/min as their key says, and in the
+    units of the reader in a figure."""
     case = slant.with_(model="soft", operation__kind="drill")
     vary: dict[str, Any] = {"rpm": [60, 120], "wob": ["20 kN", "50 kN"]}
     swept = ws.sweep(case, vary, folder=tmp_path / "swept")
     assert swept.names[0] == "rpm=60 rpm,wob=20 kN"
+    assert swept.table["rpm"] == pytest.approx([60.0, 60.0, 120.0, 120.0], rel=1e-12)
+    assert (swept.table.unit("rpm"), swept.table.unit("wob")) == ("rpm", "N")
     ax = plot.sweep(swept, x="rpm", y="surface_torque_N_m", by="wob")
     assert ax.get_xlabel() == "Rotary speed, rpm"
     assert np.allclose(ax.lines[0].get_xdata(), [60.0, 120.0], rtol=1e-12)

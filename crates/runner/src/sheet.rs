@@ -66,16 +66,6 @@ fn of_key(column: &Column) -> Option<(&'static str, String)> {
     (dimension.si_symbol() == column.unit).then(|| (dimension.name(), column.name.clone()))
 }
 
-/// Numbers of a varied rotary speed that was written without its unit, which is then rev/min in
-/// every set of units.
-fn bare_speeds(column: &Column) -> Option<Cells> {
-    let Data::Text(words) = &column.data else { return None };
-    let is_speed = dimension_at(&column.name) == Some(Dimension::RotarySpeed);
-    let numbers = words.iter().map(|word| word.parse::<f64>().ok().map(Some));
-    let numbers: Option<Vec<Option<f64>>> = numbers.collect();
-    numbers.filter(|_| is_speed).map(Cells::Numbers)
-}
-
 /// A column in display units, which are in its heading, or in those of the rows.
 fn column(column: &Column, rows: Option<&[DisplayUnit]>, units: UnitSet) -> SheetColumn {
     let found = match column.name.strip_suffix("_m") {
@@ -88,11 +78,6 @@ fn column(column: &Column, rows: Option<&[DisplayUnit]>, units: UnitSet) -> Shee
         .or_else(|| of_key(column));
     let (dimension, stem) =
         found.filter(|_| !column.unit.is_empty()).unwrap_or(("", column.name.clone()));
-    if let Some(cells) = bare_speeds(column) {
-        let unit = Dimension::RotarySpeed.unit_in(units).symbol.to_owned();
-        let meaning = column.meaning.replace('`', "");
-        return SheetColumn { heading: column.name.replace('_', " "), unit, meaning, cells };
-    }
     let display_unit = unit(dimension, units);
     let all = display_unit.as_ref().map_or(1.0, |unit| unit.factor);
     let rows = rows.filter(|_| OF_ROWS.contains(&column.name.as_str()) || column.name == "unit");
@@ -186,6 +171,7 @@ mod tests {
         }
         // A varied key has the unit of its dimension.
         assert_eq!(head_and_value("wob", "N").0, "wob, klbf");
+        assert_eq!(head_and_value("rpm", "rpm"), ("rpm, rpm".to_owned(), 1.0));
     }
 
     /// Headings have the field's words.
@@ -200,15 +186,12 @@ mod tests {
         }
     }
 
-    /// Kinds, limits and readings in words; a varied speed without a unit is a number of rev/min.
+    /// Kinds, limits and readings in words.
     #[test]
     fn words_of_a_sheet_are_those_of_the_field() {
         let cells = |name: &str, word: &str| {
-            let data = Data::Text(vec![word.to_owned()]);
-            let (name, unit, meaning) = (name.to_owned(), String::new(), String::new());
-            let table = Table::new(vec![Column { name, unit, meaning, data }]);
-            let sheet = sheet("S", &table, "", UnitSet::Si);
-            (sheet.columns[0].head(), sheet.columns[0].cells.clone())
+            let table = Table::new(vec![Column::words(name, vec![word.to_owned()])]);
+            sheet("S", &table, "", UnitSet::Si).columns[0].cells.clone()
         };
         for (name, word, expected) in [
             ("limit", "yield_strength", Limit::Yield.title()),
@@ -216,8 +199,7 @@ mod tests {
             ("kind", "make_up", CheckKind::MakeUp.label()),
             ("worst_check", "von_mises", CheckKind::VonMises.label()),
         ] {
-            assert_eq!(cells(name, word).1, Cells::Words(vec![expected.to_owned()]), "{name}");
+            assert_eq!(cells(name, word), Cells::Words(vec![expected.to_owned()]), "{name}");
         }
-        assert_eq!(cells("rpm", "60"), ("rpm, rpm".to_owned(), Cells::Numbers(vec![Some(60.0)])));
     }
 }

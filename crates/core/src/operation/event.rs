@@ -6,6 +6,7 @@ use super::OperationKind;
 
 /// Start of motion of a string that hangs at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Event {
     /// The block lifts the string out of the slips and accelerates to the trip speed.
     PickUpFromSlips,
@@ -90,6 +91,7 @@ mod tests {
         for event in Event::ALL {
             assert_eq!(Event::from_name(event.name()), Some(event));
             assert_eq!(event.name().replace('_', " "), event.words());
+            assert_eq!(serde_json::to_value(event).expect("a name"), event.name());
         }
     }
 }

@@ -3,7 +3,7 @@
 use wholestring::{
     prelude::*,
     sizing::{Accuracy, ElementLength},
-    statics::stiff::StiffSettings,
+    statics::stiff::{self, StiffError, StiffProfile, StiffSettings},
     string::{BodyBend, ComponentLength, ComponentSpec},
 };
 
@@ -31,7 +31,7 @@ const WALL_N_PER_M: f64 = 1e10;
 
 /// A motor of 6.75 in with a bend of 10 deg half-way, below pipe of 5 in, in a straight hole of
 /// 8.5 in.
-fn string() -> (Model, Operation) {
+fn string(friction: f64) -> Model {
     let path = common::arcs(&[[0.0, INCLINATION_DEG, 0.0], [LENGTH_M, INCLINATION_DEG, 0.0]]);
     let bend = BodyBend { from_lower_end_m: BEND_M, angle_rad: ANGLE_RAD, toolface_rad: 0.0 };
     let metres = ComponentLength::Metres;
@@ -44,9 +44,13 @@ fn string() -> (Model, Operation) {
         ComponentSpec { bend: Some(bend), ..tube([od_m, id_m], metres(top_m)) },
         tube(PIPE, ComponentLength::ToSurface),
     ];
-    let hole = common::open_hole(HOLE_M, 0.0, LENGTH_M);
-    let model = common::model(path, hole, parts, common::mud(MUD_KG_PER_M3), LENGTH_M);
-    (model, pressed(LENGTH_M, 0.0))
+    let hole = common::open_hole(HOLE_M, friction, LENGTH_M);
+    common::model(path, hole, parts, common::mud(MUD_KG_PER_M3), LENGTH_M)
+}
+
+/// Contact force of the bend, N.
+fn bend_N(found: &StiffProfile) -> f64 {
+    found.contact_force_N[nearest(found, LENGTH_M - BEND_M)]
 }
 
 /// Length of the planar beam, m.
@@ -233,7 +237,7 @@ fn banded(rows: &mut [[f64; 7]], right: &mut [f64]) -> Vec<f64> {
 fn a_bend_that_its_hole_forces_straight() {
     let [coarser, beam] = [0.05, 0.025].map(Planar::solve);
     assert!((coarser.bend_N() / beam.bend_N() - 1.0).abs() < 5e-4, "{}", coarser.bend_N());
-    let (model, operation) = string();
+    let (model, operation) = (string(0.0), pressed(LENGTH_M, 0.0));
     let auto =
         |accuracy| StiffSettings { element_length: ElementLength::Auto(accuracy), ..settings(1.0) };
     let mut rows = Vec::new();
@@ -245,7 +249,6 @@ fn a_bend_that_its_hole_forces_straight() {
         ("of the fine mesh", auto(Accuracy::Fine)),
     ] {
         let found = solve(&model, &operation, &settings);
-        let bend_N = found.contact_force_N[nearest(&found, LENGTH_M - BEND_M)];
         let largest_N_m = found.bending_moment_N_m.iter().copied().fold(0.0, f64::max);
         let reason = "slopes of 5 deg are not small: 0.7 %";
         let row = |quantity: &str, expected: f64, found: f64| {
@@ -253,8 +256,29 @@ fn a_bend_that_its_hole_forces_straight() {
                 .relative(1.5e-2, reason)
                 .row(expected, found)
         };
-        rows.push(row("contact force of the bend in N", beam.bend_N(), bend_N));
+        rows.push(row("contact force of the bend in N", beam.bend_N(), bend_N(&found)));
         rows.push(row("largest moment in N·m", beam.largest_N_m(), largest_N_m));
     }
     report_worst(rows);
+}
+
+/// The same string with friction and 50 kN on the bit. Rotated, it has the contact force of the
+/// bend without friction but for the weight on bit, which is 4 % of that force: next to no friction
+/// holds back the push, so that it does not lock up. One that slides does, because the friction of
+/// the bend, 0.3 of 1.2 MN, exceeds its weight of 20 kN.
+#[test]
+fn a_bend_that_its_hole_forces_straight_does_not_lock_up_a_string_that_rotates() {
+    let (model, friction_less) = (string(0.3), string(0.0));
+    for element_m in [0.4, 0.2, 0.1] {
+        let settings = settings(element_m);
+        let still = solve(&friction_less, &pressed(LENGTH_M, 0.0), &settings);
+        let drill = common::pressing(OperationKind::Drill, LENGTH_M, 50e3);
+        let turning = solve(&model, &drill, &settings);
+        let ratio = bend_N(&turning) / bend_N(&still);
+        assert!((ratio - 1.0).abs() < 0.05, "{element_m} m: {ratio}");
+        let slides = stiff::solve(&model, &pressed(LENGTH_M, 50e3), &settings);
+        let locks_up =
+            matches!(slides, Err(StiffError::LocksUp { .. } | StiffError::RunsAway { .. }));
+        assert!(locks_up, "{element_m} m: {:?}", slides.map(|found| found.convergence));
+    }
 }

@@ -13,7 +13,7 @@ use wholestring::{
     string::LateralForce,
 };
 
-use wholestring_judge::{Check, CheckKind, Descent, Judge, NoAnswer, Severity};
+use wholestring_judge::{Check, CheckKind, Descent, Judge, NoAnswer, Severity, Verdict};
 
 use crate::{
     common::*,
@@ -106,6 +106,29 @@ fn lock_up_is_what_does_not_arrive() {
     slant.rig.block_weight_N = None;
     let drill = at_full_depth(Drill, &slant, 1.5 * push_N);
     none(&soft_checks(&slant, &drill), CheckKind::LockUp);
+}
+
+/// A string that reaches its depth by less than the required factor: a note where its own weight
+/// drives it, a warning where only the block does.
+#[test]
+fn lock_up_met_by_little_is_a_warning_where_the_block_pushes() {
+    let stations = [[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]];
+    let mut slant = five_inch(&stations, 0.2159, 0.5, 260.0);
+    let push_N = 260e3 * (60.0_f64.to_radians().cos() - 0.5 * 60.0_f64.to_radians().sin());
+    let drag_N = 0.5 * 260e3 * 60.0_f64.to_radians().sin();
+    let lock_up = |model: &Model, weight_N: f64| {
+        let slide = at_full_depth(Slide, model, weight_N);
+        let profile = soft::solve(model, &slide, &SoftSettings::default()).expect("an answer");
+        let checks = Judge::default().soft(model, &slide, &profile).checks;
+        only(&checks, CheckKind::LockUp).expect("a check")
+    };
+    let by_weight = lock_up(&slant, 0.98 * push_N);
+    assert_eq!((by_weight.verdict, by_weight.severity), (Verdict::Marginal, Severity::Note));
+    slant.rig.block_weight_N = Some(0.5 * push_N);
+    let pushed = lock_up(&slant, 1.48 * push_N);
+    assert_eq!((pushed.verdict, pushed.severity), (Verdict::Marginal, Severity::Warning));
+    let factor = (drag_N + 1.5 * push_N) / (drag_N + 1.48 * push_N);
+    assert_close("factor", pushed.factor.unwrap(), factor, 1e-9);
 }
 
 /// Descent of a soft string.

@@ -7,6 +7,7 @@ use wholestring::{
     operation::Operation,
     statics::assembly::{self, AssemblySettings, in_straight_hole},
 };
+use wholestring_judge::{Judge, NoAnswer};
 use wholestring_results::{BhaFound, BhaPoint, BhaVaried};
 use wholestring_units::{Dimension, UnitSet};
 
@@ -55,6 +56,7 @@ pub(super) struct Base<'a> {
     pub(super) solved_m: f64,
     /// Units in messages.
     pub(super) units: UnitSet,
+    pub(super) judge: &'a Judge,
     pub(super) jobs: usize,
     pub(super) cancellation: &'a CancellationToken,
 }
@@ -168,7 +170,7 @@ impl Base<'_> {
         };
         let found = model.map_err(|error| error.to_string()).and_then(|model| {
             let found = assembly::solve_once(&model, &operation, self.settings);
-            found.map_err(|error| error.to_string())
+            found.map_err(|error| self.judge.reason(&NoAnswer::from(error)))
         });
         match found {
             Ok(found) => {

@@ -8,7 +8,7 @@ use wholestring::{
     statics::assembly::{self, Assembly, AssemblyNode, AssemblySettings, Extent, zeros},
 };
 use wholestring_case::Case;
-use wholestring_judge::Checks;
+use wholestring_judge::{Checks, Judge, NoAnswer};
 use wholestring_report::Bha;
 use wholestring_results::{
     BHA_VERSION, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried, Occupant, ResultsFolder,
@@ -151,7 +151,11 @@ fn solve(
         return Err(Error::Interrupted);
     }
     let start = Instant::now();
-    let found = assembly::solve(&case.model, operation, &settings).map_err(Error::failed)?;
+    let judge = case.judge(request.units.unwrap_or(case.units));
+    let found = assembly::solve(&case.model, operation, &settings).map_err(|error| {
+        let reason = judge.reason(&NoAnswer::from(error));
+        Error::failed(format!("{}: the assembly has no answer: {reason}", operation.kind))
+    })?;
     let alone_s = start.elapsed().as_secs_f64();
     let base = Base {
         model: &case.model,
@@ -159,11 +163,12 @@ fn solve(
         settings: &AssemblySettings { extent: AssemblySettings::default().extent, ..settings },
         solved_m: found.nodes.last().map_or(0.0, |top| top.from_bit_m),
         units: request.units.unwrap_or(case.units),
+        judge: &judge,
         jobs: jobs(request.jobs),
         cancellation,
     };
     let (points, missing) = base.points(&request.sweeps)?;
-    let summary = BhaSummary { missing, ..summary(request, operation, &found, points) };
+    let summary = BhaSummary { missing, ..summary(request, operation, &found, points, &judge) };
     Ok(AtRest { summary, nodes: found.nodes, alone_s })
 }
 
@@ -200,6 +205,7 @@ fn summary(
     operation: &Operation,
     found: &Assembly,
     sweep: Vec<BhaPoint>,
+    judge: &Judge,
 ) -> BhaSummary {
     let case = request.case;
     let at_bit = case.model.well.path.at(operation.bit_depth_m);
@@ -211,7 +217,6 @@ fn summary(
     let high = |varied: BhaVaried| {
         zeros(&force(varied).iter().map(|(value, force)| (*value, force[0])).collect::<Vec<_>>())
     };
-    let judge = case.judge(request.units.unwrap_or(case.units));
     let Checks { checks, unchecked } = judge.assembly(&case.model, operation, found);
     BhaSummary {
         checks,

@@ -98,14 +98,18 @@ pub(super) fn checks(
     checks
 }
 
-/// Additional notes: the critical inclination, helices without friction, operations that were left
-/// out.
+/// What the soft string leaves out.
+const SOFT: &str = "The reach is that of the soft string. With its bending stiffness the string may \
+                    lock up at a shallower depth: solve the deepest point with `model = \"stiff\"` too.";
+
+/// Additional notes: the model, the critical inclination, helices without friction, operations that
+/// were left out.
 pub fn notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     let angle = |rad: f64| {
         let unit = Dimension::Angle.unit_in(units);
         format!("{:.1} {}", unit.from_si(rad), unit.symbol)
     };
-    let mut notes = Vec::new();
+    let mut notes = vec![SOFT.to_owned()];
     for reach in &summary.frictions {
         let Some(critical_rad) = reach.critical_inclination_rad else { continue };
         let inclination = angle(summary.inclination_rad);

@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use wholestring::outcome::{self, Quantity};
-use wholestring_case::dimension_at;
+use wholestring_case::{dimension_at, unit_of_key};
 use wholestring_results::{Column, Data, ResultsError, Table};
+use wholestring_units::Dimension;
 
 use super::{
     indicators::INDICATORS,
@@ -36,8 +37,8 @@ const NUMBERS: [(&str, &str, &str); 7] = [
 ];
 
 /// Reads the `sweep.csv` of a folder, and returns the number of its leading columns that were
-/// varied. Varied columns are in SI if all values are numbers of the key's dimension, and as
-/// written otherwise; every other column has its unit and meaning.
+/// varied. Varied columns are in SI, rotary speeds in rev/min, if all values are numbers of the key's
+/// dimension, and as written otherwise; a key that a case leaves as it is has no number; every other column has its unit and meaning.
 ///
 /// # Errors
 /// A file that does not exist or does not belong to a sweep.
@@ -84,22 +85,28 @@ pub(super) fn varied(path: &Path, columns: &[Column]) -> Result<usize, ResultsEr
     })
 }
 
-/// Column of a varied key.
+/// Column of a varied key, in the unit of its bare numbers.
 fn key(name: &str, words: &[String]) -> Column {
+    let unit = unit_of_key(name);
     let dimension = dimension_at(name);
-    let number = |word: &String| match dimension {
-        Some(dimension) => dimension.parse(word).ok(),
-        None => word.parse().ok(),
+    let number = |word: &String| {
+        let (Some(dimension), Some(unit)) = (dimension, unit) else { return word.parse().ok() };
+        let bare = || word.parse().ok().filter(|_| dimension == Dimension::RotarySpeed);
+        bare().or_else(|| Some(unit.from_si(dimension.parse(word).ok()?)))
     };
-    let numbers: Option<Vec<f64>> = words.iter().map(number).collect();
-    let data = match numbers {
-        Some(numbers) => Data::Number(numbers.into_iter().map(Some).collect()),
-        None => Data::Text(words.to_vec()),
+    // A case that leaves the key as it is has no value.
+    let value = |word: &String| match word.is_empty() {
+        true => Some(None),
+        false => number(word).map(Some),
     };
-    let is_number = matches!(data, Data::Number(_));
-    let unit = dimension.filter(|_| is_number).map_or("", |dimension| dimension.si_symbol());
-    let meaning = "Varied key of the case file.";
-    Column { name: name.to_owned(), unit: unit.to_owned(), meaning: meaning.to_owned(), data }
+    let numbers: Option<Vec<Option<f64>>> = words.iter().map(value).collect();
+    let (unit, data) = match numbers {
+        Some(numbers) => (unit, Data::Number(numbers)),
+        None => (None, Data::Text(words.to_vec())),
+    };
+    let unit = unit.map_or("", |unit| unit.symbol).to_owned();
+    let meaning = "Varied key of the case file.".to_owned();
+    Column { name: name.to_owned(), unit, meaning, data }
 }
 
 /// Column of results.
@@ -132,4 +139,34 @@ fn about(name: &str) -> Option<(&'static str, String)> {
         let described = all.iter().find(|described| described.name == quantity)?;
         Some((described.unit, format!("`{statistic}` over the window of: {}", described.meaning)))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn column(name: &str, words: &[&str]) -> (String, Data) {
+        let words: Vec<String> = words.iter().map(|word| (*word).to_owned()).collect();
+        let column = key(name, &words);
+        (column.unit, column.data)
+    }
+
+    /// A rotary speed is in rev/min, as its bare number in a case file, with or without its unit.
+    #[test]
+    fn a_varied_key_has_the_unit_of_its_bare_numbers() {
+        let numbers = |values: &[Option<f64>]| Data::Number(values.to_vec());
+        for words in [["60 rpm", "1.5 rev/s"], ["60", "90"]] {
+            let (unit, Data::Number(speeds)) = column("rpm", &words) else {
+                panic!("{words:?} are numbers")
+            };
+            assert_eq!(unit, "rpm");
+            for (speed, expected) in speeds.into_iter().flatten().zip([60.0_f64, 90.0]) {
+                assert!((speed - expected).abs() < 1e-12 * expected, "{speed}, {expected}");
+            }
+        }
+        assert_eq!(column("wob", &["50 kN", ""]), ("N".to_owned(), numbers(&[Some(5e4), None])));
+        assert_eq!(column("friction", &["0.2"]), (String::new(), numbers(&[Some(0.2)])));
+        let written = Data::Text(vec!["soft".to_owned(), "stiff".to_owned()]);
+        assert_eq!(column("model", &["soft", "stiff"]), (String::new(), written));
+    }
 }

@@ -92,6 +92,9 @@ const LOST_STEPS: usize = 5;
 /// Compression by the soft string from which this is checked, as a part of the string's weight.
 const PUSHED: f64 = 0.02;
 
+/// Part of the wall friction that acts along the hole from which a string counts as sliding.
+const SLIDES: f64 = 0.1;
+
 /// A string whose compression exceeds the soft string's by this factor after its last step is given
 /// twice as many, so that it reaches equilibrium or runs away.
 const GROWING: f64 = 1.25;
@@ -123,6 +126,9 @@ pub(super) struct Relaxation<'a> {
     /// Number of steps so far.
     pub(super) steps: usize,
     still_m: f64,
+    /// Whether the string slides along the hole anywhere. One that rotates does not lock up: however
+    /// hard the wall presses it, next to no axial friction holds back the push.
+    slides: bool,
     /// Number of consecutive steps in which the compression has grown beyond [`LOST`], and the
     /// largest compression of the last step, N.
     lost_steps: usize,
@@ -154,6 +160,10 @@ impl<'a> Relaxation<'a> {
             }
         }
         let round_rad = vec![0.0; string.nodes.len()];
+        let slides = string.nodes.iter().any(|node| {
+            let [along, around] = node.friction;
+            along.abs() > SLIDES * libm::hypot(along, around)
+        });
         Self {
             string,
             state,
@@ -163,6 +173,7 @@ impl<'a> Relaxation<'a> {
             round_rad,
             steps: 0,
             still_m: STILL_M,
+            slides,
             lost_steps: 0,
             compression_N: 0.0,
         }
@@ -203,9 +214,10 @@ impl<'a> Relaxation<'a> {
         (far(&most) > angle_rad).then_some(most)
     }
 
-    /// The element under the largest compression, if that is far beyond the soft string's.
+    /// The element under the largest compression of a string that slides, if that is far beyond the
+    /// soft string's.
     fn running_away(&self) -> Option<usize> {
-        self.is_beyond(AWAY)
+        self.is_beyond(AWAY).filter(|_| self.slides)
     }
 
     /// The same, if its compression has grown in several consecutive steps, so far that it will not
@@ -215,7 +227,7 @@ impl<'a> Relaxation<'a> {
             self.string.elements.iter().map(|element| -element.guess_N).fold(0.0, f64::max);
         // A string that hangs is pressed by its bends alone.
         let is_pushed = pushed_N > PUSHED * self.string.weight_N();
-        let found = self.is_beyond(LOST).filter(|_| is_pushed);
+        let found = self.is_beyond(LOST).filter(|_| is_pushed && self.slides);
         let before_N = self.compression_N;
         self.compression_N = found.map_or(0.0, |element| -self.state.tension_N[element]);
         let grows = found.is_some() && self.compression_N > before_N;

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from .. import _core
 from ..errors import InputError
 from ._columns import Columns, Rows
 from ._house import (
@@ -160,8 +161,14 @@ def _varied(rows: Columns, x: str, display: Display) -> tuple[Numbers, str, bool
     if texts is not None:
         numbers, unit = texts
         return numbers, f"{title}, {unit}" if unit else title, is_depth
-    numbers = rows.numbers(x)
-    return display.values(numbers, dimension), display.label(title, dimension), is_depth
+    return display.values(_si(rows, x), dimension), display.label(title, dimension), is_depth
+
+
+def _si(rows: Columns, name: str) -> Numbers:
+    """Return the numbers of a column in SI; a varied rotary speed is in rev/min."""
+    unit, dimension = _core.unit_of(name), _core.dimension_of(name)
+    factor = 1.0 if unit is None or dimension is None else _core.quantity(f"1 {unit}", dimension)
+    return rows.numbers(name) * factor
 
 
 def _texts(rows: Columns, name: str) -> tuple[Numbers, str] | None:
@@ -191,7 +198,7 @@ def _families(rows: Columns, by: str | None, display: Display) -> list[tuple[str
     if by is None:
         return [("", "", np.ones(len(rows), dtype=bool))]
     try:
-        numbers = rows.numbers(by)
+        numbers = _si(rows, by)
     except ValueError:
         words = rows.words(by)
         label_of = operation_words if by == "operation" else str
