@@ -10,6 +10,7 @@ use wholestring_judge::ReadingCheck;
 use crate::{
     CALIBRATION_DYNAMIC, ResultsError, Table, Texts,
     json::{read_versioned, write_json},
+    row::rows,
 };
 
 /// Version of the layout of the files of a calibration; raised when a key changes or is removed.
@@ -166,6 +167,22 @@ pub struct ErrorFound {
     pub count: usize,
     /// The sum of their squared residuals over the error.
     pub chi2: f64,
+}
+
+rows! {
+    /// A value at which a parameter was fixed.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct CalibrationProfile {
+        parameter: String => Words,
+            "As in the summary: `friction_cased`, `block_weight_N`, ...";
+        value: f64 => Ratio, "Fixed value, in the unit at the end of the parameter's name";
+        excess: f64 => Ratio, "Excess of the sum of squared residuals over its minimum";
+        parabola: f64 => Ratio, "The same excess by the standard error alone";
+    }
+
+    /// Columns of `calibration_profiles.parquet`: a row for each value at which a parameter was
+    /// fixed.
+    pub const CALIBRATION_PROFILES, read;
 }
 
 /// The tables of a calibration.

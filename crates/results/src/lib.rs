@@ -35,6 +35,7 @@ mod parts;
 mod plan;
 mod reach;
 mod reach_table;
+mod row;
 mod spectrum;
 mod stability;
 mod stability_table;
@@ -51,18 +52,19 @@ pub use bha_tables::{bha_contacts_table, bha_sweep_table, bha_table};
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use bit_test_table::bit_test_table;
 pub use calibration::{
-    CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, DynamicCheck, ErrorFound,
-    EstimateFound, InMotion, OutlierComparison, calibration_dynamic_table,
+    CALIBRATION_PROFILES, CALIBRATION_VERSION, CalibrationProfile, CalibrationSummary,
+    CalibrationTables, DynamicCheck, ErrorFound, EstimateFound, InMotion, OutlierComparison,
+    calibration_dynamic_table,
 };
 pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use checks::{NamedCheck, checks_of};
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
-    CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec,
-    FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION,
-    PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME,
-    PLAN_SURFACE_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES,
-    TIME, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
+    CALIBRATION_DYNAMIC, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
+    MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
+    PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME, PLAN_SURFACE_LIMITS, REACH,
+    REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME, UNCERTAIN, UNCERTAIN_INDICES,
+    UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -73,14 +75,15 @@ pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use plan::{
-    PLAN_VERSION, PlanBuckling, PlanCheck, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour,
-    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured, PlanOperation, PlanOverlay,
-    PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPoint, PlanSummary,
-    PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_fatigue_table, plan_limits_table,
-    plan_peaks_table, plan_peaks_time_table, plan_wear_table,
+    PLAN_FATIGUE, PLAN_VERSION, PLAN_WEAR, PlanBuckling, PlanCheck, PlanDamage, PlanDensity,
+    PlanFatigue, PlanFatigueHour, PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured,
+    PlanOperation, PlanOverlay, PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf,
+    PlanPoint, PlanSummary, PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_limits_table,
+    plan_peaks_table, plan_peaks_time_table,
 };
 pub use reach::{REACH_VERSION, ReachCheck, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
 pub use reach_table::reach_limits_table;
+pub use row::{ReadRow, Row};
 pub use spectrum::Spectrum;
 pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};
 pub use stability_table::stability_table;

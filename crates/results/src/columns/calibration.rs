@@ -60,14 +60,6 @@ pub const CALIBRATION_BANDS: &[ColumnSpec] = specs! {
     "reading_high_N_m": Torque, "Its upper end; `null` for weights", null_where "it is a weight";
 };
 
-/// Columns of `calibration_profiles.parquet`: a row for each value at which a parameter was fixed.
-pub const CALIBRATION_PROFILES: &[ColumnSpec] = specs! {
-    "parameter": Words, "As in the summary: `friction_cased`, `block_weight_N`, ...";
-    "value": Ratio, "Fixed value, in the unit at the end of the parameter's name";
-    "excess": Ratio, "Excess of the sum of squared residuals over its minimum";
-    "parabola": Ratio, "The same excess by the standard error alone";
-};
-
 /// Columns of `calibration_dynamic.parquet`: a row for each reading that was compared with a
 /// dynamic run with the fitted numbers.
 pub const CALIBRATION_DYNAMIC: &[ColumnSpec] = specs! {

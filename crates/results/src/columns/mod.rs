@@ -10,7 +10,6 @@ mod frames;
 mod modes;
 mod nodes;
 mod plan;
-mod plan_campaign;
 mod plan_measured;
 mod plan_overlay;
 mod plan_peaks;
@@ -27,7 +26,7 @@ pub use self::{
     bha::{BHA, BHA_CONTACTS, BHA_SWEEP},
     bit_test::BIT_TEST,
     bottom_hole::BOTTOM_HOLE,
-    calibration::{CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC, CALIBRATION_PROFILES},
+    calibration::{CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC},
     contact::CONTACT,
     frames::FRAMES,
     modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
@@ -36,7 +35,6 @@ pub use self::{
         PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
         PLAN_SURFACE_LIMITS,
     },
-    plan_campaign::{PLAN_FATIGUE, PLAN_WEAR},
     plan_measured::PLAN_MEASURED,
     plan_overlay::PLAN_OVERLAY,
     plan_peaks::{PLAN_PEAKS, PLAN_PEAKS_TIME},
@@ -70,10 +68,10 @@ macro_rules! specs {
 use specs;
 
 /// Model of the rows.
-const MODEL: ColumnSpec = ColumnSpec::text("model", outcome::ModelKind::LISTED);
+pub(crate) const MODEL: ColumnSpec = ColumnSpec::text("model", outcome::ModelKind::LISTED);
 
 /// Operation of the rows.
-const OPERATION: ColumnSpec = ColumnSpec::text("operation", "`trip_out`, `drill`, ...");
+pub(crate) const OPERATION: ColumnSpec = ColumnSpec::text("operation", "`trip_out`, `drill`, ...");
 
 /// The columns of a table: the quantities that the engine declares, between the columns that
 /// identify the rows and those added to them.

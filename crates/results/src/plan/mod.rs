@@ -9,9 +9,7 @@ mod peaks;
 mod surface;
 mod tables;
 
-pub use campaign::{
-    PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear, plan_fatigue_table, plan_wear_table,
-};
+pub use campaign::{PLAN_FATIGUE, PLAN_WEAR, PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear};
 pub use hydraulics::{PlanDensity, PlanHydraulics};
 pub use measured::PlanMeasured;
 pub use operation::PlanOperation;

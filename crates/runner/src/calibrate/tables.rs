@@ -4,8 +4,9 @@ use wholestring_plan::calibration::{
     Calibration, Channel, ErrorKind, Estimate, Parameter, Point, Settings, State,
 };
 use wholestring_results::{
-    CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES, CalibrationSummary, CalibrationTables,
-    ErrorFound, EstimateFound, ResultsError, ResultsFolder, Table, calibration_dynamic_table,
+    CALIBRATION, CALIBRATION_BANDS, CalibrationProfile, CalibrationSummary, CalibrationTables,
+    ErrorFound, EstimateFound, ResultsError, ResultsFolder, Row as _, Table,
+    calibration_dynamic_table,
 };
 
 use crate::{
@@ -129,21 +130,15 @@ fn bands<'a>(found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
 }
 
 fn profiles(found: &Calibration) -> Table {
-    let mut table = Table::with_columns(CALIBRATION_PROFILES);
-    for estimate in &found.estimates {
-        let each = |value: fn(&wholestring_plan::calibration::ProfilePoint) -> f64| {
-            estimate.profile.iter().map(value).collect::<Vec<f64>>()
-        };
-        table.append(
-            &[("parameter", &[estimate.parameter.name()])],
-            &[
-                ("value", &each(|at| at.value)),
-                ("excess", &each(|at| at.excess)),
-                ("parabola", &each(|at| at.parabola)),
-            ],
-        );
-    }
-    table
+    let rows = found.estimates.iter().flat_map(|estimate| {
+        estimate.profile.iter().map(|point| CalibrationProfile {
+            parameter: estimate.parameter.name().to_owned(),
+            value: point.value,
+            excess: point.excess,
+            parabola: point.parabola,
+        })
+    });
+    CalibrationProfile::table(rows)
 }
 
 /// Readings, in rows below the bands.
