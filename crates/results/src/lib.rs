@@ -26,7 +26,6 @@ mod growing_table;
 mod hold;
 mod json;
 mod modes;
-mod modes_tables;
 mod names;
 mod or_empty;
 mod parquet_file;
@@ -34,16 +33,15 @@ mod parquet_guard;
 mod parts;
 mod plan;
 mod reach;
-mod reach_table;
 mod row;
 mod spectrum;
 mod stability;
-mod stability_table;
 mod summary;
 mod table;
 mod texts;
 mod thrift;
 mod uncertain;
+mod vibration;
 
 pub use wholestring_judge::{Check, CheckKind, ReadingCheck, Severity, Unchecked, Verdict};
 
@@ -60,10 +58,9 @@ pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use checks::{NamedCheck, checks_of};
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
-    CALIBRATION_DYNAMIC, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
-    MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
-    PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME, PLAN_SURFACE_LIMITS, REACH,
-    REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME, UNCERTAIN, UNCERTAIN_INDICES,
+    CALIBRATION_DYNAMIC, CONTACT, ColumnSpec, FRAMES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING,
+    PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS,
+    PLAN_PEAKS_TIME, PLAN_SURFACE_LIMITS, SPECTRA, TABLES, TIME, UNCERTAIN, UNCERTAIN_INDICES,
     UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
 };
 pub use digest::digest;
@@ -73,7 +70,10 @@ pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
-pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
+pub use modes::{
+    CRITICAL_SPEEDS, CriticalSpeed, MODES, MODES_VERSION, ModeFound, ModesSummary, ModesTables,
+    Spot,
+};
 pub use plan::{
     PLAN_FATIGUE, PLAN_VERSION, PLAN_WEAR, PlanBuckling, PlanCheck, PlanDamage, PlanDensity,
     PlanFatigue, PlanFatigueHour, PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured,
@@ -81,16 +81,20 @@ pub use plan::{
     PlanPoint, PlanSummary, PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_limits_table,
     plan_peaks_table, plan_peaks_time_table,
 };
-pub use reach::{REACH_VERSION, ReachCheck, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
-pub use reach_table::reach_limits_table;
+pub use reach::{
+    REACH, REACH_LIMITS, REACH_VERSION, ReachCheck, ReachLimit, ReachMargin, ReachOfFriction,
+    ReachStop, ReachSummary,
+};
 pub use row::{ReadRow, Row};
 pub use spectrum::Spectrum;
-pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};
-pub use stability_table::stability_table;
+pub use stability::{
+    STABILITY, StabilityRow, StabilitySummary, StableFrom, StableWhere, TriedController,
+};
 pub use summary::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,
 };
 pub use table::{Column, Data, Table};
 pub use texts::Texts;
 pub use uncertain::{UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary};
+pub use vibration::{CAMPBELL, CampbellRow, MODE_SHAPES, ModeShapeRow, RESPONSE, ResponseRow};
 pub use wholestring::dynamics::Statistic;

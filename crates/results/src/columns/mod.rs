@@ -7,15 +7,12 @@ mod bottom_hole;
 mod calibration;
 mod contact;
 mod frames;
-mod modes;
 mod nodes;
 mod plan;
 mod plan_measured;
 mod plan_overlay;
 mod plan_peaks;
-mod reach;
 mod spectra;
-mod stability;
 mod tables;
 mod time;
 mod uncertain;
@@ -29,7 +26,6 @@ pub use self::{
     calibration::{CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC},
     contact::CONTACT,
     frames::FRAMES,
-    modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
     nodes::NODES,
     plan::{
         PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
@@ -38,9 +34,7 @@ pub use self::{
     plan_measured::PLAN_MEASURED,
     plan_overlay::PLAN_OVERLAY,
     plan_peaks::{PLAN_PEAKS, PLAN_PEAKS_TIME},
-    reach::{REACH, REACH_LIMITS},
     spectra::SPECTRA,
-    stability::STABILITY,
     tables::TABLES,
     time::TIME,
     uncertain::{UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS},

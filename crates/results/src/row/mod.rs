@@ -13,7 +13,7 @@ pub use read::ReadRow;
 pub(crate) use self::{
     declaration::rows,
     read::Reader,
-    value::{FromNumber, FromWord, Number, Part, Word},
+    value::{FromNumber, FromWord, Number, Part, Word, named, parts},
 };
 use crate::{Column, ColumnSpec, Data, Table};
 

@@ -37,13 +37,7 @@ pub struct Place {
     component: String,
 }
 
-impl Part for Place {
-    type Whole = Self;
-
-    fn whole(&self) -> Option<&Self> {
-        Some(self)
-    }
-}
+parts![Place];
 
 rows! {
     /// Fields of several columns, fields without a column and columns without a field.

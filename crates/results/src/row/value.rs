@@ -217,6 +217,7 @@ macro_rules! named {
         })?
     )+};
 }
+pub(crate) use named;
 
 named! {
     ModelKind: name, "a method", ModelKind::named;
@@ -247,3 +248,17 @@ impl<T, const N: usize> Part for [T; N] {
         Some(self)
     }
 }
+
+/// Structures whose parts are columns.
+macro_rules! parts {
+    ($($type:ty),+) => {$(
+        impl $crate::row::Part for $type {
+            type Whole = Self;
+
+            fn whole(&self) -> Option<&Self> {
+                Some(self)
+            }
+        }
+    )+};
+}
+pub(crate) use parts;
