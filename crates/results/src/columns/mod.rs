@@ -9,8 +9,6 @@ mod contact;
 mod frames;
 mod nodes;
 mod plan;
-mod plan_measured;
-mod plan_overlay;
 mod plan_peaks;
 mod spectra;
 mod tables;
@@ -27,12 +25,7 @@ pub use self::{
     contact::CONTACT,
     frames::FRAMES,
     nodes::NODES,
-    plan::{
-        PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
-        PLAN_SURFACE_LIMITS,
-    },
-    plan_measured::PLAN_MEASURED,
-    plan_overlay::PLAN_OVERLAY,
+    plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_LIMITS},
     plan_peaks::{PLAN_PEAKS, PLAN_PEAKS_TIME},
     spectra::SPECTRA,
     tables::TABLES,
@@ -63,6 +56,9 @@ use specs;
 
 /// Model of the rows.
 pub(crate) const MODEL: ColumnSpec = ColumnSpec::text("model", outcome::ModelKind::LISTED);
+
+/// Level of friction of the rows.
+pub(crate) const FRICTION: ColumnSpec = ColumnSpec::text("friction", "`low`, `expected` or `high`");
 
 /// Operation of the rows.
 pub(crate) const OPERATION: ColumnSpec = ColumnSpec::text("operation", "`trip_out`, `drill`, ...");

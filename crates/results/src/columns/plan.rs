@@ -1,6 +1,6 @@
 //! Columns of the tables of a plan.
 
-use super::{MODEL, OPERATION};
+use super::{FRICTION, MODEL, OPERATION};
 use crate::ColumnSpec;
 
 /// Adds the columns that identify the rows: model, operation and friction.
@@ -8,7 +8,7 @@ macro_rules! plan_specs {
     ($($name:literal: $kind:ident, $meaning:literal $(, null_where $none:literal)?;)+) => {
         &[
             MODEL,
-            ColumnSpec::text("friction", "`low`, `expected` or `high`"),
+            FRICTION,
             OPERATION,
             $($crate::columns::specs!(@one $name, $kind, $meaning)$(.null_where($none))?),+
         ]
@@ -90,64 +90,4 @@ pub const PLAN_LIMITS: &[ColumnSpec] = plan_specs! {
         "`OK`, `marginal` (met by less than a tenth), `below required factor` or `exceeded` (the \
          load is larger than the capacity)";
     "severity": Words, "`ok`, `note`, `warning` or `error`";
-};
-
-/// Columns of `plan_surface_limits.parquet`: two rows for each limit, the ends of its line on the
-/// broomstick.
-pub const PLAN_SURFACE_LIMITS: &[ColumnSpec] = super::specs! {
-    "kind": Words, "`hoist`, `tension`, `top_drive`, `top_drive_peak`, `make_up` or `torsion`";
-    "component": Words, "The topmost component; empty for the rig", null_where "it is of the rig";
-    "bit_depth_m": Depth, "Measured depth of the bit: zero, and the deepest";
-    "required": Ratio, "The required factor";
-    "capacity_N": Force, "The capacity, for the hoist with the block; `null` for torques",
-        null_where "it is a torque";
-    "allowed_N": Force,
-        "Allowable hook load without the block: capacity over factor, for the hoist less the \
-         block; `null` for torques",
-        null_where "it is a torque";
-    "capacity_N_m": Torque, "The capacity; `null` for weights", null_where "it is a weight";
-    "allowed_N_m": Torque, "Allowable torque: capacity over factor; `null` for weights",
-        null_where "it is a weight";
-};
-
-/// Columns of `plan_friction.parquet`: a row for each hole section at each level of friction.
-pub const PLAN_FRICTION: &[ColumnSpec] = super::specs! {
-    "friction": Words, "`low`, `expected` or `high`";
-    "kind": Words, "`casing` or `open`";
-    "from_md_m": Depth, "Measured depth of the section's upper end";
-    "to_md_m": Depth, "Measured depth of its lower end";
-    "along": Ratio, "Coefficient of axial friction";
-    "around": Ratio, "Coefficient of rotational friction";
-};
-
-/// Columns of `plan_hydraulics.parquet`: a row for each depth of the bit. Equivalent densities give
-/// the pressure of the mud plus or minus its friction.
-pub const PLAN_HYDRAULICS: &[ColumnSpec] = super::specs! {
-    "operation": Words, "Operation whose pumps run: `drill` where there is one";
-    "bit_depth_m": Depth, "Measured depth of the bit";
-    "standpipe_pressure_Pa": Pressure, "Pressure at the standpipe: bore, bit, motor and annulus";
-    "bore_loss_Pa": Pressure, "Friction in the bore";
-    "bit_loss_Pa": Pressure, "Pressure drop of bit and motor";
-    "annulus_loss_Pa": Pressure, "Friction in the annulus";
-    "circulating_shoe_kg_per_m3": Density,
-        "Equivalent density at the deepest casing shoe during the operation; this and the others \
-         at the shoe are `null` without casing",
-        null_where "there is no casing";
-    "circulating_bit_kg_per_m3": Density, "The same at the bit";
-    "surge_closed_shoe_kg_per_m3": Density,
-        "At the shoe, running in at the trip speed, no mud in the string, or `null`",
-        null_where "there is no casing";
-    "surge_closed_bit_kg_per_m3": Density, "The same at the bit";
-    "surge_open_shoe_kg_per_m3": Density,
-        "At the shoe, running in, with mud that flows up the string, or `null`",
-        null_where "there is no casing";
-    "surge_open_bit_kg_per_m3": Density, "The same at the bit";
-    "swab_closed_shoe_kg_per_m3": Density,
-        "At the shoe, pulling out at the trip speed, no mud in the string, or `null`",
-        null_where "there is no casing";
-    "swab_closed_bit_kg_per_m3": Density, "The same at the bit";
-    "swab_open_shoe_kg_per_m3": Density,
-        "At the shoe, pulling out, with mud that flows down the string, or `null`",
-        null_where "there is no casing";
-    "swab_open_bit_kg_per_m3": Density, "The same at the bit";
 };

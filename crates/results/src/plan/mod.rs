@@ -1,6 +1,7 @@
 //! The JSON file of a plan, `summary.json`, and its tables.
 
 mod campaign;
+mod friction;
 mod hydraulics;
 mod measured;
 mod operation;
@@ -10,14 +11,15 @@ mod surface;
 mod tables;
 
 pub use campaign::{PLAN_FATIGUE, PLAN_WEAR, PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear};
-pub use hydraulics::{PlanDensity, PlanHydraulics};
-pub use measured::PlanMeasured;
+pub use friction::{PLAN_FRICTION, PlanFriction};
+pub use hydraulics::{PLAN_HYDRAULICS, PlanDensity, PlanHydraulics};
+pub use measured::{PLAN_MEASURED, PlanMeasured};
 pub use operation::PlanOperation;
-pub use overlay::{PlanOverlay, PlanOverlayDifference, PlanOverlayRow};
+pub use overlay::{PLAN_OVERLAY, PlanOverlay, PlanOverlayDifference, PlanOverlayRow};
 pub use peaks::{
     PlanGel, PlanHistory, PlanPeak, PlanPeakOf, plan_peaks_table, plan_peaks_time_table,
 };
-pub use surface::PlanSurfaceLimit;
+pub use surface::{PLAN_SURFACE_LIMITS, PlanSurfaceLimit};
 pub use tables::{plan_broomstick_table, plan_limits_table};
 
 use std::path::Path;
@@ -32,7 +34,7 @@ use wholestring::{
 use wholestring_judge::Check;
 
 use crate::{
-    ResultsError, Table, Texts, UncertainSummary,
+    ResultsError, Row, Table, Texts, UncertainSummary,
     json::{read_versioned, write_json},
 };
 
@@ -108,23 +110,6 @@ pub struct PlanSummary {
     pub texts: Texts,
 }
 
-/// Friction of a hole section at a level.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanFriction {
-    /// Level of friction.
-    pub friction: FrictionLevel,
-    /// `casing` or `open`.
-    pub kind: String,
-    /// Measured depth of the section's upper end, m.
-    pub from_md_m: f64,
-    /// Measured depth of its lower end, m.
-    pub to_md_m: f64,
-    /// Coefficient of axial friction.
-    pub along: f64,
-    /// Coefficient of rotational friction.
-    pub around: f64,
-}
-
 /// One operation at one depth with one friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanPoint {
@@ -184,7 +169,7 @@ pub struct PlanCheck {
 impl PlanSummary {
     /// A row for each depth of the bit; none where the mud has no rheology or nothing flows.
     pub fn hydraulics_table(&self) -> Table {
-        hydraulics::table(&self.hydraulics)
+        PlanHydraulics::table(&self.hydraulics)
     }
 
     /// A row for each limit at the surface, at both ends of the depths.
@@ -194,7 +179,7 @@ impl PlanSummary {
 
     /// A row for each measured weight and torque, for each model.
     pub fn measured_table(&self) -> Table {
-        measured::table(&self.measured)
+        PlanMeasured::table(&self.measured)
     }
 
     /// Number of a model's readings between low and high friction, and number of those that depend

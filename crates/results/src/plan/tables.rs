@@ -1,7 +1,7 @@
 //! The tables of a plan: the contents of its summary, row by row.
 
-use super::{PlanCheck, PlanPoint, PlanSummary};
-use crate::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, Table};
+use super::{PlanCheck, PlanFriction, PlanPoint, PlanSummary};
+use crate::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_LIMITS, Row, Table};
 
 /// A row for each limit with a load and a capacity.
 pub fn plan_limits_table(checks: &[PlanCheck]) -> Table {
@@ -102,18 +102,6 @@ impl PlanSummary {
 
     /// A row for each hole section at each level of friction.
     pub fn friction_table(&self) -> Table {
-        let mut table = Table::with_columns(PLAN_FRICTION);
-        for friction in &self.frictions {
-            table.append(
-                &[("friction", &[friction.friction.name()]), ("kind", &[&friction.kind])],
-                &[
-                    ("from_md_m", &[friction.from_md_m]),
-                    ("to_md_m", &[friction.to_md_m]),
-                    ("along", &[friction.along]),
-                    ("around", &[friction.around]),
-                ],
-            );
-        }
-        table
+        PlanFriction::table(&self.frictions)
     }
 }
