@@ -58,9 +58,8 @@ pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use checks::{NamedCheck, checks_of};
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
-    CALIBRATION_DYNAMIC, CONTACT, ColumnSpec, FRAMES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING,
-    PLAN_LIMITS, PLAN_PEAKS, PLAN_PEAKS_TIME, SPECTRA, TABLES, TIME, UNCERTAIN, UNCERTAIN_INDICES,
-    UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
+    CALIBRATION_DYNAMIC, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TABLES, TIME, UNCERTAIN,
+    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -74,12 +73,13 @@ pub use modes::{
     Spot,
 };
 pub use plan::{
-    PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_MEASURED, PLAN_OVERLAY, PLAN_SURFACE_LIMITS,
-    PLAN_VERSION, PLAN_WEAR, PlanBuckling, PlanCheck, PlanDamage, PlanDensity, PlanFatigue,
-    PlanFatigueHour, PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured,
-    PlanOperation, PlanOverlay, PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf,
-    PlanPoint, PlanSummary, PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_limits_table,
-    plan_peaks_table, plan_peaks_time_table,
+    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
+    PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME, PLAN_SURFACE_LIMITS, PLAN_VERSION,
+    PLAN_WEAR, PlanBuckling, PlanCheck, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour,
+    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured, PlanOperation, PlanOverlay,
+    PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPeakSample, PlanPoint,
+    PlanSummary, PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_limits_table,
+    plan_peaks_time_table,
 };
 pub use reach::{
     REACH, REACH_LIMITS, REACH_VERSION, ReachCheck, ReachLimit, ReachMargin, ReachOfFriction,

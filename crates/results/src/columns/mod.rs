@@ -8,8 +8,6 @@ mod calibration;
 mod contact;
 mod frames;
 mod nodes;
-mod plan;
-mod plan_peaks;
 mod spectra;
 mod tables;
 mod time;
@@ -25,8 +23,6 @@ pub use self::{
     contact::CONTACT,
     frames::FRAMES,
     nodes::NODES,
-    plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_LIMITS},
-    plan_peaks::{PLAN_PEAKS, PLAN_PEAKS_TIME},
     spectra::SPECTRA,
     tables::TABLES,
     time::TIME,
