@@ -8,9 +8,9 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod bha;
+mod bha_sweep;
 mod bha_tables;
 mod bit_test;
-mod bit_test_table;
 mod calibration;
 mod checkpoint;
 mod checks;
@@ -45,10 +45,10 @@ mod vibration;
 
 pub use wholestring_judge::{Check, CheckKind, ReadingCheck, Severity, Unchecked, Verdict};
 
-pub use bha::{BHA_VERSION, BhaFound, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried};
-pub use bha_tables::{bha_contacts_table, bha_sweep_table, bha_table};
-pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
-pub use bit_test_table::bit_test_table;
+pub use bha::{BHA_VERSION, BhaPart, BhaState, BhaSummary};
+pub use bha_sweep::{BHA_SWEEP, BhaFound, BhaPoint, BhaVaried};
+pub use bha_tables::{BHA, BHA_CONTACTS, bha_table};
+pub use bit_test::{BIT_TEST, BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use calibration::{
     CALIBRATION_PROFILES, CALIBRATION_VERSION, CalibrationProfile, CalibrationSummary,
     CalibrationTables, DynamicCheck, ErrorFound, EstimateFound, InMotion, OutlierComparison,
@@ -57,9 +57,9 @@ pub use calibration::{
 pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use checks::{NamedCheck, checks_of};
 pub use columns::{
-    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
-    CALIBRATION_DYNAMIC, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TABLES, TIME, UNCERTAIN,
-    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
+    BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC, CONTACT, ColumnSpec, FRAMES,
+    NODES, SPECTRA, TABLES, TIME, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS,
+    WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;

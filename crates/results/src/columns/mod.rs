@@ -1,8 +1,6 @@
 //! Every column of every table. The engine declares the quantities of its answers itself; this
 //! module declares the tables made of them and the columns that only results have.
 
-mod bha;
-mod bit_test;
 mod bottom_hole;
 mod calibration;
 mod contact;
@@ -14,10 +12,7 @@ mod time;
 mod uncertain;
 mod wear;
 
-pub(crate) use self::bit_test::numbers as bit_test_numbers;
 pub use self::{
-    bha::{BHA, BHA_CONTACTS, BHA_SWEEP},
-    bit_test::BIT_TEST,
     bottom_hole::BOTTOM_HOLE,
     calibration::{CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC},
     contact::CONTACT,
