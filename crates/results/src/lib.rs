@@ -12,6 +12,7 @@ mod bha_sweep;
 mod bha_tables;
 mod bit_test;
 mod calibration;
+mod calibration_rows;
 mod checkpoint;
 mod checks;
 mod columns;
@@ -25,6 +26,7 @@ mod frames;
 mod growing_table;
 mod hold;
 mod json;
+mod loads;
 mod modes;
 mod names;
 mod or_empty;
@@ -50,16 +52,18 @@ pub use bha_sweep::{BHA_SWEEP, BhaFound, BhaPoint, BhaVaried};
 pub use bha_tables::{BHA, BHA_CONTACTS, bha_table};
 pub use bit_test::{BIT_TEST, BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use calibration::{
-    CALIBRATION_PROFILES, CALIBRATION_VERSION, CalibrationProfile, CalibrationSummary,
-    CalibrationTables, DynamicCheck, ErrorFound, EstimateFound, InMotion, OutlierComparison,
-    calibration_dynamic_table,
+    CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, ErrorFound, EstimateFound,
+    OutlierComparison,
+};
+pub use calibration_rows::{
+    CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CalibrationBand,
+    CalibrationProfile, CalibrationReading, DynamicCheck, InMotion,
 };
 pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use checks::{NamedCheck, checks_of};
 pub use columns::{
-    BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC, CONTACT, ColumnSpec, FRAMES,
-    NODES, SPECTRA, TABLES, TIME, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS,
-    WEAR,
+    BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TABLES, TIME, UNCERTAIN,
+    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;

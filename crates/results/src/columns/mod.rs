@@ -2,7 +2,6 @@
 //! module declares the tables made of them and the columns that only results have.
 
 mod bottom_hole;
-mod calibration;
 mod contact;
 mod frames;
 mod nodes;
@@ -14,7 +13,6 @@ mod wear;
 
 pub use self::{
     bottom_hole::BOTTOM_HOLE,
-    calibration::{CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC},
     contact::CONTACT,
     frames::FRAMES,
     nodes::NODES,

@@ -3,7 +3,10 @@
 use serde::{Deserialize, Serialize};
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 
-use crate::row::rows;
+use crate::{
+    loads::{torque, weight},
+    row::rows,
+};
 
 /// Predictions with low and with high friction that differ by less than this part of the one
 /// between them do not depend on friction; no reading is between them except by chance.
@@ -27,37 +30,37 @@ rows! {
         predicted: [Option<f64>; 3],
             "Prediction for the string that was in the hole, with low, expected and high friction; \
              none without an answer";
-        measured_N = |row| row.weight(row.measured) => Force,
+        measured_N = |row| weight(row.is_torque, row.measured) => Force,
             "Measured weight, block included; `null` for torques",
             null_where "it is a torque";
-        hook_load_N = |row| row.weight(row.measured - row.block_N) => Force,
+        hook_load_N = |row| weight(row.is_torque, row.measured - row.block_N) => Force,
             "The same without the block, comparable with `plan_broomstick`; `null` for torques",
             null_where "it is a torque";
-        low_friction_N = |row| row.weight(row.predicted[0]) => Force,
+        low_friction_N = |row| weight(row.is_torque, row.predicted[0]) => Force,
             "The same predicted with low friction; `null` for torques and without an answer",
             null_where "it is a torque, or there is no answer";
-        predicted_N = |row| row.weight(row.predicted[1]) => Force,
+        predicted_N = |row| weight(row.is_torque, row.predicted[1]) => Force,
             "With the expected friction; `null` for torques and without an answer",
             null_where "it is a torque, or there is no answer";
-        high_friction_N = |row| row.weight(row.predicted[2]) => Force,
+        high_friction_N = |row| weight(row.is_torque, row.predicted[2]) => Force,
             "With high friction; `null` for torques and without an answer",
             null_where "it is a torque, or there is no answer";
-        residual_N = |row| row.weight(row.residual()) => Force,
+        residual_N = |row| weight(row.is_torque, row.residual()) => Force,
             "Measured less predicted; `null` for torques and without an answer",
             null_where "it is a torque, or there is no answer";
-        measured_N_m = |row| row.torque(row.measured) => Torque,
+        measured_N_m = |row| torque(row.is_torque, row.measured) => Torque,
             "Measured torque; `null` for weights",
             null_where "it is a weight";
-        low_friction_N_m = |row| row.torque(row.predicted[0]) => Torque,
+        low_friction_N_m = |row| torque(row.is_torque, row.predicted[0]) => Torque,
             "The same predicted with low friction; `null` for weights and without an answer",
             null_where "it is a weight, or there is no answer";
-        predicted_N_m = |row| row.torque(row.predicted[1]) => Torque,
+        predicted_N_m = |row| torque(row.is_torque, row.predicted[1]) => Torque,
             "With the expected friction; `null` for weights and without an answer",
             null_where "it is a weight, or there is no answer";
-        high_friction_N_m = |row| row.torque(row.predicted[2]) => Torque,
+        high_friction_N_m = |row| torque(row.is_torque, row.predicted[2]) => Torque,
             "With high friction; `null` for weights and without an answer",
             null_where "it is a weight, or there is no answer";
-        residual_N_m = |row| row.torque(row.residual()) => Torque,
+        residual_N_m = |row| torque(row.is_torque, row.residual()) => Torque,
             "Measured less predicted; `null` for weights and without an answer",
             null_where "it is a weight, or there is no answer";
         between = |row| row.between() => Words,
@@ -74,16 +77,6 @@ rows! {
 }
 
 impl PlanMeasured {
-    /// A value of a weight; `None` for a torque.
-    fn weight<V>(&self, value: V) -> Option<V> {
-        (!self.is_torque).then_some(value)
-    }
-
-    /// A value of a torque; `None` for a weight.
-    fn torque<V>(&self, value: V) -> Option<V> {
-        self.is_torque.then_some(value)
-    }
-
     /// Value to compare with the curves of a plan: torque, or hook load without block.
     pub fn beside_curves(&self) -> f64 {
         self.measured - self.block_N

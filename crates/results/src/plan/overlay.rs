@@ -3,7 +3,11 @@
 use serde::{Deserialize, Serialize};
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 
-use crate::{Row, Table, row::rows};
+use crate::{
+    Row, Table,
+    loads::{torque, weight},
+    row::rows,
+};
 
 /// Another program's curves from a file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -32,22 +36,22 @@ rows! {
         ours: Option<f64>,
             "Our value with the expected friction, hook loads without the block; none where the plan \
              has no answer there";
-        theirs_N = |row| row.weight(row.theirs) => Force,
+        theirs_N = |row| weight(row.is_torque, row.theirs) => Force,
             "Their hook load, as in the file; `null` for torques",
             null_where "it is a torque";
-        ours_N = |row| row.weight(row.ours) => Force,
+        ours_N = |row| weight(row.is_torque, row.ours) => Force,
             "Ours, block excluded; `null` for torques and without an answer",
             null_where "it is a torque, or there is no answer";
-        difference_N = |row| row.weight(row.difference()) => Force,
+        difference_N = |row| weight(row.is_torque, row.difference()) => Force,
             "Ours less theirs; `null` for torques and without an answer",
             null_where "it is a torque, or there is no answer";
-        theirs_N_m = |row| row.torque(row.theirs) => Torque,
+        theirs_N_m = |row| torque(row.is_torque, row.theirs) => Torque,
             "Their torque; `null` for weights",
             null_where "it is a weight";
-        ours_N_m = |row| row.torque(row.ours) => Torque,
+        ours_N_m = |row| torque(row.is_torque, row.ours) => Torque,
             "Our torque; `null` for weights and without an answer",
             null_where "it is a weight, or there is no answer";
-        difference_N_m = |row| row.torque(row.difference()) => Torque,
+        difference_N_m = |row| torque(row.is_torque, row.difference()) => Torque,
             "Ours less theirs; `null` for weights and without an answer",
             null_where "it is a weight, or there is no answer";
     }
@@ -62,16 +66,6 @@ impl PlanOverlayRow {
     /// Ours less theirs.
     pub fn difference(&self) -> Option<f64> {
         Some(self.ours? - self.theirs)
-    }
-
-    /// A value of a hook load; `None` for a torque.
-    fn weight<V>(&self, value: V) -> Option<V> {
-        (!self.is_torque).then_some(value)
-    }
-
-    /// A value of a torque; `None` for a hook load.
-    fn torque<V>(&self, value: V) -> Option<V> {
-        self.is_torque.then_some(value)
     }
 }
 

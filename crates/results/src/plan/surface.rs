@@ -2,7 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Row, Table, row::rows};
+use crate::{
+    Row, Table,
+    loads::{torque, weight},
+    row::rows,
+};
 
 rows! {
     /// A limit of hook load or surface torque.
@@ -17,17 +21,17 @@ rows! {
         bit_depth_m = |_| bit_depth_m => Depth, "Measured depth of the bit: zero, and the deepest";
         required: f64 => Ratio, "The required factor";
         allowed: f64, "Allowable hook load without the block, or torque, by that factor";
-        capacity_N = |limit| limit.weight(limit.capacity) => Force,
+        capacity_N = |limit| weight(limit.is_torque, limit.capacity) => Force,
             "The capacity, for the hoist with the block; `null` for torques",
             null_where "it is a torque";
-        allowed_N = |limit| limit.weight(limit.allowed) => Force,
+        allowed_N = |limit| weight(limit.is_torque, limit.allowed) => Force,
             "Allowable hook load without the block: capacity over factor, for the hoist less the \
              block; `null` for torques",
             null_where "it is a torque";
-        capacity_N_m = |limit| limit.torque(limit.capacity) => Torque,
+        capacity_N_m = |limit| torque(limit.is_torque, limit.capacity) => Torque,
             "The capacity; `null` for weights",
             null_where "it is a weight";
-        allowed_N_m = |limit| limit.torque(limit.allowed) => Torque,
+        allowed_N_m = |limit| torque(limit.is_torque, limit.allowed) => Torque,
             "Allowable torque: capacity over factor; `null` for weights",
             null_where "it is a weight";
     }
@@ -35,18 +39,6 @@ rows! {
     /// Columns of `plan_surface_limits.parquet`: two rows for each limit, the ends of its line on the
     /// broomstick.
     pub const PLAN_SURFACE_LIMITS with bit_depth_m: f64;
-}
-
-impl PlanSurfaceLimit {
-    /// A value of a hook load; `None` for a torque.
-    fn weight(&self, value: f64) -> Option<f64> {
-        (!self.is_torque).then_some(value)
-    }
-
-    /// A value of a torque; `None` for a hook load.
-    fn torque(&self, value: f64) -> Option<f64> {
-        self.is_torque.then_some(value)
-    }
 }
 
 /// A row for each limit at the surface and at the deepest bit, m: it is the same at all depths.
