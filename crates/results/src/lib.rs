@@ -43,6 +43,7 @@ mod table;
 mod texts;
 mod thrift;
 mod uncertain;
+mod uncertain_rows;
 mod vibration;
 
 pub use wholestring_judge::{Check, CheckKind, ReadingCheck, Severity, Unchecked, Verdict};
@@ -61,10 +62,7 @@ pub use calibration_rows::{
 };
 pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use checks::{NamedCheck, checks_of};
-pub use columns::{
-    BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TABLES, TIME, UNCERTAIN,
-    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
-};
+pub use columns::{BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TABLES, TIME, WEAR};
 pub use digest::digest;
 pub use error::ResultsError;
 pub use file::{write_file, write_new_files};
@@ -99,6 +97,10 @@ pub use summary::{
 };
 pub use table::{Column, Data, Table};
 pub use texts::Texts;
-pub use uncertain::{UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary};
+pub use uncertain::{UncertainKey, UncertainSummary};
+pub use uncertain_rows::{
+    UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, UncertainBand,
+    UncertainIndex, UncertainOwed, UncertainSample, UncertainStop,
+};
 pub use vibration::{CAMPBELL, CampbellRow, MODE_SHAPES, ModeShapeRow, RESPONSE, ResponseRow};
 pub use wholestring::dynamics::Statistic;

@@ -8,19 +8,11 @@ mod nodes;
 mod spectra;
 mod tables;
 mod time;
-mod uncertain;
 mod wear;
 
 pub use self::{
-    bottom_hole::BOTTOM_HOLE,
-    contact::CONTACT,
-    frames::FRAMES,
-    nodes::NODES,
-    spectra::SPECTRA,
-    tables::TABLES,
-    time::TIME,
-    uncertain::{UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS},
-    wear::WEAR,
+    bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES, spectra::SPECTRA,
+    tables::TABLES, time::TIME, wear::WEAR,
 };
 use wholestring::outcome;
 
