@@ -40,6 +40,7 @@ mod spectrum;
 mod stability;
 mod summary;
 mod table;
+mod tables;
 mod texts;
 mod thrift;
 mod uncertain;
@@ -62,7 +63,7 @@ pub use calibration_rows::{
 };
 pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use checks::{NamedCheck, checks_of};
-pub use columns::{BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TABLES, TIME, WEAR};
+pub use columns::{BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 pub use digest::digest;
 pub use error::ResultsError;
 pub use file::{write_file, write_new_files};
@@ -96,6 +97,7 @@ pub use summary::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,
 };
 pub use table::{Column, Data, Table};
+pub use tables::TABLES;
 pub use texts::Texts;
 pub use uncertain::{UncertainKey, UncertainSummary};
 pub use uncertain_rows::{

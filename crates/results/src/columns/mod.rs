@@ -1,18 +1,19 @@
-//! Every column of every table. The engine declares the quantities of its answers itself; this
-//! module declares the tables made of them and the columns that only results have.
+//! Columns of the tables of a run. The engine declares the quantities of its answers itself; this
+//! module declares the tables made of them, and the columns that several tables share.
+//!
+//! Rows of other commands are declared with their columns: [`crate::row::rows`].
 
 mod bottom_hole;
 mod contact;
 mod frames;
 mod nodes;
 mod spectra;
-mod tables;
 mod time;
 mod wear;
 
 pub use self::{
     bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES, spectra::SPECTRA,
-    tables::TABLES, time::TIME, wear::WEAR,
+    time::TIME, wear::WEAR,
 };
 use wholestring::outcome;
 
@@ -74,21 +75,6 @@ const fn table<T, const N: usize>(
 mod tests {
     use wholestring::dynamics::{Channel, FRAME};
 
-    use super::*;
-
-    #[test]
-    fn names_are_unique() {
-        for (_, table) in TABLES {
-            for (index, column) in table.iter().enumerate() {
-                assert!(
-                    table[..index].iter().all(|other| other.name != column.name),
-                    "{} is declared twice",
-                    column.name
-                );
-            }
-        }
-    }
-
     #[test]
     fn every_column_of_a_frame_is_of_one_channel() {
         let mut names: Vec<&str> =
@@ -98,14 +84,5 @@ mod tests {
         let mut declared: Vec<&str> = FRAME.iter().map(|column| column.quantity.name).collect();
         declared.sort_unstable();
         assert_eq!(names, declared);
-    }
-
-    /// The meaning of a column that may be `null` mentions it.
-    #[test]
-    fn a_column_that_may_be_null_says_so() {
-        for column in TABLES.iter().flat_map(|(_, columns)| *columns) {
-            let says = column.meaning.contains("`null`") || column.meaning.contains("empty");
-            assert_eq!(says, column.null_where.is_some(), "{}", column.name);
-        }
     }
 }

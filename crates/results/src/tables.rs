@@ -1,12 +1,12 @@
 //! Every table.
 
-use super::{BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 use crate::{
-    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC,
-    CALIBRATION_PROFILES, CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, PLAN_BROOMSTICK,
-    PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED,
-    PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME, PLAN_SURFACE_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS,
-    RESPONSE, STABILITY, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS,
+    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
+    CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec,
+    FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION,
+    PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME,
+    PLAN_SURFACE_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME,
+    UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
 };
 
 /// Every table, by the name of its file, and its columns.
@@ -54,3 +54,30 @@ pub const TABLES: &[(&str, &[ColumnSpec])] = &[
     ("calibration_profiles", CALIBRATION_PROFILES),
     ("calibration_dynamic", CALIBRATION_DYNAMIC),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique() {
+        for (_, table) in TABLES {
+            for (index, column) in table.iter().enumerate() {
+                assert!(
+                    table[..index].iter().all(|other| other.name != column.name),
+                    "{} is declared twice",
+                    column.name
+                );
+            }
+        }
+    }
+
+    /// The meaning of a column that may be `null` mentions it.
+    #[test]
+    fn a_column_that_may_be_null_says_so() {
+        for column in TABLES.iter().flat_map(|(_, columns)| *columns) {
+            let says = column.meaning.contains("`null`") || column.meaning.contains("empty");
+            assert_eq!(says, column.null_where.is_some(), "{}", column.name);
+        }
+    }
+}
