@@ -11,6 +11,7 @@ mod bha;
 mod bha_sweep;
 mod bha_tables;
 mod bit_test;
+mod bottom_hole;
 mod calibration;
 mod calibration_rows;
 mod checkpoint;
@@ -53,6 +54,7 @@ pub use bha::{BHA_VERSION, BhaPart, BhaState, BhaSummary};
 pub use bha_sweep::{BHA_SWEEP, BhaFound, BhaPoint, BhaVaried};
 pub use bha_tables::{BHA, BHA_CONTACTS, bha_table};
 pub use bit_test::{BIT_TEST, BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
+pub use bottom_hole::{BOTTOM_HOLE, BottomHoleCell};
 pub use calibration::{
     CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, ErrorFound, EstimateFound,
     OutlierComparison,
@@ -63,7 +65,7 @@ pub use calibration_rows::{
 };
 pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use checks::{NamedCheck, checks_of};
-pub use columns::{BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
+pub use columns::{CONTACT, ColumnSpec, FRAMES, NODES, TIME, WEAR};
 pub use digest::digest;
 pub use error::ResultsError;
 pub use file::{write_file, write_new_files};
@@ -89,7 +91,7 @@ pub use reach::{
     ReachStop, ReachSummary,
 };
 pub use row::{ReadRow, Row};
-pub use spectrum::Spectrum;
+pub use spectrum::{SPECTRA, Spectrum, SpectrumRow};
 pub use stability::{
     STABILITY, StabilityRow, StabilitySummary, StableFrom, StableWhere, TriedController,
 };

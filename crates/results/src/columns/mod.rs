@@ -3,38 +3,17 @@
 //!
 //! Rows of other commands are declared with their columns: [`crate::row::rows`].
 
-mod bottom_hole;
 mod contact;
 mod frames;
 mod nodes;
-mod spectra;
 mod time;
 mod wear;
 
-pub use self::{
-    bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES, spectra::SPECTRA,
-    time::TIME, wear::WEAR,
-};
+pub use self::{contact::CONTACT, frames::FRAMES, nodes::NODES, time::TIME, wear::WEAR};
 use wholestring::outcome;
 
 /// Name, unit and meaning of a column.
 pub type ColumnSpec = outcome::Quantity;
-
-/// Declares columns: name, kind of quantity or words, meaning, and the condition under which there
-/// is no value.
-macro_rules! specs {
-    (@one $name:literal, Words, $meaning:literal) => {
-        $crate::ColumnSpec::text($name, $meaning)
-    };
-    (@one $name:literal, $kind:ident, $meaning:literal) => {
-        $crate::ColumnSpec::number($name, wholestring::outcome::QuantityKind::$kind, $meaning)
-    };
-    ($($name:literal: $kind:ident, $meaning:literal $(, null_where $none:literal)?;)+) => {
-        &[$($crate::columns::specs!(@one $name, $kind, $meaning)$(.null_where($none))?),+]
-    };
-}
-
-use specs;
 
 /// Model of the rows.
 pub(crate) const MODEL: ColumnSpec = ColumnSpec::text("model", outcome::ModelKind::LISTED);

@@ -29,10 +29,19 @@ pub trait Row {
     /// The table of these rows.
     fn table<R: Borrow<Self>>(rows: impl IntoIterator<Item = R>) -> Table {
         let mut table = Table::with_columns(Self::COLUMNS);
+        Self::append_to(&mut table, rows);
+        table
+    }
+
+    /// Adds rows to a table of such rows.
+    ///
+    /// # Panics
+    /// If the table has other columns.
+    fn append_to<R: Borrow<Self>>(table: &mut Table, rows: impl IntoIterator<Item = R>) {
+        assert!(table.is_like(&Table::with_columns(Self::COLUMNS)), "it is a table of other rows");
         for row in rows {
             row.borrow().append(&mut Cells(table.columns_mut().iter_mut()));
         }
-        table
     }
 }
 
