@@ -11,7 +11,7 @@ use wholestring::{
 use wholestring_judge::{Check, CheckKind, Severity, Unchecked};
 
 use crate::{
-    ResultsError,
+    BhaPoint, BhaVaried, ResultsError,
     json::{read_versioned, write_json},
 };
 
@@ -122,77 +122,6 @@ pub struct BhaPart {
     pub joint_od_m: Option<f64>,
     /// Distance of its bend from the bit, m.
     pub bend_m: Option<f64>,
-}
-
-/// Quantity that is varied.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum BhaVaried {
-    /// The tool face of the lowest bend, the others with it.
-    Toolface,
-    /// The weight on bit, and its torque in proportion.
-    Weight,
-    /// The inclination, of a straight hole or one with a constant build rate.
-    Inclination,
-}
-
-impl BhaVaried {
-    /// All, in the order in which they are reported.
-    pub const ALL: [Self; 3] = [Self::Toolface, Self::Weight, Self::Inclination];
-
-    /// Its name in results.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Toolface => "toolface",
-            Self::Weight => "weight",
-            Self::Inclination => "inclination",
-        }
-    }
-}
-
-/// The assembly at another tool face, weight or inclination.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct BhaPoint {
-    /// Quantity that is varied.
-    pub varied: BhaVaried,
-    /// Tool face of the lowest bend, rad; none without one.
-    pub toolface_rad: Option<f64>,
-    /// Weight on bit, N.
-    pub weight_on_bit_N: f64,
-    /// Inclination of the hole at the bit, rad.
-    pub inclination_rad: f64,
-    /// Reason why there is no equilibrium; empty where there is one.
-    pub message: String,
-    /// The equilibrium; none where none was found.
-    pub found: Option<BhaFound>,
-}
-
-/// Results stored for a point of a sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct BhaFound {
-    /// Side force of the bit on the rock, N.
-    pub side_force_N: [f64; 2],
-    /// Tilt of the bit against the hole's axis, rad.
-    pub tilt_rad: [f64; 2],
-    /// Largest bending moment of the assembly, N·m.
-    pub largest_bending_moment_N_m: f64,
-    /// Largest von Mises stress of the assembly, Pa.
-    pub largest_von_mises_stress_Pa: f64,
-    /// Correction of the first sensor's inclination, rad.
-    pub sag_inclination_rad: Option<f64>,
-    /// The same of its azimuth.
-    pub sag_azimuth_rad: Option<f64>,
-}
-
-impl BhaPoint {
-    /// The number that is varied, SI.
-    pub fn value(&self) -> f64 {
-        match self.varied {
-            BhaVaried::Toolface => self.toolface_rad.unwrap_or(f64::NAN),
-            BhaVaried::Weight => self.weight_on_bit_N,
-            BhaVaried::Inclination => self.inclination_rad,
-        }
-    }
 }
 
 impl BhaSummary {

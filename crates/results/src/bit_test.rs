@@ -10,6 +10,7 @@ use wholestring_judge::Check;
 use crate::{
     ResultsError, Status,
     json::{read_versioned, write_json},
+    row::rows,
 };
 
 /// Version of the layout of the files of a bit test; raised when a key changes or is removed.
@@ -45,20 +46,71 @@ impl BitTestSummary {
     }
 }
 
-/// One weight at one speed in the summary.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct BitTestPoint {
-    /// Name of the point, and of its folder.
-    pub point: String,
-    /// Progress of the point; also interrupted where it has not started.
-    #[serde(flatten)]
-    pub status: Status,
-    /// Weight that is put on the bit, N.
-    pub weight_on_bit_N: f64,
-    /// Rotary speed, rad/s.
-    pub rotary_speed_rad_per_s: f64,
-    /// Its outcome, where it is finished.
-    pub outcome: Option<TrialOutcome>,
+rows! {
+    /// One weight at one speed in the summary.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct BitTestPoint {
+        point: String => Words, "Name of the point, and of its folder: `wob=60kN,rpm=120`";
+        #[serde(flatten)]
+        status: Status,
+            "Progress of the point; also interrupted where it has not started";
+        weight_on_bit_N: f64 => Force, "Applied weight on bit";
+        rotary_speed_rad_per_s: f64 => RotarySpeed, "Rotary speed of the bit";
+        outcome: Option<TrialOutcome>, "Its outcome, where it is finished", columns {
+            rate_of_penetration_m_per_s => RateOfPenetration, "Mean rate of penetration";
+            rate_of_penetration_error_m_per_s => RateOfPenetration,
+                "Standard error of that mean, from its revolutions; `null` for less than two",
+                null_where "there are less than two revolutions";
+            depth_of_cut_m => Length, "Mean depth of cut per revolution";
+            torque_N_m => Torque, "Mean torque of the bit on the rock";
+            torque_error_N_m => Torque,
+                "Standard error of that mean, from its revolutions; `null` for less than two",
+                null_where "there are less than two revolutions";
+            torque_std_N_m => Torque,
+                "Standard deviation of the torque, of means over `averaging_time_s`";
+            weight_borne_N => Force,
+                "Mean weight carried by the rock: the weight on bit less the bit's inertia";
+            weight_on_bit_std_N => Force,
+                "Standard deviation of the weight carried by the rock, of means over `averaging_time_s`";
+            specific_energy_Pa => Pressure,
+                "Work of the bit per volume of broken rock; `null` where none broke",
+                null_where "no rock broke";
+            mechanical_specific_energy_Pa => Pressure,
+                "Work of the bit per volume of hole, section times advance; `null` where the bit did \
+                 not advance",
+                null_where "the bit did not advance";
+            bricks_broken => Ratio, "Elements of the rock broken by the bit";
+            kinetic_fraction => Ratio,
+                "Largest kinetic energy of the rock over the work of its deformation";
+            revolutions => Ratio, "Counted revolutions";
+            time_s => Time, "Counted time";
+            averaging_time_s => Time,
+                "Averaging time of the means of which standard deviations are computed";
+        };
+        status = |point| word(&point.status) => Words, "`complete`, `interrupted` or `failed`";
+        message = |point| reason(&point.status) => Words, "Reason of a failure; else empty",
+            null_where "it did not fail";
+    }
+
+    /// Columns of `bit-test.parquet`: the bit alone on its rock, a row for each weight at each speed.
+    pub const BIT_TEST;
+}
+
+/// The status in the table.
+const fn word(status: &Status) -> &'static str {
+    match status {
+        Status::Complete => "complete",
+        Status::Interrupted => "interrupted",
+        Status::Failed(_) => "failed",
+    }
+}
+
+/// Reason of a failure.
+fn reason(status: &Status) -> Option<&str> {
+    match status {
+        Status::Complete | Status::Interrupted => None,
+        Status::Failed(reason) => Some(reason),
+    }
 }
 
 /// `point.json`: a finished point by itself.

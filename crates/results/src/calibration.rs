@@ -8,7 +8,7 @@ use wholestring::outcome::ModelKind;
 use wholestring_judge::ReadingCheck;
 
 use crate::{
-    CALIBRATION_DYNAMIC, ResultsError, Table, Texts,
+    DynamicCheck, ResultsError, Table, Texts,
     json::{read_versioned, write_json},
 };
 
@@ -98,42 +98,6 @@ pub struct OutlierComparison {
     pub estimates: Vec<EstimateFound>,
 }
 
-/// A reading, and the value of the dynamic run for it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct DynamicCheck {
-    /// The case that was in the hole.
-    pub case: String,
-    /// Place of the reading in its file.
-    pub place: String,
-    /// As in `calibration.parquet`.
-    pub reading: String,
-    /// Whether it is a torque, N·m, rather than a weight, N.
-    pub is_torque: bool,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// Measured value; weights include the block.
-    pub measured: f64,
-    /// Predicted by the model of the fit.
-    pub predicted: f64,
-    /// Value of the dynamic run; none without an answer.
-    pub dynamic: Option<InMotion>,
-    /// Reason why there is none.
-    pub message: Option<String>,
-}
-
-/// Mean and scatter of a load of a string in motion.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct InMotion {
-    /// Mean over the window; weights include the block.
-    pub mean: f64,
-    /// Standard deviation over the window.
-    pub std: f64,
-    /// Mean of the bit's measured depth over the window, m.
-    pub mean_bit_depth_m: f64,
-    /// Whether the string had settled; none where the case gives the start of the window.
-    pub steady: Option<bool>,
-}
-
 /// A fitted parameter.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EstimateFound {
@@ -198,44 +162,4 @@ impl CalibrationSummary {
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
         read_versioned(path, CALIBRATION_VERSION..=CALIBRATION_VERSION)
     }
-}
-
-/// Returns a row for each reading that was compared with the dynamics.
-pub fn calibration_dynamic_table(checks: &[DynamicCheck]) -> Table {
-    let mut table = Table::with_columns(CALIBRATION_DYNAMIC);
-    for check in checks {
-        let dynamic = |value: fn(&InMotion) -> f64| check.dynamic.as_ref().map_or(f64::NAN, value);
-        let values = [
-            check.measured,
-            check.predicted,
-            dynamic(|motion| motion.mean),
-            dynamic(|motion| motion.std),
-        ];
-        let none = [f64::NAN; 4];
-        let (weights, torques) = if check.is_torque { (none, values) } else { (values, none) };
-        let steady = check.dynamic.and_then(|dynamic| dynamic.steady);
-        let steady = steady.map_or("", |is| if is { "yes" } else { "no" });
-        table.append(
-            &[
-                ("case", &[&check.case]),
-                ("place", &[&check.place]),
-                ("reading", &[&check.reading]),
-                ("steady", &[steady]),
-                ("message", &[check.message.as_deref().unwrap_or_default()]),
-            ],
-            &[
-                ("bit_depth_m", &[check.bit_depth_m]),
-                ("mean_bit_depth_m", &[dynamic(|motion| motion.mean_bit_depth_m)]),
-                ("measured_N", &[weights[0]]),
-                ("predicted_N", &[weights[1]]),
-                ("dynamic_N", &[weights[2]]),
-                ("dynamic_std_N", &[weights[3]]),
-                ("measured_N_m", &[torques[0]]),
-                ("predicted_N_m", &[torques[1]]),
-                ("dynamic_N_m", &[torques[2]]),
-                ("dynamic_std_N_m", &[torques[3]]),
-            ],
-        );
-    }
-    table
 }

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use wholestring::outcome::{self, ModelKind};
 
 use crate::{
-    ColumnSpec, ResultsError, ResultsFolder, Table, file::write_whole, names::CHECKPOINT,
+    ColumnSpec, ResultsError, ResultsFolder, Row, Table, file::write_whole, names::CHECKPOINT,
     parquet_file, parts::Parts,
 };
 
@@ -167,9 +167,9 @@ impl GrowingTable {
         self.parts_in(folder).path(number)
     }
 
-    /// Adds rows, as [`Table::append`] does.
-    pub fn append(&mut self, words: &[(&str, &[&str])], numbers: &[(&str, &[f64])]) {
-        self.waiting.append(words, numbers);
+    /// Adds rows, as [`Row::append_to`] does.
+    pub fn append_rows<R: Row>(&mut self, rows: impl IntoIterator<Item = R>) {
+        R::append_to(&mut self.waiting, rows);
         self.written = false;
     }
 

@@ -8,10 +8,12 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod bha;
+mod bha_sweep;
 mod bha_tables;
 mod bit_test;
-mod bit_test_table;
+mod bottom_hole;
 mod calibration;
+mod calibration_rows;
 mod checkpoint;
 mod checks;
 mod columns;
@@ -25,8 +27,8 @@ mod frames;
 mod growing_table;
 mod hold;
 mod json;
+mod loads;
 mod modes;
-mod modes_tables;
 mod names;
 mod or_empty;
 mod parquet_file;
@@ -34,36 +36,36 @@ mod parquet_guard;
 mod parts;
 mod plan;
 mod reach;
-mod reach_table;
+mod row;
 mod spectrum;
 mod stability;
-mod stability_table;
 mod summary;
 mod table;
+mod tables;
 mod texts;
 mod thrift;
 mod uncertain;
+mod uncertain_rows;
+mod vibration;
 
 pub use wholestring_judge::{Check, CheckKind, ReadingCheck, Severity, Unchecked, Verdict};
 
-pub use bha::{BHA_VERSION, BhaFound, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried};
-pub use bha_tables::{bha_contacts_table, bha_sweep_table, bha_table};
-pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
-pub use bit_test_table::bit_test_table;
+pub use bha::{BHA_VERSION, BhaPart, BhaState, BhaSummary};
+pub use bha_sweep::{BHA_SWEEP, BhaFound, BhaPoint, BhaVaried};
+pub use bha_tables::{BHA, BHA_CONTACTS, bha_table};
+pub use bit_test::{BIT_TEST, BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
+pub use bottom_hole::{BOTTOM_HOLE, BottomHoleCell};
 pub use calibration::{
-    CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, DynamicCheck, ErrorFound,
-    EstimateFound, InMotion, OutlierComparison, calibration_dynamic_table,
+    CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, ErrorFound, EstimateFound,
+    OutlierComparison,
+};
+pub use calibration_rows::{
+    CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CalibrationBand,
+    CalibrationProfile, CalibrationReading, DynamicCheck, InMotion,
 };
 pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use checks::{NamedCheck, checks_of};
-pub use columns::{
-    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
-    CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec,
-    FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION,
-    PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME,
-    PLAN_SURFACE_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES,
-    TIME, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
-};
+pub use columns::{CONTACT, ColumnSpec, FRAMES, NODES, TIME, WEAR};
 pub use digest::digest;
 pub use error::ResultsError;
 pub use file::{write_file, write_new_files};
@@ -71,23 +73,38 @@ pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
-pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
-pub use plan::{
-    PLAN_VERSION, PlanBuckling, PlanCheck, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour,
-    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured, PlanOperation, PlanOverlay,
-    PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPoint, PlanSummary,
-    PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_fatigue_table, plan_limits_table,
-    plan_peaks_table, plan_peaks_time_table, plan_wear_table,
+pub use modes::{
+    CRITICAL_SPEEDS, CriticalSpeed, MODES, MODES_VERSION, ModeFound, ModesSummary, ModesTables,
+    Spot,
 };
-pub use reach::{REACH_VERSION, ReachCheck, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
-pub use reach_table::reach_limits_table;
-pub use spectrum::Spectrum;
-pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};
-pub use stability_table::stability_table;
+pub use plan::{
+    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
+    PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME, PLAN_SURFACE_LIMITS, PLAN_VERSION,
+    PLAN_WEAR, PlanBuckling, PlanCheck, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour,
+    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured, PlanOperation, PlanOverlay,
+    PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPeakSample, PlanPoint,
+    PlanSummary, PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_limits_table,
+    plan_peaks_time_table,
+};
+pub use reach::{
+    REACH, REACH_LIMITS, REACH_VERSION, ReachCheck, ReachLimit, ReachMargin, ReachOfFriction,
+    ReachStop, ReachSummary,
+};
+pub use row::{ReadRow, Row};
+pub use spectrum::{SPECTRA, Spectrum, SpectrumRow};
+pub use stability::{
+    STABILITY, StabilityRow, StabilitySummary, StableFrom, StableWhere, TriedController,
+};
 pub use summary::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,
 };
 pub use table::{Column, Data, Table};
+pub use tables::TABLES;
 pub use texts::Texts;
-pub use uncertain::{UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary};
+pub use uncertain::{UncertainKey, UncertainSummary};
+pub use uncertain_rows::{
+    UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, UncertainBand,
+    UncertainIndex, UncertainOwed, UncertainSample, UncertainStop,
+};
+pub use vibration::{CAMPBELL, CampbellRow, MODE_SHAPES, ModeShapeRow, RESPONSE, ResponseRow};
 pub use wholestring::dynamics::Statistic;

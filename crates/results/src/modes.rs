@@ -10,6 +10,7 @@ use wholestring_judge::Check;
 use crate::{
     ResultsError, StabilitySummary, Table, Texts,
     json::{read_versioned, write_json},
+    row::{parts, rows},
 };
 
 /// Version of the layout of the files of linear vibration; raised when a key changes or is removed.
@@ -66,42 +67,61 @@ pub struct Spot {
     pub component: String,
 }
 
-/// A natural mode.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ModeFound {
-    /// `lateral`, `axial` or `torsional`.
-    pub family: String,
-    /// Number within the family, from 1.
-    pub number: usize,
-    /// Natural frequency, Hz.
-    pub frequency_Hz: f64,
-    /// `forward`, `backward` or `planar`, for lateral modes.
-    pub whirl: Option<String>,
-    /// Degree to which it is a circle with the rotation: 1 with it, -1 against it, 0 to and fro.
-    pub precession: f64,
-    /// Parts of its kinetic energy: lateral, axial, torsional.
-    pub energy: [f64; 3],
-    /// Place of its largest strain of the string's steel.
-    pub most_strained: Spot,
+parts![Spot];
+
+rows! {
+    /// A natural mode.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct ModeFound {
+        family: String => Words,
+            "`lateral` of the assembly, `axial` or `torsional` of the whole string";
+        number: usize => Ratio, "Number within the family, from 1";
+        frequency_Hz: f64 => Frequency, "Natural frequency at the operation's rotary speed";
+        whirl: Option<String> => Words,
+            "`forward`, `backward` or `planar`; empty for other families",
+            null_where "the mode is not lateral";
+        precession: f64 => Ratio,
+            "Precession: 1 for a circle with the rotation, -1 against it, 0 to and fro";
+        energy: [f64; 3], "Parts of its kinetic energy: lateral, axial, torsional", columns {
+            lateral_energy = |parts| parts[0] => Ratio, "Lateral part of its kinetic energy";
+            axial_energy = |parts| parts[1] => Ratio, "Axial part of its kinetic energy";
+            torsional_energy = |parts| parts[2] => Ratio, "Torsional part of its kinetic energy";
+        };
+        most_strained: Spot, "Place of its largest strain of the string's steel", columns {
+            most_strained_md_m = |spot| spot.md_m => Depth,
+                "Measured depth of the largest strain of the string's steel";
+            most_strained_from_bit_m = |spot| spot.from_bit_m => Length,
+                "The same place, from the bit";
+            component => Words, "The component at that place";
+        };
+    }
+
+    /// Columns of `modes.parquet`: a row for each natural mode.
+    pub const MODES;
 }
 
-/// A rotary speed at which an order of the rotation coincides with a natural frequency.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct CriticalSpeed {
-    /// Number of excitations per turn.
-    pub order: f64,
-    /// Rotary speed, rad/s.
-    pub rotary_speed_rad_per_s: f64,
-    /// Natural frequency at that speed, Hz.
-    pub frequency_Hz: f64,
-    /// Its branch of `campbell.parquet`.
-    pub branch: usize,
-    /// `lateral`, `axial` or `torsional`.
-    pub family: String,
-    /// Number within the family, from 1.
-    pub number: usize,
-    /// Place of the mode's largest strain of the string's steel.
-    pub most_strained: Spot,
+rows! {
+    /// A rotary speed at which an order of the rotation coincides with a natural frequency.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct CriticalSpeed {
+        order: f64 => Ratio, "Excitations per turn";
+        rotary_speed_rad_per_s: f64 => RotarySpeed, "Rotary speed";
+        frequency_Hz: f64 => Frequency, "Natural frequency at that speed";
+        branch: usize => Ratio, "Branch of `campbell.parquet`";
+        family: String => Words, "As in `modes.parquet`";
+        number: usize => Ratio, "Number within the family, from 1";
+        most_strained: Spot, "Place of the mode's largest strain of the string's steel", columns {
+            most_strained_md_m = |spot| spot.md_m => Depth,
+                "Measured depth of the mode's largest strain of the string's steel";
+            most_strained_from_bit_m = |spot| spot.from_bit_m => Length,
+                "The same place, from the bit";
+            component => Words, "The component at that place";
+        };
+    }
+
+    /// Columns of `critical_speeds.parquet`: a row for each rotary speed at which an order of the
+    /// rotation coincides with a natural frequency.
+    pub const CRITICAL_SPEEDS;
 }
 
 /// The tables of linear vibration.

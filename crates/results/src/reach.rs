@@ -8,8 +8,9 @@ use wholestring::operation::OperationKind;
 use wholestring_judge::Check;
 
 use crate::{
-    ResultsError, UncertainSummary,
+    ResultsError, Row, Table, UncertainSummary,
     json::{read_versioned, write_json},
+    row::rows,
 };
 
 /// Version of the layout of the files of a reach; raised when a key changes or is removed. 2:
@@ -95,31 +96,89 @@ pub struct ReachStop {
     pub depth_m: f64,
 }
 
-/// A limit of an operation.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ReachLimit {
-    /// The operation: `drill`, `slide`, ...
-    pub operation: OperationKind,
-    /// The limit: `top_drive`, `hook_load_zero`, ...
-    pub limit: String,
-    /// The same in words.
-    pub title: String,
-    /// Whether the string stops there; where it buckles, it continues.
-    pub stops: bool,
-    /// Depth of the bit where it is first reached, m; none where it is not reached down to `to_m`.
-    pub depth_m: Option<f64>,
-    /// Whether it is reached at the first depth already.
-    pub already: bool,
-    /// Remaining part of the limit with the bit at `from_m`; none for a string that is locked up.
-    pub margin_at_from: Option<f64>,
-    /// The same at `to_m`.
-    pub margin_at_to: Option<f64>,
-    /// Measured depth of the smallest margin in the string when it is reached, else at `to_m`, m;
-    /// none for a limit at the surface.
-    pub at_md_m: Option<f64>,
+rows! {
+    /// A limit of an operation.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct ReachLimit {
+        operation: OperationKind => Words, "As in `reach.parquet`";
+        limit: String => Words, "As in `reach.parquet`";
+        friction = |_| friction => Ratio,
+            "As in `reach.parquet`, `null` where the sections have the case's own",
+            null_where "the sections have the case's own";
+        title: String, "The limit in words";
+        stops: bool => Ratio, "1 where the string stops there, 0 where it continues buckled";
+        depth_m: Option<f64> => Depth,
+            "Depth of the bit where it is first reached, `null` where it is not reached",
+            null_where "it is not reached";
+        already: bool => Ratio, "1 where it is reached at the first depth already, else 0";
+        margin_at_from: Option<f64> => Ratio,
+            "`margin` at the first depth, `null` for a string that is locked up",
+            null_where "the string is locked up";
+        margin_at_to: Option<f64> => Ratio,
+            "`margin` at the last depth, `null` for a string that is locked up",
+            null_where "the string is locked up";
+        at_md_m: Option<f64>, "As `md_m` in `reach_limits.parquet`";
+        md_m = |limit| limit.at_md_m => Depth,
+            "Measured depth of the smallest margin in the string at that depth of the bit, or at \
+             the last depth where it is not reached; `null` for a limit at the surface",
+            null_where "it is a limit at the surface, or nothing is compressed";
+    }
+
+    /// Columns of `reach_limits.parquet`: a row for each limit of each operation and friction.
+    pub const REACH_LIMITS with friction: Option<f64>;
+}
+
+rows! {
+    /// Margin of a limit at a depth of the bit.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct ReachMargin {
+        operation: OperationKind => Words, "`trip_out`, `drill`, ...";
+        limit: String => Words,
+            "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `push_absorbed`, `make_up`, `torsion`, \
+             `yield_strength`, `helix`, `sinusoid`, `vertical_helix` or `vertical_sinusoid`";
+        friction: Option<f64> => Ratio,
+            "Friction factor of all sections, `null` where they have the case's own",
+            null_where "the sections have the case's own";
+        bit_depth_m: f64 => Depth, "Measured depth of the bit";
+        margin: f64 => Ratio,
+            "Remaining part of the limit, zero where it is reached and negative beyond; for \
+             `push_absorbed` the part of an added push that reaches the bit; `null` for a string that is locked up",
+            null_where "the string is locked up";
+        force_N: Option<f64> => Force,
+            "Force compared with a limit: hook load, with the block for `hoist`, with the push for \
+             `push_spent`; compression; else `null`",
+            null_where "the limit is no force, or the string is locked up";
+        force_limit_N: Option<f64> => Force,
+            "Its limit: capacity, zero, critical load; else `null`",
+            null_where "the limit is no force, nothing is compressed, or the string is locked up";
+        torque_N_m: Option<f64> => Torque,
+            "Torque compared with a limit: at the surface for `top_drive`, at `md_m` for `make_up` and \
+             `torsion`; else `null`",
+            null_where "the limit is no torque, or the string is locked up";
+        torque_limit_N_m: Option<f64> => Torque,
+            "Its limit: rated torque of the top drive, capacity of connection or pipe, over the required \
+             factor; else `null`",
+            null_where "the limit is no torque, or no component with a known capacity turns";
+        md_m: Option<f64> => Depth,
+            "Measured depth of the smallest margin in the string, `null` for a limit at the surface",
+            null_where "it is a limit at the surface, or nothing is compressed";
+    }
+
+    /// Columns of `reach.parquet`: a row for each limit of each operation at each depth and
+    /// friction.
+    pub const REACH, read;
 }
 
 impl ReachSummary {
+    /// `reach_limits.parquet`: a row for each limit.
+    pub fn limits_table(&self) -> Table {
+        let rows = self
+            .frictions
+            .iter()
+            .flat_map(|reach| reach.limits.iter().map(|limit| (limit, reach.friction)));
+        Row::table(rows)
+    }
+
     /// Writes the summary as indented JSON.
     pub fn write(&self, path: &Path) -> Result<(), ResultsError> {
         write_json(self, path)

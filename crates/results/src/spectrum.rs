@@ -2,9 +2,28 @@
 
 use std::f64::consts::TAU;
 
-use wholestring::outcome::Samples;
+use wholestring::{operation::OperationKind, outcome::Samples};
 
-use crate::fourier::Fourier;
+use crate::{fourier::Fourier, row::rows};
+
+rows! {
+    /// Density of a signal at a frequency.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct SpectrumRow {
+        operation: OperationKind => Words, "`trip_out`, `drill`, ...";
+        signal: String => Words,
+            "Column of `time.parquet` or, of a node, of `frames.parquet` without its unit: \
+             `surface_torque`, ...";
+        md_m: Option<f64> => Depth, "Measured depth of the node; `null` for a scalar",
+            null_where "it is a scalar's";
+        unit: String => Words, "Unit of the signal";
+        frequency_Hz: f64 => Frequency, "Frequency";
+        density: f64 => Ratio, "One-sided power spectral density, square of the signal's unit per Hz";
+    }
+
+    /// Columns of `spectra.parquet`: power spectral densities over the window, a row per frequency.
+    pub const SPECTRA;
+}
 
 /// One-sided power spectral density of a signal.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,9 @@
 //! Torsional stability in JSON.
 
 use serde::{Deserialize, Serialize};
-use wholestring::torsional_stability::{StabilityOfCase, Threshold};
+use wholestring::torsional_stability::{StabilityLine, StabilityOfCase, StabilityPoint, Threshold};
+
+use crate::row::{named, rows};
 
 /// Stable range of steady rotation, in `summary.json`: `everywhere` or `nowhere` on the map, or
 /// `from` a speed on.
@@ -27,13 +29,17 @@ pub enum StableWhere {
 
 impl StableWhere {
     /// Its word in files.
-    pub(crate) const fn name(self) -> &'static str {
+    const fn name(self) -> &'static str {
         match self {
             Self::Everywhere => "everywhere",
             Self::From => "from",
             Self::Nowhere => "nowhere",
         }
     }
+}
+
+named! {
+    StableWhere: name;
 }
 
 impl From<Threshold> for StableFrom {
@@ -44,6 +50,60 @@ impl From<Threshold> for StableFrom {
             Threshold::Nowhere => (StableWhere::Nowhere, None),
         };
         Self { stable, threshold_rad_per_s }
+    }
+}
+
+/// A speed of the map, and the weight on bit of its line.
+#[derive(Debug, Clone, Copy)]
+pub struct StabilityRow<'a> {
+    /// The weight at all speeds.
+    pub line: &'a StabilityLine,
+    /// Its speed.
+    pub point: &'a StabilityPoint,
+}
+
+rows! {
+    for StabilityRow<'_> {
+        weight_on_bit_N = |row| row.point.weight_on_bit_N => Force, "Weight on bit";
+        rotary_speed_rad_per_s = |row| row.point.rotary_speed_rad_per_s => RotarySpeed,
+            "Rotary speed at surface";
+        unstable_roots = |row| row.point.stability.unstable_roots => Ratio,
+            "Growing roots of the linear vibration, a pair counted twice";
+        growth_per_s = |row| row.point.stability.worst.map(|worst| worst.growth_per_s) => Growth,
+            "Growth rate of the fastest growing motion; negative where all decay, `null` where \
+             none was found",
+            null_where "none was found";
+        frequency_Hz = |row| row.point.stability.worst.map(|worst| worst.frequency_Hz) => Frequency,
+            "Its frequency, `null` where none was found",
+            null_where "none was found";
+        complete = |row| row.point.stability.complete => Ratio,
+            "1 where all growing motions were followed; 0 where `growth_per_s` is a lower bound of \
+             the largest growth";
+        stable = |row| StableFrom::from(row.line.threshold).stable => Words,
+            "Stability of this weight: `everywhere` on the map, `from` a speed on, or `nowhere`: not \
+             even at the fastest";
+        threshold_rad_per_s = |row| StableFrom::from(row.line.threshold).threshold_rad_per_s
+            => RotarySpeed,
+            "Rotary speed from which it is stable, `null` where it is stable everywhere or nowhere",
+            null_where "the weight is stable at all speeds of the map, or not even at the fastest";
+        surface_torque_N_m = |row| row.line.surface_torque_N_m => Torque,
+            "Torque at the top while the string turns steadily";
+        stalls = |row| row.line.stalls => Ratio,
+            "1 where that exceeds the torque of the top drive, else 0";
+        lies_by = |row| row.line.lies_by => Words,
+            "Method that computed the string's position in the hole: `stiff`, or `soft` where that \
+             found no equilibrium";
+    }
+
+    /// Columns of `stability.parquet`: the map of torsional stability, a row for each rotary speed at
+    /// each weight on bit.
+    pub const STABILITY;
+}
+
+impl<'a> StabilityRow<'a> {
+    /// The rows of these lines.
+    pub fn all(lines: &'a [StabilityLine]) -> impl Iterator<Item = Self> {
+        lines.iter().flat_map(|line| line.points.iter().map(move |point| Self { line, point }))
     }
 }
 

@@ -262,6 +262,11 @@ impl Table {
         &self.columns
     }
 
+    /// The columns, to which rows are added.
+    pub(crate) fn columns_mut(&mut self) -> &mut [Column] {
+        &mut self.columns
+    }
+
     /// The columns, given away.
     pub(crate) fn into_columns(self) -> impl Iterator<Item = Column> {
         self.columns.into_iter()

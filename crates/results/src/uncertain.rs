@@ -1,9 +1,9 @@
 //! Uncertain inputs and their effect, for plans and reaches alike.
 
 use serde::{Deserialize, Serialize};
-use wholestring::{operation::OperationKind, outcome::ModelKind};
+use wholestring::outcome::ModelKind;
 
-use crate::{Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_STOPS, or_empty};
+use crate::{Row, Table, UncertainBand, UncertainIndex, UncertainStop};
 
 /// Results of samples of uncertain numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -38,148 +38,35 @@ pub struct UncertainKey {
     pub distribution: String,
 }
 
-/// Distribution of a number.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct UncertainBand {
-    /// `hook_load`, `surface_torque`, `reserve`, `sinusoidal_weight`, `helical_weight`, `depth` or
-    /// `margin`.
-    pub quantity: String,
-    /// The limit; empty for other numbers.
-    pub limit: String,
-    /// The operation; none for all, empty in the file.
-    #[serde(with = "or_empty")]
-    pub operation: Option<OperationKind>,
-    /// Friction factor of all sections; none where they have their own.
-    pub friction: Option<f64>,
-    /// Measured depth of the bit, m; none for all depths.
-    pub bit_depth_m: Option<f64>,
-    /// SI unit.
-    pub unit: String,
-    /// The case's own number.
-    pub expected: Option<f64>,
-    /// The 5th, 10th, 50th, 90th and 95th percentiles of the samples.
-    pub quantiles: [f64; 5],
-    /// Mean.
-    pub mean: f64,
-    /// Standard deviation.
-    pub std: f64,
-    /// Samples that have it.
-    pub answers: usize,
-    /// Samples without an answer.
-    pub without_answer: usize,
-    /// For a depth, samples whose limit is not reached.
-    pub not_met: usize,
-    /// Sensitivity to the inputs (Sobol indices); none where it was not computed or the number does
-    /// not scatter.
-    pub owed: Option<UncertainOwed>,
-}
-
-/// Sensitivity of a number to the inputs (Sobol indices); one value for each input.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct UncertainOwed {
-    /// First-order indices.
-    pub first: Vec<Option<f64>>,
-    /// Total indices.
-    pub total: Vec<f64>,
-    /// Part of the variance that the fit predicts.
-    pub predicts: f64,
-    /// Degree of its polynomials.
-    pub degree: usize,
-}
-
-/// Limit that stops a well first.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct UncertainStop {
-    /// Friction factor of all sections; none where they have their own.
-    pub friction: Option<f64>,
-    /// The operation; none where nothing stops it, empty in the file.
-    #[serde(with = "or_empty")]
-    pub operation: Option<OperationKind>,
-    /// The limit; empty where nothing stops it.
-    pub limit: String,
-    /// Number of samples.
-    pub samples: usize,
-}
-
-/// Name of an operation; empty where there is none.
-fn name(operation: Option<OperationKind>) -> &'static str {
-    operation.map_or("", OperationKind::name)
-}
-
 impl UncertainSummary {
     /// A row for each number that scatters.
     pub fn table(&self) -> Table {
-        let mut table = Table::with_columns(UNCERTAIN);
-        for band in &self.bands {
-            let [p05, p10, p50, p90, p95] = band.quantiles.map(|value| [value]);
-            table.append(
-                &[
-                    ("quantity", &[&band.quantity]),
-                    ("limit", &[&band.limit]),
-                    ("operation", &[name(band.operation)]),
-                    ("unit", &[&band.unit]),
-                ],
-                &[
-                    ("friction", &number(band.friction)),
-                    ("bit_depth_m", &number(band.bit_depth_m)),
-                    ("expected", &number(band.expected)),
-                    ("p05", &p05),
-                    ("p10", &p10),
-                    ("p50", &p50),
-                    ("p90", &p90),
-                    ("p95", &p95),
-                    ("mean", &[band.mean]),
-                    ("std", &[band.std]),
-                    ("answers", &[band.answers as f64]),
-                    ("without_answer", &[band.without_answer as f64]),
-                    ("not_met", &[band.not_met as f64]),
-                ],
-            );
-        }
-        table
+        UncertainBand::table(&self.bands)
     }
 
     /// A row for each stop and friction.
     pub fn stops_table(&self) -> Table {
-        let mut table = Table::with_columns(UNCERTAIN_STOPS);
-        for stop in &self.stops {
-            table.append(
-                &[("operation", &[name(stop.operation)]), ("limit", &[&stop.limit])],
-                &[("friction", &number(stop.friction)), ("samples", &[stop.samples as f64])],
-            );
-        }
-        table
+        UncertainStop::table(&self.stops)
     }
 
     /// A row for each number and input.
     pub fn indices_table(&self) -> Table {
-        let mut table = Table::with_columns(UNCERTAIN_INDICES);
-        for band in &self.bands {
-            let Some(owed) = &band.owed else { continue };
+        let bands = self.bands.iter().filter_map(|band| Some((band, band.owed.as_ref()?)));
+        let rows = bands.flat_map(|(band, owed)| {
             let each = self.inputs.iter().zip(&owed.first).zip(&owed.total);
-            for ((input, first), total) in each {
-                table.append(
-                    &[
-                        ("quantity", &[&band.quantity]),
-                        ("limit", &[&band.limit]),
-                        ("operation", &[name(band.operation)]),
-                        ("input", &[&input.key]),
-                    ],
-                    &[
-                        ("friction", &number(band.friction)),
-                        ("bit_depth_m", &number(band.bit_depth_m)),
-                        ("first_order", &number(*first)),
-                        ("total", &[*total]),
-                        ("predicts", &[owed.predicts]),
-                        ("degree", &[owed.degree as f64]),
-                    ],
-                );
-            }
-        }
-        table
+            each.map(|((input, first), total)| UncertainIndex {
+                quantity: band.quantity.clone(),
+                limit: band.limit.clone(),
+                operation: band.operation,
+                friction: band.friction,
+                bit_depth_m: band.bit_depth_m,
+                input: input.key.clone(),
+                first_order: *first,
+                total: *total,
+                predicts: owed.predicts,
+                degree: owed.degree,
+            })
+        });
+        UncertainIndex::table(rows)
     }
-}
-
-fn number(value: Option<f64>) -> [f64; 1] {
-    [value.unwrap_or(f64::NAN)]
 }

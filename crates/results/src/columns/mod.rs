@@ -1,79 +1,28 @@
-//! Every column of every table. The engine declares the quantities of its answers itself; this
-//! module declares the tables made of them and the columns that only results have.
+//! Columns of the tables of a run. The engine declares the quantities of its answers itself; this
+//! module declares the tables made of them, and the columns that several tables share.
+//!
+//! Rows of other commands are declared with their columns: [`crate::row::rows`].
 
-mod bha;
-mod bit_test;
-mod bottom_hole;
-mod calibration;
 mod contact;
 mod frames;
-mod modes;
 mod nodes;
-mod plan;
-mod plan_campaign;
-mod plan_measured;
-mod plan_overlay;
-mod plan_peaks;
-mod reach;
-mod spectra;
-mod stability;
-mod tables;
 mod time;
-mod uncertain;
 mod wear;
 
-pub(crate) use self::bit_test::numbers as bit_test_numbers;
-pub use self::{
-    bha::{BHA, BHA_CONTACTS, BHA_SWEEP},
-    bit_test::BIT_TEST,
-    bottom_hole::BOTTOM_HOLE,
-    calibration::{CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC, CALIBRATION_PROFILES},
-    contact::CONTACT,
-    frames::FRAMES,
-    modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
-    nodes::NODES,
-    plan::{
-        PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
-        PLAN_SURFACE_LIMITS,
-    },
-    plan_campaign::{PLAN_FATIGUE, PLAN_WEAR},
-    plan_measured::PLAN_MEASURED,
-    plan_overlay::PLAN_OVERLAY,
-    plan_peaks::{PLAN_PEAKS, PLAN_PEAKS_TIME},
-    reach::{REACH, REACH_LIMITS},
-    spectra::SPECTRA,
-    stability::STABILITY,
-    tables::TABLES,
-    time::TIME,
-    uncertain::{UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS},
-    wear::WEAR,
-};
+pub use self::{contact::CONTACT, frames::FRAMES, nodes::NODES, time::TIME, wear::WEAR};
 use wholestring::outcome;
 
 /// Name, unit and meaning of a column.
 pub type ColumnSpec = outcome::Quantity;
 
-/// Declares columns: name, kind of quantity or words, meaning, and the condition under which there
-/// is no value.
-macro_rules! specs {
-    (@one $name:literal, Words, $meaning:literal) => {
-        $crate::ColumnSpec::text($name, $meaning)
-    };
-    (@one $name:literal, $kind:ident, $meaning:literal) => {
-        $crate::ColumnSpec::number($name, wholestring::outcome::QuantityKind::$kind, $meaning)
-    };
-    ($($name:literal: $kind:ident, $meaning:literal $(, null_where $none:literal)?;)+) => {
-        &[$($crate::columns::specs!(@one $name, $kind, $meaning)$(.null_where($none))?),+]
-    };
-}
-
-use specs;
-
 /// Model of the rows.
-const MODEL: ColumnSpec = ColumnSpec::text("model", outcome::ModelKind::LISTED);
+pub(crate) const MODEL: ColumnSpec = ColumnSpec::text("model", outcome::ModelKind::LISTED);
+
+/// Level of friction of the rows.
+pub(crate) const FRICTION: ColumnSpec = ColumnSpec::text("friction", "`low`, `expected` or `high`");
 
 /// Operation of the rows.
-const OPERATION: ColumnSpec = ColumnSpec::text("operation", "`trip_out`, `drill`, ...");
+pub(crate) const OPERATION: ColumnSpec = ColumnSpec::text("operation", "`trip_out`, `drill`, ...");
 
 /// The columns of a table: the quantities that the engine declares, between the columns that
 /// identify the rows and those added to them.
@@ -105,21 +54,6 @@ const fn table<T, const N: usize>(
 mod tests {
     use wholestring::dynamics::{Channel, FRAME};
 
-    use super::*;
-
-    #[test]
-    fn names_are_unique() {
-        for (_, table) in TABLES {
-            for (index, column) in table.iter().enumerate() {
-                assert!(
-                    table[..index].iter().all(|other| other.name != column.name),
-                    "{} is declared twice",
-                    column.name
-                );
-            }
-        }
-    }
-
     #[test]
     fn every_column_of_a_frame_is_of_one_channel() {
         let mut names: Vec<&str> =
@@ -129,14 +63,5 @@ mod tests {
         let mut declared: Vec<&str> = FRAME.iter().map(|column| column.quantity.name).collect();
         declared.sort_unstable();
         assert_eq!(names, declared);
-    }
-
-    /// The meaning of a column that may be `null` mentions it.
-    #[test]
-    fn a_column_that_may_be_null_says_so() {
-        for column in TABLES.iter().flat_map(|(_, columns)| *columns) {
-            let says = column.meaning.contains("`null`") || column.meaning.contains("empty");
-            assert_eq!(says, column.null_where.is_some(), "{}", column.name);
-        }
     }
 }

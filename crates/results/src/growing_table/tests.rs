@@ -3,7 +3,9 @@ use crate::{CONTACT, TIME};
 
 fn append(table: &mut GrowingTable, operation: &str, from: f64) {
     let numbers = [from, from + 1.0, f64::NAN];
-    table.append(&[("operation", &[operation])], &[("time_s", &numbers), ("md_m", &numbers)]);
+    let words: [(&str, &[&str]); 1] = [("operation", &[operation])];
+    table.waiting.append(&words, &[("time_s", &numbers), ("md_m", &numbers)]);
+    table.written = false;
 }
 
 fn all(folder: &ResultsFolder) -> (Vec<u8>, Vec<u8>, Table) {

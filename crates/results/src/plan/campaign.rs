@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use wholestring::outcome::ModelKind;
 
-use crate::{PLAN_FATIGUE, PLAN_WEAR, Table};
+use crate::{columns::MODEL, row::rows};
 
 /// Fatigue of a component: its worst part, and the place where an hour of drilling at the deepest
 /// depth uses up most of its life.
@@ -36,76 +36,61 @@ pub struct PlanFatigueHour {
     pub permissible_dogleg_rad_per_m: Option<f64>,
 }
 
-/// Damage of a part of the string.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanDamage {
-    /// The model.
-    pub model: ModelKind,
-    /// The component.
-    pub component: String,
-    /// Distance of the part's lower end from that of the component, m.
-    pub from_lower_end_m: f64,
-    /// Part of its life that is used up.
-    pub damage: f64,
-}
-
-/// Wear of a stretch of casing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanWear {
-    /// The model.
-    pub model: ModelKind,
-    /// Section of the hole, counted from one.
-    pub section: usize,
-    /// Measured depth of its middle, m.
-    pub md_m: f64,
-    /// Depth of the groove, m; none where no groove holds the worn volume.
-    pub groove_m: Option<f64>,
-    /// Nominal wall, m; this and the following are none where the casing's pipe or its grade is not
-    /// known.
-    pub wall_m: Option<f64>,
-    /// Wall at the bottom of the groove, m.
-    pub wall_left_m: Option<f64>,
-    /// Worn part of the wall.
-    pub worn: Option<f64>,
-    /// Burst of the new and of the worn casing, Pa.
-    pub burst_Pa: Option<[f64; 2]>,
-    /// Collapse of the new and of the worn casing, Pa.
-    pub collapse_Pa: Option<[f64; 2]>,
-}
-
-/// A row for each part of the string.
-pub fn plan_fatigue_table(damage: &[PlanDamage]) -> Table {
-    let mut table = Table::with_columns(PLAN_FATIGUE);
-    for part in damage {
-        table.append(
-            &[("model", &[part.model.name()]), ("component", &[&part.component])],
-            &[("from_lower_end_m", &[part.from_lower_end_m]), ("damage", &[part.damage])],
-        );
+rows! {
+    /// Damage of a part of the string.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct PlanDamage {
+        model: ModelKind => Words as MODEL, "The model";
+        component: String => Words, "The component";
+        from_lower_end_m: f64 => Length,
+            "Distance of the part's lower end from that of the component";
+        damage: f64 => Ratio,
+            "Part of its life used up by the campaign, by Miner's rule; failure at one";
     }
-    table
+
+    /// Columns of `plan_fatigue.parquet`: a row for each 10 m of each component, from the bit up, of
+    /// each model.
+    pub const PLAN_FATIGUE;
 }
 
-/// A row for each stretch of casing.
-pub fn plan_wear_table(wear: &[PlanWear]) -> Table {
-    let mut table = Table::with_columns(PLAN_WEAR);
-    for stretch in wear {
-        let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
-        let of_pair = |pair: Option<[f64; 2]>, place: usize| number(pair.map(|pair| pair[place]));
-        table.append(
-            &[("model", &[stretch.model.name()])],
-            &[
-                ("section", &[stretch.section as f64]),
-                ("md_m", &[stretch.md_m]),
-                ("groove_m", &number(stretch.groove_m)),
-                ("wall_m", &number(stretch.wall_m)),
-                ("wall_left_m", &number(stretch.wall_left_m)),
-                ("worn", &number(stretch.worn)),
-                ("burst_new_Pa", &of_pair(stretch.burst_Pa, 0)),
-                ("burst_Pa", &of_pair(stretch.burst_Pa, 1)),
-                ("collapse_new_Pa", &of_pair(stretch.collapse_Pa, 0)),
-                ("collapse_Pa", &of_pair(stretch.collapse_Pa, 1)),
-            ],
-        );
+rows! {
+    /// Wear of a stretch of casing.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct PlanWear {
+        model: ModelKind => Words as MODEL, "The model";
+        section: usize => Ratio, "Section of the hole, counted from one";
+        md_m: f64 => Depth, "Measured depth of the middle of the stretch";
+        groove_m: Option<f64> => Length,
+            "Depth of the groove, more than the wall where it is worn through; `null` where no \
+             groove holds the volume",
+            null_where "no groove holds the volume";
+        wall_m: Option<f64> => Length, "Nominal wall; `null` where the casing's pipe is not known",
+            null_where "the casing's pipe is not known";
+        wall_left_m: Option<f64> => Length, "Wall at the bottom of the groove, or `null`",
+            null_where "the casing's pipe is not known";
+        worn: Option<f64> => Ratio, "Worn part of the wall, or `null`",
+            null_where "the casing's pipe is not known";
+        burst_Pa: Option<[f64; 2]>,
+            "Burst of the new and of the worn casing; none where its grade is not known",
+            columns {
+                burst_new_Pa = |pair| pair[0] => Pressure, "Burst of the new casing, or `null`",
+                    null_where "its grade is not known";
+                burst_Pa = |pair| pair[1] => Pressure, "Burst of the worn casing, or `null`",
+                    null_where "its grade is not known";
+            };
+        collapse_Pa: Option<[f64; 2]>,
+            "Collapse of the new and of the worn casing without tension; none as the burst",
+            columns {
+                collapse_new_Pa = |pair| pair[0] => Pressure,
+                    "Collapse of the new casing without tension, or `null`",
+                    null_where "its grade is not known";
+                collapse_Pa = |pair| pair[1] => Pressure,
+                    "Collapse of the worn casing, or `null`",
+                    null_where "its grade is not known";
+            };
     }
-    table
+
+    /// Columns of `plan_wear.parquet`: a row for each 5 m of casing, from the surface down, of each
+    /// model.
+    pub const PLAN_WEAR;
 }

@@ -3,33 +3,56 @@
 use serde::{Deserialize, Serialize};
 use wholestring::operation::OperationKind;
 
-use crate::{PLAN_HYDRAULICS, Table};
+use crate::row::{parts, rows};
 
-/// The mud with the bit at one depth.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanHydraulics {
-    /// The operation whose pumps run.
-    pub operation: OperationKind,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// Pressure at the standpipe, Pa.
-    pub standpipe_pressure_Pa: f64,
-    /// Friction in the bore, Pa.
-    pub bore_loss_Pa: f64,
-    /// Pressure drop of bit and motor, Pa.
-    pub bit_loss_Pa: f64,
-    /// Friction in the annulus, Pa.
-    pub annulus_loss_Pa: f64,
-    /// During the operation.
-    pub circulating: PlanDensity,
-    /// Running in at the trip speed, no mud in the string.
-    pub surge_closed: PlanDensity,
-    /// The same with mud that flows up the string.
-    pub surge_open: PlanDensity,
-    /// Pulling out at the trip speed, no mud in the string.
-    pub swab_closed: PlanDensity,
-    /// The same with mud that flows down the string.
-    pub swab_open: PlanDensity,
+rows! {
+    /// The mud with the bit at one depth.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct PlanHydraulics {
+        operation: OperationKind => Words,
+            "Operation whose pumps run: `drill` where there is one";
+        bit_depth_m: f64 => Depth, "Measured depth of the bit";
+        standpipe_pressure_Pa: f64 => Pressure,
+            "Pressure at the standpipe: bore, bit, motor and annulus";
+        bore_loss_Pa: f64 => Pressure, "Friction in the bore";
+        bit_loss_Pa: f64 => Pressure, "Pressure drop of bit and motor";
+        annulus_loss_Pa: f64 => Pressure, "Friction in the annulus";
+        circulating: PlanDensity, "During the operation", columns {
+            circulating_shoe_kg_per_m3 = |mud| mud.shoe_kg_per_m3 => Density,
+                "Equivalent density at the deepest casing shoe during the operation; this and the others \
+                 at the shoe are `null` without casing",
+                null_where "there is no casing";
+            circulating_bit_kg_per_m3 = |mud| mud.bit_kg_per_m3 => Density, "The same at the bit";
+        };
+        surge_closed: PlanDensity, "Running in at the trip speed, no mud in the string", columns {
+            surge_closed_shoe_kg_per_m3 = |mud| mud.shoe_kg_per_m3 => Density,
+                "At the shoe, running in at the trip speed, no mud in the string, or `null`",
+                null_where "there is no casing";
+            surge_closed_bit_kg_per_m3 = |mud| mud.bit_kg_per_m3 => Density, "The same at the bit";
+        };
+        surge_open: PlanDensity, "The same with mud that flows up the string", columns {
+            surge_open_shoe_kg_per_m3 = |mud| mud.shoe_kg_per_m3 => Density,
+                "At the shoe, running in, with mud that flows up the string, or `null`",
+                null_where "there is no casing";
+            surge_open_bit_kg_per_m3 = |mud| mud.bit_kg_per_m3 => Density, "The same at the bit";
+        };
+        swab_closed: PlanDensity, "Pulling out at the trip speed, no mud in the string", columns {
+            swab_closed_shoe_kg_per_m3 = |mud| mud.shoe_kg_per_m3 => Density,
+                "At the shoe, pulling out at the trip speed, no mud in the string, or `null`",
+                null_where "there is no casing";
+            swab_closed_bit_kg_per_m3 = |mud| mud.bit_kg_per_m3 => Density, "The same at the bit";
+        };
+        swab_open: PlanDensity, "The same with mud that flows down the string", columns {
+            swab_open_shoe_kg_per_m3 = |mud| mud.shoe_kg_per_m3 => Density,
+                "At the shoe, pulling out, with mud that flows down the string, or `null`",
+                null_where "there is no casing";
+            swab_open_bit_kg_per_m3 = |mud| mud.bit_kg_per_m3 => Density, "The same at the bit";
+        };
+    }
+
+    /// Columns of `plan_hydraulics.parquet`: a row for each depth of the bit. Equivalent densities
+    /// give the pressure of the mud plus or minus its friction.
+    pub const PLAN_HYDRAULICS;
 }
 
 /// Equivalent densities.
@@ -40,6 +63,8 @@ pub struct PlanDensity {
     /// At the bit, kg/m³.
     pub bit_kg_per_m3: f64,
 }
+
+parts![PlanDensity];
 
 impl PlanHydraulics {
     /// Returns each state of the mud by the prefix of its column names.
@@ -52,31 +77,4 @@ impl PlanHydraulics {
             ("swab_open", self.swab_open),
         ]
     }
-}
-
-/// A row for each depth of the bit.
-pub(super) fn table(rows: &[PlanHydraulics]) -> Table {
-    let mut table = Table::with_columns(PLAN_HYDRAULICS);
-    for row in rows {
-        let mut numbers = vec![
-            ("bit_depth_m".to_owned(), row.bit_depth_m),
-            ("standpipe_pressure_Pa".to_owned(), row.standpipe_pressure_Pa),
-            ("bore_loss_Pa".to_owned(), row.bore_loss_Pa),
-            ("bit_loss_Pa".to_owned(), row.bit_loss_Pa),
-            ("annulus_loss_Pa".to_owned(), row.annulus_loss_Pa),
-        ];
-        for (name, at) in row.densities() {
-            let shoe = at.shoe_kg_per_m3.unwrap_or(f64::NAN);
-            numbers.push((format!("{name}_shoe_kg_per_m3"), shoe));
-            numbers.push((format!("{name}_bit_kg_per_m3"), at.bit_kg_per_m3));
-        }
-        let cells: Vec<[f64; 1]> = numbers.iter().map(|(_, value)| [*value]).collect();
-        let columns: Vec<(&str, &[f64])> = numbers
-            .iter()
-            .zip(&cells)
-            .map(|((name, _), cell)| (name.as_str(), cell.as_slice()))
-            .collect();
-        table.append(&[("operation", &[row.operation.name()])], &columns);
-    }
-    table
 }

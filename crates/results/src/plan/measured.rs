@@ -3,38 +3,77 @@
 use serde::{Deserialize, Serialize};
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 
-use crate::{PLAN_MEASURED, Table};
+use crate::{
+    loads::{torque, weight},
+    row::rows,
+};
 
 /// Predictions with low and with high friction that differ by less than this part of the one
 /// between them do not depend on friction; no reading is between them except by chance.
 const SAME: f64 = 2e-3;
 
-/// A measured weight or torque, and its prediction at each level of friction.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanMeasured {
-    /// The model that predicts.
-    pub model: ModelKind,
-    /// Place of the reading in its file.
-    pub place: String,
-    /// The operation.
-    pub operation: OperationKind,
-    /// Kind of reading: `pick_up`, `slack_off`, `rotating`, `torque` or `torque_on_bottom`.
-    pub reading: String,
-    /// Whether it is a torque, N·m, rather than a weight, N.
-    pub is_torque: bool,
-    /// Whether the file holds it out of a calibration.
-    pub held_out: bool,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// Measured value; weights include the block.
-    pub measured: f64,
-    /// Weight of the block that it includes, N; zero for torques.
-    pub block_N: f64,
-    /// Prediction for the string that was in the hole, with low, expected and high friction; none
-    /// without an answer.
-    pub predicted: [Option<f64>; 3],
-    /// Reason why there is no answer.
-    pub message: Option<String>,
+rows! {
+    /// A measured weight or torque, and its prediction at each level of friction.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct PlanMeasured {
+        model: ModelKind => Words, "Model that predicts: `soft` or `stiff`";
+        place: String, "Place of the reading in its file";
+        operation: OperationKind => Words, "`trip_out`, `drill`, ...";
+        place = |row| &row.place => Words, "Place of the reading in its file";
+        reading: String => Words,
+            "`pick_up`, `slack_off`, `rotating`, `torque` or `torque_on_bottom`";
+        is_torque: bool, "Whether it is a torque, N·m, rather than a weight, N";
+        held_out: bool => Ratio, "1 where the file holds it out of a calibration, 0 otherwise";
+        bit_depth_m: f64 => Depth, "Measured depth of the bit";
+        measured: f64, "Measured value; weights include the block";
+        block_N: f64, "Weight of the block that it includes, N; zero for torques";
+        predicted: [Option<f64>; 3],
+            "Prediction for the string that was in the hole, with low, expected and high friction; \
+             none without an answer";
+        measured_N = |row| weight(row.is_torque, row.measured) => Force,
+            "Measured weight, block included; `null` for torques",
+            null_where "it is a torque";
+        hook_load_N = |row| weight(row.is_torque, row.measured - row.block_N) => Force,
+            "The same without the block, comparable with `plan_broomstick`; `null` for torques",
+            null_where "it is a torque";
+        low_friction_N = |row| weight(row.is_torque, row.predicted[0]) => Force,
+            "The same predicted with low friction; `null` for torques and without an answer",
+            null_where "it is a torque, or there is no answer";
+        predicted_N = |row| weight(row.is_torque, row.predicted[1]) => Force,
+            "With the expected friction; `null` for torques and without an answer",
+            null_where "it is a torque, or there is no answer";
+        high_friction_N = |row| weight(row.is_torque, row.predicted[2]) => Force,
+            "With high friction; `null` for torques and without an answer",
+            null_where "it is a torque, or there is no answer";
+        residual_N = |row| weight(row.is_torque, row.residual()) => Force,
+            "Measured less predicted; `null` for torques and without an answer",
+            null_where "it is a torque, or there is no answer";
+        measured_N_m = |row| torque(row.is_torque, row.measured) => Torque,
+            "Measured torque; `null` for weights",
+            null_where "it is a weight";
+        low_friction_N_m = |row| torque(row.is_torque, row.predicted[0]) => Torque,
+            "The same predicted with low friction; `null` for weights and without an answer",
+            null_where "it is a weight, or there is no answer";
+        predicted_N_m = |row| torque(row.is_torque, row.predicted[1]) => Torque,
+            "With the expected friction; `null` for weights and without an answer",
+            null_where "it is a weight, or there is no answer";
+        high_friction_N_m = |row| torque(row.is_torque, row.predicted[2]) => Torque,
+            "With high friction; `null` for weights and without an answer",
+            null_where "it is a weight, or there is no answer";
+        residual_N_m = |row| torque(row.is_torque, row.residual()) => Torque,
+            "Measured less predicted; `null` for weights and without an answer",
+            null_where "it is a weight, or there is no answer";
+        between = |row| row.between() => Words,
+            "Whether it is between the values of low and high friction: `yes` or `no`; empty where \
+             friction does not change it or there is no answer",
+            null_where "friction does not change it, or there is no answer";
+        message: Option<String> => Words, "Reason why there is no answer; else empty",
+            null_where "there is an answer";
+    }
+
+    /// Columns of `plan_measured.parquet`: a row for each measured weight and torque, for each model.
+    /// Predictions use the expected friction and the string that was in the hole.
+    pub const PLAN_MEASURED;
 }
 
 impl PlanMeasured {
@@ -62,45 +101,6 @@ impl PlanMeasured {
 pub(super) fn between(rows: &[PlanMeasured], model: ModelKind) -> (usize, usize) {
     let known = rows.iter().filter(|row| row.model == model).filter_map(PlanMeasured::between);
     known.fold((0, 0), |(within, all), is| (within + usize::from(is), all + 1))
-}
-
-/// A row for each reading by each model.
-pub(super) fn table(rows: &[PlanMeasured]) -> Table {
-    let mut table = Table::with_columns(PLAN_MEASURED);
-    for row in rows {
-        let [low, expected, high] = row.predicted;
-        let values = [Some(row.measured), low, expected, high, row.residual()];
-        let values = values.map(|value| value.unwrap_or(f64::NAN));
-        let none = [f64::NAN; 5];
-        let (weights, torques) = if row.is_torque { (none, values) } else { (values, none) };
-        let answer = |is: bool| if is { "yes" } else { "no" };
-        table.append(
-            &[
-                ("model", &[row.model.name()]),
-                ("place", &[&row.place]),
-                ("operation", &[row.operation.name()]),
-                ("reading", &[&row.reading]),
-                ("between", &[row.between().map_or("", answer)]),
-                ("message", &[row.message.as_deref().unwrap_or_default()]),
-            ],
-            &[
-                ("held_out", &[f64::from(u8::from(row.held_out))]),
-                ("bit_depth_m", &[row.bit_depth_m]),
-                ("measured_N", &[weights[0]]),
-                ("hook_load_N", &[weights[0] - row.block_N]),
-                ("low_friction_N", &[weights[1]]),
-                ("predicted_N", &[weights[2]]),
-                ("high_friction_N", &[weights[3]]),
-                ("residual_N", &[weights[4]]),
-                ("measured_N_m", &[torques[0]]),
-                ("low_friction_N_m", &[torques[1]]),
-                ("predicted_N_m", &[torques[2]]),
-                ("high_friction_N_m", &[torques[3]]),
-                ("residual_N_m", &[torques[4]]),
-            ],
-        );
-    }
-    table
 }
 
 #[cfg(test)]

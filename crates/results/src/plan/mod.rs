@@ -1,40 +1,40 @@
 //! The JSON file of a plan, `summary.json`, and its tables.
 
+mod broomstick;
+mod buckling;
 mod campaign;
+mod check;
+mod friction;
 mod hydraulics;
 mod measured;
 mod operation;
 mod overlay;
 mod peaks;
 mod surface;
-mod tables;
 
-pub use campaign::{
-    PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear, plan_fatigue_table, plan_wear_table,
-};
-pub use hydraulics::{PlanDensity, PlanHydraulics};
-pub use measured::PlanMeasured;
+pub use broomstick::{PLAN_BROOMSTICK, PlanPoint, plan_broomstick_table};
+pub use buckling::{PLAN_BUCKLING, PlanBuckling};
+pub use campaign::{PLAN_FATIGUE, PLAN_WEAR, PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear};
+pub use check::{PLAN_LIMITS, PlanCheck, plan_limits_table};
+pub use friction::{PLAN_FRICTION, PlanFriction};
+pub use hydraulics::{PLAN_HYDRAULICS, PlanDensity, PlanHydraulics};
+pub use measured::{PLAN_MEASURED, PlanMeasured};
 pub use operation::PlanOperation;
-pub use overlay::{PlanOverlay, PlanOverlayDifference, PlanOverlayRow};
+pub use overlay::{PLAN_OVERLAY, PlanOverlay, PlanOverlayDifference, PlanOverlayRow};
 pub use peaks::{
-    PlanGel, PlanHistory, PlanPeak, PlanPeakOf, plan_peaks_table, plan_peaks_time_table,
+    PLAN_PEAKS, PLAN_PEAKS_TIME, PlanGel, PlanHistory, PlanPeak, PlanPeakOf, PlanPeakSample,
+    plan_peaks_time_table,
 };
-pub use surface::PlanSurfaceLimit;
-pub use tables::{plan_broomstick_table, plan_limits_table};
+pub use surface::{PLAN_SURFACE_LIMITS, PlanSurfaceLimit};
 
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use wholestring::{
-    operation::OperationKind,
-    outcome::{ModelKind, Scalars},
-    well::FrictionLevel,
-};
-use wholestring_judge::Check;
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
 
 use crate::{
-    ResultsError, Table, Texts, UncertainSummary,
+    ResultsError, Row, Table, Texts, UncertainSummary,
     json::{read_versioned, write_json},
 };
 
@@ -110,83 +110,25 @@ pub struct PlanSummary {
     pub texts: Texts,
 }
 
-/// Friction of a hole section at a level.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanFriction {
-    /// Level of friction.
-    pub friction: FrictionLevel,
-    /// `casing` or `open`.
-    pub kind: String,
-    /// Measured depth of the section's upper end, m.
-    pub from_md_m: f64,
-    /// Measured depth of its lower end, m.
-    pub to_md_m: f64,
-    /// Coefficient of axial friction.
-    pub along: f64,
-    /// Coefficient of rotational friction.
-    pub around: f64,
-}
-
-/// One operation at one depth with one friction.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanPoint {
-    /// The model.
-    pub model: ModelKind,
-    /// Level of friction.
-    pub friction: FrictionLevel,
-    /// The operation.
-    pub operation: OperationKind,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// Torque and drag; none where there is no answer.
-    pub scalars: Option<Scalars>,
-    /// `none`, `sinusoidal` or `helical`; none without an answer.
-    pub buckling: Option<String>,
-    /// The most severe check that needs attention; for a point without an answer the verdict on it.
-    pub worst: Option<Check>,
-    /// Reason why there is no answer.
-    pub message: Option<String>,
-}
-
-/// The weight on bit at which the string begins to buckle.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanBuckling {
-    /// The model: `soft`.
-    pub model: ModelKind,
-    /// Level of friction.
-    pub friction: FrictionLevel,
-    /// The operation: `drill` or `slide`.
-    pub operation: OperationKind,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// Weight for a sinusoid, N; none where no weight does it or there is no answer.
-    pub sinusoidal_weight_N: Option<f64>,
-    /// Weight for a helix, N.
-    pub helical_weight_N: Option<f64>,
-    /// Reason why there is no answer.
-    pub message: Option<String>,
-}
-
-/// A check of one operation at one depth with one friction.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanCheck {
-    /// The model.
-    pub model: ModelKind,
-    /// Level of friction.
-    pub friction: FrictionLevel,
-    /// The operation, or the event.
-    pub operation: PlanOperation,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// The check.
-    #[serde(flatten)]
-    pub check: Check,
-}
-
 impl PlanSummary {
+    /// A row for each point.
+    pub fn broomstick_table(&self) -> Table {
+        plan_broomstick_table(&self.points, self.settings["rig"]["block_weight_N"].as_f64())
+    }
+
+    /// A row for each weight to buckle.
+    pub fn buckling_table(&self) -> Table {
+        PlanBuckling::table(&self.buckling)
+    }
+
+    /// A row for each hole section at each level of friction.
+    pub fn friction_table(&self) -> Table {
+        PlanFriction::table(&self.frictions)
+    }
+
     /// A row for each depth of the bit; none where the mud has no rheology or nothing flows.
     pub fn hydraulics_table(&self) -> Table {
-        hydraulics::table(&self.hydraulics)
+        PlanHydraulics::table(&self.hydraulics)
     }
 
     /// A row for each limit at the surface, at both ends of the depths.
@@ -196,7 +138,7 @@ impl PlanSummary {
 
     /// A row for each measured weight and torque, for each model.
     pub fn measured_table(&self) -> Table {
-        measured::table(&self.measured)
+        PlanMeasured::table(&self.measured)
     }
 
     /// Number of a model's readings between low and high friction, and number of those that depend

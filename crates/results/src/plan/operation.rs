@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 use wholestring::operation::{Event, OperationKind};
 
+use crate::row::named;
+
 /// An operation of a plan, or an event of its dynamic part. The file has its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(into = "&'static str", try_from = "String")]
@@ -35,6 +37,10 @@ impl PlanOperation {
             Self::Event(event) => event.words(),
         }
     }
+}
+
+named! {
+    PlanOperation: name, "an operation or an event", Self::from_name;
 }
 
 impl From<PlanOperation> for &'static str {

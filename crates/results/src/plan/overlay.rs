@@ -3,7 +3,11 @@
 use serde::{Deserialize, Serialize};
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 
-use crate::{PLAN_OVERLAY, Table};
+use crate::{
+    Row, Table,
+    loads::{torque, weight},
+    row::rows,
+};
 
 /// Another program's curves from a file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -18,24 +22,44 @@ pub struct PlanOverlay {
     pub differences: Vec<PlanOverlayDifference>,
 }
 
-/// A weight or torque of another program, and ours.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanOverlayRow {
-    /// Our model.
-    pub model: ModelKind,
-    /// The operation.
-    pub operation: OperationKind,
-    /// Place of their value in its file.
-    pub place: String,
-    /// Whether it is a torque, N·m, rather than a hook load, N.
-    pub is_torque: bool,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// Their value, as in the file.
-    pub theirs: f64,
-    /// Our value with the expected friction, hook loads without the block; none where the plan has
-    /// no answer there.
-    pub ours: Option<f64>,
+rows! {
+    /// A weight or torque of another program, and ours.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct PlanOverlayRow {
+        model: ModelKind => Words, "Model of the plan: `soft` or `stiff`";
+        operation: OperationKind => Words,
+            "`trip_out`, `trip_in`, `rotate_off_bottom` or `drill`";
+        place: String => Words, "Place of their value in its file";
+        is_torque: bool, "Whether it is a torque, N·m, rather than a hook load, N";
+        bit_depth_m: f64 => Depth, "Measured depth of the bit";
+        theirs: f64, "Their value, as in the file";
+        ours: Option<f64>,
+            "Our value with the expected friction, hook loads without the block; none where the plan \
+             has no answer there";
+        theirs_N = |row| weight(row.is_torque, row.theirs) => Force,
+            "Their hook load, as in the file; `null` for torques",
+            null_where "it is a torque";
+        ours_N = |row| weight(row.is_torque, row.ours) => Force,
+            "Ours, block excluded; `null` for torques and without an answer",
+            null_where "it is a torque, or there is no answer";
+        difference_N = |row| weight(row.is_torque, row.difference()) => Force,
+            "Ours less theirs; `null` for torques and without an answer",
+            null_where "it is a torque, or there is no answer";
+        theirs_N_m = |row| torque(row.is_torque, row.theirs) => Torque,
+            "Their torque; `null` for weights",
+            null_where "it is a weight";
+        ours_N_m = |row| torque(row.is_torque, row.ours) => Torque,
+            "Our torque; `null` for weights and without an answer",
+            null_where "it is a weight, or there is no answer";
+        difference_N_m = |row| torque(row.is_torque, row.difference()) => Torque,
+            "Ours less theirs; `null` for weights and without an answer",
+            null_where "it is a weight, or there is no answer";
+    }
+
+    /// Columns of `plan_overlay.parquet`: a row for each weight and torque of another program, for
+    /// each model of the plan. Our values use the expected friction and are interpolated linearly
+    /// between the depths of the plan.
+    pub const PLAN_OVERLAY;
 }
 
 impl PlanOverlayRow {
@@ -117,30 +141,7 @@ impl PlanOverlay {
 
     /// A row for each weight and torque, for each model.
     pub fn table(&self) -> Table {
-        let mut table = Table::with_columns(PLAN_OVERLAY);
-        for row in &self.rows {
-            let values = [Some(row.theirs), row.ours, row.difference()];
-            let values = values.map(|value| value.unwrap_or(f64::NAN));
-            let none = [f64::NAN; 3];
-            let (weights, torques) = if row.is_torque { (none, values) } else { (values, none) };
-            table.append(
-                &[
-                    ("model", &[row.model.name()]),
-                    ("operation", &[row.operation.name()]),
-                    ("place", &[&row.place]),
-                ],
-                &[
-                    ("bit_depth_m", &[row.bit_depth_m]),
-                    ("theirs_N", &[weights[0]]),
-                    ("ours_N", &[weights[1]]),
-                    ("difference_N", &[weights[2]]),
-                    ("theirs_N_m", &[torques[0]]),
-                    ("ours_N_m", &[torques[1]]),
-                    ("difference_N_m", &[torques[2]]),
-                ],
-            );
-        }
-        table
+        PlanOverlayRow::table(&self.rows)
     }
 }
 

@@ -3,27 +3,96 @@
 use serde::{Deserialize, Serialize};
 use wholestring::well::FrictionLevel;
 
-use crate::{PLAN_PEAKS, PLAN_PEAKS_TIME, Table};
+use crate::{Row, Table, columns::FRICTION, row::rows};
 
-/// An event with the bit at one depth and one friction.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanPeak {
-    /// `pick_up_from_slips`, `break_circulation`, ...
-    pub event: String,
-    /// Level of friction.
-    pub friction: FrictionLevel,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// Peak of the hook load without block, N; none where there is no answer.
-    pub hook_load_N: Option<PlanPeakOf>,
-    /// Peak of the surface torque, N·m; none where nothing turns.
-    pub surface_torque_N_m: Option<PlanPeakOf>,
-    /// Peak of the pump's pressure, Pa; none where no pump starts.
-    pub pump_pressure_Pa: Option<PlanPeakOf>,
-    /// Pressures that break the gel; none where its strength is not known.
-    pub gel: Option<PlanGel>,
-    /// Reason why there is no answer, or a warning.
-    pub message: Option<String>,
+rows! {
+    /// An event with the bit at one depth and one friction.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct PlanPeak {
+        event: String => Words,
+            "`pick_up_from_slips`, `slack_off_from_slips`, `break_circulation` or `break_rotation`";
+        friction: FrictionLevel => Words as FRICTION, "Level of friction";
+        bit_depth_m: f64 => Depth, "Measured depth of the bit";
+        hook_load_N: Option<PlanPeakOf>,
+            "Peak of the hook load without block, N; none where there is no answer",
+            columns {
+                hook_load_at_rest_N = |peak| peak.at_rest => Force,
+                    "Hook load before, block and top drive excluded; this and the other columns of \
+                     the hook load are `null` where there is no answer",
+                    null_where "there is no answer";
+                hook_load_peak_N = |peak| peak.peak => Force,
+                    "Sample farthest from that, or `null`",
+                    null_where "there is no answer";
+                hook_load_peak_time_s = |peak| peak.time_s => Time,
+                    "Time of the peak, from the beginning of the event, or `null`",
+                    null_where "there is no answer";
+                hook_load_steady_N = |peak| peak.steady => Force,
+                    "Final value: the mean over the last quarter of the observed time, or `null`",
+                    null_where "there is no answer";
+                hook_load_drift_N = |peak| peak.drift => Force,
+                    "That less the mean over the quarter before, or `null`",
+                    null_where "there is no answer";
+                hook_load_ratio = |peak| peak.ratio => Ratio,
+                    "Peak over final value, or `null`",
+                    null_where "there is no answer, or the final value is zero";
+                hook_load_overshoot = |peak| peak.overshoot => Ratio,
+                    "Excess of the peak over the final value, as a part of the change, or `null`",
+                    null_where "there is no answer, or nothing changes";
+            };
+        surface_torque_N_m: Option<PlanPeakOf>,
+            "Peak of the surface torque, N·m; none where nothing turns",
+            columns {
+                surface_torque_peak_N_m = |peak| peak.peak => Torque,
+                    "Peak of the surface torque; this and its other columns are `null` where the \
+                     string does not turn",
+                    null_where "the string does not turn";
+                surface_torque_peak_time_s = |peak| peak.time_s => Time,
+                    "Time of the peak, or `null`",
+                    null_where "the string does not turn";
+                surface_torque_steady_N_m = |peak| peak.steady => Torque, "Final value, or `null`",
+                    null_where "the string does not turn";
+                surface_torque_ratio = |peak| peak.ratio => Ratio,
+                    "Peak over final value, or `null`",
+                    null_where "the string does not turn";
+            };
+        pump_pressure_Pa: Option<PlanPeakOf>,
+            "Peak of the pump's pressure, Pa; none where no pump starts",
+            columns {
+                pump_pressure_peak_Pa = |peak| peak.peak => Pressure,
+                    "Peak of the pump's pressure, without its gel; this and its other columns are \
+                     `null` where no pump starts",
+                    null_where "no pump starts";
+                pump_pressure_peak_time_s = |peak| peak.time_s => Time,
+                    "Time of the peak, or `null`",
+                    null_where "no pump starts";
+                pump_pressure_steady_Pa = |peak| peak.steady => Pressure, "Final value, or `null`",
+                    null_where "no pump starts";
+                pump_pressure_ratio = |peak| peak.ratio => Ratio,
+                    "Peak over final value, or `null`",
+                    null_where "no pump starts";
+            };
+        gel: Option<PlanGel>,
+            "Pressures that break the gel; none where its strength is not known",
+            columns {
+                gel_bore_Pa = |gel| gel.bore_Pa => Pressure,
+                    "Pressure that breaks the gel in the bore; this and the following are `null` \
+                     without a gel strength",
+                    null_where "no pump starts, or the gel strength is not known";
+                gel_annulus_Pa = |gel| gel.annulus_Pa => Pressure,
+                    "The same in the annulus, or `null`",
+                    null_where "no pump starts, or the gel strength is not known";
+                gel_lift_N = |gel| gel.lift_N => Force,
+                    "Reduction of the hook load as the gel in the annulus breaks, or `null`",
+                    null_where "no pump starts, or the gel strength is not known";
+            };
+        message: Option<String> => Words,
+            "Reason why there is no answer, or a warning; else empty",
+            null_where "there is no message";
+    }
+
+    /// Columns of `plan_peaks.parquet`: hook load, torque and pump pressure of a string that is set in
+    /// motion from rest, by the dynamics; a row for each event, friction and depth of the bit.
+    pub const PLAN_PEAKS;
 }
 
 /// Response of a quantity to an event, in its unit.
@@ -76,68 +145,42 @@ pub struct PlanHistory {
     pub flow_rate_m3_per_s: Vec<f64>,
 }
 
-/// A row for each event, friction and depth.
-pub fn plan_peaks_table(peaks: &[PlanPeak]) -> Table {
-    let mut table = Table::with_columns(PLAN_PEAKS);
-    for peak in peaks {
-        let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
-        let part = |plan_peak_of: &Option<PlanPeakOf>, part: fn(&PlanPeakOf) -> Option<f64>| {
-            number(plan_peak_of.as_ref().and_then(part))
-        };
-        let PlanPeak {
-            hook_load_N: hook, surface_torque_N_m: torque, pump_pressure_Pa: pump, ..
-        } = peak;
-        let gel = |part: fn(&PlanGel) -> f64| number(peak.gel.as_ref().map(part));
-        table.append(
-            &[
-                ("event", &[&peak.event]),
-                ("friction", &[peak.friction.name()]),
-                ("message", &[peak.message.as_deref().unwrap_or_default()]),
-            ],
-            &[
-                ("bit_depth_m", &[peak.bit_depth_m]),
-                ("hook_load_at_rest_N", &part(hook, |peak| Some(peak.at_rest))),
-                ("hook_load_peak_N", &part(hook, |peak| Some(peak.peak))),
-                ("hook_load_peak_time_s", &part(hook, |peak| Some(peak.time_s))),
-                ("hook_load_steady_N", &part(hook, |peak| Some(peak.steady))),
-                ("hook_load_drift_N", &part(hook, |peak| Some(peak.drift))),
-                ("hook_load_ratio", &part(hook, |peak| peak.ratio)),
-                ("hook_load_overshoot", &part(hook, |peak| peak.overshoot)),
-                ("surface_torque_peak_N_m", &part(torque, |peak| Some(peak.peak))),
-                ("surface_torque_peak_time_s", &part(torque, |peak| Some(peak.time_s))),
-                ("surface_torque_steady_N_m", &part(torque, |peak| Some(peak.steady))),
-                ("surface_torque_ratio", &part(torque, |peak| peak.ratio)),
-                ("pump_pressure_peak_Pa", &part(pump, |peak| Some(peak.peak))),
-                ("pump_pressure_peak_time_s", &part(pump, |peak| Some(peak.time_s))),
-                ("pump_pressure_steady_Pa", &part(pump, |peak| Some(peak.steady))),
-                ("pump_pressure_ratio", &part(pump, |peak| peak.ratio)),
-                ("gel_bore_Pa", &gel(|gel| gel.bore_Pa)),
-                ("gel_annulus_Pa", &gel(|gel| gel.annulus_Pa)),
-                ("gel_lift_N", &gel(|gel| gel.lift_N)),
-            ],
-        );
+rows! {
+    /// A sample of an event.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct PlanPeakSample {
+        event: String => Words, "`pick_up_from_slips`, `break_circulation`, ...";
+        friction: FrictionLevel => Words as FRICTION, "Level of friction";
+        bit_depth_m: f64 => Depth, "Measured depth of the bit";
+        time_s: f64 => Time, "Time from the beginning of the event";
+        hook_load_N: f64 => Force, "Hook load, block and top drive excluded";
+        surface_torque_N_m: f64 => Torque, "Torque at the top of the string";
+        pump_pressure_Pa: f64 => Pressure, "Pressure of the pump; `null` without a rheology",
+            null_where "the mud has no rheology";
+        block_velocity_m_per_s: f64 => Speed, "Speed of the block; positive downwards";
+        rotary_speed_rad_per_s: f64 => RotarySpeed, "Rotary speed at surface";
+        flow_rate_m3_per_s: f64 => FlowRate, "Flow rate of the pumps";
     }
-    table
+
+    /// Columns of `plan_peaks_time.parquet`: the same events against time, a row for each sample.
+    pub const PLAN_PEAKS_TIME, read;
 }
 
 /// A row for each sample of each event.
 pub fn plan_peaks_time_table(histories: &[(&PlanPeak, &PlanHistory)]) -> Table {
-    let mut table = Table::with_columns(PLAN_PEAKS_TIME);
-    for (peak, history) in histories {
-        let rows = history.time_s.len();
-        table.append(
-            &[("event", &[&peak.event]), ("friction", &[peak.friction.name()])],
-            &[
-                ("bit_depth_m", &vec![peak.bit_depth_m; rows]),
-                ("time_s", &history.time_s),
-                ("hook_load_N", &history.hook_load_N),
-                ("surface_torque_N_m", &history.surface_torque_N_m),
-                ("pump_pressure_Pa", &history.pump_pressure_Pa),
-                ("block_velocity_m_per_s", &history.block_velocity_m_per_s),
-                ("rotary_speed_rad_per_s", &history.rotary_speed_rad_per_s),
-                ("flow_rate_m3_per_s", &history.flow_rate_m3_per_s),
-            ],
-        );
-    }
-    table
+    let rows = histories.iter().flat_map(|(peak, history)| {
+        (0..history.time_s.len()).map(|sample| PlanPeakSample {
+            event: peak.event.clone(),
+            friction: peak.friction,
+            bit_depth_m: peak.bit_depth_m,
+            time_s: history.time_s[sample],
+            hook_load_N: history.hook_load_N[sample],
+            surface_torque_N_m: history.surface_torque_N_m[sample],
+            pump_pressure_Pa: history.pump_pressure_Pa[sample],
+            block_velocity_m_per_s: history.block_velocity_m_per_s[sample],
+            rotary_speed_rad_per_s: history.rotary_speed_rad_per_s[sample],
+            flow_rate_m3_per_s: history.flow_rate_m3_per_s[sample],
+        })
+    });
+    PlanPeakSample::table(rows)
 }

@@ -2,48 +2,46 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{PLAN_SURFACE_LIMITS, Table};
+use crate::{
+    Row, Table,
+    loads::{torque, weight},
+    row::rows,
+};
 
-/// A limit of hook load or surface torque.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanSurfaceLimit {
-    /// Kind of the limit: `hoist`, `tension`, `top_drive`, `top_drive_peak`, `make_up` or
-    /// `torsion`.
-    pub kind: String,
-    /// The topmost component; none for the rig.
-    pub component: Option<String>,
-    /// Whether it limits torque, N·m, rather than hook load, N.
-    pub is_torque: bool,
-    /// The capacity; for the hoist with the block.
-    pub capacity: f64,
-    /// The required factor.
-    pub required: f64,
-    /// Allowable hook load without the block, or torque, by that factor.
-    pub allowed: f64,
+rows! {
+    /// A limit of hook load or surface torque.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct PlanSurfaceLimit {
+        kind: String => Words,
+            "`hoist`, `tension`, `top_drive`, `top_drive_peak`, `make_up` or `torsion`";
+        component: Option<String> => Words, "The topmost component; empty for the rig",
+            null_where "it is of the rig";
+        is_torque: bool, "Whether it limits torque, N·m, rather than hook load, N";
+        capacity: f64, "The capacity; for the hoist with the block";
+        bit_depth_m = |_| bit_depth_m => Depth, "Measured depth of the bit: zero, and the deepest";
+        required: f64 => Ratio, "The required factor";
+        allowed: f64, "Allowable hook load without the block, or torque, by that factor";
+        capacity_N = |limit| weight(limit.is_torque, limit.capacity) => Force,
+            "The capacity, for the hoist with the block; `null` for torques",
+            null_where "it is a torque";
+        allowed_N = |limit| weight(limit.is_torque, limit.allowed) => Force,
+            "Allowable hook load without the block: capacity over factor, for the hoist less the \
+             block; `null` for torques",
+            null_where "it is a torque";
+        capacity_N_m = |limit| torque(limit.is_torque, limit.capacity) => Torque,
+            "The capacity; `null` for weights",
+            null_where "it is a weight";
+        allowed_N_m = |limit| torque(limit.is_torque, limit.allowed) => Torque,
+            "Allowable torque: capacity over factor; `null` for weights",
+            null_where "it is a weight";
+    }
+
+    /// Columns of `plan_surface_limits.parquet`: two rows for each limit, the ends of its line on the
+    /// broomstick.
+    pub const PLAN_SURFACE_LIMITS with bit_depth_m: f64;
 }
 
 /// A row for each limit at the surface and at the deepest bit, m: it is the same at all depths.
 pub(super) fn table(limits: &[PlanSurfaceLimit], deepest_m: f64) -> Table {
-    let mut table = Table::with_columns(PLAN_SURFACE_LIMITS);
-    for limit in limits {
-        let (values, none) = ([limit.capacity, limit.allowed], [f64::NAN; 2]);
-        let (weights, torques) = if limit.is_torque { (none, values) } else { (values, none) };
-        for bit_depth_m in [0.0, deepest_m] {
-            table.append(
-                &[
-                    ("kind", &[&limit.kind]),
-                    ("component", &[limit.component.as_deref().unwrap_or_default()]),
-                ],
-                &[
-                    ("bit_depth_m", &[bit_depth_m]),
-                    ("required", &[limit.required]),
-                    ("capacity_N", &[weights[0]]),
-                    ("allowed_N", &[weights[1]]),
-                    ("capacity_N_m", &[torques[0]]),
-                    ("allowed_N_m", &[torques[1]]),
-                ],
-            );
-        }
-    }
-    table
+    Row::table(limits.iter().flat_map(|limit| [(limit, 0.0), (limit, deepest_m)]))
 }

@@ -5,14 +5,14 @@ use std::{f64::consts::TAU, num::NonZeroUsize, path::PathBuf};
 use serde_json::json;
 use wholestring::{
     operation::{Operation, OperationKind},
-    statics::assembly::{self, Assembly, AssemblyNode, AssemblySettings, Extent, zeros},
+    statics::assembly::{self, Assembly, AssemblyNode, AssemblySettings, Contact, Extent, zeros},
 };
 use wholestring_case::Case;
 use wholestring_judge::{Checks, Judge, NoAnswer};
 use wholestring_report::Bha;
 use wholestring_results::{
     BHA_VERSION, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried, Occupant, ResultsFolder,
-    bha_contacts_table, bha_sweep_table, bha_table, digest,
+    Row as _, bha_table, digest,
 };
 use wholestring_units::UnitSet;
 
@@ -194,8 +194,8 @@ fn write(
     let components = request.case.model.string.components();
     let nodes = bha_table(nodes, |component| &components[component].name);
     folder.write_table(NODES, &nodes, request.csv)?;
-    folder.write_table(CONTACTS, &bha_contacts_table(&summary.state.contacts), request.csv)?;
-    folder.write_table(SWEEP, &bha_sweep_table(&summary.sweep), request.csv)?;
+    folder.write_table(CONTACTS, &Contact::table(&summary.state.contacts), request.csv)?;
+    folder.write_table(SWEEP, &BhaPoint::table(&summary.sweep), request.csv)?;
     summary.write(&folder.path().join("summary.json"))?;
     Ok(())
 }

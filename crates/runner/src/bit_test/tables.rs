@@ -1,10 +1,12 @@
 //! The tables of a bit test.
 
 use wholestring::rock::{TrialOutcome, bit_face::BottomHole};
-use wholestring_results::{BOTTOM_HOLE, BitTestPoint, Column, ResultsError, ResultsFolder, Table};
+use wholestring_results::{
+    BitTestPoint, BottomHoleCell, Column, ResultsError, ResultsFolder, Row as _, Table,
+};
 
 use super::points::rpm;
-use crate::record::rows::bottom_rows;
+use crate::record::rows::bottom_cells;
 
 /// Name of the table of all points, without its extension.
 pub(super) const POINTS: &str = "bit-test";
@@ -55,11 +57,5 @@ fn law(outcomes: &[TrialOutcome]) -> Table {
 
 /// The bottom hole left by a point, as for a run.
 pub(super) fn bottom(bottom: &BottomHole) -> Table {
-    let mut table = Table::with_columns(BOTTOM_HOLE);
-    let [radius_m, angle_rad, depth_m] = &bottom_rows(bottom);
-    table.append(
-        &[("operation", &[OPERATION])],
-        &[("radius_m", radius_m), ("angle_rad", angle_rad), ("depth_m", depth_m)],
-    );
-    table
+    BottomHoleCell::table(bottom_cells(bottom, OPERATION))
 }

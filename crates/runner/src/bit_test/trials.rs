@@ -5,8 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use wholestring::rock::{Alone, DrillingResponse, Stepper, Trial, TrialOutcome};
 use wholestring_case::{BitTest, Case};
 use wholestring_results::{
-    BIT_TEST_VERSION, BitTestPoint, BitTestSummary, ResultsError, ResultsFolder, Status,
-    bit_test_table,
+    BIT_TEST_VERSION, BitTestPoint, BitTestSummary, ResultsError, ResultsFolder, Row as _, Status,
 };
 
 use super::{
@@ -286,7 +285,7 @@ impl<'a> Trials<'a> {
         let _alone = lock(&self.writing);
         let summary = self.summary();
         let points = &summary.points;
-        self.folder.write_table(tables::POINTS, &bit_test_table(points), self.options.csv)?;
+        self.folder.write_table(tables::POINTS, &BitTestPoint::table(points), self.options.csv)?;
         tables::write_law(&self.folder, points)?;
         summary.write(&self.folder.path().join("summary.json"))
     }

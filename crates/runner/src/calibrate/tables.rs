@@ -4,8 +4,8 @@ use wholestring_plan::calibration::{
     Calibration, Channel, ErrorKind, Estimate, Parameter, Point, Settings, State,
 };
 use wholestring_results::{
-    CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES, CalibrationSummary, CalibrationTables,
-    ErrorFound, EstimateFound, ResultsError, ResultsFolder, Table, calibration_dynamic_table,
+    CalibrationBand, CalibrationProfile, CalibrationReading, CalibrationSummary, CalibrationTables,
+    DynamicCheck, ErrorFound, EstimateFound, ResultsError, ResultsFolder, Row as _, Table,
 };
 
 use crate::{
@@ -47,21 +47,20 @@ pub(super) fn write(
             folder.remove(&format!("{DYNAMIC}.{ending}"))?;
         }
     } else {
-        folder.write_table(DYNAMIC, &calibration_dynamic_table(&summary.dynamics), true)?;
+        folder.write_table(DYNAMIC, &DynamicCheck::table(&summary.dynamics), true)?;
     }
     summary.write(&folder.path().join("summary.json"))
 }
 
 /// A number as a weight or as a torque.
-fn by_kind(channel: Channel, value: f64) -> [f64; 2] {
-    if channel.is_torque() { [f64::NAN, value] } else { [value, f64::NAN] }
+fn by_kind(channel: Channel, value: f64) -> [Option<f64>; 2] {
+    if channel.is_torque() { [None, Some(value)] } else { [Some(value), None] }
 }
 
 fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
-    let mut table = Table::with_columns(CALIBRATION);
-    let fitted = found.points.iter().zip(&data.places).map(|point| (point, 1.0));
-    let held_out = found.held_out.iter().zip(&data.held_out_places).map(|point| (point, 0.0));
-    for ((point, place), used) in fitted.chain(held_out) {
+    let fitted = found.points.iter().zip(&data.places).map(|point| (point, true));
+    let held_out = found.held_out.iter().zip(&data.held_out_places).map(|point| (point, false));
+    let rows = fitted.chain(held_out).map(|((point, place), used)| {
         let channel = point.reading.channel;
         let [measured_N, measured_N_m] = by_kind(channel, point.reading.value);
         let [predicted_N, predicted_N_m] = by_kind(channel, point.predicted);
@@ -69,81 +68,69 @@ fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a 
         let [error_N, error_N_m] = by_kind(channel, point.predicted_error);
         let [low, high] = [-1.0, 1.0]
             .map(|sign| by_kind(channel, point.predicted + sign * point.reading_half_width));
-        table.append(
-            &[
-                ("case", &[case(point.reading.setup)]),
-                ("place", &[place]),
-                ("reading", &[channel.name()]),
-            ],
-            &[
-                ("used", &[used]),
-                ("bit_depth_m", &[point.reading.bit_depth_m]),
-                ("measured_N", &[measured_N]),
-                ("predicted_N", &[predicted_N]),
-                ("measured_N_m", &[measured_N_m]),
-                ("predicted_N_m", &[predicted_N_m]),
-                ("residual_N", &[residual_N]),
-                ("predicted_error_N", &[error_N]),
-                ("reading_low_N", &[low[0]]),
-                ("reading_high_N", &[high[0]]),
-                ("residual_N_m", &[residual_N_m]),
-                ("predicted_error_N_m", &[error_N_m]),
-                ("reading_low_N_m", &[low[1]]),
-                ("reading_high_N_m", &[high[1]]),
-                ("standardised", &[point.standardised]),
-                ("outlier", &[f64::from(u8::from(point.outlier))]),
-                ("within_band", &[f64::from(u8::from(point.within_band))]),
-            ],
-        );
-    }
-    table
+        CalibrationReading {
+            case: case(point.reading.setup).to_owned(),
+            place: place.clone(),
+            reading: channel.name().to_owned(),
+            used,
+            bit_depth_m: point.reading.bit_depth_m,
+            measured_N,
+            predicted_N,
+            residual_N,
+            predicted_error_N: error_N,
+            reading_low_N: low[0],
+            reading_high_N: high[0],
+            measured_N_m,
+            predicted_N_m,
+            residual_N_m,
+            predicted_error_N_m: error_N_m,
+            reading_low_N_m: low[1],
+            reading_high_N_m: high[1],
+            standardised: point.standardised,
+            outlier: point.outlier,
+            within_band: point.within_band,
+        }
+    });
+    CalibrationReading::table(rows)
 }
 
 fn bands<'a>(found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
-    let mut table = Table::with_columns(CALIBRATION_BANDS);
-    for band in &found.bands {
-        let kinds = [band.predicted, band.mean_half_width, band.reading_half_width]
-            .map(|value| by_kind(band.channel, value));
-        let [predicted, mean, reading] = kinds;
-        let end = |half: [f64; 2], sign: f64| [0, 1].map(|k| predicted[k] + sign * half[k]);
-        let (mean_low, mean_high) = (end(mean, -1.0), end(mean, 1.0));
-        let (low, high) = (end(reading, -1.0), end(reading, 1.0));
-        table.append(
-            &[("case", &[case(band.setup)]), ("reading", &[band.channel.name()])],
-            &[
-                ("bit_depth_m", &[band.bit_depth_m]),
-                ("predicted_N", &[predicted[0]]),
-                ("mean_low_N", &[mean_low[0]]),
-                ("mean_high_N", &[mean_high[0]]),
-                ("reading_low_N", &[low[0]]),
-                ("reading_high_N", &[high[0]]),
-                ("predicted_N_m", &[predicted[1]]),
-                ("mean_low_N_m", &[mean_low[1]]),
-                ("mean_high_N_m", &[mean_high[1]]),
-                ("reading_low_N_m", &[low[1]]),
-                ("reading_high_N_m", &[high[1]]),
-            ],
-        );
-    }
-    table
+    let rows = found.bands.iter().map(|band| {
+        let load = |value: f64| by_kind(band.channel, value);
+        let ends =
+            |half_width: f64| [-1.0, 1.0].map(|sign| load(band.predicted + sign * half_width));
+        let [predicted_N, predicted_N_m] = load(band.predicted);
+        let [mean_low, mean_high] = ends(band.mean_half_width);
+        let [reading_low, reading_high] = ends(band.reading_half_width);
+        CalibrationBand {
+            case: case(band.setup).to_owned(),
+            reading: band.channel.name().to_owned(),
+            bit_depth_m: band.bit_depth_m,
+            predicted_N,
+            mean_low_N: mean_low[0],
+            mean_high_N: mean_high[0],
+            reading_low_N: reading_low[0],
+            reading_high_N: reading_high[0],
+            predicted_N_m,
+            mean_low_N_m: mean_low[1],
+            mean_high_N_m: mean_high[1],
+            reading_low_N_m: reading_low[1],
+            reading_high_N_m: reading_high[1],
+        }
+    });
+    CalibrationBand::table(rows)
 }
 
 fn profiles(found: &Calibration) -> Table {
-    let mut table = Table::with_columns(CALIBRATION_PROFILES);
-    for estimate in &found.estimates {
-        let each = |value: fn(&wholestring_plan::calibration::ProfilePoint) -> f64| {
-            estimate.profile.iter().map(value).collect::<Vec<f64>>()
-        };
-        table.append(
-            &[("parameter", &[estimate.parameter.name()])],
-            &[
-                ("value", &each(|at| at.value)),
-                ("excess", &each(|at| at.excess)),
-                ("parabola", &each(|at| at.parabola)),
-            ],
-        );
-    }
-    table
+    let rows = found.estimates.iter().flat_map(|estimate| {
+        estimate.profile.iter().map(|point| CalibrationProfile {
+            parameter: estimate.parameter.name().to_owned(),
+            value: point.value,
+            excess: point.excess,
+            parabola: point.parabola,
+        })
+    });
+    CalibrationProfile::table(rows)
 }
 
 /// Readings, in rows below the bands.

@@ -2,8 +2,8 @@
 
 use wholestring::modal::{Answer, Campbell, Family, Mode, SmallMotions};
 use wholestring_results::{
-    CAMPBELL, MODE_SHAPES, ModeFound, ModesSummary, ModesTables, RESPONSE, ResultsError,
-    ResultsFolder, Table, stability_table,
+    CampbellRow, CriticalSpeed, ModeFound, ModeShapeRow, ModesSummary, ModesTables, ResponseRow,
+    ResultsError, ResultsFolder, Row as _, StabilityRow, Table,
 };
 
 use super::stability::Stability;
@@ -22,8 +22,8 @@ pub(super) fn write(
     summary: &ModesSummary,
     tables: &ModesTables,
 ) -> Result<(), ResultsError> {
-    folder.write_table(MODES, &summary.modes_table(), true)?;
-    folder.write_table(CRITICAL, &summary.critical_speeds_table(), true)?;
+    folder.write_table(MODES, &ModeFound::table(&summary.modes), true)?;
+    folder.write_table(CRITICAL, &CriticalSpeed::table(&summary.critical_speeds), true)?;
     folder.write_table(SHAPES, &tables.shapes, true)?;
     // The picture of the whole string's modes uses the same table, and has its numbers as CSV too.
     tables.shapes.write_csv(&folder.path().join("string_shapes.csv"))?;
@@ -39,7 +39,9 @@ pub(super) fn write_stability(
     map: Option<&Stability>,
 ) -> Result<(), ResultsError> {
     match map {
-        Some(map) => folder.write_table(STABILITY, &stability_table(&map.lines), true),
+        Some(map) => {
+            folder.write_table(STABILITY, &StabilityRow::table(StabilityRow::all(&map.lines)), true)
+        }
         None => ["parquet", "csv", "svg", "png"]
             .iter()
             .try_for_each(|ending| folder.remove(&format!("{STABILITY}.{ending}"))),
@@ -53,62 +55,49 @@ pub(super) fn shapes(
     modes: &[Mode],
     top: usize,
 ) -> Table {
-    let mut table = Table::with_columns(MODE_SHAPES);
-    for (row, mode) in found.iter().zip(modes) {
+    let rows = found.iter().zip(modes).flat_map(|(row, mode)| {
         let first = if mode.family == Family::Lateral { top } else { 0 };
-        let nodes = first..motions.nodes();
-        let each = |value: &dyn Fn(usize) -> f64| nodes.clone().map(value).collect::<Vec<f64>>();
-        table.append(
-            &[("family", &[&row.family])],
-            &[
-                ("number", &each(&|_| row.number as f64)),
-                ("md_m", &each(&|node| motions.md_m(node))),
-                ("high_m", &each(&|node| mode.shape[node][0].re)),
-                ("right_m", &each(&|node| mode.shape[node][1].re)),
-                // Of exp(iωt), a quarter of a period later.
-                ("high_later_m", &each(&|node| -mode.shape[node][0].im)),
-                ("right_later_m", &each(&|node| -mode.shape[node][1].im)),
-                ("along_m", &each(&|node| mode.shape[node][2].re)),
-                ("turn_rad", &each(&|node| mode.shape[node][5].re)),
-            ],
-        );
-    }
-    table
+        (first..motions.nodes()).map(move |node| ModeShapeRow {
+            family: row.family.clone(),
+            number: row.number,
+            md_m: motions.md_m(node),
+            high_m: mode.shape[node][0].re,
+            right_m: mode.shape[node][1].re,
+            // Of exp(iωt), a quarter of a period later.
+            high_later_m: -mode.shape[node][0].im,
+            right_later_m: -mode.shape[node][1].im,
+            along_m: mode.shape[node][2].re,
+            turn_rad: mode.shape[node][5].re,
+        })
+    });
+    ModeShapeRow::table(rows)
 }
 
 /// A row for each branch at each speed.
 pub(super) fn campbell(campbell: &Campbell) -> Table {
-    let mut table = Table::with_columns(CAMPBELL);
-    for (index, branch) in campbell.branches.iter().enumerate() {
-        let each = |value: f64| vec![value; campbell.rotary_rad_per_s.len()];
-        let whirl = branch.whirl.map_or("", |whirl| whirl.name());
-        table.append(
-            &[("family", &[branch.family.name()]), ("whirl", &[whirl])],
-            &[
-                ("branch", &each(index as f64)),
-                ("number", &each(branch.number as f64)),
-                ("rotary_speed_rad_per_s", &campbell.rotary_rad_per_s),
-                ("frequency_Hz", &branch.frequency_Hz),
-            ],
-        );
-    }
-    table
+    let rows = campbell.branches.iter().enumerate().flat_map(|(index, branch)| {
+        let speeds = campbell.rotary_rad_per_s.iter().zip(&branch.frequency_Hz);
+        speeds.map(move |(rotary_speed_rad_per_s, frequency_Hz)| CampbellRow {
+            branch: index,
+            family: branch.family.name().to_owned(),
+            number: branch.number,
+            whirl: branch.whirl.map(|whirl| whirl.name().to_owned()),
+            rotary_speed_rad_per_s: *rotary_speed_rad_per_s,
+            frequency_Hz: *frequency_Hz,
+        })
+    });
+    CampbellRow::table(rows)
 }
 
 /// A row for each speed.
 pub(super) fn response(answers: &[Answer]) -> Table {
-    let mut table = Table::with_columns(RESPONSE);
-    let components: Vec<&str> = answers.iter().map(|answer| &*answer.most_bent.component).collect();
-    let each = |answer: fn(&Answer) -> f64| answers.iter().map(answer).collect::<Vec<f64>>();
-    table.append(
-        &[("component", &components)],
-        &[
-            ("rotary_speed_rad_per_s", &each(|answer| answer.rotary_rad_per_s)),
-            ("amplitude_m", &each(|answer| answer.amplitude_m)),
-            ("amplitude_md_m", &each(|answer| answer.widest.md_m)),
-            ("bending_stress_Pa", &each(|answer| answer.bending_stress_Pa)),
-            ("bending_stress_md_m", &each(|answer| answer.most_bent.md_m)),
-        ],
-    );
-    table
+    let rows = answers.iter().map(|answer| ResponseRow {
+        rotary_speed_rad_per_s: answer.rotary_rad_per_s,
+        amplitude_m: answer.amplitude_m,
+        amplitude_md_m: answer.widest.md_m,
+        bending_stress_Pa: answer.bending_stress_Pa,
+        bending_stress_md_m: answer.most_bent.md_m,
+        component: answer.most_bent.component.to_string(),
+    });
+    ResponseRow::table(rows)
 }

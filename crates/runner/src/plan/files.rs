@@ -1,6 +1,6 @@
 //! Files of a plan.
 
-use wholestring_results::{PlanSummary, ResultsError, ResultsFolder, Table, plan_peaks_table};
+use wholestring_results::{PlanPeak, PlanSummary, ResultsError, ResultsFolder, Row as _, Table};
 
 use super::drawn::{pictures, with_mud, with_peaks};
 use crate::uncertain::{self, Names};
@@ -65,7 +65,7 @@ pub(super) fn write(
             folder.remove(&format!("{name}.csv"))?;
         }
     } else {
-        folder.write_table(PEAKS, &plan_peaks_table(&summary.peaks), true)?;
+        folder.write_table(PEAKS, &PlanPeak::table(&summary.peaks), true)?;
         folder.write_table(PEAKS_TIME, &tables.peaks_time, true)?;
         let peaks = with_peaks(summary, &tables.peaks_time);
         peaks.write_csv(&folder.path().join("peaks.csv"))?;

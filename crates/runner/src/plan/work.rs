@@ -8,8 +8,8 @@ use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_judge::{CheckKind, Unchecked};
 use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics};
 use wholestring_results::{
-    PLAN_VERSION, PlanBuckling, PlanCheck, PlanPoint, PlanSummary, ResultsError, ResultsFolder,
-    Texts, plan_fatigue_table, plan_limits_table, plan_peaks_time_table, plan_wear_table,
+    PLAN_VERSION, PlanBuckling, PlanCheck, PlanDamage, PlanPoint, PlanSummary, PlanWear,
+    ResultsError, ResultsFolder, Row as _, Texts, plan_limits_table, plan_peaks_time_table,
 };
 
 use super::{
@@ -380,8 +380,8 @@ impl<'a> Work<'a> {
         let events: Vec<_> = summary.peaks.iter().zip(&parts.histories).collect();
         let tables = Tables {
             limits: plan_limits_table(&all_limits),
-            fatigue: plan_fatigue_table(&totals.damage),
-            wear: plan_wear_table(&totals.wear),
+            fatigue: PlanDamage::table(&totals.damage),
+            wear: PlanWear::table(&totals.wear),
             samples,
             peaks_time: plan_peaks_time_table(&events),
         };

@@ -1,7 +1,7 @@
 //! `plan.xlsx`: inputs, verdict and roadmap, the broomsticks as charts, and every table as a sheet.
 
 use wholestring_report::{Sheet, Workbook};
-use wholestring_results::{PlanSummary, Table, plan_peaks_table};
+use wholestring_results::{PlanPeak, PlanSummary, Row as _, Table};
 use wholestring_units::UnitSet;
 
 use super::{
@@ -23,7 +23,7 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     let measured = summary.measured_table();
     let overlay =
         summary.overlay.as_ref().map_or_else(|| Table::new(Vec::new()), |overlay| overlay.table());
-    let peaks = plan_peaks_table(&summary.peaks);
+    let peaks = PlanPeak::table(&summary.peaks);
     let surface = summary.surface_limits_table();
     let tables = [
         (

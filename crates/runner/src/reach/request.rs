@@ -12,7 +12,6 @@ use wholestring_plan::{
 use wholestring_report::Reach;
 use wholestring_results::{
     Occupant, REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary, digest,
-    reach_limits_table,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -254,7 +253,7 @@ pub fn run(
     let margins = reach_table(&rows);
     folder.write_table(REACH, &margins, false)?;
     tables::picture(&margins, &summary).write_csv(&folder.path().join(format!("{REACH}.csv")))?;
-    folder.write_table(LIMITS, &reach_limits_table(&summary), true)?;
+    folder.write_table(LIMITS, &summary.limits_table(), true)?;
     summary.write(&folder.path().join("summary.json"))?;
     let units = request.units.unwrap_or(case.units);
     Reach::gather(folder.path(), Some(units))?.write(folder, request.png)?;

@@ -1,8 +1,8 @@
 //! The table of the margins of a reach.
 
 use wholestring::operation::OperationKind;
-use wholestring_plan::reach::{Limit, Margin, OperationReach};
-use wholestring_results::{REACH as COLUMNS, ReachSummary, Table};
+use wholestring_plan::reach::{Limit, OperationReach};
+use wholestring_results::{ReachMargin, ReachSummary, Row as _, Table};
 
 use crate::picture_table::{Entry, Row, with_rows};
 
@@ -13,41 +13,30 @@ pub(super) const LIMITS: &str = "reach_limits";
 /// `reach.parquet`: a row for each margin at each depth. The results of the friction factors follow
 /// each other; `None` is the case's own.
 pub(super) fn reach_table(answers: &[(Option<f64>, &[OperationReach])]) -> Table {
-    let mut table = Table::with_columns(COLUMNS);
+    let mut rows = Vec::new();
     for (friction, reaches) in answers {
         for reach in *reaches {
             for curve in &reach.curves {
-                let margins = &curve.margins;
-                let rows = margins.len();
-                let each = |margin: &dyn Fn(&Margin) -> f64| {
-                    margins.iter().map(margin).collect::<Vec<_>>()
-                };
-                let of_unit = |unit: &str, value: fn(&Margin) -> f64| {
-                    let is_such = curve.limit.unit() == unit;
-                    each(&|margin| if is_such { value(margin) } else { f64::NAN })
-                };
-                let force = Limit::Hoist.unit();
-                let torque = Limit::TopDrive.unit();
-                table.append(
-                    &[
-                        ("operation", &vec![reach.kind.name(); rows]),
-                        ("limit", &vec![curve.limit.name(); rows]),
-                    ],
-                    &[
-                        ("friction", &vec![friction.unwrap_or(f64::NAN); rows]),
-                        ("bit_depth_m", &reach.depth_m),
-                        ("margin", &each(&|margin| margin.margin)),
-                        ("force_N", &of_unit(force, |margin| margin.load)),
-                        ("force_limit_N", &of_unit(force, |margin| margin.bound)),
-                        ("torque_N_m", &of_unit(torque, |margin| margin.load)),
-                        ("torque_limit_N_m", &of_unit(torque, |margin| margin.bound)),
-                        ("md_m", &each(&|margin| margin.at_md_m.unwrap_or(f64::NAN))),
-                    ],
-                );
+                let (force, torque) = (Limit::Hoist.unit(), Limit::TopDrive.unit());
+                let of_unit =
+                    |unit: &str, value: f64| (curve.limit.unit() == unit).then_some(value);
+                let depths = reach.depth_m.iter().zip(&curve.margins);
+                rows.extend(depths.map(|(depth_m, margin)| ReachMargin {
+                    operation: reach.kind,
+                    limit: curve.limit.name().to_owned(),
+                    friction: *friction,
+                    bit_depth_m: *depth_m,
+                    margin: margin.margin,
+                    force_N: of_unit(force, margin.load),
+                    force_limit_N: of_unit(force, margin.bound),
+                    torque_N_m: of_unit(torque, margin.load),
+                    torque_limit_N_m: of_unit(torque, margin.bound),
+                    md_m: margin.at_md_m,
+                }));
             }
         }
     }
-    table
+    ReachMargin::table(&rows)
 }
 
 /// Additional data of the picture: depths of the limits, and for uncertain inputs the bands of

@@ -12,7 +12,8 @@ use wholestring::{
     rock::bit_face::BottomHole,
 };
 use wholestring_results::{
-    Friction, Numerics, OperationSummary, ResultsError, ResultsFolder, Spectrum, Status,
+    BottomHoleCell, Friction, Numerics, OperationSummary, ResultsError, ResultsFolder, Row as _,
+    Spectrum, SpectrumRow, Status,
 };
 
 use super::{Record, friction, handed_over::PART_ROWS};
@@ -84,11 +85,7 @@ impl Record {
         self.tables.nodes.append_declared(&whose, PROFILE, profile, model);
         self.tables.wear.append_declared(&whose, HOLE_WEAR, wear, model);
         if let Some(bottom) = bottom {
-            let [radius_m, angle_rad, depth_m] = bottom_rows(bottom);
-            self.tables.bottom_hole.append(
-                &[("operation", &[name])],
-                &[("radius_m", &radius_m), ("angle_rad", &angle_rad), ("depth_m", &depth_m)],
-            );
+            BottomHoleCell::append_to(&mut self.tables.bottom_hole, bottom_cells(bottom, name));
         }
         if let Some(InTime { contact, history, .. }) = in_time {
             // Earlier rows are already in the table.
@@ -183,18 +180,15 @@ impl Record {
         let mut add = |name: &str, unit: &str, md_m: Option<f64>, samples: &dyn Samples| {
             let segment = segment.min(samples.count());
             if let Some(spectrum) = Spectrum::welch(samples, interval_s, segment) {
-                spectra.append(
-                    &[
-                        ("operation", &[operation.kind.name()]),
-                        ("signal", &[name]),
-                        ("unit", &[unit]),
-                    ],
-                    &[
-                        ("md_m", &numbers(&vec![md_m; spectrum.density.len()])),
-                        ("frequency_Hz", &spectrum.frequency_Hz),
-                        ("density", &spectrum.density),
-                    ],
-                );
+                let points = spectrum.frequency_Hz.iter().zip(&spectrum.density);
+                spectra.append_rows(points.map(|(frequency_Hz, density)| SpectrumRow {
+                    operation: operation.kind,
+                    signal: name.to_owned(),
+                    md_m,
+                    unit: unit.to_owned(),
+                    frequency_Hz: *frequency_Hz,
+                    density: *density,
+                }));
             }
         };
         for signal in &self.records.spectra {
@@ -223,24 +217,19 @@ fn numerics(time: &InTime<'_>, effort: Effort) -> Numerics {
     }
 }
 
-/// Radius, angle and depth of every cell of a bottom, ring after ring.
-pub(crate) fn bottom_rows(bottom: &BottomHole) -> [Vec<f64>; 3] {
+/// Every cell of the bottom of an operation, ring after ring.
+pub(crate) fn bottom_cells(
+    bottom: &BottomHole,
+    operation: &str,
+) -> impl Iterator<Item = BottomHoleCell> {
     let cells = (0..bottom.rings())
         .flat_map(|ring| (0..bottom.sectors()).map(move |sector| (ring, sector)));
-    let column = |value: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
-        cells.clone().map(|(ring, sector)| value(ring, sector)).collect()
-    };
-    [
-        column(&|ring, _| bottom.radius_m(ring)),
-        column(&|_, sector| bottom.angle_rad(sector)),
-        column(&|ring, sector| bottom.z_m(ring, sector).unwrap_or(f64::NAN)),
-    ]
-}
-
-/// The table writes non-finite numbers as `null`.
-fn numbers(values: &[Option<f64>]) -> Vec<f64> {
-    let number = |value: &Option<f64>| value.unwrap_or(f64::NAN);
-    values.iter().map(number).collect()
+    cells.map(move |(ring, sector)| BottomHoleCell {
+        operation: operation.to_owned(),
+        radius_m: bottom.radius_m(ring),
+        angle_rad: bottom.angle_rad(sector),
+        depth_m: bottom.z_m(ring, sector),
+    })
 }
 
 /// Note of the schedule line in effect at each row.
@@ -261,11 +250,11 @@ mod tests {
     fn the_cells_of_a_bottom_follow_each_other_ring_after_ring() {
         let mut bottom = BottomHole::new([0.02, 0.10], 4, 6);
         bottom.set_m(1, 2, -0.03);
-        let [radius_m, angle_rad, depth_m] = bottom_rows(&bottom);
-        assert_eq!([radius_m.len(), angle_rad.len(), depth_m.len()], [24; 3]);
-        assert_eq!(radius_m[6], bottom.radius_m(1));
-        assert_eq!(angle_rad[8], bottom.angle_rad(2));
-        let known: Vec<usize> = (0..24).filter(|cell| depth_m[*cell].is_finite()).collect();
-        assert_eq!((known, depth_m[8]), (vec![8], -0.03));
+        let cells: Vec<BottomHoleCell> = bottom_cells(&bottom, "drill").collect();
+        assert_eq!(cells.len(), 24);
+        assert_eq!(cells[6].radius_m, bottom.radius_m(1));
+        assert_eq!(cells[8].angle_rad, bottom.angle_rad(2));
+        let known: Vec<usize> = (0..24).filter(|cell| cells[*cell].depth_m.is_some()).collect();
+        assert_eq!((known, cells[8].depth_m), (vec![8], Some(-0.03)));
     }
 }

@@ -1,7 +1,7 @@
 //! Tables of uncertain inputs and their effects.
 
 use wholestring_results::{
-    ResultsError, ResultsFolder, Table, UNCERTAIN_SAMPLES, UncertainSummary,
+    ResultsError, ResultsFolder, Row as _, Table, UncertainSample, UncertainSummary,
 };
 
 use super::{Sampled, Sampler};
@@ -60,28 +60,20 @@ pub(crate) fn write(
 
 /// Sampled inputs, a row for each sample and input.
 pub(crate) fn samples_table(sampler: &Sampler<'_>, sampled: &[Option<Sampled>]) -> Table {
-    let mut table = Table::with_columns(UNCERTAIN_SAMPLES);
-    for (place, (point, sampled)) in sampler.points.iter().zip(sampled).enumerate() {
-        let lacking = sampled.as_ref().map_or(f64::NAN, |sampled| sampled.lacking as f64);
-        let message =
-            sampled.as_ref().and_then(|sampled| sampled.message.as_deref()).unwrap_or_default();
-        for (input, value) in sampler.uncertain.inputs.iter().zip(point) {
-            table.append(
-                &[
-                    ("input", &[&input.key]),
-                    ("unit", &[&input.unit]),
-                    ("written", &[&input.written(*value)]),
-                    ("message", &[message]),
-                ],
-                &[
-                    ("sample", &[place as f64 + 1.0]),
-                    ("value", &[input.number(*value)]),
-                    ("without_answer", &[lacking]),
-                ],
-            );
-        }
-    }
-    table
+    let samples = sampler.points.iter().zip(sampled).enumerate();
+    let rows = samples.flat_map(|(place, (point, sampled))| {
+        let values = sampler.uncertain.inputs.iter().zip(point);
+        values.map(move |(input, value)| UncertainSample {
+            sample: place + 1,
+            input: input.key.clone(),
+            value: input.number(*value),
+            unit: input.unit.clone(),
+            written: input.written(*value),
+            without_answer: sampled.as_ref().map(|sampled| sampled.lacking),
+            message: sampled.as_ref().and_then(|sampled| sampled.message.clone()),
+        })
+    });
+    UncertainSample::table(rows)
 }
 
 /// Writes the numbers of the picture of the indices; without indices, removes an earlier one.

@@ -1,6 +1,6 @@
 //! Every table.
 
-use super::{
+use crate::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec,
     FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION,
@@ -54,3 +54,30 @@ pub const TABLES: &[(&str, &[ColumnSpec])] = &[
     ("calibration_profiles", CALIBRATION_PROFILES),
     ("calibration_dynamic", CALIBRATION_DYNAMIC),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique() {
+        for (_, table) in TABLES {
+            for (index, column) in table.iter().enumerate() {
+                assert!(
+                    table[..index].iter().all(|other| other.name != column.name),
+                    "{} is declared twice",
+                    column.name
+                );
+            }
+        }
+    }
+
+    /// The meaning of a column that may be `null` mentions it.
+    #[test]
+    fn a_column_that_may_be_null_says_so() {
+        for column in TABLES.iter().flat_map(|(_, columns)| *columns) {
+            let says = column.meaning.contains("`null`") || column.meaning.contains("empty");
+            assert_eq!(says, column.null_where.is_some(), "{}", column.name);
+        }
+    }
+}
