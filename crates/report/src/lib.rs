@@ -1,4 +1,5 @@
-//! Pictures of a run's results: figures as SVG and PNG, and all of it as a page.
+//! Pages, pictures and workbooks of the answers in `wholestring-results`: figures as SVG and PNG,
+//! and all of it as one HTML file.
 #![warn(missing_docs)]
 
 mod bha;
@@ -9,6 +10,7 @@ mod cell;
 mod check_row;
 mod conventions;
 mod digits;
+mod dimensions;
 mod draw;
 pub mod figure;
 mod grid_cells;
@@ -16,6 +18,7 @@ mod modes;
 mod operation_colour;
 mod packed;
 mod page;
+mod page_head;
 mod picks;
 mod plan;
 mod plots;
@@ -36,8 +39,9 @@ pub use calibration::{
     CalibrationComparison, CalibrationPoint, calibration_html, calibration_plots, reading_words,
 };
 pub use cell::Cell;
-pub use check_row::{CheckRow, printed};
+pub use check_row::{CheckRow, ended_early, printed};
 pub use conventions::Conventions;
+pub use dimensions::{display_unit, display_units, in_sets, pretty_symbol};
 pub use draw::Drawing;
 pub use modes::{
     AnswerCurve, CriticalRow, MODES_PICTURES, ModeBranch, ModeRow, ModeShape, Modes, modes_html,
@@ -46,6 +50,7 @@ pub use modes::{
 pub use operation_colour::operation_colour;
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
+pub use page_head::{PROGRAM, opening_units};
 pub use picks::{
     PickedKind, PickedLog, PickedStand, PickedTrace, PickedValue, PickedWindow,
     picked_depth_figure, picked_log_figure, picked_stand_figure, picks_html,
@@ -60,9 +65,7 @@ pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
     drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,
 };
-pub use reach::{
-    REACH_PICTURES, Reach, ReachCurve, ReachRow, ReachVerdict, reach_html, reach_plots,
-};
+pub use reach::{REACH_PICTURES, Reach, reach_answers, reach_html, reach_notes, reach_plots};
 pub use report::{
     ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part,
     Place, Report, Section, Solved, SpectrumPicture, TimeRun, Well,
@@ -71,7 +74,7 @@ pub use stability::StabilityPicture;
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::Thinned;
-pub use uncertain::{Uncertain, UncertainNumber, UncertainShares};
+pub use uncertain::uncertain_notes;
 pub use wholestring_judge::Severity;
 pub use workbook::{
     Cells, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookError, WorkbookSeries,

@@ -35,6 +35,7 @@ mod parts;
 mod plan;
 mod reach;
 mod reach_table;
+mod row_operation;
 mod spectrum;
 mod stability;
 mod stability_table;
@@ -89,5 +90,7 @@ pub use summary::{
 };
 pub use table::{Column, Data, Table};
 pub use texts::Texts;
-pub use uncertain::{UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary};
+pub use uncertain::{
+    UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary, UncertainTables,
+};
 pub use wholestring::dynamics::Statistic;

@@ -103,7 +103,7 @@ fn panel(
     let mut largest = 0.0_f64;
     // Below all lines.
     for (uncertain, operation) in plan
-        .uncertain
+        .samples()
         .iter()
         .flat_map(|uncertain| operations.iter().map(move |operation| (uncertain, operation)))
     {
@@ -176,7 +176,7 @@ fn keys(plan: &Plan, operations: &[OperationKind]) -> Vec<Key> {
         let name = format!("{} friction, {}", level.name, level.label);
         keys.push(key(name, Sample::Line(Ink::Note, STROKES[place % 3])));
     }
-    if plan.uncertain.is_some() {
+    if plan.samples().is_some() {
         let name = "5 to 95 % of the samples".to_owned();
         keys.push(key(name, Sample::Band(Ink::Note)));
     }
@@ -204,6 +204,6 @@ fn subtitle(plan: &Plan, about: &str, outside: &[String]) -> String {
         [one] => Some(format!("limit beyond the picture: {one}")),
         several => Some(format!("limits beyond the picture: {}", several.join(", "))),
     };
-    let bands = plan.uncertain.iter().map(Uncertain::description);
+    let bands = plan.samples().map(Uncertain::description);
     lines.into_iter().chain(about).chain(limits).chain(bands).collect::<Vec<_>>().join("; ")
 }

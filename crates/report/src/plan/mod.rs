@@ -12,7 +12,6 @@ mod overlay;
 mod page;
 mod peaks;
 mod tables;
-use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
 
 #[cfg(test)]
 mod tests;
@@ -21,7 +20,10 @@ pub use broomstick::STROKES as FRICTION_STROKES;
 pub use figures::{PLAN_PICTURES, plan_plots};
 pub use page::plan_html;
 
-use crate::{PageHead, Section, Severity, Uncertain};
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
+use wholestring_results::{UncertainSummary, UncertainTables};
+
+use crate::{PageHead, Section, Severity, uncertain::Uncertain};
 
 /// A plan as its page shows it. Numbers are SI; a value without an answer is not a number.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,11 +68,18 @@ pub struct Plan {
     /// Weight on bit of operations that drill, N.
     pub weight_on_bit_N: Option<f64>,
     /// Effect of uncertain numbers; `None` where all are exact.
-    pub uncertain: Option<Uncertain>,
+    pub uncertain: Option<UncertainSummary>,
     /// Measured readings, model after model.
     pub measured: Vec<PlanMeasured>,
     /// Another program's curves.
     pub overlay: Option<PlanOverlay>,
+}
+
+impl Plan {
+    /// Effect of uncertain numbers; `None` where all are exact.
+    fn samples(&self) -> Option<Uncertain<'_>> {
+        Uncertain::new(self.uncertain.as_ref(), &UncertainTables::PLAN)
+    }
 }
 
 /// Another program's curves from a file, and the differences of ours from them.

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use wholestring_report::{
-    Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, Cell, Fact, Plot, bha_html, bha_plots,
+    Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, Cell, Fact, PageHead, Plot, bha_html,
+    bha_plots, in_sets,
 };
 use wholestring_results::{BhaSummary, BhaVaried, ResultsError, Table};
 use wholestring_units::UnitSet;
@@ -11,7 +12,7 @@ use wholestring_units::UnitSet;
 use super::{nodes::NODES, page_tables::page_tables, tendency::tendency};
 use crate::{
     column::numbers,
-    page::{self, checks::in_sets, inputs, table},
+    page::{inputs, table},
     results_kind::Results,
 };
 
@@ -33,7 +34,7 @@ impl Results for Bha {
         let mut tables = page_tables(&summary);
         tables.extend(inputs::page_tables(settings));
         Ok(Self {
-            head: page::head(title, units, Some(settings), facts(&summary)),
+            head: PageHead::new(title, units, Some(settings), facts(&summary)),
             tendency: in_sets(|units| {
                 let sentences = tendency(&summary, units).into_iter();
                 sentences

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::{Value as Json, json};
 use wholestring::rock::TrialOutcome;
 use wholestring_report::{
-    BitTest, BitTestPoint, Cell, Fact, PageTable, Plot, bit_test_html, bit_test_plots,
+    BitTest, BitTestPoint, Cell, Fact, PageHead, PageTable, Plot, bit_test_html, bit_test_plots,
 };
 use wholestring_results::{BitTestSummary, ResultsError, Status};
 use wholestring_units::UnitSet;
@@ -15,7 +15,7 @@ use super::{
     tables::{BOTTOM, LAW, POINTS},
 };
 use crate::{
-    page::{self, history::bottom_picture, inputs::page_tables, table},
+    page::{history::bottom_picture, inputs::page_tables, table},
     results_kind::Results,
 };
 
@@ -51,7 +51,7 @@ impl Results for BitTest {
         });
         let title = format!("{}: bit test", summary.case);
         Ok(Self {
-            head: page::head(title, units, Some(settings), facts(&summary)),
+            head: PageHead::new(title, units, Some(settings), facts(&summary)),
             strength_Pa: summary.rock_strength_Pa,
             radius_m: summary.bit_radius_m,
             torque_by_weight: summary

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use wholestring_report::{
     CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationCheck,
-    CalibrationComparison, CalibrationPoint, Cell, Fact, Plot, calibration_html, calibration_plots,
+    CalibrationComparison, CalibrationPoint, Cell, Fact, PageHead, Plot, calibration_html,
+    calibration_plots, in_sets,
 };
 use wholestring_results::{CalibrationSummary, DynamicCheck, ResultsError, Table};
 use wholestring_units::UnitSet;
@@ -14,7 +15,7 @@ use super::{
     toml::FRAGMENT,
 };
 use crate::{
-    page::{self, checks::in_sets, table},
+    page::{self, table},
     results_kind::Results,
 };
 
@@ -27,7 +28,7 @@ impl Results for Calibration {
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = CalibrationSummary::read(&folder.join("summary.json"))?;
         let title = format!("{}: measured friction", summary.title());
-        let head = page::head(title, units, Some(&summary.settings), facts(&summary));
+        let head = PageHead::new(title, units, Some(&summary.settings), facts(&summary));
         let profiles = table(folder, PROFILES)?;
         let rows = summary.estimates.iter().map(|estimate| {
             let (dimension, _) =

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use wholestring_report::{
-    Cell, CriticalRow, Fact, MODES_PICTURES, ModeRow, Modes, Plot, modes_html, modes_plots,
+    Cell, CriticalRow, Fact, MODES_PICTURES, ModeRow, Modes, PageHead, Plot, in_sets, modes_html,
+    modes_plots,
 };
 use wholestring_results::{ModesSummary, ResultsError, Spot};
 use wholestring_units::UnitSet;
@@ -12,10 +13,7 @@ use super::{
     shapes, stability,
     tables::{ANSWER, DIAGRAM, MODES, SHAPES, STABILITY},
 };
-use crate::{
-    page::{self, checks::in_sets, table},
-    results_kind::Results,
-};
+use crate::{page::table, results_kind::Results};
 
 impl Results for Modes {
     const NOUN: &'static str = "modes";
@@ -26,7 +24,7 @@ impl Results for Modes {
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = ModesSummary::read(&folder.join("summary.json"))?;
         let title = format!("{}: natural frequencies", summary.case);
-        let head = page::head(title, units, Some(&summary.settings), facts(&summary));
+        let head = PageHead::new(title, units, Some(&summary.settings), facts(&summary));
         let place = |spot: &Spot| (spot.md_m, spot.component.clone());
         Ok(Self {
             head,

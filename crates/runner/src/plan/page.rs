@@ -5,13 +5,13 @@ use std::path::Path;
 use serde_json::Value as Json;
 use wholestring::{operation::OperationKind, well::FrictionLevel};
 use wholestring_report::{
-    BucklingCurve, Cell, Fact, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow, PlanLevel,
-    PlanLimitRow, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow, PlanSpot,
-    PlanVerdict, PlanWearRow, Section, Severity, shown_dimension,
+    BucklingCurve, Cell, Fact, PageHead, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
+    PlanLevel, PlanLimitRow, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow,
+    PlanSpot, PlanVerdict, PlanWearRow, Section, Severity, in_sets, shown_dimension,
 };
 use wholestring_results::{
     PlanCheck, PlanFatigue, PlanOperation, PlanPoint, PlanSummary, PlanWear, ResultsError,
-    ResultsFolder, Table,
+    ResultsFolder, Table, UncertainTables,
 };
 use wholestring_units::UnitSet;
 
@@ -21,11 +21,7 @@ use super::{
     mud, peaks, surface, weight,
     workbook::workbook,
 };
-use crate::{
-    page::{self, checks::in_sets, table},
-    results_kind::Results,
-    uncertain::{self, Names},
-};
+use crate::{page::table, results_kind::Results};
 
 /// Writes the workbook in these units.
 pub(super) fn write_workbook(
@@ -65,7 +61,7 @@ pub(crate) fn workbook_of(
 fn tables(folder: &Path, summary: &PlanSummary, peaks_time: Table) -> Result<Tables, ResultsError> {
     // The table of limits is for programs only; the page reads them from the summary.
     let [fatigue, wear] = [FATIGUE, WEAR].map(|name| table(folder, name));
-    let samples = summary.uncertain.as_ref().map(|_| table(folder, Names::PLAN.samples));
+    let samples = summary.uncertain.as_ref().map(|_| table(folder, UncertainTables::PLAN.samples));
     let samples = samples.transpose()?;
     Ok(Tables {
         limits: Table::new(Vec::new()),
@@ -98,7 +94,12 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         )
     });
     Plan {
-        head: page::head(format!("{}: plan", summary.case), units, Some(settings), facts(summary)),
+        head: PageHead::new(
+            format!("{}: plan", summary.case),
+            units,
+            Some(settings),
+            facts(summary),
+        ),
         message,
         models: summary.models.clone(),
         levels: FrictionLevel::ALL.map(|level| shown_level(summary, level)).into(),
@@ -116,10 +117,7 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         events: peaks::events(summary, peaks_time),
         block_N: number(&settings["rig"]["block_weight_N"]),
         surface_limits: summary.surface_limits.iter().map(surface::shown).collect(),
-        uncertain: summary
-            .uncertain
-            .as_ref()
-            .map(|uncertain| uncertain::shown(uncertain, &Names::PLAN)),
+        uncertain: summary.uncertain.clone(),
         weight_on_bit_N: weight::on_bit_N(summary),
         measured: summary.measured.iter().map(|row| measured(summary, row)).collect(),
         overlay: summary.overlay.as_ref().map(overlay),
