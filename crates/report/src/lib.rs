@@ -31,7 +31,7 @@ mod thin;
 mod uncertain;
 mod workbook;
 
-pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
+pub use bha::{Bha, bha_number, bha_plain, bha_plots, bha_quantity, bha_tendency};
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use calibration::{

@@ -213,11 +213,11 @@ pub fn bit_test_html(test: &BitTest) -> String {
 struct BhaData<'a> {
     #[serde(flatten)]
     head: &'a PageHead,
-    tendency: &'a [Vec<String>; 3],
-    message: Option<&'a str>,
-    page_tables: &'a [PageTable],
+    tendency: [Vec<String>; 3],
+    message: Option<String>,
+    page_tables: Vec<PageTable>,
     /// Name and title of each picture of a varied quantity.
-    sweeps: Vec<[&'a str; 2]>,
+    sweeps: Vec<[&'static str; 2]>,
 }
 
 /// The page of a static BHA analysis as the text of an HTML file: its figures in every set of
@@ -227,14 +227,10 @@ struct BhaData<'a> {
 pub fn bha_html(bha: &Bha) -> String {
     let data = BhaData {
         head: &bha.head,
-        tendency: &bha.tendency,
-        message: bha.message.as_deref(),
-        page_tables: &bha.page_tables,
-        sweeps: bha
-            .sweeps
-            .iter()
-            .map(|sweep| [sweep.name.as_str(), sweep.title.as_str()])
-            .collect(),
+        tendency: bha.tendency(),
+        message: bha.message(),
+        page_tables: bha.page_tables(),
+        sweeps: bha.varied().map(|varied| [varied.name, varied.title]).collect(),
     };
     let mut rest = licences();
     for units in SETS {
