@@ -43,10 +43,7 @@ pub use check_row::{CheckRow, ended_early, printed};
 pub use conventions::Conventions;
 pub use dimensions::{display_unit, display_units, in_sets, pretty_symbol};
 pub use draw::Drawing;
-pub use modes::{
-    AnswerCurve, CriticalRow, MODES_PICTURES, ModeBranch, ModeRow, ModeShape, Modes, modes_html,
-    modes_plots,
-};
+pub use modes::{MODES_PICTURES, Modes, modes_html, modes_plots};
 pub use operation_colour::operation_colour;
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
@@ -70,7 +67,7 @@ pub use report::{
     ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part,
     Place, Report, Section, Solved, SpectrumPicture, TimeRun, Well,
 };
-pub use stability::StabilityPicture;
+pub use stability::stability_sentences;
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::Thinned;
