@@ -163,7 +163,7 @@ fn template(name: &str, units: &str, plot: Option<Plot>) -> String {
 struct BitTestData<'a> {
     #[serde(flatten)]
     head: &'a PageHead,
-    message: Option<&'a str>,
+    message: Option<String>,
     page_tables: Vec<PageTable>,
     bottoms: Vec<TestedBottom<'a>>,
 }
@@ -183,16 +183,15 @@ struct TestedBottom<'a> {
 pub fn bit_test_html(test: &BitTest) -> String {
     let bottoms = test.sorted().into_iter().filter_map(|test| {
         Some(TestedBottom {
-            weight_N: test.weight_N,
-            rotary_rad_per_s: test.rotary_rad_per_s,
-            bottom: test.bottom.as_ref()?,
+            weight_N: test.outcome.weight_borne_N,
+            rotary_rad_per_s: test.outcome.rotary_speed_rad_per_s,
+            bottom: test.bottom?,
         })
     });
-    let page_tables = std::iter::once(test.page_table()).chain(test.page_tables.iter().cloned());
     let data = BitTestData {
         head: &test.head,
-        message: test.message.as_deref(),
-        page_tables: page_tables.collect(),
+        message: test.message(),
+        page_tables: test.page_tables(),
         bottoms: bottoms.collect(),
     };
     let mut rest = licences();
