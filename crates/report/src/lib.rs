@@ -35,8 +35,7 @@ pub use bha::{Bha, bha_number, bha_plain, bha_plots, bha_quantity, bha_tendency}
 pub use bit_test::{BitTest, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use calibration::{
-    CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationCheck,
-    CalibrationComparison, CalibrationPoint, calibration_html, calibration_plots, reading_words,
+    CALIBRATION_PICTURES, Calibration, calibration_html, calibration_plots, reading_words,
 };
 pub use cell::Cell;
 pub use check_row::{CheckRow, ended_early, printed};
