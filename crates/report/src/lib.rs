@@ -52,10 +52,9 @@ pub use picks::{
     picked_depth_figure, picked_log_figure, picked_stand_figure, picks_html,
 };
 pub use plan::{
-    BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow,
-    PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanOverlay,
-    PlanOverlayDifference, PlanOverlayRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanVerdict,
-    PlanWearRow, plan_html, plan_plots,
+    BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanLevel,
+    PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit,
+    PlanVerdict, plan_html, plan_plots,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,

@@ -21,7 +21,7 @@ pub use figures::{PLAN_PICTURES, plan_plots};
 pub use page::plan_html;
 
 use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
-use wholestring_results::{UncertainSummary, UncertainTables};
+use wholestring_results::{PlanFatigue, PlanOverlay, PlanWear, UncertainSummary, UncertainTables};
 
 use crate::{PageHead, Section, Severity, uncertain::Uncertain};
 
@@ -60,9 +60,9 @@ pub struct Plan {
     /// The parts of the campaign that they do not count, with the reasons, in the same units.
     pub not_counted: [Vec<String>; 3],
     /// Fatigue of each component.
-    pub fatigue: Vec<PlanFatigueRow>,
+    pub fatigue: Vec<PlanFatigue>,
     /// For each casing the most worn stretch.
-    pub wear: Vec<PlanWearRow>,
+    pub wear: Vec<PlanWear>,
     /// Dynamic results of a string that is set in motion from rest.
     pub events: Vec<PlanEvent>,
     /// Weight on bit of operations that drill, N.
@@ -80,61 +80,6 @@ impl Plan {
     fn samples(&self) -> Option<Uncertain<'_>> {
         Uncertain::new(self.uncertain.as_ref(), &UncertainTables::PLAN)
     }
-}
-
-/// Another program's curves from a file, and the differences of ours from them.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanOverlay {
-    /// Name of the file.
-    pub file: String,
-    /// Model after model, operation after operation, down the hole.
-    pub rows: Vec<PlanOverlayRow>,
-    /// For each model, operation and quantity.
-    pub differences: Vec<PlanOverlayDifference>,
-}
-
-/// A weight or torque of another program.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanOverlayRow {
-    /// Our model that it is compared with.
-    pub model: ModelKind,
-    /// The operation.
-    pub operation: OperationKind,
-    /// Whether it is a torque rather than a hook load.
-    pub is_torque: bool,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// N or N·m.
-    pub theirs: f64,
-}
-
-impl PlanOverlayRow {
-    fn dimension(&self) -> &'static str {
-        if self.is_torque { "torque" } else { "force" }
-    }
-}
-
-/// Difference between our curve and theirs.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanOverlayDifference {
-    /// Our model.
-    pub model: ModelKind,
-    /// The operation.
-    pub operation: OperationKind,
-    /// Whether it is of torques rather than of hook loads.
-    pub is_torque: bool,
-    /// Number of depths at which both are known.
-    pub count: usize,
-    /// Mean of ours less theirs, N or N·m.
-    pub mean: f64,
-    /// The difference farthest from zero.
-    pub largest: f64,
-    /// Measured depth of the bit at that difference, m.
-    pub largest_at_m: f64,
-    /// Their value at that difference.
-    pub theirs_there: f64,
-    /// The largest difference as a part of their value; `None` where that is zero.
-    pub largest_part: Option<f64>,
 }
 
 /// A measured weight or torque, with a model's prediction.
@@ -275,53 +220,6 @@ pub struct PlanVerdict {
     pub bit_depth_m: f64,
     /// The check as a sentence, in SI, metric and field units.
     pub sentences: [String; 3],
-}
-
-/// Fatigue of a component.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanFatigueRow {
-    /// The model.
-    pub model: ModelKind,
-    /// The component.
-    pub component: String,
-    /// Part of its life that the campaign uses up.
-    pub damage: f64,
-    /// Fatigue of an hour of drilling at the deepest depth; `None` where nothing drills.
-    pub hour: Option<PlanFatigueHourRow>,
-}
-
-/// Fatigue of an hour of drilling at the place of the largest damage.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanFatigueHourRow {
-    /// Measured depth, m.
-    pub md_m: f64,
-    /// Part of the life used up.
-    pub damage_per_hour: f64,
-    /// Amplitude of the bending stress, Pa.
-    pub bending_Pa: f64,
-    /// Dogleg severity of the hole and the permissible one, rad/m.
-    pub doglegs_rad_per_m: [f64; 2],
-}
-
-/// Wear of a casing at its most worn place; an unknown number is not a number.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanWearRow {
-    /// The model.
-    pub model: ModelKind,
-    /// Section of the hole, counted from one.
-    pub section: usize,
-    /// Measured depth, m.
-    pub md_m: f64,
-    /// Depth of the groove, m.
-    pub groove_m: f64,
-    /// Remaining wall, m.
-    pub wall_left_m: f64,
-    /// Worn part of the wall.
-    pub worn: f64,
-    /// Burst of the new and of the worn casing, Pa.
-    pub burst_Pa: [f64; 2],
-    /// Collapse of the new and of the worn casing, Pa.
-    pub collapse_Pa: [f64; 2],
 }
 
 /// A string that is set in motion from rest, with the bit at one depth and one friction.
