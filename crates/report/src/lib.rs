@@ -53,8 +53,8 @@ pub use picks::{
 };
 pub use plan::{
     BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanLevel,
-    PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit,
-    PlanVerdict, plan_html, plan_plots,
+    PlanLimitRow, PlanMud, PlanMudRow, PlanPeakRow, PlanSpot, PlanVerdict, plan_html, plan_plots,
+    surface_limit_is_near, surface_limit_title,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,

@@ -11,6 +11,7 @@ mod mud;
 mod overlay;
 mod page;
 mod peaks;
+mod surface;
 mod tables;
 
 #[cfg(test)]
@@ -19,9 +20,13 @@ mod tests;
 pub use broomstick::STROKES as FRICTION_STROKES;
 pub use figures::{PLAN_PICTURES, plan_plots};
 pub use page::plan_html;
+pub use surface::{surface_limit_is_near, surface_limit_title};
 
 use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
-use wholestring_results::{PlanFatigue, PlanOverlay, PlanWear, UncertainSummary, UncertainTables};
+use wholestring_results::{
+    PlanFatigue, PlanMeasured, PlanOverlay, PlanSurfaceLimit, PlanWear, UncertainSummary,
+    UncertainTables,
+};
 
 use crate::{PageHead, Section, Severity, uncertain::Uncertain};
 
@@ -79,40 +84,6 @@ impl Plan {
     /// Effect of uncertain numbers; `None` where all are exact.
     fn samples(&self) -> Option<Uncertain<'_>> {
         Uncertain::new(self.uncertain.as_ref(), &UncertainTables::PLAN)
-    }
-}
-
-/// A measured weight or torque, with a model's prediction.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanMeasured {
-    /// The model.
-    pub model: ModelKind,
-    /// Place of the reading in its file.
-    pub place: String,
-    /// The operation.
-    pub operation: OperationKind,
-    /// Whether it is a torque rather than a weight.
-    pub is_torque: bool,
-    /// Whether it is held out of a calibration.
-    pub held_out: bool,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// Measured value, N or N·m; weights include the block.
-    pub measured: f64,
-    /// Weight of the block that it includes, N.
-    pub block_N: f64,
-    /// Predicted with low, expected and high friction; not a number without an answer.
-    pub predicted: [f64; 3],
-    /// Whether it is between the first and the last prediction; `None` where friction does not
-    /// change them.
-    pub between: Option<bool>,
-    /// Reason why there is no answer, in SI, metric and field units.
-    pub message: Option<[String; 3]>,
-}
-
-impl PlanMeasured {
-    fn dimension(&self) -> &'static str {
-        if self.is_torque { "torque" } else { "force" }
     }
 }
 
@@ -297,27 +268,9 @@ pub struct PlanMudRow {
     pub at_bit_kg_per_m3: [f64; 5],
 }
 
-/// Allowable hook load or torque at the surface.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanSurfaceLimit {
-    /// Label of the line: `hoist`, `pipe, torsion`, ...
-    pub title: String,
-    /// Whether it limits torque rather than hook load.
-    pub is_torque: bool,
-    /// Allowable value by the required factor, N without the block, or N·m.
-    pub allowed: f64,
-}
-
 /// A limit beyond the curves by more than this factor is written, not drawn, because it would
 /// flatten them.
 const FAR: f64 = 1.35;
-
-impl PlanSurfaceLimit {
-    /// Whether it is drawn with curves up to this value.
-    pub fn is_near(&self, largest: f64) -> bool {
-        self.allowed <= FAR * largest
-    }
-}
 
 impl Plan {
     /// The curves of a model and an operation, from the least friction to the most.

@@ -2,12 +2,13 @@ use std::collections::BTreeMap;
 
 use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
 use wholestring_results::{
-    PlanFatigue, PlanFatigueHour, PlanOverlay, PlanOverlayDifference, PlanOverlayRow, PlanWear,
+    PlanFatigue, PlanFatigueHour, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow,
+    PlanSurfaceLimit, PlanWear,
 };
 
 use super::{
-    BucklingCurve, Plan, PlanCurve, PlanEvent, PlanLevel, PlanLimitRow, PlanMeasured, PlanMud,
-    PlanMudRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanVerdict, plan_html, plan_plots,
+    BucklingCurve, Plan, PlanCurve, PlanEvent, PlanLevel, PlanLimitRow, PlanMud, PlanMudRow,
+    PlanPeakRow, PlanSpot, PlanVerdict, plan_html, plan_plots,
 };
 use crate::{
     Cell, DisplayUnit, Fact, PageHead, Section, Severity,
@@ -117,10 +118,10 @@ fn plan() -> Plan {
         block_N: Some(2e5),
         surface_limits: vec![
             borne("hoist", false, 6e5),
-            borne("pipe, tension", false, 5.8e5),
-            borne("top drive", true, 1.2e4),
-            borne("top drive, peak", true, 1e6),
-            borne("make-up", true, 1.25e4),
+            borne("tension", false, 5.8e5),
+            borne("top_drive", true, 1.2e4),
+            borne("top_drive_peak", true, 1e6),
+            borne("make_up", true, 1.25e4),
         ],
         limits: vec![
             limit("Tension", 1.05, "below required factor", Severity::Warning),
@@ -165,8 +166,9 @@ fn plan() -> Plan {
     }
 }
 
-fn borne(title: &str, is_torque: bool, allowed: f64) -> PlanSurfaceLimit {
-    PlanSurfaceLimit { title: title.into(), is_torque, allowed }
+fn borne(kind: &str, is_torque: bool, allowed: f64) -> PlanSurfaceLimit {
+    let kind = kind.to_owned();
+    PlanSurfaceLimit { kind, component: None, is_torque, capacity: allowed, required: 1.0, allowed }
 }
 
 /// Lines down the page and their names.
@@ -183,13 +185,13 @@ fn measured(operation: OperationKind, bit_depth_m: f64, held_out: bool) -> PlanM
         model: ModelKind::Soft,
         place: "line <2>".into(),
         operation,
+        reading: "pick_up".into(),
         is_torque: false,
         held_out,
         bit_depth_m,
         measured: 5e5,
         block_N: 2e5,
-        predicted: [4.5e5, 4.8e5, f64::NAN],
-        between: Some(false),
+        predicted: [4.5e5, 4.8e5, 4.9e5].map(Some),
         message: None,
     }
 }

@@ -5,8 +5,8 @@ use std::path::Path;
 use serde_json::Value as Json;
 use wholestring::{operation::OperationKind, well::FrictionLevel};
 use wholestring_report::{
-    BucklingCurve, Cell, Fact, PageHead, Plan, PlanCurve, PlanLevel, PlanLimitRow, PlanMeasured,
-    PlanSpot, PlanVerdict, Section, Severity, in_sets, shown_dimension,
+    BucklingCurve, Cell, Fact, PageHead, Plan, PlanCurve, PlanLevel, PlanLimitRow, PlanSpot,
+    PlanVerdict, Section, Severity, in_sets, shown_dimension,
 };
 use wholestring_results::{
     PlanCheck, PlanOperation, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table,
@@ -17,7 +17,7 @@ use wholestring_units::UnitSet;
 use super::{
     files::{FATIGUE, PEAKS_TIME, Tables, WEAR, WORKBOOK},
     levels::{label, short},
-    mud, peaks, surface, weight,
+    mud, peaks, weight,
     workbook::workbook,
 };
 use crate::{page::table, results_kind::Results};
@@ -115,10 +115,10 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         wear: summary.wear.clone(),
         events: peaks::events(summary, peaks_time),
         block_N: number(&settings["rig"]["block_weight_N"]),
-        surface_limits: summary.surface_limits.iter().map(surface::shown).collect(),
+        surface_limits: summary.surface_limits.clone(),
         uncertain: summary.uncertain.clone(),
         weight_on_bit_N: weight::on_bit_N(summary),
-        measured: summary.measured.iter().map(|row| measured(summary, row)).collect(),
+        measured: summary.measured.clone(),
         overlay: summary.overlay.clone(),
     }
 }
@@ -242,25 +242,6 @@ fn verdicts(summary: &PlanSummary) -> Vec<PlanVerdict> {
         sentences: in_sets(|units| row.check.sentence_in(units)),
     };
     rows.iter().map(verdict).collect()
-}
-
-fn measured(summary: &PlanSummary, measured: &wholestring_results::PlanMeasured) -> PlanMeasured {
-    PlanMeasured {
-        model: measured.model,
-        place: measured.place.clone(),
-        operation: measured.operation,
-        is_torque: measured.is_torque,
-        held_out: measured.held_out,
-        bit_depth_m: measured.bit_depth_m,
-        measured: measured.measured,
-        block_N: measured.block_N,
-        predicted: measured.predicted.map(|value| value.unwrap_or(f64::NAN)),
-        between: measured.between(),
-        message: measured
-            .message
-            .as_ref()
-            .map(|message| in_sets(|units| summary.texts.in_units(message, units))),
-    }
 }
 
 /// Sections of the hole with the expected friction.
