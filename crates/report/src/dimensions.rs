@@ -2,9 +2,8 @@
 
 use std::{collections::BTreeMap, f64::consts::TAU};
 
+use serde::{Deserialize, Serialize};
 use wholestring_units::{Dimension, UnitSet};
-
-use crate::DisplayUnit;
 
 /// Sets of units of a page, in its order.
 pub(crate) const UNIT_SETS: [UnitSet; 3] = [UnitSet::Si, UnitSet::Metric, UnitSet::Field];
@@ -22,6 +21,15 @@ const OTHERS: &[(&str, [(&str, f64); 3])] = &[
     ("energy", [("kJ", 1e3), ("kJ", 1e3), ("ft·lbf", 1.355_817_948_331_400_4)]),
     ("time step", [("ms", 1e-3); 3]),
 ];
+
+/// A unit as shown to users.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DisplayUnit {
+    /// Its symbol; empty for a bare number.
+    pub symbol: String,
+    /// SI units in one of it.
+    pub factor: f64,
+}
 
 /// A value in SI, metric and field units.
 pub fn in_sets<T>(value: impl FnMut(UnitSet) -> T) -> [T; 3] {

@@ -40,7 +40,7 @@ pub use calibration::{
 pub use cell::Cell;
 pub use check_row::{CheckRow, ended_early, printed};
 pub use conventions::Conventions;
-pub use dimensions::{display_unit, display_units, in_sets, pretty_symbol};
+pub use dimensions::{DisplayUnit, display_unit, display_units, in_sets, pretty_symbol};
 pub use draw::Drawing;
 pub use modes::{MODES_PICTURES, Modes, modes_html, modes_plots};
 pub use operation_colour::operation_colour;
@@ -62,8 +62,8 @@ pub use plots::{
 };
 pub use reach::{REACH_PICTURES, Reach, reach_answers, reach_html, reach_notes, reach_plots};
 pub use report::{
-    ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part,
-    Place, Report, Section, Solved, SpectrumPicture, TimeRun, Well,
+    ContactPicture, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part, Place, Report,
+    Section, Solved, SpectrumPicture, TimeRun, Well,
 };
 pub use stability::stability_sentences;
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
