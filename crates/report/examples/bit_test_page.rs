@@ -1,12 +1,12 @@
 //! Writes the page and the pictures of a bit test with made-up numbers to a folder, to check their
 //! appearance without running a bit test.
 
-use std::{collections::BTreeMap, f64::consts::TAU, fs, path::PathBuf};
+use std::{f64::consts::TAU, fs, path::PathBuf};
 
-use wholestring_report::{
-    BitTest, BitTestPoint, BottomPicture, Cell, DisplayUnit, Fact, PageHead, bit_test_html,
-    bit_test_plots,
-};
+use serde_json::json;
+use wholestring::rock::{DrillingResponse, TrialOutcome};
+use wholestring_report::{BitTest, BottomPicture, bit_test_html, bit_test_plots};
+use wholestring_results::{BIT_TEST_VERSION, BitTestPoint, BitTestSummary, Status};
 
 const RADIUS_M: f64 = 0.108;
 const STRENGTH_PA: f64 = 60e6;
@@ -26,49 +26,64 @@ fn main() -> std::io::Result<()> {
     Ok(())
 }
 
-/// Three weights at two speeds, by Detournay and Defourny's law.
+/// Three weights at two speeds, by Detournay and Defourny's law; three points are missing.
 fn test() -> BitTest {
-    let mut points = Vec::new();
-    for rotary_rad_per_s in [60.0 * RPM, 120.0 * RPM] {
+    let point = |outcome: Option<TrialOutcome>| BitTestPoint {
+        point: String::new(),
+        status: if outcome.is_some() { Status::Complete } else { Status::Interrupted },
+        weight_on_bit_N: 0.0,
+        rotary_speed_rad_per_s: 0.0,
+        outcome,
+    };
+    let (mut points, mut bottoms) = (vec![point(None); 3], vec![None; 3]);
+    for rotary_speed_rad_per_s in [60.0 * RPM, 120.0 * RPM] {
         for weight_N in [20e3, 40e3, 80e3] {
             let depth_of_cut_m = (weight_N - 8e3) / (0.6 * STRENGTH_PA * RADIUS_M);
             let torque_N_m = 0.5 * RADIUS_M * weight_N * 1.1 + 60.0;
             let work_Pa = torque_N_m * TAU / (depth_of_cut_m * TAU * 0.5 * RADIUS_M * RADIUS_M);
-            points.push(BitTestPoint {
-                weight_N,
-                weight_std_N: 0.06 * weight_N,
-                rotary_rad_per_s,
-                rate_m_per_s: depth_of_cut_m * rotary_rad_per_s / TAU,
-                torque_N_m,
-                torque_std_N_m: 0.12 * torque_N_m,
+            points.push(point(Some(TrialOutcome {
+                weight_on_bit_N: weight_N,
+                rotary_speed_rad_per_s,
+                rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s / TAU,
+                rate_of_penetration_error_m_per_s: None,
                 depth_of_cut_m,
-                specific_energy_Pa: work_Pa,
-                bottom: bottom(depth_of_cut_m),
-            });
+                torque_N_m,
+                torque_error_N_m: None,
+                torque_std_N_m: 0.12 * torque_N_m,
+                weight_borne_N: weight_N,
+                weight_on_bit_std_N: 0.06 * weight_N,
+                specific_energy_Pa: Some(work_Pa),
+                mechanical_specific_energy_Pa: None,
+                bricks_broken: 0,
+                kinetic_fraction: 0.0,
+                revolutions: 4.0,
+                time_s: 4.0,
+                averaging_time_s: 0.1,
+            })));
+            bottoms.push(bottom(depth_of_cut_m));
         }
     }
-    let fact = |label: &str, value: f64, dimension: &str| Fact {
-        label: label.into(),
-        value: Cell::quantity(value, dimension),
-    };
-    BitTest {
-        head: PageHead {
-            program: "wholestring".into(),
-            title: "</script><script>window.harmed = 1</script> & <b>bit</b>".into(),
-            units: "si".into(),
-            dimensions: dimensions(),
-            facts: vec![
-                fact("Bit", 2.0 * RADIUS_M, "diameter"),
-                fact("Strength of the rock", STRENGTH_PA, "specific energy"),
-            ],
+    let summary = BitTestSummary {
+        schema_version: BIT_TEST_VERSION,
+        case: "</script><script>window.harmed = 1</script> & <b>bit</b>".into(),
+        settings: json!({
+            "units": "si",
+            "bit_test": {"mass_kg": 1e3, "revolutions": 4, "settle_revolutions": 1},
+        }),
+        rock_strength_Pa: STRENGTH_PA,
+        bit_radius_m: RADIUS_M,
+        response: DrillingResponse {
+            torque_over_weight_m: Some(0.55 * RADIUS_M),
+            torque_over_weight_and_radius: Some(0.55),
+            torque_at_no_weight_N_m: Some(60.0),
+            bottom_stiffness_N_per_m: None,
+            specific_energy_Pa: None,
+            specific_energy_over_strength: None,
         },
-        strength_Pa: STRENGTH_PA,
-        radius_m: RADIUS_M,
-        torque_by_weight: Some([0.55 * RADIUS_M, 60.0]),
+        checks: Vec::new(),
         points,
-        message: Some("interrupted: 6 of 9 points".into()),
-        page_tables: Vec::new(),
-    }
+    };
+    BitTest::new(summary, bottoms, Vec::new(), None)
 }
 
 /// Five blades have passed over a bottom with a cone in its middle; a piece of it is missing.
@@ -89,23 +104,4 @@ fn bottom(depth_of_cut_m: f64) -> Option<BottomPicture> {
     let depths: Vec<f64> =
         radii.iter().flat_map(|radius| angles.iter().map(|angle| depth(*radius, *angle))).collect();
     BottomPicture::new(&radii, &angles, &depths)
-}
-
-fn dimensions() -> BTreeMap<String, [DisplayUnit; 3]> {
-    let unit = |(symbol, factor): (&str, f64)| DisplayUnit { symbol: symbol.into(), factor };
-    [
-        ("force", [("kN", 1e3), ("t", 9806.65), ("klbf", 4448.2216)]),
-        ("torque", [("kN·m", 1e3), ("kN·m", 1e3), ("ft·lbf", 1.355818)]),
-        ("diameter", [("mm", 1e-3), ("mm", 1e-3), ("in", 0.0254)]),
-        (
-            "rate of penetration",
-            [("m/h", 1.0 / 3600.0), ("m/h", 1.0 / 3600.0), ("ft/h", 0.3048 / 3600.0)],
-        ),
-        ("rotary speed", [("rpm", RPM); 3]),
-        ("specific energy", [("MPa", 1e6), ("MPa", 1e6), ("psi", 6894.757)]),
-        ("angle", [("°", TAU / 360.0); 3]),
-        ("ratio", [("", 1.0); 3]),
-    ]
-    .map(|(name, units)| (name.to_owned(), units.map(unit)))
-    .into()
 }

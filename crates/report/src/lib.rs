@@ -1,4 +1,5 @@
-//! Pictures of a run's results: figures as SVG and PNG, and all of it as a page.
+//! Pages, pictures and workbooks of the answers in `wholestring-results`: figures as SVG and PNG,
+//! and all of it as one HTML file.
 #![warn(missing_docs)]
 
 mod bha;
@@ -9,6 +10,7 @@ mod cell;
 mod check_row;
 mod conventions;
 mod digits;
+mod dimensions;
 mod draw;
 pub mod figure;
 mod grid_cells;
@@ -16,6 +18,7 @@ mod modes;
 mod operation_colour;
 mod packed;
 mod page;
+mod page_head;
 mod picks;
 mod plan;
 mod plots;
@@ -28,50 +31,45 @@ mod thin;
 mod uncertain;
 mod workbook;
 
-pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
-pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
+pub use bha::{Bha, bha_number, bha_plain, bha_plots, bha_quantity, bha_tendency};
+pub use bit_test::{BitTest, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use calibration::{
-    CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationCheck,
-    CalibrationComparison, CalibrationPoint, calibration_html, calibration_plots, reading_words,
+    CALIBRATION_PICTURES, Calibration, calibration_html, calibration_plots, reading_words,
 };
 pub use cell::Cell;
-pub use check_row::{CheckRow, printed};
+pub use check_row::{CheckRow, ended_early, printed};
 pub use conventions::Conventions;
+pub use dimensions::{DisplayUnit, display_unit, display_units, in_sets, pretty_symbol};
 pub use draw::Drawing;
-pub use modes::{
-    AnswerCurve, CriticalRow, MODES_PICTURES, ModeBranch, ModeRow, ModeShape, Modes, modes_html,
-    modes_plots,
-};
+pub use modes::{MODES_PICTURES, Modes, modes_html, modes_plots};
 pub use operation_colour::operation_colour;
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
+pub use page_head::{PROGRAM, opening_units};
 pub use picks::{
     PickedKind, PickedLog, PickedStand, PickedTrace, PickedValue, PickedWindow,
     picked_depth_figure, picked_log_figure, picked_stand_figure, picks_html,
 };
 pub use plan::{
-    BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow,
-    PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanOverlay,
-    PlanOverlayDifference, PlanOverlayRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanVerdict,
-    PlanWearRow, plan_html, plan_plots,
+    BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanLevel,
+    PlanLimitRow, PlanMud, PlanMudRow, PlanPeakRow, PlanSpot, PlanVerdict, plan_html, plan_plots,
+    surface_limit_is_near, surface_limit_title,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
     drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,
 };
-pub use reach::{
-    REACH_PICTURES, Reach, ReachCurve, ReachRow, ReachVerdict, reach_html, reach_plots,
-};
+pub use reach::{REACH_PICTURES, Reach, reach_answers, reach_html, reach_notes, reach_plots};
 pub use report::{
-    ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part,
-    Place, Report, Section, Solved, SpectrumPicture, TimeRun, Well,
+    ContactPicture, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part, Place, Report,
+    Section, Solved, SpectrumPicture, TimeRun, Well,
 };
-pub use stability::StabilityPicture;
+pub use stability::stability_sentences;
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::Thinned;
-pub use uncertain::{Uncertain, UncertainNumber, UncertainShares};
+pub use uncertain::uncertain_notes;
 pub use wholestring_judge::Severity;
 pub use workbook::{
     Cells, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookError, WorkbookSeries,

@@ -163,7 +163,7 @@ fn template(name: &str, units: &str, plot: Option<Plot>) -> String {
 struct BitTestData<'a> {
     #[serde(flatten)]
     head: &'a PageHead,
-    message: Option<&'a str>,
+    message: Option<String>,
     page_tables: Vec<PageTable>,
     bottoms: Vec<TestedBottom<'a>>,
 }
@@ -183,16 +183,15 @@ struct TestedBottom<'a> {
 pub fn bit_test_html(test: &BitTest) -> String {
     let bottoms = test.sorted().into_iter().filter_map(|test| {
         Some(TestedBottom {
-            weight_N: test.weight_N,
-            rotary_rad_per_s: test.rotary_rad_per_s,
-            bottom: test.bottom.as_ref()?,
+            weight_N: test.outcome.weight_borne_N,
+            rotary_rad_per_s: test.outcome.rotary_speed_rad_per_s,
+            bottom: test.bottom?,
         })
     });
-    let page_tables = std::iter::once(test.page_table()).chain(test.page_tables.iter().cloned());
     let data = BitTestData {
         head: &test.head,
-        message: test.message.as_deref(),
-        page_tables: page_tables.collect(),
+        message: test.message(),
+        page_tables: test.page_tables(),
         bottoms: bottoms.collect(),
     };
     let mut rest = licences();
@@ -213,11 +212,11 @@ pub fn bit_test_html(test: &BitTest) -> String {
 struct BhaData<'a> {
     #[serde(flatten)]
     head: &'a PageHead,
-    tendency: &'a [Vec<String>; 3],
-    message: Option<&'a str>,
-    page_tables: &'a [PageTable],
+    tendency: [Vec<String>; 3],
+    message: Option<String>,
+    page_tables: Vec<PageTable>,
     /// Name and title of each picture of a varied quantity.
-    sweeps: Vec<[&'a str; 2]>,
+    sweeps: Vec<[&'static str; 2]>,
 }
 
 /// The page of a static BHA analysis as the text of an HTML file: its figures in every set of
@@ -227,14 +226,10 @@ struct BhaData<'a> {
 pub fn bha_html(bha: &Bha) -> String {
     let data = BhaData {
         head: &bha.head,
-        tendency: &bha.tendency,
-        message: bha.message.as_deref(),
-        page_tables: &bha.page_tables,
-        sweeps: bha
-            .sweeps
-            .iter()
-            .map(|sweep| [sweep.name.as_str(), sweep.title.as_str()])
-            .collect(),
+        tendency: bha.tendency(),
+        message: bha.message(),
+        page_tables: bha.page_tables(),
+        sweeps: bha.varied().map(|varied| [varied.name, varied.title]).collect(),
     };
     let mut rest = licences();
     for units in SETS {

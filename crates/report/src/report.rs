@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 
-use crate::{BottomPicture, Cell, CheckRow, Packed};
+use crate::{BottomPicture, Cell, CheckRow, DisplayUnit, Packed};
 
 /// A run as its page shows it.
 ///
@@ -50,15 +50,6 @@ pub struct PageHead {
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
     /// The facts common to all cases or points.
     pub facts: Vec<Fact>,
-}
-
-/// A unit as shown to users.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct DisplayUnit {
-    /// Its symbol; empty for a bare number.
-    pub symbol: String,
-    /// SI units in one of it.
-    pub factor: f64,
 }
 
 /// A value with its label.

@@ -37,6 +37,7 @@ mod parts;
 mod plan;
 mod reach;
 mod row;
+mod row_operation;
 mod spectrum;
 mod stability;
 mod summary;
@@ -101,7 +102,7 @@ pub use summary::{
 pub use table::{Column, Data, Table};
 pub use tables::TABLES;
 pub use texts::Texts;
-pub use uncertain::{UncertainKey, UncertainSummary};
+pub use uncertain::{UncertainKey, UncertainSummary, UncertainTables};
 pub use uncertain_rows::{
     UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, UncertainBand,
     UncertainIndex, UncertainOwed, UncertainSample, UncertainStop,

@@ -5,6 +5,36 @@ use wholestring::outcome::ModelKind;
 
 use crate::{Row, Table, UncertainBand, UncertainIndex, UncertainStop};
 
+/// Names of the tables of uncertain inputs, without their extensions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UncertainTables {
+    /// Scatter of the samples.
+    pub bands: &'static str,
+    /// Sensitivity (Sobol) indices.
+    pub indices: &'static str,
+    /// Sampled inputs.
+    pub samples: &'static str,
+    /// The limit that stops the well first, with its frequency; none for a plan.
+    pub stops: Option<&'static str>,
+}
+
+impl UncertainTables {
+    /// Names for a plan.
+    pub const PLAN: Self = Self {
+        bands: "plan_uncertain",
+        indices: "plan_uncertain_indices",
+        samples: "plan_uncertain_samples",
+        stops: None,
+    };
+    /// Names for a reach.
+    pub const REACH: Self = Self {
+        bands: "reach_uncertain",
+        indices: "reach_uncertain_indices",
+        samples: "reach_uncertain_samples",
+        stops: Some("reach_uncertain_stops"),
+    };
+}
+
 /// Results of samples of uncertain numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct UncertainSummary {

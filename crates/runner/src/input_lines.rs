@@ -1,9 +1,7 @@
 //! Inputs and scalars as lines of a sheet.
 
-use wholestring_report::{Cell, Cells, PageTable, Sheet, SheetColumn};
+use wholestring_report::{Cell, Cells, PageTable, Sheet, SheetColumn, display_unit};
 use wholestring_units::UnitSet;
-
-use crate::page::dimensions;
 
 /// Longer lists, such as the stations of a survey, are shown as a count.
 const MAX_ITEMS: usize = 40;
@@ -69,7 +67,7 @@ pub(crate) fn lines(table: &PageTable, units: UnitSet) -> Vec<[String; 3]> {
 /// A value with its unit; `None` for an empty cell.
 fn text(cell: &Cell, units: UnitSet) -> Option<String> {
     let quantities = |values: &[f64], dimension: &str| {
-        let unit = dimensions::unit(dimension, units);
+        let unit = display_unit(dimension, units);
         let factor = unit.as_ref().map_or(1.0, |unit| unit.factor);
         let numbers: Vec<String> = values.iter().map(|value| number(value / factor)).collect();
         let symbol = unit.map(|unit| unit.symbol).filter(|symbol| !symbol.is_empty());

@@ -2,11 +2,10 @@
 
 use wholestring_import::picking::{Channel, Detail, Estimate, Kind, Picks, Trace, Window, Work};
 use wholestring_report::{
-    self as report, PickedKind, PickedLog, PickedStand, PickedTrace, PickedValue, PickedWindow,
+    self as report, PageHead, PickedKind, PickedLog, PickedStand, PickedTrace, PickedValue,
+    PickedWindow,
 };
 use wholestring_units::UnitSet;
-
-use crate::page;
 
 /// The page of picked weights as HTML text, which opens in these units.
 pub fn picks_html(picks: &Picks, units: UnitSet) -> String {
@@ -22,7 +21,7 @@ pub fn picked_log(picks: &Picks, units: UnitSet) -> PickedLog {
         format!("{}{}", first.unwrap_or_default(), letters.as_str())
     });
     let name = picks.file.rsplit(['/', '\\']).next().unwrap_or(&picks.file);
-    let head = page::head(format!("Weights picked from {name}"), Some(units), None, Vec::new());
+    let head = PageHead::new(format!("Weights picked from {name}"), Some(units), None, Vec::new());
     PickedLog {
         head,
         trace: trace(&picks.overview),

@@ -3,11 +3,13 @@
 use wholestring_case::dimension_at;
 use wholestring_judge::CheckKind;
 use wholestring_plan::reach::Limit;
-use wholestring_report::{Cells, DisplayUnit, Sheet, SheetColumn, reading_words};
+use wholestring_report::{
+    Cells, DisplayUnit, Sheet, SheetColumn, display_unit, pretty_symbol, reading_words,
+};
 use wholestring_results::{Column, Data, PlanOperation, Table};
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::page::dimensions::{of_setting, pretty, unit};
+use crate::page::dimensions::of_setting;
 
 /// A table in these units; its name is limited to the 31 letters of a sheet's tab.
 pub(crate) fn sheet(name: &str, table: &Table, about: &str, units: UnitSet) -> Sheet {
@@ -25,12 +27,12 @@ const ROW_UNITS: [(&str, &str); 3] = [("N", "force"), ("N·m", "torque"), ("Pa",
 
 /// Display unit of each row, for a table with units for each row.
 fn row_units(table: &Table, units: UnitSet) -> Option<Vec<DisplayUnit>> {
-    let display_unit = |si: &String| {
+    let unit_of_row = |si: &String| {
         let dimension =
             ROW_UNITS.iter().find(|(symbol, _)| symbol == si).map_or("", |entry| entry.1);
-        unit(dimension, units).unwrap_or(DisplayUnit { symbol: si.clone(), factor: 1.0 })
+        display_unit(dimension, units).unwrap_or(DisplayUnit { symbol: si.clone(), factor: 1.0 })
     };
-    Some(table.words("unit")?.iter().map(display_unit).collect())
+    Some(table.words("unit")?.iter().map(unit_of_row).collect())
 }
 
 /// Dimensions of a wall, which are as small as a diameter.
@@ -45,7 +47,9 @@ fn of_unit(column: &Column) -> Option<(&'static str, &str)> {
     if stem.len() >= by_name.1.len() {
         return None;
     }
-    let is_its = |dimension: &&Dimension| pretty(dimension.si_symbol()) == pretty(&column.unit);
+    let is_its = |dimension: &&Dimension| {
+        pretty_symbol(dimension.si_symbol()) == pretty_symbol(&column.unit)
+    };
     Some((Dimension::ALL.iter().find(is_its).map_or("", |dimension| dimension.name()), stem))
 }
 
@@ -78,8 +82,8 @@ fn column(column: &Column, rows: Option<&[DisplayUnit]>, units: UnitSet) -> Shee
         .or_else(|| of_key(column));
     let (dimension, stem) =
         found.filter(|_| !column.unit.is_empty()).unwrap_or(("", column.name.clone()));
-    let display_unit = unit(dimension, units);
-    let all = display_unit.as_ref().map_or(1.0, |unit| unit.factor);
+    let unit = display_unit(dimension, units);
+    let all = unit.as_ref().map_or(1.0, |unit| unit.factor);
     let rows = rows.filter(|_| OF_ROWS.contains(&column.name.as_str()) || column.name == "unit");
     let factor = |row: usize| rows.and_then(|units| units.get(row)).map_or(all, |unit| unit.factor);
     let cells = match (&column.data, rows) {
@@ -96,7 +100,7 @@ fn column(column: &Column, rows: Option<&[DisplayUnit]>, units: UnitSet) -> Shee
     };
     SheetColumn {
         heading: heading(&stem),
-        unit: display_unit.map_or_else(|| pretty(&column.unit), |unit| unit.symbol),
+        unit: unit.map_or_else(|| pretty_symbol(&column.unit), |unit| unit.symbol),
         meaning: column.meaning.replace('`', ""),
         cells,
     }

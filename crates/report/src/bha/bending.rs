@@ -14,19 +14,20 @@ type Curve<'a> = (usize, Stroke, &'static str, &'a [f64]);
 
 pub(super) fn figure(bha: &Bha, display: DisplayUnits<'_>) -> Figure {
     let to_m = shown_to_m(bha);
+    let nodes = &bha.nodes;
     let size: Vec<f64> =
-        bha.moment_N_m[0].iter().zip(&bha.moment_N_m[1]).map(|(a, b)| a.hypot(*b)).collect();
+        nodes.moment_N_m[0].iter().zip(&nodes.moment_N_m[1]).map(|(a, b)| a.hypot(*b)).collect();
     let panel = |title: &str, dimension: &str, curves: &[Curve<'_>]| {
         let marks = curves.iter().map(|(place, stroke, _, values)| {
-            let nodes = bha.from_bit_m.iter().zip(*values).filter(|(at, _)| **at <= to_m);
-            let points = nodes
+            let shown = nodes.from_bit_m.iter().zip(*values).filter(|(at, _)| **at <= to_m);
+            let points = shown
                 .map(|(at, value)| (display.value(*at, "length"), display.value(*value, dimension)))
                 .collect();
             Mark::Curve { ink: Ink::Line(*place), stroke: *stroke, points }
         });
         let mut marks: Vec<Mark> = marks.collect();
-        for at_m in &bha.sensors_m {
-            let at = display.value(*at_m, "length");
+        for at_m in bha.sensors_m() {
+            let at = display.value(at_m, "length");
             marks.push(Mark::SharedRule { at, label: String::new() });
         }
         let mut panel = Panel::new(Axis::new(display.label(title, dimension), Range::Zero), marks);
@@ -41,12 +42,12 @@ pub(super) fn figure(bha: &Bha, display: DisplayUnits<'_>) -> Figure {
     };
     let moments: [Curve<'_>; 3] = [
         (0, Stroke::Solid, "size", &size),
-        (1, Stroke::Dashed, "to the high side", &bha.moment_N_m[0]),
-        (2, Stroke::ShortDashed, "to the right", &bha.moment_N_m[1]),
+        (1, Stroke::Dashed, "to the high side", &nodes.moment_N_m[0]),
+        (2, Stroke::ShortDashed, "to the right", &nodes.moment_N_m[1]),
     ];
     let stresses: [Curve<'_>; 2] = [
-        (0, Stroke::Solid, "von Mises", &bha.von_mises_stress_Pa),
-        (1, Stroke::Dashed, "bending", &bha.bending_stress_Pa),
+        (0, Stroke::Solid, "von Mises", &nodes.von_mises_stress_Pa),
+        (1, Stroke::Dashed, "bending", &nodes.bending_stress_Pa),
     ];
     let to = display.value(to_m, "length");
     Figure {

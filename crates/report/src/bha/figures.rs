@@ -1,6 +1,6 @@
 //! All pictures of a static BHA analysis.
 
-use super::{Bha, BhaSweep, bending, sweeps, views};
+use super::{Bha, bending, sweeps, varied::Varied, views};
 use crate::{Plot, plots::DisplayUnits};
 
 /// Returns every picture of an assembly, in a set of units (`si`, `metric` or `field`): `views`
@@ -8,7 +8,7 @@ use crate::{Plot, plots::DisplayUnits};
 /// quantity (`toolface`, `weight`, `inclination`); none where nothing was solved.
 pub fn bha_plots(bha: &Bha, units: &str) -> Vec<Plot> {
     let display = DisplayUnits::new(&bha.head.dimensions, units);
-    if bha.from_bit_m.len() < 2 {
+    if bha.nodes.from_bit_m.len() < 2 {
         return Vec::new();
     }
     let plot = |name: &str, figure| Plot { name: name.into(), figure };
@@ -16,7 +16,7 @@ pub fn bha_plots(bha: &Bha, units: &str) -> Vec<Plot> {
         plot("views", views::figure(bha, display)),
         plot("bending", bending::figure(bha, display)),
     ];
-    let varied = |sweep: &BhaSweep| plot(&sweep.name, sweeps::figure(bha, sweep, display));
-    plots.extend(bha.sweeps.iter().map(varied));
+    let picture = |varied: Varied<'_>| plot(varied.name, sweeps::figure(bha, &varied, display));
+    plots.extend(bha.varied().map(picture));
     plots
 }

@@ -7,10 +7,12 @@ use crate::plots::DisplayUnits;
 /// collars, below the jointed pipe, where it has any; its end otherwise.
 pub(super) fn shown_to_m(bha: &Bha) -> f64 {
     const ABOVE: f64 = 1.1;
-    let solved_m = bha.from_bit_m.last().copied().unwrap_or(0.0);
-    let jointed = bha.parts.iter().find(|part| part.is_jointed).map(|part| part.from_bit_m);
-    let collars_m = jointed.filter(|from_m| *from_m > 0.0).unwrap_or(bha.length_m);
-    (ABOVE * collars_m.min(bha.length_m)).min(solved_m)
+    let solved_m = bha.nodes.from_bit_m.last().copied().unwrap_or(0.0);
+    let length_m = bha.summary.state.length_m;
+    let mut parts = bha.summary.parts.iter();
+    let jointed = parts.find(|part| part.joint_od_m.is_some()).map(|part| part.from_bit_m);
+    let collars_m = jointed.filter(|from_m| *from_m > 0.0).unwrap_or(length_m);
+    (ABOVE * collars_m.min(length_m)).min(solved_m)
 }
 
 /// A quantity in three digits, with its unit.

@@ -1,86 +1,139 @@
 //! Pictures and page of a static BHA analysis.
 
+use serde_json::json;
+use wholestring::{
+    operation::OperationKind,
+    statics::assembly::{Contact, Largest, Sag, Touching},
+};
+use wholestring_results::{
+    BHA, BHA_VERSION, BhaFound, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried, Table,
+};
+
 use super::*;
 use crate::{
-    Cell, DisplayUnit, Fact, Place, Plot, bha_html,
+    Cell, Place, Plot, bha_html,
     figure::{Mark, Range},
 };
 
 /// Ten metres of assembly with a bend and blades, and pipe above.
-fn bha() -> Bha {
-    let unit = |symbol: &str, factor| DisplayUnit { symbol: symbol.into(), factor };
-    let alike = |symbol: &str, factor: f64| [(); 3].map(|()| unit(symbol, factor));
-    let dimensions = [
-        ("force", [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.2216)]),
-        ("torque", alike("kN·m", 1e3)),
-        ("diameter", [unit("mm", 1e-3), unit("mm", 1e-3), unit("in", 0.0254)]),
-        ("length", [unit("m", 1.0), unit("m", 1.0), unit("ft", 0.3048)]),
-        ("angle", alike("°", std::f64::consts::PI / 180.0)),
-        ("pressure", alike("MPa", 1e6)),
-    ];
-    let from_bit_m: Vec<f64> = (0..=60).map(|node| 0.5 * f64::from(node)).collect();
-    let flat = |value: f64| vec![value; from_bit_m.len()];
+fn summary() -> BhaSummary {
     let part = |name: &str, from_bit_m: f64, to_bit_m: f64, od_m: f64| BhaPart {
         name: name.into(),
         from_bit_m,
         to_bit_m,
         od_m,
         blades_m: None,
-        is_jointed: name == "pipe",
+        joint_od_m: (name == "pipe").then_some(0.168),
         bend_m: None,
     };
-    Bha {
-        head: PageHead {
-            program: "wholestring".into(),
-            title: "A </script> bit".into(),
-            units: "si".into(),
-            dimensions: dimensions.map(|(name, units)| (name.to_owned(), units)).into(),
-            facts: vec![Fact {
-                label: "Weight on bit".into(),
-                value: Cell::quantity(1e5, "force"),
+    let contact = |at_m: f64, force_N| Contact {
+        touching: Touching::Body,
+        component: 0,
+        name: "a </script> body".into(),
+        md_m: 1000.0 - at_m,
+        from_bit_m: [at_m, at_m],
+        force_N,
+        side_rad: 0.0,
+    };
+    let point = |inclination_rad: f64, sign: f64| BhaPoint {
+        varied: BhaVaried::Inclination,
+        toolface_rad: None,
+        weight_on_bit_N: 1e5,
+        inclination_rad,
+        message: String::new(),
+        found: Some(BhaFound {
+            side_force_N: [sign * 1e3, 0.0],
+            tilt_rad: [sign * 0.01, 0.0],
+            largest_bending_moment_N_m: 5e3,
+            largest_von_mises_stress_Pa: 9e7,
+            sag_inclination_rad: None,
+            sag_azimuth_rad: None,
+        }),
+    };
+    let largest = |value| Largest { value, from_bit_m: 5.0 };
+    BhaSummary {
+        schema_version: BHA_VERSION,
+        case: "A </script> bit".into(),
+        settings: json!({"units": "si"}),
+        operation: OperationKind::Drill,
+        bit_depth_m: 1000.0,
+        weight_on_bit_N: 1e5,
+        toolface_rad: None,
+        inclination_rad: 0.5,
+        azimuth_rad: 0.0,
+        checks: Vec::new(),
+        unchecked: Vec::new(),
+        state: BhaState {
+            side_force_N: [12e3, 500.0],
+            tilt_rad: [0.01, 0.0],
+            length_m: 10.0,
+            solved_m: 30.0,
+            largest_bending_moment_N_m: largest(5e3),
+            largest_bending_stress_Pa: largest(5e7),
+            largest_von_mises_stress_Pa: largest(9e7),
+            contacts: vec![contact(0.0, [12e3, 500.0]), contact(9.0, [-8e3, 2e3])],
+            sag: vec![Sag {
+                component: 1,
+                name: "motor".into(),
+                from_bit_m: 9.5,
+                md_m: 990.5,
+                hole_inclination_rad: 0.5,
+                inclination_rad: 0.001,
+                azimuth_rad: None,
             }],
+            errors: None,
+            elements: 60,
+            residual: 0.0,
+            stable: false,
         },
-        tendency: ["si", "metric", "field"].map(|units| vec![format!("It drops, in {units}")]),
-        message: Some("a <point> lacks".into()),
         parts: vec![
             part("bit", 0.0, 0.3, 0.2159),
             BhaPart { bend_m: Some(1.8), ..part("motor", 0.3, 8.0, 0.17) },
             BhaPart { blades_m: Some([0.21, 0.4]), ..part("stabiliser", 8.0, 10.0, 0.17) },
             part("pipe", 10.0, 30.0, 0.127),
         ],
-        length_m: 10.0,
-        hole_radius_m: flat(0.108),
-        offset_m: [flat(-0.01), flat(0.002)],
-        moment_N_m: [flat(3e3), flat(4e3)],
-        bending_stress_Pa: flat(5e7),
-        von_mises_stress_Pa: flat(9e7),
-        contacts: vec![
-            BhaContact { at_m: 0.0, force_N: [12e3, 500.0] },
-            BhaContact { at_m: 9.0, force_N: [-8e3, 2e3] },
-        ],
-        sensors_m: vec![9.5],
-        sweeps: vec![BhaSweep {
-            name: "inclination".into(),
-            title: "Inclination".into(),
-            dimension: "angle".into(),
-            points: [(0.1, 1.0), (1.0, -1.0)]
-                .map(|(value, sign)| BhaSweepPoint {
-                    value,
-                    side_force_N: [sign * 1e3, 0.0],
-                    tilt_rad: [sign * 0.01, 0.0],
-                })
-                .to_vec(),
-            now: None,
-            zeros: vec![0.55],
-        }],
-        from_bit_m,
-        page_tables: vec![PageTable {
-            place: Place::Results,
-            title: "Contacts".into(),
-            heads: vec!["Component".into(), "Force".into()],
-            rows: vec![vec![Cell::Text("bit".into()), Cell::quantity(12e3, "force")]],
-        }],
+        build_rate_rad_per_m: 0.0,
+        mean_side_force_N: None,
+        holding_inclinations_rad: vec![0.55],
+        holding_weights_N: Vec::new(),
+        sweep: vec![point(0.1, 1.0), point(1.0, -1.0)],
+        missing: 0,
     }
+}
+
+/// Nodes every half metre.
+fn nodes() -> Table {
+    let mut table = Table::with_columns(BHA);
+    for node in 0..=60 {
+        table.append(
+            &[("component", &["a <point>"])],
+            &[
+                ("from_bit_m", &[0.5 * f64::from(node)]),
+                ("hole_radius_m", &[0.108]),
+                ("offset_high_m", &[-0.01]),
+                ("offset_right_m", &[0.002]),
+                ("bending_moment_high_N_m", &[3e3]),
+                ("bending_moment_right_N_m", &[4e3]),
+                ("bending_stress_Pa", &[5e7]),
+                ("von_mises_stress_Pa", &[9e7]),
+            ],
+        );
+    }
+    table
+}
+
+fn bha_of(nodes: &Table) -> Bha {
+    let inputs = PageTable {
+        place: Place::Inputs,
+        title: "a <point>".into(),
+        heads: Vec::new(),
+        rows: vec![vec![Cell::Text("a </script>".into()), Cell::quantity(12e3, "force")]],
+    };
+    Bha::new(summary(), nodes, vec![inputs], None)
+}
+
+fn bha() -> Bha {
+    bha_of(&nodes())
 }
 
 fn plot(name: &str, units: &str) -> Plot {
@@ -137,7 +190,7 @@ fn pictures_are_drawn() {
     }
     let keys = plot("inclination", "si").figure.keys;
     assert!(keys.iter().any(|key| key.name == "holds at 31.5 °"), "{keys:?}");
-    let empty = Bha { from_bit_m: Vec::new(), ..bha() };
+    let empty = bha_of(&Table::with_columns(BHA));
     assert!(bha_plots(&empty, "si").is_empty());
 }
 

@@ -1,7 +1,10 @@
 //! The assembly in its hole, from the side and from above, drawn with lateral exaggeration.
 
+use wholestring::statics::assembly::Contact;
+use wholestring_results::BhaPart;
+
 use super::{
-    Bha, BhaPart,
+    Bha,
     shared::{conditions, shown_to_m, three},
 };
 use crate::{
@@ -38,7 +41,7 @@ fn exaggeration(bha: &Bha) -> f64 {
 
 fn largest_radius_m(bha: &Bha) -> f64 {
     let to_m = shown_to_m(bha);
-    let nodes = bha.from_bit_m.iter().zip(&bha.hole_radius_m);
+    let nodes = bha.nodes.from_bit_m.iter().zip(&bha.nodes.hole_radius_m);
     nodes.filter(|(at, _)| **at <= to_m).map(|(_, radius)| *radius).fold(1e-3, f64::max)
 }
 
@@ -46,13 +49,13 @@ pub(super) fn figure(bha: &Bha, display: DisplayUnits<'_>) -> Figure {
     let times = exaggeration(bha);
     let times: f64 = format!("{times:.1e}").parse().unwrap_or(times);
     let to_m = shown_to_m(bha);
-    let bend = bha.parts.iter().find_map(|part| part.bend_m);
+    let bend = bha.summary.parts.iter().find_map(|part| part.bend_m);
     let marked = |ink| Sample::Point(ink, Shape::Tip);
     let mut keys = vec![
         Key { name: "wall".into(), sample: Sample::Area(WALL) },
         Key { name: "bit and bodies".into(), sample: Sample::Area(BODY) },
     ];
-    if bha.parts.iter().any(|part| part.blades_m.is_some()) {
+    if bha.summary.parts.iter().any(|part| part.blades_m.is_some()) {
         keys.push(Key { name: "blades".into(), sample: Sample::Area(BLADES) });
     }
     let axis = Key { name: "axis of the string".into(), sample: Sample::Line(BODY, Stroke::Solid) };
@@ -101,9 +104,9 @@ fn panel(bha: &Bha, side: usize, title: &str, display: DisplayUnits<'_>) -> Pane
     let mut marks = view.walls(half);
     marks.extend(view.string());
     marks.extend(view.touches());
-    for at_m in &bha.sensors_m {
+    for at_m in bha.sensors_m() {
         let label = if side == 0 { "survey sensor" } else { "" };
-        marks.push(Mark::SharedRule { at: view.long(*at_m), label: label.into() });
+        marks.push(Mark::SharedRule { at: view.long(at_m), label: label.into() });
     }
     Panel::new(axis, marks)
 }
@@ -119,7 +122,7 @@ impl View<'_> {
 
     /// A quantity of the nodes at a distance from the bit.
     fn at(&self, values: &[f64], from_bit_m: f64) -> f64 {
-        let at = &self.bha.from_bit_m;
+        let at = &self.bha.nodes.from_bit_m;
         let above = at.partition_point(|node| *node < from_bit_m).min(at.len().saturating_sub(1));
         let below = above.saturating_sub(1);
         let above = below + 1;
@@ -133,18 +136,18 @@ impl View<'_> {
     }
 
     fn offset_m(&self, from_bit_m: f64) -> f64 {
-        self.at(&self.bha.offset_m[self.side], from_bit_m)
+        self.at(&self.bha.nodes.offset_m[self.side], from_bit_m)
     }
 
     /// Rock on either side of the hole, and the wall as two lines.
     fn walls(&self, half: f64) -> Vec<Mark> {
         let to_m = shown_to_m(self.bha);
-        let nodes = self.bha.from_bit_m.iter().zip(&self.bha.hole_radius_m);
+        let nodes = self.bha.nodes.from_bit_m.iter().zip(&self.bha.nodes.hole_radius_m);
         let mut nodes: Vec<(f64, f64)> = nodes
             .filter(|(at, _)| **at <= to_m)
             .map(|(at, radius)| (self.long(*at), self.wide(*radius)))
             .collect();
-        let last_m = self.at(&self.bha.hole_radius_m, to_m);
+        let last_m = self.at(&self.bha.nodes.hole_radius_m, to_m);
         nodes.push((self.long(to_m), self.wide(last_m)));
         let mut marks = Vec::new();
         for sign in [1.0, -1.0] {
@@ -170,7 +173,7 @@ impl View<'_> {
         if to_m <= from_m {
             return Vec::new();
         }
-        let inner = self.bha.from_bit_m.iter().copied();
+        let inner = self.bha.nodes.from_bit_m.iter().copied();
         let inner = inner.filter(|at| (from_m..to_m).contains(at) && *at > from_m);
         let places = std::iter::once(from_m).chain(inner).chain([to_m]);
         let edges: Vec<(f64, f64, f64)> = places
@@ -194,21 +197,21 @@ impl View<'_> {
 
     fn string(&self) -> Vec<Mark> {
         let mut marks = Vec::new();
-        for part in &self.bha.parts {
+        for part in &self.bha.summary.parts {
             marks.extend(self.body([part.from_bit_m, part.to_bit_m], part.od_m, BODY));
         }
-        for part in &self.bha.parts {
+        for part in &self.bha.summary.parts {
             marks.extend(self.blades(part));
         }
         let to_m = shown_to_m(self.bha);
-        let nodes = self.bha.from_bit_m.iter().zip(&self.bha.offset_m[self.side]);
+        let nodes = self.bha.nodes.from_bit_m.iter().zip(&self.bha.nodes.offset_m[self.side]);
         let mut points: Vec<(f64, f64)> = nodes
             .filter(|(at, _)| **at <= to_m)
             .map(|(at, offset)| (self.long(*at), self.wide(*offset)))
             .collect();
         points.push((self.long(to_m), self.wide(self.offset_m(to_m))));
         marks.push(Mark::Curve { ink: BODY, stroke: Stroke::Solid, points });
-        let bends = self.bha.parts.iter().filter_map(|part| part.bend_m);
+        let bends = self.bha.summary.parts.iter().filter_map(|part| part.bend_m);
         let points: Vec<(f64, f64)> = bends
             .filter(|at| *at <= to_m)
             .map(|at| (self.long(at), self.wide(self.offset_m(at))))
@@ -231,17 +234,18 @@ impl View<'_> {
     /// forces.
     fn touches(&self) -> Vec<Mark> {
         let to_m = shown_to_m(self.bha);
-        let seen = self.bha.contacts.iter().filter(|contact| {
+        let seen = self.bha.summary.state.contacts.iter().filter(|contact| {
             let size_N = contact.force_N[0].hypot(contact.force_N[1]);
-            contact.at_m <= to_m
+            middle_m(contact) <= to_m
                 && size_N > 0.0
                 && contact.force_N[self.side].abs() >= SEEN * size_N
         });
         let mut seen: Vec<_> = seen.collect();
         seen.sort_by(|a, b| b.force_N[self.side].abs().total_cmp(&a.force_N[self.side].abs()));
-        let place = |contact: &&super::BhaContact| {
-            let radius_m = self.at(&self.bha.hole_radius_m, contact.at_m);
-            (self.long(contact.at_m), self.wide(radius_m) * contact.force_N[self.side].signum())
+        let place = |contact: &&Contact| {
+            let at_m = middle_m(contact);
+            let radius_m = self.at(&self.bha.nodes.hole_radius_m, at_m);
+            (self.long(at_m), self.wide(radius_m) * contact.force_N[self.side].signum())
         };
         let mut marks = Vec::new();
         for (shape, up) in [(Shape::Triangle, true), (Shape::Tip, false)] {
@@ -258,4 +262,9 @@ impl View<'_> {
         }
         marks
     }
+}
+
+/// Distance of the middle of a contact from the bit, m.
+fn middle_m(contact: &Contact) -> f64 {
+    0.5 * (contact.from_bit_m[0] + contact.from_bit_m[1])
 }

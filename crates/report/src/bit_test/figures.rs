@@ -1,6 +1,8 @@
 //! Progress of a bit against weight and speed.
 
-use super::{BitTest, BitTestPoint};
+use wholestring::rock::TrialOutcome;
+
+use super::{BitTest, TestedPoint};
 use crate::{
     BottomPicture, Plot,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
@@ -11,34 +13,36 @@ use crate::{
 struct Quantity {
     title: &'static str,
     dimension: &'static str,
-    value: fn(&BitTestPoint) -> f64,
-    std: Option<fn(&BitTestPoint) -> f64>,
+    value: fn(&TrialOutcome) -> f64,
+    std: Option<fn(&TrialOutcome) -> f64>,
 }
 
 impl Quantity {
     const fn new(
         title: &'static str,
         dimension: &'static str,
-        value: fn(&BitTestPoint) -> f64,
+        value: fn(&TrialOutcome) -> f64,
     ) -> Self {
         Self { title, dimension, value, std: None }
     }
 }
 
 const WEIGHT: Quantity = Quantity {
-    std: Some(|point| point.weight_std_N),
-    ..Quantity::new("Weight on bit", "force", |point| point.weight_N)
+    std: Some(|outcome| outcome.weight_on_bit_std_N),
+    ..Quantity::new("Weight on bit", "force", |outcome| outcome.weight_borne_N)
 };
 const TORQUE: Quantity = Quantity {
-    std: Some(|point| point.torque_std_N_m),
-    ..Quantity::new("Torque", "torque", |point| point.torque_N_m)
+    std: Some(|outcome| outcome.torque_std_N_m),
+    ..Quantity::new("Torque", "torque", |outcome| outcome.torque_N_m)
 };
-const RATE: Quantity =
-    Quantity::new("Rate of penetration", "rate of penetration", |point| point.rate_m_per_s);
+const RATE: Quantity = Quantity::new("Rate of penetration", "rate of penetration", |outcome| {
+    outcome.rate_of_penetration_m_per_s
+});
 const DEPTH_OF_CUT: Quantity =
-    Quantity::new("Depth of cut per revolution", "diameter", |point| point.depth_of_cut_m);
-const ENERGY: Quantity =
-    Quantity::new("Specific energy", "specific energy", |point| point.specific_energy_Pa);
+    Quantity::new("Depth of cut per revolution", "diameter", |outcome| outcome.depth_of_cut_m);
+const ENERGY: Quantity = Quantity::new("Specific energy", "specific energy", |outcome| {
+    outcome.specific_energy_Pa.unwrap_or(f64::NAN)
+});
 
 /// Returns every picture of a bit test, in a set of units (`si`, `metric` or `field`): `drill-off`
 /// (rate of penetration and torque against weight), `specific-energy` (against depth of cut) and
@@ -66,18 +70,19 @@ struct Drawing<'a> {
     test: &'a BitTest,
     display: DisplayUnits<'a>,
     /// By speed, then by weight.
-    points: Vec<&'a BitTestPoint>,
+    points: Vec<TestedPoint<'a>>,
 }
 
 impl Drawing<'_> {
     /// The points of each speed.
-    fn speeds(&self) -> impl Iterator<Item = (usize, &[&BitTestPoint])> {
-        let same = |a: &&BitTestPoint, b: &&BitTestPoint| a.rotary_rad_per_s == b.rotary_rad_per_s;
+    fn speeds(&self) -> impl Iterator<Item = (usize, &[TestedPoint<'_>])> {
+        let speed = |point: &TestedPoint<'_>| point.outcome.rotary_speed_rad_per_s;
+        let same = move |a: &TestedPoint<'_>, b: &TestedPoint<'_>| speed(a) == speed(b);
         self.points.chunk_by(same).enumerate()
     }
 
-    fn value(&self, quantity: &Quantity, point: &BitTestPoint) -> f64 {
-        self.display.value((quantity.value)(point), quantity.dimension)
+    fn value(&self, quantity: &Quantity, point: &TestedPoint<'_>) -> f64 {
+        self.display.value((quantity.value)(point.outcome), quantity.dimension)
     }
 
     fn axis(&self, quantity: &Quantity) -> Axis {
@@ -86,9 +91,9 @@ impl Drawing<'_> {
 
     /// Spread of the points, and a curve for each speed.
     fn marks(&self, shared: &Quantity, own: &Quantity) -> Vec<Mark> {
-        let at = |point: &&BitTestPoint| (self.value(shared, point), self.value(own, point));
-        let spread = |quantity: &Quantity, point: &BitTestPoint| {
-            let std = quantity.std.map_or(0.0, |std| std(point));
+        let at = |point: &TestedPoint<'_>| (self.value(shared, point), self.value(own, point));
+        let spread = |quantity: &Quantity, point: &TestedPoint<'_>| {
+            let std = quantity.std.map_or(0.0, |std| std(point.outcome));
             self.display.value(std, quantity.dimension)
         };
         let mut marks = Vec::new();
@@ -113,8 +118,8 @@ impl Drawing<'_> {
     }
 
     fn keys(&self) -> Vec<Key> {
-        let key = |(index, points): (usize, &[&BitTestPoint])| {
-            let speed = points[0].rotary_rad_per_s;
+        let key = |(index, points): (usize, &[TestedPoint<'_>])| {
+            let speed = points[0].outcome.rotary_speed_rad_per_s;
             Key {
                 name: self.display.quantity(speed, "rotary speed"),
                 sample: Sample::Point(Ink::Line(index), Shape::of(index)),
@@ -153,8 +158,10 @@ impl Drawing<'_> {
     fn drill_off(&self) -> Figure {
         let mut torque = self.panel(&WEIGHT, &TORQUE);
         let mut keys = self.keys();
-        if let Some([slope_m, offset_N_m]) = self.test.torque_by_weight {
-            let weights = || self.points.iter().map(|point| point.weight_N);
+        let response = &self.test.summary.response;
+        let line = response.torque_over_weight_m.zip(response.torque_at_no_weight_N_m);
+        if let Some((slope_m, offset_N_m)) = line {
+            let weights = || self.points.iter().map(|point| point.outcome.weight_borne_N);
             let ends = [0.0, weights().fold(0.0, f64::max)];
             let line = |weight_N: f64| {
                 (
@@ -173,7 +180,7 @@ impl Drawing<'_> {
             keys.push(Key {
                 name: format!(
                     "torque by weight: {:.2} of the bit's radius",
-                    slope_m / self.test.radius_m
+                    slope_m / self.test.summary.bit_radius_m
                 ),
                 sample: Sample::Line(Ink::Note, Stroke::Dashed),
             });
@@ -185,9 +192,9 @@ impl Drawing<'_> {
     fn specific_energy(&self) -> Figure {
         let mut panel = self.panel(&DEPTH_OF_CUT, &ENERGY);
         let mut keys = self.keys();
-        if self.test.strength_Pa.is_finite() {
+        if self.test.summary.rock_strength_Pa.is_finite() {
             panel.marks.push(Mark::OwnRule {
-                at: self.display.value(self.test.strength_Pa, ENERGY.dimension),
+                at: self.display.value(self.test.summary.rock_strength_Pa, ENERGY.dimension),
                 label: String::new(),
             });
             keys.push(Key {
@@ -200,16 +207,13 @@ impl Drawing<'_> {
 
     /// The bottoms of the points.
     fn bottoms(&self) -> Option<Figure> {
-        let name = |point: &BitTestPoint| {
-            let weight = self.display.quantity(round(point.weight_N), "force");
-            let speed = self.display.quantity(point.rotary_rad_per_s, "rotary speed");
+        let name = |point: &TestedPoint<'_>| {
+            let weight = self.display.quantity(round(point.outcome.weight_borne_N), "force");
+            let speed = self.display.quantity(point.outcome.rotary_speed_rad_per_s, "rotary speed");
             format!("{weight} at {speed}")
         };
-        let bottoms: Vec<(String, &BottomPicture)> = self
-            .points
-            .iter()
-            .filter_map(|point| Some((name(point), point.bottom.as_ref()?)))
-            .collect();
+        let bottoms: Vec<(String, &BottomPicture)> =
+            self.points.iter().filter_map(|point| Some((name(point), point.bottom?))).collect();
         // A bit tested alone has no high side.
         let sides = ["Across", "Across"];
         let (title, conditions) = (self.test.head.title.clone(), self.conditions());

@@ -1,67 +1,89 @@
-//! Contents of the page of a bit that was tested alone on the rock, and its pictures.
+//! The page of a bit that was tested alone on the rock, and its pictures.
 
+mod facts;
 mod figures;
 
 pub use figures::bit_test_plots;
 
+use wholestring::rock::TrialOutcome;
+use wholestring_results::{BitTestSummary, Status};
+use wholestring_units::UnitSet;
+
 use crate::{BottomPicture, Cell, PageHead, PageTable, Place};
 
-/// A bit test as its page shows it. Numbers are SI.
+/// A bit test with the head of its page. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BitTest {
     /// Head of the page, under the name of the case.
     pub head: PageHead,
-    /// Uniaxial compressive strength of the rock, Pa.
-    pub strength_Pa: f64,
-    /// Radius of the bit, m.
-    pub radius_m: f64,
-    /// Slope (m) and offset (N·m) of the straight line of torque over weight through all points;
-    /// `None` for fewer than two weights.
-    pub torque_by_weight: Option<[f64; 2]>,
-    /// The points, in any order.
-    pub points: Vec<BitTestPoint>,
-    /// Reason why points are missing; `None` where none is missing.
-    pub message: Option<String>,
-    /// Tables of inputs.
-    pub page_tables: Vec<PageTable>,
+    /// The answer.
+    pub summary: BitTestSummary,
+    /// The bottom of the hole at the end of each point of the summary.
+    bottoms: Vec<Option<BottomPicture>>,
+    /// Tables of the inputs.
+    inputs: Vec<PageTable>,
 }
 
-/// One weight at one speed. A number that is not known is not finite.
-#[derive(Debug, Clone, PartialEq)]
-pub struct BitTestPoint {
-    /// Mean weight on bit, N.
-    pub weight_N: f64,
-    /// Its standard deviation, N.
-    pub weight_std_N: f64,
-    /// Rotary speed as set, rad/s.
-    pub rotary_rad_per_s: f64,
-    /// Mean rate of penetration, m/s.
-    pub rate_m_per_s: f64,
-    /// Mean torque, N·m.
-    pub torque_N_m: f64,
-    /// Its standard deviation, N·m.
-    pub torque_std_N_m: f64,
-    /// Depth of cut per revolution, m.
-    pub depth_of_cut_m: f64,
-    /// Work per broken volume, Pa.
-    pub specific_energy_Pa: f64,
+/// One weight at one speed that is finished.
+pub(crate) struct TestedPoint<'a> {
+    /// Its outcome.
+    pub(crate) outcome: &'a TrialOutcome,
     /// The bottom of the hole at its end.
-    pub bottom: Option<BottomPicture>,
+    pub(crate) bottom: Option<&'a BottomPicture>,
 }
 
 impl BitTest {
+    /// The page of a bit test, of the bottoms of all points in the order of the summary, and of
+    /// tables of its inputs; it opens in these units, by default in those of the case.
+    pub fn new(
+        summary: BitTestSummary,
+        bottoms: Vec<Option<BottomPicture>>,
+        inputs: Vec<PageTable>,
+        units: Option<UnitSet>,
+    ) -> Self {
+        let title = format!("{}: bit test", summary.case);
+        let head = PageHead::new(title, units, Some(&summary.settings), facts::facts(&summary));
+        Self { head, summary, bottoms, inputs }
+    }
+
+    /// Whether a point is finished.
+    pub fn has_points(&self) -> bool {
+        self.summary.points.iter().any(|point| point.outcome.is_some())
+    }
+
+    /// Number of missing points, and of those that failed; `None` where none is missing.
+    pub(crate) fn message(&self) -> Option<String> {
+        let points = &self.summary.points;
+        let missing = points.iter().filter(|point| point.outcome.is_none()).count();
+        let failed = points.iter().filter(|point| matches!(point.status, Status::Failed(_)));
+        (missing > 0).then(|| {
+            let (all, failed) = (points.len(), failed.count());
+            format!("{missing} of {all} points are missing, {failed} of them failed.")
+        })
+    }
+
+    /// Tables of all points and of the inputs.
+    pub(crate) fn page_tables(&self) -> Vec<PageTable> {
+        std::iter::once(self.page_table()).chain(self.inputs.iter().cloned()).collect()
+    }
+
     /// The points by speed, then by weight.
-    pub(crate) fn sorted(&self) -> Vec<&BitTestPoint> {
-        let mut points: Vec<&BitTestPoint> = self.points.iter().collect();
+    pub(crate) fn sorted(&self) -> Vec<TestedPoint<'_>> {
+        let points = self.summary.points.iter().zip(&self.bottoms);
+        let tested = points.filter_map(|(point, bottom)| {
+            Some(TestedPoint { outcome: point.outcome.as_ref()?, bottom: bottom.as_ref() })
+        });
+        let mut points: Vec<TestedPoint<'_>> = tested.collect();
         points.sort_by(|a, b| {
-            let speeds = a.rotary_rad_per_s.total_cmp(&b.rotary_rad_per_s);
-            speeds.then(a.weight_N.total_cmp(&b.weight_N))
+            let (a, b) = (a.outcome, b.outcome);
+            let speeds = a.rotary_speed_rad_per_s.total_cmp(&b.rotary_speed_rad_per_s);
+            speeds.then(a.weight_borne_N.total_cmp(&b.weight_borne_N))
         });
         points
     }
 
     /// All numbers, a row for each point.
-    pub(crate) fn page_table(&self) -> PageTable {
+    fn page_table(&self) -> PageTable {
         let heads = [
             "Rotary speed",
             "Weight on bit",
@@ -77,15 +99,19 @@ impl BitTest {
             }
             other => other,
         };
-        let row = |point: &&BitTestPoint| {
+        let row = |point: &TestedPoint<'_>| {
+            let outcome = point.outcome;
+            let [weight_N, torque_N_m] = [outcome.weight_borne_N, outcome.torque_N_m];
+            let ratio = torque_N_m / (weight_N * self.summary.bit_radius_m);
+            let energy_Pa = outcome.specific_energy_Pa.unwrap_or(f64::NAN);
             vec![
-                Cell::quantity(point.rotary_rad_per_s, "rotary speed"),
-                mean(point.weight_N, point.weight_std_N, "force"),
-                Cell::quantity(point.rate_m_per_s, "rate of penetration"),
-                Cell::quantity(point.depth_of_cut_m, "diameter"),
-                mean(point.torque_N_m, point.torque_std_N_m, "torque"),
-                Cell::quantity(point.torque_N_m / (point.weight_N * self.radius_m), "ratio"),
-                Cell::quantity(point.specific_energy_Pa, "specific energy"),
+                Cell::quantity(outcome.rotary_speed_rad_per_s, "rotary speed"),
+                mean(weight_N, outcome.weight_on_bit_std_N, "force"),
+                Cell::quantity(outcome.rate_of_penetration_m_per_s, "rate of penetration"),
+                Cell::quantity(outcome.depth_of_cut_m, "diameter"),
+                mean(torque_N_m, outcome.torque_std_N_m, "torque"),
+                Cell::quantity(ratio, "ratio"),
+                Cell::quantity(energy_Pa, "specific energy"),
             ]
         };
         PageTable {

@@ -2,10 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
+use serde_json::json;
+use wholestring::rock::DrillingResponse;
+use wholestring_results::{BIT_TEST_VERSION, BitTestPoint};
+
 use super::*;
-use crate::{DisplayUnit, Fact, Plot};
 use crate::{
-    bit_test_html,
+    Plot, bit_test_html,
     figure::{Mark, Sample},
 };
 
@@ -22,54 +25,76 @@ fn bottom() -> Option<BottomPicture> {
 }
 
 /// Torque with a slope of 0.6 of the radius and an offset of 50 N·m, at two speeds and three
-/// weights.
-fn test() -> BitTest {
-    let unit = |symbol: &str, factor| DisplayUnit { symbol: symbol.into(), factor };
-    let alike = |symbol: &str, factor: f64| [(); 3].map(|()| unit(symbol, factor));
-    let dimensions = [
-        ("force", [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.2216)]),
-        ("torque", alike("kN·m", 1e3)),
-        ("diameter", alike("mm", 1e-3)),
-        ("rate of penetration", alike("m/h", 1.0 / 3600.0)),
-        ("rotary speed", alike("rpm", PI / 30.0)),
-        ("specific energy", alike("MPa", 1e6)),
-    ];
-    let mut points = Vec::new();
+/// weights; a point is missing.
+fn summary() -> BitTestSummary {
+    let point = |outcome: Option<TrialOutcome>| BitTestPoint {
+        point: "a <point>".into(),
+        status: if outcome.is_some() { Status::Complete } else { Status::Interrupted },
+        weight_on_bit_N: 1e4,
+        rotary_speed_rad_per_s: TAU,
+        outcome,
+    };
+    let mut points = vec![point(None)];
     // Unsorted: the pictures sort the points.
     for rotary_rad_per_s in [4.0 * PI, 2.0 * PI] {
         for weight_N in [30e3, 10e3, 20e3] {
             let depth_of_cut_m = 1e-3 * (weight_N / 10e3);
-            points.push(BitTestPoint {
-                weight_N,
-                weight_std_N: 1e3,
-                rotary_rad_per_s,
-                rate_m_per_s: depth_of_cut_m * rotary_rad_per_s / TAU,
-                torque_N_m: 50.0 + 0.6 * RADIUS_M * weight_N,
-                torque_std_N_m: 100.0,
+            points.push(point(Some(TrialOutcome {
+                weight_on_bit_N: weight_N,
+                rotary_speed_rad_per_s: rotary_rad_per_s,
+                rate_of_penetration_m_per_s: depth_of_cut_m * rotary_rad_per_s / TAU,
+                rate_of_penetration_error_m_per_s: None,
                 depth_of_cut_m,
-                specific_energy_Pa: 30e6,
-                bottom: bottom(),
-            });
+                torque_N_m: 50.0 + 0.6 * RADIUS_M * weight_N,
+                torque_error_N_m: None,
+                torque_std_N_m: 100.0,
+                weight_borne_N: weight_N,
+                weight_on_bit_std_N: 1e3,
+                specific_energy_Pa: Some(30e6),
+                mechanical_specific_energy_Pa: None,
+                bricks_broken: 100,
+                kinetic_fraction: 0.01,
+                revolutions: 4.0,
+                time_s: 4.0,
+                averaging_time_s: 0.1,
+            })));
         }
     }
-    BitTest {
-        head: PageHead {
-            program: "wholestring".into(),
-            title: "A </script> bit".into(),
-            units: "si".into(),
-            dimensions: dimensions.map(|(name, units)| (name.to_owned(), units)).into(),
-            facts: vec![Fact {
-                label: "Rock".into(),
-                value: Cell::quantity(60e6, "specific energy"),
-            }],
+    BitTestSummary {
+        schema_version: BIT_TEST_VERSION,
+        case: "A </script> bit".into(),
+        settings: json!({
+            "units": "si",
+            "bit_test": {"mass_kg": 1e3, "revolutions": 4, "settle_revolutions": 1},
+        }),
+        rock_strength_Pa: 60e6,
+        bit_radius_m: RADIUS_M,
+        response: DrillingResponse {
+            torque_over_weight_m: Some(0.6 * RADIUS_M),
+            torque_over_weight_and_radius: Some(0.6),
+            torque_at_no_weight_N_m: Some(50.0),
+            bottom_stiffness_N_per_m: None,
+            specific_energy_Pa: None,
+            specific_energy_over_strength: None,
         },
-        strength_Pa: 60e6,
-        radius_m: RADIUS_M,
-        torque_by_weight: Some([0.6 * RADIUS_M, 50.0]),
+        checks: Vec::new(),
         points,
-        message: Some("5 of 6 <points>".into()),
-        page_tables: Vec::new(),
     }
+}
+
+fn test_of(summary: BitTestSummary) -> BitTest {
+    let bottoms = summary.points.iter().map(|_| bottom()).collect();
+    let inputs = PageTable {
+        place: Place::Inputs,
+        title: "a <point>".into(),
+        heads: Vec::new(),
+        rows: vec![vec![Cell::Text("a </script>".into())]],
+    };
+    BitTest::new(summary, bottoms, vec![inputs], None)
+}
+
+fn test() -> BitTest {
+    test_of(summary())
 }
 
 fn plot(test: &BitTest, name: &str, units: &str) -> Plot {
@@ -93,9 +118,9 @@ fn a_speed_is_a_curve_in_the_order_of_weight() {
     assert_eq!(curves.len(), 2);
     for (curve, turns_per_s) in curves.iter().zip([1.0, 2.0]) {
         for ((weight, rate), thousands) in curve.iter().zip([10.0, 20.0, 30.0]) {
-            assert!((weight * 4448.2216 / (thousands * 1e3) - 1.0).abs() < 1e-12);
-            let expected = thousands / 10.0 * 1e-3 * turns_per_s * 3600.0;
-            assert!((rate / expected - 1.0).abs() < 1e-9, "{rate} m/h");
+            assert!((weight * 4_448.221_615_260_5 / (thousands * 1e3) - 1.0).abs() < 1e-12);
+            let expected = thousands / 10.0 * 1e-3 * turns_per_s * 3600.0 / 0.3048;
+            assert!((rate / expected - 1.0).abs() < 1e-9, "{rate} ft/h");
         }
     }
 }
@@ -111,9 +136,9 @@ fn the_line_of_torque_is_drawn_where_there_is_one() {
     assert_eq!(fit.name, "torque by weight: 0.60 of the bit's radius");
     assert!(matches!(fit.sample, Sample::Line(..)));
     // One weight has no slope.
-    test.torque_by_weight = None;
+    test.summary.response.torque_over_weight_m = None;
     assert_eq!(plot(&test, "drill-off", "si").figure.keys.len(), 3);
-    test.points.clear();
+    test.summary.points.clear();
     assert!(bit_test_plots(&test, "si").is_empty());
 }
 
@@ -171,6 +196,10 @@ fn the_page_holds_all_of_it_and_no_name_ends_its_element() {
         }
     }
     assert_eq!(page.matches("\"rotary_rad_per_s\":").count(), 6);
-    assert!(!page.contains("<points>") && !page.contains("A </script>"));
+    assert!(
+        page.contains("1 of 7 points are missing")
+            && !page.contains("<point>")
+            && !page.contains("A </script>")
+    );
     assert_eq!(page.matches("</script").count(), 2);
 }

@@ -1,8 +1,12 @@
 //! The pictures of a calibration.
 
 use wholestring::operation::OperationKind;
+use wholestring_results::EstimateFound;
 
-use super::{Calibration, CalibrationPoint};
+use super::{
+    Calibration,
+    rows::{CalibrationBand, CalibrationPoint},
+};
 use crate::{
     Plot,
     figure::{
@@ -124,8 +128,7 @@ impl Drawing<'_> {
             for case in cases {
                 let bands = self.calibration.bands.iter();
                 let bands = bands.filter(|band| band.reading == name && band.case == case);
-                let at =
-                    |band: &super::CalibrationBand| self.display.value(band.bit_depth_m, "length");
+                let at = |band: &CalibrationBand| self.display.value(band.bit_depth_m, "length");
                 let band = |ends: [f64; 2]| ends.map(|end| self.display.value(end, kind));
                 let points = bands.clone().map(|prediction| {
                     let [from, to] = band(prediction.reading_band);
@@ -179,7 +182,7 @@ impl Drawing<'_> {
     }
 
     fn residuals(&self) -> Figure {
-        let beyond = self.calibration.outlier_beyond;
+        let beyond = self.calibration.summary.outlier_beyond;
         let largest = self
             .calibration
             .points
@@ -206,15 +209,15 @@ impl Drawing<'_> {
     }
 
     fn profiles(&self) -> Figure {
-        let panel = |row: &super::CalibratedRow| {
+        let panel = |(row, profile): (&EstimateFound, &Vec<[f64; 3]>)| {
             let scale = row.standard_error.or_else(|| {
                 // At its bound, as far as the parabola extends.
-                let last = row.profile.last().filter(|profile| profile[2] > 0.0)?;
+                let last = profile.last().filter(|end| end[2] > 0.0)?;
                 Some((last[0] - row.value).abs() / last[2].sqrt())
             });
             let scale = scale.unwrap_or(1.0);
             let curve = |column: usize| {
-                let points = row.profile.iter().map(|at| ((at[0] - row.value) / scale, at[column]));
+                let points = profile.iter().map(|at| ((at[0] - row.value) / scale, at[column]));
                 points.collect()
             };
             let solid = Mark::Curve { ink: Ink::Line(0), stroke: Stroke::Solid, points: curve(1) };
@@ -229,7 +232,8 @@ impl Drawing<'_> {
             marks.extend(ends);
             Panel::new(Axis::new(format!("χ² above its least: {}", row.words), Range::Zero), marks)
         };
-        let panels: Vec<Panel> = self.calibration.estimates.iter().map(panel).collect();
+        let estimates = self.calibration.summary.estimates.iter();
+        let panels: Vec<Panel> = estimates.zip(&self.calibration.profiles).map(panel).collect();
         let key = |name: &str, place: usize, stroke: Stroke| Key {
             name: name.to_owned(),
             sample: Sample::Line(Ink::Line(place), stroke),

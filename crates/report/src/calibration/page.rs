@@ -1,7 +1,9 @@
 //! The page of a calibration as one self-contained file.
 
+use wholestring_results::{DynamicCheck, EstimateFound};
+
 use super::{
-    Calibration,
+    Calibration, dimension,
     figures::{calibration_plots, reading_words},
 };
 use crate::{
@@ -25,13 +27,16 @@ pub fn calibration_html(calibration: &Calibration) -> String {
 fn page(calibration: &Calibration, units: &str) -> StudyPage {
     let display = DisplayUnits::new(&calibration.head.dimensions, units);
     let facts = calibration.head.facts.iter().filter_map(|fact| display.fact(fact));
-    let band = Some(display.chosen(&calibration.band)).filter(|band| !band.is_empty());
+    let set = display.unit_set();
+    let summary = &calibration.summary;
+    let status = calibration.text(&summary.status, set);
+    let band = Some(status).filter(|band| !band.is_empty());
     let facts = facts.chain(band.map(|band| format!("band {band}")));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
-    let warnings = display.chosen(&calibration.warnings).iter();
+    let warnings = summary.warnings.iter().map(|text| calibration.text(text, set));
     description.extend(warnings.map(|text| format!("\n\nWarning: {text}.")));
-    let [interval, band] =
-        calibration.confidence.map(|confidence| format!("{:.0} %", 100.0 * confidence));
+    let [interval, band] = [summary.confidence, summary.band_confidence]
+        .map(|confidence| format!("{:.0} %", 100.0 * confidence));
     let captions = [
         (
             "Measured and predicted",
@@ -85,8 +90,8 @@ fn page(calibration: &Calibration, units: &str) -> StudyPage {
 /// Caption of the outliers. With a comparison, those of the robust fit are measured by its scale,
 /// which wrong readings do not widen, so that a reading can be an outlier of that fit within the rules.
 fn outliers_caption(calibration: &Calibration) -> String {
-    let beyond = calibration.outlier_beyond;
-    match &calibration.comparison {
+    let beyond = calibration.summary.outlier_beyond;
+    match &calibration.summary.comparison {
         Some(comparison) => format!(
             "Rules: {beyond} standard errors of this fit, beyond which a reading is marked. The \
              outliers under \"With and without outliers\" are these and those of the fit with {}'s \
@@ -102,24 +107,25 @@ fn estimates(calibration: &Calibration, display: DisplayUnits<'_>, interval: &st
     let interval = format!("interval of {interval}");
     let heads =
         heads(&[("number", true), ("value", false), ("standard error", false), (&interval, false)]);
-    let rows = calibration.estimates.iter().map(|row_of| {
+    let rows = calibration.summary.estimates.iter().map(|estimate| {
         // A factor in four digits; a weight in the usual ones.
-        let say = |value: f64| match row_of.dimension.as_str() {
+        let say = |value: f64| match dimension(estimate) {
             "" => format!("{value:.4}"),
             dimension => display.quantity(value, dimension),
         };
         let end = |end: Option<f64>| end.map_or("not found".to_owned(), say);
         row(vec![
-            row_of.words.clone(),
-            say(row_of.value),
-            row_of.standard_error.map_or("at its bound".to_owned(), say),
-            format!("{} to {}", end(row_of.interval[0]), end(row_of.interval[1])),
+            estimate.words.clone(),
+            say(estimate.value),
+            estimate.standard_error.map_or("at its bound".to_owned(), say),
+            format!("{} to {}", end(estimate.interval[0]), end(estimate.interval[1])),
         ])
     });
-    let errors = calibration.errors.iter().map(|(which, error, is_torque, is_given, count)| {
-        let dimension = if *is_torque { "torque" } else { "force" };
-        let how = if *is_given { "as given" } else { "estimated" };
-        format!("{count} {which}: {} ({how})", display.quantity(*error, dimension))
+    let errors = calibration.summary.errors.iter().map(|error| {
+        let dimension = if error.is_torque { "torque" } else { "force" };
+        let how = if error.given { "as given" } else { "estimated" };
+        let size = display.quantity(error.standard_error, dimension);
+        format!("{} {}: {size} ({how})", error.count, error.readings)
     });
     StudyPart::Table {
         title: "Fitted parameters".into(),
@@ -135,20 +141,20 @@ fn estimates(calibration: &Calibration, display: DisplayUnits<'_>, interval: &st
 
 /// Comparison of the estimates from all readings with those without the outliers.
 fn comparison(calibration: &Calibration, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    let other = calibration.comparison.as_ref()?;
+    let other = calibration.summary.comparison.as_ref()?;
     let heads = heads(&[("number", true), ("all readings", false), ("without outliers", false)]);
-    let rows = calibration.estimates.iter().map(|own| {
-        let say = |value: f64| match own.dimension.as_str() {
+    let rows = calibration.summary.estimates.iter().map(|own| {
+        let say = |value: f64| match dimension(own) {
             "" => format!("{value:.4}"),
             dimension => display.quantity(value, dimension),
         };
-        let text = |value: f64, error: Option<f64>| match error {
-            Some(error) => format!("{} ± {}", say(value), say(error)),
-            None => say(value),
+        let text = |estimate: &EstimateFound| match estimate.standard_error {
+            Some(error) => format!("{} ± {}", say(estimate.value), say(error)),
+            None => say(estimate.value),
         };
-        let same = other.values.iter().find(|(words, ..)| *words == own.words);
-        let same = same.map_or("–".to_owned(), |(_, value, error)| text(*value, *error));
-        let own_text = text(own.value, own.standard_error);
+        let same = other.estimates.iter().find(|estimate| estimate.words == own.words);
+        let same = same.map_or("–".to_owned(), text);
+        let own_text = text(own);
         let [all, without] = if other.left_out { [same, own_text] } else { [own_text, same] };
         row(vec![own.words.clone(), all, without])
     });
@@ -176,11 +182,11 @@ fn dynamics(calibration: &Calibration, display: DisplayUnits<'_>) -> Option<Stud
         ("±", false),
         ("", true),
     ]);
-    let rows = calibration.dynamics.iter().map(|check| {
+    let rows = calibration.summary.dynamics.iter().map(|check| {
         let dimension = if check.is_torque { "torque" } else { "force" };
         let quantity = |value: f64| display.quantity(value, dimension);
         let [mean, std] = match check.dynamic {
-            Some(values) => values.map(quantity),
+            Some(motion) => [motion.mean, motion.std].map(quantity),
             None => ["no answer".to_owned(), "–".to_owned()],
         };
         row(vec![
@@ -191,11 +197,11 @@ fn dynamics(calibration: &Calibration, display: DisplayUnits<'_>) -> Option<Stud
             quantity(check.predicted),
             mean,
             std,
-            display.chosen(&check.said).clone(),
+            remark(calibration, check, display),
         ])
     });
     let grid = Grid { heads, rows: rows.collect() };
-    (!calibration.dynamics.is_empty()).then(|| StudyPart::Table {
+    (!calibration.summary.dynamics.is_empty()).then(|| StudyPart::Table {
         title: "Checked by the dynamics".into(),
         caption: "Dynamic run of the whole string with the fitted parameters: mean and standard \
                   deviation over time. Weights include the block."
@@ -206,20 +212,30 @@ fn dynamics(calibration: &Calibration, display: DisplayUnits<'_>) -> Option<Stud
     })
 }
 
+/// Reason why there is no dynamic value, or a note on it.
+fn remark(calibration: &Calibration, check: &DynamicCheck, display: DisplayUnits<'_>) -> String {
+    match (check.dynamic.and_then(|dynamic| dynamic.steady), &check.message) {
+        (_, Some(message)) => calibration.text(message, display.unit_set()),
+        (Some(false), _) => "not settled".to_owned(),
+        _ => String::new(),
+    }
+}
+
 fn correlations(calibration: &Calibration) -> StudyPart {
     let mut names = vec![("", true)];
-    names.extend(calibration.estimates.iter().map(|estimate| (estimate.words.as_str(), false)));
-    let rows = calibration.estimates.iter().zip(&calibration.correlation).map(
-        |(estimate, correlation)| {
-            let mut cells = vec![estimate.words.clone()];
-            cells.extend(
-                correlation
-                    .iter()
-                    .map(|correlation| format!("{correlation:.3}").replace('-', "\u{2212}")),
-            );
-            row(cells)
-        },
+    names.extend(
+        calibration.summary.estimates.iter().map(|estimate| (estimate.words.as_str(), false)),
     );
+    let summary = &calibration.summary;
+    let rows = summary.estimates.iter().zip(&summary.correlation).map(|(estimate, correlation)| {
+        let mut cells = vec![estimate.words.clone()];
+        cells.extend(
+            correlation
+                .iter()
+                .map(|correlation| format!("{correlation:.3}").replace('-', "\u{2212}")),
+        );
+        row(cells)
+    });
     StudyPart::Table {
         title: "Correlations".into(),
         caption: "Near 1 or −1 the readings determine two parameters only in combination.".into(),
@@ -239,7 +255,7 @@ fn readings(calibration: &Calibration, display: DisplayUnits<'_>) -> StudyPart {
         head("bit depth", false),
         head("measured", false),
         head("predicted", false),
-        head(format!("band of {:.0} %", 100.0 * calibration.confidence[1]), false),
+        head(format!("band of {:.0} %", 100.0 * calibration.summary.band_confidence), false),
         head("residual", false),
         head("in standard errors", false),
         head("in the fit", true),
@@ -283,7 +299,8 @@ fn readings(calibration: &Calibration, display: DisplayUnits<'_>) -> StudyPart {
 
 /// The settings of the readings, and the fixed parameters.
 fn notes(calibration: &Calibration, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    let notes = display.chosen(&calibration.notes).iter();
+    let units = display.unit_set();
+    let notes = calibration.summary.notes.iter().map(|text| calibration.text(text, units));
     let rows = notes.map(|text| row(vec![text.replace('`', "")]));
     let grid = Grid { heads: heads(&[("note", true)]), rows: rows.collect() };
     (!grid.rows.is_empty()).then(|| StudyPart::Table {

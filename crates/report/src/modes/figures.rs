@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::{ModeShape, Modes};
+use wholestring_results::ModeFound;
+
+use super::{Modes, curves::ModeShape};
 use crate::{
     Plot,
     figure::{
@@ -85,7 +87,8 @@ impl Drawing<'_> {
         };
         let top = 1.15 * highest("lateral").max(fastest / TAU);
         let mut marks = Vec::new();
-        let mut orders: Vec<f64> = modes.critical.iter().map(|critical| critical.order).collect();
+        let mut orders: Vec<f64> =
+            modes.summary.critical_speeds.iter().map(|critical| critical.order).collect();
         orders.sort_by(f64::total_cmp);
         orders.dedup();
         for order in orders {
@@ -105,16 +108,17 @@ impl Drawing<'_> {
             marks.push(Mark::Curve { ink, stroke, points: points.collect() });
         }
         for (place, name) in FAMILIES.iter().enumerate() {
-            let critical = modes.critical.iter().filter(|critical| critical.family == *name);
-            let points = critical
-                .filter(|branch| branch.frequency_Hz <= top)
-                .map(|branch| (self.speed(branch.rotary_rad_per_s), branch.frequency_Hz));
+            let critical =
+                modes.summary.critical_speeds.iter().filter(|critical| critical.family == *name);
+            let points = critical.filter(|critical| critical.frequency_Hz <= top).map(|critical| {
+                (self.speed(critical.rotary_speed_rad_per_s), critical.frequency_Hz)
+            });
             let points: Vec<(f64, f64)> = points.collect();
             marks.push(Mark::Points { ink: Ink::Line(place), shape: Shape::of(0), points });
         }
         marks.push(Mark::SharedRule {
-            at: self.speed(modes.rotary_rad_per_s),
-            label: modes.operation.words().to_owned(),
+            at: self.speed(modes.summary.rotary_speed_rad_per_s),
+            label: modes.summary.operation.words().to_owned(),
         });
         let mut keys: Vec<Key> = FAMILIES
             .iter()
@@ -165,8 +169,8 @@ impl Drawing<'_> {
     }
 
     fn frequency_Hz(&self, shape: &ModeShape) -> f64 {
-        let same = |row: &&super::ModeRow| row.family == shape.family && row.number == shape.number;
-        self.modes.modes.iter().find(same).map_or(f64::NAN, |row| row.frequency_Hz)
+        let same = |row: &&ModeFound| row.family == shape.family && row.number == shape.number;
+        self.modes.summary.modes.iter().find(same).map_or(f64::NAN, |row| row.frequency_Hz)
     }
 
     fn depth(&self) -> Axis {
@@ -239,8 +243,8 @@ impl Drawing<'_> {
             };
             let curve = Mark::Curve { ink: Ink::Line(0), stroke: Stroke::Solid, points };
             let at = Mark::SharedRule {
-                at: self.speed(self.modes.rotary_rad_per_s),
-                label: self.modes.operation.words().to_owned(),
+                at: self.speed(self.modes.summary.rotary_speed_rad_per_s),
+                label: self.modes.summary.operation.words().to_owned(),
             };
             Panel::new(axis, vec![curve, at])
         };
@@ -254,7 +258,7 @@ impl Drawing<'_> {
             panels,
             Vec::new(),
         );
-        figure.subtitle = format!("Response to {}", self.display.chosen(&self.modes.forcing));
+        figure.subtitle = format!("Response to {}", self.modes.forcing(self.display.unit_set()));
         figure
     }
 }

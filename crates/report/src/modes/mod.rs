@@ -1,122 +1,81 @@
-//! Contents of the page of linear vibration about the static equilibrium of the string, and its
-//! pictures.
+//! The page of linear vibration about the static equilibrium of the string, and its pictures.
 
+mod curves;
 mod figures;
 mod page;
 
 pub use figures::{MODES_PICTURES, modes_plots};
 pub use page::modes_html;
 
-use wholestring::operation::OperationKind;
+use wholestring_results::{ModesSummary, ModesTables, Table};
+use wholestring_units::UnitSet;
 
-use crate::{PageHead, StabilityPicture};
+use self::curves::{AnswerCurve, ModeBranch, ModeShape};
+use crate::{
+    Cell, Fact, PageHead,
+    stability::{StabilityPicture, stability_sentences},
+};
 
-/// Linear vibration as its page shows it. Numbers are SI.
+/// Linear vibration with the head of its page. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Modes {
     /// Head of the page, under the name of the case.
     pub head: PageHead,
-    /// The operation whose static equilibrium is analysed.
-    pub operation: OperationKind,
-    /// Its rotary speed, rad/s.
-    pub rotary_rad_per_s: f64,
-    /// Whether the static equilibrium is stable.
-    pub stable: bool,
-    /// Parts that turn with the string and excite it, in words, in SI, metric and field units.
-    pub forcing: [String; 3],
-    /// Natural modes: lateral, axial, torsional.
-    pub modes: Vec<ModeRow>,
-    /// In order of increasing rotary speed.
-    pub critical: Vec<CriticalRow>,
+    /// The answer.
+    pub summary: ModesSummary,
     /// Shapes of the modes.
-    pub shapes: Vec<ModeShape>,
+    shapes: Vec<ModeShape>,
     /// Natural frequencies against rotary speed.
-    pub branches: Vec<ModeBranch>,
+    branches: Vec<ModeBranch>,
     /// Response to the excitation.
-    pub answer: AnswerCurve,
+    answer: AnswerCurve,
+    /// The map of torsional stability.
+    stability_map: Option<StabilityPicture>,
+}
+
+impl Modes {
+    /// The page of linear vibration, of its tables, and of `stability.parquet` where the summary
+    /// has torsional stability; it opens in these units, by default in those of the case.
+    pub fn new(
+        summary: ModesSummary,
+        tables: &ModesTables,
+        stability: &Table,
+        units: Option<UnitSet>,
+    ) -> Self {
+        let title = format!("{}: natural frequencies", summary.case);
+        let own = summary.torsional_stability.as_ref();
+        Self {
+            head: PageHead::new(title, units, Some(&summary.settings), facts(&summary)),
+            shapes: curves::shapes(&tables.shapes),
+            branches: curves::branches(&tables.campbell),
+            answer: curves::answer(&tables.response),
+            stability_map: own.map(|own| StabilityPicture::new(stability, own)),
+            summary,
+        }
+    }
+
+    /// Parts that turn with the string and excite it, in words.
+    fn forcing(&self, units: UnitSet) -> String {
+        self.summary.texts.in_units(&self.summary.forcing, units)
+    }
+
     /// Results of the map of torsional stability, the verdict first, or the reason why there is
-    /// none, in sentences, in the same units.
-    pub stability: [Vec<String>; 3],
-    /// The map.
-    pub stability_map: Option<StabilityPicture>,
-    /// Missing parts; `None` where nothing is missing.
-    pub message: Option<String>,
+    /// none, in sentences.
+    fn stability(&self, units: UnitSet) -> Vec<String> {
+        match &self.summary.torsional_stability {
+            Some(own) => stability_sentences(self.summary.operation, own, units),
+            None => self.summary.no_torsional_stability.iter().cloned().collect(),
+        }
+    }
 }
 
-/// A natural mode.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ModeRow {
-    /// `lateral`, `axial` or `torsional`.
-    pub family: String,
-    /// Number within the family, from 1.
-    pub number: usize,
-    /// Natural frequency, Hz.
-    pub frequency_Hz: f64,
-    /// Direction of its whirl, for lateral modes.
-    pub whirl: Option<String>,
-    /// Parts of its kinetic energy: lateral, axial, torsional.
-    pub energy: [f64; 3],
-    /// Measured depth, m, and component of its largest strain.
-    pub most_strained: (f64, String),
-}
-
-/// A rotary speed at which an order of the rotation coincides with a natural frequency.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CriticalRow {
-    /// Number of excitations per turn.
-    pub order: f64,
-    /// Rotary speed, rad/s.
-    pub rotary_rad_per_s: f64,
-    /// Natural frequency at that speed, Hz.
-    pub frequency_Hz: f64,
-    /// `lateral`, `axial` or `torsional`.
-    pub family: String,
-    /// Number within the family, from 1.
-    pub number: usize,
-    /// Measured depth, m, and component of the mode's largest strain.
-    pub most_strained: (f64, String),
-}
-
-/// The shape of a mode along the string, from the top down.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ModeShape {
-    /// `lateral`, `axial` or `torsional`.
-    pub family: String,
-    /// Number within the family, from 1.
-    pub number: usize,
-    /// Measured depths, m.
-    pub md_m: Vec<f64>,
-    /// Displacement towards the high side and to the right of it, and both a quarter of a period
-    /// later, m.
-    pub across_m: [Vec<f64>; 4],
-    /// Axial displacement, m.
-    pub along_m: Vec<f64>,
-    /// Turn about the axis, rad.
-    pub turn_rad: Vec<f64>,
-}
-
-/// A natural frequency against rotary speed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ModeBranch {
-    /// `lateral`, `axial` or `torsional`.
-    pub family: String,
-    /// Number within the family, from 1.
-    pub number: usize,
-    /// Direction of its whirl; empty for families that are not lateral.
-    pub whirl: String,
-    /// Rotary speeds, rad/s.
-    pub rotary_rad_per_s: Vec<f64>,
-    /// Natural frequency at each, Hz.
-    pub frequency_Hz: Vec<f64>,
-}
-
-/// Response of the string to its excitation, against rotary speed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AnswerCurve {
-    /// Rotary speeds, rad/s.
-    pub rotary_rad_per_s: Vec<f64>,
-    /// Largest displacement of a node, m.
-    pub amplitude_m: Vec<f64>,
-    /// Largest bending stress that it adds, Pa.
-    pub bending_stress_Pa: Vec<f64>,
+/// Key facts of the state.
+fn facts(summary: &ModesSummary) -> Vec<Fact> {
+    let speed_rad_per_s = summary.rotary_speed_rad_per_s;
+    vec![
+        Fact::new("Operation", Cell::Text(summary.operation.words().to_owned())),
+        Fact::new("Rotary speed", Cell::quantity(speed_rad_per_s, "rotary speed")),
+        Fact::new("Assembly", Cell::quantity(summary.assembly_length_m, "length")),
+        Fact::new("Elements", Cell::Text(summary.elements.to_string())),
+    ]
 }

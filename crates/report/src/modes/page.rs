@@ -1,5 +1,7 @@
 //! The page of linear vibration as one self-contained file.
 
+use wholestring_results::Spot;
+
 use super::{
     Modes,
     figures::{modes_plots, order_name},
@@ -30,9 +32,9 @@ pub fn modes_html(modes: &Modes) -> String {
 fn page(modes: &Modes, units: &str) -> StudyPage {
     let display = DisplayUnits::new(&modes.head.dimensions, units);
     let facts = modes.head.facts.iter().filter_map(|fact| display.fact(fact));
-    let stability = display.chosen(&modes.stability);
+    let stability = modes.stability(display.unit_set());
     let mut verdict = Vec::new();
-    if !modes.stable {
+    if !modes.summary.stable {
         verdict.push(
             "The static equilibrium is not stable: the motion away from it has no frequency and is \
              left out.",
@@ -43,7 +45,7 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
     }
     let facts = format!("{}.", facts.collect::<Vec<_>>().join("; "));
     let mut description = [&*verdict.join(" "), &*facts, ABOUT].join("\n\n");
-    if let Some(message) = &modes.message {
+    if let Some(message) = modes.summary.warning() {
         description += &format!("\n\n{message}.");
     }
     if modes.stability_map.is_none() {
@@ -95,7 +97,7 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
             continue;
         };
         let caption = match plot.name.as_str() {
-            "response" => format!("{caption} It is {}.", display.chosen(&modes.forcing)),
+            "response" => format!("{caption} It is {}.", modes.forcing(display.unit_set())),
             "stability" => format!("{caption} {}", stability.join(" ")),
             _ => (*caption).to_owned(),
         };
@@ -115,8 +117,8 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
     }
 }
 
-fn place(display: DisplayUnits<'_>, spot: &(f64, String)) -> [String; 2] {
-    [display.depth(spot.0), spot.1.clone()]
+fn place(display: DisplayUnits<'_>, spot: &Spot) -> [String; 2] {
+    [display.depth(spot.md_m), spot.component.clone()]
 }
 
 fn modes_part(modes: &Modes, display: DisplayUnits<'_>) -> StudyPart {
@@ -131,7 +133,7 @@ fn modes_part(modes: &Modes, display: DisplayUnits<'_>) -> StudyPart {
         ("strained most at MD", false),
         ("component", true),
     ]);
-    let rows = modes.modes.iter().map(|mode| {
+    let rows = modes.summary.modes.iter().map(|mode| {
         let [md, component] = place(display, &mode.most_strained);
         let energy = mode.energy.map(|part| format!("{:.0}", 100.0 * part)).join(", ");
         let speed = std::f64::consts::TAU * mode.frequency_Hz;
@@ -171,9 +173,9 @@ fn critical_part(modes: &Modes, display: DisplayUnits<'_>) -> StudyPart {
         ("strained most at MD", false),
         ("component", true),
     ]);
-    let rows = modes.critical.iter().map(|critical| {
+    let rows = modes.summary.critical_speeds.iter().map(|critical| {
         let [md, component] = place(display, &critical.most_strained);
-        let speed = display.value(critical.rotary_rad_per_s, "rotary speed");
+        let speed = display.value(critical.rotary_speed_rad_per_s, "rotary speed");
         row(vec![
             format!("{speed:.1} {}", display.symbol("rotary speed")),
             order_name(critical.order),

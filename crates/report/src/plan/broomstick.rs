@@ -1,11 +1,12 @@
 //! Hook load and surface torque against the depth of the bit.
 
 use wholestring::operation::OperationKind;
+use wholestring_results::PlanSurfaceLimit;
 
 use super::{
-    Plan, PlanCurve, PlanSpot, PlanSurfaceLimit,
+    Plan, PlanCurve, PlanSpot,
     depth_figure::{line, over_depth},
-    measured, overlay,
+    measured, overlay, surface_limit_is_near, surface_limit_title,
 };
 use crate::operation_colour::operation_colour;
 use crate::{
@@ -78,9 +79,10 @@ fn figure(
     let mut keys = keys(plan, &operations);
     keys.extend(measured::keys(plan, &operations, quantity.dimension));
     keys.extend(overlay::keys(plan, &operations, quantity.dimension));
-    let outside = limits.iter().filter(|limit| !limit.is_near(largest));
+    let outside = limits.iter().filter(|limit| !surface_limit_is_near(limit, largest));
     let outside = outside.map(|limit| {
-        format!("{} {}", limit.title, display.quantity(limit.allowed, quantity.dimension))
+        let title = surface_limit_title(limit);
+        format!("{title} {}", display.quantity(limit.allowed, quantity.dimension))
     });
     let subtitle = subtitle(plan, quantity.about, &outside.collect::<Vec<_>>());
     (!panels.is_empty()).then(|| over_depth(plan, display, &subtitle, keys, panels))
@@ -103,7 +105,7 @@ fn panel(
     let mut largest = 0.0_f64;
     // Below all lines.
     for (uncertain, operation) in plan
-        .uncertain
+        .samples()
         .iter()
         .flat_map(|uncertain| operations.iter().map(move |operation| (uncertain, operation)))
     {
@@ -140,12 +142,14 @@ fn panel(
     marks.extend(overlay::marks(plan, display, operations, quantity.dimension));
     marks.extend(measured::marks(plan, display, operations, quantity.dimension));
     let largest = largest / display.value(1.0, quantity.dimension);
-    marks.extend(plan.surface(quantity.dimension).filter(|surface| surface.is_near(largest)).map(
-        |surface| {
-            let at = display.value(surface.allowed, quantity.dimension);
-            Mark::OwnRule { at, label: surface.title.clone() }
-        },
-    ));
+    marks.extend(
+        plan.surface(quantity.dimension).filter(|limit| surface_limit_is_near(limit, largest)).map(
+            |limit| {
+                let at = display.value(limit.allowed, quantity.dimension);
+                Mark::OwnRule { at, label: surface_limit_title(limit).to_owned() }
+            },
+        ),
+    );
     let title = format!("{}, {name}", quantity.title);
     let axis = Axis::new(display.label(&title, quantity.dimension), Range::Zero);
     (Panel::new(axis, marks), largest)
@@ -176,7 +180,7 @@ fn keys(plan: &Plan, operations: &[OperationKind]) -> Vec<Key> {
         let name = format!("{} friction, {}", level.name, level.label);
         keys.push(key(name, Sample::Line(Ink::Note, STROKES[place % 3])));
     }
-    if plan.uncertain.is_some() {
+    if plan.samples().is_some() {
         let name = "5 to 95 % of the samples".to_owned();
         keys.push(key(name, Sample::Band(Ink::Note)));
     }
@@ -204,6 +208,6 @@ fn subtitle(plan: &Plan, about: &str, outside: &[String]) -> String {
         [one] => Some(format!("limit beyond the picture: {one}")),
         several => Some(format!("limits beyond the picture: {}", several.join(", "))),
     };
-    let bands = plan.uncertain.iter().map(Uncertain::description);
+    let bands = plan.samples().map(Uncertain::description);
     lines.into_iter().chain(about).chain(limits).chain(bands).collect::<Vec<_>>().join("; ")
 }

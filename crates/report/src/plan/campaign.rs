@@ -1,6 +1,8 @@
 //! Fatigue and casing wear on a plan's page.
 
-use super::{Plan, PlanFatigueRow, PlanWearRow};
+use wholestring_results::{PlanFatigue, PlanWear};
+
+use super::Plan;
 use crate::digits::four;
 use crate::grid_cells::head;
 use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
@@ -35,8 +37,9 @@ fn part_of(all: f64) -> Cell {
     (percent(all) + word, light)
 }
 
-fn quantity(display: DisplayUnits<'_>, si: f64, dimension: &str) -> Cell {
-    plain(if si.is_nan() { "not known".into() } else { four(display.value(si, dimension)) })
+fn quantity(display: DisplayUnits<'_>, si: Option<f64>, dimension: &str) -> Cell {
+    let text = si.map(|si| four(display.value(si, dimension)));
+    plain(text.unwrap_or_else(|| "not known".into()))
 }
 
 /// A depth in whole metres or feet, whose unit is in the heading.
@@ -75,7 +78,7 @@ pub(super) fn fatigue(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPar
         head(format!("dogleg, {dogleg}"), false),
         head(format!("permissible, {dogleg}"), false),
     ];
-    let row = |row: &PlanFatigueRow| {
+    let row = |row: &PlanFatigue| {
         let mut cells = vec![
             plain(row.component.clone()),
             plain(row.model.name().to_owned()),
@@ -85,9 +88,9 @@ pub(super) fn fatigue(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPar
             Some(hour) => cells.extend([
                 plain(percent(hour.damage_per_hour)),
                 place(display, hour.md_m),
-                quantity(display, hour.bending_Pa, "pressure"),
-                quantity(display, hour.doglegs_rad_per_m[0], "dogleg severity"),
-                quantity(display, hour.doglegs_rad_per_m[1], "dogleg severity"),
+                quantity(display, Some(hour.bending_Pa), "pressure"),
+                quantity(display, Some(hour.dogleg_rad_per_m), "dogleg severity"),
+                quantity(display, hour.permissible_dogleg_rad_per_m, "dogleg severity"),
             ]),
             None => cells.extend((0..5).map(|_| plain(String::new()))),
         }
@@ -117,17 +120,19 @@ pub(super) fn wear(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> 
         head(format!("collapse new, {pressure}"), false),
         head(format!("worn, {pressure}"), false),
     ];
-    let row = |row: &PlanWearRow| {
+    let row = |row: &PlanWear| {
         let mut cells = vec![
             plain(format!("section {}", row.section)),
             plain(row.model.name().to_owned()),
-            part_of(row.worn),
+            part_of(row.worn.unwrap_or(f64::NAN)),
             place(display, row.md_m),
             quantity(display, row.groove_m, "diameter"),
             quantity(display, row.wall_left_m, "diameter"),
         ];
-        let pressures = row.burst_Pa.iter().chain(&row.collapse_Pa);
-        cells.extend(pressures.map(|si| quantity(display, *si, "pressure")));
+        for new_and_worn_Pa in [row.burst_Pa, row.collapse_Pa] {
+            let ends = [0, 1].map(|end| new_and_worn_Pa.map(|pressures_Pa| pressures_Pa[end]));
+            cells.extend(ends.map(|si| quantity(display, si, "pressure")));
+        }
         cells
     };
     let rows: Vec<_> = plan.wear.iter().map(row).collect();

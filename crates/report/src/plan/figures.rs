@@ -14,7 +14,7 @@ pub const PLAN_PICTURES: [&str; 6] =
 /// Returns every picture of a plan with content, in a set of units (`si`, `metric` or `field`).
 pub fn plan_plots(plan: &Plan, units: &str) -> Vec<Plot> {
     let display = DisplayUnits::new(&plan.head.dimensions, units);
-    let owed = plan.uncertain.as_ref();
+    let owed = plan.samples();
     let figures = [
         broomstick::hook_load(plan, display),
         broomstick::torque(plan, display),

@@ -1,8 +1,9 @@
 //! Measured readings, on the broomsticks and in a table.
 
 use wholestring::operation::OperationKind;
+use wholestring_results::PlanMeasured;
 
-use super::{Plan, PlanMeasured};
+use super::Plan;
 use crate::digits::four;
 use crate::operation_colour::operation_colour;
 use crate::{
@@ -15,6 +16,11 @@ use crate::{
 /// The shape of measured points: no other model's points have it.
 const SHAPE: Shape = Shape::Diamond;
 
+/// Dimension of a reading.
+fn dimension_of(measured: &PlanMeasured) -> &'static str {
+    if measured.is_torque { "torque" } else { "force" }
+}
+
 /// Readings of some operations: filled in their colours, or grey where they are held out.
 pub(super) fn marks(
     plan: &Plan,
@@ -25,9 +31,9 @@ pub(super) fn marks(
     let of_operation = |operation: OperationKind, held_out: bool| {
         let rows =
             first_model(plan).filter(|row| row.operation == operation && row.held_out == held_out);
-        let rows = rows.filter(|row| row.dimension() == dimension);
+        let rows = rows.filter(|row| dimension_of(row) == dimension);
         let place = |measured: &PlanMeasured| {
-            let value = display.value(measured.measured - measured.block_N, dimension);
+            let value = display.value(measured.beside_curves(), dimension);
             (display.value(measured.bit_depth_m, "length"), value)
         };
         rows.map(place).collect::<Vec<_>>()
@@ -50,7 +56,7 @@ pub(super) fn keys(plan: &Plan, operations: &[OperationKind], dimension: &str) -
     let key = |held_out: bool, name: &str, ink: Ink| {
         let is = |measured: &PlanMeasured| {
             measured.held_out == held_out
-                && measured.dimension() == dimension
+                && dimension_of(measured) == dimension
                 && operations.contains(&measured.operation)
         };
         first_model(plan)
@@ -86,7 +92,7 @@ pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart>
     heads.extend(["low friction", "expected", "high", "residual"].map(|name| head(name, false)));
     heads.push(head("between", true));
     let rows = plan.measured.iter().map(|measured| {
-        let dimension = measured.dimension();
+        let dimension = dimension_of(measured);
         let number = |value: f64| four(display.value(value, dimension));
         let weight = if measured.block_N > 0.0 { "weight with block" } else { "weight" };
         let kind = if measured.is_torque { "torque" } else { weight };
@@ -101,10 +107,10 @@ pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart>
             format!("{kind}, {}", display.symbol(dimension)),
             number(measured.measured),
         ];
-        cells.extend(measured.predicted.map(number));
-        cells.push(number(measured.measured - measured.predicted[1]));
+        cells.extend(measured.predicted.map(|value| number(value.unwrap_or(f64::NAN))));
+        cells.push(number(measured.residual().unwrap_or(f64::NAN)));
         let mut cells = row(cells);
-        cells.push(match (measured.between, &measured.message) {
+        cells.push(match (measured.between(), &measured.message) {
             (Some(true), _) => ("yes".to_owned(), Verdict::Agrees),
             (Some(false), _) => ("no".to_owned(), Verdict::Differs),
             (None, Some(_)) => ("no answer".to_owned(), Verdict::None),

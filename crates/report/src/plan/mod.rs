@@ -11,8 +11,8 @@ mod mud;
 mod overlay;
 mod page;
 mod peaks;
+mod surface;
 mod tables;
-use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
 
 #[cfg(test)]
 mod tests;
@@ -20,8 +20,15 @@ mod tests;
 pub use broomstick::STROKES as FRICTION_STROKES;
 pub use figures::{PLAN_PICTURES, plan_plots};
 pub use page::plan_html;
+pub use surface::{surface_limit_is_near, surface_limit_title};
 
-use crate::{PageHead, Section, Severity, Uncertain};
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
+use wholestring_results::{
+    PlanFatigue, PlanMeasured, PlanOverlay, PlanSurfaceLimit, PlanWear, UncertainSummary,
+    UncertainTables,
+};
+
+use crate::{PageHead, Section, Severity, uncertain::Uncertain};
 
 /// A plan as its page shows it. Numbers are SI; a value without an answer is not a number.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,107 +65,25 @@ pub struct Plan {
     /// The parts of the campaign that they do not count, with the reasons, in the same units.
     pub not_counted: [Vec<String>; 3],
     /// Fatigue of each component.
-    pub fatigue: Vec<PlanFatigueRow>,
+    pub fatigue: Vec<PlanFatigue>,
     /// For each casing the most worn stretch.
-    pub wear: Vec<PlanWearRow>,
+    pub wear: Vec<PlanWear>,
     /// Dynamic results of a string that is set in motion from rest.
     pub events: Vec<PlanEvent>,
     /// Weight on bit of operations that drill, N.
     pub weight_on_bit_N: Option<f64>,
     /// Effect of uncertain numbers; `None` where all are exact.
-    pub uncertain: Option<Uncertain>,
+    pub uncertain: Option<UncertainSummary>,
     /// Measured readings, model after model.
     pub measured: Vec<PlanMeasured>,
     /// Another program's curves.
     pub overlay: Option<PlanOverlay>,
 }
 
-/// Another program's curves from a file, and the differences of ours from them.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanOverlay {
-    /// Name of the file.
-    pub file: String,
-    /// Model after model, operation after operation, down the hole.
-    pub rows: Vec<PlanOverlayRow>,
-    /// For each model, operation and quantity.
-    pub differences: Vec<PlanOverlayDifference>,
-}
-
-/// A weight or torque of another program.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanOverlayRow {
-    /// Our model that it is compared with.
-    pub model: ModelKind,
-    /// The operation.
-    pub operation: OperationKind,
-    /// Whether it is a torque rather than a hook load.
-    pub is_torque: bool,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// N or N·m.
-    pub theirs: f64,
-}
-
-impl PlanOverlayRow {
-    fn dimension(&self) -> &'static str {
-        if self.is_torque { "torque" } else { "force" }
-    }
-}
-
-/// Difference between our curve and theirs.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanOverlayDifference {
-    /// Our model.
-    pub model: ModelKind,
-    /// The operation.
-    pub operation: OperationKind,
-    /// Whether it is of torques rather than of hook loads.
-    pub is_torque: bool,
-    /// Number of depths at which both are known.
-    pub count: usize,
-    /// Mean of ours less theirs, N or N·m.
-    pub mean: f64,
-    /// The difference farthest from zero.
-    pub largest: f64,
-    /// Measured depth of the bit at that difference, m.
-    pub largest_at_m: f64,
-    /// Their value at that difference.
-    pub theirs_there: f64,
-    /// The largest difference as a part of their value; `None` where that is zero.
-    pub largest_part: Option<f64>,
-}
-
-/// A measured weight or torque, with a model's prediction.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanMeasured {
-    /// The model.
-    pub model: ModelKind,
-    /// Place of the reading in its file.
-    pub place: String,
-    /// The operation.
-    pub operation: OperationKind,
-    /// Whether it is a torque rather than a weight.
-    pub is_torque: bool,
-    /// Whether it is held out of a calibration.
-    pub held_out: bool,
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// Measured value, N or N·m; weights include the block.
-    pub measured: f64,
-    /// Weight of the block that it includes, N.
-    pub block_N: f64,
-    /// Predicted with low, expected and high friction; not a number without an answer.
-    pub predicted: [f64; 3],
-    /// Whether it is between the first and the last prediction; `None` where friction does not
-    /// change them.
-    pub between: Option<bool>,
-    /// Reason why there is no answer, in SI, metric and field units.
-    pub message: Option<[String; 3]>,
-}
-
-impl PlanMeasured {
-    fn dimension(&self) -> &'static str {
-        if self.is_torque { "torque" } else { "force" }
+impl Plan {
+    /// Effect of uncertain numbers; `None` where all are exact.
+    fn samples(&self) -> Option<Uncertain<'_>> {
+        Uncertain::new(self.uncertain.as_ref(), &UncertainTables::PLAN)
     }
 }
 
@@ -268,53 +193,6 @@ pub struct PlanVerdict {
     pub sentences: [String; 3],
 }
 
-/// Fatigue of a component.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanFatigueRow {
-    /// The model.
-    pub model: ModelKind,
-    /// The component.
-    pub component: String,
-    /// Part of its life that the campaign uses up.
-    pub damage: f64,
-    /// Fatigue of an hour of drilling at the deepest depth; `None` where nothing drills.
-    pub hour: Option<PlanFatigueHourRow>,
-}
-
-/// Fatigue of an hour of drilling at the place of the largest damage.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanFatigueHourRow {
-    /// Measured depth, m.
-    pub md_m: f64,
-    /// Part of the life used up.
-    pub damage_per_hour: f64,
-    /// Amplitude of the bending stress, Pa.
-    pub bending_Pa: f64,
-    /// Dogleg severity of the hole and the permissible one, rad/m.
-    pub doglegs_rad_per_m: [f64; 2],
-}
-
-/// Wear of a casing at its most worn place; an unknown number is not a number.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanWearRow {
-    /// The model.
-    pub model: ModelKind,
-    /// Section of the hole, counted from one.
-    pub section: usize,
-    /// Measured depth, m.
-    pub md_m: f64,
-    /// Depth of the groove, m.
-    pub groove_m: f64,
-    /// Remaining wall, m.
-    pub wall_left_m: f64,
-    /// Worn part of the wall.
-    pub worn: f64,
-    /// Burst of the new and of the worn casing, Pa.
-    pub burst_Pa: [f64; 2],
-    /// Collapse of the new and of the worn casing, Pa.
-    pub collapse_Pa: [f64; 2],
-}
-
 /// A string that is set in motion from rest, with the bit at one depth and one friction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanEvent {
@@ -390,27 +268,9 @@ pub struct PlanMudRow {
     pub at_bit_kg_per_m3: [f64; 5],
 }
 
-/// Allowable hook load or torque at the surface.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanSurfaceLimit {
-    /// Label of the line: `hoist`, `pipe, torsion`, ...
-    pub title: String,
-    /// Whether it limits torque rather than hook load.
-    pub is_torque: bool,
-    /// Allowable value by the required factor, N without the block, or N·m.
-    pub allowed: f64,
-}
-
 /// A limit beyond the curves by more than this factor is written, not drawn, because it would
 /// flatten them.
 const FAR: f64 = 1.35;
-
-impl PlanSurfaceLimit {
-    /// Whether it is drawn with curves up to this value.
-    pub fn is_near(&self, largest: f64) -> bool {
-        self.allowed <= FAR * largest
-    }
-}
 
 impl Plan {
     /// The curves of a model and an operation, from the least friction to the most.

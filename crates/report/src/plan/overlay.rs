@@ -1,8 +1,9 @@
 //! Another program's curves over the broomsticks, and the differences of ours from them.
 
 use wholestring::operation::OperationKind;
+use wholestring_results::PlanOverlayRow;
 
-use super::{Plan, PlanOverlayRow};
+use super::Plan;
 use crate::digits::four;
 use crate::{
     Grid, StudyPart, Verdict,
@@ -64,7 +65,7 @@ fn first_model<'a>(
     rows.filter(move |row| {
         plan.models.first() == Some(&row.model)
             && row.operation == operation
-            && row.dimension() == dimension
+            && (if row.is_torque { "torque" } else { "force" }) == dimension
     })
 }
 

@@ -83,7 +83,7 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     });
     let mut parts: Vec<StudyPart> = limits::verdicts(plan, display).into_iter().collect();
     parts.extend(pictures);
-    if let Some(samples) = &plan.uncertain {
+    if let Some(samples) = plan.samples() {
         parts.extend(uncertain::inputs(samples));
         parts.extend(uncertain::bands(samples, display));
         parts.extend(uncertain::owed(samples));

@@ -1,6 +1,9 @@
 //! Peaks of a string that is set in motion: their picture and their table.
 
-use super::{FAR, Plan, PlanEvent, PlanPeakRow, broomstick::STROKES};
+use super::{
+    FAR, Plan, PlanEvent, PlanPeakRow, broomstick::STROKES, surface_limit_is_near,
+    surface_limit_title,
+};
 use crate::digits::four;
 use crate::grid_cells::{head, row};
 use crate::{
@@ -141,10 +144,11 @@ fn panel(
     let pump_Pa = plan.mud.as_ref().and_then(|mud| mud.pump_limit_Pa);
     let pump_Pa = pump_Pa.filter(|limit| shows.dimension == "pressure" && *limit <= FAR * largest);
     marks.extend(pump_Pa.map(|at| Mark::OwnRule { at: value(at), label: "limit".to_owned() }));
-    let near = plan.surface(shows.dimension).filter(|surface| surface.is_near(largest));
-    marks.extend(
-        near.map(|near| Mark::OwnRule { at: value(near.allowed), label: near.title.clone() }),
-    );
+    let near = plan.surface(shows.dimension).filter(|limit| surface_limit_is_near(limit, largest));
+    marks.extend(near.map(|near| Mark::OwnRule {
+        at: value(near.allowed),
+        label: surface_limit_title(near).to_owned(),
+    }));
     let range = if shows.dimension == "force" { Range::Near } else { Range::Zero };
     let title = format!("{}: {}", capital(name), shows.title);
     Panel::new(Axis::new(display.label(&title, shows.dimension), range), marks)

@@ -1,12 +1,14 @@
 use std::collections::BTreeMap;
 
 use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
+use wholestring_results::{
+    PlanFatigue, PlanFatigueHour, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow,
+    PlanSurfaceLimit, PlanWear,
+};
 
 use super::{
-    BucklingCurve, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow, PlanFatigueRow, PlanLevel,
-    PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanOverlay, PlanOverlayDifference,
-    PlanOverlayRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanVerdict, PlanWearRow, plan_html,
-    plan_plots,
+    BucklingCurve, Plan, PlanCurve, PlanEvent, PlanLevel, PlanLimitRow, PlanMud, PlanMudRow,
+    PlanPeakRow, PlanSpot, PlanVerdict, plan_html, plan_plots,
 };
 use crate::{
     Cell, DisplayUnit, Fact, PageHead, Section, Severity,
@@ -116,10 +118,10 @@ fn plan() -> Plan {
         block_N: Some(2e5),
         surface_limits: vec![
             borne("hoist", false, 6e5),
-            borne("pipe, tension", false, 5.8e5),
-            borne("top drive", true, 1.2e4),
-            borne("top drive, peak", true, 1e6),
-            borne("make-up", true, 1.25e4),
+            borne("tension", false, 5.8e5),
+            borne("top_drive", true, 1.2e4),
+            borne("top_drive_peak", true, 1e6),
+            borne("make_up", true, 1.25e4),
         ],
         limits: vec![
             limit("Tension", 1.05, "below required factor", Severity::Warning),
@@ -164,8 +166,9 @@ fn plan() -> Plan {
     }
 }
 
-fn borne(title: &str, is_torque: bool, allowed: f64) -> PlanSurfaceLimit {
-    PlanSurfaceLimit { title: title.into(), is_torque, allowed }
+fn borne(kind: &str, is_torque: bool, allowed: f64) -> PlanSurfaceLimit {
+    let kind = kind.to_owned();
+    PlanSurfaceLimit { kind, component: None, is_torque, capacity: allowed, required: 1.0, allowed }
 }
 
 /// Lines down the page and their names.
@@ -182,13 +185,13 @@ fn measured(operation: OperationKind, bit_depth_m: f64, held_out: bool) -> PlanM
         model: ModelKind::Soft,
         place: "line <2>".into(),
         operation,
+        reading: "pick_up".into(),
         is_torque: false,
         held_out,
         bit_depth_m,
         measured: 5e5,
         block_N: 2e5,
-        predicted: [4.5e5, 4.8e5, f64::NAN],
-        between: Some(false),
+        predicted: [4.5e5, 4.8e5, 4.9e5].map(Some),
         message: None,
     }
 }
@@ -230,9 +233,11 @@ fn another_program_lies_over_the_broomstick() {
     let row = |bit_depth_m: f64, theirs: f64| PlanOverlayRow {
         model: ModelKind::Soft,
         operation: OperationKind::TripOut,
+        place: String::new(),
         is_torque: false,
         bit_depth_m,
         theirs,
+        ours: None,
     };
     let overlay = PlanOverlay {
         file: "other <program>.csv".into(),
@@ -275,27 +280,35 @@ fn another_program_lies_over_the_broomstick() {
     assert!(!plan_html(&plan()).contains("plan_overlay"));
 }
 
-fn fatigue(component: &str, damage: f64) -> PlanFatigueRow {
-    let hour = PlanFatigueHourRow {
+fn fatigue(component: &str, damage: f64) -> PlanFatigue {
+    let hour = PlanFatigueHour {
         md_m: 700.4,
         damage_per_hour: 0.01,
         bending_Pa: 1.2e8,
-        doglegs_rad_per_m: [0.0017, f64::NAN],
+        dogleg_rad_per_m: 0.0017,
+        permissible_dogleg_rad_per_m: None,
     };
     let hour = (damage > 1.0).then_some(hour);
-    PlanFatigueRow { model: ModelKind::Soft, component: component.into(), damage, hour }
+    PlanFatigue {
+        model: ModelKind::Soft,
+        component: component.into(),
+        damage,
+        from_lower_end_m: 0.0,
+        hour,
+    }
 }
 
-fn wear() -> PlanWearRow {
-    PlanWearRow {
+fn wear() -> PlanWear {
+    PlanWear {
         model: ModelKind::Soft,
         section: 1,
         md_m: 802.5,
-        groove_m: 0.0062,
-        wall_left_m: 0.0058,
-        worn: 0.517,
-        burst_Pa: [5e7, 2.4e7],
-        collapse_Pa: [f64::NAN; 2],
+        groove_m: Some(0.0062),
+        wall_m: Some(0.012),
+        wall_left_m: Some(0.0058),
+        worn: Some(0.517),
+        burst_Pa: Some([5e7, 2.4e7]),
+        collapse_Pa: None,
     }
 }
 

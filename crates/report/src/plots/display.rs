@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::{Cell, DisplayUnit, Fact};
+use wholestring_units::UnitSet;
+
+use crate::{Cell, DisplayUnit, Fact, dimensions::UNIT_SETS};
 
 /// The units in which the reader sees numbers.
 #[derive(Clone, Copy)]
@@ -19,6 +21,11 @@ impl<'a> DisplayUnits<'a> {
     pub(crate) fn new(dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>, units: &str) -> Self {
         let set = SETS.iter().position(|name| *name == units);
         Self { dimensions, set: set.unwrap_or(0) }
+    }
+
+    /// The reader's set of units.
+    pub(crate) fn unit_set(&self) -> UnitSet {
+        UNIT_SETS[self.set]
     }
 
     /// Selects the value of the reader's set of units.

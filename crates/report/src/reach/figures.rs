@@ -1,11 +1,14 @@
 //! Margins of the limits against the depth of the bit.
 
-use super::{Reach, ReachCurve};
+use wholestring_plan::reach::Limit;
+use wholestring_results::UncertainBand;
+
+use super::{Reach, curves::ReachCurve, is_first, sentences};
 use crate::{
-    Plot, Uncertain, UncertainNumber,
+    Plot,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::{DisplayUnits, named},
-    uncertain,
+    uncertain::{self, Uncertain, band_limit},
 };
 
 /// Least margin that is drawn, per cent.
@@ -36,7 +39,7 @@ pub const REACH_PICTURES: [&str; 2] = ["reach", "uncertain"];
 pub fn reach_plots(reach: &Reach, units: &str) -> Vec<Plot> {
     let is_drawn = !reach.curves.is_empty();
     let margins = is_drawn.then(|| margins(reach, units));
-    let owed = reach.uncertain.as_ref().filter(|_| is_drawn);
+    let owed = reach.uncertain().filter(|_| is_drawn);
     let owed = owed.and_then(|samples| uncertain::figure(samples, &reach.head.title));
     named(REACH_PICTURES, [margins, owed])
 }
@@ -45,18 +48,18 @@ pub fn reach_plots(reach: &Reach, units: &str) -> Vec<Plot> {
 fn margins(reach: &Reach, units: &str) -> Figure {
     let display = DisplayUnits::new(&reach.head.dimensions, units);
     let operations = distinct(reach.curves.iter().map(|curve| curve.operation));
-    let drawn_titles: Vec<&String> = reach
-        .titles
-        .iter()
-        .filter(|title| reach.curves.iter().any(|curve| curve.limit == **title && is_drawn(curve)))
-        .collect();
+    let is_title =
+        |title: &&str| reach.curves.iter().any(|curve| curve.limit == *title && is_drawn(curve));
+    // The order of the colours.
+    let drawn_titles: Vec<&str> =
+        Limit::ALL.iter().map(|limit| limit.title()).filter(is_title).collect();
     let ink = |limit: &str| {
-        let place = drawn_titles.iter().position(|drawn_title| *drawn_title == limit);
+        let place = drawn_titles.iter().position(|title| *title == limit);
         INKS[place.unwrap_or(0) % INKS.len()]
     };
     let panels = operations.iter().map(|operation| {
         let mut marks = vec![Mark::OwnRule { at: 0.0, label: String::new() }];
-        let scattered = reach.uncertain.iter().flat_map(|uncertain| &uncertain.bands);
+        let scattered = reach.summary.uncertain.iter().flat_map(|uncertain| &uncertain.bands);
         let scattered = scattered.filter(|scattered| {
             scattered.operation == Some(*operation) && !scattered.limit.is_empty()
         });
@@ -66,14 +69,15 @@ fn margins(reach: &Reach, units: &str) -> Figure {
             let (ink, stroke) = (ink(&curve.limit), Stroke::of(curve.friction));
             marks.push(Mark::Curve { ink, stroke, points: visible(curve, display) });
         }
-        for row in reach.limits.iter().filter(|limit| limit.operation == *operation) {
+        for (friction, row) in reach.limits().filter(|(_, limit)| limit.operation == *operation) {
             let Some(depth_m) = row.depth_m else { continue };
+            let is_first = is_first(friction, row);
             let points = vec![(display.value(depth_m, "length"), 0.0)];
-            let ink = ink(&row.limit);
-            let shape = if row.first { Shape::Diamond } else { Shape::Circle };
+            let ink = ink(&row.title);
+            let shape = if is_first { Shape::Diamond } else { Shape::Circle };
             marks.push(Mark::Points { ink, shape, points: points.clone() });
-            if row.first {
-                marks.push(Mark::Name { at: points[0], text: row.limit.clone() });
+            if is_first {
+                marks.push(Mark::Name { at: points[0], text: row.title.clone() });
             }
         }
         let mut letters = operation.words().chars();
@@ -82,31 +86,32 @@ fn margins(reach: &Reach, units: &str) -> Figure {
         let axis = Axis::new(format!("{name}: margin, %"), Range::Fixed(BELOW, 105.0));
         Panel::new(axis, marks)
     });
-    let key = |limit: &&String| Key {
-        name: (*limit).clone(),
+    let key = |limit: &&str| Key {
+        name: (*limit).to_owned(),
         sample: Sample::Line(ink(limit), Stroke::Solid),
     };
     let mut keys: Vec<Key> = drawn_titles.iter().map(key).collect();
-    if reach.frictions.len() > 1 {
-        for (number, friction) in reach.frictions.iter().enumerate() {
+    if reach.has_frictions() {
+        for (number, friction) in reach.summary.frictions.iter().enumerate() {
             // Grey, as no limit is: a stroke of any colour.
             let sample = Sample::Line(Ink::Note, Stroke::of(number));
-            keys.push(Key { name: friction.clone(), sample });
+            keys.push(Key { name: sentences::friction(friction), sample });
         }
     }
-    if reach.limits.iter().any(|limit| limit.first) {
+    if reach.limits().any(|(friction, limit)| is_first(friction, limit)) {
         let sample = Sample::Point(Ink::Text, Shape::Diamond);
         keys.push(Key { name: "stops the well first".into(), sample });
     }
-    if reach.uncertain.is_some() {
+    if reach.uncertain().is_some() {
         keys.push(Key { name: "5 to 95 % of the samples".into(), sample: Sample::Band(Ink::Note) });
     }
     let facts = reach.head.facts.iter().filter_map(|fact| display.fact(fact));
-    let [from, to] = reach.depths_m.map(|depth_m| display.value(depth_m, "length"));
+    let ends_m = [reach.summary.from_m, reach.summary.to_m];
+    let [from, to] = ends_m.map(|depth_m| display.value(depth_m, "length"));
     Figure {
         title: reach.head.title.clone(),
         subtitle: facts
-            .chain(reach.uncertain.iter().map(Uncertain::description))
+            .chain(reach.uncertain().map(Uncertain::description))
             .collect::<Vec<_>>()
             .join("; "),
         keys,
@@ -122,7 +127,7 @@ fn margins(reach: &Reach, units: &str) -> Figure {
 
 /// Bands of the margins, then the spread of the depths where these are zero.
 fn scatter(
-    numbers: Vec<&UncertainNumber>,
+    numbers: Vec<&UncertainBand>,
     display: DisplayUnits<'_>,
     ink: &impl Fn(&str) -> Ink,
 ) -> Vec<Mark> {
@@ -133,7 +138,7 @@ fn scatter(
         let depth = display.value(margin.bit_depth_m.unwrap_or(f64::NAN), "length");
         let key = (&margin.limit, margin.friction.map(f64::to_bits));
         if last != Some(key) {
-            marks.push(Mark::Band { ink: ink(&margin.limit), points: Vec::new() });
+            marks.push(Mark::Band { ink: ink(band_limit(margin)), points: Vec::new() });
             last = Some(key);
         }
         if let Some(Mark::Band { points, .. }) = marks.last_mut() {
@@ -145,7 +150,7 @@ fn scatter(
         .filter(|number| number.quantity == "depth" && number.not_met < number.answers)
     {
         let [from, .., to] = depth.quantiles.map(|depth_m| (display.value(depth_m, "length"), 0.0));
-        marks.push(Mark::Bars { ink: ink(&depth.limit), bars: vec![[from, to]] });
+        marks.push(Mark::Bars { ink: ink(band_limit(depth)), bars: vec![[from, to]] });
     }
     marks
 }

@@ -1,86 +1,84 @@
-//! Contents of the page of a reach, and its pictures.
+//! The page of a reach, and its pictures.
 
+mod curves;
 mod figures;
 mod page;
+mod sentences;
 
 pub use figures::{REACH_PICTURES, reach_plots};
 pub use page::reach_html;
+pub use sentences::{reach_answers, reach_notes};
 
-use wholestring::operation::OperationKind;
+use std::path::Path;
 
-use crate::{PageHead, Severity, Uncertain};
+use wholestring_results::{
+    ReachLimit, ReachOfFriction, ReachSummary, ResultsError, Table, UncertainTables,
+};
+use wholestring_units::UnitSet;
 
-/// A reach as its page shows it. Numbers are SI.
+use self::curves::ReachCurve;
+use crate::{Cell, Fact, PageHead, uncertain::Uncertain};
+
+/// A reach with the head of its page. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reach {
     /// Head of the page, under the name of the case.
     pub head: PageHead,
-    /// The limit that stops the well first, a sentence for each friction, in SI, metric and field
-    /// units.
-    pub answers: [Vec<String>; 3],
-    /// The reach of each operation at each friction.
-    pub checks: Vec<ReachVerdict>,
-    /// Further notes, in sentences, in the same units.
-    pub notes: [Vec<String>; 3],
-    /// Friction factors, as shown to users, in the order of the curves.
-    pub frictions: Vec<String>,
-    /// Every limit, as shown to users, in the order of the colours.
-    pub titles: Vec<String>,
-    /// The limits.
-    pub limits: Vec<ReachRow>,
+    /// The answer.
+    pub summary: ReachSummary,
     /// Margins against depth.
-    pub curves: Vec<ReachCurve>,
-    /// First and last examined depth of the bit, m.
-    pub depths_m: [f64; 2],
+    curves: Vec<ReachCurve>,
+}
+
+impl Reach {
+    /// The page of a reach and of `reach.parquet`, which was read from `path`; it opens in these
+    /// units, by default in those of the case.
+    ///
+    /// # Errors
+    /// A row of the table that names no operation.
+    pub fn new(
+        summary: ReachSummary,
+        margins: &Table,
+        path: &Path,
+        units: Option<UnitSet>,
+    ) -> Result<Self, ResultsError> {
+        let title = format!("{}: reach", summary.case);
+        let head = PageHead::new(title, units, Some(&summary.settings), facts(&summary));
+        let curves = curves::curves(margins, path, &summary)?;
+        Ok(Self { head, summary, curves })
+    }
+
     /// Effect of uncertain numbers; `None` where all are exact.
-    pub uncertain: Option<Uncertain>,
+    fn uncertain(&self) -> Option<Uncertain<'_>> {
+        Uncertain::new(self.summary.uncertain.as_ref(), &UncertainTables::REACH)
+    }
+
+    /// Whether the page distinguishes friction factors.
+    fn has_frictions(&self) -> bool {
+        self.summary.frictions.len() > 1
+    }
+
+    /// The limits of all operations at all friction factors.
+    fn limits(&self) -> impl Iterator<Item = (&ReachOfFriction, &ReachLimit)> {
+        let frictions = self.summary.frictions.iter();
+        frictions.flat_map(|reach| reach.limits.iter().map(move |limit| (reach, limit)))
+    }
 }
 
-/// The reach of an operation at a friction.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ReachVerdict {
-    /// Its severity.
-    pub severity: Severity,
-    /// The friction factor in words.
-    pub friction: String,
-    /// The operation, a colon and the depth that it reaches, in SI, metric and field units.
-    pub sentences: [String; 3],
+/// Whether a limit stops the well first at its friction.
+fn is_first(reach: &ReachOfFriction, limit: &ReachLimit) -> bool {
+    reach
+        .first
+        .as_ref()
+        .is_some_and(|first| first.limit == limit.limit && first.operation == limit.operation)
 }
 
-/// A limit of an operation at a friction.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ReachRow {
-    /// The operation.
-    pub operation: OperationKind,
-    /// The limit, as shown to users.
-    pub limit: String,
-    /// Whether the string stops there.
-    pub stops: bool,
-    /// Place of the friction.
-    pub friction: usize,
-    /// Depth of the bit where it is first reached, m.
-    pub depth_m: Option<f64>,
-    /// Whether it is reached at the first depth already.
-    pub already: bool,
-    /// Remaining margin at the first and at the last depth.
-    pub margins: [Option<f64>; 2],
-    /// Measured depth of the smallest margin in the string, m.
-    pub md_m: Option<f64>,
-    /// Whether it stops the well first at this friction.
-    pub first: bool,
-}
-
-/// The margin of a limit against the depth of the bit.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ReachCurve {
-    /// The operation.
-    pub operation: OperationKind,
-    /// The limit, as shown to users.
-    pub limit: String,
-    /// Place of the friction.
-    pub friction: usize,
-    /// Depth of the bit, m, and the remaining margin; not a number for a string that is locked up.
-    pub points: Vec<(f64, f64)>,
+fn facts(summary: &ReachSummary) -> Vec<Fact> {
+    vec![
+        Fact::new("From", Cell::quantity(summary.from_m, "length")),
+        Fact::new("To", Cell::quantity(summary.to_m, "length")),
+        Fact::new("Inclination", Cell::quantity(summary.inclination_rad, "angle")),
+    ]
 }
 
 #[cfg(test)]

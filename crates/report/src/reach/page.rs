@@ -1,12 +1,11 @@
 //! The page of a reach as one self-contained file.
 
-use super::{Reach, ReachRow, ReachVerdict, figures::reach_plots};
+use wholestring_results::{ReachCheck, ReachLimit, ReachOfFriction};
+
+use super::{Reach, figures::reach_plots, is_first, reach_answers, reach_notes, sentences};
 use crate::{
-    Grid, StudyPage, StudyPart, Verdict,
-    grid_cells::head,
-    plots::{DisplayUnits, SETS},
-    study::study_html_in_units,
-    uncertain,
+    Grid, StudyPage, StudyPart, Verdict, grid_cells::head, plots::DisplayUnits,
+    study::study_html_in_units, uncertain,
 };
 
 /// Meaning of the page's numbers.
@@ -31,13 +30,13 @@ pub fn reach_html(reach: &Reach) -> String {
 
 fn page(reach: &Reach, units: &str) -> StudyPage {
     let display = DisplayUnits::new(&reach.head.dimensions, units);
-    let set = SETS.iter().position(|set| *set == units).unwrap_or(0);
     let facts = reach.head.facts.iter().filter_map(|fact| display.fact(fact));
     let facts = format!("{}.", facts.collect::<Vec<_>>().join("; "));
-    let answers = reach.answers[set].iter().map(String::as_str);
-    let notes = reach.notes[set].iter().map(String::as_str);
-    let paragraphs = answers.chain([&*facts, ABOUT]).chain(notes);
-    let mut parts: Vec<StudyPart> = verdicts(reach, set).into_iter().collect();
+    let answers = reach_answers(&reach.summary, display.unit_set());
+    let notes = reach_notes(&reach.summary, display.unit_set());
+    let paragraphs = answers.iter().map(String::as_str).chain([&*facts, ABOUT]);
+    let paragraphs = paragraphs.chain(notes.iter().map(String::as_str));
+    let mut parts: Vec<StudyPart> = verdicts(reach, display).into_iter().collect();
     for plot in reach_plots(reach, units) {
         let (title, caption) = match plot.name.as_str() {
             "uncertain" => ("Sensitivity", uncertain::CAPTION),
@@ -51,7 +50,7 @@ fn page(reach: &Reach, units: &str) -> StudyPage {
             painted: false,
         });
     }
-    if let Some(samples) = &reach.uncertain {
+    if let Some(samples) = reach.uncertain() {
         parts.extend(uncertain::inputs(samples));
         parts.extend(uncertain::stops(samples));
         parts.extend(uncertain::bands(samples, display));
@@ -67,20 +66,20 @@ fn page(reach: &Reach, units: &str) -> StudyPage {
 }
 
 /// The reach of each operation at each friction, the most severe first.
-fn verdicts(reach: &Reach, set: usize) -> Option<StudyPart> {
-    let several = reach.frictions.len() > 1;
+fn verdicts(reach: &Reach, display: DisplayUnits<'_>) -> Option<StudyPart> {
+    let several = reach.has_frictions();
     let mut heads = vec![head("operation", true), head("reach", true)];
     heads.extend(several.then(|| head("friction", true)));
-    let mut checks: Vec<&ReachVerdict> = reach.checks.iter().collect();
-    checks.sort_by_key(|check| std::cmp::Reverse(check.severity));
-    let row = |check: &ReachVerdict| {
-        let sentence = &check.sentences[set];
-        let (operation, reached) = sentence.split_once(": ").unwrap_or(("", sentence));
+    let mut checks: Vec<&ReachCheck> = reach.summary.checks.iter().collect();
+    checks.sort_by_key(|row| std::cmp::Reverse(row.check.severity));
+    let row = |row: &ReachCheck| {
+        let sentence = row.check.sentence_in(display.unit_set());
+        let (operation, reached) = sentence.split_once(": ").unwrap_or(("", &sentence));
         let mut cells = vec![
-            (operation.to_owned(), Verdict::Judged(check.severity)),
+            (operation.to_owned(), Verdict::Judged(row.check.severity)),
             (reached.to_owned(), Verdict::None),
         ];
-        cells.extend(several.then(|| (check.friction.clone(), Verdict::None)));
+        cells.extend(several.then(|| (sentences::friction_words(row.friction), Verdict::None)));
         cells
     };
     let rows: Vec<_> = checks.into_iter().map(row).collect();
@@ -96,9 +95,10 @@ fn verdicts(reach: &Reach, set: usize) -> Option<StudyPart> {
 }
 
 fn limits(reach: &Reach, display: DisplayUnits<'_>) -> StudyPart {
-    let [from, to] = reach.depths_m.map(|depth_m| display.depth(depth_m));
+    let ends_m = [reach.summary.from_m, reach.summary.to_m];
+    let [from, to] = ends_m.map(|depth_m| display.depth(depth_m));
     // A single friction is given above, for the whole page.
-    let several = reach.frictions.len() > 1;
+    let several = reach.has_frictions();
     // The depth is the answer: it is in sight on a narrow page too.
     let mut heads =
         vec![head("limit", true), head("reached with the bit at", false), head("operation", true)];
@@ -109,25 +109,24 @@ fn limits(reach: &Reach, display: DisplayUnits<'_>) -> StudyPart {
         head("worst at MD", false),
         head("then", true),
     ]);
-    let row = |row: &ReachRow| -> Vec<(String, Verdict)> {
+    let row = |(reach, row): (&ReachOfFriction, &ReachLimit)| -> Vec<(String, Verdict)> {
         let depth = match row.depth_m {
             Some(_) if row.already => format!("{from} already"),
             Some(depth_m) => display.depth(depth_m),
             None => format!("none to {to}"),
         };
-        let [at_from, at_to] = row.margins.map(|margin| match margin {
+        let [at_from, at_to] = [row.margin_at_from, row.margin_at_to].map(|margin| match margin {
             Some(margin) => format!("{:.1}", 100.0 * margin).replace('-', "\u{2212}"),
             None => "locked up".to_owned(),
         });
-        let md = row.md_m.map(|md_m| display.depth(md_m));
-        let (word, verdict) = match (row.first, row.stops) {
+        let md = row.at_md_m.map(|md_m| display.depth(md_m));
+        let (word, verdict) = match (is_first(reach, row), row.stops) {
             (true, _) => ("stops the well first", Verdict::Differs),
             (false, false) if row.depth_m.is_some() => ("continues buckled", Verdict::None),
             _ => ("", Verdict::None),
         };
-        let friction = reach.frictions.get(row.friction).cloned().unwrap_or_default();
-        let mut cells = vec![row.limit.clone(), depth, row.operation.words().to_owned()];
-        cells.extend(several.then_some(friction));
+        let mut cells = vec![row.title.clone(), depth, row.operation.words().to_owned()];
+        cells.extend(several.then(|| sentences::friction(reach)));
         cells.extend([at_from, at_to, md.unwrap_or_default()]);
         let cells = cells.into_iter().map(|cell| (cell, Verdict::None));
         cells.chain([(word.to_owned(), verdict)]).collect()
@@ -138,7 +137,7 @@ fn limits(reach: &Reach, display: DisplayUnits<'_>) -> StudyPart {
                   ends; and the place of the smallest margin in the string. A negative margin: the \
                   load exceeds the limit."
             .into(),
-        grid: Grid { heads, rows: reach.limits.iter().map(row).collect() },
+        grid: Grid { heads, rows: reach.limits().map(row).collect() },
         files: "reach_limits".into(),
         endings: &["csv", "parquet"],
     }

@@ -1,56 +1,96 @@
 //! The page and the picture of a made-up reach.
 
-use std::collections::BTreeMap;
-
+use serde_json::json;
 use wholestring::operation::OperationKind;
+use wholestring_judge::{Judge, LimitSettings, Reached};
+use wholestring_results::{REACH, REACH_VERSION, ReachCheck, ReachStop};
 
 use super::*;
 use crate::figure::{Mark, Shape};
 
 const NASTY: &str = "</script><script>alert(1)</script> & \"";
 
-fn reach() -> Reach {
-    let curve = |friction, slope: f64| ReachCurve {
-        operation: OperationKind::Drill,
-        limit: "top drive".into(),
-        friction,
-        points: (0..11)
-            .map(|step| (1000.0 * f64::from(step), 1.0 - slope * f64::from(step)))
-            .collect(),
-    };
-    let row = |friction, depth_m, first| ReachRow {
-        operation: OperationKind::Drill,
-        limit: "top drive".into(),
-        stops: true,
-        friction,
-        depth_m,
-        already: false,
-        margins: [Some(1.0), None],
-        md_m: None,
-        first,
-    };
-    Reach {
-        head: PageHead {
-            program: "wholestring".into(),
-            title: NASTY.into(),
-            units: "si".into(),
-            dimensions: BTreeMap::new(),
-            facts: Vec::new(),
-        },
-        answers: ["si", "metric", "field"].map(|units| vec![format!("{NASTY} {units}")]),
-        checks: vec![ReachVerdict {
-            severity: Severity::Error,
-            friction: "friction 0.4".into(),
-            sentences: ["m", "m", "ft"].map(|unit| format!("drill: stopped at 5000 {unit}")),
+/// A well that a drilling string reaches at a friction of 0.2, and to 5000 m at 0.4.
+fn summary() -> ReachSummary {
+    let friction = |friction: f64, depth_m: Option<f64>| ReachOfFriction {
+        friction: Some(friction),
+        friction_at_bit: friction,
+        critical_inclination_rad: None,
+        first: depth_m.map(|depth_m| ReachStop {
+            operation: OperationKind::Drill,
+            limit: "top_drive".into(),
+            depth_m,
+        }),
+        limits: vec![ReachLimit {
+            operation: OperationKind::Drill,
+            limit: "top_drive".into(),
+            title: "top drive".into(),
+            stops: true,
+            depth_m,
+            already: false,
+            margin_at_from: Some(1.0),
+            margin_at_to: None,
+            at_md_m: None,
         }],
-        notes: Default::default(),
-        frictions: vec!["friction 0.2".into(), "friction 0.4".into()],
-        titles: vec!["top drive".into()],
-        limits: vec![row(0, None, false), row(1, Some(5000.0), true)],
-        curves: vec![curve(0, 0.05), curve(1, 0.2)],
-        depths_m: [0.0, 10e3],
+        missing: Vec::new(),
+    };
+    let reached = Reached {
+        operation: OperationKind::Drill.words(),
+        stopped: Some((5000.0, "top drive")),
+        pushed_from_m: None,
+        from_m: 0.0,
+        planned_m: 8000.0,
+        to_m: 10e3,
+    };
+    let judge = Judge {
+        limits: LimitSettings::default(),
+        units: UnitSet::Si,
+        soft_has_helix_friction: true,
+    };
+    ReachSummary {
+        schema_version: REACH_VERSION,
+        case: NASTY.into(),
+        settings: json!({"units": "si"}),
+        from_m: 0.0,
+        to_m: 10e3,
+        inclination_rad: 1.5,
+        helix_side_force: true,
+        stop_at_helix: false,
+        left_out: Vec::new(),
+        frictions: vec![friction(0.2, None), friction(0.4, Some(5000.0))],
+        checks: vec![ReachCheck {
+            operation: OperationKind::Drill,
+            friction: Some(0.4),
+            check: judge.reach(&reached),
+        }],
         uncertain: None,
     }
+}
+
+/// The margins of the top drive, which fall evenly with depth.
+fn margins() -> Table {
+    let mut table = Table::with_columns(REACH);
+    for (friction, slope) in [(0.2, 0.05), (0.4, 0.2)] {
+        for step in (0..11).map(f64::from) {
+            table.append(
+                &[("operation", &["drill"]), ("limit", &["top_drive"])],
+                &[
+                    ("friction", &[friction]),
+                    ("bit_depth_m", &[1000.0 * step]),
+                    ("margin", &[1.0 - slope * step]),
+                ],
+            );
+        }
+    }
+    table
+}
+
+fn page_of(margins: &Table) -> Reach {
+    Reach::new(summary(), margins, Path::new("reach.parquet"), None).expect("operations")
+}
+
+fn reach() -> Reach {
+    page_of(&margins())
 }
 
 /// Curves end where they leave the frame; the first stop is named at its depth.
@@ -94,5 +134,5 @@ fn the_page_says_it() {
     assert!(page.contains("level-error"));
     // The depth of a limit, which is the answer, follows its name.
     assert!(page.contains("<th class=\"words\">limit</th><th>reached with the bit at</th>"));
-    assert!(reach_plots(&Reach { curves: Vec::new(), ..reach() }, "si").is_empty());
+    assert!(reach_plots(&page_of(&Table::with_columns(REACH)), "si").is_empty());
 }

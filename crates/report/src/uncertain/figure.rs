@@ -1,8 +1,9 @@
 //! Sensitivity of the samples to the inputs (Sobol indices), as bars.
 
 use wholestring::operation::OperationKind;
+use wholestring_results::UncertainBand;
 
-use super::{Uncertain, UncertainNumber};
+use super::Uncertain;
 use crate::{
     figure::{Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape},
     operation_colour::operation_colour,
@@ -23,17 +24,18 @@ const SEEN: f64 = 0.005;
 
 /// A row for each input, a bar for each operation: its length is the total index, the point on it
 /// the first-order one. `None` for a single input, which has all.
-pub(crate) fn figure(uncertain: &Uncertain, title: &str) -> Option<Figure> {
-    if uncertain.inputs.len() < 2 {
+pub(crate) fn figure(uncertain: Uncertain<'_>, title: &str) -> Option<Figure> {
+    let inputs = &uncertain.summary.inputs;
+    if inputs.len() < 2 {
         return None;
     }
     let mut operations: Vec<OperationKind> = Vec::new();
     let mut panels = Vec::new();
     for (quantity, heading) in DRAWN {
-        let is_drawn = |one: &&UncertainNumber| {
+        let is_drawn = |one: &&UncertainBand| {
             one.quantity == quantity && one.owed.is_some() && one.limit.is_empty()
         };
-        let numbers: Vec<&UncertainNumber> = uncertain.listed().filter(is_drawn).collect();
+        let numbers: Vec<&UncertainBand> = uncertain.listed().filter(is_drawn).collect();
         if numbers.is_empty() {
             continue;
         }
@@ -55,7 +57,7 @@ pub(crate) fn figure(uncertain: &Uncertain, title: &str) -> Option<Figure> {
         Key { name: "first-order index".into(), sample: Sample::Point(Ink::Text, Shape::Circle) },
     ];
     let keys: Vec<Key> = named.chain(what).collect();
-    let words = uncertain.inputs.iter().map(|[key, _]| key.clone()).collect();
+    let words = inputs.iter().map(|input| input.key.clone()).collect();
     Some(Figure {
         title: title.to_owned(),
         subtitle: uncertain.description(),
@@ -64,7 +66,7 @@ pub(crate) fn figure(uncertain: &Uncertain, title: &str) -> Option<Figure> {
             direction: Direction::Down,
             columns: panels.len(),
             width_mm: 180.0,
-            panel_mm: 14.0 * (uncertain.inputs.len() as f64).max(2.0),
+            panel_mm: 14.0 * (inputs.len() as f64).max(2.0),
         },
         shared: Axis {
             scale: Scale::Words(words),
@@ -76,7 +78,7 @@ pub(crate) fn figure(uncertain: &Uncertain, title: &str) -> Option<Figure> {
     })
 }
 
-fn bars(numbers: &[&UncertainNumber]) -> Vec<Mark> {
+fn bars(numbers: &[&UncertainBand]) -> Vec<Mark> {
     let mut marks = Vec::new();
     let height = FULL / numbers.len() as f64;
     for (place, number) in numbers.iter().enumerate() {
@@ -95,7 +97,7 @@ fn bars(numbers: &[&UncertainNumber]) -> Vec<Mark> {
                 ink,
                 points: vec![(at - half, 0.0, long), (at + half, 0.0, long)],
             });
-            let points = vec![(at, 100.0 * first.clamp(0.0, 1.0))];
+            let points = vec![(at, 100.0 * first.unwrap_or(f64::NAN).clamp(0.0, 1.0))];
             marks.push(Mark::Points { ink, shape: Shape::Circle, points });
         }
     }

@@ -1,8 +1,12 @@
 //! Tables of uncertain numbers.
 
 use wholestring::operation::OperationKind;
+use wholestring_results::UncertainBand;
 
-use super::{Uncertain, UncertainNumber};
+use super::{
+    Uncertain, uncertain_notes,
+    words::{self, dimension, title},
+};
 use crate::{
     Grid, StudyPart, Verdict,
     digits::four,
@@ -24,23 +28,26 @@ fn part(title: &str, caption: String, grid: Grid, files: &str) -> Option<StudyPa
 }
 
 /// The uncertain inputs.
-pub(crate) fn inputs(uncertain: &Uncertain) -> Option<StudyPart> {
+pub(crate) fn inputs(uncertain: Uncertain<'_>) -> Option<StudyPart> {
     let heads = vec![head("key of the case", true), head("distribution", true)];
-    let rows = uncertain.inputs.iter().map(|cells| row(cells.to_vec())).collect();
-    part("Uncertain inputs", uncertain.notes.join(" "), Grid { heads, rows }, &uncertain.files[2])
+    let inputs = uncertain.summary.inputs.iter();
+    let rows = inputs.map(|input| row(vec![input.key.clone(), input.distribution.clone()]));
+    let grid = Grid { heads, rows: rows.collect() };
+    let caption = uncertain_notes(uncertain.summary).join(" ");
+    part("Uncertain inputs", caption, grid, uncertain.tables.samples)
 }
 
 /// Cells that identify a number.
-fn named(number: &UncertainNumber, all: &Uncertain) -> Vec<String> {
+fn named(number: &UncertainBand, all: Uncertain<'_>) -> Vec<String> {
     let operation = number.operation.map_or("any", OperationKind::words);
-    let mut cells = vec![number.title.clone(), operation.to_owned()];
+    let mut cells = vec![title(number), operation.to_owned()];
     if all.has_frictions() {
         cells.push(number.friction.map_or_else(|| "the case's".to_owned(), four));
     }
     cells
 }
 
-fn names(all: &Uncertain) -> Vec<crate::Head> {
+fn names(all: Uncertain<'_>) -> Vec<crate::Head> {
     let mut heads = vec![head("number", true), head("operation", true)];
     if all.has_frictions() {
         heads.push(head("friction", false));
@@ -49,19 +56,18 @@ fn names(all: &Uncertain) -> Vec<crate::Head> {
 }
 
 /// Distributions of the numbers, at the deepest depth where they are of one.
-pub(crate) fn bands(uncertain: &Uncertain, display: DisplayUnits<'_>) -> Option<StudyPart> {
+pub(crate) fn bands(uncertain: Uncertain<'_>, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let mut heads = names(uncertain);
     for text in ["unit", "the case", "5 %", "50 %", "95 %", "without an answer"] {
         heads.push(head(text, text == "unit"));
     }
     // Nothing rotates: no torque.
-    let is_something =
-        |number: &&UncertainNumber| number.quantiles.iter().any(|value| *value != 0.0);
+    let is_something = |number: &&UncertainBand| number.quantiles.iter().any(|value| *value != 0.0);
     let rows = uncertain.listed().filter(is_something).map(|one| {
-        let value = |si: f64| four(display.value(si, &one.dimension));
+        let value = |si: f64| four(display.value(si, dimension(one)));
         let mut cells = named(one, uncertain);
-        cells.push(display.symbol(&one.dimension).to_owned());
-        cells.push(value(one.expected));
+        cells.push(display.symbol(dimension(one)).to_owned());
+        cells.push(value(one.expected.unwrap_or(f64::NAN)));
         let [low, _, middle, _, high] = one.quantiles;
         let all = one.answers + one.without_answer;
         // For limits that are not reached, a depth is at least the last one.
@@ -81,20 +87,22 @@ pub(crate) fn bands(uncertain: &Uncertain, display: DisplayUnits<'_>) -> Option<
         of all depths and components, below the required factor where it is less than one, here \
         for the operation with the least reserve. Samples without an answer are in no band."
             .to_owned();
-    part("Bands", caption, Grid { heads, rows }, &uncertain.files[0])
+    part("Bands", caption, Grid { heads, rows }, uncertain.tables.bands)
 }
 
 /// Sensitivity to the inputs.
-pub(crate) fn owed(uncertain: &Uncertain) -> Option<StudyPart> {
+pub(crate) fn owed(uncertain: Uncertain<'_>) -> Option<StudyPart> {
     let mut heads = names(uncertain);
-    heads.extend(uncertain.inputs.iter().map(|[key, _]| head(format!("{key}, %"), false)));
+    heads.extend(
+        uncertain.summary.inputs.iter().map(|input| head(format!("{}, %", input.key), false)),
+    );
     heads.push(head("predicted, %", false));
-    let has_rest = |first: &[f64]| first.iter().any(|first| first.is_nan());
+    let has_rest = |first: &[Option<f64>]| first.iter().any(Option::is_none);
     let rows = uncertain.listed().filter_map(|one| {
         let owed = one.owed.as_ref()?;
         let mut cells = row(named(one, uncertain));
         cells.extend(owed.first.iter().zip(&owed.total).map(|(first, total)| {
-            let first = if first.is_finite() { percent(*first) } else { "–".to_owned() };
+            let first = first.map_or_else(|| "–".to_owned(), percent);
             (format!("{first} / {}", percent(*total)), Verdict::None)
         }));
         let is_poor = owed.predicts < PREDICTS && !has_rest(&owed.first);
@@ -109,16 +117,21 @@ pub(crate) fn owed(uncertain: &Uncertain) -> Option<StudyPart> {
         the indices mean little. A choice among more than four values has the part that the others \
         do not explain, and no first-order index."
         .to_owned();
-    part("Sobol indices", caption, Grid { heads, rows }, &uncertain.files[1])
+    part("Sobol indices", caption, Grid { heads, rows }, uncertain.tables.indices)
 }
 
 /// Limits that stop the well first, and their frequency.
-pub(crate) fn stops(uncertain: &Uncertain) -> Option<StudyPart> {
+pub(crate) fn stops(uncertain: Uncertain<'_>) -> Option<StudyPart> {
     let heads = vec![head("stops the well first", true), head("samples", false)];
-    let rows =
-        uncertain.stops.iter().map(|(what, count)| row(vec![what.clone(), count.to_string()]));
+    let stops = uncertain.summary.stops.iter();
+    let rows = stops.map(|stop| row(vec![words::stop(stop), stop.samples.to_string()]));
     let grid = Grid { heads, rows: rows.collect() };
-    part("Limits that stop the samples", String::new(), grid, &uncertain.files[3])
+    part(
+        "Limits that stop the samples",
+        String::new(),
+        grid,
+        uncertain.tables.stops.unwrap_or_default(),
+    )
 }
 
 fn percent(part: f64) -> String {

@@ -2,14 +2,12 @@
 //! and sag; also at other tool faces, weights and inclinations.
 
 mod nodes;
-mod numbers;
 mod page;
-mod page_tables;
 mod points;
 mod request;
-mod tendency;
 
-pub use numbers::{number, plain, quantity};
 pub use points::Sweeps;
 pub use request::{AtRest, Outcome, Request, at_rest, run};
-pub use tendency::tendency;
+pub use wholestring_report::{
+    bha_number as number, bha_plain as plain, bha_quantity as quantity, bha_tendency as tendency,
+};

@@ -3,9 +3,8 @@
 
 mod page;
 mod request;
-mod shapes;
 mod stability;
 mod tables;
 
 pub use request::{Outcome, Request, run};
-pub use stability::sentences as stability_sentences;
+pub use wholestring_report::stability_sentences;

@@ -1,11 +1,9 @@
 //! `report.html`: pages and pictures of results, made from their files.
 
-pub(crate) mod checks;
 pub(crate) mod dimensions;
 pub(crate) mod facts;
 mod file;
 mod frames;
-mod head;
 pub(crate) mod history;
 pub(crate) mod inputs;
 mod page_tables;
@@ -18,11 +16,11 @@ pub(crate) mod spectra;
 mod tables;
 pub(crate) mod well;
 
-pub use dimensions::all as display_units;
-pub(crate) use file::{FILE, PROGRAM};
-pub(crate) use head::head;
+pub(crate) use file::FILE;
 pub use picture::write_picture;
 pub(crate) use profile::{PROFILE, write_profile};
 pub(crate) use run::{along_the_hole, complete, gather, lacking, page, write};
 pub(crate) use tables::{Tables, table};
 pub use well::well_path;
+pub(crate) use wholestring_report::PROGRAM;
+pub use wholestring_report::display_units;

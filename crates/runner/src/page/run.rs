@@ -2,15 +2,17 @@
 
 use std::path::Path;
 
-use wholestring_report::{Report, Solved, TimeRun, report_html};
+use wholestring_report::{
+    CheckRow, PROGRAM, Report, Solved, TimeRun, display_units, ended_early, opening_units,
+    report_html,
+};
 use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Summary, Unchecked};
 use wholestring_units::UnitSet;
 
 use super::{
-    checks, dimensions, facts,
-    file::{FILE, PROGRAM},
+    facts,
+    file::FILE,
     frames,
-    head::opening_units,
     history::{self, History},
     inputs, page_tables,
     profile::{PROFILE, write_profile},
@@ -132,8 +134,8 @@ pub(crate) fn along_the_hole(
         Ok(Solved {
             model: solved.model,
             operation: solved.operation,
-            message: checks::message(&solved.status, &solved.checks),
-            checks: solved.checks.iter().map(checks::row).collect(),
+            message: ended_early(&solved.status, &solved.checks),
+            checks: solved.checks.iter().map(CheckRow::new).collect(),
             unchecked: Unchecked::phrases(&solved.unchecked),
             // An operation without a solution has no rows and no numbers.
             key_results: match solved.scalars.hook_load_N.is_nan() {
@@ -149,7 +151,7 @@ pub(crate) fn along_the_hole(
         program: PROGRAM.into(),
         title: summary.case.clone(),
         units: opening_units(units, Some(settings)),
-        dimensions: dimensions::all(),
+        dimensions: display_units(),
         facts: facts::facts(summary),
         solved: summary.operations.iter().map(along).collect::<Result<_, ResultsError>>()?,
         well: well.path(),

@@ -7,14 +7,14 @@ use wholestring_report::{Packed, Spectrum, SpectrumPicture, spectrum_dimension};
 use wholestring_results::{ResultsError, Table};
 
 use super::rows::rows;
-use crate::column::{numbers, operation, words};
+use crate::column::{numbers, words};
 
 /// The power spectral densities in the table of a file.
 ///
 /// # Errors
 /// A row without a known operation.
 pub(crate) fn spectra(table: &Table, path: &Path) -> Result<Vec<Spectrum>, ResultsError> {
-    let row = |row: usize| Ok((row, operation(table, row, path)?));
+    let row = |row: usize| Ok((row, table.operation(row, path)?));
     let rows: Vec<_> = (0..table.rows()).map(row).collect::<Result<_, ResultsError>>()?;
     Ok(in_rows(table, rows))
 }

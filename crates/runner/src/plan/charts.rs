@@ -2,11 +2,12 @@
 
 use wholestring::{operation::OperationKind, well::FrictionLevel};
 use wholestring_report::{
-    Cells, FRICTION_STROKES, Sheet, WorkbookChart, WorkbookSeries, figure::Stroke, operation_colour,
+    Cells, FRICTION_STROKES, Sheet, WorkbookChart, WorkbookSeries, figure::Stroke,
+    operation_colour, surface_limit_is_near, surface_limit_title,
 };
 use wholestring_results::{PlanMeasured, PlanOverlayRow, PlanSummary};
 
-use super::{levels::label, surface};
+use super::levels::label;
 
 /// Names of the sheets with data of charts.
 pub(super) const BROOMSTICK: &str = "Broomstick";
@@ -212,11 +213,10 @@ fn borne(
     });
     let largest = value.fold(0.0, |most: f64, value| most.max(value.abs()));
     let limits = summary.surface_limits.iter().enumerate();
-    let near = limits.filter(|(_, limit)| {
-        limit.is_torque == is_torque && surface::shown(limit).is_near(largest)
-    });
+    let near = limits
+        .filter(|(_, limit)| limit.is_torque == is_torque && surface_limit_is_near(limit, largest));
     near.map(|(row, near)| WorkbookSeries {
-        name: format!("limit: {}", surface::title(&near.kind)),
+        name: format!("limit: {}", surface_limit_title(near)),
         sheet: sheet.name.clone(),
         across,
         down,

@@ -1,9 +1,11 @@
 //! Files of a plan.
 
-use wholestring_results::{PlanPeak, PlanSummary, ResultsError, ResultsFolder, Row as _, Table};
+use wholestring_results::{
+    PlanPeak, PlanSummary, ResultsError, ResultsFolder, Row as _, Table, UncertainTables,
+};
 
 use super::drawn::{pictures, with_mud, with_peaks};
-use crate::uncertain::{self, Names};
+use crate::uncertain;
 
 /// Names of the tables, without their extensions.
 pub(super) const BROOMSTICK: &str = "plan_broomstick";
@@ -47,7 +49,7 @@ pub(super) fn write(
     folder.write_table(FATIGUE, &tables.fatigue, true)?;
     folder.write_table(WEAR, &tables.wear, true)?;
     let uncertain = summary.uncertain.as_ref().zip(tables.samples.as_ref());
-    uncertain::write(folder, &Names::PLAN, uncertain)?;
+    uncertain::write(folder, &UncertainTables::PLAN, uncertain)?;
     uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
     folder.write_table(BROOMSTICK, &summary.broomstick_table(), true)?;
     folder.write_table(BUCKLING, &summary.buckling_table(), true)?;

@@ -5,27 +5,22 @@ use std::path::Path;
 use serde_json::Value as Json;
 use wholestring::{operation::OperationKind, well::FrictionLevel};
 use wholestring_report::{
-    BucklingCurve, Cell, Fact, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow, PlanLevel,
-    PlanLimitRow, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow, PlanSpot,
-    PlanVerdict, PlanWearRow, Section, Severity, shown_dimension,
+    BucklingCurve, Cell, Fact, PageHead, Plan, PlanCurve, PlanLevel, PlanLimitRow, PlanSpot,
+    PlanVerdict, Section, Severity, in_sets, shown_dimension,
 };
 use wholestring_results::{
-    PlanCheck, PlanFatigue, PlanOperation, PlanPoint, PlanSummary, PlanWear, ResultsError,
-    ResultsFolder, Table,
+    PlanCheck, PlanOperation, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table,
+    UncertainTables,
 };
 use wholestring_units::UnitSet;
 
 use super::{
     files::{FATIGUE, PEAKS_TIME, Tables, WEAR, WORKBOOK},
     levels::{label, short},
-    mud, peaks, surface, weight,
+    mud, peaks, weight,
     workbook::workbook,
 };
-use crate::{
-    page::{self, checks::in_sets, table},
-    results_kind::Results,
-    uncertain::{self, Names},
-};
+use crate::{page::table, results_kind::Results};
 
 /// Writes the workbook in these units.
 pub(super) fn write_workbook(
@@ -65,7 +60,7 @@ pub(crate) fn workbook_of(
 fn tables(folder: &Path, summary: &PlanSummary, peaks_time: Table) -> Result<Tables, ResultsError> {
     // The table of limits is for programs only; the page reads them from the summary.
     let [fatigue, wear] = [FATIGUE, WEAR].map(|name| table(folder, name));
-    let samples = summary.uncertain.as_ref().map(|_| table(folder, Names::PLAN.samples));
+    let samples = summary.uncertain.as_ref().map(|_| table(folder, UncertainTables::PLAN.samples));
     let samples = samples.transpose()?;
     Ok(Tables {
         limits: Table::new(Vec::new()),
@@ -98,7 +93,12 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         )
     });
     Plan {
-        head: page::head(format!("{}: plan", summary.case), units, Some(settings), facts(summary)),
+        head: PageHead::new(
+            format!("{}: plan", summary.case),
+            units,
+            Some(settings),
+            facts(summary),
+        ),
         message,
         models: summary.models.clone(),
         levels: FrictionLevel::ALL.map(|level| shown_level(summary, level)).into(),
@@ -111,18 +111,15 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         unchecked: in_sets(|units| texts(summary, &summary.unchecked, units)),
         counted: in_sets(|units| texts(summary, &summary.counted, units)),
         not_counted: in_sets(|units| texts(summary, &summary.not_counted, units)),
-        fatigue: summary.fatigue.iter().map(fatigue).collect(),
-        wear: summary.wear.iter().map(wear).collect(),
+        fatigue: summary.fatigue.clone(),
+        wear: summary.wear.clone(),
         events: peaks::events(summary, peaks_time),
         block_N: number(&settings["rig"]["block_weight_N"]),
-        surface_limits: summary.surface_limits.iter().map(surface::shown).collect(),
-        uncertain: summary
-            .uncertain
-            .as_ref()
-            .map(|uncertain| uncertain::shown(uncertain, &Names::PLAN)),
+        surface_limits: summary.surface_limits.clone(),
+        uncertain: summary.uncertain.clone(),
         weight_on_bit_N: weight::on_bit_N(summary),
-        measured: summary.measured.iter().map(|row| measured(summary, row)).collect(),
-        overlay: summary.overlay.as_ref().map(overlay),
+        measured: summary.measured.clone(),
+        overlay: summary.overlay.clone(),
     }
 }
 
@@ -245,80 +242,6 @@ fn verdicts(summary: &PlanSummary) -> Vec<PlanVerdict> {
         sentences: in_sets(|units| row.check.sentence_in(units)),
     };
     rows.iter().map(verdict).collect()
-}
-
-fn fatigue(fatigue: &PlanFatigue) -> PlanFatigueRow {
-    PlanFatigueRow {
-        model: fatigue.model,
-        component: fatigue.component.clone(),
-        damage: fatigue.damage,
-        hour: fatigue.hour.map(|hour| PlanFatigueHourRow {
-            md_m: hour.md_m,
-            damage_per_hour: hour.damage_per_hour,
-            bending_Pa: hour.bending_Pa,
-            doglegs_rad_per_m: [Some(hour.dogleg_rad_per_m), hour.permissible_dogleg_rad_per_m]
-                .map(|dogleg| dogleg.unwrap_or(f64::NAN)),
-        }),
-    }
-}
-
-fn wear(wear: &PlanWear) -> PlanWearRow {
-    let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
-    PlanWearRow {
-        model: wear.model,
-        section: wear.section,
-        md_m: wear.md_m,
-        groove_m: number(wear.groove_m),
-        wall_left_m: number(wear.wall_left_m),
-        worn: number(wear.worn),
-        burst_Pa: wear.burst_Pa.unwrap_or([f64::NAN; 2]),
-        collapse_Pa: wear.collapse_Pa.unwrap_or([f64::NAN; 2]),
-    }
-}
-
-fn measured(summary: &PlanSummary, measured: &wholestring_results::PlanMeasured) -> PlanMeasured {
-    PlanMeasured {
-        model: measured.model,
-        place: measured.place.clone(),
-        operation: measured.operation,
-        is_torque: measured.is_torque,
-        held_out: measured.held_out,
-        bit_depth_m: measured.bit_depth_m,
-        measured: measured.measured,
-        block_N: measured.block_N,
-        predicted: measured.predicted.map(|value| value.unwrap_or(f64::NAN)),
-        between: measured.between(),
-        message: measured
-            .message
-            .as_ref()
-            .map(|message| in_sets(|units| summary.texts.in_units(message, units))),
-    }
-}
-
-fn overlay(overlay: &wholestring_results::PlanOverlay) -> PlanOverlay {
-    let rows = overlay.rows.iter().map(|row| PlanOverlayRow {
-        model: row.model,
-        operation: row.operation,
-        is_torque: row.is_torque,
-        bit_depth_m: row.bit_depth_m,
-        theirs: row.theirs,
-    });
-    let differences = overlay.differences.iter().map(|difference| PlanOverlayDifference {
-        model: difference.model,
-        operation: difference.operation,
-        is_torque: difference.is_torque,
-        count: difference.count,
-        mean: difference.mean,
-        largest: difference.largest,
-        largest_at_m: difference.largest_at_m,
-        theirs_there: difference.theirs_there,
-        largest_part: difference.largest_part,
-    });
-    PlanOverlay {
-        file: overlay.file.clone(),
-        rows: rows.collect(),
-        differences: differences.collect(),
-    }
 }
 
 /// Sections of the hole with the expected friction.

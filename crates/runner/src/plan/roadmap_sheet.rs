@@ -1,11 +1,9 @@
 //! Roadmap of a plan: hook loads and torques of every operation, a row for each depth of the bit.
 
 use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
-use wholestring_report::{Cells, Sheet, SheetColumn};
+use wholestring_report::{Cells, Sheet, SheetColumn, pretty_symbol};
 use wholestring_results::{PlanPoint, PlanSummary};
 use wholestring_units::{Dimension, UnitSet};
-
-use crate::page::dimensions::pretty;
 
 /// A row for each depth of each model.
 pub(super) fn roadmap_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
@@ -47,7 +45,7 @@ pub(super) fn roadmap_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
             };
             columns.push(SheetColumn {
                 heading: format!("{operation} {what} {level}"),
-                unit: pretty(unit.symbol),
+                unit: pretty_symbol(unit.symbol),
                 meaning: format!(
                     "{} of {operation} with {level} friction; empty without an answer, which is on the \
                      sheet Verdict",

@@ -1,9 +1,8 @@
 //! Limits of hook load and torque at the surface.
 
 use wholestring::outcome::QuantityKind;
-use wholestring_judge::{CheckKind, LimitSettings, surface_limits};
+use wholestring_judge::{LimitSettings, surface_limits};
 use wholestring_plan::{Broomstick, FrictionLevel};
-use wholestring_report as report;
 use wholestring_results::PlanSurfaceLimit;
 
 /// Limits of the rig and of the topmost component; empty if the string fits no depth.
@@ -22,23 +21,4 @@ pub(super) fn limits(broomstick: &Broomstick, settings: &LimitSettings) -> Vec<P
             allowed: surface_limit.allowed,
         });
     limits.collect()
-}
-
-/// The same in the form of the page.
-pub(super) fn shown(limit: &PlanSurfaceLimit) -> report::PlanSurfaceLimit {
-    let title = title(&limit.kind).to_owned();
-    report::PlanSurfaceLimit { title, is_torque: limit.is_torque, allowed: limit.allowed }
-}
-
-/// Title of a line of this kind.
-pub(super) fn title(kind: &str) -> &str {
-    match CheckKind::named(kind) {
-        Some(CheckKind::Hoist) => "hoist",
-        Some(CheckKind::Tension) => "pipe, tension",
-        Some(CheckKind::Torsion) => "pipe, torsion",
-        Some(CheckKind::MakeUp) => "make-up",
-        Some(CheckKind::TopDrive) => "top drive",
-        Some(CheckKind::TopDrivePeak) => "top drive, peak",
-        _ => kind,
-    }
 }

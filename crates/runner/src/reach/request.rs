@@ -11,14 +11,15 @@ use wholestring_plan::{
 };
 use wholestring_report::Reach;
 use wholestring_results::{
-    Occupant, REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary, digest,
+    Occupant, REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary, UncertainTables,
+    digest,
 };
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
+    checks,
     operations::{Operations, operations},
     sample::{SampleSolver, with_friction},
-    sentences,
     tables::{self, LIMITS, REACH, reach_table},
 };
 use crate::{
@@ -32,7 +33,7 @@ use crate::{
     parallel::{in_parallel, jobs, lock},
     results_kind::Results,
     run::checkpoint_every,
-    uncertain::{self, Names, Sampler},
+    uncertain::{self, Sampler},
 };
 
 /// Request to find the reach of a case.
@@ -229,7 +230,7 @@ pub fn run(
     let judge = case.judge(request.units.unwrap_or(case.units));
     let planned_m =
         case.operations.iter().map(|operation| operation.bit_depth_m).fold(0.0, f64::max);
-    let checks = sentences::checks(&frictions, [settings.from_m, settings.to_m], planned_m, &judge);
+    let checks = checks::checks(&frictions, [settings.from_m, settings.to_m], planned_m, &judge);
     let summary = ReachSummary {
         schema_version: REACH_VERSION,
         case: case.name.clone(),
@@ -245,7 +246,7 @@ pub fn run(
         uncertain: samples.as_ref().map(|(_, found, _)| found.clone()),
     };
     let written = samples.as_ref().map(|(_, found, table)| (found, table));
-    uncertain::write(folder, &Names::REACH, written)?;
+    uncertain::write(folder, &UncertainTables::REACH, written)?;
     uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
     // Also as CSV, because the page links to them.
     let rows: Vec<_> =

@@ -4,11 +4,12 @@ use wholestring::{
     dynamics::DynamicOutcome,
     outcome::{self, QuantityKind, TIME_SERIES, WELL_PATH},
 };
+use wholestring_report::pretty_symbol;
 use wholestring_results::{CONTACT, FRAMES, NODES, TIME, WEAR};
 use wholestring_study::{ColumnName, Quantity, Source};
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{checks::quantities::dimension, page::dimensions::pretty, sweep::SCALARS};
+use crate::{checks::quantities::dimension, sweep::SCALARS};
 
 /// Numbers of findings at each level.
 pub(super) const FINDINGS: [&str; 3] = ["errors", "warnings", "notes"];
@@ -83,7 +84,7 @@ pub(super) fn title(quantity: &Quantity) -> String {
 pub(super) fn unit(dimension: Option<Dimension>, name: &str, units: UnitSet) -> (String, f64) {
     if let Some(dimension) = dimension {
         let unit = dimension.unit_in(units);
-        return (pretty(unit.symbol), unit.factor);
+        return (pretty_symbol(unit.symbol), unit.factor);
     }
     let plain = named(name).map_or("", |quantity| quantity.unit);
     (plain.to_owned(), 1.0)

@@ -4,14 +4,14 @@ use std::{collections::BTreeMap, path::Path};
 
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_judge::Wording;
-use wholestring_report::{Sweep, SweepRow, address, sweep_html, sweep_plots};
+use wholestring_report::{PageHead, Sweep, SweepRow, address, in_sets, sweep_html, sweep_plots};
 use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Table};
 use wholestring_units::UnitSet;
 
 use super::{read::varied, table::FILE};
 use crate::{
     error::Error,
-    page::{self, checks::in_sets, facts},
+    page::{self, facts},
     results_kind::{Overlay, ResultsKind},
 };
 
@@ -125,7 +125,7 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
     let settings = first.as_ref().map(|first| &first.settings);
     let title = first.as_ref().map_or_else(|| "Sweep".into(), |first| first.case.clone());
     Ok(Sweep {
-        head: page::head(title, units, settings, common),
+        head: PageHead::new(title, units, settings, common),
         keys: varied.iter().map(|column| column.name.clone()).collect(),
         checked: table.columns().iter().any(|column| column.name == "errors"),
         rows,

@@ -3,45 +3,11 @@
 use wholestring_results::{UncertainBand, UncertainSummary};
 use wholestring_units::{Dimension, UnitSet};
 
-/// Largest number of reasons that are listed; the others are counted.
-const REASONS: usize = 3;
-
 /// Inputs with a smaller sensitivity index are not named.
 const NAMED: f64 = 0.05;
 
 /// A fit that predicts a smaller fraction of the variance than this is reported as poor.
 const PREDICTS: f64 = 0.9;
-
-/// Notes on the bands and on missing samples.
-pub fn notes(summary: &UncertainSummary) -> Vec<String> {
-    let numbers = match summary.inputs.len() {
-        1 => "one uncertain number".to_owned(),
-        count => format!("{count} uncertain numbers"),
-    };
-    let mut notes = vec![format!(
-        "Bands: 5 to 95 % of {} samples of {numbers}, {} string, seed {}.",
-        summary.solved, summary.model, summary.seed
-    )];
-    if summary.solved < summary.samples {
-        notes.push(format!(
-            "Interrupted: {} of {} samples were solved.",
-            summary.solved, summary.samples
-        ));
-    }
-    if summary.lacking > 0 {
-        let reasons = summary.reasons.iter().take(REASONS);
-        let reasons: Vec<String> = reasons.map(|(why, count)| format!("{why} ({count})")).collect();
-        let more = summary.reasons.len().saturating_sub(REASONS);
-        let more = if more > 0 { format!("; and {more} other reasons") } else { String::new() };
-        notes.push(format!(
-            "{} of {} samples have points without an answer, which are in no band: {}{more}.",
-            summary.lacking,
-            summary.solved,
-            reasons.join("; ")
-        ));
-    }
-    notes
-}
 
 /// Scatter of hook load and torque at the deepest bit, and of the reach of a well, each with the
 /// inputs of the largest sensitivity.

@@ -2,43 +2,15 @@
 
 use wholestring_results::{
     ResultsError, ResultsFolder, Row as _, Table, UncertainSample, UncertainSummary,
+    UncertainTables,
 };
 
 use super::{Sampled, Sampler};
 
-/// Names of the tables of a plan or a reach, without their extensions.
-pub(crate) struct Names {
-    /// Scatter of the samples.
-    pub(crate) bands: &'static str,
-    /// Sensitivity (Sobol) indices.
-    pub(crate) indices: &'static str,
-    /// Sampled inputs.
-    pub(crate) samples: &'static str,
-    /// The limit that stops the well first, with its frequency; `None` for a plan.
-    pub(crate) stops: Option<&'static str>,
-}
-
-impl Names {
-    /// Names for a plan.
-    pub(crate) const PLAN: Self = Self {
-        bands: "plan_uncertain",
-        indices: "plan_uncertain_indices",
-        samples: "plan_uncertain_samples",
-        stops: None,
-    };
-    /// Names for a reach.
-    pub(crate) const REACH: Self = Self {
-        bands: "reach_uncertain",
-        indices: "reach_uncertain_indices",
-        samples: "reach_uncertain_samples",
-        stops: Some("reach_uncertain_stops"),
-    };
-}
-
 /// Writes the tables, also as CSV; without samples, removes earlier ones.
 pub(crate) fn write(
     folder: &ResultsFolder,
-    names: &Names,
+    names: &UncertainTables,
     results: Option<(&UncertainSummary, &Table)>,
 ) -> Result<(), ResultsError> {
     let Some((summary, samples)) = results else {

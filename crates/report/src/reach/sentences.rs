@@ -1,9 +1,6 @@
 //! Results of a reach in sentences.
 
-use wholestring::operation::OperationKind;
-use wholestring_judge::{Judge, Reached};
-use wholestring_plan::reach::Limit;
-use wholestring_results::{ReachCheck, ReachOfFriction, ReachSummary};
+use wholestring_results::{ReachOfFriction, ReachSummary};
 use wholestring_units::{Dimension, UnitSet};
 
 /// A friction factor in words.
@@ -27,7 +24,7 @@ fn depth(depth_m: f64, units: UnitSet) -> String {
 
 /// The limit that stops the well first, in a sentence for each friction factor. Unsolved operations
 /// may stop it earlier.
-pub fn answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
+pub fn reach_answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     let answer = |reach: &ReachOfFriction| {
         let mut at = friction(reach);
         if !reach.missing.is_empty() {
@@ -56,55 +53,13 @@ pub fn answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     summary.frictions.iter().map(answer).collect()
 }
 
-/// Reach of each operation at each friction factor, as checks in the units of the judge.
-pub(super) fn checks(
-    frictions: &[ReachOfFriction],
-    [from_m, to_m]: [f64; 2],
-    planned_m: f64,
-    judge: &Judge,
-) -> Vec<ReachCheck> {
-    let mut checks = Vec::new();
-    for found in frictions {
-        let mut operations: Vec<OperationKind> = Vec::new();
-        for limit in &found.limits {
-            if !operations.contains(&limit.operation) {
-                operations.push(limit.operation);
-            }
-        }
-        for operation in operations {
-            let stops =
-                found.limits.iter().filter(|limit| limit.stops && limit.operation == operation);
-            let met = stops.filter_map(|limit| Some((limit.depth_m?, limit.title.as_str())));
-            let zero = found.limits.iter().find(|limit| {
-                limit.operation == operation
-                    && limit.limit == Limit::HookLoadZero.name()
-                    && !limit.stops
-            });
-            let reached = Reached {
-                operation: operation.words(),
-                stopped: met.min_by(|a, b| a.0.total_cmp(&b.0)),
-                pushed_from_m: zero.and_then(|limit| limit.depth_m),
-                from_m,
-                planned_m,
-                to_m,
-            };
-            checks.push(ReachCheck {
-                operation,
-                friction: found.friction,
-                check: judge.reach(&reached),
-            });
-        }
-    }
-    checks
-}
-
 /// What the soft string leaves out.
 const SOFT: &str = "The reach is that of the soft string. With its bending stiffness the string may \
                     lock up at a shallower depth: solve the deepest point with `model = \"stiff\"` too.";
 
 /// Additional notes: the model, the critical inclination, helices without friction, operations that
 /// were left out.
-pub fn notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
+pub fn reach_notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     let angle = |rad: f64| {
         let unit = Dimension::Angle.unit_in(units);
         format!("{:.1} {}", unit.from_si(rad), unit.symbol)

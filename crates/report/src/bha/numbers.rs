@@ -3,7 +3,7 @@
 use wholestring_units::{Dimension, UnitSet};
 
 /// A number without trailing zeros.
-pub fn plain(number: String) -> String {
+pub fn bha_plain(number: String) -> String {
     match number.contains('.') {
         true => number.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => number,
@@ -11,13 +11,13 @@ pub fn plain(number: String) -> String {
 }
 
 /// Four digits of a quantity, with its unit.
-pub fn quantity(si: f64, dimension: Dimension, units: UnitSet) -> String {
-    format!("{} {}", plain(number(si, dimension, units)), dimension.unit_in(units).symbol)
+pub fn bha_quantity(si: f64, dimension: Dimension, units: UnitSet) -> String {
+    format!("{} {}", bha_plain(bha_number(si, dimension, units)), dimension.unit_in(units).symbol)
 }
 
 /// A number in the chosen unit, with four digits or to the third decimal; a length to the second
 /// decimal at least, because contacts are identified by their depth.
-pub fn number(si: f64, dimension: Dimension, units: UnitSet) -> String {
+pub fn bha_number(si: f64, dimension: Dimension, units: UnitSet) -> String {
     let value = dimension.unit_in(units).from_si(si);
     let digits = match value.abs() {
         size if size >= 10.0 && dimension == Dimension::Length => 2,

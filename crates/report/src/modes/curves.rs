@@ -1,7 +1,50 @@
-//! Columns of the tables in the form that the page requires.
+//! Curves of linear vibration, grouped from the columns of its tables.
 
-use wholestring_report::{AnswerCurve, ModeBranch, ModeShape};
 use wholestring_results::Table;
+
+/// The shape of a mode along the string, from the top down.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ModeShape {
+    /// `lateral`, `axial` or `torsional`.
+    pub(super) family: String,
+    /// Number within the family, from 1.
+    pub(super) number: usize,
+    /// Measured depths, m.
+    pub(super) md_m: Vec<f64>,
+    /// Displacement towards the high side and to the right of it, and both a quarter of a period
+    /// later, m.
+    pub(super) across_m: [Vec<f64>; 4],
+    /// Axial displacement, m.
+    pub(super) along_m: Vec<f64>,
+    /// Turn about the axis, rad.
+    pub(super) turn_rad: Vec<f64>,
+}
+
+/// A natural frequency against rotary speed.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ModeBranch {
+    /// `lateral`, `axial` or `torsional`.
+    pub(super) family: String,
+    /// Number within the family, from 1.
+    pub(super) number: usize,
+    /// Direction of its whirl; empty for families that are not lateral.
+    pub(super) whirl: String,
+    /// Rotary speeds, rad/s.
+    pub(super) rotary_rad_per_s: Vec<f64>,
+    /// Natural frequency at each, Hz.
+    pub(super) frequency_Hz: Vec<f64>,
+}
+
+/// Response of the string to its excitation, against rotary speed.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct AnswerCurve {
+    /// Rotary speeds, rad/s.
+    pub(super) rotary_rad_per_s: Vec<f64>,
+    /// Largest displacement of a node, m.
+    pub(super) amplitude_m: Vec<f64>,
+    /// Largest bending stress that it adds, Pa.
+    pub(super) bending_stress_Pa: Vec<f64>,
+}
 
 fn numbers(table: &Table, name: &str) -> Vec<f64> {
     let column = table.numbers(name).unwrap_or_default();

@@ -1,7 +1,8 @@
 //! The tables on the page of a static BHA analysis.
 
-use wholestring_report::{Cell, PageTable, Place};
 use wholestring_results::{BhaState, BhaSummary, BhaVaried};
+
+use crate::{Cell, PageTable, Place};
 
 /// Table whose rows each name a quantity.
 fn quantities(title: &str, rows: Vec<Vec<Cell>>) -> PageTable {

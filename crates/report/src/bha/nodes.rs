@@ -1,0 +1,44 @@
+//! Columns of the string along its axis.
+
+use wholestring_results::Table;
+
+/// Columns of `bha.parquet`, SI; one that is not known is not a number. Nodes are ordered from the
+/// bit up.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Nodes {
+    /// Distances from the bit, m.
+    pub(super) from_bit_m: Vec<f64>,
+    /// Radius of the hole, m.
+    pub(super) hole_radius_m: Vec<f64>,
+    /// Offset of the string's axis from the hole's, m.
+    pub(super) offset_m: [Vec<f64>; 2],
+    /// Bending moment, N·m.
+    pub(super) moment_N_m: [Vec<f64>; 2],
+    /// Bending stress, Pa.
+    pub(super) bending_stress_Pa: Vec<f64>,
+    /// Von Mises stress, Pa.
+    pub(super) von_mises_stress_Pa: Vec<f64>,
+}
+
+impl Nodes {
+    /// The columns of the table.
+    pub(super) fn new(table: &Table) -> Self {
+        let column = |name| column(table, name);
+        Self {
+            from_bit_m: column("from_bit_m"),
+            hole_radius_m: column("hole_radius_m"),
+            offset_m: ["offset_high_m", "offset_right_m"].map(column),
+            moment_N_m: ["bending_moment_high_N_m", "bending_moment_right_N_m"].map(column),
+            bending_stress_Pa: column("bending_stress_Pa"),
+            von_mises_stress_Pa: column("von_mises_stress_Pa"),
+        }
+    }
+}
+
+fn column(table: &Table, name: &str) -> Vec<f64> {
+    let numbers = table.numbers(name).unwrap_or_default().iter();
+    let mut column: Vec<f64> = numbers.map(|value| value.unwrap_or(f64::NAN)).collect();
+    // Results without this column have no numbers for it.
+    column.resize(table.rows(), f64::NAN);
+    column
+}
