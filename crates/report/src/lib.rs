@@ -52,8 +52,7 @@ pub use picks::{
     picked_depth_figure, picked_log_figure, picked_stand_figure, picks_html,
 };
 pub use plan::{
-    BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanLevel,
-    PlanLimitRow, PlanMud, PlanMudRow, PlanPeakRow, PlanSpot, PlanVerdict, plan_html, plan_plots,
+    FRICTION_STROKES, PLAN_PICTURES, Plan, plan_friction_label, plan_html, plan_plots,
     surface_limit_is_near, surface_limit_title,
 };
 pub use plots::{

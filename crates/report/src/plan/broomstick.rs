@@ -1,10 +1,11 @@
 //! Hook load and surface torque against the depth of the bit.
 
 use wholestring::operation::OperationKind;
-use wholestring_results::PlanSurfaceLimit;
+use wholestring_results::{PlanPoint, PlanSurfaceLimit};
 
 use super::{
-    Plan, PlanCurve, PlanSpot,
+    Plan,
+    curves::{Curve, hook_load_N, surface_torque_N_m},
     depth_figure::{line, over_depth},
     measured, overlay, surface_limit_is_near, surface_limit_title,
 };
@@ -18,9 +19,6 @@ use crate::{
 /// Curves that differ by less than this part of the largest are not distinguishable by eye.
 const SAME: f64 = 2e-3;
 
-/// Strokes of low, expected and high friction.
-pub const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
-
 /// A quantity of each point that a picture shows.
 struct Quantity<'a> {
     title: &'a str,
@@ -28,7 +26,7 @@ struct Quantity<'a> {
     /// Its name in the bands of uncertain numbers.
     name: &'a str,
     dimension: &'a str,
-    value: fn(&PlanSpot) -> f64,
+    value: fn(&PlanPoint) -> f64,
 }
 
 /// Trip in to the left, rotate off bottom, trip out to the right; operations that drill in a panel
@@ -39,7 +37,7 @@ pub(super) fn hook_load(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure
         about: "without the weight of the block",
         name: "hook_load",
         dimension: "force",
-        value: |spot| spot.hook_load_N,
+        value: hook_load_N,
     };
     figure(plan, display, &quantity, |_| true)
 }
@@ -51,7 +49,7 @@ pub(super) fn torque(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
         about: "",
         name: "surface_torque",
         dimension: "torque",
-        value: |spot| spot.torque_N_m,
+        value: surface_torque_N_m,
     };
     figure(plan, display, &quantity, OperationKind::rotates)
 }
@@ -62,7 +60,7 @@ fn figure(
     quantity: &Quantity<'_>,
     is_shown: fn(OperationKind) -> bool,
 ) -> Option<Figure> {
-    let all = plan.operations().into_iter().filter(|operation| is_shown(*operation));
+    let all = plan.operations().filter(|operation| is_shown(*operation));
     let (drilling, off): (Vec<_>, Vec<_>) = all.partition(|operation| operation.on_bottom());
     let groups = [(off, "off bottom"), (drilling, "on bottom")];
     let groups = groups.into_iter().filter(|(operations, _)| !operations.is_empty());
@@ -96,10 +94,10 @@ fn panel(
     operations: &[OperationKind],
     name: &str,
 ) -> (Panel, f64) {
-    let value = |spot: &PlanSpot| display.value((quantity.value)(spot), quantity.dimension);
-    let depth = |spot: &PlanSpot| display.value(spot.bit_depth_m, "length");
-    let points = |curve: &PlanCurve| -> Vec<(f64, f64)> {
-        curve.points.iter().map(|spot| (depth(spot), value(spot))).collect()
+    let value = |point: &PlanPoint| display.value((quantity.value)(point), quantity.dimension);
+    let depth = |point: &PlanPoint| display.value(point.bit_depth_m, "length");
+    let points = |curve: &Curve<'_>| -> Vec<(f64, f64)> {
+        curve.points.iter().map(|point| (depth(point), value(point))).collect()
     };
     let mut marks = Vec::new();
     let mut largest = 0.0_f64;
@@ -119,17 +117,16 @@ fn panel(
     }
     for operation in operations {
         let ink = Ink::Line(operation_colour(*operation));
-        for (place, model) in plan.models.iter().enumerate() {
+        for (place, model) in plan.summary.models.iter().enumerate() {
             let mut ends: Vec<((f64, f64), &str)> = Vec::new();
             for curve in plan.curves_of(*model, *operation) {
-                let points = points(curve);
+                let points = points(&curve);
                 let mut finite = points.iter().filter(|(_, value)| value.is_finite());
                 largest = finite.clone().fold(largest, |most, (_, value)| most.max(value.abs()));
-                let label = plan.levels.get(curve.level).map_or("", |level| &level.label);
-                ends.extend(finite.next_back().map(|end| (*end, label)));
-                let shape = Shape::of(curve.level);
+                ends.extend(finite.next_back().map(|end| (*end, curve.level.label.as_str())));
+                let shape = Shape::of(curve.level.friction as usize);
                 marks.extend(match place {
-                    0 => line(ink, STROKES[curve.level % 3], shape, points),
+                    0 => line(ink, curve.level.stroke(), shape, points),
                     _ => vec![Mark::Points { ink, shape, points }],
                 });
             }
@@ -176,18 +173,18 @@ fn keys(plan: &Plan, operations: &[OperationKind]) -> Vec<Key> {
             key(operation.words().to_owned(), Sample::Line(ink, Stroke::Solid))
         })
         .collect();
-    for (place, level) in plan.levels.iter().enumerate() {
-        let name = format!("{} friction, {}", level.name, level.label);
-        keys.push(key(name, Sample::Line(Ink::Note, STROKES[place % 3])));
+    for level in &plan.levels {
+        let name = format!("{} friction, {}", level.name(), level.label);
+        keys.push(key(name, Sample::Line(Ink::Note, level.stroke())));
     }
     if plan.samples().is_some() {
         let name = "5 to 95 % of the samples".to_owned();
         keys.push(key(name, Sample::Band(Ink::Note)));
     }
-    if let [_, others @ ..] = &plan.models[..] {
+    if let [_, others @ ..] = &plan.summary.models[..] {
         for model in others {
             for (place, level) in plan.levels.iter().enumerate() {
-                let name = format!("{model} string, {} friction", level.name);
+                let name = format!("{model} string, {} friction", level.name());
                 keys.push(key(name, Sample::Point(Ink::Note, Shape::of(place))));
             }
         }
@@ -197,8 +194,8 @@ fn keys(plan: &Plan, operations: &[OperationKind]) -> Vec<Key> {
 
 /// The subject of the picture, and limits that are beyond it.
 fn subtitle(plan: &Plan, about: &str, outside: &[String]) -> String {
-    let first = plan.models.first();
-    let lines = first.map(|model| match plan.models.len() {
+    let first = plan.summary.models.first();
+    let lines = first.map(|model| match plan.summary.models.len() {
         1 => format!("{model} string"),
         _ => format!("lines: {model} string"),
     });

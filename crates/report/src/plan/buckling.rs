@@ -1,10 +1,8 @@
 //! The weight on bit at which the string begins to buckle.
 
-use wholestring::operation::OperationKind;
-
 use super::{
     Plan,
-    broomstick::STROKES,
+    curves::{BucklingCurve, buckling_weights_N},
     depth_figure::{line, over_depth},
 };
 use crate::{
@@ -17,21 +15,16 @@ const SHAPES: [&str; 2] = ["sinusoid", "helix"];
 
 /// A panel for each operation, a line for each friction.
 pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
-    let mut operations: Vec<OperationKind> = Vec::new();
-    for curve in &plan.buckling {
-        if !operations.contains(&curve.operation) {
-            operations.push(curve.operation);
-        }
-    }
-    let panels: Vec<Panel> =
-        operations.into_iter().map(|operation| panel(plan, display, operation)).collect();
+    let curves: Vec<BucklingCurve<'_>> = plan.buckling_curves().collect();
+    let operations = curves.chunk_by(|a, b| a.operation == b.operation);
+    let panels: Vec<Panel> = operations.map(|curves| panel(plan, display, curves)).collect();
     let shapes = SHAPES.iter().enumerate().map(|(place, name)| Key {
         name: (*name).to_owned(),
         sample: Sample::Line(Ink::Line(place), Stroke::Solid),
     });
-    let levels = plan.levels.iter().zip(STROKES).map(|(level, stroke)| Key {
-        name: format!("{} friction, {}", level.name, level.label),
-        sample: Sample::Line(Ink::Note, stroke),
+    let levels = plan.levels.iter().map(|level| Key {
+        name: format!("{} friction, {}", level.name(), level.label),
+        sample: Sample::Line(Ink::Note, level.stroke()),
     });
     let keys = shapes.chain(levels).collect();
     let subtitle = "least weight on bit at which part of the string buckles; soft string";
@@ -39,22 +32,24 @@ pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
     has_rows.then(|| over_depth(plan, display, subtitle, keys, panels))
 }
 
-fn panel(plan: &Plan, display: DisplayUnits<'_>, operation: OperationKind) -> Panel {
-    let curves = plan.buckling.iter().filter(|buckling| buckling.operation == operation);
+/// The curves of one operation.
+fn panel(plan: &Plan, display: DisplayUnits<'_>, curves: &[BucklingCurve<'_>]) -> Panel {
     let mut marks = Vec::new();
     for curve in curves {
         for shape in 0..SHAPES.len() {
-            let points = curve.points.iter().map(|(depth_m, weights_N)| {
-                (display.value(*depth_m, "length"), display.value(weights_N[shape], "force"))
+            let points = curve.points.iter().map(|point| {
+                let weight_N = buckling_weights_N(point)[shape];
+                (display.value(point.bit_depth_m, "length"), display.value(weight_N, "force"))
             });
-            let (ink, stroke) = (Ink::Line(shape), STROKES[curve.level % STROKES.len()]);
+            let (ink, stroke) = (Ink::Line(shape), curve.level.stroke());
             marks.extend(line(ink, stroke, Shape::of(shape), points.collect()));
         }
     }
-    if let Some(weight_N) = plan.weight_on_bit_N.filter(|weight| *weight > 0.0) {
+    if let Some(weight_N) = plan.summary.weight_on_bit_N().filter(|weight| *weight > 0.0) {
         let at = display.value(weight_N, "force");
         marks.push(Mark::OwnRule { at, label: "the case".to_owned() });
     }
-    let title = format!("Weight to buckle, {}", operation.words());
+    let operation = curves.first().map_or("", |curve| curve.operation.words());
+    let title = format!("Weight to buckle, {operation}");
     Panel::new(Axis::new(display.label(&title, "force"), Range::Zero), marks)
 }

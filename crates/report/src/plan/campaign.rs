@@ -49,12 +49,11 @@ fn place(display: DisplayUnits<'_>, md_m: f64) -> Cell {
 
 /// The parts of the campaign, counted and not counted.
 pub(super) fn parts(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    let row = |word: &str, verdict: Verdict, text: &String| {
-        vec![(word.to_owned(), verdict), plain(text.clone())]
-    };
-    let counted = display.chosen(&plan.counted).iter();
+    let row =
+        |word: &str, verdict: Verdict, text: String| vec![(word.to_owned(), verdict), plain(text)];
+    let counted = plan.texts(&plan.summary.counted, display.unit_set());
     let counted = counted.map(|text| row("counted", Verdict::Agrees, text));
-    let not_counted = display.chosen(&plan.not_counted).iter();
+    let not_counted = plan.texts(&plan.summary.not_counted, display.unit_set());
     let not_counted = not_counted.map(|text| row("not counted", Verdict::Near, text));
     let rows: Vec<_> = not_counted.chain(counted).collect();
     let caption = "The parts of the campaign whose fatigue and casing wear are summed, with the \
@@ -96,7 +95,7 @@ pub(super) fn fatigue(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPar
         }
         cells
     };
-    let rows: Vec<_> = plan.fatigue.iter().map(row).collect();
+    let rows: Vec<_> = plan.summary.fatigue.iter().map(row).collect();
     let caption = "Part of the life that the campaign uses up in each component's worst part, by \
         Miner's rule, with the expected friction; and the same in an hour of drilling at the \
         deepest depth, at the place of the largest damage. The S-N curve is that of the plan: that \
@@ -135,7 +134,7 @@ pub(super) fn wear(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> 
         }
         cells
     };
-    let rows: Vec<_> = plan.wear.iter().map(row).collect();
+    let rows: Vec<_> = plan.summary.wear.iter().map(row).collect();
     let caption = "For each casing the most worn stretch, with the expected friction and the wear \
         factors of the plan. Collapse is that of a casing with the remaining wall all round. Where \
         it is not known: give the casing by its size, weight and grade. For the model \"dynamic\", \

@@ -1,5 +1,8 @@
 //! A picture of a plan over the depth of the bit.
 
+use wholestring::well::FrictionLevel;
+use wholestring_results::{PlanFriction, PlanSummary};
+
 use super::Plan;
 use crate::{
     figure::{Axis, Figure, Ink, Interval, Key, Layout, Mark, Panel, Range, Shape, Stroke},
@@ -40,16 +43,16 @@ pub(super) fn over_depth(
             Range::Fixed(0.0, 1.07 * display.value(deepest_m, "length")),
         )
     };
-    let hole = plan.hole.iter().filter(|section| section.from_m < deepest_m);
-    let interval = |section: &crate::Section| {
+    let hole = hole(plan).filter(|(section, _)| section.from_md_m < deepest_m);
+    let interval = |(section, diameter_m): (&PlanFriction, f64)| {
         let cased = section.kind == "casing";
         let name = if cased { "casing" } else { "open hole" };
         Interval {
-            from: display.value(section.from_m, "length"),
-            to: display.value(section.to_m.min(deepest_m), "length"),
+            from: display.value(section.from_md_m, "length"),
+            to: display.value(section.to_md_m.min(deepest_m), "length"),
             cased,
-            shoe: cased && section.to_m <= deepest_m,
-            label: format!("{name}, {}", display.quantity(section.diameter_m, "diameter")),
+            shoe: cased && section.to_md_m <= deepest_m,
+            label: format!("{name}, {}", display.quantity(diameter_m, "diameter")),
         }
     };
     Figure {
@@ -68,9 +71,19 @@ pub(super) fn over_depth(
     }
 }
 
+/// Sections of the hole and their diameters, m; not a number where the settings have none.
+fn hole(plan: &Plan) -> impl Iterator<Item = (&PlanFriction, f64)> {
+    let sections = plan.summary.frictions.iter();
+    // Each level of friction has the same sections.
+    let sections = sections.filter(|section| section.friction == FrictionLevel::Expected);
+    let diameters = plan.summary.hole_diameters_m();
+    sections.zip(diameters.map(|diameter_m| diameter_m.unwrap_or(f64::NAN)))
+}
+
 fn deepest_m(plan: &Plan) -> f64 {
-    let depths = plan.curves.iter().flat_map(|curve| &curve.points).map(|point| point.bit_depth_m);
-    let theirs = plan.overlay.iter().flat_map(|overlay| &overlay.rows).map(|row| row.bit_depth_m);
-    let read = plan.measured.iter().map(|measured| measured.bit_depth_m);
+    let PlanSummary { points, overlay, measured, .. } = &plan.summary;
+    let depths = points.iter().map(|point| point.bit_depth_m);
+    let theirs = overlay.iter().flat_map(|overlay| &overlay.rows).map(|row| row.bit_depth_m);
+    let read = measured.iter().map(|measured| measured.bit_depth_m);
     depths.chain(read).chain(theirs).fold(0.0, f64::max)
 }

@@ -1,29 +1,56 @@
 //! The limits on a plan's page: the nearest of each kind, severities with words.
 
 use wholestring::operation::OperationKind;
+use wholestring_judge::CheckKind;
+use wholestring_results::{PlanCheck, PlanOperation};
 
-use super::{Plan, PlanLimitRow, PlanVerdict};
+use super::Plan;
 use crate::digits::four;
 use crate::grid_cells::head;
-use crate::{Grid, StudyPart, Verdict, check_row::printed, plots::DisplayUnits};
+use crate::{
+    Grid, Severity, StudyPart, Verdict, check_row::printed, plots::DisplayUnits, shown_dimension,
+};
+
+/// Limits with a load and a capacity.
+fn limits(plan: &Plan) -> impl Iterator<Item = &PlanCheck> {
+    plan.summary.checks.iter().filter(|row| {
+        let check = &row.check;
+        [check.value, check.limit, check.factor, check.required].iter().all(Option::is_some)
+    })
+}
+
+/// The operation in words, or the event of the dynamic part.
+fn operation(row: &PlanCheck) -> String {
+    match row.operation {
+        PlanOperation::Event(event) => format!("{}, dynamics", event.label()),
+        PlanOperation::Kind(kind) => kind.words().to_owned(),
+    }
+}
 
 /// The checks that need attention, the most severe first, then the governing limit of each
-/// operation.
+/// operation that is not among them.
 pub(super) fn verdicts(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let heads = ["verdict", "operation", "friction", "bit at", "finding"];
     let heads = heads.map(|name| head(name, true)).into();
-    let row = |found: &PlanVerdict| {
+    let (checks, governing) = (&plan.summary.checks, &plan.summary.governing);
+    let severe = checks.iter().filter(|row| row.check.severity >= Severity::Warning);
+    let mut rows: Vec<&PlanCheck> = severe.collect();
+    rows.sort_by_key(|row| std::cmp::Reverse(row.check.severity));
+    let others: Vec<&PlanCheck> = governing.iter().filter(|row| !rows.contains(row)).collect();
+    rows.extend(others);
+    let row = |row: &PlanCheck| {
         let plain = |text: String| (text, Verdict::None);
-        let governs = if found.governs { ", governs" } else { "" };
+        let check = &row.check;
+        let governs = if governing.contains(row) { ", governs" } else { "" };
         vec![
-            (format!("{}{governs}", found.verdict), Verdict::Judged(found.severity)),
-            plain(format!("{}, {}", found.operation, found.model)),
-            plain(found.friction.name().to_owned()),
-            plain(display.depth(found.bit_depth_m)),
-            plain(printed(display.chosen::<String>(&found.sentences))),
+            (format!("{}{governs}", check.verdict.words()), Verdict::Judged(check.severity)),
+            plain(format!("{}, {}", operation(row), row.model)),
+            plain(row.friction.name().to_owned()),
+            plain(display.depth(row.bit_depth_m)),
+            plain(printed(&check.sentence_in(display.unit_set()))),
         ]
     };
-    let rows: Vec<_> = plan.checks.iter().map(row).collect();
+    let rows: Vec<_> = rows.into_iter().map(row).collect();
     let caption = "Errors first, then warnings: the most severe check of each kind and operation, \
         over all models, depths and frictions. The limit that governs an operation has the least \
         reserve among those that break something or stop it.";
@@ -31,11 +58,11 @@ pub(super) fn verdicts(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPa
 }
 
 /// Kinds in their order.
-fn kinds(plan: &Plan) -> Vec<&str> {
-    let mut kinds: Vec<&str> = Vec::new();
-    for limit in &plan.limits {
-        if !kinds.contains(&limit.kind.as_str()) {
-            kinds.push(&limit.kind);
+fn kinds(plan: &Plan) -> Vec<CheckKind> {
+    let mut kinds: Vec<CheckKind> = Vec::new();
+    for limit in limits(plan) {
+        if !kinds.contains(&limit.check.kind) {
+            kinds.push(limit.check.kind);
         }
     }
     kinds
@@ -43,24 +70,26 @@ fn kinds(plan: &Plan) -> Vec<&str> {
 
 /// A row for each kind, a column for each operation: the least factor of all depths and frictions.
 pub(super) fn factors(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    let mut operations: Vec<&str> =
-        plan.operations().into_iter().map(OperationKind::words).collect();
-    for limit in &plan.limits {
-        if !operations.contains(&limit.operation.as_str()) {
-            operations.push(&limit.operation);
+    let words = |operation: OperationKind| operation.words().to_owned();
+    let mut operations: Vec<String> = plan.operations().map(words).collect();
+    for operation in limits(plan).map(operation) {
+        if !operations.contains(&operation) {
+            operations.push(operation);
         }
     }
     let mut heads = vec![head("limit", true), head("required", false)];
-    heads.extend(operations.iter().map(|operation| head((*operation).to_owned(), false)));
-    let row = |kind: &str| {
-        let of_kind = || plan.limits.iter().filter(|limit| limit.kind == kind);
-        let required = of_kind().next().map_or(f64::NAN, |of_kind| of_kind.required);
-        let mut cells = vec![(kind.to_owned(), Verdict::None), (two(required), Verdict::None)];
-        cells.extend(operations.iter().map(|operation| {
-            match of_kind().find(|of_kind| of_kind.operation == *operation) {
-                Some(row) => {
-                    (format!("{} {}", two(row.factor), row.verdict), Verdict::Judged(row.severity))
-                }
+    heads.extend(operations.iter().map(|operation| head(operation.clone(), false)));
+    let row = |kind: CheckKind| {
+        let of_kind = || limits(plan).filter(|limit| limit.check.kind == kind);
+        let required = of_kind().next().and_then(|limit| limit.check.required);
+        let mut cells =
+            vec![(kind.label().to_owned(), Verdict::None), (two(required), Verdict::None)];
+        cells.extend(operations.iter().map(|words| {
+            match of_kind().find(|limit| operation(limit) == *words) {
+                Some(PlanCheck { check, .. }) => (
+                    format!("{} {}", two(check.factor), check.verdict.words()),
+                    Verdict::Judged(check.severity),
+                ),
                 None => (String::new(), Verdict::None),
             }
         }));
@@ -71,7 +100,8 @@ pub(super) fn factors(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPar
         the required factor is met by less than a tenth; exceeded: the load is larger than the \
         capacity. An empty cell: no load."
         .to_owned();
-    let unchecked = display.chosen(&plan.unchecked);
+    let unchecked = plan.texts(&plan.summary.unchecked, display.unit_set());
+    let unchecked: Vec<String> = unchecked.collect();
     if !unchecked.is_empty() {
         caption += &format!(" Not checked for want of data: {}.", unchecked.join("; "));
     }
@@ -92,40 +122,42 @@ pub(super) fn nearest(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPar
         head("factor", false),
         head("required", false),
     ];
-    let least = |kind: &str| {
-        let of_kind = plan.limits.iter().filter(|limit| limit.kind == kind);
-        of_kind.min_by(|a, b| reserve(a).total_cmp(&reserve(b)))
+    let least = |kind: CheckKind| {
+        let of_kind = limits(plan).filter(|limit| limit.check.kind == kind);
+        of_kind.min_by(|a, b| a.check.reserve().total_cmp(&b.check.reserve()))
     };
-    let mut nearest: Vec<&PlanLimitRow> = kinds(plan).into_iter().filter_map(least).collect();
-    let order = |row: &PlanLimitRow| (!row.breaks, reserve(row));
+    let mut nearest: Vec<&PlanCheck> = kinds(plan).into_iter().filter_map(least).collect();
     nearest.sort_by(|a, b| {
-        let ((a, of_a), (b, of_b)) = (order(a), order(b));
-        a.cmp(&b).then(of_a.total_cmp(&of_b))
+        let [(a_continues, a_reserve), (b_continues, b_reserve)] =
+            [a, b].map(|row| (!row.check.kind.stops(), row.check.reserve()));
+        a_continues.cmp(&b_continues).then(a_reserve.total_cmp(&b_reserve))
     });
-    let row = |row: &PlanLimitRow| {
-        let place = match row.md_m {
-            Some(md_m) => format!("{}, {}", row.component, display.depth(md_m)),
+    let row = |row: &PlanCheck| {
+        let check = &row.check;
+        let place = match check.md_m {
+            Some(md_m) => {
+                let component = check.component.as_deref().unwrap_or_default();
+                format!("{component}, {}", display.depth(md_m))
+            }
             None => "whole string, rig".to_owned(),
         };
-        let quantity = |si: f64| {
-            format!(
-                "{} {}",
-                four(display.value(si, &row.dimension)),
-                display.symbol(&row.dimension)
-            )
+        let dimension = shown_dimension(check.kind.quantity());
+        let quantity = |si: Option<f64>| {
+            let value = display.value(si.unwrap_or(f64::NAN), dimension);
+            format!("{} {}", four(value), display.symbol(dimension))
         };
         let plain = |text: String| (text, Verdict::None);
         vec![
-            plain(row.kind.clone()),
-            (row.verdict.clone(), Verdict::Judged(row.severity)),
-            plain(row.operation.clone()),
+            plain(check.kind.label().to_owned()),
+            (check.verdict.words().to_owned(), Verdict::Judged(check.severity)),
+            plain(operation(row)),
             plain(row.friction.name().to_owned()),
             plain(place),
             plain(display.depth(row.bit_depth_m)),
-            plain(quantity(row.load)),
-            plain(quantity(row.capacity)),
-            plain(two(row.factor)),
-            plain(two(row.required)),
+            plain(quantity(check.value)),
+            plain(quantity(check.limit)),
+            plain(two(check.factor)),
+            plain(two(check.required)),
         ]
     };
     let rows: Vec<_> = nearest.into_iter().map(row).collect();
@@ -135,16 +167,12 @@ pub(super) fn nearest(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPar
     (!rows.is_empty()).then(|| part("Nearest limits", caption.to_owned(), Grid { heads, rows }))
 }
 
-fn reserve(row: &PlanLimitRow) -> f64 {
-    row.factor / row.required
-}
-
 /// A factor in two decimals; large ones as "over 100".
-fn two(factor: f64) -> String {
-    match factor {
-        factor if factor.is_nan() => "–".to_owned(),
-        factor if factor >= 100.0 => "over 100".to_owned(),
-        factor => format!("{factor:.2}"),
+fn two(factor: Option<f64>) -> String {
+    match factor.filter(|factor| !factor.is_nan()) {
+        None => "–".to_owned(),
+        Some(factor) if factor >= 100.0 => "over 100".to_owned(),
+        Some(factor) => format!("{factor:.2}"),
     }
 }
 

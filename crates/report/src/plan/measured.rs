@@ -73,12 +73,15 @@ pub(super) fn keys(plan: &Plan, operations: &[OperationKind], dimension: &str) -
 
 /// Every reading once.
 fn first_model(plan: &Plan) -> impl Iterator<Item = &PlanMeasured> {
-    plan.measured.iter().filter(|measured| plan.models.first() == Some(&measured.model))
+    plan.summary
+        .measured
+        .iter()
+        .filter(|measured| plan.summary.models.first() == Some(&measured.model))
 }
 
 /// Every reading with its predictions.
 pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    if plan.measured.is_empty() {
+    if plan.summary.measured.is_empty() {
         return None;
     }
     let mut heads = vec![
@@ -91,7 +94,7 @@ pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart>
     ];
     heads.extend(["low friction", "expected", "high", "residual"].map(|name| head(name, false)));
     heads.push(head("between", true));
-    let rows = plan.measured.iter().map(|measured| {
+    let rows = plan.summary.measured.iter().map(|measured| {
         let dimension = dimension_of(measured);
         let number = |value: f64| four(display.value(value, dimension));
         let weight = if measured.block_N > 0.0 { "weight with block" } else { "weight" };

@@ -25,7 +25,7 @@ pub(super) fn marks(
     operations: &[OperationKind],
     dimension: &str,
 ) -> Vec<Mark> {
-    let Some(overlay) = &plan.overlay else { return Vec::new() };
+    let Some(overlay) = &plan.summary.overlay else { return Vec::new() };
     let mut marks = Vec::new();
     let mut longest: Option<(f64, f64)> = None;
     for operation in operations {
@@ -48,7 +48,7 @@ pub(super) fn marks(
 
 /// Name of the line.
 pub(super) fn keys(plan: &Plan, operations: &[OperationKind], dimension: &str) -> Option<Key> {
-    let overlay = plan.overlay.as_ref()?;
+    let overlay = plan.summary.overlay.as_ref()?;
     let mut rows = operations.iter().flat_map(|operation| first_model(plan, *operation, dimension));
     rows.next()?;
     let name = format!("another program: {}", overlay.file);
@@ -61,9 +61,9 @@ fn first_model<'a>(
     operation: OperationKind,
     dimension: &'a str,
 ) -> impl Iterator<Item = &'a PlanOverlayRow> {
-    let rows = plan.overlay.iter().flat_map(|overlay| &overlay.rows);
+    let rows = plan.summary.overlay.iter().flat_map(|overlay| &overlay.rows);
     rows.filter(move |row| {
-        plan.models.first() == Some(&row.model)
+        plan.summary.models.first() == Some(&row.model)
             && row.operation == operation
             && (if row.is_torque { "torque" } else { "force" }) == dimension
     })
@@ -71,7 +71,7 @@ fn first_model<'a>(
 
 /// Description of the lines below the picture of hook loads, or of torques.
 pub(super) fn caption(plan: &Plan, is_torque: bool) -> String {
-    let Some(overlay) = &plan.overlay else { return String::new() };
+    let Some(overlay) = &plan.summary.overlay else { return String::new() };
     let block = match is_torque {
         true => "",
         false => "; hook loads that include the block's weight are to the right by it",
@@ -82,7 +82,7 @@ pub(super) fn caption(plan: &Plan, is_torque: bool) -> String {
 
 /// The differences of our curves from theirs in each operation.
 pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    let overlay = plan.overlay.as_ref()?;
+    let overlay = plan.summary.overlay.as_ref()?;
     let heads = vec![
         head("operation", true),
         head("model", true),

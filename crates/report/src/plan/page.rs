@@ -58,14 +58,14 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     let display = DisplayUnits::new(&plan.head.dimensions, units);
     let facts = plan.head.facts.iter().filter_map(|fact| display.fact(fact));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
-    if let Some(message) = &plan.message {
+    if let Some(message) = plan.message() {
         description += &format!("\n\n{message}");
     }
     let plots = plan_plots(plan, units);
     let pictures = PICTURES.iter().filter_map(|(name, title, caption)| {
         let plot = plots.iter().find(|plot| plot.name == *name)?;
         let is_broomstick = ["hook_load", "torque"].contains(name);
-        let measured = match !plan.measured.is_empty() && is_broomstick {
+        let measured = match !plan.summary.measured.is_empty() && is_broomstick {
             true => " Diamonds: readings, grey where they are held out.",
             false => "",
         };

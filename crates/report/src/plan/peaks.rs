@@ -1,8 +1,13 @@
 //! Peaks of a string that is set in motion: their picture and their table.
 
+use wholestring::operation::Event;
+use wholestring_results::{PlanPeak, PlanPeakOf};
+
 use super::{
-    FAR, Plan, PlanEvent, PlanPeakRow, broomstick::STROKES, surface_limit_is_near,
-    surface_limit_title,
+    Plan,
+    histories::History,
+    levels::STROKES,
+    surface::{FAR, surface_limit_is_near, surface_limit_title},
 };
 use crate::digits::four;
 use crate::grid_cells::{head, row};
@@ -21,32 +26,48 @@ const POINTS: usize = 600;
 struct Shows {
     title: &'static str,
     dimension: &'static str,
-    series: fn(&PlanEvent) -> &[f64],
-    peak: fn(&PlanEvent) -> Option<&PlanPeakRow>,
+    series: fn(&History) -> &[f64],
+    peak: fn(&PlanPeak) -> Option<PlanPeakOf>,
 }
 
 const HOOK: Shows = Shows {
     title: "hook load",
     dimension: "force",
-    series: |event| &event.hook_load_N,
-    peak: |event| event.peaks.iter().find(|peak| peak.quantity == "hook load"),
+    series: |history| &history.hook_load_N,
+    peak: |event| event.hook_load_N,
 };
 const TORQUE: Shows = Shows {
     title: "surface torque",
     dimension: "torque",
-    series: |event| &event.torque_N_m,
-    peak: |event| event.peaks.iter().find(|peak| peak.quantity == "surface torque"),
+    series: |history| &history.surface_torque_N_m,
+    peak: |event| event.surface_torque_N_m,
 };
 const PUMP: Shows = Shows {
     title: "pump pressure",
     dimension: "pressure",
-    series: |event| &event.pump_Pa,
-    peak: |event| event.peaks.iter().find(|peak| peak.quantity == "pump pressure"),
+    series: |history| &history.pump_pressure_Pa,
+    peak: |event| event.pump_pressure_Pa,
 };
+
+/// Quantities of an event, in their order.
+const QUANTITIES: [Shows; 3] = [HOOK, TORQUE, PUMP];
+
+/// Name of an event: `pick-up from slips`.
+fn name(event: &PlanPeak) -> &str {
+    match Event::from_name(&event.event) {
+        Some(event) => event.label(),
+        None => &event.event,
+    }
+}
+
+/// Pressure that breaks the gel, Pa, where it is known.
+fn gel_Pa(event: &PlanPeak) -> Option<f64> {
+    event.gel.map(|gel| gel.bore_Pa + gel.annulus_Pa)
+}
 
 /// Depths of the events, increasing.
 fn depths_m(plan: &Plan) -> Vec<f64> {
-    let mut depths: Vec<f64> = plan.events.iter().map(|event| event.bit_depth_m).collect();
+    let mut depths: Vec<f64> = plan.summary.peaks.iter().map(|event| event.bit_depth_m).collect();
     depths.sort_by(f64::total_cmp);
     depths.dedup();
     depths
@@ -55,9 +76,9 @@ fn depths_m(plan: &Plan) -> Vec<f64> {
 /// Names of the events, in their order.
 fn names(plan: &Plan) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
-    for event in &plan.events {
-        if !names.contains(&event.name.as_str()) {
-            names.push(&event.name);
+    for event in plan.summary.peaks.iter().map(name) {
+        if !names.contains(&event) {
+            names.push(event);
         }
     }
     names
@@ -67,16 +88,16 @@ fn names(plan: &Plan) -> Vec<&str> {
 /// starts.
 pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
     let mut panels = Vec::new();
-    for name in names(plan) {
-        for shows in [HOOK, TORQUE, PUMP] {
+    for title in names(plan) {
+        for shows in QUANTITIES {
             // A string that rotates without axial motion has no change of hook load.
-            let is_shown = |event: &&PlanEvent| {
-                let turns = (TORQUE.peak)(event).is_some() && shows.dimension == "force";
-                event.name == name && (shows.peak)(event).is_some() && !turns
+            let is_shown = |(event, _): &(&PlanPeak, &History)| {
+                let turns = event.surface_torque_N_m.is_some() && shows.dimension == "force";
+                name(event) == title && (shows.peak)(event).is_some() && !turns
             };
-            let events: Vec<&PlanEvent> = plan.events.iter().filter(is_shown).collect();
+            let events: Vec<_> = plan.events().filter(is_shown).collect();
             if !events.is_empty() {
-                panels.push(panel(plan, display, name, shows, &events));
+                panels.push(panel(plan, display, title, shows, &events));
             }
         }
     }
@@ -87,14 +108,13 @@ pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
         name: format!("bit at {}", display.quantity(depth_m.round(), "length")),
         sample: Sample::Line(Ink::Line(place), STROKES[1]),
     });
-    let mut levels: Vec<usize> = plan.events.iter().map(|event| event.level).collect();
-    levels.sort_unstable();
-    levels.dedup();
-    let several = levels.len() > 1;
-    let levels = levels.into_iter().filter(|_| several).filter_map(|level| {
-        let levels = plan.levels.get(level)?;
-        let name = format!("{} friction, {}", levels.name, levels.label);
-        Some(Key { name, sample: Sample::Line(Ink::Note, STROKES[level % STROKES.len()]) })
+    let levels = plan.levels.iter();
+    let levels = levels
+        .filter(|level| plan.summary.peaks.iter().any(|event| event.friction == level.friction));
+    let several = levels.clone().count() > 1;
+    let levels = levels.filter(|_| several).map(|level| {
+        let name = format!("{} friction, {}", level.name(), level.label);
+        Key { name, sample: Sample::Line(Ink::Note, level.stroke()) }
     });
     let peak = Key { name: "peak".to_owned(), sample: Sample::Point(Ink::Note, Shape::Circle) };
     let keys = depths.chain(levels).chain([peak]).collect();
@@ -112,18 +132,18 @@ pub(super) fn figure(plan: &Plan, display: DisplayUnits<'_>) -> Option<Figure> {
 fn panel(
     plan: &Plan,
     display: DisplayUnits<'_>,
-    name: &str,
+    title: &str,
     shows: Shows,
-    events: &[&PlanEvent],
+    events: &[(&PlanPeak, &History)],
 ) -> Panel {
     let depths = depths_m(plan);
     let mut marks = Vec::new();
     let value = |si: f64| display.value(si, shows.dimension);
     let mut largest: f64 = 0.0;
-    for event in events {
+    for (event, history) in events {
         let place = depths.iter().position(|depth| *depth == event.bit_depth_m).unwrap_or(0);
-        let (ink, stroke) = (Ink::Line(place), STROKES[event.level % STROKES.len()]);
-        let (times_s, thin) = thinned(&event.time_s, &[(shows.series)(event)], POINTS);
+        let (ink, stroke) = (Ink::Line(place), plan.level(event.friction).stroke());
+        let (times_s, thin) = thinned(&history.time_s, &[(shows.series)(history)], POINTS);
         let points = times_s.into_iter().zip(thin.into_iter().flatten());
         let points = points.map(|(time_s, si)| (time_s, value(si))).collect();
         marks.push(Mark::Curve { ink, stroke, points });
@@ -132,7 +152,7 @@ fn panel(
             let points = vec![(peak.time_s, value(peak.peak))];
             marks.push(Mark::Points { ink, shape: Shape::Circle, points });
         }
-        if let (Some(gel_Pa), "pressure") = (event.gel_Pa, shows.dimension) {
+        if let (Some(gel_Pa), "pressure") = (gel_Pa(event), shows.dimension) {
             largest = largest.max(gel_Pa);
             let label = match depths.len() {
                 1 => "gel".to_owned(),
@@ -141,7 +161,8 @@ fn panel(
             marks.push(Mark::OwnRule { at: value(gel_Pa), label });
         }
     }
-    let pump_Pa = plan.mud.as_ref().and_then(|mud| mud.pump_limit_Pa);
+    let has_mud = !plan.summary.hydraulics.is_empty();
+    let pump_Pa = plan.summary.pump_pressure_limit_Pa().filter(|_| has_mud);
     let pump_Pa = pump_Pa.filter(|limit| shows.dimension == "pressure" && *limit <= FAR * largest);
     marks.extend(pump_Pa.map(|at| Mark::OwnRule { at: value(at), label: "limit".to_owned() }));
     let near = plan.surface(shows.dimension).filter(|limit| surface_limit_is_near(limit, largest));
@@ -150,7 +171,7 @@ fn panel(
         label: surface_limit_title(near).to_owned(),
     }));
     let range = if shows.dimension == "force" { Range::Near } else { Range::Zero };
-    let title = format!("{}: {}", capital(name), shows.title);
+    let title = format!("{}: {}", capital(title), shows.title);
     Panel::new(Axis::new(display.label(&title, shows.dimension), range), marks)
 }
 
@@ -177,34 +198,31 @@ pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart>
     let quantity = |si: f64, dimension: &str| {
         format!("{} {}", four(display.value(si, dimension)), display.symbol(dimension))
     };
-    let part = |part: f64| match part.is_nan() {
-        true => String::new(),
-        false => format!("{:.1} %", 100.0 * part),
-    };
     let mut rows = Vec::new();
-    for event in &plan.events {
-        let level = plan.levels.get(event.level).map_or("", |level| level.name.as_str());
+    for event in &plan.summary.peaks {
+        let level = event.friction.name();
         let bit = display.quantity(event.bit_depth_m.round(), "length");
-        let whose =
-            |what: &str| [event.name.clone(), what.to_owned(), level.to_owned(), bit.clone()];
-        for (place, peak) in event.peaks.iter().enumerate() {
+        let first_cells = |title: &str| [name(event), title, level, &bit].map(str::to_owned);
+        let peaks = QUANTITIES.iter().filter_map(|shows| Some((shows, (shows.peak)(event)?)));
+        let peaks: Vec<_> = peaks.collect();
+        for (place, (shows, peak)) in peaks.iter().enumerate() {
             let note =
                 if place == 0 { event.message.clone().unwrap_or_default() } else { String::new() };
             let cells = [
-                quantity(peak.at_rest, &peak.dimension),
-                quantity(peak.peak, &peak.dimension),
+                quantity(peak.at_rest, shows.dimension),
+                quantity(peak.peak, shows.dimension),
                 format!("{:.2}", peak.time_s),
-                quantity(peak.steady, &peak.dimension),
-                if peak.ratio.is_nan() { String::new() } else { format!("{:.3}", peak.ratio) },
-                part(peak.overshoot),
+                quantity(peak.steady, shows.dimension),
+                peak.ratio.map_or_else(String::new, |ratio| format!("{ratio:.3}")),
+                peak.overshoot.map_or_else(String::new, |part| format!("{:.1} %", 100.0 * part)),
                 note,
             ];
-            rows.push(row(whose(peak.quantity).into_iter().chain(cells).collect()));
+            rows.push(row(first_cells(shows.title).into_iter().chain(cells).collect()));
         }
-        if let Some(gel_Pa) = event.gel_Pa {
+        if let Some((gel, gel_Pa)) = event.gel.zip(gel_Pa(event)) {
             let note = format!(
                 "all of the gel at once; lifts the string by {}",
-                quantity(event.gel_lift_N, "force")
+                quantity(gel.lift_N, "force")
             );
             let cells = [
                 String::new(),
@@ -215,12 +233,12 @@ pub(super) fn table(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart>
                 String::new(),
                 note,
             ];
-            rows.push(row(whose("to break the gel").into_iter().chain(cells).collect()));
+            rows.push(row(first_cells("to break the gel").into_iter().chain(cells).collect()));
         }
-        if event.peaks.is_empty() {
+        if peaks.is_empty() {
             let mut cells = vec![String::new(); 7];
             cells[6] = event.message.clone().unwrap_or_default();
-            rows.push(row(whose("no answer").into_iter().chain(cells).collect()));
+            rows.push(row(first_cells("no answer").into_iter().chain(cells).collect()));
         }
     }
     (!rows.is_empty()).then(|| StudyPart::Table {

@@ -3,7 +3,9 @@
 use wholestring_judge::CheckKind;
 use wholestring_results::PlanSurfaceLimit;
 
-use super::FAR;
+/// A limit beyond the curves by more than this factor is written, not drawn, because it would
+/// flatten them.
+pub(super) const FAR: f64 = 1.35;
 
 /// Title of the line of a limit: `hoist`, `pipe, torsion`, ...
 pub fn surface_limit_title(limit: &PlanSurfaceLimit) -> &str {

@@ -1,8 +1,13 @@
 //! Tables of a plan's page.
 
-use wholestring::{operation::OperationKind, outcome::ModelKind};
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::FrictionLevel};
+use wholestring_results::PlanPoint;
 
-use super::{Plan, PlanSpot, mud::STATES};
+use super::{
+    Plan,
+    curves::{buckling_weights_N, hook_load_N, surface_torque_N_m},
+    mud::{STATES, at_shoe_kg_per_m3, has_shoe},
+};
 use crate::digits::four;
 use crate::grid_cells::{head, row};
 use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
@@ -25,8 +30,8 @@ fn part(title: String, caption: &str, grid: Grid, files: &str) -> StudyPart {
 /// The levels of friction.
 pub(super) fn frictions(plan: &Plan) -> StudyPart {
     let heads = vec![head("friction", true), head("coefficients along the hole", true)];
-    let rows =
-        plan.levels.iter().map(|level| row(vec![level.name.clone(), level.sections.join("; ")]));
+    let rows = plan.levels.iter();
+    let rows = rows.map(|level| row(vec![level.name().to_owned(), level.sections.join("; ")]));
     part(
         "Friction".into(),
         "Low, expected and high friction of this plan.",
@@ -37,10 +42,9 @@ pub(super) fn frictions(plan: &Plan) -> StudyPart {
 
 /// Every operation at the deepest depth.
 pub(super) fn at_depth(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    let deepest = |points: &[PlanSpot]| points.last().cloned();
     let depth_m =
-        plan.curves.iter().filter_map(|curve| deepest(&curve.points)).next_back()?.bit_depth_m;
-    let block_N = plan.block_N;
+        plan.curves().filter_map(|curve| curve.points.last().copied()).last()?.bit_depth_m;
+    let block_N = plan.summary.block_weight_N();
     let (force, torque) = (display.symbol("force"), display.symbol("torque"));
     let mut heads = vec![
         head("operation", true),
@@ -54,22 +58,22 @@ pub(super) fn at_depth(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPa
         head("buckling", true),
         head("most severe check", true),
     ]);
-    let rows = plan.curves.iter().filter_map(|curve| {
-        let spot = deepest(&curve.points)?;
-        let level = plan.levels.get(curve.level)?;
+    let rows = plan.curves().filter_map(|curve| {
+        let point = curve.points.last()?;
+        let hook_load_N = hook_load_N(point);
         let quantity = |si: f64, dimension: &str| four(display.value(si, dimension));
         let mut cells = vec![
             curve.operation.words().to_owned(),
-            format!("{}, {}", level.name, level.label),
+            format!("{}, {}", curve.level.name(), curve.level.label),
             curve.model.name().to_owned(),
-            quantity(spot.hook_load_N, "force"),
+            quantity(hook_load_N, "force"),
         ];
-        cells.extend(block_N.map(|block| quantity(spot.hook_load_N + block, "force")));
-        let worst = match &spot.worst {
-            Some((words, severity)) => format!("{}: {words}", severity.name()),
-            None => String::new(),
-        };
-        cells.extend([quantity(spot.torque_N_m, "torque"), spot.buckling.clone(), worst]);
+        cells.extend(block_N.map(|block| quantity(hook_load_N + block, "force")));
+        let worst = point.worst.as_ref().map_or_else(String::new, |worst| {
+            format!("{}: {}", worst.severity.name(), worst.kind.label())
+        });
+        let buckling = point.buckling.clone().unwrap_or_default();
+        cells.extend([quantity(surface_torque_N_m(point), "torque"), buckling, worst]);
         Some(row(cells))
     });
     let grid = Grid { heads, rows: rows.collect() };
@@ -83,8 +87,8 @@ pub(super) fn at_depth(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPa
 /// A number of every operation with every friction against depth, for each model.
 pub(super) fn against_depth(plan: &Plan, display: DisplayUnits<'_>) -> Vec<StudyPart> {
     let mut parts = Vec::new();
-    for model in &plan.models {
-        let hook = grid(plan, display, *model, "force", |spot| spot.hook_load_N, |_| true);
+    for model in &plan.summary.models {
+        let hook = grid(plan, display, *model, "force", hook_load_N, |_| true);
         parts.push(part(
             format!("Hook load without block, {}, {model} string", display.symbol("force")),
             "Against the depth of the bit.",
@@ -92,7 +96,7 @@ pub(super) fn against_depth(plan: &Plan, display: DisplayUnits<'_>) -> Vec<Study
             "plan_broomstick",
         ));
         let torque =
-            grid(plan, display, *model, "torque", |spot| spot.torque_N_m, OperationKind::rotates);
+            grid(plan, display, *model, "torque", surface_torque_N_m, OperationKind::rotates);
         if torque.heads.len() > 1 {
             parts.push(part(
                 format!("Surface torque, {}, {model} string", display.symbol("torque")),
@@ -110,18 +114,17 @@ fn grid(
     display: DisplayUnits<'_>,
     model: ModelKind,
     dimension: &str,
-    spot: fn(&PlanSpot) -> f64,
+    number: fn(&PlanPoint) -> f64,
     is_shown: fn(OperationKind) -> bool,
 ) -> Grid {
     let mut heads = vec![head(format!("bit depth, {}", display.symbol("length")), false)];
     let mut columns = Vec::new();
     // Trip in to the left, trip out to the right, then operations that drill.
-    let mut operations = plan.operations();
+    let mut operations: Vec<OperationKind> = plan.operations().collect();
     operations.sort_by_key(|operation| (operation.on_bottom(), order(*operation)));
     for operation in operations.into_iter().filter(|operation| is_shown(*operation)) {
         for curve in plan.curves_of(model, operation) {
-            let level = plan.levels.get(curve.level).map_or("", |level| &level.label);
-            heads.push(head(format!("{} {level}", operation.words()), false));
+            heads.push(head(format!("{} {}", operation.words(), curve.level.label), false));
             columns.push(curve);
         }
     }
@@ -130,7 +133,7 @@ fn grid(
         let depth_m = columns[0].points[place].bit_depth_m;
         let mut cells = vec![format!("{:.0}", display.value(depth_m, "length"))];
         cells.extend(columns.iter().map(|curve| {
-            let value = curve.points.get(place).map_or(f64::NAN, spot);
+            let value = curve.points.get(place).map_or(f64::NAN, |point| number(point));
             four(display.value(value, dimension))
         }));
         row(cells)
@@ -149,9 +152,9 @@ fn order(operation: OperationKind) -> u8 {
 /// Weights to buckle against depth, with the expected friction.
 pub(super) fn buckling(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let force = display.symbol("force");
-    let expected = plan.levels.len() / 2;
-    let curves: Vec<_> =
-        plan.buckling.iter().filter(|buckling| buckling.level == expected).collect();
+    let curves = plan.buckling_curves();
+    let curves = curves.filter(|curve| curve.level.friction == FrictionLevel::Expected);
+    let curves: Vec<_> = curves.collect();
     let first = curves.first()?;
     let mut heads = vec![head(format!("bit depth, {}", display.symbol("length")), false)];
     for curve in &curves {
@@ -160,9 +163,11 @@ pub(super) fn buckling(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPa
         }
     }
     let rows = (0..first.points.len()).map(|place| {
-        let mut cells = vec![format!("{:.0}", display.value(first.points[place].0, "length"))];
+        let mut cells =
+            vec![format!("{:.0}", display.value(first.points[place].bit_depth_m, "length"))];
         for curve in &curves {
-            let weights_N = curve.points.get(place).map_or([f64::NAN; 2], |point| point.1);
+            let point = curve.points.get(place);
+            let weights_N = point.map_or([f64::NAN; 2], |point| buckling_weights_N(point));
             cells.extend(weights_N.map(|weight| four(display.value(weight, "force"))));
         }
         row(cells)
@@ -174,8 +179,11 @@ pub(super) fn buckling(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPa
 
 /// The mud against depth.
 pub(super) fn mud(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    let mud = plan.mud.as_ref().filter(|mud| !mud.rows.is_empty())?;
-    let has_shoe = mud.rows.iter().any(|row| row.at_shoe_kg_per_m3[0].is_finite());
+    let mud = &plan.summary.hydraulics;
+    if mud.is_empty() {
+        return None;
+    }
+    let has_shoe = has_shoe(mud);
     let mut heads = vec![
         head(format!("bit depth, {}", display.symbol("length")), false),
         head(format!("standpipe, {}", display.symbol("pressure")), false),
@@ -184,14 +192,15 @@ pub(super) fn mud(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
         heads.extend(STATES.iter().map(|state| head(format!("{place}: {state}"), false)));
     }
     let density = |value: f64| four(display.value(value, "density"));
-    let rows = mud.rows.iter().map(|mud_row| {
+    let rows = mud.iter().map(|mud_row| {
         let mut cells = vec![
             format!("{:.0}", display.value(mud_row.bit_depth_m, "length")),
-            four(display.value(mud_row.standpipe_Pa, "pressure")),
+            four(display.value(mud_row.standpipe_pressure_Pa, "pressure")),
         ];
-        cells.extend(mud_row.at_bit_kg_per_m3.map(density));
+        let densities = mud_row.densities().map(|(_, state)| state);
+        cells.extend(densities.map(|state| density(state.bit_kg_per_m3)));
         if has_shoe {
-            cells.extend(mud_row.at_shoe_kg_per_m3.map(density));
+            cells.extend(densities.map(|state| density(at_shoe_kg_per_m3(state))));
         }
         row(cells)
     });
@@ -201,13 +210,22 @@ pub(super) fn mud(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     Some(part(title, caption, grid, "plan_hydraulics"))
 }
 
+/// Reason why a point has no answer.
+fn message(plan: &Plan, point: &PlanPoint, display: DisplayUnits<'_>) -> Option<String> {
+    let message = point.message.as_ref()?;
+    Some(match &point.worst {
+        Some(worst) if worst.sentence == *message => worst.sentence_in(display.unit_set()),
+        _ => plan.summary.texts.in_units(message, display.unit_set()),
+    })
+}
+
 /// Points without an answer, and the reasons.
 pub(super) fn without_answer(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
     let mut reasons: Vec<(String, usize)> = Vec::new();
-    for curve in &plan.curves {
-        for message in curve.points.iter().filter_map(|spot| spot.message.as_ref()) {
-            let message = display.chosen(message);
-            let level = plan.levels.get(curve.level).map_or("", |level| &level.name);
+    for curve in plan.curves() {
+        for point in &curve.points {
+            let Some(message) = message(plan, point, display) else { continue };
+            let level = curve.level.name();
             let operation = curve.operation.words().to_owned();
             let text = format!("{operation}, {level} friction, {} string: {message}", curve.model);
             match reasons.iter_mut().find(|(reason, _)| *reason == text) {

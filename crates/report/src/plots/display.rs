@@ -28,11 +28,6 @@ impl<'a> DisplayUnits<'a> {
         UNIT_SETS[self.set]
     }
 
-    /// Selects the value of the reader's set of units.
-    pub(crate) fn chosen<'t, T>(&self, sets: &'t [T; 3]) -> &'t T {
-        &sets[self.set]
-    }
-
     fn unit(&self, dimension: &str) -> Option<&'a DisplayUnit> {
         Some(&self.dimensions.get(dimension)?[self.set])
     }

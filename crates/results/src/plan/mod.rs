@@ -10,6 +10,7 @@ mod measured;
 mod operation;
 mod overlay;
 mod peaks;
+mod settings;
 mod surface;
 
 pub use broomstick::{PLAN_BROOMSTICK, PlanPoint, plan_broomstick_table};
@@ -113,7 +114,7 @@ pub struct PlanSummary {
 impl PlanSummary {
     /// A row for each point.
     pub fn broomstick_table(&self) -> Table {
-        plan_broomstick_table(&self.points, self.settings["rig"]["block_weight_N"].as_f64())
+        plan_broomstick_table(&self.points, self.block_weight_N())
     }
 
     /// A row for each weight to buckle.

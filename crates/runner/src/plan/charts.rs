@@ -3,11 +3,9 @@
 use wholestring::{operation::OperationKind, well::FrictionLevel};
 use wholestring_report::{
     Cells, FRICTION_STROKES, Sheet, WorkbookChart, WorkbookSeries, figure::Stroke,
-    operation_colour, surface_limit_is_near, surface_limit_title,
+    operation_colour, plan_friction_label, surface_limit_is_near, surface_limit_title,
 };
 use wholestring_results::{PlanMeasured, PlanOverlayRow, PlanSummary};
-
-use super::levels::label;
 
 /// Names of the sheets with data of charts.
 pub(super) const BROOMSTICK: &str = "Broomstick";
@@ -111,7 +109,7 @@ fn broomstick(
     for operation in shown(summary, is_shown) {
         for (stroke, level) in FRICTION_STROKES.into_iter().zip(FrictionLevel::ALL) {
             let rows = rows(summary, sheet, operation, level);
-            let title = format!("{} {}", operation.words(), label(summary, level));
+            let title = format!("{} {}", operation.words(), plan_friction_label(summary, level));
             all.extend(series(sheet, title, heading, rows).map(|series| WorkbookSeries {
                 colour: operation_colour(operation),
                 stroke: Some(stroke),
@@ -236,7 +234,11 @@ fn buckling(summary: &PlanSummary, sheet: &Sheet) -> Vec<WorkbookSeries> {
             for (shape, heading) in [("sinusoid", "sinusoidal weight"), ("helix", "helical weight")]
             {
                 let rows = rows(summary, sheet, operation, level);
-                let title = format!("{}, {shape} {}", operation.words(), label(summary, level));
+                let title = format!(
+                    "{}, {shape} {}",
+                    operation.words(),
+                    plan_friction_label(summary, level)
+                );
                 // Two colours for each operation.
                 let colour = 2 * usize::from(operation == OperationKind::Slide)
                     + usize::from(shape == "helix");

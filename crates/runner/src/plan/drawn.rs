@@ -5,7 +5,6 @@ use wholestring_results::{
     Column, Data, PlanMeasured, PlanOverlayRow, PlanPoint, PlanSummary, Table, UncertainBand,
 };
 
-use super::{mud, weight};
 use crate::picture_table::{Entry, Row, with_lines, with_rows};
 
 /// Curves of another program in rows below the plan's, with a column for each operation.
@@ -48,12 +47,10 @@ fn with_limits(summary: &PlanSummary, table: &Table, quantity: &str, is_torque: 
 
 /// The mud at rest and the limit of the pump next to the curves of the mud.
 pub(super) fn with_mud(summary: &PlanSummary, table: &Table) -> Table {
-    let Some(mud) = mud::shown(summary) else { return table.clone() };
-    let pump = mud
-        .pump_limit_Pa
-        .map(|pump_limit_Pa| ("pump_limit_standpipe_pressure_Pa".to_owned(), pump_limit_Pa));
-    let mut lines = vec![("mud_density_kg_per_m3".to_owned(), mud.density_kg_per_m3)];
-    lines.extend(pump);
+    let mud_kg_per_m3 = summary.mud_density_kg_per_m3().unwrap_or(f64::NAN);
+    let mut lines = vec![("mud_density_kg_per_m3".to_owned(), mud_kg_per_m3)];
+    let pump_Pa = summary.pump_pressure_limit_Pa();
+    lines.extend(pump_Pa.map(|pump_Pa| ("pump_limit_standpipe_pressure_Pa".to_owned(), pump_Pa)));
     with_lines(table, &lines)
 }
 
@@ -84,7 +81,7 @@ pub(super) fn with_peaks(summary: &PlanSummary, table: &Table) -> Table {
         }
     }
     let table = with_rows(table, &rows);
-    let pump_Pa = summary.settings["rig"]["pump_pressure_limit_Pa"].as_f64();
+    let pump_Pa = summary.pump_pressure_limit_Pa();
     let pump_Pa = pump_Pa.map(|pump_Pa| ("pump_limit_pump_pressure_Pa".to_owned(), pump_Pa));
     let table = with_lines(&table, &Vec::from_iter(pump_Pa));
     let table = with_limits(summary, &table, "hook_load_N", false);
@@ -192,7 +189,7 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         }
     }
     // The case's weight on bit while drilling.
-    let of_case = weight::on_bit_N(summary).filter(|weight_N| *weight_N > 0.0);
+    let of_case = summary.weight_on_bit_N().filter(|weight_N| *weight_N > 0.0);
     let of_case: Vec<_> =
         of_case.map(|weight_N| ("case_weight_on_bit_N".to_owned(), weight_N)).into_iter().collect();
     [

@@ -3,8 +3,7 @@
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_case::Case;
 use wholestring_plan::hydraulics::{EquivalentDensity, HydraulicsError, HydraulicsRow, hydraulics};
-use wholestring_report::{PlanMud, PlanMudRow};
-use wholestring_results::{PlanDensity, PlanHydraulics, PlanSummary};
+use wholestring_results::{PlanDensity, PlanHydraulics};
 
 /// A row for each depth of the plan.
 ///
@@ -45,28 +44,5 @@ fn row(operation: &Operation, row: &HydraulicsRow) -> PlanHydraulics {
         surge_open,
         swab_closed,
         swab_open,
-    }
-}
-
-/// The same in the form of the page.
-pub(super) fn shown(summary: &PlanSummary) -> Option<PlanMud> {
-    let first = summary.hydraulics.first()?;
-    let settings = &summary.settings;
-    Some(PlanMud {
-        operation: first.operation,
-        density_kg_per_m3: settings["mud"]["density_kg_per_m3"].as_f64().unwrap_or(f64::NAN),
-        pump_limit_Pa: settings["rig"]["pump_pressure_limit_Pa"].as_f64(),
-        rows: summary.hydraulics.iter().map(spot).collect(),
-    })
-}
-
-fn spot(hydraulics: &PlanHydraulics) -> PlanMudRow {
-    PlanMudRow {
-        bit_depth_m: hydraulics.bit_depth_m,
-        standpipe_Pa: hydraulics.standpipe_pressure_Pa,
-        at_shoe_kg_per_m3: hydraulics
-            .densities()
-            .map(|(_, at)| at.shoe_kg_per_m3.unwrap_or(f64::NAN)),
-        at_bit_kg_per_m3: hydraulics.densities().map(|(_, at)| at.bit_kg_per_m3),
     }
 }
