@@ -17,8 +17,9 @@ const BELOW: f64 = -25.0;
 /// A margin that never falls below this is not drawn: its limit is far at every depth.
 const FAR: f64 = 0.999;
 
-/// Colours of the limits: those of lines first, because there are seldom more limits than these.
-pub(super) const INKS: [Ink; 10] = [
+/// Colours of the limits: those of lines first. Without the beginnings of buckling there are eight
+/// limits, nine where the string counts as stopped by a helix.
+pub(super) const INKS: [Ink; 9] = [
     Ink::Line(0),
     Ink::Line(1),
     Ink::Line(2),
@@ -28,7 +29,6 @@ pub(super) const INKS: [Ink; 10] = [
     Ink::Line(6),
     Ink::Rock,
     Ink::Casing,
-    Ink::Text,
 ];
 
 /// Names of the pictures of a reach.
@@ -48,14 +48,15 @@ pub fn reach_plots(reach: &Reach, units: &str) -> Vec<Plot> {
 fn margins(reach: &Reach, units: &str) -> Figure {
     let display = DisplayUnits::new(&reach.head.dimensions, units);
     let operations = distinct(reach.curves.iter().map(|curve| curve.operation));
-    let is_title =
-        |title: &&str| reach.curves.iter().any(|curve| curve.limit == *title && is_drawn(curve));
+    let is_title = |title: &&str| {
+        reach.curves.iter().any(|curve| curve.limit == *title && is_drawn(reach, curve))
+    };
     // The order of the colours.
     let drawn_titles: Vec<&str> =
         Limit::ALL.iter().map(|limit| limit.title()).filter(is_title).collect();
     let ink = |limit: &str| {
         let place = drawn_titles.iter().position(|title| *title == limit);
-        INKS[place.unwrap_or(0) % INKS.len()]
+        place.map_or(Ink::Note, |place| INKS[place % INKS.len()])
     };
     let panels = operations.iter().map(|operation| {
         let mut marks = vec![Mark::OwnRule { at: 0.0, label: String::new() }];
@@ -65,7 +66,7 @@ fn margins(reach: &Reach, units: &str) -> Figure {
         });
         marks.extend(scatter(scattered.collect(), display, &ink));
         let curves = reach.curves.iter().filter(|curve| curve.operation == *operation);
-        for curve in curves.filter(|curve| is_drawn(curve)) {
+        for curve in curves.filter(|curve| is_drawn(reach, curve)) {
             let (ink, stroke) = (ink(&curve.limit), Stroke::of(curve.friction));
             marks.push(Mark::Curve { ink, stroke, points: visible(curve, display) });
         }
@@ -97,6 +98,10 @@ fn margins(reach: &Reach, units: &str) -> Figure {
             let sample = Sample::Line(Ink::Note, Stroke::of(number));
             keys.push(Key { name: sentences::friction(friction), sample });
         }
+    }
+    if reach.limits().any(|(_, limit)| limit.depth_m.is_some() && begins(reach, &limit.title)) {
+        let sample = Sample::Point(Ink::Note, Shape::Circle);
+        keys.push(Key { name: "buckling begins".into(), sample });
     }
     if reach.limits().any(|(friction, limit)| is_first(friction, limit)) {
         let sample = Sample::Point(Ink::Text, Shape::Diamond);
@@ -155,9 +160,17 @@ fn scatter(
     marks
 }
 
-/// Whether a curve falls at all, or its string is locked up.
-fn is_drawn(curve: &ReachCurve) -> bool {
-    curve.points.iter().any(|(_, margin)| margin.is_nan() || *margin < FAR)
+/// Whether a curve falls at all, or its string is locked up. Buckling that the string survives has
+/// a point where it begins, and no curve.
+fn is_drawn(reach: &Reach, curve: &ReachCurve) -> bool {
+    let falls = curve.points.iter().any(|(_, margin)| margin.is_nan() || *margin < FAR);
+    falls && !begins(reach, &curve.limit)
+}
+
+/// Whether a limit is the beginning of buckling that stops no operation.
+fn begins(reach: &Reach, title: &str) -> bool {
+    let buckles = Limit::ALL.iter().any(|limit| limit.title() == title && !limit.stops());
+    buckles && !reach.limits().any(|(_, limit)| limit.title == title && limit.stops)
 }
 
 /// A curve up to the edge of the frame, per cent.

@@ -18,9 +18,11 @@ const ABOUT: &str = "The well is continued in its last direction, and the string
 
 /// Caption of the picture of the margins.
 const MARGINS: &str = "A colour for each limit, a stroke for each friction factor. A limit is \
-    reached where its curve is zero; the diamond marks the limit that stops the well first. For \
-    uncertain numbers, a band and a bar contain 90 % of the samples: the band those of the margins \
-    of limits that stop the well, the bar those of the depth where the limit is reached.";
+    reached where its curve is zero; the diamond marks the limit that stops the well first, a \
+    grey point the beginning of buckling that stops nothing. Margins that stay at 100 % have no \
+    curve. For uncertain numbers, a band and a bar contain 90 % of the samples: the band those of \
+    the margins of limits that stop the well, the bar those of the depth where the limit is \
+    reached.";
 
 /// Returns the page as the text of an HTML file. No name in it can end the element that contains
 /// it.

@@ -3,10 +3,11 @@
 use serde_json::json;
 use wholestring::operation::OperationKind;
 use wholestring_judge::{Judge, LimitSettings, Reached};
+use wholestring_plan::reach::Limit;
 use wholestring_results::{REACH, REACH_VERSION, ReachCheck, ReachStop};
 
 use super::*;
-use crate::figure::{Mark, Shape};
+use crate::figure::{Ink, Mark, Shape};
 
 const NASTY: &str = "</script><script>alert(1)</script> & \"";
 
@@ -119,6 +120,46 @@ fn curves_and_the_first_stop() {
         if *shape == Shape::Diamond && points[..] == [(5000.0, 0.0)])
     });
     assert!(named && marked);
+}
+
+/// A helix that the string survives has a grey point where it begins, and a curve only where it
+/// counts as a stop.
+#[test]
+fn buckling_that_stops_nothing_has_no_curve() {
+    let with_helix = |stops: bool| {
+        let mut summary = summary();
+        let limits = &mut summary.frictions[1].limits;
+        let helix = ReachLimit {
+            limit: Limit::Helix.name().into(),
+            title: Limit::Helix.title().into(),
+            stops,
+            depth_m: Some(4000.0),
+            ..limits[0].clone()
+        };
+        limits.push(helix);
+        let mut table = margins();
+        for step in (0..11).map(f64::from) {
+            table.append(
+                &[("operation", &["drill"]), ("limit", &[Limit::Helix.name()])],
+                &[
+                    ("friction", &[0.4]),
+                    ("bit_depth_m", &[1000.0 * step]),
+                    ("margin", &[1.0 - 0.25 * step]),
+                ],
+            );
+        }
+        let reach = Reach::new(summary, &table, Path::new("reach.parquet"), None);
+        let plots = reach_plots(&reach.expect("operations"), "si");
+        let marks = &plots[0].figure.panels[0].marks;
+        let curves = marks.iter().filter(|mark| matches!(mark, Mark::Curve { .. })).count();
+        let begins = marks.iter().any(|mark| {
+            matches!(mark, Mark::Points { ink: Ink::Note, points, .. }
+            if points[..] == [(4000.0, 0.0)])
+        });
+        (curves, begins)
+    };
+    assert_eq!(with_helix(false), (2, true));
+    assert_eq!(with_helix(true), (3, false));
 }
 
 #[test]
