@@ -49,8 +49,8 @@ rows! {
         message: String, "Reason why there is no equilibrium; empty where there is one";
         found: Option<BhaFound>, "The equilibrium; none where none was found", columns {
             side_force_high_N = |found| found.side_force_N[0] => Force,
-                "Side force of the bit on the rock towards the high side; this and the following are \
-                 `null` without an equilibrium",
+                "Side force of the bit on the rock towards the high side; this and the following \
+                 are `null` without an equilibrium",
                 null_where "there is no equilibrium";
             side_force_right_N = |found| found.side_force_N[1] => Force,
                 "The same to the right, looking down the hole; or `null`",
@@ -69,14 +69,14 @@ rows! {
                 "Correction of the first survey sensor's inclination; `null` without a sensor",
                 null_where "there is no survey sensor";
             sag_azimuth_rad => Angle,
-                "The same of its azimuth; `null` without a sensor and where the hole is within 1° of \
-                 the vertical",
+                "The same of its azimuth; `null` without a sensor and where the hole is within 1° \
+                 of the vertical",
                 null_where "there is no survey sensor or the hole is within 1° of the vertical";
         };
     }
 
-    /// Columns of `bha_sweep.parquet`: the assembly at other tool faces, weights and inclinations, one
-    /// row for each.
+    /// Columns of `bha_sweep.parquet`: the assembly at other tool faces, weights and inclinations,
+    /// one row for each.
     pub const BHA_SWEEP;
 }
 

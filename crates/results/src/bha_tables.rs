@@ -15,8 +15,8 @@ rows! {
         offset_right_m = |node| node.offset_m[1] => Length,
             "The same to the right, looking down the hole";
         tilt_high_rad = |node| node.tilt_rad[0] => Angle,
-            "Tilt of the string's axis downwards against the hole's, towards the high side; at a bend \
-             of the part above it";
+            "Tilt of the string's axis downwards against the hole's, towards the high side; at a \
+             bend of the part above it";
         tilt_right_rad = |node| node.tilt_rad[1] => Angle, "The same to the right";
         push_high_N = |node| node.push_N[0] => Force,
             "Contact force on the wall towards the high side";
@@ -33,8 +33,8 @@ rows! {
             "Largest von Mises stress from here to the next node below";
     }
 
-    /// Columns of `bha.parquet`: the assembly and the pipe that was solved with it, one row per node
-    /// from the bit up.
+    /// Columns of `bha.parquet`: the assembly and the pipe that was solved with it, one row per
+    /// node from the bit up.
     pub const BHA with component: &str;
 }
 
@@ -54,8 +54,8 @@ rows! {
             "Angle of the force from the high side, clockwise looking down the hole";
     }
 
-    /// Columns of `bha_contacts.parquet`: the contacts of the assembly, one row per contact from the
-    /// bit up, the bit first.
+    /// Columns of `bha_contacts.parquet`: the contacts of the assembly, one row per contact from
+    /// the bit up, the bit first.
     pub const BHA_CONTACTS;
 }
 

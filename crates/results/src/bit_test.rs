@@ -71,13 +71,14 @@ rows! {
             weight_borne_N => Force,
                 "Mean weight carried by the rock: the weight on bit less the bit's inertia";
             weight_on_bit_std_N => Force,
-                "Standard deviation of the weight carried by the rock, of means over `averaging_time_s`";
+                "Standard deviation of the weight carried by the rock, of means over \
+                 `averaging_time_s`";
             specific_energy_Pa => Pressure,
                 "Work of the bit per volume of broken rock; `null` where none broke",
                 null_where "no rock broke";
             mechanical_specific_energy_Pa => Pressure,
-                "Work of the bit per volume of hole, section times advance; `null` where the bit did \
-                 not advance",
+                "Work of the bit per volume of hole, section times advance; `null` where the bit \
+                 did not advance",
                 null_where "the bit did not advance";
             bricks_broken => Ratio, "Elements of the rock broken by the bit";
             kinetic_fraction => Ratio,
@@ -92,7 +93,8 @@ rows! {
             null_where "it did not fail";
     }
 
-    /// Columns of `bit-test.parquet`: the bit alone on its rock, a row for each weight at each speed.
+    /// Columns of `bit-test.parquet`: the bit alone on its rock, a row for each weight at each
+    /// speed.
     pub const BIT_TEST;
 }
 

@@ -152,8 +152,8 @@ rows! {
             "Standard deviation against time; `null` as the mean",
             null_where "it is a weight, or there is no answer";
         steady = |check| check.dynamic.map(|motion| motion.steady) => Words,
-            "Whether the string had settled: `yes` or `no`; empty where the case gives the start of \
-             the window, or there is no answer",
+            "Whether the string had settled: `yes` or `no`; empty where the case gives the start \
+             of the window, or there is no answer",
             null_where "the case gives the start of the window, or there is no answer";
         message: Option<String> => Words, "Reason why there is no answer; else empty",
             null_where "there is an answer";

@@ -134,15 +134,17 @@ rows! {
     pub struct ReachMargin {
         operation: OperationKind => Words, "`trip_out`, `drill`, ...";
         limit: String => Words,
-            "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `push_absorbed`, `make_up`, `torsion`, \
-             `yield_strength`, `helix`, `sinusoid`, `vertical_helix` or `vertical_sinusoid`";
+            "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `push_absorbed`, `make_up`, \
+             `torsion`, `yield_strength`, `helix`, `sinusoid`, `vertical_helix` or \
+             `vertical_sinusoid`";
         friction: Option<f64> => Ratio,
             "Friction factor of all sections, `null` where they have the case's own",
             null_where "the sections have the case's own";
         bit_depth_m: f64 => Depth, "Measured depth of the bit";
         margin: f64 => Ratio,
             "Remaining part of the limit, zero where it is reached and negative beyond; for \
-             `push_absorbed` the part of an added push that reaches the bit; `null` for a string that is locked up",
+             `push_absorbed` the part of an added push that reaches the bit; `null` for a string \
+             that is locked up",
             null_where "the string is locked up";
         force_N: Option<f64> => Force,
             "Force compared with a limit: hook load, with the block for `hoist`, with the push for \
@@ -152,15 +154,16 @@ rows! {
             "Its limit: capacity, zero, critical load; else `null`",
             null_where "the limit is no force, nothing is compressed, or the string is locked up";
         torque_N_m: Option<f64> => Torque,
-            "Torque compared with a limit: at the surface for `top_drive`, at `md_m` for `make_up` and \
-             `torsion`; else `null`",
+            "Torque compared with a limit: at the surface for `top_drive`, at `md_m` for `make_up` \
+             and `torsion`; else `null`",
             null_where "the limit is no torque, or the string is locked up";
         torque_limit_N_m: Option<f64> => Torque,
-            "Its limit: rated torque of the top drive, capacity of connection or pipe, over the required \
-             factor; else `null`",
+            "Its limit: rated torque of the top drive, capacity of connection or pipe, over the \
+             required factor; else `null`",
             null_where "the limit is no torque, or no component with a known capacity turns";
         md_m: Option<f64> => Depth,
-            "Measured depth of the smallest margin in the string, `null` for a limit at the surface",
+            "Measured depth of the smallest margin in the string, `null` for a limit at the \
+             surface",
             null_where "it is a limit at the surface, or nothing is compressed";
     }
 

@@ -18,7 +18,8 @@ rows! {
             null_where "it is a scalar's";
         unit: String => Words, "Unit of the signal";
         frequency_Hz: f64 => Frequency, "Frequency";
-        density: f64 => Ratio, "One-sided power spectral density, square of the signal's unit per Hz";
+        density: f64 => Ratio, "One-sided power spectral density, square of the signal's unit per \
+                                Hz";
     }
 
     /// Columns of `spectra.parquet`: power spectral densities over the window, a row per frequency.

@@ -80,8 +80,8 @@ rows! {
             "1 where all growing motions were followed; 0 where `growth_per_s` is a lower bound of \
              the largest growth";
         stable = |row| StableFrom::from(row.line.threshold).stable => Words,
-            "Stability of this weight: `everywhere` on the map, `from` a speed on, or `nowhere`: not \
-             even at the fastest";
+            "Stability of this weight: `everywhere` on the map, `from` a speed on, or `nowhere`: \
+             not even at the fastest";
         threshold_rad_per_s = |row| StableFrom::from(row.line.threshold).threshold_rad_per_s
             => RotarySpeed,
             "Rotary speed from which it is stable, `null` where it is stable everywhere or nowhere",
@@ -95,8 +95,8 @@ rows! {
              found no equilibrium";
     }
 
-    /// Columns of `stability.parquet`: the map of torsional stability, a row for each rotary speed at
-    /// each weight on bit.
+    /// Columns of `stability.parquet`: the map of torsional stability, a row for each rotary speed
+    /// at each weight on bit.
     pub const STABILITY;
 }
 

@@ -77,11 +77,11 @@ rows! {
         without_answer: usize => Ratio,
             "Samples without an answer, such as a string that locks up: they are not in the band";
         not_met: usize => Ratio,
-            "For a depth: samples whose limit is not met down to the last one; they count with that \
-             depth";
+            "For a depth: samples whose limit is not met down to the last one; they count with \
+             that depth";
         owed: Option<UncertainOwed>,
-            "Sensitivity to the inputs (Sobol indices); none where it was not computed or the number \
-             does not scatter";
+            "Sensitivity to the inputs (Sobol indices); none where it was not computed or the \
+             number does not scatter";
     }
 
     /// Columns of `plan_uncertain.parquet` and `reach_uncertain.parquet`: distribution of the
@@ -148,8 +148,8 @@ rows! {
         samples: usize => Ratio, "Number of samples";
     }
 
-    /// Columns of `reach_uncertain_stops.parquet`: the limits that stop a well first, and the number
-    /// of samples of each; a row for each stop and friction.
+    /// Columns of `reach_uncertain_stops.parquet`: the limits that stop a well first, and the
+    /// number of samples of each; a row for each stop and friction.
     pub const UNCERTAIN_STOPS;
 }
 

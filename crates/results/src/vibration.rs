@@ -10,8 +10,8 @@ rows! {
         number: usize => Ratio, "As in `modes.parquet`";
         md_m: f64 => Depth, "Measured depth of the node";
         high_m: f64 => Length,
-            "Displacement towards the high side, in phase with the largest; the largest is 1 m, for a \
-             torsional mode the largest turn is 1 rad";
+            "Displacement towards the high side, in phase with the largest; the largest is 1 m, \
+             for a torsional mode the largest turn is 1 rad";
         right_m: f64 => Length,
             "Displacement to the right of it as one looks down the hole, in phase";
         high_later_m: f64 => Length,

@@ -69,8 +69,8 @@ fn either(table: &Table, name: &str) -> Vec<f64> {
     weights.into_iter().zip(torques).map(pick).collect()
 }
 
-/// The profile of a parameter in `calibration_profiles.parquet`: value, excess of the sum of squares
-/// at it, and the same of a parabola.
+/// The profile of a parameter in `calibration_profiles.parquet`: value, excess of the sum of
+/// squares at it, and the same of a parabola.
 pub(super) fn profile(table: &Table, parameter: &str) -> Vec<[f64; 3]> {
     let columns = ["value", "excess", "parabola"].map(|name| numbers(table, name));
     let rows = words(table, "parameter").into_iter().enumerate();

@@ -53,9 +53,10 @@ pub fn reach_answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     summary.frictions.iter().map(answer).collect()
 }
 
-/// What the soft string leaves out.
-const SOFT: &str = "The reach is that of the soft string. With its bending stiffness the string may \
-                    lock up at a shallower depth: solve the deepest point with the stiff string too.";
+/// Note on the bending stiffness, which the soft string leaves out.
+const SOFT: &str = "The reach is that of the soft string. With its bending stiffness the string \
+                    may lock up at a shallower depth: solve the deepest point with the stiff \
+                    string too.";
 
 /// Additional notes: the model, the critical inclination, helices without friction, operations that
 /// were left out.

@@ -8,7 +8,8 @@ pub use sentences::stability_sentences;
 
 use wholestring_results::{StabilitySummary, Table};
 
-/// The map of torsional stability as it is drawn. Numbers are SI; one that is not known is not finite.
+/// The map of torsional stability as it is drawn. Numbers are SI; one that is not known is not
+/// finite.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct StabilityPicture {
     /// Rotary speeds, rad/s, increasing.

@@ -24,12 +24,12 @@ rows! {
         bit_depth_m: f64 => Depth, "Measured depth of the bit";
         scalars: Option<Scalars>, "Torque and drag; none where there is no answer", columns {
             hook_load_N => Force,
-                "Tension at the top of the string; block and top drive excluded; this and the other \
-                 numbers are `null` where there is no answer",
+                "Tension at the top of the string; block and top drive excluded; this and the \
+                 other numbers are `null` where there is no answer",
                 null_where "there is no answer";
             hook_load_with_block_N = |scalars| Some(scalars.hook_load_N + block_weight_N?) => Force,
-                "The same with the block, the load of the hoist; `null` where the block's weight is \
-                 not given or there is no answer",
+                "The same with the block, the load of the hoist; `null` where the block's weight \
+                 is not given or there is no answer",
                 null_where "the block's weight is not given or there is no answer";
             surface_torque_N_m => Torque, "Torque at the top of the string, or `null`",
                 null_where "there is no answer";
@@ -54,16 +54,16 @@ rows! {
                 null_where "there is none";
         };
         buckling: Option<String> => Words,
-            "Most severe buckling along the string: `none`, `sinusoidal` or `helical`; empty without \
-             an answer",
+            "Most severe buckling along the string: `none`, `sinusoidal` or `helical`; empty \
+             without an answer",
             null_where "there is no answer";
         worst: Option<Check>,
             "The most severe check that needs attention; for a point without an answer the verdict \
              on it",
             columns {
                 worst_check = |check| check.kind => Words,
-                    "The most severe check, as for a run; for a point without an answer the verdict \
-                     on it; empty where all limits are met",
+                    "The most severe check, as for a run; for a point without an answer the \
+                     verdict on it; empty where all limits are met",
                     null_where "all limits are met";
                 worst_severity = |check| check.severity => Words,
                     "Its severity: `note`, `warning` or `error`, or empty",
@@ -76,8 +76,8 @@ rows! {
             null_where "there is an answer";
     }
 
-    /// Columns of `plan_broomstick.parquet`: a row for each depth of the bit, down the hole, of each
-    /// model, operation and friction.
+    /// Columns of `plan_broomstick.parquet`: a row for each depth of the bit, down the hole, of
+    /// each model, operation and friction.
     pub const PLAN_BROOMSTICK with block_weight_N: Option<f64>;
 }
 

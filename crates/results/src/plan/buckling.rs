@@ -17,8 +17,8 @@ rows! {
         operation: OperationKind => Words as OPERATION, "The operation: `drill` or `slide`";
         bit_depth_m: f64 => Depth, "Measured depth of the bit";
         sinusoidal_weight_N: Option<f64> => Force,
-            "Least weight on bit at which part of the string buckles to a sinusoid, 0 where it does \
-             without any; `null` where no weight does or there is no answer",
+            "Least weight on bit at which part of the string buckles to a sinusoid, 0 where it \
+             does without any; `null` where no weight does or there is no answer",
             null_where "no weight does, or there is no answer";
         helical_weight_N: Option<f64> => Force, "The same for a helix, or `null`",
             null_where "no weight does, or there is no answer";
@@ -26,7 +26,7 @@ rows! {
             null_where "there is an answer";
     }
 
-    /// Columns of `plan_buckling.parquet`: the weight on bit under which the string begins to buckle,
-    /// a row for each depth of the bit, of each operation that drills and each friction.
+    /// Columns of `plan_buckling.parquet`: the weight on bit under which the string begins to
+    /// buckle, a row for each depth of the bit, of each operation that drills and each friction.
     pub const PLAN_BUCKLING;
 }

@@ -48,8 +48,8 @@ rows! {
             "Part of its life used up by the campaign, by Miner's rule; failure at one";
     }
 
-    /// Columns of `plan_fatigue.parquet`: a row for each 10 m of each component, from the bit up, of
-    /// each model.
+    /// Columns of `plan_fatigue.parquet`: a row for each 10 m of each component, from the bit up,
+    /// of each model.
     pub const PLAN_FATIGUE;
 }
 

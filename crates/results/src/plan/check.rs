@@ -33,8 +33,8 @@ rows! {
             factor => Ratio, "Capacity over load";
             required => Ratio, "The required factor";
             verdict => Words,
-                "`OK`, `marginal` (met by less than a tenth), `below required factor` or `exceeded` \
-                 (the load is larger than the capacity)";
+                "`OK`, `marginal` (met by less than a tenth), `below required factor` or \
+                 `exceeded` (the load is larger than the capacity)";
             severity => Words, "`ok`, `note`, `warning` or `error`";
         };
     }

@@ -19,8 +19,8 @@ rows! {
         annulus_loss_Pa: f64 => Pressure, "Friction in the annulus";
         circulating: PlanDensity, "During the operation", columns {
             circulating_shoe_kg_per_m3 = |mud| mud.shoe_kg_per_m3 => Density,
-                "Equivalent density at the deepest casing shoe during the operation; this and the others \
-                 at the shoe are `null` without casing",
+                "Equivalent density at the deepest casing shoe during the operation; this and the \
+                 others at the shoe are `null` without casing",
                 null_where "there is no casing";
             circulating_bit_kg_per_m3 = |mud| mud.bit_kg_per_m3 => Density, "The same at the bit";
         };

@@ -71,8 +71,8 @@ rows! {
             null_where "there is an answer";
     }
 
-    /// Columns of `plan_measured.parquet`: a row for each measured weight and torque, for each model.
-    /// Predictions use the expected friction and the string that was in the hole.
+    /// Columns of `plan_measured.parquet`: a row for each measured weight and torque, for each
+    /// model. Predictions use the expected friction and the string that was in the hole.
     pub const PLAN_MEASURED;
 }
 

@@ -34,8 +34,8 @@ rows! {
         bit_depth_m: f64 => Depth, "Measured depth of the bit";
         theirs: f64, "Their value, as in the file";
         ours: Option<f64>,
-            "Our value with the expected friction, hook loads without the block; none where the plan \
-             has no answer there";
+            "Our value with the expected friction, hook loads without the block; none where the \
+             plan has no answer there";
         theirs_N = |row| weight(row.is_torque, row.theirs) => Force,
             "Their hook load, as in the file; `null` for torques",
             null_where "it is a torque";

@@ -90,8 +90,8 @@ rows! {
             null_where "there is no message";
     }
 
-    /// Columns of `plan_peaks.parquet`: hook load, torque and pump pressure of a string that is set in
-    /// motion from rest, by the dynamics; a row for each event, friction and depth of the bit.
+    /// Columns of `plan_peaks.parquet`: hook load, torque and pump pressure of a string that is set
+    /// in motion from rest, by the dynamics; a row for each event, friction and depth of the bit.
     pub const PLAN_PEAKS;
 }
 

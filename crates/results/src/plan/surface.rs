@@ -36,8 +36,8 @@ rows! {
             null_where "it is a weight";
     }
 
-    /// Columns of `plan_surface_limits.parquet`: two rows for each limit, the ends of its line on the
-    /// broomstick.
+    /// Columns of `plan_surface_limits.parquet`: two rows for each limit, the ends of its line on
+    /// the broomstick.
     pub const PLAN_SURFACE_LIMITS with bit_depth_m: f64;
 }
 

@@ -11,9 +11,9 @@
 ///
 /// The kind is one of [`QuantityKind`] or `Words`, and `null_where "condition"` after the meaning
 /// gives the rows without a value. The type of a column of numbers is a [`Number`], that of words a
-/// [`Word`]. The meaning documents the field. A column that several tables share is
-/// `=> Kind as CONSTANT`, whose meaning is that of the constant. Attributes of a field, as for serde,
-/// precede it. Within `columns` an entry is `name => Kind, "meaning";` for a part of that name, or
+/// [`Word`]. The meaning documents the field. A column that several tables share is `=> Kind as
+/// CONSTANT`, whose meaning is that of the constant. Attributes of a field, as for serde, precede
+/// it. Within `columns` an entry is `name => Kind, "meaning";` for a part of that name, or
 /// `name = |part| .. => Kind, "meaning";`.
 ///
 /// `pub const LIST;` after the structure names the list of columns. With `pub const LIST, read;`

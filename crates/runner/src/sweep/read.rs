@@ -37,8 +37,9 @@ const NUMBERS: [(&str, &str, &str); 7] = [
 ];
 
 /// Reads the `sweep.csv` of a folder, and returns the number of its leading columns that were
-/// varied. Varied columns are in SI, rotary speeds in rev/min, if all values are numbers of the key's
-/// dimension, and as written otherwise; a key that a case leaves as it is has no number; every other column has its unit and meaning.
+/// varied. Varied columns are in SI, rotary speeds in rev/min, if all values are numbers of the
+/// key's dimension, and as written otherwise; a key that a case leaves as it is has no number;
+/// every other column has its unit and meaning.
 ///
 /// # Errors
 /// A file that does not exist or does not belong to a sweep.

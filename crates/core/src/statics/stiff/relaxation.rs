@@ -126,8 +126,8 @@ pub(super) struct Relaxation<'a> {
     /// Number of steps so far.
     pub(super) steps: usize,
     still_m: f64,
-    /// Whether the string slides along the hole anywhere. One that rotates does not lock up: however
-    /// hard the wall presses it, next to no axial friction holds back the push.
+    /// Whether the string slides along the hole anywhere. One that rotates does not lock up:
+    /// however hard the wall presses it, next to no axial friction holds back the push.
     slides: bool,
     /// Number of consecutive steps in which the compression has grown beyond [`LOST`], and the
     /// largest compression of the last step, N.
