@@ -10,15 +10,18 @@ use wholestring::{
     rod::stability::StepHolder,
     sizing::SizeReason,
 };
-use wholestring_case::{BitTest, Case};
-use wholestring_runner::import::{self, Contents};
+use wholestring_case::{BitTest, Case, Template};
+use wholestring_runner::{
+    import::{self, Contents},
+    job::OnDisk,
+};
 use wholestring_units::Dimension;
 
 use crate::{
+    color::color,
     failure::Failure,
-    input::{case_of, is_pipe, load, read},
     shared_args::CaseArgs,
-    terminal::print_stdout,
+    terminal::{print_stderr, print_stdout},
 };
 
 #[derive(Debug, Args)]
@@ -29,19 +32,19 @@ pub(crate) struct CheckArgs {
 
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let file = &args.case.case;
-    let case = if is_pipe(file) {
+    let case = if OnDisk::is_pipe(file) {
         // A pipe can be read only once.
-        let template = read(file)?;
+        let template = OnDisk::template(file)?;
         let (name, bytes) = (template.name(), template.bytes());
         let is_case = wholestring_case::is_case(&String::from_utf8_lossy(bytes));
         if args.case.overrides.is_empty() && !is_case {
             return show(name, import::contents_of(name, bytes)?);
         }
-        case_of(&template, &args.case, false)?
+        case_of(&template, &args.case)?
     } else if file.exists() && args.case.overrides.is_empty() && !is_case(file) {
         return show(&file.display().to_string(), import::contents(file)?);
     } else {
-        load(&args.case, false)?
+        case_of(&OnDisk::template(file)?, &args.case)?
     };
     print_stdout(&format!(
         "{} is valid: {}\n{}{}{}{}",
@@ -52,6 +55,15 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         case.drilling().map_or_else(String::new, |spec| rock(spec, &case)),
         case.bit_test.as_ref().map_or_else(String::new, |test| points(test, &case)),
     ))
+}
+
+/// The case of a template with the overrides; its warnings are printed.
+fn case_of(template: &Template, args: &CaseArgs) -> Result<Case, Failure> {
+    let case = template.case(&args.overrides)?;
+    if !case.warnings.is_empty() {
+        print_stderr(&case.warnings.render(color()));
+    }
+    Ok(case)
 }
 
 /// Leading bytes of a file that are searched for the keys of a case.

@@ -1,7 +1,13 @@
-//! The conclusion of a batch of cases or points.
+//! The conclusion of a job: its counts, the reason why it is not complete, its errors.
 
-use wholestring_results::{Check, Severity};
-use wholestring_runner::{BatchOutcome, sweep};
+use std::path::Path;
+
+use wholestring_runner::{
+    BatchOutcome,
+    job::JobOutcome,
+    run::{self, Stop},
+    sweep,
+};
 
 use crate::{failure::Failure, terminal::print_stdout};
 
@@ -50,30 +56,23 @@ pub(crate) fn conclude(
     )))
 }
 
-/// Fails with the status of `--strict` if a check is an error.
+/// The failure of `--strict`, if there are errors.
 ///
 /// # Errors
-/// `strict` is set and some check is an error: names and labels of those.
-pub(crate) fn refuse_errors<'a>(
-    strict: bool,
-    checks: impl Iterator<Item = (String, &'a Check)>,
-) -> Result<(), Failure> {
-    let errors = checks.filter(|(_, check)| strict && check.severity == Severity::Error);
-    let mut errors: Vec<String> = errors
-        .map(|(name, check)| match name.is_empty() {
-            true => check.kind.label().to_lowercase(),
-            false => format!("{name}: {}", check.kind.label().to_lowercase()),
-        })
-        .collect();
-    errors.dedup();
-    match errors.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::Refused(format!("error: errors were found: {}", errors.join(", ")))),
+/// There are errors: their operations and labels.
+pub(crate) fn refuse(errors: &[String]) -> Result<(), Failure> {
+    match errors {
+        [] => Ok(()),
+        errors => Err(Failure::Refused(format!("error: errors were found: {}", errors.join(", ")))),
     }
 }
 
 /// Prints the cases with errors, which fail the batch if `strict` is set.
-pub(crate) fn judge(outcome: &BatchOutcome, strict: bool, quiet: bool) -> Result<(), Failure> {
+pub(crate) fn refuse_cases(
+    outcome: &BatchOutcome,
+    strict: bool,
+    quiet: bool,
+) -> Result<(), Failure> {
     let (found, cases) = (outcome.with_errors.len(), outcome.all);
     if found == 0 {
         return Ok(());
@@ -92,4 +91,61 @@ pub(crate) fn judge(outcome: &BatchOutcome, strict: bool, quiet: bool) -> Result
     }
     let file = sweep::FILE;
     print_stdout(&format!("Errors were found in {found} of {cases} cases: see {file}\n"))
+}
+
+/// Fails if a job other than a batch is not complete.
+///
+/// # Errors
+/// The reason why it is not, with the folder of its partial results.
+pub(crate) fn unfinished(outcome: JobOutcome) -> Result<(), Failure> {
+    match outcome {
+        JobOutcome::Run(mut outcome) => match outcome.stopped.take() {
+            Some(stop) => Err(stopped(stop, &outcome)),
+            None => Ok(()),
+        },
+        JobOutcome::Reach(outcome) => unless_interrupted(outcome.interrupted, &outcome.folder),
+        JobOutcome::Bha(outcome) => unless_interrupted(outcome.interrupted, &outcome.folder),
+        JobOutcome::Modes(outcome) => unless_interrupted(outcome.interrupted, &outcome.folder),
+        JobOutcome::Calibrate(outcome) if outcome.interrupted => {
+            let place = outcome.folder.display();
+            Err(Failure::Interrupted(format!(
+                "interrupted: the calibration is in {place}, its check by the dynamics is not \
+                 complete"
+            )))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The reason why the run did not finish, and the folder of its partial results.
+fn stopped(stop: Stop, outcome: &run::Outcome) -> Failure {
+    let place = outcome.folder.display();
+    match stop {
+        Stop::Interrupted => {
+            let how = if outcome.is_resumable {
+                format!("\nto continue, run the case with --resume {place}")
+            } else {
+                String::new()
+            };
+            Failure::Interrupted(format!("interrupted: partial results are in {place}{how}"))
+        }
+        Stop::Unsolved(reason) => {
+            Failure::Failed(format!("error: {reason}\npartial results are in {place}"))
+        }
+        Stop::Unwritten(error) => error.into(),
+    }
+}
+
+/// Reports the folder of the incomplete results.
+///
+/// # Errors
+/// The work was interrupted.
+fn unless_interrupted(interrupted: bool, folder: &Path) -> Result<(), Failure> {
+    match interrupted {
+        false => Ok(()),
+        true => {
+            let place = folder.display();
+            Err(Failure::Interrupted(format!("interrupted: partial results are in {place}")))
+        }
+    }
 }

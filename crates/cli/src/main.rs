@@ -12,11 +12,9 @@ mod checks;
 mod color;
 mod comparison;
 mod conclusion;
-mod convergence;
 mod export;
 mod failure;
 mod import;
-mod input;
 mod interrupt;
 mod modes;
 mod new_case;
@@ -30,11 +28,11 @@ mod screen_table;
 mod shared_args;
 mod shell;
 mod speed;
-mod stopped;
 mod study;
 mod survey;
 mod sweep;
 mod terminal;
+mod work;
 
 use std::process::ExitCode;
 
@@ -50,14 +48,14 @@ fn main() -> ExitCode {
         Command::Check(args) => check::check(&args),
         Command::Import(args) => import::import(&args),
         Command::Run(args) => run::run(&args),
-        Command::Sweep(args) => sweep::sweep(&args),
-        Command::BitTest(args) => bit_test::bit_test(&args),
-        Command::Bha(args) => bha::bha(&args),
-        Command::Calibrate(args) => calibrate::calibrate(&args),
-        Command::Modes(args) => modes::modes(&args),
-        Command::Plan(args) => plan::plan(&args),
-        Command::Reach(args) => reach::reach(&args),
-        Command::Study(args) => study::study(&args),
+        Command::Sweep(args) => work::carry_out(&args.job(), args.batch.screen(args.strict)),
+        Command::BitTest(args) => work::carry_out(&args.job(), args.batch.screen(args.strict)),
+        Command::Bha(args) => work::carry_out(&args.job(), args.screen()),
+        Command::Calibrate(args) => work::carry_out(&args.job(), args.page.screen()),
+        Command::Modes(args) => work::carry_out(&args.job(), args.page.screen()),
+        Command::Plan(args) => work::carry_out(&args.job(), args.page.screen()),
+        Command::Reach(args) => work::carry_out(&args.job(), args.page.screen()),
+        Command::Study(args) => work::carry_out(&args.job(), args.batch.screen(args.strict)),
         Command::Report(args) => report::report(&args),
         Command::Plot(args) => plot::plot(&args),
         Command::Export(args) => export::export(&args),

@@ -1,20 +1,12 @@
 //! `wholestring study`: solves the cases of a study, and writes its figures and tables.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use wholestring_case::Override;
-use wholestring_runner::study::{self, CaseFiles, Request};
+use wholestring_runner::job::{Job, Work};
 
-use crate::{
-    color::color,
-    conclusion::{conclude, judge},
-    failure::Failure,
-    interrupt,
-    progress::BatchScreen,
-    shared_args::{BatchArgs, KeptArgs},
-    terminal::print_stderr,
-};
+use crate::shared_args::{BatchArgs, KeptArgs};
 
 #[derive(Debug, Args)]
 pub(crate) struct StudyArgs {
@@ -42,23 +34,16 @@ pub(crate) struct StudyArgs {
     pub(crate) batch: BatchArgs,
 }
 
-pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
-    args.kept.check(&args.batch)?;
-    let study = study::load(&args.study)?;
-    let quiet = args.batch.quiet;
-    if !quiet && !study.warnings.is_empty() {
-        print_stderr(&study.warnings.render(color()));
+impl StudyArgs {
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let work = Work::Study {
+            study: self.study.clone(),
+            keep: self.kept.keep(),
+            shard: self.batch.shard.clone(),
+            csv: self.batch.csv,
+            png: self.png,
+        };
+        self.batch.applied_to(Job { set: self.overrides.clone(), ..Job::new(None, work) })
     }
-    let request = Request {
-        study: &study,
-        cases: CaseFiles::Beside(args.study.parent().unwrap_or(Path::new(""))),
-        overrides: &args.overrides,
-        keep: args.kept.keep(),
-        png: args.png,
-        batch: args.batch.options(),
-    };
-    let screen = BatchScreen::sweep("study", quiet);
-    let outcome = study::run(&request, &screen, &interrupt::listen())?;
-    conclude(&outcome, "study", "cases", quiet)?;
-    judge(&outcome, args.strict, quiet)
 }

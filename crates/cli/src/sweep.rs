@@ -1,19 +1,9 @@
 //! `wholestring sweep`: solves a case for all combinations of some values.
 
-use std::sync::Arc;
-
 use clap::Args;
-use wholestring_case::Variation;
-use wholestring_runner::sweep::{self, Request};
+use wholestring_runner::job::{Job, Work};
 
-use crate::{
-    conclusion::{conclude, judge},
-    failure::Failure,
-    input::read,
-    interrupt,
-    progress::BatchScreen,
-    shared_args::{BatchArgs, CaseArgs, KeptArgs},
-};
+use crate::shared_args::{BatchArgs, CaseArgs, KeptArgs};
 
 #[derive(Debug, Args)]
 pub(crate) struct SweepArgs {
@@ -37,21 +27,16 @@ pub(crate) struct SweepArgs {
     pub(crate) batch: BatchArgs,
 }
 
-pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
-    args.kept.check(&args.batch)?;
-    let variations = Variation::read_all(&args.vary)?;
-    let template = Arc::new(read(&args.case.case)?);
-    let request = Request {
-        template: &template,
-        overrides: &args.case.overrides,
-        variations: &variations,
-        together: false,
-        keep: args.kept.keep(),
-        batch: args.batch.options(),
-    };
-    let quiet = args.batch.quiet;
-    let screen = BatchScreen::sweep("sweep", quiet);
-    let outcome = sweep::run(&request, &screen, &interrupt::listen())?;
-    conclude(&outcome, "sweep", "cases", quiet)?;
-    judge(&outcome, args.strict, quiet)
+impl SweepArgs {
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let work = Work::Sweep {
+            vary: self.vary.clone(),
+            together: false,
+            keep: self.kept.keep(),
+            shard: self.batch.shard.clone(),
+            csv: self.batch.csv,
+        };
+        self.batch.applied_to(self.case.job(work))
+    }
 }

@@ -22,10 +22,10 @@ use wholestring_runner::{
 use crate::{
     answers::Answers,
     attended::attended,
-    commands::option::{self, statics},
     error,
     existing::existing_of,
     law::{self, Function},
+    option::{self, statics},
     simulation::Simulation,
     table::Table,
 };

@@ -4,9 +4,9 @@
 
 mod answers;
 mod attended;
+mod broomstick;
 mod case;
 mod column;
-mod commands;
 mod conventions;
 mod dimension;
 mod error;
@@ -15,8 +15,10 @@ mod examples;
 mod existing;
 mod folder;
 mod import;
+mod job;
 mod law;
 mod measure;
+mod option;
 mod simulation;
 mod sweep;
 mod table;
@@ -30,20 +32,14 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::commands::{
-        bha::bha_of,
-        bit_test::bit_test_of,
-        broomstick::broomstick_of,
-        calibrate::{calibrate_by, calibrated, held_dimension},
-        modes::modes_of,
-        option::values,
-        plan::plan_of,
-        reach::reach_of,
-        study::study_of,
+    use crate::{
+        answers::Answers, case::Case, column::Column, simulation::Simulation, table::Table,
     };
     #[pymodule_export]
     use crate::{
-        answers::Answers, case::Case, column::Column, simulation::Simulation, table::Table,
+        broomstick::broomstick_of,
+        job::{calibrated, carry_out, held_dimension},
+        option::values,
     };
     #[pymodule_export]
     use crate::{sweep::Sweep, variations::Variations};

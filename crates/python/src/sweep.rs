@@ -16,9 +16,9 @@ use wholestring_runner::{
 use crate::{
     attended::attended,
     case::{Case, change},
-    commands::option::{checkpoint_every, keep},
     error,
     existing::existing_of,
+    option::{checkpoint_every, keep},
     table::Table,
 };
 

@@ -8,6 +8,7 @@
 //!
 //! | module | carries out |
 //! |---|---|
+//! | [`job`] | any of the following commands, with its options as a user writes them |
 //! | [`run`] | one case, operation after operation |
 //! | [`sweep`] | a case with all combinations of some values |
 //! | [`study`] | cases and sweeps, with the figures and tables to make of them |
@@ -68,6 +69,7 @@ pub mod export;
 mod folder_name;
 pub mod import;
 mod input_lines;
+pub mod job;
 mod keep;
 pub mod modes;
 mod observer;

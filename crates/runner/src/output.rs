@@ -2,8 +2,11 @@
 
 use std::path::PathBuf;
 
+use serde::{Deserialize, Serialize};
+
 /// Folder for results, and treatment of existing files there.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Output {
     /// The folder; `None` selects `out/<name>`, or the next numbered one without other results.
     pub folder: Option<PathBuf>,
@@ -14,7 +17,9 @@ pub struct Output {
 }
 
 /// Treatment of existing results in a folder.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(rename_all = "snake_case")]
 pub enum Existing {
     /// Finished results of the same work are replaced; any others are refused.
     #[default]

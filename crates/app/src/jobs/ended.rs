@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use wholestring_runner::{BatchOutcome, Error, FolderRefused};
+use wholestring_runner::{BatchOutcome, Error, FolderRefused, job::JobOutcome};
 
 use super::job::{Refusal, State};
 
@@ -17,24 +17,36 @@ pub(super) struct Ended {
 }
 
 impl Ended {
+    /// The work ended with this outcome.
+    pub(super) fn of(outcome: JobOutcome) -> Self {
+        if let Some((batch, items)) = outcome.batch() {
+            return Self::batch(batch, items);
+        }
+        match outcome.into_parts() {
+            (folder, None) => Self::finished(folder, None),
+            (folder, Some(Error::Interrupted)) => Self::stopped(folder),
+            (folder, Some(error)) => Self::failed(folder, error.to_string()),
+        }
+    }
+
     /// The work finished.
-    pub(super) fn finished(folder: PathBuf, message: Option<String>) -> Self {
+    fn finished(folder: PathBuf, message: Option<String>) -> Self {
         Self { folder: Some(folder), state: State::Finished, message, refusal: None }
     }
 
     /// The work was stopped; `is_resumable` is whether it can be continued.
-    pub(super) fn stopped(folder: PathBuf) -> Self {
+    fn stopped(folder: PathBuf) -> Self {
         let message = Some("stopped: partial results are kept".to_owned());
         Self { folder: Some(folder), state: State::Stopped, message, refusal: None }
     }
 
     /// The work has no complete result.
-    pub(super) fn failed(folder: PathBuf, message: String) -> Self {
+    fn failed(folder: PathBuf, message: String) -> Self {
         Self { folder: Some(folder), state: State::Failed, message: Some(message), refusal: None }
     }
 
     /// Many cases or points, called `items`.
-    pub(super) fn batch(outcome: &BatchOutcome, items: &str) -> Self {
+    fn batch(outcome: &BatchOutcome, items: &str) -> Self {
         let folder = outcome.folder.clone();
         let (all, finished) = (outcome.all, outcome.finished);
         let items = if all == 1 { items.trim_end_matches('s') } else { items };

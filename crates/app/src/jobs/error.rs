@@ -1,6 +1,7 @@
 //! Reasons why work is refused.
 
 use wholestring_case::Report;
+use wholestring_runner::Error;
 
 use crate::workspace::WorkspaceError;
 
@@ -24,5 +25,16 @@ pub(crate) enum JobError {
 impl From<Report> for JobError {
     fn from(report: Report) -> Self {
         Self::Unsound(report)
+    }
+}
+
+impl From<Error> for JobError {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Unsound(mut unsound) if unsound.reports.len() == 1 => {
+                Self::Unsound(unsound.reports.remove(0))
+            }
+            error => Self::BadInput(error.to_string()),
+        }
     }
 }

@@ -13,13 +13,12 @@ use tokio::sync::watch;
 use wholestring_runner::{CancellationToken, Existing, Output};
 
 use super::{
-    carry_out::carry_out,
     ended::Ended,
     error::JobError,
     job::{Job, State},
     prepared::Prepared,
     progress::{Progress, Watcher},
-    work::{IfThere, JobRequest},
+    request::JobRequest,
 };
 use crate::workspace::{Workspace, WorkspaceError, millis};
 
@@ -177,7 +176,7 @@ impl Jobs {
     /// # Errors
     /// Invalid work, too many waiting jobs, or another server that runs the jobs of this folder.
     pub(crate) fn start(self: &Arc<Self>, request: JobRequest) -> Result<String, JobError> {
-        let prepared = Prepared::of(&request, &self.workspace)?;
+        let prepared = Prepared::read(&request, &self.workspace)?;
         self.workspace.check_out()?;
         let mut inner = self.lock();
         self.hold(&mut inner)?;
@@ -185,7 +184,7 @@ impl Jobs {
         let job = Job {
             id: new_id()?,
             command: request.work.command().to_owned(),
-            title: prepared.title.clone(),
+            title: prepared.job.title().to_owned(),
             path: prepared.path.clone(),
             state: State::Waiting,
             created_ms: now_ms(),
@@ -200,11 +199,7 @@ impl Jobs {
         let bytes = serde_json::to_vec(&job).map_err(|error| bad(&error))?;
         // A job that is not saved would be lost with the program.
         self.workspace.keep_job(&id, &bytes)?;
-        let existing = match job.request.if_there {
-            IfThere::Protect => Existing::Protect,
-            IfThere::Resume => Existing::Resume,
-            IfThere::Overwrite => Existing::Overwrite,
-        };
+        let existing = job.request.if_there;
         inner.entries.push(Entry {
             prepared: Some(Box::new(prepared)),
             existing,
@@ -226,7 +221,7 @@ impl Jobs {
                 "the job cannot be resumed: it is running or finished".to_owned(),
             ));
         }
-        let prepared = Prepared::of(&job.request, &self.workspace)?;
+        let prepared = Prepared::read(&job.request, &self.workspace)?;
         self.workspace.check_out()?;
         let mut inner = self.lock();
         self.hold(&mut inner)?;
@@ -259,7 +254,7 @@ impl Jobs {
         });
         match job.request.work.is_resumable() && is_there {
             true => Existing::Resume,
-            false if job.request.if_there == IfThere::Overwrite => Existing::Overwrite,
+            false if job.request.if_there == Existing::Overwrite => Existing::Overwrite,
             false => Existing::Protect,
         }
     }
@@ -390,7 +385,10 @@ impl Jobs {
         let at = |path: &Path| self.change(&id, |job| job.folder = self.workspace.shown(path));
         let watcher = Watcher { progress: &progress, at: &at, folder: OnceLock::new() };
         let root = self.workspace.root();
-        let work = || carry_out(&prepared, output, &watcher, &token, root);
+        let work = || match prepared.job.execute(output, &watcher, &token) {
+            Ok(outcome) => Ended::of(outcome),
+            Err(error) => Ended::of_error(&error, root),
+        };
         let ended = catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Ended {
             folder: None,
             state: State::Failed,

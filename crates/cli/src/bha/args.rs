@@ -3,9 +3,11 @@
 use std::num::NonZeroUsize;
 
 use clap::Args;
+use wholestring::operation::OperationKind;
+use wholestring_runner::job::{BhaOptions, Job, Work, operation};
 use wholestring_units::UnitSet;
 
-use crate::shared_args::{CaseArgs, OutputArgs};
+use crate::shared_args::{CaseArgs, OutputArgs, ScreenOptions};
 
 #[derive(Debug, Args)]
 // Not a doc comment, which would read `<case name>` as HTML.
@@ -17,8 +19,8 @@ pub(crate) struct BhaArgs {
     pub(crate) case: CaseArgs,
 
     /// Operation: drill, slide, trip_out, ... [default: the case's first one that drills]
-    #[arg(long, value_name = "KIND")]
-    pub(crate) operation: Option<String>,
+    #[arg(long, value_name = "KIND", value_parser = operation)]
+    pub(crate) operation: Option<OperationKind>,
 
     /// Tool faces of the bend, such as `90deg` or `0deg..360deg/15deg` (a range always includes its
     /// end) [default: a revolution in steps of 15 deg]
@@ -65,4 +67,26 @@ pub(crate) struct BhaArgs {
     /// Exit with status 4 if a check of the results is an error
     #[arg(long)]
     pub(crate) strict: bool,
+}
+
+impl BhaArgs {
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let work = Work::Bha(BhaOptions {
+            operation: self.operation,
+            whole: self.whole,
+            toolface: self.toolface.clone(),
+            weight: self.weight.clone(),
+            inclination: self.inclination.clone(),
+            build: self.build.clone(),
+            csv: self.csv,
+        });
+        let (output, units, jobs) = (self.output.output(), self.units, self.jobs);
+        Job { output, units, jobs, ..self.case.job(work) }
+    }
+
+    /// Options of the screen.
+    pub(crate) fn screen(&self) -> ScreenOptions {
+        ScreenOptions { quiet: self.quiet, strict: self.strict, json: false }
+    }
 }

@@ -11,7 +11,7 @@ use crate::screen_table::Table;
 const MOST: usize = 7;
 
 /// Bit, contacts, sag and largest stress, the variations, and warnings.
-pub(super) fn text(summary: &BhaSummary, units: UnitSet) -> String {
+pub(crate) fn text(summary: &BhaSummary, units: UnitSet) -> String {
     let mut text = format!("{}\n\n", head(summary, units));
     text += &bit(&summary.state, units);
     text.push('\n');

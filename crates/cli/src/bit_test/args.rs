@@ -1,6 +1,7 @@
 //! Arguments of `wholestring bit-test`.
 
 use clap::Args;
+use wholestring_runner::job::{Job, Work};
 use wholestring_units::UnitSet;
 
 use crate::shared_args::{BatchArgs, CaseArgs};
@@ -20,4 +21,12 @@ pub(crate) struct BitTestArgs {
 
     #[command(flatten)]
     pub(crate) batch: BatchArgs,
+}
+
+impl BitTestArgs {
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let work = Work::BitTest { shard: self.batch.shard.clone(), csv: self.batch.csv };
+        self.batch.applied_to(Job { units: self.units, ..self.case.job(work) })
+    }
 }

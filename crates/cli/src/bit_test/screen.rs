@@ -26,7 +26,7 @@ const COLUMNS: [Column; 7] = [
 ];
 
 /// The finished points as a table, properties common to all points, and warnings.
-pub(super) fn text(summary: &BitTestSummary, units: UnitSet) -> String {
+pub(crate) fn text(summary: &BitTestSummary, units: UnitSet) -> String {
     let title = format!(
         "{}: a bit of {} on rock of {}",
         summary.case,

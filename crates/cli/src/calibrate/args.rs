@@ -5,10 +5,7 @@ use std::{num::NonZeroUsize, path::PathBuf};
 use clap::{Args, ValueEnum};
 use wholestring::outcome::ModelKind;
 use wholestring_case::Override;
-use wholestring_runner::calibrate::{
-    Parameter,
-    option::{beyond, confidence, depth, force, held, torque},
-};
+use wholestring_runner::job::{CalibrateOptions, Job, Work};
 
 use crate::shared_args::{OutputArgs, PageArgs};
 
@@ -55,32 +52,32 @@ pub(crate) struct CalibrateArgs {
 
     /// Keep a parameter fixed, such as `friction_cased=0.2` or `block_weight=180kN`.
     /// Repeatable
-    #[arg(long, value_name = "NAME=VALUE", value_parser = held)]
-    pub(crate) hold: Vec<(Parameter, f64)>,
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(crate) hold: Vec<String>,
 
     /// Standard error of pick-up and slack-off weights, such as 12kN [default: estimated]
-    #[arg(long, value_name = "FORCE", value_parser = force)]
-    pub(crate) weight_error: Option<f64>,
+    #[arg(long, value_name = "FORCE")]
+    pub(crate) weight_error: Option<String>,
 
     /// Standard error of rotating weights [default: estimated]
-    #[arg(long, value_name = "FORCE", value_parser = force)]
-    pub(crate) rotating_error: Option<f64>,
+    #[arg(long, value_name = "FORCE")]
+    pub(crate) rotating_error: Option<String>,
 
     /// Standard error of torques, such as 500N.m [default: estimated]
-    #[arg(long, value_name = "TORQUE", value_parser = torque)]
-    pub(crate) torque_error: Option<f64>,
+    #[arg(long, value_name = "TORQUE")]
+    pub(crate) torque_error: Option<String>,
 
     /// Number of standard errors beyond which a residual is an outlier
-    #[arg(long, value_name = "N", default_value = "3", value_parser = beyond)]
-    pub(crate) outlier: f64,
+    #[arg(long, value_name = "N", default_value = "3")]
+    pub(crate) outlier: String,
 
     /// Exclude the outliers from the fit; by default both fits are shown
     #[arg(long)]
     pub(crate) without_outliers: bool,
 
     /// Confidence of the bands, %
-    #[arg(long, value_name = "PERCENT", default_value = "90", value_parser = confidence)]
-    pub(crate) band: f64,
+    #[arg(long, value_name = "PERCENT", default_value = "90")]
+    pub(crate) band: String,
 
     /// Model used for the predictions
     #[arg(long, value_enum, default_value = "soft")]
@@ -93,10 +90,9 @@ pub(crate) struct CalibrateArgs {
         value_name = "DEPTHS",
         value_delimiter = ',',
         num_args = 0..,
-        require_equals = true,
-        value_parser = depth
+        require_equals = true
     )]
-    pub(crate) check_dynamics: Option<Vec<f64>>,
+    pub(crate) check_dynamics: Option<Vec<String>>,
 
     /// Number of parallel jobs for --check-dynamics [default: one per core]
     #[arg(short, long, value_name = "N", requires = "check_dynamics")]
@@ -107,6 +103,39 @@ pub(crate) struct CalibrateArgs {
 
     #[command(flatten)]
     pub(crate) page: PageArgs,
+}
+
+impl CalibrateArgs {
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let work = Work::Calibrate(CalibrateOptions {
+            data: self.data.clone(),
+            other_cases: self.cases.iter().skip(1).cloned().collect(),
+            one_factor: self.one_factor,
+            by_section: self.by_section,
+            friction_around: self.friction_around,
+            block_weight: self.block_weight,
+            bit_torque: self.bit_torque,
+            hold: self.hold.clone(),
+            weight_error: self.weight_error.clone(),
+            rotating_error: self.rotating_error.clone(),
+            torque_error: self.torque_error.clone(),
+            outlier: Some(self.outlier.clone()),
+            without_outliers: self.without_outliers,
+            band: Some(self.band.clone()),
+            model: Some(self.model.into()),
+            check_dynamics: self.check_dynamics.is_some(),
+            check_depths: self.check_dynamics.clone().unwrap_or_default(),
+            png: self.page.png,
+        });
+        Job {
+            set: self.overrides.clone(),
+            output: self.output.output(),
+            units: self.page.units,
+            jobs: self.jobs,
+            ..Job::new(self.cases.first().cloned(), work)
+        }
+    }
 }
 
 /// A model that predicts readings.

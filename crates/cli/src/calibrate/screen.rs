@@ -17,7 +17,7 @@ fn shown(estimate: &EstimateFound, value: f64, units: UnitSet) -> String {
 }
 
 /// The estimates as a table, notes and warnings.
-pub(super) fn text(summary: &CalibrationSummary, units: UnitSet) -> String {
+pub(crate) fn text(summary: &CalibrationSummary, units: UnitSet) -> String {
     let title =
         format!("{}: {} readings, {} string", summary.title(), summary.readings, summary.model);
     let interval = format!("interval of {:.0} %", 100.0 * summary.confidence);

@@ -1,6 +1,8 @@
 //! Arguments of `wholestring modes`.
 
 use clap::Args;
+use wholestring::operation::OperationKind;
+use wholestring_runner::job::{Job, Work, operation};
 
 use crate::shared_args::{CaseArgs, OutputArgs, PageArgs};
 
@@ -15,12 +17,20 @@ pub(crate) struct ModesArgs {
 
     /// Operation whose static equilibrium the vibration is about, such as `drill` [default: the
     /// case's first]
-    #[arg(long, value_name = "OPERATION")]
-    pub(crate) operation: Option<String>,
+    #[arg(long, value_name = "OPERATION", value_parser = operation)]
+    pub(crate) operation: Option<OperationKind>,
 
     #[command(flatten)]
     pub(crate) output: OutputArgs,
 
     #[command(flatten)]
     pub(crate) page: PageArgs,
+}
+
+impl ModesArgs {
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let work = Work::Modes { operation: self.operation, png: self.page.png };
+        Job { output: self.output.output(), units: self.page.units, ..self.case.job(work) }
+    }
 }

@@ -19,7 +19,7 @@ fn is_near(summary: &ModesSummary, critical: &CriticalSpeed) -> bool {
 }
 
 /// The modes and the critical speeds as tables, and warnings.
-pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
+pub(crate) fn text(summary: &ModesSummary, units: UnitSet) -> String {
     let speed = Dimension::RotarySpeed.unit_in(units);
     let length = Dimension::Length.unit_in(units);
     let title = format!(

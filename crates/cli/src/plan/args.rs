@@ -3,9 +3,9 @@
 use std::{num::NonZeroUsize, path::PathBuf};
 
 use clap::Args;
-use wholestring_runner::Output;
+use wholestring_runner::job::{Job, Work};
 
-use crate::shared_args::{CaseArgs, CheckpointArgs, PageArgs, existing};
+use crate::shared_args::{CaseArgs, CheckpointArgs, PageArgs, output};
 
 #[derive(Debug, Args)]
 #[command(mut_arg("units", |arg| {
@@ -49,12 +49,15 @@ pub(crate) struct PlanArgs {
 }
 
 impl PlanArgs {
-    /// Folder of the results and how existing results are treated.
-    pub(crate) fn output(&self) -> Output {
-        Output {
-            folder: self.output.clone(),
-            existing: existing(self.resume, self.overwrite),
-            ..Output::default()
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let work = Work::Plan { overlay: self.overlay.clone(), png: self.page.png };
+        Job {
+            output: output(self.output.as_ref(), self.resume, self.overwrite),
+            units: self.page.units,
+            jobs: self.jobs,
+            checkpoint: self.checkpoint.every.clone(),
+            ..self.case.job(work)
         }
     }
 }

@@ -8,7 +8,7 @@ use wholestring_units::{Dimension, UnitSet};
 use crate::{checks, screen_table::Table};
 
 /// Every operation at the deepest depth, and the points without a result.
-pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
+pub(crate) fn text(summary: &PlanSummary, units: UnitSet) -> String {
     let [length, force, torque] = [Dimension::Length, Dimension::Force, Dimension::Torque]
         .map(|dimension| dimension.unit_in(units));
     let Some(deepest_m) = summary.points.iter().map(|point| point.bit_depth_m).reduce(f64::max)

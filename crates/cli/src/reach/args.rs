@@ -3,9 +3,10 @@
 use std::{num::NonZeroUsize, path::PathBuf};
 
 use clap::Args;
-use wholestring_runner::Output;
+use wholestring::operation::OperationKind;
+use wholestring_runner::job::{Job, ReachOptions, Work, operation};
 
-use crate::shared_args::{CaseArgs, PageArgs, existing};
+use crate::shared_args::{CaseArgs, PageArgs, output};
 
 #[derive(Debug, Args)]
 pub(crate) struct ReachArgs {
@@ -23,13 +24,13 @@ pub(crate) struct ReachArgs {
 
     /// Friction factors to solve for, each applied to all hole sections, such as `0.2,0.3,0.4`
     /// [default: the case's]
-    #[arg(long, value_name = "FACTORS")]
-    pub(crate) friction: Option<String>,
+    #[arg(long, value_name = "FACTORS", value_delimiter = ',', value_parser = friction)]
+    pub(crate) friction: Vec<f64>,
 
     /// Operations, such as `drill,slide` [default: trip_out, rotate_off_bottom, drill, trip_in,
     /// slide and those of the case, if their set points are given]
-    #[arg(long, value_name = "KINDS")]
-    pub(crate) operation: Option<String>,
+    #[arg(long, value_name = "KINDS", value_delimiter = ',', value_parser = operation)]
+    pub(crate) operation: Vec<OperationKind>,
 
     /// Ignore the friction from the wall force of a helix, so that nothing locks up
     #[arg(long)]
@@ -66,12 +67,26 @@ pub(crate) struct ReachArgs {
 }
 
 impl ReachArgs {
-    /// Folder of the results and how existing results are treated.
-    pub(crate) fn output(&self) -> Output {
-        Output {
-            folder: self.output.clone(),
-            existing: existing(self.resume, self.overwrite),
-            ..Output::default()
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let work = Work::Reach(ReachOptions {
+            from: self.from.clone(),
+            to: self.to.clone(),
+            frictions: self.friction.clone(),
+            operations: self.operation.clone(),
+            no_helix_friction: self.no_helix_friction,
+            stop_at_helix: self.stop_at_helix,
+            png: self.page.png,
+        });
+        Job {
+            output: output(self.output.as_ref(), self.resume, self.overwrite),
+            units: self.page.units,
+            jobs: self.jobs,
+            ..self.case.job(work)
         }
     }
+}
+
+fn friction(text: &str) -> Result<f64, String> {
+    text.trim().parse().map_err(|_| "expected a friction factor, such as 0.3".to_owned())
 }

@@ -7,7 +7,7 @@ use wholestring_units::{Dimension, UnitSet};
 use crate::screen_table::Table;
 
 /// The governing limit, each limit with its depth and margins, and warnings.
-pub(super) fn text(summary: &ReachSummary, units: UnitSet) -> String {
+pub(crate) fn text(summary: &ReachSummary, units: UnitSet) -> String {
     let length = Dimension::Length.unit_in(units);
     let depth = |depth_m: f64| format!("{:.0}", length.from_si(depth_m));
     let mut text = format!("{}: reach\n\n", summary.case);

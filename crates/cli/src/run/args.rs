@@ -3,10 +3,10 @@
 use std::{num::NonZeroUsize, path::PathBuf};
 
 use clap::Args;
-use wholestring_runner::Output;
+use wholestring_runner::job::{Job, Work};
 use wholestring_units::UnitSet;
 
-use crate::shared_args::{CaseArgs, CheckpointArgs, existing};
+use crate::shared_args::{CaseArgs, CheckpointArgs, ScreenOptions, output};
 
 #[derive(Debug, Args)]
 pub(crate) struct RunArgs {
@@ -65,12 +65,20 @@ pub(crate) struct RunArgs {
 }
 
 impl RunArgs {
-    /// Folder of the results and how existing results are treated.
-    pub(crate) fn output(&self) -> Output {
-        Output {
-            folder: self.resume.clone().or_else(|| self.output.clone()),
-            existing: existing(self.resume.is_some(), self.overwrite),
-            ..Output::default()
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let folder = self.resume.as_ref().or(self.output.as_ref());
+        Job {
+            output: output(folder, self.resume.is_some(), self.overwrite),
+            units: self.units,
+            jobs: self.jobs,
+            checkpoint: self.checkpoint.every.clone(),
+            ..self.case.job(Work::Run { models: Vec::new(), csv: self.csv })
         }
+    }
+
+    /// Options of the screen.
+    pub(crate) fn screen(&self) -> ScreenOptions {
+        ScreenOptions { quiet: self.quiet, strict: self.strict, json: self.json }
     }
 }

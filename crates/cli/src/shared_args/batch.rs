@@ -3,9 +3,9 @@
 use std::{num::NonZeroUsize, path::PathBuf};
 
 use clap::Args;
-use wholestring_runner::{BatchOptions, Output, Shard};
+use wholestring_runner::job::Job;
 
-use super::{checkpoint::CheckpointArgs, output::existing};
+use super::{checkpoint::CheckpointArgs, output::output, screen::ScreenOptions};
 
 /// Arguments of a batch of cases.
 #[derive(Debug, Args)]
@@ -16,7 +16,7 @@ pub(crate) struct BatchArgs {
 
     /// Solve only the I-th of N equal shares of the cases
     #[arg(long, value_name = "I/N")]
-    pub(crate) shard: Option<Shard>,
+    pub(crate) shard: Option<String>,
 
     /// Skip the finished cases in the folder and continue unfinished ones from their checkpoints
     #[arg(long)]
@@ -43,18 +43,18 @@ pub(crate) struct BatchArgs {
 }
 
 impl BatchArgs {
-    /// The batch options of these arguments.
-    pub(crate) fn options(&self) -> BatchOptions {
-        BatchOptions {
-            output: Output {
-                folder: self.output.clone(),
-                existing: existing(self.resume, self.overwrite),
-                ..Output::default()
-            },
+    /// The job with the settings of these arguments.
+    pub(crate) fn applied_to(&self, job: Job) -> Job {
+        Job {
+            output: output(self.output.as_ref(), self.resume, self.overwrite),
             jobs: self.jobs,
-            shard: self.shard.unwrap_or_default(),
-            checkpoint_every: self.checkpoint.every,
-            csv: self.csv,
+            checkpoint: self.checkpoint.every.clone(),
+            ..job
         }
+    }
+
+    /// Options of the screen.
+    pub(crate) fn screen(&self, strict: bool) -> ScreenOptions {
+        ScreenOptions { quiet: self.quiet, strict, json: false }
     }
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use wholestring_case::Override;
+use wholestring_runner::job::{Job, Work};
 
 #[derive(Debug, Args)]
 pub(crate) struct CaseArgs {
@@ -15,4 +16,11 @@ pub(crate) struct CaseArgs {
     /// rpm, wob. Repeatable
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(crate) overrides: Vec<Override>,
+}
+
+impl CaseArgs {
+    /// A job for the case, with default settings.
+    pub(crate) fn job(&self, work: Work) -> Job {
+        Job { set: self.overrides.clone(), ..Job::new(Some(self.case.clone()), work) }
+    }
 }

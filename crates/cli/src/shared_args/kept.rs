@@ -3,9 +3,6 @@
 use clap::{Args, ValueEnum};
 use wholestring_runner::Keep;
 
-use super::batch::BatchArgs;
-use crate::failure::Failure;
-
 /// Results to keep of each case.
 #[derive(Debug, Args)]
 pub(crate) struct KeptArgs {
@@ -34,16 +31,5 @@ impl KeptArgs {
             KeepArg::Tables => Keep::Tables,
             KeepArg::All => Keep::All,
         })
-    }
-
-    /// Refuses tables as CSV if no tables are kept.
-    pub(crate) fn check(&self, batch: &BatchArgs) -> Result<(), Failure> {
-        if batch.csv && self.keep() == Some(Keep::Summary) {
-            return Err(Failure::BadInput(
-                "error: --csv writes tables, --keep summary keeps none: leave out one of them"
-                    .into(),
-            ));
-        }
-        Ok(())
     }
 }

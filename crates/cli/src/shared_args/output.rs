@@ -17,21 +17,18 @@ pub(crate) struct OutputArgs {
 }
 
 impl OutputArgs {
-    /// The output options of these arguments.
+    /// The destination of these arguments.
     pub(crate) fn output(&self) -> Output {
-        Output {
-            folder: self.output.clone(),
-            existing: existing(false, self.overwrite),
-            ..Output::default()
-        }
+        output(self.output.as_ref(), false, self.overwrite)
     }
 }
 
-/// Treatment of existing results in the folder.
-pub(crate) fn existing(resume: bool, overwrite: bool) -> Existing {
-    match (resume, overwrite) {
+/// A folder for results, with the treatment of existing results in it.
+pub(crate) fn output(folder: Option<&PathBuf>, resume: bool, overwrite: bool) -> Output {
+    let existing = match (resume, overwrite) {
         (true, _) => Existing::Resume,
         (_, true) => Existing::Overwrite,
         _ => Existing::Protect,
-    }
+    };
+    Output { folder: folder.cloned(), existing, ..Output::default() }
 }

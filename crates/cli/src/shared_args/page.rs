@@ -3,6 +3,8 @@
 use clap::Args;
 use wholestring_units::UnitSet;
 
+use super::screen::ScreenOptions;
+
 #[derive(Debug, Args)]
 pub(crate) struct PageArgs {
     /// Also write PNG images, with 300 dots per inch
@@ -20,4 +22,11 @@ pub(crate) struct PageArgs {
     /// Exit with status 4 if a check of the results is an error
     #[arg(long)]
     pub(crate) strict: bool,
+}
+
+impl PageArgs {
+    /// Options of the screen.
+    pub(crate) fn screen(&self) -> ScreenOptions {
+        ScreenOptions { quiet: self.quiet, strict: self.strict, json: false }
+    }
 }

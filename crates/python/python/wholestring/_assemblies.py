@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from os import PathLike
 
-from . import _core, _values
 from ._checked import Checked
-from ._commands import carry_out, common
+from ._commands import Job, carry_out, quantities, quantity
 from ._folder import Place
 from ._planning import Units, Values
 from ._values import Scalar
@@ -85,21 +84,17 @@ class Assemblies(Checked):
         ['inclination', 'weight']
         """
         place = Place(folder, overwrite=overwrite)
-        options = common(place, units=units, jobs=jobs, csv=csv)
-        analysis: _core.BhaOptions = {
+        work = {
+            "kind": "bha",
             "operation": operation,
-            "toolfaces_rad": _values.options("toolface", toolface, "angle"),
-            "weights_N": _values.options("weight", weight, "force"),
-            "inclinations_rad": _values.options("inclination", inclination, "angle"),
-            "build_rate_rad_per_m": _values.option("build", build, "dogleg severity") or 0.0,
+            "toolface": quantities("toolface", toolface, "angle"),
+            "weight": quantities("weight", weight, "force"),
+            "inclination": quantities("inclination", inclination, "angle"),
+            "build": quantity("build", build, "dogleg severity"),
             "whole": whole,
+            "csv": csv,
         }
-        return carry_out(
-            Bha,
-            place,
-            False,
-            lambda listener: _core.bha_of(self._held, analysis, options, listener),
-        )
+        return carry_out(Bha, place, Job(work, [self._held], units=units, jobs=jobs))
 
     def modes(
         self,
@@ -153,13 +148,8 @@ class Assemblies(Checked):
         2
         """
         place = Place(folder, overwrite=overwrite)
-        options = common(place, units=units, png=png, jobs=jobs)
-        return carry_out(
-            Modes,
-            place,
-            False,
-            lambda listener: _core.modes_of(self._held, operation, options, listener),
-        )
+        work = {"kind": "modes", "operation": operation, "png": png}
+        return carry_out(Modes, place, Job(work, [self._held], units=units, jobs=jobs))
 
     def bit_test(
         self,
@@ -231,10 +221,6 @@ class Assemblies(Checked):
         (True, 1)
         """
         place = Place(folder, overwrite=overwrite, resume=resume)
-        options = common(place, units=units, jobs=jobs, checkpoint=checkpoint, shard=shard, csv=csv)
-        return carry_out(
-            BitTest,
-            place,
-            progress,
-            lambda listener: _core.bit_test_of(self._held, options, listener),
-        )
+        work = {"kind": "bit_test", "shard": shard, "csv": csv}
+        job = Job(work, [self._held], units=units, jobs=jobs, checkpoint=checkpoint)
+        return carry_out(BitTest, place, job, progress=progress)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import operator
-from collections.abc import Callable
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 from typing import TypeVar
@@ -23,29 +26,6 @@ MOST_JOBS = 1024
 """Largest number of threads: more than any machine has cores, so a larger one is a mistake."""
 
 
-def common(
-    place: Place,
-    *,
-    units: str | None = None,
-    jobs: int | None = None,
-    checkpoint: Scalar | None = None,
-    shard: str | None = None,
-    csv: bool = False,
-    png: bool = False,
-) -> _core.Common:
-    """Return the options common to all commands, in the form of the compiled module."""
-    return {
-        "folder": place.path,
-        "existing": place.existing,
-        "units": units,
-        "jobs": count(jobs),
-        "checkpoint_s": _values.option("checkpoint", checkpoint, "time"),
-        "shard": shard,
-        "csv": csv,
-        "png": png,
-    }
-
-
 def count(jobs: int | None) -> int | None:
     """Return the number of threads after checking it."""
     if jobs is None:
@@ -61,16 +41,79 @@ def count(jobs: int | None) -> int | None:
     return number
 
 
-def carry_out(
-    kind: type[R],
-    place: Place,
-    progress: bool,
-    work: Callable[[Listener], tuple[Path | None, BaseException | None]],
-) -> R:
+@dataclass(frozen=True)
+class Job:
+    """A command of the program with its options, as the runner reads it."""
+
+    work: Mapping[str, object]
+    """The command under ``kind``, and its options; ``None`` stands for the default."""
+
+    cases: Sequence[_core.Case] = ()
+    """Cases; the command names them by their numbers."""
+
+    paths: Mapping[str, str | PathLike[str]] = field(default_factory=dict)
+    """Paths of other files by their names in the options."""
+
+    content: bytes | None = None
+    """Content of the readings that are not a file."""
+
+    changes: Sequence[tuple[str, str | None]] = ()
+    """Changes of every case of a study."""
+
+    units: str | None = None
+    jobs: int | None = None
+    checkpoint: Scalar | None = None
+
+    def text(self) -> str:
+        """Return the job as JSON."""
+        settings = {
+            "case": "0" if self.cases else None,
+            "work": {key: value for key, value in self.work.items() if value is not None},
+            "units": self.units,
+            "jobs": count(self.jobs),
+            "checkpoint": quantity("checkpoint", self.checkpoint, "time"),
+        }
+        return json.dumps({key: value for key, value in settings.items() if value is not None})
+
+
+def carry_out(kind: type[R], place: Place, job: Job, *, progress: bool = False) -> R:
     """Run a command and return its results."""
+    results, raised, _ = attempted(kind, place, job, progress=progress)
+    return finished(results, raised)
+
+
+def attempted(
+    kind: type[R], place: Place, job: Job, *, progress: bool = False
+) -> tuple[R | None, BaseException | None, list[str]]:
+    """Run a command and return its results, the exception it ended with, and its errors."""
+    cases = [(stem(case), case) for case in job.cases]
+    files = (job.paths, job.content, job.changes)
     with Listener(progress) as listener:
-        folder, raised = work(listener)
-    return finished(found(kind, place, folder), raised)
+        folder, raised, errors = _core.carry_out(
+            job.text(), cases, *files, place.path, place.existing, listener
+        )
+    return found(kind, place, folder), raised, errors
+
+
+def stem(case: _core.Case) -> str:
+    """Return the name of the file of a case, without its ending."""
+    return os.path.splitext(os.path.basename(case.source))[0]
+
+
+def quantity(name: str, value: Scalar | None, dimension: str) -> str | None:
+    """Return an option as a text with its unit; it must be finite."""
+    found = _values.option(name, value, dimension)
+    return None if found is None else f"{found!r} {_core.si_unit(dimension)}"
+
+
+def quantities(name: str, values: object, dimension: str) -> str | None:
+    """Return the values of an option as a text with their unit."""
+    found = _values.options(name, values, dimension)
+    if found is None:
+        return None
+    if not found:
+        raise InputError(f"`{name}` was given no values")
+    return ",".join(f"{value!r} {_core.si_unit(dimension)}" for value in found)
 
 
 def found(kind: type[R], place: Place, folder: Path | None) -> R | None:

@@ -1,6 +1,6 @@
 """The compiled module."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Any, Protocol, TypedDict
@@ -177,50 +177,6 @@ class Case:
         listener: Listening,
     ) -> Simulation: ...
 
-class Common(TypedDict):
-    folder: Path
-    existing: str
-    units: str | None
-    jobs: int | None
-    checkpoint_s: float | None
-    shard: str | None
-    csv: bool
-    png: bool
-
-class ReachOptions(TypedDict):
-    from_m: float | None
-    to_m: float | None
-    frictions: list[float]
-    operations: list[str]
-    no_helix_friction: bool
-    stop_at_helix: bool
-
-class CalibrateOptions(TypedDict):
-    data: str
-    content: bytes | None
-    one_factor: bool
-    by_section: bool
-    friction_around: bool
-    block_weight: bool
-    bit_torque: bool
-    hold: list[tuple[str, str]]
-    weight_error: str | None
-    rotating_error: str | None
-    torque_error: str | None
-    outlier: str
-    without_outliers: bool
-    band: str
-    model: str
-    check_dynamics: list[float] | None
-
-class BhaOptions(TypedDict):
-    operation: str | None
-    toolfaces_rad: list[float] | None
-    weights_N: list[float] | None
-    inclinations_rad: list[float] | None
-    build_rate_rad_per_m: float
-    whole: bool
-
 class BroomstickOptions(TypedDict):
     models: list[str]
     frictions: list[float]
@@ -228,30 +184,18 @@ class BroomstickOptions(TypedDict):
     operations: list[str]
     jobs: int | None
 
-Ended = tuple[Path | None, BaseException | None]
-
-def plan_of(
-    case: Case, common: Common, overlay: str | PathLike[str] | None, listener: Listening
-) -> Ended: ...
-def reach_of(case: Case, options: ReachOptions, common: Common, listener: Listening) -> Ended: ...
-def calibrate_by(
+def carry_out(
+    job: str,
     cases: Sequence[tuple[str, Case]],
-    options: CalibrateOptions,
-    common: Common,
+    paths: Mapping[str, str | PathLike[str]],
+    content: bytes | None,
+    changes: Sequence[tuple[str, str | None]],
+    folder: Path,
+    existing: str,
     listener: Listening,
-) -> Ended: ...
+) -> tuple[Path | None, BaseException | None, list[str]]: ...
 def calibrated(folder: Path) -> list[tuple[str, str]]: ...
 def held_dimension(name: str) -> str | None: ...
-def modes_of(case: Case, operation: str | None, common: Common, listener: Listening) -> Ended: ...
-def bha_of(case: Case, options: BhaOptions, common: Common, listener: Listening) -> Ended: ...
-def bit_test_of(case: Case, common: Common, listener: Listening) -> Ended: ...
-def study_of(
-    path: str,
-    changes: Sequence[tuple[str, str | None]],
-    keep: str | None,
-    common: Common,
-    listener: Listening,
-) -> tuple[Ended, list[str]]: ...
 def broomstick_of(
     case: Case, options: BroomstickOptions, listener: Listening
 ) -> tuple[Table, int, BaseException | None]: ...

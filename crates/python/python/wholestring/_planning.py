@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, SupportsFloat, TypeAlias, TypeVa
 from . import _core, _values
 from ._checked import Checked
 from ._columns import content
-from ._commands import carry_out, common, count
+from ._commands import Job, carry_out, count, quantity
 from ._folder import Place
 from ._listener import Listener
 from ._values import Scalar
@@ -153,13 +153,16 @@ class Planning(Checked):
         (1200.0, 0)
         """
         place = Place(folder, overwrite=overwrite, resume=resume)
-        options = common(place, units=units, jobs=jobs, checkpoint=checkpoint, png=png)
-        return carry_out(
-            Plan,
-            place,
-            progress,
-            lambda listener: _core.plan_of(self._held, options, overlay, listener),
+        laid = None if overlay is None else "overlay"
+        job = Job(
+            {"kind": "plan", "overlay": laid, "png": png},
+            [self._held],
+            paths={} if overlay is None else {"overlay": overlay},
+            units=units,
+            jobs=jobs,
+            checkpoint=checkpoint,
         )
+        return carry_out(Plan, place, job, progress=progress)
 
     def reach(
         self,
@@ -229,21 +232,18 @@ class Planning(Checked):
         ('top_drive', True)
         """
         place = Place(folder, overwrite=overwrite, resume=resume)
-        options = common(place, units=units, jobs=jobs, png=png)
-        reach_options: _core.ReachOptions = {
-            "from_m": _values.option("from_", from_, "length"),
-            "to_m": _values.option("to", to, "length"),
+        work = {
+            "kind": "reach",
+            "from": quantity("from_", from_, "length"),
+            "to": quantity("to", to, "length"),
             "frictions": _values.factors("friction", friction),
             "operations": words(operation),
             "no_helix_friction": no_helix_friction,
             "stop_at_helix": stop_at_helix,
+            "png": png,
         }
-        return carry_out(
-            Reach,
-            place,
-            progress,
-            lambda listener: _core.reach_of(self._held, reach_options, options, listener),
-        )
+        job = Job(work, [self._held], units=units, jobs=jobs)
+        return carry_out(Reach, place, job, progress=progress)
 
     def calibrate(
         self: C,
@@ -350,21 +350,21 @@ class Planning(Checked):
         0.25
         """
         place = Place(folder, overwrite=overwrite)
-        options = common(place, units=units, jobs=jobs, png=png)
         is_path = isinstance(data, str | os.PathLike)
-        read = os.fspath(cast("str | PathLike[str]", data)) if is_path else "readings"
-        depths: list[float] | None = [] if check_dynamics is True else None
-        if not isinstance(check_dynamics, bool):
-            depths = _values.options("check_dynamics", check_dynamics, "length")
-        calibration: _core.CalibrateOptions = {
-            "data": read,
-            "content": None if is_path else data if isinstance(data, bytes) else content(data),
+        path = cast("str | PathLike[str]", data)
+        check = check_dynamics is not False
+        depths = None if isinstance(check_dynamics, bool) else check_dynamics
+        unit = _core.si_unit("length")
+        work = {
+            "kind": "calibrate",
+            "data": "readings",
+            "other_cases": [str(number) for number in range(1, 1 + len(others))],
             "one_factor": one_factor,
             "by_section": by_section,
             "friction_around": friction_around,
             "block_weight": block_weight,
             "bit_torque": bit_torque,
-            "hold": [(name, _held(name, value)) for name, value in (hold or {}).items()],
+            "hold": [f"{name}={_held(name, value)}" for name, value in (hold or {}).items()],
             "weight_error": _values.written("weight_error", weight_error, "force"),
             "rotating_error": _values.written("rotating_error", rotating_error, "force"),
             "torque_error": _values.written("torque_error", torque_error, "torque"),
@@ -372,15 +372,22 @@ class Planning(Checked):
             "without_outliers": without_outliers,
             "band": str(_values.real(band, "band")),
             "model": model,
-            "check_dynamics": depths,
+            "check_dynamics": check,
+            "check_depths": [
+                f"{depth!r} {unit}"
+                for depth in _values.options("check_dynamics", depths, "length") or ()
+            ],
+            "png": png,
         }
-        cases = [(_stem(case), case) for case in (self._held, *(other._held for other in others))]
-        found = carry_out(
-            Calibration[C],
-            place,
-            progress,
-            lambda listener: _core.calibrate_by(cases, calibration, options, listener),
+        job = Job(
+            work,
+            [self._held, *(other._held for other in others)],
+            paths={"readings": path} if is_path else {},
+            content=None if is_path else data if isinstance(data, bytes) else content(data),
+            units=units,
+            jobs=jobs,
         )
+        found = carry_out(Calibration[C], place, job, progress=progress)
         found._calibrated = found.applied_to(self)
         return found
 
@@ -395,7 +402,3 @@ def _held(name: str, value: Scalar) -> str:
     if dimension is None:
         return str(value)
     return _values.written("hold", value, dimension) or ""
-
-
-def _stem(case: _core.Case) -> str:
-    return os.path.splitext(os.path.basename(case.source))[0]

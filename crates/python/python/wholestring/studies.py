@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from os import PathLike, fspath
+from os import PathLike
 from pathlib import Path
 from typing import Literal
 
-from . import _core, _values
+from . import _values
 from ._base import BaseResults, Check
-from ._commands import common, finished, found
+from ._commands import Job, attempted, finished
 from ._folder import Place
-from ._listener import Listener
 from ._values import Scalar, Value
 from .errors import FindingsError, InputError, NotFoundError
 from .sweep import Sweep
@@ -178,12 +177,15 @@ def study(
     (True, True)
     """
     place = Place(folder, overwrite=overwrite, resume=resume)
-    options = common(place, jobs=jobs, checkpoint=checkpoint, shard=shard, csv=csv, png=png)
-    keys = _values.changes(changes or {}, {})
-    with Listener(progress) as listener:
-        ended = _core.study_of(fspath(path), keys, keep, options, listener)
-    (where, raised), with_errors = ended
-    results = finished(found(Study, place, where), raised)
+    job = Job(
+        {"kind": "study", "study": "study", "keep": keep, "shard": shard, "csv": csv, "png": png},
+        paths={"study": path},
+        changes=_values.changes(changes or {}, {}),
+        jobs=jobs,
+        checkpoint=checkpoint,
+    )
+    solved, raised, with_errors = attempted(Study, place, job, progress=progress)
+    results = finished(solved, raised)
     if strict and with_errors:
         error = FindingsError("errors were found in\n" + "\n".join(with_errors))
         error.results = results

@@ -4,7 +4,7 @@ use std::{num::NonZeroUsize, path::PathBuf, time::Duration};
 
 use wholestring::{
     modal::{Campbell, Family, Forcing, Mode, Place, SmallMotions},
-    operation::Operation,
+    operation::{Operation, OperationKind},
     statics::soft::{self, SoftSettings},
 };
 use wholestring_case::Case;
@@ -31,8 +31,8 @@ const ANSWERS: usize = 191;
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Name of the operation whose static equilibrium is used; by default the first of the case.
-    pub operation: Option<&'a str>,
+    /// The operation whose static equilibrium is used; by default the first of the case.
+    pub operation: Option<OperationKind>,
     /// Units of the pictures and the page; by default those of the case.
     pub units: Option<UnitSet>,
     /// Destination of the results.
@@ -105,12 +105,12 @@ pub fn run(
     Ok(Outcome { summary, folder: folder.path().to_owned(), took, interrupted })
 }
 
-fn operation<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Error> {
-    let named = |operation: &&Operation| name.is_none_or(|name| operation.kind.name() == name);
+fn operation(case: &Case, kind: Option<OperationKind>) -> Result<&Operation, Error> {
+    let named = |operation: &&Operation| kind.is_none_or(|kind| operation.kind == kind);
     case.operations.iter().find(named).ok_or_else(|| {
         let names =
             case.operations.iter().map(|operation| operation.kind.name()).collect::<Vec<_>>();
-        let name = name.unwrap_or_default();
+        let name = kind.map_or("", OperationKind::name);
         Error::BadInput(format!("the case has no operation `{name}`: it has {}", names.join(", ")))
     })
 }

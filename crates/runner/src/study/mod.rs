@@ -15,6 +15,6 @@ mod request;
 mod results;
 mod styles;
 
-pub use cases::{CaseFiles, case_files};
+pub use cases::case_files;
 pub use request::{Request, load, parse, run};
 pub use wholestring_study::Study;

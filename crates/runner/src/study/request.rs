@@ -1,17 +1,12 @@
 //! Request of a study, and its execution.
 
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path, sync::Arc};
 
-use wholestring_case::{Override, Report};
+use wholestring_case::{Override, Report, Template};
 use wholestring_results::ResultsFolder;
 use wholestring_study::Study;
 
-use super::{
-    cases::{CaseFiles, Templates},
-    columns,
-    page::show,
-    results::CaseResults,
-};
+use super::{cases, columns, page::show, results::CaseResults};
 use crate::{
     batch::{BatchOptions, BatchOutcome},
     cancellation::CancellationToken,
@@ -28,8 +23,8 @@ use crate::{
 pub struct Request<'a> {
     /// The study, as [`load`] reads it.
     pub study: &'a Study,
-    /// The case files that it names.
-    pub cases: CaseFiles<'a>,
+    /// The case files that it names, by their names in it.
+    pub cases: &'a BTreeMap<String, Arc<Template>>,
     /// Changes in every case.
     pub overrides: &'a [Override],
     /// Files of each case that are kept. By default its tables if dynamics solve it, or if CSV is
@@ -68,8 +63,7 @@ pub fn run(
     cancellation: &CancellationToken,
 ) -> Result<BatchOutcome, Error> {
     let (study, options) = (request.study, &request.batch);
-    let templates = Templates::read(study, request.cases)?;
-    let points = templates.points(study, request.overrides)?;
+    let points = cases::points(study, request.cases, request.overrides)?;
     let valid = CheckedPoints::check(points, options, observer, cancellation)?;
     let of_set = |path: &Path, set: usize| path.join(file_name(&study.sweeps[set].name));
     let claimed = valid.claim("study", &study.name, options, observer, &of_set)?;

@@ -5,11 +5,11 @@ use std::num::NonZeroUsize;
 use pyo3::prelude::*;
 use wholestring_runner::plan::{self, Statics};
 
-use super::option::{no_statics, operation};
 use crate::{
     attended::{Attended, attended},
     case::Case,
     error,
+    option::{no_statics, operation},
     table::Table,
 };
 

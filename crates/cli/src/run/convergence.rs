@@ -1,25 +1,31 @@
 //! `wholestring run --converge`: change of the results when every element is halved.
 
 use wholestring::outcome::ModelKind;
-use wholestring_case::{Case, Override};
 use wholestring_results::{OperationSummary, Summary};
 use wholestring_runner::{
-    ComparedColumn, Comparison, Output,
-    run::{self, Outcome, Request},
+    ComparedColumn, Comparison,
+    job::{Job, JobOutcome, PreparedJob},
 };
 use wholestring_units::UnitSet;
 
 use crate::{
-    failure::Failure, input::load, interrupt, progress::RunScreen, run::RunArgs,
-    screen_table::Table, shared_args::CaseArgs, stopped::stopped, terminal::print_stdout,
+    conclusion::unfinished,
+    failure::{Failure, failed},
+    interrupt,
+    progress::RunScreen,
+    screen_table::Table,
+    shared_args::ScreenOptions,
+    terminal::print_stdout,
+    work::prepare,
 };
 
 /// Folder of the finer run, within that of the run.
 const HALVED: &str = "halved";
 
 /// Refuses a case that has no elements to halve.
-pub(crate) fn check(case: &Case) -> Result<(), Failure> {
-    if case.models.iter().any(|model| *model != ModelKind::Soft) {
+pub(super) fn check(prepared: &PreparedJob) -> Result<(), Failure> {
+    let mut models = prepared.case().into_iter().flat_map(|case| &case.models);
+    if models.any(|model| *model != ModelKind::Soft) {
         return Ok(());
     }
     Err(Failure::BadInput(
@@ -29,42 +35,35 @@ pub(crate) fn check(case: &Case) -> Result<(), Failure> {
     ))
 }
 
-/// Repeats a run, whose results are `base`, with every element halved, and prints both side by
-/// side.
-pub(crate) fn halve(
-    args: &RunArgs,
-    case: &Case,
-    base: &Outcome,
-    units: UnitSet,
+/// Repeats a run that is complete, with every element halved, and prints both side by side.
+pub(super) fn halve(
+    job: &Job,
+    prepared: &PreparedJob,
+    base: &JobOutcome,
+    screen: ScreenOptions,
 ) -> Result<(), Failure> {
-    let refinement: Override = format!("mesh.refinement={}", 2 * case.dynamics.mesh.refinement)
-        .parse()
-        .expect("a key and its value");
-    let mut overrides = args.case.overrides.clone();
-    overrides.push(refinement);
-    let finer = load(&CaseArgs { case: args.case.case.clone(), overrides }, true)?;
-    let output = Output { folder: Some(base.folder.join(HALVED)), ..args.output() };
-    let request = Request {
-        output,
-        units: Some(units),
-        jobs: args.jobs,
-        checkpoint_every: args.checkpoint.every,
-        csv: args.csv,
-        ..Request::new(&finer)
-    };
-    let screen = RunScreen::new(args.quiet, true);
-    let mut halved = run::run(&request, &screen, &interrupt::listen())?;
-    if let Some(stop) = halved.stopped.take() {
-        return Err(stopped(stop, &halved));
-    }
-    if args.quiet {
+    let (JobOutcome::Run(base), Some(case)) = (base, prepared.case()) else { return Ok(()) };
+    if base.stopped.is_some() {
         return Ok(());
     }
-    print_stdout(&format!(
-        "{}Results with halved elements in {}\n",
-        tables(&base.summary, &halved.summary, units),
-        halved.folder.display()
-    ))
+    let refinement = format!("mesh.refinement={}", 2 * case.dynamics.mesh.refinement);
+    let mut finer = job.clone();
+    finer.set.push(refinement.parse().map_err(|error| failed(&error))?);
+    finer.output.folder = Some(base.folder.join(HALVED));
+    let solved = prepare(&finer, true)?;
+    let observer = RunScreen::new(screen.quiet, true);
+    let outcome = solved.run(finer.output.clone(), &observer, &interrupt::listen())?;
+    drop(observer);
+    if let (JobOutcome::Run(halved), false) = (&outcome, screen.quiet)
+        && halved.stopped.is_none()
+    {
+        print_stdout(&format!(
+            "{}Results with halved elements in {}\n",
+            tables(&base.summary, &halved.summary, prepared.units()),
+            halved.folder.display()
+        ))?;
+    }
+    unfinished(outcome)
 }
 
 /// A table for each operation that has elements.

@@ -10,7 +10,7 @@ use wholestring_runner::{Error, Keep};
 use crate::error;
 
 /// The error of an option's value.
-pub(super) fn bad(option: &str, reason: impl std::fmt::Display) -> Error {
+pub(crate) fn bad(option: &str, reason: impl std::fmt::Display) -> Error {
     Error::BadInput(format!("`{option}`: {reason}"))
 }
 
@@ -54,7 +54,7 @@ pub(crate) fn statics(name: &str) -> Result<ModelKind, Error> {
     found.filter(|model| !ModelKind::any_in_time(&[*model])).ok_or_else(|| no_statics(name))
 }
 
-pub(super) fn no_statics(name: &str) -> Error {
+pub(crate) fn no_statics(name: &str) -> Error {
     bad("model", format!("`{name}` is none of soft, stiff"))
 }
 

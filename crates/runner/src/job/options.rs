@@ -1,0 +1,236 @@
+//! Options as users write them, read with their units and checked.
+
+use std::{num::NonZeroUsize, time::Duration};
+
+use serde::{Deserialize, Deserializer, de::Error as _};
+use wholestring::{operation::OperationKind, outcome::ModelKind};
+use wholestring_case::{Override, operation_named, read_values};
+use wholestring_units::Dimension;
+
+use super::work::{BhaOptions, CalibrateOptions, ReachOptions};
+use crate::{
+    bha::Sweeps,
+    calibrate::{CheckDynamics, Fit, option},
+    error::Error,
+    shard::Shard,
+};
+
+/// The error of an option's value.
+pub(super) fn refused(name: &str, reason: impl std::fmt::Display) -> Error {
+    Error::BadInput(format!("`{name}`: {reason}"))
+}
+
+/// Values of an option, SI; none if it is missing or empty.
+fn values(
+    name: &str,
+    text: Option<&String>,
+    dimension: Dimension,
+) -> Result<Option<Vec<f64>>, Error> {
+    let text = text.map(|text| text.trim()).filter(|text| !text.is_empty());
+    Ok(text.map(|text| read_values(name, text, dimension)).transpose()?)
+}
+
+/// The single value of an option, SI; none if it is missing.
+fn value(name: &str, text: Option<&String>, dimension: Dimension) -> Result<Option<f64>, Error> {
+    match values(name, text, dimension)?.as_deref() {
+        None => Ok(None),
+        Some([value]) => Ok(Some(*value)),
+        Some(values) => Err(refused(name, format!("{} values; expected one", values.len()))),
+    }
+}
+
+/// Wall-clock time between checkpoints.
+pub(super) fn checkpoint_interval(text: Option<&String>) -> Result<Option<Duration>, Error> {
+    let Some(text) = text else { return Ok(None) };
+    let seconds = Dimension::Time.parse(text).map_err(|error| refused("checkpoint", error))?;
+    if !(0.01..=86_400.0).contains(&seconds) {
+        return Err(refused("checkpoint", format!("`{text}`: expected 0.01 s to 86400 s")));
+    }
+    Ok(Some(Duration::from_secs_f64(seconds)))
+}
+
+/// A share of many cases; all of them by default.
+pub(super) fn shard(text: Option<&String>) -> Result<Shard, Error> {
+    let shard = text.map(|text| text.parse().map_err(|reason| refused("shard", reason)));
+    Ok(shard.transpose()?.unwrap_or_default())
+}
+
+/// The depths of a reach, first and last, m.
+pub(super) fn depths(options: &ReachOptions) -> Result<[Option<f64>; 2], Error> {
+    let depth = |name: &str, text: &Option<String>| value(name, text.as_ref(), Dimension::Length);
+    Ok([depth("from", &options.from)?, depth("to", &options.to)?])
+}
+
+/// The variations of a static BHA analysis.
+pub(super) fn sweeps(options: &BhaOptions) -> Result<Sweeps, Error> {
+    let build = value("build", options.build.as_ref(), Dimension::DoglegSeverity)?;
+    Ok(Sweeps {
+        toolfaces_rad: values("toolface", options.toolface.as_ref(), Dimension::Angle)?,
+        weights_N: values("weight", options.weight.as_ref(), Dimension::Force)?,
+        inclinations_rad: values("inclination", options.inclination.as_ref(), Dimension::Angle)?,
+        build_rate_rad_per_m: build.unwrap_or(0.0),
+    })
+}
+
+/// Standard errors beyond which a residual is an outlier, and confidence of the bands in per cent,
+/// where a calibration gives none.
+const OUTLIER: &str = "3";
+const BAND: &str = "90";
+
+/// The parameters that a calibration fits.
+pub(super) fn fit(options: &CalibrateOptions) -> Result<Fit, Error> {
+    type Parse = fn(&str) -> Result<f64, String>;
+    let read = |name: &str, text: &str, parse: Parse| {
+        parse(text).map_err(|reason| refused(name, format!("`{text}`: {reason}")))
+    };
+    let error = |name: &str, text: &Option<String>, parse: Parse| {
+        text.as_ref().map(|text| read(name, text, parse)).transpose()
+    };
+    let hold = options.hold.iter().map(|text| {
+        option::held(text).map_err(|reason| refused("hold", format!("`{text}`: {reason}")))
+    });
+    let model = options.model.unwrap_or(ModelKind::Soft);
+    if ModelKind::any_in_time(&[model]) {
+        let reason = format!("`{model}` makes no predictions: expected soft or stiff");
+        return Err(refused("model", reason));
+    }
+    if options.one_factor && options.by_section {
+        let reason = "`one_factor` and `by_section` exclude each other".to_owned();
+        return Err(Error::BadInput(reason));
+    }
+    Ok(Fit {
+        one_factor: options.one_factor,
+        by_section: options.by_section,
+        friction_around: options.friction_around,
+        block_weight: options.block_weight,
+        bit_torque: options.bit_torque,
+        hold: hold.collect::<Result<_, _>>()?,
+        errors: [
+            error("weight_error", &options.weight_error, option::force)?,
+            error("rotating_error", &options.rotating_error, option::force)?,
+            error("torque_error", &options.torque_error, option::torque)?,
+        ],
+        outlier_beyond: read(
+            "outlier",
+            options.outlier.as_deref().unwrap_or(OUTLIER),
+            option::beyond,
+        )?,
+        without_outliers: options.without_outliers,
+        band_confidence: read("band", options.band.as_deref().unwrap_or(BAND), option::confidence)?,
+        model,
+    })
+}
+
+/// The dynamic check of a calibration, if it is requested.
+pub(super) fn dynamic_check(
+    options: &CalibrateOptions,
+    jobs: Option<NonZeroUsize>,
+) -> Result<Option<CheckDynamics>, Error> {
+    if !options.check_dynamics {
+        if !options.check_depths.is_empty() {
+            return Err(refused("check_depths", "they need `check_dynamics`"));
+        }
+        return Ok(None);
+    }
+    let depth = |text: &String| {
+        option::depth(text).map_err(|reason| refused("check_depths", format!("`{text}`: {reason}")))
+    };
+    let bit_depths_m = options.check_depths.iter().map(depth).collect::<Result<_, _>>()?;
+    Ok(Some(CheckDynamics { bit_depths_m, jobs }))
+}
+
+/// The operation with a name, or with a driller's word for it.
+///
+/// # Errors
+/// No operation has this name.
+pub fn operation(name: &str) -> Result<OperationKind, String> {
+    operation_named(name).ok_or_else(|| {
+        let names = OperationKind::ALL.map(OperationKind::name).join(", ");
+        format!("`{name}` is no operation: expected one of {names}")
+    })
+}
+
+pub(super) fn one_operation<'de, D: Deserializer<'de>>(
+    from: D,
+) -> Result<Option<OperationKind>, D::Error> {
+    let name = Option::<String>::deserialize(from)?.filter(|name| !name.trim().is_empty());
+    name.map(|name| operation(&name).map_err(D::Error::custom)).transpose()
+}
+
+pub(super) fn operations<'de, D: Deserializer<'de>>(
+    from: D,
+) -> Result<Vec<OperationKind>, D::Error> {
+    let names = Vec::<String>::deserialize(from)?;
+    names.iter().map(|name| operation(name).map_err(D::Error::custom)).collect()
+}
+
+/// Unit sets by name.
+pub(super) mod unit_set {
+    use serde::{Deserialize, Deserializer, Serializer, de::Error as _};
+    use wholestring_units::UnitSet;
+
+    pub(in super::super) fn serialize<S: Serializer>(
+        units: &Option<UnitSet>,
+        to: S,
+    ) -> Result<S::Ok, S::Error> {
+        match units {
+            Some(units) => to.serialize_some(units.name()),
+            None => to.serialize_none(),
+        }
+    }
+
+    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(
+        from: D,
+    ) -> Result<Option<UnitSet>, D::Error> {
+        let name = Option::<String>::deserialize(from)?;
+        name.map(|name| name.parse().map_err(D::Error::custom)).transpose()
+    }
+}
+
+/// Changes as an object of texts by key, in the order of the object.
+pub(super) mod changes {
+    use std::fmt;
+
+    use serde::{
+        Deserializer, Serializer,
+        de::{Error as _, MapAccess, Visitor},
+        ser::SerializeMap,
+    };
+
+    use super::Override;
+
+    pub(in super::super) fn serialize<S: Serializer>(
+        changes: &[Override],
+        to: S,
+    ) -> Result<S::Ok, S::Error> {
+        let mut map = to.serialize_map(Some(changes.len()))?;
+        for change in changes {
+            map.serialize_entry(&change.key, &change.value)?;
+        }
+        map.end()
+    }
+
+    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(
+        from: D,
+    ) -> Result<Vec<Override>, D::Error> {
+        from.deserialize_map(Pairs)
+    }
+
+    struct Pairs;
+
+    impl<'de> Visitor<'de> for Pairs {
+        type Value = Vec<Override>;
+
+        fn expecting(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(to, "an object of texts by key")
+        }
+
+        fn visit_map<M: MapAccess<'de>>(self, mut map: M) -> Result<Self::Value, M::Error> {
+            let mut changes = Vec::new();
+            while let Some((key, value)) = map.next_entry::<String, String>()? {
+                changes.push(format!("{key}={value}").parse().map_err(M::Error::custom)?);
+            }
+            Ok(changes)
+        }
+    }
+}
