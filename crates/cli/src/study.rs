@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use wholestring_case::Override;
-use wholestring_runner::job::{Job, Work};
+use wholestring_runner::job::{Job, StudyOptions, Work};
 
 use crate::shared_args::{BatchArgs, KeptArgs};
 
@@ -37,13 +37,13 @@ pub(crate) struct StudyArgs {
 impl StudyArgs {
     /// The job of these arguments.
     pub(crate) fn job(&self) -> Job {
-        let work = Work::Study {
+        let work = Work::Study(StudyOptions {
             study: self.study.clone(),
             keep: self.kept.keep(),
             shard: self.batch.shard.clone(),
             csv: self.batch.csv,
             png: self.png,
-        };
+        });
         self.batch.applied_to(Job { set: self.overrides.clone(), ..Job::new(None, work) })
     }
 }

@@ -1,7 +1,7 @@
 //! `wholestring sweep`: solves a case for all combinations of some values.
 
 use clap::Args;
-use wholestring_runner::job::{Job, Work};
+use wholestring_runner::job::{Job, SweepOptions, Work};
 
 use crate::shared_args::{BatchArgs, CaseArgs, KeptArgs};
 
@@ -30,13 +30,13 @@ pub(crate) struct SweepArgs {
 impl SweepArgs {
     /// The job of these arguments.
     pub(crate) fn job(&self) -> Job {
-        let work = Work::Sweep {
+        let work = Work::Sweep(SweepOptions {
             vary: self.vary.clone(),
             together: false,
             keep: self.kept.keep(),
             shard: self.batch.shard.clone(),
             csv: self.batch.csv,
-        };
+        });
         self.batch.applied_to(self.case.job(work))
     }
 }

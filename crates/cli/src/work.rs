@@ -82,8 +82,8 @@ fn observer(work: &Work, screen: ScreenOptions) -> Box<dyn Observer> {
         Work::Plan { .. } => Box::new(BatchScreen::plan(quiet)),
         Work::Reach(_) => Box::new(BatchScreen::reach(quiet)),
         Work::Calibrate(_) => Box::new(BatchScreen::dynamics(quiet)),
-        Work::Sweep { .. } => Box::new(BatchScreen::sweep("sweep", quiet)),
-        Work::Study { .. } => Box::new(BatchScreen::sweep("study", quiet)),
+        Work::Sweep(_) => Box::new(BatchScreen::sweep("sweep", quiet)),
+        Work::Study(_) => Box::new(BatchScreen::sweep("study", quiet)),
         Work::BitTest { .. } => Box::new(BatchScreen::bit_test(quiet)),
     }
 }

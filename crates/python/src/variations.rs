@@ -16,8 +16,8 @@ use wholestring_runner::{CancellationToken, sweep::RemoteCase};
 use crate::{
     attended::attended,
     case::change,
-    commands::option::{checkpoint_every, keep},
     error,
+    option::{checkpoint_every, keep},
 };
 
 /// Interval at which a worker checks whether its sweep is still running.

@@ -159,9 +159,14 @@ fn what_is_eccentric_is_what_pushes() {
 #[test]
 fn an_operation_that_the_case_lacks() {
     let desk = Desk::new();
-    let output = desk.run(&few(&["--operation", "fly"]));
-    assert_eq!(output.status.code(), Some(2));
-    assert!(transcript(&output).contains("the case has no operation `fly`: it has "));
+    for (operation, reason) in [
+        ("fly", "`fly` is no operation: expected one of "),
+        ("ream", "the case has no operation `ream`: it has "),
+    ] {
+        let output = desk.run(&few(&["--operation", operation]));
+        assert_eq!(output.status.code(), Some(2));
+        assert!(transcript(&output).contains(reason), "{}", transcript(&output));
+    }
     let output =
         desk.run(&few(&["--set", "modes.fastest=10 rpm", "--set", "modes.slowest=20 rpm"]));
     assert_eq!(output.status.code(), Some(2));

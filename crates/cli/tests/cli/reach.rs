@@ -126,8 +126,8 @@ fn what_cannot_be_asked() {
         (&["--to", "200km"], "100000 m is the most"),
         (&["--from", "0m"], "the reach begins with the bit at 0 m: expected more than"),
         (&["--from", "1kN"], "is no length"),
-        (&["--to", "3km,4km"], "--to takes one depth"),
-        (&["--friction", "much"], "`much` is no friction factor"),
+        (&["--to", "3km,4km"], "`to`: 2 values; expected one"),
+        (&["--friction", "much"], "expected a friction factor, such as 0.3"),
         (&["--friction", "-0.1"], "outside 0 to 2"),
         (&["--operation", "fly"], "`fly` is no operation"),
         (

@@ -50,42 +50,9 @@ pub enum Work {
     /// `calibrate`: friction factors from readings at the surface.
     Calibrate(CalibrateOptions),
     /// `sweep`: the case with all combinations of given values.
-    Sweep {
-        /// Values by key: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`.
-        vary: Vec<String>,
-        /// Whether the keys are varied together: the n-th case has the n-th value of every key.
-        #[serde(default)]
-        together: bool,
-        /// Results to keep of each case: `summary`, `tables` or `all`.
-        #[serde(default)]
-        #[cfg_attr(feature = "openapi", schema(value_type = Option<String>))]
-        keep: Option<Keep>,
-        /// Share of the cases to solve, such as `1/4`.
-        #[serde(default)]
-        shard: Option<String>,
-        /// Whether the tables that are kept are written as CSV too.
-        #[serde(default)]
-        csv: bool,
-    },
+    Sweep(SweepOptions),
     /// `study`: the cases of a study, with its figures and tables.
-    Study {
-        /// The study file.
-        #[cfg_attr(feature = "openapi", schema(value_type = String))]
-        study: PathBuf,
-        /// Results to keep of each case: `summary`, `tables` or `all`.
-        #[serde(default)]
-        #[cfg_attr(feature = "openapi", schema(value_type = Option<String>))]
-        keep: Option<Keep>,
-        /// Share of the cases to solve, such as `1/4`.
-        #[serde(default)]
-        shard: Option<String>,
-        /// Whether the tables that are kept are written as CSV too.
-        #[serde(default)]
-        csv: bool,
-        /// Whether PNG images are written too.
-        #[serde(default)]
-        png: bool,
-    },
+    Study(StudyOptions),
     /// `bit-test`: the bit alone on its rock.
     BitTest {
         /// Share of the points to drill, such as `1/4`.
@@ -207,6 +174,51 @@ pub struct CalibrateOptions {
     pub png: bool,
 }
 
+/// Options of `sweep`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SweepOptions {
+    /// Values by key: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`.
+    pub vary: Vec<String>,
+    /// Whether the keys are varied together: the n-th case has the n-th value of every key.
+    #[serde(default)]
+    pub together: bool,
+    /// Results to keep of each case: `summary`, `tables` or `all`.
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(value_type = Option<String>))]
+    pub keep: Option<Keep>,
+    /// Share of the cases to solve, such as `1/4`.
+    #[serde(default)]
+    pub shard: Option<String>,
+    /// Whether the tables that are kept are written as CSV too.
+    #[serde(default)]
+    pub csv: bool,
+}
+
+/// Options of `study`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(deny_unknown_fields)]
+pub struct StudyOptions {
+    /// The study file.
+    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    pub study: PathBuf,
+    /// Results to keep of each case: `summary`, `tables` or `all`.
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(value_type = Option<String>))]
+    pub keep: Option<Keep>,
+    /// Share of the cases to solve, such as `1/4`.
+    #[serde(default)]
+    pub shard: Option<String>,
+    /// Whether the tables that are kept are written as CSV too.
+    #[serde(default)]
+    pub csv: bool,
+    /// Whether PNG images are written too.
+    #[serde(default)]
+    pub png: bool,
+}
+
 impl CalibrateOptions {
     /// Default options for a file of readings.
     pub fn new(data: impl Into<PathBuf>) -> Self {
@@ -243,8 +255,8 @@ impl Work {
             Self::Bha(_) => "bha",
             Self::Modes { .. } => "modes",
             Self::Calibrate(_) => "calibrate",
-            Self::Sweep { .. } => "sweep",
-            Self::Study { .. } => "study",
+            Self::Sweep(_) => "sweep",
+            Self::Study(_) => "study",
             Self::BitTest { .. } => "bit-test",
         }
     }
