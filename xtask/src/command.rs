@@ -1,33 +1,94 @@
-//! Runs other programs.
+//! Runs other programs in the folders of the repository.
 
 use std::{
     env,
     ffi::OsString,
     fmt::Write as _,
+    fs,
     io::{self, BufRead, BufReader, IsTerminal, Read, Write},
+    path::{Path, PathBuf},
     process::{Command, Stdio},
     thread,
 };
 
-use crate::{
-    count::Count,
-    folders::{root, target},
-};
-
-/// Reason why a step failed, and the tests counted until then.
-pub(crate) struct Failure {
-    pub(crate) reason: String,
-    pub(crate) count: Count,
-}
-
-impl Failure {
-    pub(crate) fn new(reason: impl Into<String>) -> Self {
-        Self { reason: reason.into(), count: Count::default() }
-    }
-}
+use crate::outcome::{Count, Failure, Finding};
 
 /// All packages, with all features of the command.
 pub(crate) const WORKSPACE: [&str; 3] = ["--workspace", "--features", "wholestring-cli/app"];
+
+/// The root of the repository: the parent of this package's folder.
+pub(crate) fn root() -> PathBuf {
+    // Cargo also sets it at run time: a target folder that two checkouts share may contain the
+    // program of the other one.
+    let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    let package = package.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    package.parent().map(Path::to_path_buf).unwrap_or(package)
+}
+
+/// The folder that cargo builds into.
+pub(crate) fn target() -> PathBuf {
+    root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
+}
+
+/// Copies a file, or a folder with its contents.
+pub(crate) fn copy(from: &Path, to: &Path) -> io::Result<()> {
+    if !from.is_dir() {
+        return fs::copy(from, to).map(|_| ());
+    }
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        copy(&entry.path(), &to.join(entry.file_name()))?;
+    }
+    Ok(())
+}
+
+/// Text of a file.
+pub(crate) fn read(path: &Path) -> Result<String, Failure> {
+    fs::read_to_string(path).map_err(Failure::at(path))
+}
+
+/// Files with an extension in a folder and its subfolders, in order, with their texts.
+pub(crate) fn files(folder: &Path, extension: &str) -> Result<Vec<(PathBuf, String)>, Failure> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).map_err(Failure::at(folder))? {
+        let path = entry.map_err(Failure::at(folder))?.path();
+        // Packages that npm installs, and builds, are skipped.
+        if path.is_dir() && !path.ends_with("node_modules") && !path.ends_with("target") {
+            found.extend(files(&path, extension)?);
+        } else if path.extension().is_some_and(|other| other == extension) {
+            found.push((path.clone(), read(&path)?));
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// Path of a file that another one names relative to its own folder.
+pub(crate) fn relative(source: &Path, file: &str) -> PathBuf {
+    let mut path = source.parent().unwrap_or(source).to_path_buf();
+    for step in file.split('/') {
+        match step {
+            "." => {}
+            ".." => drop(path.pop()),
+            _ => path.push(step),
+        }
+    }
+    path
+}
+
+/// Runs a step with its requirement. Without it, skips the step, with the reason; in CI, where an
+/// untested step would count as passed, it fails.
+pub(crate) fn with<T, F: Into<Finding>>(
+    requirement: Result<T, String>,
+    step: impl FnOnce(T) -> Result<F, Failure>,
+) -> Result<Finding, Failure> {
+    match requirement {
+        Ok(requirement) => step(requirement).map(Into::into),
+        Err(reason) if env::var_os("CI").is_some() => Err(Failure::new(reason)),
+        Err(reason) => Ok(Finding::Skipped(reason)),
+    }
+}
 
 /// The cargo that runs this program, in the root of the repository.
 pub(crate) fn cargo() -> Command {
@@ -43,6 +104,13 @@ pub(crate) fn run(command: &mut Command, advice: &str) -> Result<(), Failure> {
         Ok(status) => Err(Failure::new(format!("`{}`: {status}; {advice}", line(command)))),
         Err(error) => Err(cannot_start(command, &error)),
     }
+}
+
+/// Whether Rust's standard library is installed for a target.
+pub(crate) fn has_target(triple: &str) -> bool {
+    let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let sysroot = printed(Command::new(rustc).args(["--print", "sysroot"]), "Rust has a folder");
+    sysroot.is_ok_and(|folder| Path::new(folder.trim()).join("lib/rustlib").join(triple).is_dir())
 }
 
 /// A program of the repository, `--bin` or `--example`, built and ready to run. It is built as part

@@ -5,7 +5,6 @@
 use std::{
     collections::{BTreeMap, BTreeSet},
     fmt::Write as _,
-    fs,
     path::PathBuf,
 };
 
@@ -13,26 +12,18 @@ use serde_json::Value;
 
 use crate::{
     book,
-    command::Failure,
-    finding::Finding,
-    folders::root,
-    metadata::{self, list, text},
+    command::{read, root},
+    crates::{list, metadata, text},
+    outcome::{Failure, Finding},
 };
 
-const COMMAND: &str = "dependencies";
+const COMMAND: &str = "dependencies --write";
 
 /// Folders of pages' sources; npm's lock file contains the licences.
 const PAGES: [&str; 2] = ["crates/report/web", "web/app"];
 
-/// A dependency as the manifests know it.
-#[derive(Debug, Default, PartialEq)]
-struct Dependency {
-    licence: String,
-    /// Its users, and whether they use it only for tests.
-    users: BTreeMap<String, bool>,
-}
-
-type Dependencies = BTreeMap<String, Dependency>;
+/// Licence and users of a dependency, with whether a user needs it only for tests.
+type Dependency = (String, BTreeMap<String, bool>);
 
 fn page() -> PathBuf {
     root().join("docs/src/dependencies.md")
@@ -40,144 +31,104 @@ fn page() -> PathBuf {
 
 /// The table has each dependency with its purpose, and no former one.
 pub(crate) fn check_table() -> Result<Finding, Failure> {
-    let text = read(&page())?;
-    let [_, written, _] = book::parts(&text, COMMAND)?;
-    let reasons = reasons(written);
-    let expected = table(&all()?, &reasons);
-    let stale = |line: &str| {
-        let advice = "run `cargo xtask dependencies --write`, and give the purpose of a new one";
-        Failure::new(format!("docs/src/dependencies.md, {line}; {advice}"))
-    };
-    let there: BTreeSet<&str> = written.lines().filter(|line| !line.is_empty()).collect();
-    let needed: BTreeSet<&str> = expected.lines().collect();
-    if let Some(line) = needed.difference(&there).next() {
-        return Err(stale(&format!("missing: {line}")));
+    let table = written()?;
+    if let Some(row) = table.lines().find(|row| row.ends_with(" |  |")) {
+        return Err(Failure::new(format!("docs/src/dependencies.md, {row}: give the purpose")));
     }
-    if let Some(line) = there.difference(&needed).next() {
-        return Err(stale(&format!("out of date: {line}")));
-    }
-    match reasons.iter().find(|(_, reason)| reason.is_empty()) {
-        Some((name, _)) => Err(stale(&format!("the purpose of {name} is missing"))),
-        None => Ok(Finding::Done),
-    }
+    book::check(&page(), COMMAND, &table)
 }
 
 /// Writes the table into the book; the purpose of each dependency is kept.
 pub(crate) fn write_table() -> Result<Finding, Failure> {
-    let text = read(&page())?;
-    let [_, written, _] = book::parts(&text, COMMAND)?;
-    let reasons = reasons(written);
-    let all = all()?;
-    book::write(&page(), COMMAND, &table(&all, &reasons))?;
-    for name in all.keys() {
-        if reasons.get(name.as_str()).is_none_or(|reason| reason.is_empty()) {
-            println!("give the purpose of {name} in docs/src/dependencies.md");
-        }
+    let table = written()?;
+    for row in table.lines().filter(|row| row.ends_with(" |  |")) {
+        println!("give the purpose in docs/src/dependencies.md: {row}");
     }
-    Ok(Finding::Done)
+    book::write(&page(), COMMAND, &table)
 }
 
-fn read(path: &PathBuf) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|error| Failure::new(format!("{}: {error}", path.display())))
-}
-
-fn all() -> Result<Dependencies, Failure> {
-    let mut all = of_crates(&metadata::all()?);
+/// The table with the purposes that the page has.
+fn written() -> Result<String, Failure> {
+    let parsed = |path: String| {
+        let text = read(&root().join(&path))?;
+        serde_json::from_str(&text).map_err(|error| Failure::new(format!("{path}: {error}")))
+    };
+    let mut all = of_crates(&metadata(&["--all-features"])?);
     for page in PAGES {
-        let manifest = parsed(&format!("{page}/package.json"))?;
-        let lock = parsed(&format!("{page}/package-lock.json"))?;
-        of_page(page, &manifest, &lock, &mut all);
+        let manifest = parsed(format!("{page}/package.json"))?;
+        of_page(page, &manifest, &parsed(format!("{page}/package-lock.json"))?, &mut all);
     }
-    Ok(all)
-}
-
-fn parsed(path: &str) -> Result<Value, Failure> {
-    let text = read(&root().join(path))?;
-    serde_json::from_str(&text).map_err(|error| Failure::new(format!("{path}: {error}")))
+    let page = read(&page())?;
+    Ok(table(&all, &purposes(book::parts(&page, COMMAND)?[1])))
 }
 
 /// External dependencies of the workspace's members.
-fn of_crates(metadata: &Value) -> Dependencies {
+fn of_crates(metadata: &Value) -> BTreeMap<String, Dependency> {
     let packages: BTreeMap<&str, &Value> =
         list(&metadata["packages"]).map(|package| (text(&package["id"]), package)).collect();
     let members: BTreeSet<&str> = list(&metadata["workspace_members"]).map(text).collect();
     let mut found: BTreeMap<(&str, &str), Dependency> = BTreeMap::new();
     for node in list(&metadata["resolve"]["nodes"]) {
-        let user = text(&node["id"]);
-        if !members.contains(user) {
+        let Some(user) = members.get(text(&node["id"])).and_then(|id| packages.get(id)) else {
             continue;
-        }
-        for used in list(&node["deps"]) {
-            let id = text(&used["pkg"]);
-            let Some(package) = packages.get(id).filter(|_| !members.contains(id)) else {
-                continue;
-            };
+        };
+        for used in list(&node["deps"]).filter(|used| !members.contains(text(&used["pkg"]))) {
+            let Some(package) = packages.get(text(&used["pkg"])) else { continue };
             let key = (text(&package["name"]), text(&package["version"]));
-            let dependency = found.entry(key).or_default();
+            let (licence, users) = found.entry(key).or_default();
             // The old notation of alternatives.
-            dependency.licence = text(&package["license"]).replace('/', " OR ");
+            *licence = text(&package["license"]).replace('/', " OR ");
             let for_tests = list(&used["dep_kinds"]).all(|kind| kind["kind"] == "dev");
-            let user = packages.get(user).map_or(user, |user| text(&user["name"]));
-            let alone = dependency.users.entry(user.to_owned()).or_insert(true);
-            *alone &= for_tests;
+            *users.entry(text(&user["name"]).to_owned()).or_insert(true) &= for_tests;
         }
     }
-    let mut all = Dependencies::new();
-    let versions = |name| found.keys().filter(|(other, _)| *other == name).count();
-    let named: Vec<String> = found
-        .keys()
-        .map(|(name, version)| match versions(*name) {
-            1 => (*name).to_owned(),
-            _ => format!("{name} {version}"),
-        })
-        .collect();
-    all.extend(named.into_iter().zip(found.into_values()));
-    all
+    let names: Vec<&str> = found.keys().map(|(name, _)| *name).collect();
+    let named = |((name, version), dependency): ((&str, &str), Dependency)| {
+        let is_one = names.iter().filter(|other| **other == name).count() == 1;
+        (if is_one { name.to_owned() } else { format!("{name} {version}") }, dependency)
+    };
+    found.into_iter().map(named).collect()
 }
 
 /// Dependencies of a page and of its build. The two kinds in npm are not distinguished, because all
 /// of them are bundled or make the bundle.
-fn of_page(page: &str, manifest: &Value, lock: &Value, all: &mut Dependencies) {
+fn of_page(page: &str, manifest: &Value, lock: &Value, all: &mut BTreeMap<String, Dependency>) {
     for part in ["dependencies", "devDependencies"] {
-        let names = manifest[part].as_object().into_iter().flatten();
-        for (name, _) in names {
-            let licence = &lock["packages"][format!("node_modules/{name}")]["license"];
-            let dependency = all.entry(format!("{name} (npm)")).or_default();
-            dependency.licence = text(licence).to_owned();
-            dependency.users.insert(page.to_owned(), false);
+        for (name, _) in manifest[part].as_object().into_iter().flatten() {
+            let (licence, users) = all.entry(format!("{name} (npm)")).or_default();
+            let package = &lock["packages"][format!("node_modules/{name}")];
+            *licence = text(&package["license"]).to_owned();
+            users.insert(page.to_owned(), false);
         }
     }
 }
 
 /// Purposes of the dependencies, from the table.
-fn reasons(table: &str) -> BTreeMap<&str, &str> {
+fn purposes(table: &str) -> BTreeMap<&str, &str> {
     let rows = table.lines().filter_map(|line| {
-        let cells: Vec<&str> = line.strip_prefix("| `")?.split(" | ").collect();
-        let [name, .., reason] = cells[..] else {
-            return None;
-        };
-        Some((name.trim_end_matches('`'), reason.trim_end_matches('|').trim()))
+        let (name, rest) = line.strip_prefix("| `")?.split_once("` |")?;
+        let purpose = rest.splitn(3, " | ").nth(2)?;
+        Some((name, purpose.trim_end_matches('|').trim()))
     });
     rows.collect()
 }
 
-fn table(all: &Dependencies, reasons: &BTreeMap<&str, &str>) -> String {
+fn table(all: &BTreeMap<String, Dependency>, purposes: &BTreeMap<&str, &str>) -> String {
     let mut table =
         String::from("| dependency | licence | used by | purpose |\n|---|---|---|---|\n");
-    for (name, Dependency { licence, users }) in all {
-        let short = |user: &str| user.strip_prefix("wholestring-").unwrap_or(user).to_owned();
-        let mut used: Vec<String> = Vec::new();
-        for for_tests in [false, true] {
-            let these = users.iter().filter(|(_, alone)| **alone == for_tests);
-            let these: Vec<String> = these.map(|(user, _)| short(user)).collect();
-            match (these.is_empty(), for_tests) {
-                (true, _) => {}
-                (false, false) => used.push(these.join(", ")),
-                (false, true) => used.push(format!("tests of {}", these.join(", "))),
-            }
+    for (name, (licence, users)) in all {
+        let users_for = |tests: bool| {
+            let users = users.iter().filter(|(_, for_tests)| **for_tests == tests);
+            let short = |user: &String| user.trim_start_matches("wholestring-").to_owned();
+            users.map(|(user, _)| short(user)).collect::<Vec<_>>().join(", ")
+        };
+        let (mut used, tests) = (users_for(false), users_for(true));
+        if !tests.is_empty() {
+            used += if used.is_empty() { "tests of " } else { "; tests of " };
+            used += &tests;
         }
-        let reason = reasons.get(name.as_str()).unwrap_or(&"");
-        let _ = writeln!(table, "| `{name}` | {licence} | {} | {reason} |", used.join("; "));
+        let purpose = purposes.get(name.as_str()).unwrap_or(&"");
+        let _ = writeln!(table, "| `{name}` | {licence} | {used} | {purpose} |");
     }
     table
 }
@@ -188,8 +139,9 @@ mod tests {
 
     use super::*;
 
-    fn metadata() -> Value {
-        json!({
+    #[test]
+    fn direct_dependencies_are_listed_with_their_users() {
+        let mut all = of_crates(&json!({
             "workspace_members": ["ours", "more"],
             "packages": [
                 { "id": "ours", "name": "wholestring-ours", "version": "0.1.0" },
@@ -211,12 +163,7 @@ mod tests {
                 ]},
                 { "id": "a1", "deps": [{ "pkg": "c1", "dep_kinds": [{ "kind": null }] }] },
             ]},
-        })
-    }
-
-    #[test]
-    fn what_a_crate_names_itself_is_listed() {
-        let mut all = of_crates(&metadata());
+        }));
         let manifest = json!({ "devDependencies": { "z": "1.0.0" } });
         let lock = json!({ "packages": { "node_modules/z": { "license": "ISC" } } });
         of_page("web", &manifest, &lock, &mut all);
@@ -229,6 +176,6 @@ mod tests {
 | `b 2.0.0` | MIT | wholestring |  |
 | `z (npm)` | ISC | web |  |
 ";
-        assert_eq!(table(&all, &reasons(old)), expected);
+        assert_eq!(table(&all, &purposes(old)), expected);
     }
 }

@@ -3,12 +3,11 @@
 //!
 //! Limits per 10,000 words are three times the worst of nine well-kept Rust projects of numerics and tools.
 
-use std::{fmt::Write as _, fs, process::Command};
+use std::{fmt::Write as _, process::Command};
 
 use crate::{
-    command::{Failure, printed},
-    finding::Finding,
-    folders::root,
+    command::{printed, read, root},
+    outcome::{Failure, Finding},
 };
 
 /// A turn of phrase and how often it may occur.
@@ -149,18 +148,14 @@ fn files(pattern: &str) -> Result<Vec<String>, Failure> {
 
 /// Holds the comments of the code and the hand-written pages of the book to the limits.
 pub(crate) fn check() -> Result<Finding, Failure> {
-    let read = |file: &String| {
-        fs::read_to_string(root().join(file))
-            .map_err(|error| Failure::new(format!("{file}: {error}")))
-    };
     let [mut code, mut book] = [Prose::default(), Prose::default()];
     for file in files("*.rs")? {
-        code.add_source(&read(&file)?);
+        code.add_source(&read(&root().join(file))?);
     }
     for file in files("docs/src/*.md")?.iter().chain(&["README.md".to_owned()]) {
         // Written by a program from the names of quantities.
         if !file.ends_with("verification-table.md") {
-            book.add_page(&read(file)?);
+            book.add_page(&read(&root().join(file))?);
         }
     }
     let excess = code.excess("code") + &book.excess("book");

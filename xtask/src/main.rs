@@ -1,149 +1,151 @@
 //! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify`
-//! also runs the tests that take minutes, `cargo xtask changes` tests the examples of changes,
-//! `cargo xtask fuzz` reads damaged inputs for a given time, `cargo xtask peers` compares the speed
-//! with other programs, `cargo xtask accuracy` measures the errors of the mesh accuracies,
-//! `cargo xtask playground` builds the app that runs in a browser alone, `cargo xtask portability`
-//! tests other systems and processors.
+//! also the tests that take minutes; `cargo xtask --help` lists the others.
 
-mod accuracy;
-mod app;
-mod architecture;
 mod book;
 mod changes;
-mod clean_root;
 mod command;
-mod count;
+mod crates;
 mod cycles;
 mod dependencies;
-mod features;
-mod finding;
-mod folders;
+mod equations;
 mod language;
-mod metadata;
-mod packages;
-mod page;
-mod paper;
-mod peers;
-mod portability;
+mod outcome;
+mod pages;
 mod python;
-mod python_package;
 mod shown;
-mod site;
-mod usage;
 mod verification;
-mod wasm;
-mod web;
-mod winget;
 mod workflows;
 
 use std::{env, process::ExitCode, time::Instant};
 
-use command::{Failure, WORKSPACE, cargo, program, run, run_counted, succeeds};
-use count::Count;
-use finding::Finding;
-use folders::root;
-use usage::USAGE;
+use command::{WORKSPACE, cargo, program, run, run_counted, with};
+use outcome::{Count, Failure, Finding};
+
+const USAGE: &str = "\
+usage: cargo xtask test [--keep-going] [JOB | STEP]...
+                             run everything that CI runs, or the steps of these jobs or with these
+                             titles; with --keep-going continue after steps that fail
+       cargo xtask cycles    list the circles between files
+       cargo xtask verify    run all tests, including those that take minutes, and write the
+                             book's table of them
+       cargo xtask fuzz [SECONDS | --inputs N] [--seed S] [READER...]
+                             read damaged inputs with every reader [default: for an hour]
+       cargo xtask dependencies --write
+                             write the dependencies of crates and pages into the book
+       cargo xtask architecture
+                             draw the crates and their dependencies for ARCHITECTURE.md
+       cargo xtask book      build the book into target/book, with the app of target/playground
+                             if it exists
+       cargo xtask site      build that app, and the book with it
+       cargo xtask equations --write
+                             convert the book's equations for the documentation of the code
+       cargo xtask playground
+                             build the app that runs in a browser alone, in target/playground
+       cargo xtask packages
+                             pack the published crates and build each from its package
+       cargo xtask paper     write the paper to target/paper/paper.pdf
+       cargo xtask shown [--all]
+                             run the commands in the README and the book's first pages, with
+                             --all also those that take minutes
+       cargo xtask workflows check the workflows in .github";
 
 /// Option with which a failed step does not end the others.
 const KEEP_GOING: &str = "--keep-going";
 
-type Step = (&'static str, fn() -> Result<Finding, Failure>);
+/// A step with its job, in which CI runs it beside the others, and its title.
+type Step = (&'static str, &'static str, fn() -> Result<Finding, Failure>);
 
 /// Cheap steps first, so that an error is reported early.
 const TEST: &[Step] = &[
-    ("Formatting", formatting),
-    ("Circles between files", no_cycles),
-    ("Table of changes", changes::check_table),
-    ("Table of accuracy", accuracy::check_table),
-    ("Table of dependencies", dependencies::check_table),
-    ("Picture of the crates", architecture::check),
-    ("Packages", packages::check),
-    ("Language", language::check),
-    ("Features of the Python package", features::check),
-    ("Equations of the documentation", site::check_equations),
-    ("Workflows", workflows::check),
-    ("Bundle of the report", page::bundle),
-    ("Bundle of the app", app::bundle),
-    ("Lints", lints),
-    ("Tests", tests),
-    ("Table of verification", verification::check_table),
-    ("Damaged inputs", damaged_inputs),
-    ("Documentation examples", doc_tests),
-    ("Documentation", documentation),
-    ("Book", site::build),
-    ("Paper", paper::build),
-    ("Commands of the first pages", shown::quick),
-    ("Core for the browser", wasm::core),
-    ("Python example", python::example),
-    ("Python package", python_package::package),
-    ("Report in a browser", page::browser),
-    ("App in a browser", app::browser),
-    ("App in a browser alone", wasm::browser),
+    ("sources", "Formatting", formatting),
+    ("sources", "Circles between files", cycles::check),
+    ("sources", "Table of changes", changes::check_table),
+    ("sources", "Table of accuracy", accuracy),
+    ("sources", "Table of dependencies", dependencies::check_table),
+    ("sources", "Picture of the crates", crates::check_picture),
+    ("sources", "Packages", crates::check_packages),
+    ("sources", "Language", language::check),
+    ("sources", "Features of the Python package", crates::check_features),
+    ("sources", "Equations of the documentation", equations::check),
+    ("sources", "Workflows", workflows),
+    ("pages", "Bundle of the report", pages::report_bundle),
+    ("pages", "Bundle of the app", pages::app_bundle),
+    ("lints", "Lints", lints),
+    ("tests", "Tests", verification::tests),
+    ("tests", "Table of verification", verification::check_table),
+    ("tests", "Damaged inputs", damaged_inputs),
+    ("tests", "Documentation examples", doc_tests),
+    ("lints", "Documentation", documentation),
+    ("book", "Book", book::build),
+    ("book", "Paper", python::paper),
+    ("book", "Commands of the first pages", shown::quick),
+    ("pages", "Core for the browser", pages::core),
+    ("python", "Python example", python::example),
+    ("python", "Python package", python::package),
+    ("pages", "Report in a browser", pages::report),
+    ("pages", "App in a browser", pages::app),
+    ("pages", "App in a browser alone", pages::alone),
 ];
 
 const VERIFY: &[Step] = &[
-    ("All tests", verification::all_tests),
-    ("Table of verification", verification::write_table),
-    ("Commands of the first pages", shown::all),
+    ("verify", "All tests", verification::all_tests),
+    ("verify", "Table of verification", verification::write_table),
+    ("verify", "Commands of the first pages", shown::all),
 ];
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = env::args().skip(1).collect();
-    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["test", ref options @ ..] => test(options),
-        ["verify"] => take(VERIFY, false),
-        ["cycles"] => exit_code(no_cycles()),
-        ["changes"] => exit_code(changes::try_out(None, false)),
-        ["changes", "--tests"] => exit_code(changes::try_out(None, true)),
-        ["changes", "--only", name] => exit_code(changes::try_out(Some(name), false)),
-        ["changes", "--only", name, "--tests"] | ["changes", "--tests", "--only", name] => {
-            exit_code(changes::try_out(Some(name), true))
-        }
-        ["changes", "--record", name] => exit_code(changes::record(name)),
-        ["peers"] => exit_code(peers::side_by_side(false)),
-        ["peers", "--write"] => exit_code(peers::side_by_side(true)),
-        ["book"] => exit_code(site::build()),
-        ["site"] => exit_code(wasm::playground().and_then(|_| site::build())),
-        ["bundles"] => exit_code(page::bundle().and_then(|_| app::bundle())),
-        ["equations", "--write"] => exit_code(site::write_equations()),
-        ["equations", ref arguments @ ..] => exit_code(site::equations(arguments)),
-        ["paper"] => exit_code(paper::build()),
-        ["packages"] => exit_code(packages::try_all()),
-        ["shown"] => exit_code(shown::quick()),
-        ["shown", "--all"] => exit_code(shown::all()),
-        ["clean-root", ref suites @ ..] => exit_code(clean_root::try_all(suites)),
-        ["winget", sha256] => exit_code(winget::write(sha256)),
-        ["portability", ref systems @ ..] => exit_code(portability::try_out(systems)),
-        ["workflows"] => exit_code(workflows::check()),
-        ["architecture"] => exit_code(architecture::write()),
-        ["dependencies", "--write"] => exit_code(dependencies::write_table()),
-        ["accuracy", "--write"] => exit_code(accuracy::measure(true, &[])),
-        ["accuracy", ref words @ ..] => exit_code(accuracy::measure(false, words)),
-        ["playground"] => exit_code(wasm::playground()),
-        ["fuzz"] => exit_code(fuzz(&["3600"])),
-        ["fuzz", ref fuzz_options @ ..] => exit_code(fuzz(fuzz_options)),
+    let chore = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["test", ref options @ ..] => return test(options),
+        ["verify"] => return take(VERIFY, false),
+        ["cycles"] => cycles::check(),
+        ["book"] => book::build(),
+        ["site"] => pages::playground().and_then(|_| book::build()),
+        ["equations", "--write"] => equations::write(),
+        ["equations", ref arguments @ ..] => equations::preprocess(arguments),
+        ["paper"] => python::paper(),
+        ["packages"] => crates::package(),
+        ["shown"] => shown::quick(),
+        ["shown", "--all"] => shown::all(),
+        ["workflows"] => workflows(),
+        ["architecture"] => crates::draw(),
+        ["dependencies", "--write"] => dependencies::write_table(),
+        ["playground"] => pages::playground(),
+        ["fuzz"] => fuzz(&["3600"]),
+        ["fuzz", ref options @ ..] => fuzz(options),
         ["--help" | "-h"] => {
             println!("{USAGE}");
-            ExitCode::SUCCESS
+            return ExitCode::SUCCESS;
         }
         _ => {
             eprintln!("{USAGE}");
-            ExitCode::from(2)
+            return ExitCode::from(2);
+        }
+    };
+    match chore {
+        Ok(Finding::Skipped(reason)) => println!("skipped, {reason}"),
+        Ok(_) => {}
+        Err(failure) => {
+            eprintln!("{}", failure.reason);
+            return ExitCode::FAILURE;
         }
     }
+    ExitCode::SUCCESS
 }
 
-/// Runs all steps, or those with the given titles; continues after a failed one on request.
+/// Runs all steps, or those of the given jobs and titles; continues after a failed one on request.
 fn test(options: &[&str]) -> ExitCode {
-    let (switches, titles): (Vec<_>, Vec<_>) =
-        options.iter().partition(|option| **option == KEEP_GOING);
-    if let Some(unknown) = titles.iter().find(|title| !TEST.iter().any(|step| step.0 == **title)) {
-        eprintln!("`{unknown}` is not a step; the steps are:");
-        TEST.iter().for_each(|step| eprintln!("  {}", step.0));
+    let (switches, names): (Vec<_>, Vec<_>) =
+        options.iter().copied().partition(|option| *option == KEEP_GOING);
+    let is_named = |step: &Step, name: &str| step.0 == name || step.1 == name;
+    if let Some(unknown) = names.iter().find(|name| !TEST.iter().any(|step| is_named(step, name))) {
+        eprintln!("`{unknown}` is neither a job nor a step; these are:");
+        TEST.iter().for_each(|(job, title, _)| eprintln!("  {job}: {title}"));
         return ExitCode::from(2);
     }
-    let chosen: Vec<_> =
-        TEST.iter().filter(|step| titles.is_empty() || titles.contains(&step.0)).copied().collect();
+    let is_chosen =
+        |step: &&Step| names.is_empty() || names.iter().any(|name| is_named(step, name));
+    let chosen: Vec<_> = TEST.iter().filter(is_chosen).copied().collect();
     take(&chosen, !switches.is_empty())
 }
 
@@ -151,7 +153,7 @@ fn take(steps: &[Step], keep_going: bool) -> ExitCode {
     let start = Instant::now();
     let mut total = Count::default();
     let mut failed = Vec::new();
-    for (number, (title, step)) in steps.iter().enumerate() {
+    for (number, (_, title, step)) in steps.iter().enumerate() {
         println!("[{}/{}] {title}", number + 1, steps.len());
         let begin = Instant::now();
         let outcome = step();
@@ -173,19 +175,15 @@ fn take(steps: &[Step], keep_going: bool) -> ExitCode {
             }
         }
     }
-    if !failed.is_empty() {
-        println!("\nFailed: {}", failed.join(", "));
-        println!("{total}");
-        return ExitCode::FAILURE;
+    match failed.is_empty() {
+        true => println!("\nAll steps in {:.0} s\n{total}", start.elapsed().as_secs_f64()),
+        false => println!("\nFailed: {}\n{total}", failed.join(", ")),
     }
-    println!("\nAll steps in {:.0} s", start.elapsed().as_secs_f64());
-    println!("{total}");
-    ExitCode::SUCCESS
+    if failed.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 fn formatting() -> Result<Finding, Failure> {
-    run(cargo().args(["fmt", "--all", "--check"]), "run `cargo fmt --all`")?;
-    Ok(Finding::Done)
+    run(cargo().args(["fmt", "--all", "--check"]), "run `cargo fmt --all`").map(Finding::from)
 }
 
 fn lints() -> Result<Finding, Failure> {
@@ -199,54 +197,26 @@ fn lints() -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-fn tests() -> Result<Finding, Failure> {
-    // nextest runs the tests of all crates in parallel, but not the documentation examples.
-    let mut runner = cargo();
-    if succeeds(cargo().args(["nextest", "--version"])) {
-        runner.args(["nextest", "run", "--no-fail-fast"]).args(WORKSPACE);
-    } else {
-        runner.args(["test", "--no-fail-fast"]).args(WORKSPACE);
-        runner.args(["--lib", "--bins", "--tests", "--examples"]);
-    }
-    verification::forget()?;
-    runner.env(wholestring_verification::FILE, verification::reported());
-    run_counted(&mut runner).map(Finding::Tested)
+fn workflows() -> Result<Finding, Failure> {
+    workflows::check(USAGE, &TEST.iter().map(|step| step.0).collect())
 }
 
-/// No file uses another that, through others, uses it.
-fn no_cycles() -> Result<Finding, Failure> {
-    let found = cycles::in_words(&root()).map_err(|error| Failure::new(error.to_string()))?;
-    if found.is_empty() {
-        return Ok(Finding::Done);
-    }
-    Err(Failure::new(format!(
-        "{found}files use each other in circles: move the shared items to a separate file"
-    )))
+/// The book's table of the errors of each mesh has the rows and columns that would be measured.
+fn accuracy() -> Result<Finding, Failure> {
+    with(python::python("3.11"), |mut python| {
+        run(python.args(["scripts/accuracy.py", "--check"]), "the table is out of date")
+    })
 }
 
 /// Runs every reader on damaged inputs, with the fuzzer's options. Unoptimised arithmetic checks
 /// remain enabled.
 fn fuzz(fuzz_options: &[&str]) -> Result<Finding, Failure> {
-    run(
-        program("--bin", "wholestring-fuzz")?.args(fuzz_options),
-        "a reader failed on an input: fix it, and add the input as a test",
-    )?;
-    Ok(Finding::Done)
+    let advice = "a reader failed on an input: fix it, and add the input as a test";
+    run(program("--bin", "wholestring-fuzz")?.args(fuzz_options), advice).map(Finding::from)
 }
 
 fn damaged_inputs() -> Result<Finding, Failure> {
     fuzz(&["20"])
-}
-
-/// The exit code of a chore of one step.
-fn exit_code(done: Result<Finding, Failure>) -> ExitCode {
-    match done {
-        Ok(_) => ExitCode::SUCCESS,
-        Err(failure) => {
-            eprintln!("{}", failure.reason);
-            ExitCode::FAILURE
-        }
-    }
 }
 
 fn doc_tests() -> Result<Finding, Failure> {
@@ -255,9 +225,7 @@ fn doc_tests() -> Result<Finding, Failure> {
 }
 
 fn documentation() -> Result<Finding, Failure> {
-    run(
-        cargo().arg("doc").args(WORKSPACE).arg("--no-deps").env("RUSTDOCFLAGS", "-D warnings"),
-        "warnings count as errors",
-    )?;
-    Ok(Finding::Done)
+    let mut doc = cargo();
+    doc.arg("doc").args(WORKSPACE).arg("--no-deps").env("RUSTDOCFLAGS", "-D warnings");
+    run(&mut doc, "warnings count as errors").map(Finding::from)
 }

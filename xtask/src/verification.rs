@@ -1,64 +1,57 @@
 //! The book's table of verification, from the reports of the tests.
 
-use std::{
-    collections::BTreeMap,
-    fmt::Write as _,
-    fs,
-    path::{Path, PathBuf},
-};
+use std::{collections::BTreeMap, fmt::Write as _, fs, path::PathBuf};
 
 use wholestring_verification::{FILE, Line, Tolerance, error, unit};
 
 use crate::{
-    command::{Failure, WORKSPACE, cargo, run_counted, succeeds},
-    finding::Finding,
-    folders::{root, target},
+    command::{WORKSPACE, cargo, read, root, run_counted, succeeds, target},
+    outcome::{Failure, Finding},
 };
 
 /// File of the reports of the last test run.
-pub(crate) fn reported() -> PathBuf {
+fn reported() -> PathBuf {
     // Absolute: each test runs in the folder of its own package.
     let target = target();
     target.canonicalize().unwrap_or(target).join("verification.jsonl")
-}
-
-/// Removes the reports of an earlier run.
-pub(crate) fn forget() -> Result<(), Failure> {
-    let path = reported();
-    match fs::remove_file(&path) {
-        Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
-            Err(Failure::new(format!("{}: {error}", path.display())))
-        }
-        _ => Ok(()),
-    }
 }
 
 fn page() -> PathBuf {
     root().join("docs/src/verification-table.md")
 }
 
+/// Runs every test except those that take minutes.
+pub(crate) fn tests() -> Result<Finding, Failure> {
+    run_tests(&[], &[])
+}
+
 /// Runs every test, including those that take minutes.
 pub(crate) fn all_tests() -> Result<Finding, Failure> {
-    forget()?;
+    run_tests(&["--run-ignored", "all"], &["--", "--include-ignored"])
+}
+
+/// Runs the tests with nextest and its options, or with cargo and those. nextest runs the tests of
+/// all crates in parallel, but not the documentation examples.
+fn run_tests(for_nextest: &[&str], for_cargo: &[&str]) -> Result<Finding, Failure> {
+    // The reports of an earlier run.
+    if reported().exists() {
+        fs::remove_file(reported()).map_err(Failure::at(&reported()))?;
+    }
     let mut runner = cargo();
     if succeeds(cargo().args(["nextest", "--version"])) {
-        runner.args(["nextest", "run", "--no-fail-fast"]).args(WORKSPACE);
-        runner.args(["--run-ignored", "all"]);
+        runner.args(["nextest", "run", "--no-fail-fast"]).args(WORKSPACE).args(for_nextest);
     } else {
         runner.args(["test", "--no-fail-fast"]).args(WORKSPACE);
-        runner.args(["--lib", "--bins", "--tests", "--examples"]);
-        runner.args(["--", "--include-ignored"]);
+        runner.args(["--lib", "--bins", "--tests", "--examples"]).args(for_cargo);
     }
     run_counted(runner.env(FILE, reported())).map(Finding::Tested)
 }
 
 /// Writes the table into the book.
 pub(crate) fn write_table() -> Result<Finding, Failure> {
-    let lines = read(&reported())?;
+    let lines = lines()?;
     let cases = Cases::read()?;
-    fs::write(page(), table(&lines, &cases)?)
-        .map_err(|error| Failure::new(format!("{}: {error}", page().display())))?;
-    Ok(Finding::Done)
+    fs::write(page(), table(&lines, &cases)?).map_err(Failure::at(&page())).map(Finding::from)
 }
 
 /// Checks that the table in the book has the cases that the tests reported, and no others than
@@ -72,7 +65,7 @@ pub(crate) fn check_table() -> Result<Finding, Failure> {
         .collect();
     let cases = Cases::read()?;
     let stale = |reason: String| Failure::new(format!("{reason}; run `cargo xtask verify`"));
-    for line in read(&reported())? {
+    for line in lines()? {
         if !listed.contains(&&*line.case) {
             let page = page();
             return Err(stale(format!("{} lacks {}", page.display(), line.case)));
@@ -86,15 +79,11 @@ pub(crate) fn check_table() -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-fn read(path: &Path) -> Result<Vec<Line<'static>>, Failure> {
-    let text = fs::read_to_string(path)
-        .map_err(|error| Failure::new(format!("{}: {error}", path.display())))?;
-    text.lines()
-        .map(|line| {
-            serde_json::from_str(line)
-                .map_err(|error| Failure::new(format!("{}: {error}: {line}", path.display())))
-        })
-        .collect()
+fn lines() -> Result<Vec<Line<'static>>, Failure> {
+    let text = read(&reported())?;
+    let parsed =
+        |line| serde_json::from_str(line).map_err(|error| Failure::new(format!("{error}: {line}")));
+    text.lines().map(parsed).collect()
 }
 
 /// The list of cases in `verification/README.md`.
@@ -109,10 +98,7 @@ struct Case {
 
 impl Cases {
     fn read() -> Result<Self, Failure> {
-        let path = root().join("verification/README.md");
-        let text = fs::read_to_string(&path)
-            .map_err(|error| Failure::new(format!("{}: {error}", path.display())))?;
-        Ok(Self::parse(&text))
+        Ok(Self::parse(&read(&root().join("verification/README.md"))?))
     }
 
     fn parse(text: &str) -> Self {

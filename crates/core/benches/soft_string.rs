@@ -1,5 +1,5 @@
 //! The soft string on the wells of `benchmarks/peers/problem.json`, answers and times as a line of
-//! JSON for `cargo xtask peers`: `cargo bench -p wholestring --bench soft_string`.
+//! JSON for `scripts/peers.py`: `cargo bench -p wholestring --bench soft_string`.
 
 #[path = "../tests/common/mod.rs"]
 mod common;

@@ -10,8 +10,8 @@ use std::{
 
 use wholestring_results::{Summary, Table};
 
-/// Replacement for the program that was built with the tests, set by `cargo xtask portability`, one
-/// word per line: an emulator, and the program of the emulated system.
+/// Replacement for the program that was built with the tests, set by `scripts/portability.py`, one word
+/// per line: an emulator, and the program of the emulated system.
 const IN_ITS_PLACE: &str = "WHOLESTRING_IN_ITS_PLACE";
 
 /// A folder that contains the test's case.
