@@ -1,8 +1,7 @@
 //! Tables of results as sheets, in display units.
 
 use wholestring_case::dimension_at;
-use wholestring_judge::CheckKind;
-use wholestring_plan::reach::Limit;
+use wholestring_judge::{CheckKind, DepthLimit};
 use wholestring_report::{
     Cells, DisplayUnit, Sheet, SheetColumn, display_unit, pretty_symbol, reading_words,
 };
@@ -129,7 +128,7 @@ fn readable(column: &Column, word: &str) -> String {
     match column.name.as_str() {
         "operation" => operation_words(word),
         "limit" => {
-            let limit = Limit::ALL.iter().find(|limit| limit.name() == word);
+            let limit = DepthLimit::named(word);
             limit.map_or_else(spaced, |limit| limit.title().to_owned())
         }
         "reading" => reading_words(word).to_owned(),
@@ -198,7 +197,7 @@ mod tests {
             sheet("S", &table, "", UnitSet::Si).columns[0].cells.clone()
         };
         for (name, word, expected) in [
-            ("limit", "yield_strength", Limit::Yield.title()),
+            ("limit", "yield_strength", DepthLimit::Yield.title()),
             ("reading", "pick_up", "pick-up"),
             ("kind", "make_up", CheckKind::MakeUp.label()),
             ("worst_check", "von_mises", CheckKind::VonMises.label()),
