@@ -128,7 +128,8 @@ fn readable(column: &Column, word: &str) -> String {
     match column.name.as_str() {
         "operation" => operation_words(word),
         "limit" => {
-            let limit = DepthLimit::named(word);
+            // Its present name alone: `lock_up`, an earlier one, is a limit of plans.
+            let limit = DepthLimit::ALL.iter().find(|limit| limit.name() == word);
             limit.map_or_else(spaced, |limit| limit.title().to_owned())
         }
         "reading" => reading_words(word).to_owned(),
@@ -198,6 +199,7 @@ mod tests {
         };
         for (name, word, expected) in [
             ("limit", "yield_strength", DepthLimit::Yield.title()),
+            ("limit", "lock_up", "lock up"),
             ("reading", "pick_up", "pick-up"),
             ("kind", "make_up", CheckKind::MakeUp.label()),
             ("worst_check", "von_mises", CheckKind::VonMises.label()),
