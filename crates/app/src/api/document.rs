@@ -29,8 +29,8 @@ fn complete(document: &mut Value) {
     }
 }
 
-/// Names of the schemas of requests: those of bodies, and those that refuse unknown properties, with
-/// all that they refer to.
+/// Names of the schemas of requests: those of bodies, and those that refuse unknown properties,
+/// with all that they refer to.
 fn requests(document: &Value) -> BTreeSet<String> {
     let mut names = Vec::new();
     let methods = document["paths"].as_object().into_iter().flat_map(|paths| paths.values());

@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use crate::common::Served;
 
 const HEAD: &str = "// Requests and answers of the server, from its declarations in Rust. Not written by hand:\n\
-    // WHOLESTRING_UPDATE_DOCS=1 cargo test -p wholestring-app --test app typescript\n";
+     // WHOLESTRING_UPDATE_DOCS=1 cargo test -p wholestring-app --test app typescript\n";
 
 /// A comment above a type or a property.
 fn comment(schema: &Value, indent: &str) -> String {

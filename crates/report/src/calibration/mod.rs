@@ -27,8 +27,8 @@ pub struct Calibration {
 }
 
 impl Calibration {
-    /// The page of a calibration and of the rows of its tables; it opens in these units, by default in those of
-    /// the case.
+    /// The page of a calibration and of the rows of its tables; it opens in these units, by default
+    /// in those of the case.
     pub fn new(summary: CalibrationSummary, rows: CalibrationRows, units: Option<UnitSet>) -> Self {
         let title = format!("{}: measured friction", summary.title());
         let head = PageHead::new(title, units, Some(&summary.settings), facts(&summary));

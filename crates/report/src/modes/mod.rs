@@ -28,8 +28,8 @@ pub struct Modes {
 }
 
 impl Modes {
-    /// The page of linear vibration, of the rows of its tables, and of `stability.parquet` where the summary
-    /// has torsional stability; it opens in these units, by default in those of the case.
+    /// The page of linear vibration, of the rows of its tables, and of `stability.parquet` where the
+    /// summary has torsional stability; it opens in these units, by default in those of the case.
     pub fn new(
         summary: ModesSummary,
         rows: ModesRows,

@@ -16,15 +16,16 @@ macro_rules! peaks {
             #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
             pub struct PlanPeak {
                 event: String => Words,
-                    "`pick_up_from_slips`, `slack_off_from_slips`, `break_circulation` or `break_rotation`";
+                    "`pick_up_from_slips`, `slack_off_from_slips`, `break_circulation` or \
+                     `break_rotation`";
                 friction: FrictionLevel => Words as FRICTION, "Level of friction";
                 bit_depth_m: f64 => Depth, "Measured depth of the bit";
                 hook_load_N: Option<PlanPeakOf>,
                     "Peak of the hook load without block, N; none where there is no answer",
                     columns {
                         hook_load_at_rest_N = |peak| peak.at_rest => Force,
-                            "Hook load before, block and top drive excluded; this and the other columns of \
-                             the hook load are `null` where there is no answer",
+                            "Hook load before, block and top drive excluded; this and the other \
+                             columns of the hook load are `null` where there is no answer",
                             null_where "there is no answer";
                         hook_load_peak_N = |peak| peak.peak => Force,
                             "Sample farthest from that, or `null`",
@@ -33,7 +34,8 @@ macro_rules! peaks {
                             "Time of the peak, from the beginning of the event, or `null`",
                             null_where "there is no answer";
                         hook_load_steady_N = |peak| peak.steady => Force,
-                            "Final value: the mean over the last quarter of the observed time, or `null`",
+                            "Final value: the mean over the last quarter of the observed time, or \
+                             `null`",
                             null_where "there is no answer";
                         hook_load_drift_N = |peak| peak.drift => Force,
                             "That less the mean over the quarter before, or `null`",
@@ -42,22 +44,26 @@ macro_rules! peaks {
                             "Peak over final value, or `null`",
                             null_where "there is no answer, or the final value is zero";
                         hook_load_overshoot = |peak| peak.overshoot => Ratio,
-                            "Excess of the peak over the final value, as a part of the change, or `null`",
+                            "Excess of the peak over the final value, as a part of the change, or \
+                             `null`",
                             null_where "there is no answer, or nothing changes";
                     };
                 $(
                     $quantity: Option<PlanPeakOf>, $meaning, columns {
                         [$name "_peak_" $unit] = |peak| peak.peak => $kind,
                             concat!(
-                                "Peak of the ", $title, "; this and its other columns are `null` where ",
-                                $none,
+                                "Peak of the ", $title,
+                                "; this and its other columns are `null` where ", $none,
                             ),
                             null_where $none;
-                        [$name "_peak_time_s"] = |peak| peak.time_s => Time, "Time of the peak, or `null`",
+                        [$name "_peak_time_s"] = |peak| peak.time_s => Time,
+                            "Time of the peak, or `null`",
                             null_where $none;
-                        [$name "_steady_" $unit] = |peak| peak.steady => $kind, "Final value, or `null`",
+                        [$name "_steady_" $unit] = |peak| peak.steady => $kind,
+                            "Final value, or `null`",
                             null_where $none;
-                        [$name "_ratio"] = |peak| peak.ratio => Ratio, "Peak over final value, or `null`",
+                        [$name "_ratio"] = |peak| peak.ratio => Ratio,
+                            "Peak over final value, or `null`",
                             null_where $none;
                     };
                 )+
@@ -65,14 +71,15 @@ macro_rules! peaks {
                     "Pressures that break the gel; none where its strength is not known",
                     columns {
                         gel_bore_Pa = |gel| gel.bore_Pa => Pressure,
-                            "Pressure that breaks the gel in the bore; this and the following are `null` \
-                             without a gel strength",
+                            "Pressure that breaks the gel in the bore; this and the following are \
+                             `null` without a gel strength",
                             null_where "no pump starts, or the gel strength is not known";
                         gel_annulus_Pa = |gel| gel.annulus_Pa => Pressure,
                             "The same in the annulus, or `null`",
                             null_where "no pump starts, or the gel strength is not known";
                         gel_lift_N = |gel| gel.lift_N => Force,
-                            "Reduction of the hook load as the gel in the annulus breaks, or `null`",
+                            "Reduction of the hook load as the gel in the annulus breaks, or \
+                             `null`",
                             null_where "no pump starts, or the gel strength is not known";
                     };
                 message: Option<String> => Words,
@@ -80,8 +87,9 @@ macro_rules! peaks {
                     null_where "there is no message";
             }
 
-            /// Columns of `plan_peaks.parquet`: hook load, torque and pump pressure of a string that is set
-            /// in motion from rest, by the dynamics; a row for each event, friction and depth of the bit.
+            /// Columns of `plan_peaks.parquet`: hook load, torque and pump pressure of a string
+            /// that is set in motion from rest, by the dynamics; a row for each event, friction and
+            /// depth of the bit.
             pub const PLAN_PEAKS;
         }
     };

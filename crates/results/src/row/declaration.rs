@@ -8,7 +8,7 @@
 /// - `name: Type, "meaning", columns { .. };` a field whose parts are columns ([`Part`]): a pair, a
 ///   structure, or an optional one, whose columns are then empty where it is none;
 /// - `name = |row| .. => Kind, "meaning";` a column that follows from the fields;
-/// - `is_torque = |row| .., loads { .. };` weights or torques, each said once: a column in N for
+/// - `is_torque = |row| .., loads { .. };` weights or torques, each declared once: a column in N for
 ///   each, `null` for torques, then one in N·m for each, `null` for weights.
 ///
 /// The kind is one of [`QuantityKind`] or `Words`, and `null_where "condition"` after the meaning
@@ -16,11 +16,13 @@
 /// [`Word`]. The meaning documents the field. A column that several tables share is `=> Kind as
 /// CONSTANT`, whose meaning is that of the constant. Attributes of a field, as for serde, precede
 /// it. Within `columns` an entry is `name => Kind, "meaning";` for a part of that name, or
-/// `name = |part| .. => Kind, "meaning";`, where the name may be put together of literals: `["hook"
-/// "_N"]`. Within `loads` an entry is `name: Type, "weight" | "torque";` for a field, or
-/// `name = |row| .., "weight" | "torque";`: its name without the unit, and the meaning of the weight
-/// and of the torque where that is another; `_` for no torque. `, unanswered` after it is for values
-/// that lack without an answer, `unanswered "as .."` with a meaning of its own of that.
+/// `name = |part| .. => Kind, "meaning";`, where the name may be put together of literals:
+/// `["hook" "_N"]`.
+///
+/// Within `loads` an entry is `name: Type, "weight" | "torque";` for a field, or
+/// `name = |row| .., "weight" | "torque";`: its name without the unit, and the meaning of the
+/// weight and of the torque where that is another; `_` for no torque. `, unanswered` follows it for
+/// a value that is missing without an answer, `, unanswered "as .."` with own words for that.
 ///
 /// `pub const LIST;` after the structure names the list of columns. With `pub const LIST, read;`
 /// the rows can be read back ([`ReadRow`]), for which each field is a column. With
@@ -343,8 +345,9 @@ macro_rules! rows {
     };
     (
         @read { read } $row:ident { $($fields:tt)* }
-        { $is_torque:ident {} {} loads { $($name:ident: $type:ty, $meaning:literal $(| $torque:literal)?;)+ } }
-        $($more:tt)*
+        { $is_torque:ident {} {} loads { $(
+            $name:ident: $type:ty, $weight:literal $(| $torque:literal)?;
+        )+ } } $($more:tt)*
     ) => {
         $crate::row::rows! {
             @read { read } $row { $($fields)* $([$name { $type } load])+ } $($more)*
