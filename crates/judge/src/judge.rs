@@ -14,8 +14,8 @@ use wholestring::{
 use wholestring_units::UnitSet;
 
 use crate::{
-    Check, CheckKind, Checks, Descent, LimitSettings, Missing, NoAnswer, Severity, along, buckling,
-    descent, hydraulics, lateral_force,
+    Check, CheckKind, Checks, DepthLimit, Descent, LimitSettings, Missing, NoAnswer, Severity,
+    along, buckling, descent, hydraulics, lateral_force,
     loads::Loads,
     motion, numerics, overpull, rig,
     sentence::{Words, depth, unsolved},
@@ -50,7 +50,7 @@ pub struct Reached<'a> {
     pub operation: &'a str,
     /// Depth of the bit at which it is stopped, m, and the limit that stops it; `None` where none
     /// does.
-    pub stopped: Option<(f64, &'a str)>,
+    pub stopped: Option<(f64, DepthLimit)>,
     /// Depth of the bit from which on no weight hangs on the hook and the block or the rig pushes,
     /// m; `None` where the weight of the string drives it.
     pub pushed_from_m: Option<f64>,
@@ -174,7 +174,7 @@ impl Judge {
             _ if pushed_from_m.is_some() => Severity::Warning,
             _ => Severity::Note,
         };
-        let mut sentence = match stopped {
+        let mut sentence = match stopped.map(|(depth_m, limit)| (depth_m, limit.title())) {
             None => format!("{operation}: nothing stops it down to {}", depth(to_m)),
             Some((depth_m, limit)) if depth_m <= from_m => {
                 format!("{operation}: stopped at {} already: {limit}", depth(depth_m))

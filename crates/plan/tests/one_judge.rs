@@ -7,10 +7,10 @@ use wholestring::{
     statics::soft::{SoftSettings, SoftString},
     string::Material,
 };
-use wholestring_judge::{Check, CheckKind, Judge, LimitSettings, Severity};
+use wholestring_judge::{Check, CheckKind, DepthLimit, Judge, LimitSettings, Severity};
 use wholestring_plan::{
     Broomstick, FrictionLevel, Frictions, LevelFriction, Setup, Statics,
-    reach::{Limit, ReachSettings, margins},
+    reach::{ReachSettings, margins},
 };
 use wholestring_units::UnitSet;
 
@@ -131,8 +131,8 @@ fn two_hundred_strings_are_judged_alike() {
                 ..ReachSettings::from_depth(depth_m)
             };
             let margins = margins(&setup, &operation, &settings).expect("margins");
-            let spent = margins.iter().find(|margin| margin.limit == Limit::PushSpent);
-            let hangs = margins.iter().find(|margin| margin.limit == Limit::HookLoadZero);
+            let spent = margins.iter().find(|margin| margin.limit == DepthLimit::PushSpent);
+            let hangs = margins.iter().find(|margin| margin.limit == DepthLimit::HookLoadZero);
             let down = of_kind(CheckKind::GoesDown);
             if let (Some(down), Some(hangs)) = (down, hangs.filter(|_| !operation.kind.on_bottom()))
             {

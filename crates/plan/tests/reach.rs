@@ -8,12 +8,10 @@ use wholestring::{
         soft::{SoftSettings, solve},
     },
 };
-use wholestring_judge::DesignFactors;
+use wholestring_judge::{DepthLimit, DesignFactors};
 use wholestring_plan::{
     Setup,
-    reach::{
-        Curve, End, Limit, ReachError, ReachSettings, first_stop, margins, reach, reach_unless,
-    },
+    reach::{Curve, End, ReachError, ReachSettings, first_stop, margins, reach, reach_unless},
     root,
 };
 use wholestring_verification::{Row, report_worst, verify};
@@ -153,18 +151,21 @@ fn s5_limits_of_a_tangent() {
             found.expect("the limit concerns it").clone()
         };
         for (key, curve) in [
-            ("torque_limit_rotary_drilling_md_m", curve(&drill, Limit::TopDrive)),
-            ("torque_limit_off_bottom_md_m", curve(&turn, Limit::TopDrive)),
-            ("zero_slackoff_hook_load_md_m", curve(&slack_off, Limit::HookLoadZero)),
-            ("zero_slackoff_with_200kN_block_md_m", curve(&slack_off, Limit::PushSpent)),
-            ("zero_sliding_hook_load_with_WOB_md_m", curve(&slide, Limit::HookLoadZero)),
-            ("sinusoidal_onset_sliding_md_m", curve(&slide, Limit::Sinusoid)),
-            ("helical_onset_sliding_md_m", curve(&slide, Limit::Helix)),
+            ("torque_limit_rotary_drilling_md_m", curve(&drill, DepthLimit::TopDrive)),
+            ("torque_limit_off_bottom_md_m", curve(&turn, DepthLimit::TopDrive)),
+            ("zero_slackoff_hook_load_md_m", curve(&slack_off, DepthLimit::HookLoadZero)),
+            ("zero_slackoff_with_200kN_block_md_m", curve(&slack_off, DepthLimit::PushSpent)),
+            ("zero_sliding_hook_load_with_WOB_md_m", curve(&slide, DepthLimit::HookLoadZero)),
+            ("sinusoidal_onset_sliding_md_m", curve(&slide, DepthLimit::Sinusoid)),
+            ("helical_onset_sliding_md_m", curve(&slide, DepthLimit::Helix)),
             (
                 "slide_stops_with_200kN_push_no_helical_friction_md_m",
-                curve(&slide, Limit::PushSpent),
+                curve(&slide, DepthLimit::PushSpent),
             ),
-            ("slide_stops_with_200kN_push_helical_friction_md_m", curve(&helix, Limit::PushSpent)),
+            (
+                "slide_stops_with_200kN_push_helical_friction_md_m",
+                curve(&helix, DepthLimit::PushSpent),
+            ),
         ] {
             match (expected[key].as_f64(), curve.end) {
                 (Some(depth_m), End::At(found_m)) => {
@@ -177,7 +178,7 @@ fn s5_limits_of_a_tangent() {
         }
         // Where the hook load is zero before the helix begins the file has none, because its helix
         // has had no friction yet.
-        let [plain, rubbed] = [&slide, &helix].map(|reach| curve(reach, Limit::HookLoadZero));
+        let [plain, rubbed] = [&slide, &helix].map(|reach| curve(reach, DepthLimit::HookLoadZero));
         assert!(expected["zero_sliding_hook_load_with_helical_friction_md_m"].is_null());
         assert_eq!(plain.end, rubbed.end);
         // The file has no block in its first limit.
@@ -189,8 +190,10 @@ fn s5_limits_of_a_tangent() {
         });
         let (first_stop, first) = first_stop(&first).expect("something stops it");
         let named = match (first_stop.kind, first.limit) {
-            (OperationKind::Drill, Limit::TopDrive) => "torque_limit_rotary_drilling_md_m",
-            (OperationKind::Slide, Limit::HookLoadZero) => "zero_sliding_hook_load_with_WOB_md_m",
+            (OperationKind::Drill, DepthLimit::TopDrive) => "torque_limit_rotary_drilling_md_m",
+            (OperationKind::Slide, DepthLimit::HookLoadZero) => {
+                "zero_sliding_hook_load_with_WOB_md_m"
+            }
             other => panic!("{other:?}"),
         };
         assert_eq!(expected["first_limit"], named);
@@ -212,7 +215,7 @@ fn s5_limits_of_a_tangent() {
             Ok::<f64, ReachError>(3e6 + least_N.unwrap_or(-9e6))
         };
         let key = "lockup_unlimited_push_md_m";
-        let locks_m = curve(&helix, Limit::PushAbsorbed).end.depth_m().expect("a depth");
+        let locks_m = curve(&helix, DepthLimit::PushAbsorbed).end.depth_m().expect("a depth");
         let ends = [0.9 * locks_m, locks_m].map(|depth_m| (depth_m, pushed(depth_m).unwrap()));
         let cut_m = root(pushed, ends, 0.01).expect("a depth");
         rows.push(s5_row(id, key, number(&expected[key]), cut_m));
@@ -224,8 +227,8 @@ fn s5_limits_of_a_tangent() {
             reach(&vertical, &operation(OperationKind::Slide, inputs), &settings(HELIX, 30e3));
         let whole = whole.expect("a reach");
         for (key, limit) in [
-            ("slide_stops_with_200kN_push_helical_friction_md_m", Limit::PushSpent),
-            ("lockup_unlimited_push_md_m", Limit::PushAbsorbed),
+            ("slide_stops_with_200kN_push_helical_friction_md_m", DepthLimit::PushSpent),
+            ("lockup_unlimited_push_md_m", DepthLimit::PushAbsorbed),
         ] {
             let what =
                 format!("{}, of {id} with a helix in vertical hole too, m", &key[..key.len() - 5]);
@@ -233,17 +236,17 @@ fn s5_limits_of_a_tangent() {
             let row = verify("S5", what).any("the file counts none in its vertical hole");
             rows.push(row.row(number(&expected[key]), found_m));
         }
-        for limit in [Limit::Sinusoid, Limit::Helix] {
+        for limit in [DepthLimit::Sinusoid, DepthLimit::Helix] {
             let [narrow_m, wide_m] =
                 [&helix, &whole].map(|reach| curve(reach, limit).end.depth_m().expect("a depth"));
             assert!(wide_m <= narrow_m && narrow_m - wide_m < 300.0, "{wide_m} {narrow_m}");
         }
-        assert!(curve(&whole, Limit::VerticalHelix).end.depth_m() < Some(6e3));
+        assert!(curve(&whole, DepthLimit::VerticalHelix).end.depth_m() < Some(6e3));
 
         for (key, unit, computed) in [
-            ("rot_drill_torque_Nm", "N·m", load(OperationKind::Drill, Limit::TopDrive)),
-            ("slackoff_N", "N", load(OperationKind::TripIn, Limit::HookLoadZero)),
-            ("sliding_N", "N", load(OperationKind::Slide, Limit::HookLoadZero)),
+            ("rot_drill_torque_Nm", "N·m", load(OperationKind::Drill, DepthLimit::TopDrive)),
+            ("slackoff_N", "N", load(OperationKind::TripIn, DepthLimit::HookLoadZero)),
+            ("sliding_N", "N", load(OperationKind::Slide, DepthLimit::HookLoadZero)),
         ] {
             let row = verify("S5", format!("{key} at 4000 m of {id}, {unit}"))
                 .relative(3e-6, "steps of 2 m change 1.3e-6; the source holds 1e-4");
@@ -270,7 +273,8 @@ fn below_the_critical_inclination_there_is_no_limit() {
         };
         let off_bottom = operation(OperationKind::TripIn, inputs);
         let found = reach(&setup, &off_bottom, &settings).expect("a reach");
-        let curve = found.curves.iter().find(|curve| curve.limit == Limit::HookLoadZero).unwrap();
+        let curve =
+            found.curves.iter().find(|curve| curve.limit == DepthLimit::HookLoadZero).unwrap();
         assert_eq!(curve.end.depth_m().is_some(), stops, "{:?}", curve.end);
         if !stops {
             assert_eq!(curve.end, End::NoneTo(99e3));
@@ -308,7 +312,7 @@ fn s2b_lock_up_of_a_horizontal_well() {
                 ..ReachSettings::from_depth(100.0)
             };
             let found = reach(&setup, &slide, &settings).expect("a reach");
-            [Limit::Helix, Limit::PushSpent, Limit::PushAbsorbed].map(|limit| {
+            [DepthLimit::Helix, DepthLimit::PushSpent, DepthLimit::PushAbsorbed].map(|limit| {
                 let curve = found.curves.iter().find(|curve| curve.limit == limit);
                 curve.expect("a limit").end.depth_m().expect("a depth")
             })
@@ -347,7 +351,7 @@ fn what_arrives_of_a_push() {
         let slide = Operation::slide(length_m).weight_on_bit_N(wob_N);
         let all = margins(&setup, &slide, &of_soft(HELIX)).expect("margins");
         let margin =
-            all.iter().find(|margin| margin.limit == Limit::PushAbsorbed).expect("a margin");
+            all.iter().find(|margin| margin.limit == DepthLimit::PushAbsorbed).expect("a margin");
         let forces = solve(&setup.at(length_m).unwrap(), &slide, &HELIX).unwrap().scalars;
         (margin.margin, -forces.hook_load_N)
     };
@@ -411,19 +415,19 @@ fn a_hanging_string_stops_at_hoist_and_yield() {
         (curve.end.depth_m().expect("a depth"), curve.there)
     };
     let rounding = "the weight from mass and area";
-    let (hoist_m, there) = depth_m(Limit::Hoist);
+    let (hoist_m, there) = depth_m(DepthLimit::Hoist);
     verify("reach", "depth at which the hoist carries no more, m")
         .relative(1e-6, rounding)
         .report((capacity_N - block_N) / weight_N_per_m, hoist_m);
     assert!((there.load / capacity_N - 1.0).abs() < 1e-5 && there.at_md_m.is_none());
-    let (yields_m, there) = depth_m(Limit::Yield);
+    let (yields_m, there) = depth_m(DepthLimit::Yield);
     verify("reach", "depth at which the pipe's own weight yields it, m")
         .relative(1e-6, rounding)
         .report(yields_Pa * area_m2 / weight_N_per_m, yields_m);
     assert_eq!(there.at_md_m, Some(0.0));
     let first = [pick_up];
     let (_, first) = first_stop(&first).expect("a stop");
-    assert_eq!(first.limit, Limit::Hoist);
+    assert_eq!(first.limit, DepthLimit::Hoist);
 }
 
 /// The torque at the surface meets the make-up torque of the topmost connection at the depth at
@@ -448,8 +452,8 @@ fn a_string_that_turns_stops_at_its_connections() {
         let curve = found.curves.iter().find(|curve| curve.limit == limit).expect("a limit");
         (curve.end.depth_m().expect("a depth"), curve.there)
     };
-    let (expected_m, _) = depth_m(Limit::TopDrive);
-    for limit in [Limit::MakeUp, Limit::Torsion] {
+    let (expected_m, _) = depth_m(DepthLimit::TopDrive);
+    for limit in [DepthLimit::MakeUp, DepthLimit::Torsion] {
         let (found_m, there) = depth_m(limit);
         assert!((found_m - expected_m).abs() < 1e-6 * expected_m, "{limit:?} {found_m}");
         assert!((there.load - capacity_N_m).abs() < 1e-5 * capacity_N_m, "{there:?}");
@@ -468,13 +472,13 @@ fn a_level_hole_has_no_vertical_stretch() {
     let named = |setup: &Setup, depth_m: f64| {
         let slide = Operation::slide(depth_m).weight_on_bit_N(50e3);
         let all = margins(setup, &slide, &of_soft(HELIX)).expect("margins");
-        all.iter().map(|margin| margin.limit).collect::<Vec<Limit>>()
+        all.iter().map(|margin| margin.limit).collect::<Vec<DepthLimit>>()
     };
     for depth_m in [1000.0, 20_000.0] {
         let limits = named(&level, depth_m);
-        assert!(limits.contains(&Limit::Helix), "{limits:?}");
-        assert!(!limits.contains(&Limit::VerticalHelix), "{limits:?}");
-        assert!(named(&turned, depth_m).contains(&Limit::VerticalHelix));
+        assert!(limits.contains(&DepthLimit::Helix), "{limits:?}");
+        assert!(!limits.contains(&DepthLimit::VerticalHelix), "{limits:?}");
+        assert!(named(&turned, depth_m).contains(&DepthLimit::VerticalHelix));
     }
 }
 
@@ -487,6 +491,6 @@ fn a_vertical_hole_has_a_sinusoid_of_its_own() {
     let slide = Operation::slide(1500.0).weight_on_bit_N(50e3);
     let all = margins(&vertical, &slide, &of_soft(HELIX)).expect("margins");
     let margin = |limit| all.iter().find(|margin| margin.limit == limit).expect("it concerns");
-    assert!(margin(Limit::VerticalSinusoid).margin < 0.0, "{all:?}");
-    assert_eq!(margin(Limit::Sinusoid).margin, 1.0, "{all:?}");
+    assert!(margin(DepthLimit::VerticalSinusoid).margin < 0.0, "{all:?}");
+    assert_eq!(margin(DepthLimit::Sinusoid).margin, 1.0, "{all:?}");
 }

@@ -8,7 +8,7 @@ use wholestring::outcome::ModelKind;
 use wholestring_judge::ReadingCheck;
 
 use crate::{
-    DynamicCheck, ResultsError, Table, Texts,
+    CalibrationBand, CalibrationProfile, CalibrationReading, DynamicCheck, ResultsError, Texts,
     json::{read_versioned, write_json},
 };
 
@@ -132,15 +132,15 @@ pub struct ErrorFound {
     pub chi2: f64,
 }
 
-/// The tables of a calibration.
+/// The rows of the tables of a calibration.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CalibrationTables {
+pub struct CalibrationRows {
     /// `calibration.parquet`.
-    pub points: Table,
+    pub readings: Vec<CalibrationReading>,
     /// `calibration_bands.parquet`.
-    pub bands: Table,
+    pub bands: Vec<CalibrationBand>,
     /// `calibration_profiles.parquet`.
-    pub profiles: Table,
+    pub profiles: Vec<CalibrationProfile>,
 }
 
 impl CalibrationSummary {

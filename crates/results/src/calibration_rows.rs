@@ -2,10 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    loads::{torque, weight},
-    row::rows,
-};
+use crate::row::rows;
 
 rows! {
     /// A reading, and its prediction with the fitted numbers.
@@ -18,36 +15,17 @@ rows! {
         used: bool => Ratio,
             "1 where the reading took part in the fit, 0 where it is only compared with it";
         bit_depth_m: f64 => Depth, "Measured depth of the bit";
-        measured_N: Option<f64> => Force, "Measured weight, block included; `null` for torques",
-            null_where "it is a torque";
-        predicted_N: Option<f64> => Force,
-            "Weight by the model with the fitted numbers, block included; `null` for torques",
-            null_where "it is a torque";
-        residual_N: Option<f64> => Force, "Measured less predicted; `null` for torques",
-            null_where "it is a torque";
-        predicted_error_N: Option<f64> => Force,
-            "Standard error of the prediction by those of the fitted numbers; `null` for torques",
-            null_where "it is a torque";
-        reading_low_N: Option<f64> => Force,
-            "Lower end of the band of readings; `null` for torques",
-            null_where "it is a torque";
-        reading_high_N: Option<f64> => Force, "Its upper end; `null` for torques",
-            null_where "it is a torque";
-        measured_N_m: Option<f64> => Torque, "Measured torque; `null` for weights",
-            null_where "it is a weight";
-        predicted_N_m: Option<f64> => Torque,
-            "Torque by the model with the fitted numbers; `null` for weights",
-            null_where "it is a weight";
-        residual_N_m: Option<f64> => Torque, "Measured less predicted; `null` for weights",
-            null_where "it is a weight";
-        predicted_error_N_m: Option<f64> => Torque,
-            "Standard error of the prediction by those of the fitted numbers; `null` for weights",
-            null_where "it is a weight";
-        reading_low_N_m: Option<f64> => Torque,
-            "Lower end of the band of readings; `null` for weights",
-            null_where "it is a weight";
-        reading_high_N_m: Option<f64> => Torque, "Its upper end; `null` for weights",
-            null_where "it is a weight";
+        is_torque = |row| row.is_torque(), loads {
+            measured: f64, "Measured weight, block included" | "Measured torque";
+            predicted: f64,
+                "Weight by the model with the fitted numbers, block included"
+                | "Torque by the model with the fitted numbers";
+            residual: f64, "Measured less predicted";
+            predicted_error: f64,
+                "Standard error of the prediction by those of the fitted numbers";
+            reading_low: f64, "Lower end of the band of readings";
+            reading_high: f64, "Its upper end";
+        };
         standardised: f64 => Ratio,
             "Measured less predicted, over its standard error after the fit";
         outlier: bool => Ratio, "1 where that is beyond the bound of outliers, 0 otherwise";
@@ -66,34 +44,36 @@ rows! {
         case: String => Words, "The case whose string is in the hole";
         reading: String => Words, "As in `calibration.parquet`";
         bit_depth_m: f64 => Depth, "Measured depth of the bit";
-        predicted_N: Option<f64> => Force,
-            "Predicted weight, block included; `null` for torques",
-            null_where "it is a torque";
-        mean_low_N: Option<f64> => Force, "Lower end of the band of the mean; `null` for torques",
-            null_where "it is a torque";
-        mean_high_N: Option<f64> => Force, "Its upper end; `null` for torques",
-            null_where "it is a torque";
-        reading_low_N: Option<f64> => Force,
-            "Lower end of the band of readings; `null` for torques",
-            null_where "it is a torque";
-        reading_high_N: Option<f64> => Force, "Its upper end; `null` for torques",
-            null_where "it is a torque";
-        predicted_N_m: Option<f64> => Torque, "Predicted torque; `null` for weights",
-            null_where "it is a weight";
-        mean_low_N_m: Option<f64> => Torque,
-            "Lower end of the band of the mean; `null` for weights",
-            null_where "it is a weight";
-        mean_high_N_m: Option<f64> => Torque, "Its upper end; `null` for weights",
-            null_where "it is a weight";
-        reading_low_N_m: Option<f64> => Torque,
-            "Lower end of the band of readings; `null` for weights",
-            null_where "it is a weight";
-        reading_high_N_m: Option<f64> => Torque, "Its upper end; `null` for weights",
-            null_where "it is a weight";
+        is_torque = |row| row.is_torque(), loads {
+            predicted: f64, "Predicted weight, block included" | "Predicted torque";
+            mean_low: f64, "Lower end of the band of the mean";
+            mean_high: f64, "Its upper end";
+            reading_low: f64, "Lower end of the band of readings";
+            reading_high: f64, "Its upper end";
+        };
     }
 
     /// Columns of `calibration_bands.parquet`: a row for each kind of reading at each depth.
     pub const CALIBRATION_BANDS, read;
+}
+
+/// Whether readings of this name are torques rather than weights.
+fn is_torque(reading: &str) -> bool {
+    reading.starts_with("torque")
+}
+
+impl CalibrationReading {
+    /// Whether it is a torque rather than a weight.
+    pub fn is_torque(&self) -> bool {
+        is_torque(&self.reading)
+    }
+}
+
+impl CalibrationBand {
+    /// Whether it is of torques rather than of weights.
+    pub fn is_torque(&self) -> bool {
+        is_torque(&self.reading)
+    }
 }
 
 rows! {
@@ -127,30 +107,15 @@ rows! {
         mean_bit_depth_m = |check| check.dynamic.map(|motion| motion.mean_bit_depth_m) => Depth,
             "Mean of the same in the dynamic run; `null` without an answer",
             null_where "there is no answer";
-        measured_N = |check| weight(check.is_torque, check.measured) => Force,
-            "Measured weight, block included; `null` for torques",
-            null_where "it is a torque";
-        predicted_N = |check| weight(check.is_torque, check.predicted) => Force,
-            "The same by the model of the fit; `null` for torques",
-            null_where "it is a torque";
-        dynamic_N = |check| weight(check.is_torque, check.mean()) => Force,
-            "Mean by the dynamics, block included; `null` for torques and without an answer",
-            null_where "it is a torque, or there is no answer";
-        dynamic_std_N = |check| weight(check.is_torque, check.std()) => Force,
-            "Standard deviation against time; `null` as the mean",
-            null_where "it is a torque, or there is no answer";
-        measured_N_m = |check| torque(check.is_torque, check.measured) => Torque,
-            "Measured torque; `null` for weights",
-            null_where "it is a weight";
-        predicted_N_m = |check| torque(check.is_torque, check.predicted) => Torque,
-            "The same by the model of the fit; `null` for weights",
-            null_where "it is a weight";
-        dynamic_N_m = |check| torque(check.is_torque, check.mean()) => Torque,
-            "Mean by the dynamics; `null` for weights and without an answer",
-            null_where "it is a weight, or there is no answer";
-        dynamic_std_N_m = |check| torque(check.is_torque, check.std()) => Torque,
-            "Standard deviation against time; `null` as the mean",
-            null_where "it is a weight, or there is no answer";
+        is_torque = |check| check.is_torque, loads {
+            measured = |check| check.measured,
+                "Measured weight, block included" | "Measured torque";
+            predicted = |check| check.predicted, "The same by the model of the fit";
+            dynamic = |check| check.mean(),
+                "Mean by the dynamics, block included" | "Mean by the dynamics", unanswered;
+            dynamic_std = |check| check.std(),
+                "Standard deviation against time", unanswered "as the mean";
+        };
         steady = |check| check.dynamic.map(|motion| motion.steady) => Words,
             "Whether the string had settled: `yes` or `no`; empty where the case gives the start \
              of the window, or there is no answer",

@@ -27,7 +27,6 @@ mod frames;
 mod growing_table;
 mod hold;
 mod json;
-mod loads;
 mod modes;
 mod names;
 mod or_empty;
@@ -57,7 +56,7 @@ pub use bha_tables::{BHA, BHA_CONTACTS, bha_table};
 pub use bit_test::{BIT_TEST, BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use bottom_hole::{BOTTOM_HOLE, BottomHoleCell};
 pub use calibration::{
-    CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, ErrorFound, EstimateFound,
+    CALIBRATION_VERSION, CalibrationRows, CalibrationSummary, ErrorFound, EstimateFound,
     OutlierComparison,
 };
 pub use calibration_rows::{
@@ -75,8 +74,7 @@ pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use modes::{
-    CRITICAL_SPEEDS, CriticalSpeed, MODES, MODES_VERSION, ModeFound, ModesSummary, ModesTables,
-    Spot,
+    CRITICAL_SPEEDS, CriticalSpeed, MODES, MODES_VERSION, ModeFound, ModesRows, ModesSummary, Spot,
 };
 pub use plan::{
     PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,

@@ -8,7 +8,7 @@ use wholestring::operation::OperationKind;
 use wholestring_judge::Check;
 
 use crate::{
-    ResultsError, StabilitySummary, Table, Texts,
+    CampbellRow, ModeShapeRow, ResponseRow, ResultsError, StabilitySummary, Texts,
     json::{read_versioned, write_json},
     row::{parts, rows},
 };
@@ -124,15 +124,15 @@ rows! {
     pub const CRITICAL_SPEEDS;
 }
 
-/// The tables of linear vibration.
+/// The rows of the tables of linear vibration that the summary does not contain.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ModesTables {
+pub struct ModesRows {
     /// `mode_shapes.parquet`.
-    pub shapes: Table,
+    pub shapes: Vec<ModeShapeRow>,
     /// `campbell.parquet`.
-    pub campbell: Table,
+    pub campbell: Vec<CampbellRow>,
     /// `response.parquet`.
-    pub response: Table,
+    pub response: Vec<ResponseRow>,
 }
 
 impl ModesSummary {

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wholestring::operation::OperationKind;
-use wholestring_judge::Check;
+use wholestring_judge::{Check, DepthLimit};
 
 use crate::{
     ResultsError, Row, Table, UncertainSummary,
@@ -91,7 +91,7 @@ pub struct ReachStop {
     /// The operation: `drill`, `slide`, ...
     pub operation: OperationKind,
     /// The limit: `top_drive`, `hook_load_zero`, ...
-    pub limit: String,
+    pub limit: DepthLimit,
     /// Depth of the bit, m.
     pub depth_m: f64,
 }
@@ -101,7 +101,7 @@ rows! {
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
     pub struct ReachLimit {
         operation: OperationKind => Words, "As in `reach.parquet`";
-        limit: String => Words, "As in `reach.parquet`";
+        limit: DepthLimit => Words, "As in `reach.parquet`";
         friction = |_| friction => Ratio,
             "As in `reach.parquet`, `null` where the sections have the case's own",
             null_where "the sections have the case's own";
@@ -133,7 +133,7 @@ rows! {
     #[derive(Debug, Clone, PartialEq)]
     pub struct ReachMargin {
         operation: OperationKind => Words, "`trip_out`, `drill`, ...";
-        limit: String => Words,
+        limit: DepthLimit => Words,
             "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `push_absorbed`, `make_up`, \
              `torsion`, `yield_strength`, `helix`, `sinusoid`, `vertical_helix` or \
              `vertical_sinusoid`";
@@ -190,5 +190,51 @@ impl ReachSummary {
     /// Reads back a summary, and refuses one of another [`REACH_VERSION`].
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
         read_versioned(path, 1..=REACH_VERSION)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+    use crate::{Column, Data, ReadRow};
+
+    fn margins(limit: &str) -> Result<Vec<ReachMargin>, ResultsError> {
+        let mut table = Table::with_columns(REACH);
+        let words: &[(&str, &[&str])] = &[("operation", &["drill"]), ("limit", &[limit])];
+        table.append(words, &[("bit_depth_m", &[1000.0]), ("margin", &[0.5])]);
+        ReachMargin::read(&table, Path::new("reach.parquet"))
+    }
+
+    /// Names of limits in summary and table, those of earlier versions included; others are errors.
+    #[test]
+    fn a_limit_is_read_by_its_name() {
+        let stop = |limit: &str| {
+            let stop = json!({"operation": "slide", "limit": limit, "depth_m": 1000.0});
+            serde_json::from_value::<ReachStop>(stop)
+        };
+        for (name, expected) in [
+            ("hoist", DepthLimit::Hoist),
+            ("push_absorbed", DepthLimit::PushAbsorbed),
+            ("lock_up", DepthLimit::PushAbsorbed),
+        ] {
+            assert_eq!(stop(name).expect("a limit").limit, expected);
+            assert_eq!(margins(name).expect("a limit")[0].limit, expected);
+        }
+        assert_eq!(
+            serde_json::to_value(stop("lock_up").unwrap()).unwrap()["limit"],
+            "push_absorbed"
+        );
+        let error = stop("patience").expect_err("no limit").to_string();
+        assert!(error.contains("`patience` is no limit of a reach"), "{error}");
+        let error = margins("patience").expect_err("no limit").to_string();
+        assert!(error.contains("`limit` is 'patience' in row 1"), "{error}");
+        let rows = margins("hoist").expect("a limit");
+        let written = ReachMargin::table(&rows);
+        let Some(Column { data: Data::Text(words), .. }) = written.column("limit") else {
+            panic!("words")
+        };
+        assert_eq!(words, &["hoist"]);
     }
 }

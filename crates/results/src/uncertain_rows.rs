@@ -5,6 +5,7 @@ use wholestring::{
     operation::OperationKind,
     outcome::QuantityKind::{Depth, Ratio},
 };
+use wholestring_judge::DepthLimit;
 
 use crate::{ColumnSpec, or_empty, row::rows};
 
@@ -143,7 +144,8 @@ rows! {
         operation: Option<OperationKind> => Words,
             "`trip_out`, `drill`, ...; empty where nothing stops it",
             null_where "nothing stops it";
-        limit: String => Words, "As in `reach.parquet`; empty where nothing stops it",
+        #[serde(with = "or_empty")]
+        limit: Option<DepthLimit> => Words, "As in `reach.parquet`; empty where nothing stops it",
             null_where "nothing stops it";
         samples: usize => Ratio, "Number of samples";
     }

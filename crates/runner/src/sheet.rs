@@ -1,8 +1,7 @@
 //! Tables of results as sheets, in display units.
 
 use wholestring_case::dimension_at;
-use wholestring_judge::CheckKind;
-use wholestring_plan::reach::Limit;
+use wholestring_judge::{CheckKind, DepthLimit};
 use wholestring_report::{
     Cells, DisplayUnit, Sheet, SheetColumn, display_unit, pretty_symbol, reading_words,
 };
@@ -129,7 +128,8 @@ fn readable(column: &Column, word: &str) -> String {
     match column.name.as_str() {
         "operation" => operation_words(word),
         "limit" => {
-            let limit = Limit::ALL.iter().find(|limit| limit.name() == word);
+            // Its present name alone: `lock_up`, an earlier one, is a limit of plans.
+            let limit = DepthLimit::ALL.iter().find(|limit| limit.name() == word);
             limit.map_or_else(spaced, |limit| limit.title().to_owned())
         }
         "reading" => reading_words(word).to_owned(),
@@ -198,7 +198,8 @@ mod tests {
             sheet("S", &table, "", UnitSet::Si).columns[0].cells.clone()
         };
         for (name, word, expected) in [
-            ("limit", "yield_strength", Limit::Yield.title()),
+            ("limit", "yield_strength", DepthLimit::Yield.title()),
+            ("limit", "lock_up", "lock up"),
             ("reading", "pick_up", "pick-up"),
             ("kind", "make_up", CheckKind::MakeUp.label()),
             ("worst_check", "von_mises", CheckKind::VonMises.label()),

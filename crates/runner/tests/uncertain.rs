@@ -5,6 +5,7 @@ mod slant;
 use std::{fs, path::Path};
 
 use wholestring::{GRAVITY_M_PER_S2, operation::OperationKind};
+use wholestring_judge::DepthLimit;
 use wholestring_results::{PlanSummary, UncertainBand, UncertainSummary};
 use wholestring_runner::{CancellationToken, Existing, Output, Silent, plan, reach};
 use wholestring_verification::{report_worst, verify};
@@ -235,7 +236,7 @@ fn a_reach_has_bands_and_goes_on() {
     let [low, high] = [depth_m(1000.0, 0.95), depth_m(2000.0, 0.05)];
     assert!(low < first.quantiles[0] && first.quantiles[4] < high, "{first:?} {low} {high}");
     assert_eq!(found.stops.len(), 1);
-    assert_eq!((found.stops[0].limit.as_str(), found.stops[0].samples), ("hoist", 12));
+    assert_eq!((found.stops[0].limit, found.stops[0].samples), (Some(DepthLimit::Hoist), 12));
 
     let stops = Stops::after(4);
     let part = reach::run(&request(&stopped, Existing::Protect), &stops, &stops.token);

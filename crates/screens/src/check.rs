@@ -9,7 +9,7 @@ use crate::{
     diagnostic::{self, Diagnostic, Level},
     layout::Layout,
     quantities::{self, Quantities},
-    values,
+    values::{self, CaseValue},
 };
 
 /// A text that may be the contents of a case file.
@@ -26,10 +26,10 @@ pub struct Checked {
     /// Errors, warnings and notes.
     diagnostics: Vec<Diagnostic>,
     /// The text as JSON, with unchanged numbers and texts; null if it is not TOML.
-    #[schema(value_type = Option<Object>)]
+    #[schema(value_type = Option<BTreeMap<String, CaseValue>>)]
     values: Option<serde_json::Value>,
     /// SI values of its texts, by dimension and text: `{"length": {"10 ft": 3.048}}`.
-    #[schema(value_type = Object)]
+    #[schema(value_type = BTreeMap<String, BTreeMap<String, f64>>)]
     quantities: Quantities,
     /// Its drawing.
     layout: Layout,

@@ -5,7 +5,7 @@ use serde_json::Value;
 use utoipa::ToSchema;
 use wholestring_case::{Edit, edit as edit_text};
 
-use crate::refusal::Refusal;
+use crate::{refusal::Refusal, values::CaseValue};
 
 /// A text and its changes.
 #[derive(Debug, Deserialize, ToSchema)]
@@ -41,6 +41,7 @@ pub struct Set {
     /// The key.
     set: String,
     /// Its value.
+    #[schema(value_type = CaseValue)]
     to: Value,
 }
 
@@ -61,6 +62,7 @@ pub struct Insert {
     /// The index of the item afterwards, from 0.
     at: usize,
     /// The item.
+    #[schema(value_type = CaseValue)]
     value: Value,
 }
 

@@ -21,3 +21,4 @@ pub mod survey;
 pub mod trial;
 pub mod units;
 mod values;
+pub mod words;

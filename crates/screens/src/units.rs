@@ -7,6 +7,8 @@ use utoipa::ToSchema;
 use wholestring_runner::display_units;
 use wholestring_units::{Dimension, UnitSet};
 
+use crate::words;
+
 /// A dimension's units.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct DimensionUnits {
@@ -14,6 +16,7 @@ pub struct DimensionUnits {
     /// has.
     factors: BTreeMap<&'static str, f64>,
     /// The unit in each set, by the set's name.
+    #[schema(value_type = BTreeMap<words::UnitSet, ShownUnit>)]
     shown: BTreeMap<&'static str, ShownUnit>,
 }
 

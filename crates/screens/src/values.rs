@@ -1,7 +1,39 @@
 //! TOML as JSON.
 
+use std::borrow::Cow;
+
 use serde_json::{Map, Value as Json, json};
+use utoipa::{
+    PartialSchema, ToSchema,
+    openapi::{
+        ObjectBuilder, Ref, RefOr, Schema, Type,
+        schema::{ArrayBuilder, OneOfBuilder},
+    },
+};
 use wholestring_config::node::{Entries, Node, Value};
+
+/// Description of a value of a case file as JSON.
+pub enum CaseValue {}
+
+impl PartialSchema for CaseValue {
+    fn schema() -> RefOr<Schema> {
+        let own = || Ref::from_schema_name(Self::name());
+        let plain = [Type::String, Type::Number, Type::Boolean, Type::Null];
+        let any = plain.into_iter().fold(OneOfBuilder::new(), |any, kind| {
+            any.item(ObjectBuilder::new().schema_type(kind))
+        });
+        any.item(ArrayBuilder::new().items(own()))
+            .item(ObjectBuilder::new().additional_properties(Some(own())))
+            .description(Some("A value of a case file."))
+            .into()
+    }
+}
+
+impl ToSchema for CaseValue {
+    fn name() -> Cow<'static, str> {
+        "CaseValue".into()
+    }
+}
 
 /// A table as JSON. Numbers and texts are unchanged; a date becomes its text, and so does a number
 /// that JSON lacks.

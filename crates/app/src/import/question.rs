@@ -5,11 +5,23 @@ use utoipa::ToSchema;
 use wholestring_import::{ImportError, ImportErrorKind};
 use wholestring_units::Dimension;
 
+/// An option that answers a question: `--unit`, `--value` or `--pick`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Ask {
+    /// A unit.
+    Unit,
+    /// A value.
+    Value,
+    /// One of several.
+    Pick,
+}
+
 /// A choice that is missing or invalid.
 #[derive(Debug, PartialEq, Serialize, ToSchema)]
 pub(crate) struct Question {
-    /// `unit`, `value` or `pick`: the option that answers it.
-    ask: &'static str,
+    /// The option that answers it.
+    ask: Ask,
     /// The name under which it is answered: `md`, `block-weight`, `tubular`.
     name: String,
     /// Possible answers; for a value, examples of its notation.
@@ -28,17 +40,19 @@ impl Question {
         let (ask, name, options) = match error.kind() {
             ImportErrorKind::MissingUnit { name, dimension, .. }
             | ImportErrorKind::SaidUnit { name, dimension, .. } => {
-                ("unit", name.clone(), units(*dimension))
+                (Ask::Unit, name.clone(), units(*dimension))
             }
             ImportErrorKind::MissingValue { name, example, .. } => {
-                ("value", name.clone(), vec![example.clone()])
+                (Ask::Value, name.clone(), vec![example.clone()])
             }
-            ImportErrorKind::SaidValue { name, .. } => ("value", name.clone(), Vec::new()),
+            ImportErrorKind::SaidValue { name, .. } => (Ask::Value, name.clone(), Vec::new()),
             ImportErrorKind::Ambiguous { what, names }
-            | ImportErrorKind::NoSuch { what, names, .. } => ("pick", what.clone(), names.clone()),
+            | ImportErrorKind::NoSuch { what, names, .. } => {
+                (Ask::Pick, what.clone(), names.clone())
+            }
             ImportErrorKind::InTwoFiles { what, first } => {
                 let files = vec![first.clone(), error.file().to_owned()];
-                ("pick", (*what).to_owned(), files)
+                (Ask::Pick, (*what).to_owned(), files)
             }
             _ => return None,
         };

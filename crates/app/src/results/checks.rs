@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 use utoipa::ToSchema;
 use wholestring_results::checks_of;
+use wholestring_screens::words;
 
 /// Maximum size of a summary that is searched, bytes.
 const LONGEST: u64 = 16 << 20;
@@ -16,7 +17,8 @@ const LISTED: usize = 200;
 /// A check that needs attention, once for all bit depths at which it does.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub(crate) struct Found {
-    /// `error`, `warning` or `note`.
+    /// Its severity: `error`, `warning` or `note`.
+    #[schema(value_type = words::Severity)]
     severity: &'static str,
     /// Kind of check, an identifier for programs: `helical_buckling`.
     kind: &'static str,

@@ -7,6 +7,7 @@ use serde_json::Value;
 use utoipa::ToSchema;
 use wholestring_judge::Overall;
 use wholestring_results::checks_of;
+use wholestring_screens::words::Severity;
 
 use super::{ResultsEntry, checks::summary};
 use crate::workspace::Workspace;
@@ -22,7 +23,8 @@ const READ_BACK: f64 = 1e-12;
 /// The judge's verdict on a case, from its newest results.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub(crate) struct CaseVerdict {
-    /// `ok`, `note`, `warning` or `error`.
+    /// Its severity.
+    #[schema(value_type = Severity)]
     severity: &'static str,
     /// The verdict in words.
     words: String,

@@ -46,3 +46,50 @@ fn the_document_names_every_route() {
         assert!(document["components"]["schemas"][name].is_object(), "{name}");
     }
 }
+
+/// Two declared types of one name would overwrite each other in the document.
+#[test]
+fn every_schema_has_a_name_of_its_own() {
+    let mut declared: Vec<String> = Vec::new();
+    for folder in ["src", "../screens/src"] {
+        names(Path::new(folder), &mut declared);
+    }
+    assert!(declared.len() > 100);
+    let mut once = BTreeSet::new();
+    for name in &declared {
+        assert!(
+            once.insert(name),
+            "{name}: give one of its types another with `#[schema(as = ..)]`"
+        );
+    }
+}
+
+/// The names of the declared schemas in the sources.
+fn names(folder: &Path, into: &mut Vec<String>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            names(&path, into);
+            continue;
+        }
+        let text = fs::read_to_string(&path).unwrap();
+        // Each declaration begins with its derive; the name is the first word after `struct` or
+        // `enum`, unless an attribute gives another.
+        for declaration in text.split("#[derive(").skip(1) {
+            let Some((derived, rest)) = declaration.split_once(")]") else { continue };
+            if !derived.contains("ToSchema") {
+                continue;
+            }
+            let word = |text: &str| {
+                text.split(|letter: char| !letter.is_alphanumeric()).next().map(str::to_owned)
+            };
+            let kinds = ["struct ", "enum "].iter().filter_map(|kind| rest.split_once(kind));
+            let Some((attributes, after)) = kinds.min_by_key(|(before, _)| before.len()) else {
+                continue;
+            };
+            let given = attributes.split_once("#[schema(as = ");
+            let given = given.and_then(|(_, after)| word(after));
+            into.extend(given.or(word(after)));
+        }
+    }
+}

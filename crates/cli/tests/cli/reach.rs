@@ -79,7 +79,7 @@ fn reach_of_a_slant_well() {
         {
             for row in 0..margins.rows() {
                 let same = words("operation")[row] == limit.operation.name()
-                    && words("limit")[row] == limit.limit
+                    && words("limit")[row] == limit.limit.name()
                     && numbers("friction")[row] == friction.friction;
                 let above = numbers("bit_depth_m")[row] < limit.depth_m;
                 if same && above {
@@ -111,7 +111,7 @@ fn one_operation_at_the_cases_friction() {
     let [friction] = &summary.frictions[..] else { panic!("one friction") };
     assert_eq!(friction.friction, None);
     assert!(friction.limits.iter().all(|limit| limit.operation == OperationKind::TripIn));
-    let locks = friction.limits.iter().find(|limit| limit.limit == "push_absorbed").unwrap();
+    let locks = friction.limits.iter().find(|limit| limit.limit.name() == "push_absorbed").unwrap();
     assert_eq!(locks.depth_m, None);
     let output = desk.run(&["reach", "slant.toml", "-o", "out", "-q"]);
     assert_eq!(output.status.code(), Some(2), "another question's answer lies there");
@@ -173,7 +173,7 @@ fn a_helix_stops_the_well_if_asked() {
     let (stopped, stdout) = solved("stopped", &["--stop-at-helix"]);
     let helix = |summary: &ReachSummary| {
         let limits = &summary.frictions[0].limits;
-        limits.iter().find(|limit| limit.limit == "helix").unwrap().clone()
+        limits.iter().find(|limit| limit.limit.name() == "helix").unwrap().clone()
     };
     let (goes_on, stops) = (helix(&free), helix(&stopped));
     assert_eq!((goes_on.stops, stops.stops), (false, true));
@@ -182,7 +182,7 @@ fn a_helix_stops_the_well_if_asked() {
     let first = |summary: &ReachSummary| summary.frictions[0].first.clone();
     assert_eq!(first(&free), None);
     let end = first(&stopped).expect("a stop");
-    assert_eq!((end.limit.as_str(), end.depth_m), ("helix", 4000.0));
+    assert_eq!((end.limit.name(), end.depth_m), ("helix", 4000.0));
     assert!(stdout.contains("A helix counts as a stop"), "{stdout}");
     // It is a different reach.
     let output = desk.run(&[&arguments[..], &kind, &["free", "--stop-at-helix"]].concat());

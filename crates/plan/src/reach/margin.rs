@@ -9,20 +9,17 @@ use wholestring::{
     },
 };
 
-use wholestring_judge::{DesignFactors, torque_capacity_N_m};
+use wholestring_judge::{DepthLimit, DesignFactors, torque_capacity_N_m};
 
-use super::{
-    limit::Limit,
-    settings::{ReachError, ReachSettings},
-};
+use super::settings::{ReachError, ReachSettings};
 use crate::Setup;
 
 /// Margin to one limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margin {
     /// The limit.
-    pub limit: Limit,
-    /// The load that is compared with the bound, in [`Limit::unit`]; NaN for a string that is
+    pub limit: DepthLimit,
+    /// The load that is compared with the bound, in [`DepthLimit::unit`]; NaN for a string that is
     /// locked up.
     pub load: f64,
     /// Upper bound of the load; NaN without compression.
@@ -59,10 +56,11 @@ pub fn margins(
 ) -> Result<Margins, ReachError> {
     let (soft, factors) = (&settings.soft, &settings.factors);
     let model = setup.at(operation.bit_depth_m)?;
-    let concerned = Limit::ALL.into_iter();
+    let concerned = DepthLimit::ALL.into_iter();
     let concerned = concerned.filter(|limit| limit.concerns(operation, &model.rig, &model.string));
     let has_vertical = has_vertical_hole(&model, operation.bit_depth_m);
-    let is_vertical = |limit| matches!(limit, Limit::VerticalHelix | Limit::VerticalSinusoid);
+    let is_vertical =
+        |limit| matches!(limit, DepthLimit::VerticalHelix | DepthLimit::VerticalSinusoid);
     let concerned = concerned.filter(|limit| has_vertical || !is_vertical(*limit));
     let profile = match solve(&model, operation, soft) {
         Ok(profile) => profile,
@@ -75,20 +73,20 @@ pub fn margins(
     concerned.map(|limit| at.margin(limit)).collect()
 }
 
-fn locked_up(limit: Limit, model: &Model, factors: &DesignFactors, md_m: f64) -> Margin {
+fn locked_up(limit: DepthLimit, model: &Model, factors: &DesignFactors, md_m: f64) -> Margin {
     let bound = match limit {
-        Limit::TopDrive => model
+        DepthLimit::TopDrive => model
             .rig
             .top_drive_torque_N_m
             .map_or(f64::NAN, |rated_N_m| rated_N_m / factors.top_drive),
-        Limit::Yield => 1.0 / factors.von_mises,
-        Limit::MakeUp | Limit::Torsion => f64::NAN,
-        Limit::HookLoadZero | Limit::PushSpent | Limit::PushAbsorbed => 0.0,
-        Limit::Hoist
-        | Limit::Helix
-        | Limit::Sinusoid
-        | Limit::VerticalHelix
-        | Limit::VerticalSinusoid => f64::NAN,
+        DepthLimit::Yield => 1.0 / factors.von_mises,
+        DepthLimit::MakeUp | DepthLimit::Torsion => f64::NAN,
+        DepthLimit::HookLoadZero | DepthLimit::PushSpent | DepthLimit::PushAbsorbed => 0.0,
+        DepthLimit::Hoist
+        | DepthLimit::Helix
+        | DepthLimit::Sinusoid
+        | DepthLimit::VerticalHelix
+        | DepthLimit::VerticalSinusoid => f64::NAN,
     };
     let at_md_m = Some(md_m);
     Margin { limit, load: f64::NAN, bound, margin: f64::NEG_INFINITY, at_md_m }
@@ -104,7 +102,7 @@ struct At<'a> {
 }
 
 impl At<'_> {
-    fn margin(&self, limit: Limit) -> Result<Margin, ReachError> {
+    fn margin(&self, limit: DepthLimit) -> Result<Margin, ReachError> {
         let rig = &self.model.rig;
         let scalars = &self.profile.scalars;
         let margin_of = |load: f64, bound: f64, margin: f64| Margin {
@@ -119,44 +117,44 @@ impl At<'_> {
             margin_of(load, bound, 1.0 - load / bound)
         };
         Ok(match limit {
-            Limit::TopDrive => {
+            DepthLimit::TopDrive => {
                 let allowed = |rated_N_m: f64| rated_N_m / self.factors.top_drive;
                 below(scalars.surface_torque_N_m.abs(), rig.top_drive_torque_N_m.map(allowed))
             }
-            Limit::Hoist => {
+            DepthLimit::Hoist => {
                 let load_N = scalars.hook_load_N + rig.block_weight_N.unwrap_or(0.0);
                 below(
                     load_N,
                     rig.hoist_capacity_N.map(|capacity_N| capacity_N / self.factors.hoist),
                 )
             }
-            Limit::HookLoadZero => {
+            DepthLimit::HookLoadZero => {
                 margin_of(scalars.hook_load_N, 0.0, share(scalars.hook_load_N, self.hangs_N()))
             }
-            Limit::PushSpent => {
+            DepthLimit::PushSpent => {
                 let load_N = scalars.hook_load_N + rig.push_with_block_N();
                 margin_of(load_N, 0.0, share(load_N, self.hangs_N() + rig.push_with_block_N()))
             }
-            Limit::PushAbsorbed => {
+            DepthLimit::PushAbsorbed => {
                 let arrives = self.arrives()?;
                 margin_of(arrives, 0.0, arrives.min(1.0))
             }
-            Limit::Yield => {
+            DepthLimit::Yield => {
                 let uses = self.profile.yield_use.iter().map(|use_of| use_of.unwrap_or(0.0));
                 let (row, most) = worst(uses);
                 let at_md_m = Some(self.profile.md_m[row]);
                 let allowed = 1.0 / self.factors.von_mises;
                 Margin { at_md_m, ..below(most, Some(allowed)) }
             }
-            Limit::MakeUp | Limit::Torsion => self.torque(limit),
-            Limit::Helix | Limit::Sinusoid => self.buckling(limit, false),
-            Limit::VerticalHelix | Limit::VerticalSinusoid => self.buckling(limit, true),
+            DepthLimit::MakeUp | DepthLimit::Torsion => self.torque(limit),
+            DepthLimit::Helix | DepthLimit::Sinusoid => self.buckling(limit, false),
+            DepthLimit::VerticalHelix | DepthLimit::VerticalSinusoid => self.buckling(limit, true),
         })
     }
 
     /// Returns the margin where torque over the capacity of pipe or connection is largest. A row
     /// between two components belongs to both.
-    fn torque(&self, limit: Limit) -> Margin {
+    fn torque(&self, limit: DepthLimit) -> Margin {
         let string = &self.model.string;
         let kind = limit.torque_check();
         let required = self.factors.required(kind);
@@ -190,8 +188,8 @@ impl At<'_> {
 
     /// Returns the margin where compression over the critical load is largest, among the places
     /// where the wall holds the pipe straight or among those where only its weight does.
-    fn buckling(&self, limit: Limit, vertical: bool) -> Margin {
-        let is_helix = matches!(limit, Limit::Helix | Limit::VerticalHelix);
+    fn buckling(&self, limit: DepthLimit, vertical: bool) -> Margin {
+        let is_helix = matches!(limit, DepthLimit::Helix | DepthLimit::VerticalHelix);
         let shape = usize::from(is_helix);
         let rows = 0..self.profile.md_m.len();
         let along = rows.filter_map(|row| {

@@ -2,19 +2,17 @@
 //!
 //! The bit goes deeper along the straight line that the path ends with; the string's topmost
 //! component grows with it. At each depth the soft string of an operation is compared with the
-//! [`Limit`]s: each has a margin that is one or less and zero where the limit is reached. The first
+//! [`DepthLimit`](wholestring_judge::DepthLimit)s: each has a margin that is one or less and zero where the limit is reached. The first
 //! zero of each is searched on a grid of depths and then found by Brent's method.
 //!
 //! A limit need not exist: down to the critical inclination `atan(1/μ)` a sliding string gains more
 //! by its weight than it loses by its friction, without a limit. Theory:
 //! `docs/src/theory/reach.md`.
 
-mod limit;
 mod margin;
 mod search;
 mod settings;
 
-pub use limit::Limit;
 pub use margin::{Margin, Margins, margins};
 pub use search::{Curve, End, OperationReach, first_stop, reach, reach_unless};
 pub use settings::{ReachError, ReachSettings};

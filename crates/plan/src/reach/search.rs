@@ -1,9 +1,9 @@
 //! Margins against depth, and the first zero of each.
 
 use wholestring::operation::{Operation, OperationKind};
+use wholestring_judge::DepthLimit;
 
 use super::{
-    limit::Limit,
     margin::{Margin, margins},
     settings::{ReachError, ReachSettings},
 };
@@ -34,7 +34,7 @@ impl End {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// The limit.
-    pub limit: Limit,
+    pub limit: DepthLimit,
     /// Whether the string stops there.
     pub stops: bool,
     /// Its margins, at each depth of the grid.
@@ -96,8 +96,9 @@ pub fn reach_unless(
         let (end, there) = end(&depth_m, &margins, one, settings.tolerance_m)?;
         let limit = margins[0].limit;
         // With a block or a rig that pushes, the string continues at a hook load of zero.
-        let pushes = limit == Limit::HookLoadZero && setup.rig.push_with_block_N() > 0.0;
-        let stops = limit.stops() && !pushes || settings.stop_at_helix && limit == Limit::Helix;
+        let pushes = limit == DepthLimit::HookLoadZero && setup.rig.push_with_block_N() > 0.0;
+        let stops =
+            limit.stops() && !pushes || settings.stop_at_helix && limit == DepthLimit::Helix;
         Ok(Curve { limit, stops, margins, end, there })
     });
     let curves = curves.collect::<Result<_, ReachError>>()?;

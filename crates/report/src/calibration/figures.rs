@@ -1,12 +1,9 @@
 //! The pictures of a calibration.
 
 use wholestring::operation::OperationKind;
-use wholestring_results::EstimateFound;
+use wholestring_results::{CalibrationBand, CalibrationProfile, CalibrationReading, EstimateFound};
 
-use super::{
-    Calibration,
-    rows::{CalibrationBand, CalibrationPoint},
-};
+use super::Calibration;
 use crate::{
     Plot,
     figure::{
@@ -77,7 +74,7 @@ impl Drawing<'_> {
         Axis { down: true, ..Axis::new(label, Range::Near) }
     }
 
-    fn place(&self, point: &CalibrationPoint, value: f64) -> (f64, f64) {
+    fn place(&self, point: &CalibrationReading, value: f64) -> (f64, f64) {
         (self.display.value(point.bit_depth_m, "length"), value)
     }
 
@@ -86,7 +83,7 @@ impl Drawing<'_> {
         &self,
         name: &str,
         place: usize,
-        value: impl Fn(&CalibrationPoint) -> f64,
+        value: impl Fn(&CalibrationReading) -> f64,
     ) -> [Mark; 2] {
         [(true, ink(place)), (false, Ink::Note)].map(|(used, ink)| {
             let points = self.points_of(name).filter(|points_of| points_of.used == used);
@@ -95,14 +92,14 @@ impl Drawing<'_> {
         })
     }
 
-    fn points_of<'b>(&'b self, name: &'b str) -> impl Iterator<Item = &'b CalibrationPoint> {
-        self.calibration.points.iter().filter(move |point| point.reading == name)
+    fn points_of<'b>(&'b self, name: &'b str) -> impl Iterator<Item = &'b CalibrationReading> {
+        self.calibration.rows.readings.iter().filter(move |point| point.reading == name)
     }
 
     /// Whether there are readings or predictions of a name.
     fn has(&self, name: &str) -> bool {
         self.points_of(name).next().is_some()
-            || self.calibration.bands.iter().any(|band| band.reading == name)
+            || self.calibration.rows.bands.iter().any(|band| band.reading == name)
     }
 
     fn read(&self, torques: bool) -> Vec<(usize, &'static str, &'static str)> {
@@ -120,27 +117,25 @@ impl Drawing<'_> {
         for (place, name, _) in self.read(torques) {
             let ink = ink(place);
             let mut cases: Vec<&str> = Vec::new();
-            for band in &self.calibration.bands {
+            for band in &self.calibration.rows.bands {
                 if !cases.contains(&band.case.as_str()) {
                     cases.push(&band.case);
                 }
             }
             for case in cases {
-                let bands = self.calibration.bands.iter();
+                let bands = self.calibration.rows.bands.iter();
                 let bands = bands.filter(|band| band.reading == name && band.case == case);
                 let at = |band: &CalibrationBand| self.display.value(band.bit_depth_m, "length");
-                let band = |ends: [f64; 2]| ends.map(|end| self.display.value(end, kind));
-                let points = bands.clone().map(|prediction| {
-                    let [from, to] = band(prediction.reading_band);
-                    (at(prediction), from, to)
-                });
+                let value = |end: f64| self.display.value(end, kind);
+                let points = bands
+                    .clone()
+                    .map(|band| (at(band), value(band.reading_low), value(band.reading_high)));
                 marks.push(Mark::Band { ink, points: points.collect() });
-                let points = bands.clone().map(|prediction| {
-                    let [from, to] = band(prediction.mean);
-                    (at(prediction), from, to)
-                });
+                let points = bands
+                    .clone()
+                    .map(|band| (at(band), value(band.mean_low), value(band.mean_high)));
                 marks.push(Mark::Band { ink, points: points.collect() });
-                let points = bands.map(|band| (at(band), self.display.value(band.predicted, kind)));
+                let points = bands.map(|band| (at(band), value(band.predicted)));
                 marks.push(Mark::Curve { ink, stroke: Stroke::Solid, points: points.collect() });
             }
         }
@@ -161,7 +156,7 @@ impl Drawing<'_> {
             sample: sample(ink(place), Shape::of(place)),
         };
         let mut keys: Vec<Key> = all.into_iter().map(key).collect();
-        if self.calibration.points.iter().any(|point| !point.used) {
+        if self.calibration.rows.readings.iter().any(|point| !point.used) {
             keys.push(Key {
                 name: "held out".to_owned(),
                 sample: sample(Ink::Note, Shape::Circle),
@@ -185,7 +180,8 @@ impl Drawing<'_> {
         let beyond = self.calibration.summary.outlier_beyond;
         let largest = self
             .calibration
-            .points
+            .rows
+            .readings
             .iter()
             .map(|point| point.standardised.abs())
             .fold(beyond, f64::max);
@@ -209,20 +205,26 @@ impl Drawing<'_> {
     }
 
     fn profiles(&self) -> Figure {
-        let panel = |(row, profile): (&EstimateFound, &Vec<[f64; 3]>)| {
+        let panel = |row: &EstimateFound| {
+            let profile = self.calibration.rows.profiles.iter();
+            let profile: Vec<&CalibrationProfile> =
+                profile.filter(|point| point.parameter == row.parameter).collect();
             let scale = row.standard_error.or_else(|| {
                 // At its bound, as far as the parabola extends.
-                let last = profile.last().filter(|end| end[2] > 0.0)?;
-                Some((last[0] - row.value).abs() / last[2].sqrt())
+                let last = profile.last().filter(|end| end.parabola > 0.0)?;
+                Some((last.value - row.value).abs() / last.parabola.sqrt())
             });
             let scale = scale.unwrap_or(1.0);
-            let curve = |column: usize| {
-                let points = profile.iter().map(|at| ((at[0] - row.value) / scale, at[column]));
+            let curve = |value: fn(&CalibrationProfile) -> f64| {
+                let points =
+                    profile.iter().map(|point| ((point.value - row.value) / scale, value(point)));
                 points.collect()
             };
-            let solid = Mark::Curve { ink: Ink::Line(0), stroke: Stroke::Solid, points: curve(1) };
-            let dashed =
-                Mark::Curve { ink: Ink::Line(1), stroke: Stroke::Dashed, points: curve(2) };
+            let [ink, other] = [0, 1].map(Ink::Line);
+            let points = curve(|point| point.excess);
+            let solid = Mark::Curve { ink, stroke: Stroke::Solid, points };
+            let points = curve(|point| point.parabola);
+            let dashed = Mark::Curve { ink: other, stroke: Stroke::Dashed, points };
             let ends = row.interval.into_iter().flatten();
             let ends = ends.map(|end| Mark::SharedRule {
                 at: (end - row.value) / scale,
@@ -233,7 +235,7 @@ impl Drawing<'_> {
             Panel::new(Axis::new(format!("χ² above its least: {}", row.words), Range::Zero), marks)
         };
         let estimates = self.calibration.summary.estimates.iter();
-        let panels: Vec<Panel> = estimates.zip(&self.calibration.profiles).map(panel).collect();
+        let panels: Vec<Panel> = estimates.map(panel).collect();
         let key = |name: &str, place: usize, stroke: Stroke| Key {
             name: name.to_owned(),
             sample: Sample::Line(Ink::Line(place), stroke),

@@ -2,7 +2,6 @@
 
 mod figures;
 mod page;
-mod rows;
 
 pub(crate) use figures::READINGS;
 pub use figures::{CALIBRATION_PICTURES, calibration_plots, reading_words};
@@ -11,10 +10,9 @@ pub use page::calibration_html;
 use std::path::Path;
 
 use wholestring_plan::calibration::Parameter;
-use wholestring_results::{CalibrationSummary, CalibrationTables, EstimateFound};
+use wholestring_results::{CalibrationRows, CalibrationSummary, EstimateFound};
 use wholestring_units::UnitSet;
 
-use self::rows::{CalibrationBand, CalibrationPoint};
 use crate::{Cell, Fact, PageHead};
 
 /// A calibration with the head of its page. Numbers are SI.
@@ -24,34 +22,17 @@ pub struct Calibration {
     pub head: PageHead,
     /// The answer.
     pub summary: CalibrationSummary,
-    /// Every reading.
-    points: Vec<CalibrationPoint>,
-    /// Predictions with their bands.
-    bands: Vec<CalibrationBand>,
-    /// The profile of each estimate: value, excess of the sum of squares at it, and the same of a
-    /// parabola.
-    profiles: Vec<Vec<[f64; 3]>>,
+    /// Readings, predictions with their bands, and profiles.
+    rows: CalibrationRows,
 }
 
 impl Calibration {
-    /// The page of a calibration and of its tables; it opens in these units, by default in those of
-    /// the case.
-    pub fn new(
-        summary: CalibrationSummary,
-        tables: &CalibrationTables,
-        units: Option<UnitSet>,
-    ) -> Self {
+    /// The page of a calibration and of the rows of its tables; it opens in these units, by default
+    /// in those of the case.
+    pub fn new(summary: CalibrationSummary, rows: CalibrationRows, units: Option<UnitSet>) -> Self {
         let title = format!("{}: measured friction", summary.title());
-        let estimates = summary.estimates.iter();
-        Self {
-            head: PageHead::new(title, units, Some(&summary.settings), facts(&summary)),
-            points: rows::points(&tables.points),
-            bands: rows::bands(&tables.bands),
-            profiles: estimates
-                .map(|estimate| rows::profile(&tables.profiles, &estimate.parameter))
-                .collect(),
-            summary,
-        }
+        let head = PageHead::new(title, units, Some(&summary.settings), facts(&summary));
+        Self { head, summary, rows }
     }
 
     /// A text of the summary in these units.

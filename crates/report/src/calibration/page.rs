@@ -247,7 +247,7 @@ fn correlations(calibration: &Calibration) -> StudyPart {
 
 fn readings(calibration: &Calibration, display: DisplayUnits<'_>) -> StudyPart {
     // A single case is named for the whole page.
-    let several = calibration.points.iter().any(|point| point.case != calibration.points[0].case);
+    let several = calibration.rows.readings.windows(2).any(|pair| pair[0].case != pair[1].case);
     let mut heads = vec![head("reading", true)];
     heads.extend(several.then(|| head("case", true)));
     heads.extend([
@@ -261,8 +261,8 @@ fn readings(calibration: &Calibration, display: DisplayUnits<'_>) -> StudyPart {
         head("in the fit", true),
         head("in its band", true),
     ]);
-    let rows = calibration.points.iter().map(|point| {
-        let dimension = if point.is_torque { "torque" } else { "force" };
+    let rows = calibration.rows.readings.iter().map(|point| {
+        let dimension = if point.is_torque() { "torque" } else { "force" };
         let number = |si: f64| four(display.value(si, dimension));
         let load = |si: f64| format!("{} {}", number(si), display.symbol(dimension));
         let mut cells = vec![reading_words(&point.reading).to_owned()];
@@ -272,7 +272,7 @@ fn readings(calibration: &Calibration, display: DisplayUnits<'_>) -> StudyPart {
             display.quantity(point.bit_depth_m, "length"),
             load(point.measured),
             load(point.predicted),
-            format!("{} to {}", load(point.reading_band[0]), load(point.reading_band[1])),
+            format!("{} to {}", load(point.reading_low), load(point.reading_high)),
             load(point.residual),
             format!("{:.2}", point.standardised).replace('-', "\u{2212}"),
             if point.used { "yes" } else { "held out" }.to_owned(),

@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use wholestring_results::ModeFound;
+use wholestring_results::{CampbellRow, ModeFound, ModeShapeRow, ResponseRow};
 
-use super::{Modes, curves::ModeShape};
+use super::Modes;
 use crate::{
     Plot,
     figure::{
@@ -78,12 +78,12 @@ impl Drawing<'_> {
 
     fn campbell(&self) -> Figure {
         let modes = self.modes;
-        let speeds = modes.branches.first().map_or(&[][..], |branch| &branch.rotary_rad_per_s);
-        let fastest = speeds.last().copied().unwrap_or(1.0);
+        let fastest = modes.branches().next().and_then(<[CampbellRow]>::last);
+        let fastest = fastest.map_or(1.0, |row| row.rotary_speed_rad_per_s);
         // The lateral modes fill the picture; torsional and axial ones above them are cut off.
         let highest = |family: &str| {
-            let all = modes.branches.iter().filter(move |branch| branch.family == family);
-            all.flat_map(|branch| branch.frequency_Hz.iter().copied()).fold(0.0, f64::max)
+            let rows = modes.rows.campbell.iter().filter(|row| row.family == family);
+            rows.map(|row| row.frequency_Hz).fold(0.0, f64::max)
         };
         let top = 1.15 * highest("lateral").max(fastest / TAU);
         let mut marks = Vec::new();
@@ -99,12 +99,15 @@ impl Drawing<'_> {
             marks.push(Mark::Name { at: points[1], text: order_name(order) });
             marks.push(Mark::Curve { ink: Ink::Note, stroke: Stroke::Dashed, points });
         }
-        for branch in &modes.branches {
-            let stroke = if branch.whirl == "backward" { Stroke::Dotted } else { Stroke::Solid };
-            let points = branch.rotary_rad_per_s.iter().zip(&branch.frequency_Hz);
-            let points = points
-                .map(|(speed, hz)| (self.speed(*speed), if *hz <= top { *hz } else { f64::NAN }));
-            let ink = Ink::Line(family(&branch.family));
+        for branch in modes.branches() {
+            let Some(first) = branch.first() else { continue };
+            let is_backward = first.whirl.as_deref() == Some("backward");
+            let stroke = if is_backward { Stroke::Dotted } else { Stroke::Solid };
+            let points = branch.iter().map(|row| {
+                let hz = if row.frequency_Hz <= top { row.frequency_Hz } else { f64::NAN };
+                (self.speed(row.rotary_speed_rad_per_s), hz)
+            });
+            let ink = Ink::Line(family(&first.family));
             marks.push(Mark::Curve { ink, stroke, points: points.collect() });
         }
         for (place, name) in FAMILIES.iter().enumerate() {
@@ -143,34 +146,41 @@ impl Drawing<'_> {
     }
 
     /// Displacement of the shape from the hole's middle line in two directions.
-    fn lateral_panel(&self, shape: &ModeShape) -> Panel {
+    fn lateral_panel(&self, shape: &[ModeShapeRow]) -> Panel {
         let hertz = self.frequency_Hz(shape);
-        let curve = |values: &[f64], place: usize, stroke: Stroke| Mark::Curve {
+        let curve = |value: fn(&ModeShapeRow) -> f64, place: usize, stroke: Stroke| Mark::Curve {
             ink: Ink::Line(place),
             stroke,
-            points: self.along(&shape.md_m, values),
+            points: self.along(shape, value),
         };
-        let [high, right, high_later, right_later] = &shape.across_m;
-        let title = format!("{}: {hertz:.3} Hz", shape.number);
+        let number = shape.first().map_or(0, |row| row.number);
+        let title = format!("{number}: {hertz:.3} Hz");
         Panel::new(
             Axis::new(title, Range::Fixed(-1.1, 1.1)),
             vec![
-                curve(high_later, 0, Stroke::Dotted),
-                curve(right_later, 1, Stroke::Dotted),
-                curve(high, 0, Stroke::Solid),
-                curve(right, 1, Stroke::Solid),
+                curve(|row| row.high_later_m, 0, Stroke::Dotted),
+                curve(|row| row.right_later_m, 1, Stroke::Dotted),
+                curve(|row| row.high_m, 0, Stroke::Solid),
+                curve(|row| row.right_m, 1, Stroke::Solid),
             ],
         )
     }
 
-    fn along(&self, md_m: &[f64], values: &[f64]) -> Vec<(f64, f64)> {
-        let places = self.display.values(md_m, "length");
-        places.into_iter().zip(values.iter().copied()).collect()
+    fn along(&self, shape: &[ModeShapeRow], value: fn(&ModeShapeRow) -> f64) -> Vec<(f64, f64)> {
+        shape.iter().map(|row| (self.display.value(row.md_m, "length"), value(row))).collect()
     }
 
-    fn frequency_Hz(&self, shape: &ModeShape) -> f64 {
-        let same = |row: &&ModeFound| row.family == shape.family && row.number == shape.number;
+    fn frequency_Hz(&self, shape: &[ModeShapeRow]) -> f64 {
+        let same = |row: &&ModeFound| {
+            shape.first().is_some_and(|own| row.family == own.family && row.number == own.number)
+        };
         self.modes.summary.modes.iter().find(same).map_or(f64::NAN, |row| row.frequency_Hz)
+    }
+
+    fn shapes<'b>(&'b self, family: &'b str) -> impl Iterator<Item = &'b [ModeShapeRow]> {
+        let is_its =
+            move |shape: &&[ModeShapeRow]| shape.first().is_some_and(|row| row.family == family);
+        self.modes.shapes().filter(is_its)
     }
 
     fn depth(&self) -> Axis {
@@ -181,8 +191,7 @@ impl Drawing<'_> {
     }
 
     fn lateral_shapes(&self) -> Figure {
-        let lateral =
-            self.modes.shapes.iter().filter(|shape| shape.family == "lateral").take(DRAWN);
+        let lateral = self.shapes("lateral").take(DRAWN);
         let panels: Vec<Panel> = lateral.map(|lateral| self.lateral_panel(lateral)).collect();
         let key = |name: &str, place: usize, stroke: Stroke| Key {
             name: name.to_owned(),
@@ -206,13 +215,15 @@ impl Drawing<'_> {
         let mut panels = Vec::new();
         for name in ["axial", "torsional"] {
             let place = family(name);
-            let shapes = self.modes.shapes.iter().filter(|shape| shape.family == name);
-            let shapes: Vec<&ModeShape> = shapes.take(DRAWN_OTHERS).collect();
+            let shapes: Vec<&[ModeShapeRow]> = self.shapes(name).take(DRAWN_OTHERS).collect();
             let mut marks = Vec::new();
             for (number, shape) in shapes.iter().enumerate() {
-                let values = if place == 1 { &shape.along_m } else { &shape.turn_rad };
+                let value = match place {
+                    1 => |row: &ModeShapeRow| row.along_m,
+                    _ => |row: &ModeShapeRow| row.turn_rad,
+                };
                 let (ink, stroke) = (Ink::Line(number), Stroke::of(number));
-                marks.push(Mark::Curve { ink, stroke, points: self.along(&shape.md_m, values) });
+                marks.push(Mark::Curve { ink, stroke, points: self.along(shape, value) });
             }
             let hertz = shapes.iter().map(|shape| format!("{:.3}", self.frequency_Hz(shape)));
             let title = format!("{name}: {} Hz", hertz.collect::<Vec<_>>().join(" / "));
@@ -232,11 +243,13 @@ impl Drawing<'_> {
     }
 
     fn response(&self) -> Figure {
-        let answer = &self.modes.answer;
-        let panel = |name: &str, dimension: &str, values: &[f64]| {
-            let speeds = self.display.values(&answer.rotary_rad_per_s, "rotary speed");
-            let values = self.display.values(values, dimension);
-            let points = speeds.into_iter().zip(values).collect();
+        let response = &self.modes.rows.response;
+        let panel = |name: &str, dimension: &str, value: fn(&ResponseRow) -> f64| {
+            let point = |row: &ResponseRow| {
+                let speed = self.speed(row.rotary_speed_rad_per_s);
+                (speed, self.display.value(value(row), dimension))
+            };
+            let points = response.iter().map(point).collect();
             let axis = Axis {
                 scale: Scale::Logarithmic,
                 ..Axis::new(self.display.label(name, dimension), Range::Tight)
@@ -249,8 +262,8 @@ impl Drawing<'_> {
             Panel::new(axis, vec![curve, at])
         };
         let panels = vec![
-            panel("Largest amplitude", "diameter", &answer.amplitude_m),
-            panel("Largest bending stress", "pressure", &answer.bending_stress_Pa),
+            panel("Largest amplitude", "diameter", |row| row.amplitude_m),
+            panel("Largest bending stress", "pressure", |row| row.bending_stress_Pa),
         ];
         let mut figure = self.figure(
             self.speed_axis(Range::Tight),

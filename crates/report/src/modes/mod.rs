@@ -1,16 +1,14 @@
 //! The page of linear vibration about the static equilibrium of the string, and its pictures.
 
-mod curves;
 mod figures;
 mod page;
 
 pub use figures::{MODES_PICTURES, modes_plots};
 pub use page::modes_html;
 
-use wholestring_results::{ModesSummary, ModesTables, Table};
+use wholestring_results::{CampbellRow, ModeShapeRow, ModesRows, ModesSummary, Table};
 use wholestring_units::UnitSet;
 
-use self::curves::{AnswerCurve, ModeBranch, ModeShape};
 use crate::{
     Cell, Fact, PageHead,
     stability::{StabilityPicture, stability_sentences},
@@ -23,22 +21,18 @@ pub struct Modes {
     pub head: PageHead,
     /// The answer.
     pub summary: ModesSummary,
-    /// Shapes of the modes.
-    shapes: Vec<ModeShape>,
-    /// Natural frequencies against rotary speed.
-    branches: Vec<ModeBranch>,
-    /// Response to the excitation.
-    answer: AnswerCurve,
+    /// Shapes of the modes, natural frequencies against rotary speed, and response.
+    rows: ModesRows,
     /// The map of torsional stability.
     stability_map: Option<StabilityPicture>,
 }
 
 impl Modes {
-    /// The page of linear vibration, of its tables, and of `stability.parquet` where the summary
-    /// has torsional stability; it opens in these units, by default in those of the case.
+    /// The page of linear vibration, of the rows of its tables, and of `stability.parquet` where the
+    /// summary has torsional stability; it opens in these units, by default in those of the case.
     pub fn new(
         summary: ModesSummary,
-        tables: &ModesTables,
+        rows: ModesRows,
         stability: &Table,
         units: Option<UnitSet>,
     ) -> Self {
@@ -46,12 +40,26 @@ impl Modes {
         let own = summary.torsional_stability.as_ref();
         Self {
             head: PageHead::new(title, units, Some(&summary.settings), facts(&summary)),
-            shapes: curves::shapes(&tables.shapes),
-            branches: curves::branches(&tables.campbell),
-            answer: curves::answer(&tables.response),
+            rows,
             stability_map: own.map(|own| StabilityPicture::new(stability, own)),
             summary,
         }
+    }
+
+    /// The shape of each mode along the string, from the top down.
+    fn shapes(&self) -> impl Iterator<Item = &[ModeShapeRow]> {
+        let is_same = |one: &ModeShapeRow, other: &ModeShapeRow| {
+            one.family == other.family && one.number == other.number
+        };
+        self.rows.shapes.chunk_by(is_same)
+    }
+
+    /// Each natural frequency against rotary speed.
+    fn branches(&self) -> impl Iterator<Item = &[CampbellRow]> {
+        let is_same = |one: &CampbellRow, other: &CampbellRow| {
+            one.family == other.family && one.branch == other.branch
+        };
+        self.rows.campbell.chunk_by(is_same)
     }
 
     /// Parts that turn with the string and excite it, in words.

@@ -1,6 +1,6 @@
 //! Time histories of a string that is set in motion.
 
-use wholestring_results::{PlanPeak, Table};
+use wholestring_results::{PlanPeak, PlanPeakSample};
 
 /// Samples of an event.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,35 +16,23 @@ pub(super) struct History {
 }
 
 /// The history of each peak in the samples of all events.
-pub(super) fn histories(peaks: &[PlanPeak], samples: &Table) -> Vec<History> {
+pub(super) fn histories(peaks: &[PlanPeak], samples: &[PlanPeakSample]) -> Vec<History> {
     peaks.iter().map(|peak| history(peak, samples)).collect()
 }
 
-fn history(peak: &PlanPeak, samples: &Table) -> History {
-    let rows = rows(peak, samples);
-    let column = |name: &str| {
-        let values = samples.numbers(name).unwrap_or_default();
-        rows.iter().map(|row| values[*row].unwrap_or(f64::NAN)).collect()
+fn history(peak: &PlanPeak, samples: &[PlanPeakSample]) -> History {
+    let is_its = |sample: &&PlanPeakSample| {
+        sample.event == peak.event
+            && sample.friction == peak.friction
+            && sample.bit_depth_m == peak.bit_depth_m
     };
+    let own: Vec<&PlanPeakSample> = samples.iter().filter(is_its).collect();
+    let column =
+        |value: fn(&PlanPeakSample) -> f64| own.iter().map(|sample| value(sample)).collect();
     History {
-        time_s: column("time_s"),
-        hook_load_N: column("hook_load_N"),
-        surface_torque_N_m: column("surface_torque_N_m"),
-        pump_pressure_Pa: column("pump_pressure_Pa"),
+        time_s: column(|sample| sample.time_s),
+        hook_load_N: column(|sample| sample.hook_load_N),
+        surface_torque_N_m: column(|sample| sample.surface_torque_N_m),
+        pump_pressure_Pa: column(|sample| sample.pump_pressure_Pa),
     }
-}
-
-/// Rows of an event in the samples of all.
-fn rows(peak: &PlanPeak, samples: &Table) -> Vec<usize> {
-    let (Some(events), Some(frictions), Some(depths)) =
-        (samples.words("event"), samples.words("friction"), samples.numbers("bit_depth_m"))
-    else {
-        return Vec::new();
-    };
-    let is_its = |row: &usize| {
-        events[*row] == peak.event
-            && frictions[*row] == peak.friction.name()
-            && depths[*row] == Some(peak.bit_depth_m)
-    };
-    (0..samples.rows()).filter(is_its).collect()
 }

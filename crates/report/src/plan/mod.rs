@@ -27,7 +27,9 @@ pub use page::plan_html;
 pub use surface::{surface_limit_is_near, surface_limit_title};
 
 use wholestring::{operation::OperationKind, well::FrictionLevel};
-use wholestring_results::{PlanPeak, PlanSummary, PlanSurfaceLimit, Table, UncertainTables};
+use wholestring_results::{
+    PlanPeak, PlanPeakSample, PlanSummary, PlanSurfaceLimit, UncertainTables,
+};
 use wholestring_units::UnitSet;
 
 use self::{histories::History, levels::Level};
@@ -49,11 +51,11 @@ pub struct Plan {
 impl Plan {
     /// The page of a plan and of its events against time in `plan_peaks_time.parquet`; it opens in
     /// these units, by default in those of the case.
-    pub fn new(summary: PlanSummary, peaks_time: &Table, units: Option<UnitSet>) -> Self {
+    pub fn new(summary: PlanSummary, samples: &[PlanPeakSample], units: Option<UnitSet>) -> Self {
         let title = format!("{}: plan", summary.case);
         let head = PageHead::new(title, units, Some(&summary.settings), facts::facts(&summary));
         let levels = FrictionLevel::ALL.map(|level| Level::new(&summary, level));
-        let histories = histories::histories(&summary.peaks, peaks_time);
+        let histories = histories::histories(&summary.peaks, samples);
         Self { head, summary, levels, histories }
     }
 

@@ -1,6 +1,6 @@
 //! Margins of the limits against the depth of the bit.
 
-use wholestring_plan::reach::Limit;
+use wholestring_judge::DepthLimit;
 use wholestring_results::UncertainBand;
 
 use super::{Reach, curves::ReachCurve, is_first, sentences};
@@ -8,7 +8,7 @@ use crate::{
     Plot,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::{DisplayUnits, named},
-    uncertain::{self, Uncertain, band_limit},
+    uncertain::{self, Uncertain},
 };
 
 /// Least margin that is drawn, per cent.
@@ -48,14 +48,13 @@ pub fn reach_plots(reach: &Reach, units: &str) -> Vec<Plot> {
 fn margins(reach: &Reach, units: &str) -> Figure {
     let display = DisplayUnits::new(&reach.head.dimensions, units);
     let operations = distinct(reach.curves.iter().map(|curve| curve.operation));
-    let is_title = |title: &&str| {
-        reach.curves.iter().any(|curve| curve.limit == *title && is_drawn(reach, curve))
+    let has_curve = |limit: &DepthLimit| {
+        reach.curves.iter().any(|curve| curve.limit == *limit && is_drawn(reach, curve))
     };
     // The order of the colours.
-    let drawn_titles: Vec<&str> =
-        Limit::ALL.iter().map(|limit| limit.title()).filter(is_title).collect();
-    let ink = |limit: &str| {
-        let place = drawn_titles.iter().position(|title| *title == limit);
+    let drawn: Vec<DepthLimit> = DepthLimit::ALL.into_iter().filter(has_curve).collect();
+    let ink = |limit: DepthLimit| {
+        let place = drawn.iter().position(|drawn| *drawn == limit);
         place.map_or(Ink::Note, |place| INKS[place % INKS.len()])
     };
     let panels = operations.iter().map(|operation| {
@@ -67,14 +66,14 @@ fn margins(reach: &Reach, units: &str) -> Figure {
         marks.extend(scatter(scattered.collect(), display, &ink));
         let curves = reach.curves.iter().filter(|curve| curve.operation == *operation);
         for curve in curves.filter(|curve| is_drawn(reach, curve)) {
-            let (ink, stroke) = (ink(&curve.limit), Stroke::of(curve.friction));
+            let (ink, stroke) = (ink(curve.limit), Stroke::of(curve.friction));
             marks.push(Mark::Curve { ink, stroke, points: visible(curve, display) });
         }
         for (friction, row) in reach.limits().filter(|(_, limit)| limit.operation == *operation) {
             let Some(depth_m) = row.depth_m else { continue };
             let is_first = is_first(friction, row);
             let points = vec![(display.value(depth_m, "length"), 0.0)];
-            let ink = ink(&row.title);
+            let ink = ink(row.limit);
             let shape = if is_first { Shape::Diamond } else { Shape::Circle };
             marks.push(Mark::Points { ink, shape, points: points.clone() });
             if is_first {
@@ -87,11 +86,11 @@ fn margins(reach: &Reach, units: &str) -> Figure {
         let axis = Axis::new(format!("{name}: margin, %"), Range::Fixed(BELOW, 105.0));
         Panel::new(axis, marks)
     });
-    let key = |limit: &&str| Key {
-        name: (*limit).to_owned(),
-        sample: Sample::Line(ink(limit), Stroke::Solid),
+    let key = |limit: &DepthLimit| Key {
+        name: limit.title().to_owned(),
+        sample: Sample::Line(ink(*limit), Stroke::Solid),
     };
-    let mut keys: Vec<Key> = drawn_titles.iter().map(key).collect();
+    let mut keys: Vec<Key> = drawn.iter().map(key).collect();
     if reach.has_frictions() {
         for (number, friction) in reach.summary.frictions.iter().enumerate() {
             // Grey, as no limit is: a stroke of any colour.
@@ -99,7 +98,7 @@ fn margins(reach: &Reach, units: &str) -> Figure {
             keys.push(Key { name: sentences::friction(friction), sample });
         }
     }
-    if reach.limits().any(|(_, limit)| limit.depth_m.is_some() && begins(reach, &limit.title)) {
+    if reach.limits().any(|(_, limit)| limit.depth_m.is_some() && begins(reach, limit.limit)) {
         let sample = Sample::Point(Ink::Note, Shape::Circle);
         keys.push(Key { name: "buckling begins".into(), sample });
     }
@@ -134,8 +133,9 @@ fn margins(reach: &Reach, units: &str) -> Figure {
 fn scatter(
     numbers: Vec<&UncertainBand>,
     display: DisplayUnits<'_>,
-    ink: &impl Fn(&str) -> Ink,
+    ink: &impl Fn(DepthLimit) -> Ink,
 ) -> Vec<Mark> {
+    let ink_of = |band: &UncertainBand| DepthLimit::named(&band.limit).map_or(Ink::Note, ink);
     let mut marks: Vec<Mark> = Vec::new();
     let mut last = None;
     for margin in numbers.iter().filter(|number| number.quantity == "margin") {
@@ -143,7 +143,7 @@ fn scatter(
         let depth = display.value(margin.bit_depth_m.unwrap_or(f64::NAN), "length");
         let key = (&margin.limit, margin.friction.map(f64::to_bits));
         if last != Some(key) {
-            marks.push(Mark::Band { ink: ink(band_limit(margin)), points: Vec::new() });
+            marks.push(Mark::Band { ink: ink_of(margin), points: Vec::new() });
             last = Some(key);
         }
         if let Some(Mark::Band { points, .. }) = marks.last_mut() {
@@ -155,7 +155,7 @@ fn scatter(
         .filter(|number| number.quantity == "depth" && number.not_met < number.answers)
     {
         let [from, .., to] = depth.quantiles.map(|depth_m| (display.value(depth_m, "length"), 0.0));
-        marks.push(Mark::Bars { ink: ink(band_limit(depth)), bars: vec![[from, to]] });
+        marks.push(Mark::Bars { ink: ink_of(depth), bars: vec![[from, to]] });
     }
     marks
 }
@@ -164,13 +164,12 @@ fn scatter(
 /// a point where it begins, and no curve.
 fn is_drawn(reach: &Reach, curve: &ReachCurve) -> bool {
     let falls = curve.points.iter().any(|(_, margin)| margin.is_nan() || *margin < FAR);
-    falls && !begins(reach, &curve.limit)
+    falls && !begins(reach, curve.limit)
 }
 
 /// Whether a limit is the beginning of buckling that stops no operation.
-fn begins(reach: &Reach, title: &str) -> bool {
-    let buckles = Limit::ALL.iter().any(|limit| limit.title() == title && !limit.stops());
-    buckles && !reach.limits().any(|(_, limit)| limit.title == title && limit.stops)
+fn begins(reach: &Reach, limit: DepthLimit) -> bool {
+    !limit.stops() && !reach.limits().any(|(_, row)| row.limit == limit && row.stops)
 }
 
 /// A curve up to the edge of the frame, per cent.

@@ -9,10 +9,8 @@ pub use figures::{REACH_PICTURES, reach_plots};
 pub use page::reach_html;
 pub use sentences::{reach_answers, reach_notes};
 
-use std::path::Path;
-
 use wholestring_results::{
-    ReachLimit, ReachOfFriction, ReachSummary, ResultsError, Table, UncertainTables,
+    ReachLimit, ReachMargin, ReachOfFriction, ReachSummary, UncertainTables,
 };
 use wholestring_units::UnitSet;
 
@@ -31,21 +29,13 @@ pub struct Reach {
 }
 
 impl Reach {
-    /// The page of a reach and of `reach.parquet`, which was read from `path`; it opens in these
-    /// units, by default in those of the case.
-    ///
-    /// # Errors
-    /// A row of the table that names no operation.
-    pub fn new(
-        summary: ReachSummary,
-        margins: &Table,
-        path: &Path,
-        units: Option<UnitSet>,
-    ) -> Result<Self, ResultsError> {
+    /// The page of a reach and of the rows of `reach.parquet`; it opens in these units, by default
+    /// in those of the case.
+    pub fn new(summary: ReachSummary, margins: &[ReachMargin], units: Option<UnitSet>) -> Self {
         let title = format!("{}: reach", summary.case);
         let head = PageHead::new(title, units, Some(&summary.settings), facts(&summary));
-        let curves = curves::curves(margins, path, &summary)?;
-        Ok(Self { head, summary, curves })
+        let curves = curves::curves(margins, &summary);
+        Self { head, summary, curves }
     }
 
     /// Effect of uncertain numbers; `None` where all are exact.

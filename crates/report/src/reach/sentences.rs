@@ -39,7 +39,7 @@ pub fn reach_answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
             .limits
             .iter()
             .find(|limit| limit.limit == first.limit && limit.operation == first.operation);
-        let title = found.map_or(first.limit.as_str(), |limit| limit.title.as_str());
+        let title = found.map_or(first.limit.title(), |limit| limit.title.as_str());
         let already = match found.is_some_and(|limit| limit.already) {
             true => " already",
             false => "",

@@ -2,9 +2,8 @@
 
 use serde_json::json;
 use wholestring::operation::OperationKind;
-use wholestring_judge::{Judge, LimitSettings, Reached};
-use wholestring_plan::reach::Limit;
-use wholestring_results::{REACH, REACH_VERSION, ReachCheck, ReachStop};
+use wholestring_judge::{DepthLimit, Judge, LimitSettings, Reached};
+use wholestring_results::{REACH_VERSION, ReachCheck, ReachStop};
 
 use super::*;
 use crate::figure::{Ink, Mark, Shape};
@@ -19,12 +18,12 @@ fn summary() -> ReachSummary {
         critical_inclination_rad: None,
         first: depth_m.map(|depth_m| ReachStop {
             operation: OperationKind::Drill,
-            limit: "top_drive".into(),
+            limit: DepthLimit::TopDrive,
             depth_m,
         }),
         limits: vec![ReachLimit {
             operation: OperationKind::Drill,
-            limit: "top_drive".into(),
+            limit: DepthLimit::TopDrive,
             title: "top drive".into(),
             stops: true,
             depth_m,
@@ -37,7 +36,7 @@ fn summary() -> ReachSummary {
     };
     let reached = Reached {
         operation: OperationKind::Drill.words(),
-        stopped: Some((5000.0, "top drive")),
+        stopped: Some((5000.0, DepthLimit::TopDrive)),
         pushed_from_m: None,
         from_m: 0.0,
         planned_m: 8000.0,
@@ -68,26 +67,30 @@ fn summary() -> ReachSummary {
     }
 }
 
-/// The margins of the top drive, which fall evenly with depth.
-fn margins() -> Table {
-    let mut table = Table::with_columns(REACH);
-    for (friction, slope) in [(0.2, 0.05), (0.4, 0.2)] {
-        for step in (0..11).map(f64::from) {
-            table.append(
-                &[("operation", &["drill"]), ("limit", &["top_drive"])],
-                &[
-                    ("friction", &[friction]),
-                    ("bit_depth_m", &[1000.0 * step]),
-                    ("margin", &[1.0 - slope * step]),
-                ],
-            );
-        }
-    }
-    table
+/// The margins of a limit of drilling, which fall evenly with depth.
+fn falling(limit: DepthLimit, friction: f64, slope: f64) -> impl Iterator<Item = ReachMargin> {
+    (0..11).map(f64::from).map(move |step| ReachMargin {
+        operation: OperationKind::Drill,
+        limit,
+        friction: Some(friction),
+        bit_depth_m: 1000.0 * step,
+        margin: 1.0 - slope * step,
+        force_N: None,
+        force_limit_N: None,
+        torque_N_m: None,
+        torque_limit_N_m: None,
+        md_m: None,
+    })
 }
 
-fn page_of(margins: &Table) -> Reach {
-    Reach::new(summary(), margins, Path::new("reach.parquet"), None).expect("operations")
+/// The margins of the top drive.
+fn margins() -> Vec<ReachMargin> {
+    let of_friction = |(friction, slope)| falling(DepthLimit::TopDrive, friction, slope);
+    [(0.2, 0.05), (0.4, 0.2)].into_iter().flat_map(of_friction).collect()
+}
+
+fn page_of(margins: &[ReachMargin]) -> Reach {
+    Reach::new(summary(), margins, None)
 }
 
 fn reach() -> Reach {
@@ -130,26 +133,16 @@ fn buckling_that_stops_nothing_has_no_curve() {
         let mut summary = summary();
         let limits = &mut summary.frictions[1].limits;
         let helix = ReachLimit {
-            limit: Limit::Helix.name().into(),
-            title: Limit::Helix.title().into(),
+            limit: DepthLimit::Helix,
+            title: DepthLimit::Helix.title().into(),
             stops,
             depth_m: Some(4000.0),
             ..limits[0].clone()
         };
         limits.push(helix);
-        let mut table = margins();
-        for step in (0..11).map(f64::from) {
-            table.append(
-                &[("operation", &["drill"]), ("limit", &[Limit::Helix.name()])],
-                &[
-                    ("friction", &[0.4]),
-                    ("bit_depth_m", &[1000.0 * step]),
-                    ("margin", &[1.0 - 0.25 * step]),
-                ],
-            );
-        }
-        let reach = Reach::new(summary, &table, Path::new("reach.parquet"), None);
-        let plots = reach_plots(&reach.expect("operations"), "si");
+        let mut rows = margins();
+        rows.extend(falling(DepthLimit::Helix, 0.4, 0.25));
+        let plots = reach_plots(&Reach::new(summary, &rows, None), "si");
         let marks = &plots[0].figure.panels[0].marks;
         let curves = marks.iter().filter(|mark| matches!(mark, Mark::Curve { .. })).count();
         let begins = marks.iter().any(|mark| {
@@ -175,5 +168,5 @@ fn the_page_says_it() {
     assert!(page.contains("level-error"));
     // The depth of a limit, which is the answer, follows its name.
     assert!(page.contains("<th class=\"words\">limit</th><th>reached with the bit at</th>"));
-    assert!(reach_plots(&page_of(&Table::with_columns(REACH)), "si").is_empty());
+    assert!(reach_plots(&page_of(&[]), "si").is_empty());
 }

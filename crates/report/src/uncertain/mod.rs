@@ -12,7 +12,6 @@ mod tests;
 
 pub(crate) use figure::figure;
 pub(crate) use tables::{bands, inputs, owed, stops};
-pub(crate) use words::band_limit;
 pub use words::uncertain_notes;
 
 /// Caption of the picture.

@@ -1,8 +1,7 @@
 //! Words for the numbers of uncertain inputs.
 
 use wholestring::operation::OperationKind;
-use wholestring_judge::CheckKind;
-use wholestring_plan::reach::Limit;
+use wholestring_judge::{CheckKind, DepthLimit};
 use wholestring_results::{UncertainBand, UncertainStop, UncertainSummary};
 
 /// Largest number of reasons that are listed; the others are counted.
@@ -42,14 +41,14 @@ pub fn uncertain_notes(summary: &UncertainSummary) -> Vec<String> {
 /// A limit in words; limits of a plan and of a reach may have the same name.
 fn limit(name: &str, of_reach: bool) -> &str {
     let found = match of_reach {
-        true => Limit::ALL.iter().find(|limit| limit.name() == name).map(|limit| limit.title()),
+        true => DepthLimit::named(name).map(DepthLimit::title),
         false => CheckKind::named(name).map(CheckKind::label),
     };
     found.unwrap_or(name)
 }
 
 /// The limit of a number in words; empty for other numbers.
-pub(crate) fn band_limit(band: &UncertainBand) -> &str {
+fn band_limit(band: &UncertainBand) -> &str {
     let of_reach = matches!(band.quantity.as_str(), "depth" | "margin");
     if band.limit.is_empty() { "" } else { limit(&band.limit, of_reach) }
 }
@@ -80,11 +79,11 @@ pub(super) fn dimension(band: &UncertainBand) -> &'static str {
 /// A limit that stops a well first, with its operation and friction; `nothing` where none does.
 pub(super) fn stop(stop: &UncertainStop) -> String {
     let at = stop.friction.map_or_else(String::new, |friction| format!(", friction {friction}"));
-    match stop.limit.is_empty() {
-        true => format!("nothing{at}"),
-        false => {
+    match stop.limit {
+        None => format!("nothing{at}"),
+        Some(limit) => {
             let operation = stop.operation.map_or("", OperationKind::words);
-            format!("{}, {operation}{at}", limit(&stop.limit, true))
+            format!("{}, {operation}{at}", limit.title())
         }
     }
 }

@@ -3,10 +3,7 @@
 use serde::{Deserialize, Serialize};
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 
-use crate::{
-    loads::{torque, weight},
-    row::rows,
-};
+use crate::row::rows;
 
 /// Predictions with low and with high friction that differ by less than this part of the one
 /// between them do not depend on friction; no reading is between them except by chance.
@@ -30,39 +27,16 @@ rows! {
         predicted: [Option<f64>; 3],
             "Prediction for the string that was in the hole, with low, expected and high friction; \
              none without an answer";
-        measured_N = |row| weight(row.is_torque, row.measured) => Force,
-            "Measured weight, block included; `null` for torques",
-            null_where "it is a torque";
-        hook_load_N = |row| weight(row.is_torque, row.measured - row.block_N) => Force,
-            "The same without the block, comparable with `plan_broomstick`; `null` for torques",
-            null_where "it is a torque";
-        low_friction_N = |row| weight(row.is_torque, row.predicted[0]) => Force,
-            "The same predicted with low friction; `null` for torques and without an answer",
-            null_where "it is a torque, or there is no answer";
-        predicted_N = |row| weight(row.is_torque, row.predicted[1]) => Force,
-            "With the expected friction; `null` for torques and without an answer",
-            null_where "it is a torque, or there is no answer";
-        high_friction_N = |row| weight(row.is_torque, row.predicted[2]) => Force,
-            "With high friction; `null` for torques and without an answer",
-            null_where "it is a torque, or there is no answer";
-        residual_N = |row| weight(row.is_torque, row.residual()) => Force,
-            "Measured less predicted; `null` for torques and without an answer",
-            null_where "it is a torque, or there is no answer";
-        measured_N_m = |row| torque(row.is_torque, row.measured) => Torque,
-            "Measured torque; `null` for weights",
-            null_where "it is a weight";
-        low_friction_N_m = |row| torque(row.is_torque, row.predicted[0]) => Torque,
-            "The same predicted with low friction; `null` for weights and without an answer",
-            null_where "it is a weight, or there is no answer";
-        predicted_N_m = |row| torque(row.is_torque, row.predicted[1]) => Torque,
-            "With the expected friction; `null` for weights and without an answer",
-            null_where "it is a weight, or there is no answer";
-        high_friction_N_m = |row| torque(row.is_torque, row.predicted[2]) => Torque,
-            "With high friction; `null` for weights and without an answer",
-            null_where "it is a weight, or there is no answer";
-        residual_N_m = |row| torque(row.is_torque, row.residual()) => Torque,
-            "Measured less predicted; `null` for weights and without an answer",
-            null_where "it is a weight, or there is no answer";
+        is_torque = |row| row.is_torque, loads {
+            measured = |row| row.measured, "Measured weight, block included" | "Measured torque";
+            hook_load = |row| row.measured - row.block_N,
+                "The same without the block, comparable with `plan_broomstick`" | _;
+            low_friction = |row| row.predicted[0],
+                "The same predicted with low friction", unanswered;
+            predicted = |row| row.predicted[1], "With the expected friction", unanswered;
+            high_friction = |row| row.predicted[2], "With high friction", unanswered;
+            residual = |row| row.residual(), "Measured less predicted", unanswered;
+        };
         between = |row| row.between() => Words,
             "Whether it is between the values of low and high friction: `yes` or `no`; empty where \
              friction does not change it or there is no answer",

@@ -3,11 +3,7 @@
 use serde::{Deserialize, Serialize};
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 
-use crate::{
-    Row, Table,
-    loads::{torque, weight},
-    row::rows,
-};
+use crate::{Row, Table, row::rows};
 
 /// Another program's curves from a file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -36,24 +32,11 @@ rows! {
         ours: Option<f64>,
             "Our value with the expected friction, hook loads without the block; none where the \
              plan has no answer there";
-        theirs_N = |row| weight(row.is_torque, row.theirs) => Force,
-            "Their hook load, as in the file; `null` for torques",
-            null_where "it is a torque";
-        ours_N = |row| weight(row.is_torque, row.ours) => Force,
-            "Ours, block excluded; `null` for torques and without an answer",
-            null_where "it is a torque, or there is no answer";
-        difference_N = |row| weight(row.is_torque, row.difference()) => Force,
-            "Ours less theirs; `null` for torques and without an answer",
-            null_where "it is a torque, or there is no answer";
-        theirs_N_m = |row| torque(row.is_torque, row.theirs) => Torque,
-            "Their torque; `null` for weights",
-            null_where "it is a weight";
-        ours_N_m = |row| torque(row.is_torque, row.ours) => Torque,
-            "Our torque; `null` for weights and without an answer",
-            null_where "it is a weight, or there is no answer";
-        difference_N_m = |row| torque(row.is_torque, row.difference()) => Torque,
-            "Ours less theirs; `null` for weights and without an answer",
-            null_where "it is a weight, or there is no answer";
+        is_torque = |row| row.is_torque, loads {
+            theirs = |row| row.theirs, "Their hook load, as in the file" | "Their torque";
+            ours = |row| row.ours, "Ours, block excluded" | "Our torque", unanswered;
+            difference = |row| row.difference(), "Ours less theirs", unanswered;
+        };
     }
 
     /// Columns of `plan_overlay.parquet`: a row for each weight and torque of another program, for

@@ -5,94 +5,103 @@ use wholestring::well::FrictionLevel;
 
 use crate::{Row, Table, columns::FRICTION, row::rows};
 
-rows! {
-    /// An event with the bit at one depth and one friction.
-    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-    pub struct PlanPeak {
-        event: String => Words,
-            "`pick_up_from_slips`, `slack_off_from_slips`, `break_circulation` or `break_rotation`";
-        friction: FrictionLevel => Words as FRICTION, "Level of friction";
-        bit_depth_m: f64 => Depth, "Measured depth of the bit";
-        hook_load_N: Option<PlanPeakOf>,
-            "Peak of the hook load without block, N; none where there is no answer",
-            columns {
-                hook_load_at_rest_N = |peak| peak.at_rest => Force,
-                    "Hook load before, block and top drive excluded; this and the other columns of \
-                     the hook load are `null` where there is no answer",
-                    null_where "there is no answer";
-                hook_load_peak_N = |peak| peak.peak => Force,
-                    "Sample farthest from that, or `null`",
-                    null_where "there is no answer";
-                hook_load_peak_time_s = |peak| peak.time_s => Time,
-                    "Time of the peak, from the beginning of the event, or `null`",
-                    null_where "there is no answer";
-                hook_load_steady_N = |peak| peak.steady => Force,
-                    "Final value: the mean over the last quarter of the observed time, or `null`",
-                    null_where "there is no answer";
-                hook_load_drift_N = |peak| peak.drift => Force,
-                    "That less the mean over the quarter before, or `null`",
-                    null_where "there is no answer";
-                hook_load_ratio = |peak| peak.ratio => Ratio,
-                    "Peak over final value, or `null`",
-                    null_where "there is no answer, or the final value is zero";
-                hook_load_overshoot = |peak| peak.overshoot => Ratio,
-                    "Excess of the peak over the final value, as a part of the change, or `null`",
-                    null_where "there is no answer, or nothing changes";
-            };
-        surface_torque_N_m: Option<PlanPeakOf>,
-            "Peak of the surface torque, N·m; none where nothing turns",
-            columns {
-                surface_torque_peak_N_m = |peak| peak.peak => Torque,
-                    "Peak of the surface torque; this and its other columns are `null` where the \
-                     string does not turn",
-                    null_where "the string does not turn";
-                surface_torque_peak_time_s = |peak| peak.time_s => Time,
-                    "Time of the peak, or `null`",
-                    null_where "the string does not turn";
-                surface_torque_steady_N_m = |peak| peak.steady => Torque, "Final value, or `null`",
-                    null_where "the string does not turn";
-                surface_torque_ratio = |peak| peak.ratio => Ratio,
-                    "Peak over final value, or `null`",
-                    null_where "the string does not turn";
-            };
-        pump_pressure_Pa: Option<PlanPeakOf>,
-            "Peak of the pump's pressure, Pa; none where no pump starts",
-            columns {
-                pump_pressure_peak_Pa = |peak| peak.peak => Pressure,
-                    "Peak of the pump's pressure, without its gel; this and its other columns are \
-                     `null` where no pump starts",
-                    null_where "no pump starts";
-                pump_pressure_peak_time_s = |peak| peak.time_s => Time,
-                    "Time of the peak, or `null`",
-                    null_where "no pump starts";
-                pump_pressure_steady_Pa = |peak| peak.steady => Pressure, "Final value, or `null`",
-                    null_where "no pump starts";
-                pump_pressure_ratio = |peak| peak.ratio => Ratio,
-                    "Peak over final value, or `null`",
-                    null_where "no pump starts";
-            };
-        gel: Option<PlanGel>,
-            "Pressures that break the gel; none where its strength is not known",
-            columns {
-                gel_bore_Pa = |gel| gel.bore_Pa => Pressure,
-                    "Pressure that breaks the gel in the bore; this and the following are `null` \
-                     without a gel strength",
-                    null_where "no pump starts, or the gel strength is not known";
-                gel_annulus_Pa = |gel| gel.annulus_Pa => Pressure,
-                    "The same in the annulus, or `null`",
-                    null_where "no pump starts, or the gel strength is not known";
-                gel_lift_N = |gel| gel.lift_N => Force,
-                    "Reduction of the hook load as the gel in the annulus breaks, or `null`",
-                    null_where "no pump starts, or the gel strength is not known";
-            };
-        message: Option<String> => Words,
-            "Reason why there is no answer, or a warning; else empty",
-            null_where "there is no message";
-    }
+/// Declares the row of an event: quantities that start with it have the same columns.
+macro_rules! peaks {
+    ($(
+        $quantity:ident: $name:literal $unit:literal $kind:ident, $title:literal, $meaning:literal,
+        null_where $none:literal;
+    )+) => {
+        rows! {
+            /// An event with the bit at one depth and one friction.
+            #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+            pub struct PlanPeak {
+                event: String => Words,
+                    "`pick_up_from_slips`, `slack_off_from_slips`, `break_circulation` or \
+                     `break_rotation`";
+                friction: FrictionLevel => Words as FRICTION, "Level of friction";
+                bit_depth_m: f64 => Depth, "Measured depth of the bit";
+                hook_load_N: Option<PlanPeakOf>,
+                    "Peak of the hook load without block, N; none where there is no answer",
+                    columns {
+                        hook_load_at_rest_N = |peak| peak.at_rest => Force,
+                            "Hook load before, block and top drive excluded; this and the other \
+                             columns of the hook load are `null` where there is no answer",
+                            null_where "there is no answer";
+                        hook_load_peak_N = |peak| peak.peak => Force,
+                            "Sample farthest from that, or `null`",
+                            null_where "there is no answer";
+                        hook_load_peak_time_s = |peak| peak.time_s => Time,
+                            "Time of the peak, from the beginning of the event, or `null`",
+                            null_where "there is no answer";
+                        hook_load_steady_N = |peak| peak.steady => Force,
+                            "Final value: the mean over the last quarter of the observed time, or \
+                             `null`",
+                            null_where "there is no answer";
+                        hook_load_drift_N = |peak| peak.drift => Force,
+                            "That less the mean over the quarter before, or `null`",
+                            null_where "there is no answer";
+                        hook_load_ratio = |peak| peak.ratio => Ratio,
+                            "Peak over final value, or `null`",
+                            null_where "there is no answer, or the final value is zero";
+                        hook_load_overshoot = |peak| peak.overshoot => Ratio,
+                            "Excess of the peak over the final value, as a part of the change, or \
+                             `null`",
+                            null_where "there is no answer, or nothing changes";
+                    };
+                $(
+                    $quantity: Option<PlanPeakOf>, $meaning, columns {
+                        [$name "_peak_" $unit] = |peak| peak.peak => $kind,
+                            concat!(
+                                "Peak of the ", $title,
+                                "; this and its other columns are `null` where ", $none,
+                            ),
+                            null_where $none;
+                        [$name "_peak_time_s"] = |peak| peak.time_s => Time,
+                            "Time of the peak, or `null`",
+                            null_where $none;
+                        [$name "_steady_" $unit] = |peak| peak.steady => $kind,
+                            "Final value, or `null`",
+                            null_where $none;
+                        [$name "_ratio"] = |peak| peak.ratio => Ratio,
+                            "Peak over final value, or `null`",
+                            null_where $none;
+                    };
+                )+
+                gel: Option<PlanGel>,
+                    "Pressures that break the gel; none where its strength is not known",
+                    columns {
+                        gel_bore_Pa = |gel| gel.bore_Pa => Pressure,
+                            "Pressure that breaks the gel in the bore; this and the following are \
+                             `null` without a gel strength",
+                            null_where "no pump starts, or the gel strength is not known";
+                        gel_annulus_Pa = |gel| gel.annulus_Pa => Pressure,
+                            "The same in the annulus, or `null`",
+                            null_where "no pump starts, or the gel strength is not known";
+                        gel_lift_N = |gel| gel.lift_N => Force,
+                            "Reduction of the hook load as the gel in the annulus breaks, or \
+                             `null`",
+                            null_where "no pump starts, or the gel strength is not known";
+                    };
+                message: Option<String> => Words,
+                    "Reason why there is no answer, or a warning; else empty",
+                    null_where "there is no message";
+            }
 
-    /// Columns of `plan_peaks.parquet`: hook load, torque and pump pressure of a string that is set
-    /// in motion from rest, by the dynamics; a row for each event, friction and depth of the bit.
-    pub const PLAN_PEAKS;
+            /// Columns of `plan_peaks.parquet`: hook load, torque and pump pressure of a string
+            /// that is set in motion from rest, by the dynamics; a row for each event, friction and
+            /// depth of the bit.
+            pub const PLAN_PEAKS;
+        }
+    };
+}
+
+peaks! {
+    surface_torque_N_m: "surface_torque" "N_m" Torque, "surface torque",
+        "Peak of the surface torque, N·m; none where nothing turns",
+        null_where "the string does not turn";
+    pump_pressure_Pa: "pump_pressure" "Pa" Pressure, "pump's pressure, without its gel",
+        "Peak of the pump's pressure, Pa; none where no pump starts",
+        null_where "no pump starts";
 }
 
 /// Response of a quantity to an event, in its unit.

@@ -2,11 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    Row, Table,
-    loads::{torque, weight},
-    row::rows,
-};
+use crate::{Row, Table, row::rows};
 
 rows! {
     /// A limit of hook load or surface torque.
@@ -21,19 +17,14 @@ rows! {
         bit_depth_m = |_| bit_depth_m => Depth, "Measured depth of the bit: zero, and the deepest";
         required: f64 => Ratio, "The required factor";
         allowed: f64, "Allowable hook load without the block, or torque, by that factor";
-        capacity_N = |limit| weight(limit.is_torque, limit.capacity) => Force,
-            "The capacity, for the hoist with the block; `null` for torques",
-            null_where "it is a torque";
-        allowed_N = |limit| weight(limit.is_torque, limit.allowed) => Force,
-            "Allowable hook load without the block: capacity over factor, for the hoist less the \
-             block; `null` for torques",
-            null_where "it is a torque";
-        capacity_N_m = |limit| torque(limit.is_torque, limit.capacity) => Torque,
-            "The capacity; `null` for weights",
-            null_where "it is a weight";
-        allowed_N_m = |limit| torque(limit.is_torque, limit.allowed) => Torque,
-            "Allowable torque: capacity over factor; `null` for weights",
-            null_where "it is a weight";
+        is_torque = |limit| limit.is_torque, loads {
+            capacity = |limit| limit.capacity,
+                "The capacity, for the hoist with the block" | "The capacity";
+            allowed = |limit| limit.allowed,
+                "Allowable hook load without the block: capacity over factor, for the hoist less \
+                 the block"
+                | "Allowable torque: capacity over factor";
+        };
     }
 
     /// Columns of `plan_surface_limits.parquet`: two rows for each limit, the ends of its line on

@@ -33,13 +33,33 @@ impl<'a> Reader<'a> {
                 self.error(format_args!("its column `{name}` holds words, expected numbers"))
             );
         };
-        let value = |(row, number): (usize, &Option<f64>)| {
-            N::from_number(*number).ok_or_else(|| {
-                let found = number.map_or_else(|| "empty".to_owned(), |number| number.to_string());
-                self.unexpected(name, row, &found, N::EXPECTED)
-            })
-        };
-        numbers.iter().enumerate().map(value).collect()
+        numbers.iter().enumerate().map(|(row, number)| self.number(name, row, *number)).collect()
+    }
+
+    /// The values of a weight's column and of a torque's: each row has a number in one of them.
+    pub(crate) fn loads<N: FromNumber>(
+        &self,
+        weight: &str,
+        torque: &str,
+    ) -> Result<Vec<N>, ResultsError> {
+        let weights = self.numbers::<Option<f64>>(weight)?;
+        let torques = self.numbers::<Option<f64>>(torque)?;
+        let loads = weights.into_iter().zip(torques).enumerate();
+        loads
+            .map(|(row, (of_weight, of_torque))| self.number(weight, row, of_weight.or(of_torque)))
+            .collect()
+    }
+
+    fn number<N: FromNumber>(
+        &self,
+        name: &str,
+        row: usize,
+        number: Option<f64>,
+    ) -> Result<N, ResultsError> {
+        N::from_number(number).ok_or_else(|| {
+            let found = number.map_or_else(|| "empty".to_owned(), |number| number.to_string());
+            self.unexpected(name, row, &found, N::EXPECTED)
+        })
     }
 
     /// The values of a column of words.

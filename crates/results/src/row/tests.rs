@@ -69,6 +69,39 @@ rows! {
     pub const NESTED with factor: f64;
 }
 
+rows! {
+    /// Weights and torques.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Loaded {
+        name: String => Words, "A name";
+        is_torque = |row| row.name.starts_with("torque"), loads {
+            measured: f64, "Measured weight" | "Measured torque";
+            expected: f64, "The expected one";
+        };
+        is_sound: bool => Ratio, "1 where it is sound, else 0";
+    }
+
+    /// Columns of loads.
+    pub const LOADED, read;
+}
+
+rows! {
+    /// Weights and torques that follow from the fields.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Derived {
+        is_torque: bool, "Whether it is a torque";
+        value: Option<f64>, "The value";
+        is_torque = |row| row.is_torque, loads {
+            value = |row| row.value, "The value", unanswered;
+            twice = |row| row.value.map(|value| 2.0 * value), "Twice the value" | _,
+                unanswered "as the value";
+        };
+    }
+
+    /// Columns of derived loads.
+    pub const DERIVED;
+}
+
 struct Foreign {
     width_m: f64,
     ends_m: [f64; 2],
@@ -251,4 +284,36 @@ fn defects_name_file_column_and_row() {
     }
     let words = Column::words("depth_m", vec!["deep".into(); 2]);
     assert!(error(&with_column(&table, words)).contains("`depth_m` holds words, expected numbers"));
+}
+
+/// A load has a column as a weight and one as a torque, the weights first, and is read back from
+/// the one that has it.
+#[test]
+fn a_load_is_a_weight_or_a_torque() {
+    assert_eq!(
+        names(LOADED),
+        ["name", "measured_N", "expected_N", "measured_N_m", "expected_N_m", "is_sound"]
+    );
+    let meanings: Vec<_> =
+        LOADED.iter().map(|column| (column.meaning, column.null_where)).collect();
+    assert_eq!(meanings[1], ("Measured weight; `null` for torques", Some("it is a torque")));
+    assert_eq!(meanings[3], ("Measured torque; `null` for weights", Some("it is a weight")));
+    assert_eq!(meanings[4], ("The expected one; `null` for weights", Some("it is a weight")));
+    assert_eq!((LOADED[1].unit, LOADED[3].unit), ("N", "N·m"));
+    let row =
+        |name: &str| Loaded { name: name.into(), measured: 2.0, expected: 3.0, is_sound: true };
+    let rows = [row("weight"), row("torque")];
+    let table = Loaded::table(&rows);
+    assert_eq!(table.numbers("measured_N"), Some(&[Some(2.0), None][..]));
+    assert_eq!(table.numbers("expected_N_m"), Some(&[None, Some(3.0)][..]));
+    assert_eq!(Loaded::read(&table, Path::new("loaded.parquet")).expect("rows"), rows);
+
+    assert_eq!(names(DERIVED), ["value_N", "twice_N", "value_N_m"]);
+    let meanings: Vec<_> =
+        DERIVED.iter().map(|column| (column.meaning, column.null_where)).collect();
+    let neither = Some("it is a torque, or there is no answer");
+    assert_eq!(meanings[0], ("The value; `null` for torques and without an answer", neither));
+    assert_eq!(meanings[1], ("Twice the value; `null` as the value", neither));
+    let table = Derived::table([Derived { is_torque: false, value: Some(2.0) }]);
+    assert_eq!(table.numbers("twice_N"), Some(&[Some(4.0)][..]));
 }

@@ -4,7 +4,7 @@ use wholestring::{
     operation::OperationKind, outcome::ModelKind, statics::assembly::Touching,
     torsional_stability::LiesBy, well::FrictionLevel,
 };
-use wholestring_judge::{CheckKind, Severity, Verdict};
+use wholestring_judge::{CheckKind, DepthLimit, Severity, Verdict};
 
 /// A value of a column of numbers.
 pub(crate) trait Number {
@@ -228,6 +228,7 @@ named! {
         |word| Severity::ALL.into_iter().find(|severity| severity.name() == word);
     CheckKind: name, "a kind of check",
         |word| CheckKind::ALL.iter().copied().find(|kind| kind.name() == word);
+    DepthLimit: name, "a limit of a reach", DepthLimit::named;
     Verdict: words;
     LiesBy: name;
     Touching: name;

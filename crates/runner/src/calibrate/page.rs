@@ -5,14 +5,14 @@ use std::path::Path;
 use wholestring_report::{
     CALIBRATION_PICTURES, Calibration, Plot, calibration_html, calibration_plots,
 };
-use wholestring_results::{CalibrationSummary, CalibrationTables, ResultsError};
+use wholestring_results::{CalibrationRows, CalibrationSummary, ResultsError};
 use wholestring_units::UnitSet;
 
 use super::{
     tables::{BANDS, POINTS, PROFILES},
     toml::FRAGMENT,
 };
-use crate::{page::table, results_kind::Results};
+use crate::{page::read_rows, results_kind::Results};
 
 impl Results for Calibration {
     const NOUN: &'static str = "a calibration";
@@ -22,12 +22,12 @@ impl Results for Calibration {
 
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = CalibrationSummary::read(&folder.join("summary.json"))?;
-        let tables = CalibrationTables {
-            profiles: table(folder, PROFILES)?,
-            points: table(folder, POINTS)?,
-            bands: table(folder, BANDS)?,
+        let rows = CalibrationRows {
+            profiles: read_rows(folder, PROFILES)?,
+            readings: read_rows(folder, POINTS)?,
+            bands: read_rows(folder, BANDS)?,
         };
-        Ok(Self::new(summary, &tables, units))
+        Ok(Self::new(summary, rows, units))
     }
 
     fn html(&self) -> Option<String> {

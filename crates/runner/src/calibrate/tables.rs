@@ -1,11 +1,11 @@
 //! The tables of a calibration.
 
 use wholestring_plan::calibration::{
-    Calibration, Channel, ErrorKind, Estimate, Parameter, Point, Settings, State,
+    Calibration, ErrorKind, Estimate, Parameter, Point, Settings, State,
 };
 use wholestring_results::{
-    CalibrationBand, CalibrationProfile, CalibrationReading, CalibrationSummary, CalibrationTables,
-    DynamicCheck, ErrorFound, EstimateFound, ResultsError, ResultsFolder, Row as _, Table,
+    CalibrationBand, CalibrationProfile, CalibrationReading, CalibrationSummary, DynamicCheck,
+    ErrorFound, EstimateFound, ResultsError, ResultsFolder, Row as _, Table,
 };
 
 use crate::{
@@ -27,17 +27,14 @@ pub(super) fn write(
     found: &Calibration,
 ) -> Result<(), ResultsError> {
     let case = |setup: usize| summary.cases[data.cases[setup]].as_str();
-    let tables = CalibrationTables {
-        points: points(data, found, case),
-        bands: bands(found, case),
-        profiles: profiles(found),
-    };
+    let [points, bands, profiles] =
+        [points(data, found, case), bands(found, case), profiles(found)];
     // Their CSV files also contain the numbers of the pictures.
     let beyond = [("outlier_beyond".to_owned(), summary.outlier_beyond)];
     for (name, table, picture) in [
-        (POINTS, &tables.points, with_lines(&tables.points, &beyond)),
-        (BANDS, &tables.bands, with_rows(&tables.bands, &read(data, found, case))),
-        (PROFILES, &tables.profiles, with_rows(&tables.profiles, &ends(found))),
+        (POINTS, &points, with_lines(&points, &beyond)),
+        (BANDS, &bands, with_rows(&bands, &read(data, found, case))),
+        (PROFILES, &profiles, with_rows(&profiles, &ends(found))),
     ] {
         folder.write_table(name, table, false)?;
         picture.write_csv(&folder.path().join(format!("{name}.csv")))?;
@@ -52,40 +49,23 @@ pub(super) fn write(
     summary.write(&folder.path().join("summary.json"))
 }
 
-/// A number as a weight or as a torque.
-fn by_kind(channel: Channel, value: f64) -> [Option<f64>; 2] {
-    if channel.is_torque() { [None, Some(value)] } else { [Some(value), None] }
-}
-
 fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
     let fitted = found.points.iter().zip(&data.places).map(|point| (point, true));
     let held_out = found.held_out.iter().zip(&data.held_out_places).map(|point| (point, false));
     let rows = fitted.chain(held_out).map(|((point, place), used)| {
-        let channel = point.reading.channel;
-        let [measured_N, measured_N_m] = by_kind(channel, point.reading.value);
-        let [predicted_N, predicted_N_m] = by_kind(channel, point.predicted);
-        let [residual_N, residual_N_m] = by_kind(channel, point.reading.value - point.predicted);
-        let [error_N, error_N_m] = by_kind(channel, point.predicted_error);
-        let [low, high] = [-1.0, 1.0]
-            .map(|sign| by_kind(channel, point.predicted + sign * point.reading_half_width));
+        let half_width = point.reading_half_width;
         CalibrationReading {
             case: case(point.reading.setup).to_owned(),
             place: place.clone(),
-            reading: channel.name().to_owned(),
+            reading: point.reading.channel.name().to_owned(),
             used,
             bit_depth_m: point.reading.bit_depth_m,
-            measured_N,
-            predicted_N,
-            residual_N,
-            predicted_error_N: error_N,
-            reading_low_N: low[0],
-            reading_high_N: high[0],
-            measured_N_m,
-            predicted_N_m,
-            residual_N_m,
-            predicted_error_N_m: error_N_m,
-            reading_low_N_m: low[1],
-            reading_high_N_m: high[1],
+            measured: point.reading.value,
+            predicted: point.predicted,
+            residual: point.reading.value - point.predicted,
+            predicted_error: point.predicted_error,
+            reading_low: point.predicted - half_width,
+            reading_high: point.predicted + half_width,
             standardised: point.standardised,
             outlier: point.outlier,
             within_band: point.within_band,
@@ -95,28 +75,15 @@ fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a 
 }
 
 fn bands<'a>(found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
-    let rows = found.bands.iter().map(|band| {
-        let load = |value: f64| by_kind(band.channel, value);
-        let ends =
-            |half_width: f64| [-1.0, 1.0].map(|sign| load(band.predicted + sign * half_width));
-        let [predicted_N, predicted_N_m] = load(band.predicted);
-        let [mean_low, mean_high] = ends(band.mean_half_width);
-        let [reading_low, reading_high] = ends(band.reading_half_width);
-        CalibrationBand {
-            case: case(band.setup).to_owned(),
-            reading: band.channel.name().to_owned(),
-            bit_depth_m: band.bit_depth_m,
-            predicted_N,
-            mean_low_N: mean_low[0],
-            mean_high_N: mean_high[0],
-            reading_low_N: reading_low[0],
-            reading_high_N: reading_high[0],
-            predicted_N_m,
-            mean_low_N_m: mean_low[1],
-            mean_high_N_m: mean_high[1],
-            reading_low_N_m: reading_low[1],
-            reading_high_N_m: reading_high[1],
-        }
+    let rows = found.bands.iter().map(|band| CalibrationBand {
+        case: case(band.setup).to_owned(),
+        reading: band.channel.name().to_owned(),
+        bit_depth_m: band.bit_depth_m,
+        predicted: band.predicted,
+        mean_low: band.predicted - band.mean_half_width,
+        mean_high: band.predicted + band.mean_half_width,
+        reading_low: band.predicted - band.reading_half_width,
+        reading_high: band.predicted + band.reading_half_width,
     });
     CalibrationBand::table(rows)
 }

@@ -3,11 +3,14 @@
 use std::path::Path;
 
 use wholestring_report::{MODES_PICTURES, Modes, Plot, modes_html, modes_plots};
-use wholestring_results::{ModesSummary, ModesTables, ResultsError, Table};
+use wholestring_results::{ModesRows, ModesSummary, ResultsError, Table};
 use wholestring_units::UnitSet;
 
 use super::tables::{ANSWER, DIAGRAM, MODES, SHAPES, STABILITY};
-use crate::{page::table, results_kind::Results};
+use crate::{
+    page::{read_rows, table},
+    results_kind::Results,
+};
 
 impl Results for Modes {
     const NOUN: &'static str = "modes";
@@ -17,16 +20,16 @@ impl Results for Modes {
 
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = ModesSummary::read(&folder.join("summary.json"))?;
-        let tables = ModesTables {
-            shapes: table(folder, SHAPES)?,
-            campbell: table(folder, DIAGRAM)?,
-            response: table(folder, ANSWER)?,
+        let rows = ModesRows {
+            shapes: read_rows(folder, SHAPES)?,
+            campbell: read_rows(folder, DIAGRAM)?,
+            response: read_rows(folder, ANSWER)?,
         };
         let stability = match &summary.torsional_stability {
             Some(_) => table(folder, STABILITY)?,
             None => Table::new(Vec::new()),
         };
-        Ok(Self::new(summary, &tables, &stability, units))
+        Ok(Self::new(summary, rows, &stability, units))
     }
 
     fn html(&self) -> Option<String> {

@@ -11,8 +11,7 @@ use wholestring_case::Case;
 use wholestring_judge::{Quantity, Rounding};
 use wholestring_report::Modes;
 use wholestring_results::{
-    CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Occupant, Spot, Texts,
-    digest,
+    CriticalSpeed, MODES_VERSION, ModeFound, ModesRows, ModesSummary, Occupant, Spot, Texts, digest,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -119,7 +118,7 @@ fn find(
     case: &Case,
     operation: &Operation,
     cancellation: &CancellationToken,
-) -> Result<(ModesSummary, ModesTables), Error> {
+) -> Result<(ModesSummary, ModesRows), Error> {
     let goes_on = || match cancellation.is_cancelled() {
         true => Err(Error::Interrupted),
         false => Ok(()),
@@ -176,12 +175,12 @@ fn find(
         missing,
         texts,
     };
-    let tables = ModesTables {
+    let rows = ModesRows {
         shapes: tables::shapes(&motions, &summary.modes, &modes, assembly.top_node()),
         campbell: tables::campbell(&campbell),
         response: tables::response(&answers),
     };
-    Ok((summary, tables))
+    Ok((summary, rows))
 }
 
 /// The case's settings, and the settings of the analysis.

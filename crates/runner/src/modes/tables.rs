@@ -2,8 +2,8 @@
 
 use wholestring::modal::{Answer, Campbell, Family, Mode, SmallMotions};
 use wholestring_results::{
-    CampbellRow, CriticalSpeed, ModeFound, ModeShapeRow, ModesSummary, ModesTables, ResponseRow,
-    ResultsError, ResultsFolder, Row as _, StabilityRow, Table,
+    CampbellRow, CriticalSpeed, ModeFound, ModeShapeRow, ModesRows, ModesSummary, ResponseRow,
+    ResultsError, ResultsFolder, Row as _, StabilityRow,
 };
 
 use super::stability::Stability;
@@ -20,15 +20,16 @@ pub(super) const STABILITY: &str = "stability";
 pub(super) fn write(
     folder: &ResultsFolder,
     summary: &ModesSummary,
-    tables: &ModesTables,
+    rows: &ModesRows,
 ) -> Result<(), ResultsError> {
     folder.write_table(MODES, &ModeFound::table(&summary.modes), true)?;
     folder.write_table(CRITICAL, &CriticalSpeed::table(&summary.critical_speeds), true)?;
-    folder.write_table(SHAPES, &tables.shapes, true)?;
+    let shapes = ModeShapeRow::table(&rows.shapes);
+    folder.write_table(SHAPES, &shapes, true)?;
     // The picture of the whole string's modes uses the same table, and has its numbers as CSV too.
-    tables.shapes.write_csv(&folder.path().join("string_shapes.csv"))?;
-    folder.write_table(DIAGRAM, &tables.campbell, true)?;
-    folder.write_table(ANSWER, &tables.response, true)?;
+    shapes.write_csv(&folder.path().join("string_shapes.csv"))?;
+    folder.write_table(DIAGRAM, &CampbellRow::table(&rows.campbell), true)?;
+    folder.write_table(ANSWER, &ResponseRow::table(&rows.response), true)?;
     summary.write(&folder.path().join("summary.json"))
 }
 
@@ -54,7 +55,7 @@ pub(super) fn shapes(
     found: &[ModeFound],
     modes: &[Mode],
     top: usize,
-) -> Table {
+) -> Vec<ModeShapeRow> {
     let rows = found.iter().zip(modes).flat_map(|(row, mode)| {
         let first = if mode.family == Family::Lateral { top } else { 0 };
         (first..motions.nodes()).map(move |node| ModeShapeRow {
@@ -70,11 +71,11 @@ pub(super) fn shapes(
             turn_rad: mode.shape[node][5].re,
         })
     });
-    ModeShapeRow::table(rows)
+    rows.collect()
 }
 
 /// A row for each branch at each speed.
-pub(super) fn campbell(campbell: &Campbell) -> Table {
+pub(super) fn campbell(campbell: &Campbell) -> Vec<CampbellRow> {
     let rows = campbell.branches.iter().enumerate().flat_map(|(index, branch)| {
         let speeds = campbell.rotary_rad_per_s.iter().zip(&branch.frequency_Hz);
         speeds.map(move |(rotary_speed_rad_per_s, frequency_Hz)| CampbellRow {
@@ -86,11 +87,11 @@ pub(super) fn campbell(campbell: &Campbell) -> Table {
             frequency_Hz: *frequency_Hz,
         })
     });
-    CampbellRow::table(rows)
+    rows.collect()
 }
 
 /// A row for each speed.
-pub(super) fn response(answers: &[Answer]) -> Table {
+pub(super) fn response(answers: &[Answer]) -> Vec<ResponseRow> {
     let rows = answers.iter().map(|answer| ResponseRow {
         rotary_speed_rad_per_s: answer.rotary_rad_per_s,
         amplitude_m: answer.amplitude_m,
@@ -99,5 +100,5 @@ pub(super) fn response(answers: &[Answer]) -> Table {
         bending_stress_md_m: answer.most_bent.md_m,
         component: answer.most_bent.component.to_string(),
     });
-    ResponseRow::table(rows)
+    rows.collect()
 }

@@ -20,7 +20,7 @@ pub(crate) use file::FILE;
 pub use picture::write_picture;
 pub(crate) use profile::{PROFILE, write_profile};
 pub(crate) use run::{along_the_hole, complete, gather, lacking, page, write};
-pub(crate) use tables::{Tables, table};
+pub(crate) use tables::{Tables, read_rows, rows_of, table};
 pub use well::well_path;
 pub(crate) use wholestring_report::PROGRAM;
 pub use wholestring_report::display_units;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use wholestring::operation::OperationKind;
-use wholestring_results::{ResultsError, TABLES, Table};
+use wholestring_results::{ReadRow, ResultsError, TABLES, Table};
 
 /// The tables of a run. They are large and are read operation by operation.
 pub(crate) struct Tables {
@@ -73,5 +73,24 @@ pub(crate) fn table(folder: &Path, name: &str) -> Result<Table, ResultsError> {
     match TABLES.iter().find(|(known, _)| *known == name) {
         Some((_, declared)) => table.with_declared(declared, &path),
         None => Ok(table),
+    }
+}
+
+/// The rows of a whole table of the folder; none if the file does not exist.
+///
+/// # Errors
+/// As [`table`], and a value that a row cannot have.
+pub(crate) fn read_rows<R: ReadRow>(folder: &Path, name: &str) -> Result<Vec<R>, ResultsError> {
+    rows_of(&table(folder, name)?, &folder.join(format!("{name}.parquet")))
+}
+
+/// The rows of a [`table`] that was read from `path`.
+///
+/// # Errors
+/// A value that a row cannot have.
+pub(crate) fn rows_of<R: ReadRow>(table: &Table, path: &Path) -> Result<Vec<R>, ResultsError> {
+    match table.columns().is_empty() {
+        true => Ok(Vec::new()),
+        false => R::read(table, path),
     }
 }

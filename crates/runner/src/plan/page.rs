@@ -10,7 +10,11 @@ use super::{
     files::{FATIGUE, PEAKS_TIME, Tables, WEAR, WORKBOOK},
     workbook::workbook,
 };
-use crate::{error::Error, page::table, results_kind::Results};
+use crate::{
+    error::Error,
+    page::{read_rows, rows_of, table},
+    results_kind::Results,
+};
 
 /// Writes the workbook in these units.
 pub(super) fn write_workbook(
@@ -27,7 +31,8 @@ pub(super) fn write_workbook(
 pub(super) fn write_again(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), Error> {
     let summary = PlanSummary::read(&folder.path().join("summary.json"))?;
     let peaks_time = table(folder.path(), PEAKS_TIME)?;
-    let plan = Plan::new(summary, &peaks_time, units);
+    let samples = rows_of(&peaks_time, &folder.path().join(format!("{PEAKS_TIME}.parquet")))?;
+    let plan = Plan::new(summary, &samples, units);
     let units = plan.head.units.parse().unwrap_or_default();
     plan.write(folder, false)?;
     let tables = tables(folder.path(), &plan.summary, peaks_time)?;
@@ -62,5 +67,5 @@ fn tables(folder: &Path, summary: &PlanSummary, peaks_time: Table) -> Result<Tab
 /// Page data of a plan.
 pub(super) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, ResultsError> {
     let summary = PlanSummary::read(&folder.join("summary.json"))?;
-    Ok(Plan::new(summary, &table(folder, PEAKS_TIME)?, units))
+    Ok(Plan::new(summary, &read_rows(folder, PEAKS_TIME)?, units))
 }

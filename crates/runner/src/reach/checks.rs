@@ -1,8 +1,7 @@
 //! Checks of a reach.
 
 use wholestring::operation::OperationKind;
-use wholestring_judge::{Judge, Reached};
-use wholestring_plan::reach::Limit;
+use wholestring_judge::{DepthLimit, Judge, Reached};
 use wholestring_results::{ReachCheck, ReachOfFriction};
 
 /// Reach of each operation at each friction factor, as checks in the units of the judge.
@@ -23,10 +22,10 @@ pub(super) fn checks(
         for operation in operations {
             let stops =
                 found.limits.iter().filter(|limit| limit.stops && limit.operation == operation);
-            let met = stops.filter_map(|limit| Some((limit.depth_m?, limit.title.as_str())));
+            let met = stops.filter_map(|limit| Some((limit.depth_m?, limit.limit)));
             let zero = found.limits.iter().find(|limit| {
                 limit.operation == operation
-                    && limit.limit == Limit::HookLoadZero.name()
+                    && limit.limit == DepthLimit::HookLoadZero
                     && !limit.stops
             });
             let reached = Reached {

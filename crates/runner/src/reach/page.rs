@@ -7,7 +7,7 @@ use wholestring_results::{ReachSummary, ResultsError};
 use wholestring_units::UnitSet;
 
 use super::tables::REACH;
-use crate::{page::table, results_kind::Results};
+use crate::{page::read_rows, results_kind::Results};
 
 impl Results for Reach {
     const NOUN: &'static str = "a reach";
@@ -17,8 +17,7 @@ impl Results for Reach {
 
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = ReachSummary::read(&folder.join("summary.json"))?;
-        let margins = table(folder, REACH)?;
-        Self::new(summary, &margins, &folder.join(format!("{REACH}.parquet")), units)
+        Ok(Self::new(summary, &read_rows(folder, REACH)?, units))
     }
 
     fn html(&self) -> Option<String> {

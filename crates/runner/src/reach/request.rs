@@ -285,7 +285,7 @@ impl Answer {
         let first = first_stop(&self.reaches).and_then(|(reach, curve)| {
             Some(ReachStop {
                 operation: reach.kind,
-                limit: curve.limit.name().into(),
+                limit: curve.limit,
                 depth_m: curve.end.depth_m()?,
             })
         });
@@ -332,7 +332,7 @@ fn limit(operation: OperationKind, curve: &Curve) -> ReachLimit {
     let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
     ReachLimit {
         operation,
-        limit: curve.limit.name().into(),
+        limit: curve.limit,
         title: curve.limit.title().into(),
         stops: curve.stops,
         depth_m: curve.end.depth_m(),

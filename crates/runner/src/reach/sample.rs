@@ -4,9 +4,10 @@ use std::time::Duration;
 
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::Case;
+use wholestring_judge::DepthLimit;
 use wholestring_plan::{
     Setup,
-    reach::{Curve, End, Limit, OperationReach, ReachSettings, first_stop, reach},
+    reach::{Curve, End, OperationReach, ReachSettings, first_stop, reach},
 };
 use wholestring_results::{ResultsFolder, Table, UncertainSummary};
 
@@ -130,9 +131,7 @@ impl SampleSolver<'_> {
             };
             sampled.answers.push(first.map(of_first));
             let stop = first.flatten();
-            sampled
-                .stops
-                .push(stop.map(|(reach, curve)| (reach.kind, curve.limit.name().to_owned())));
+            sampled.stops.push(stop.map(|(reach, curve)| (reach.kind, curve.limit)));
             for (own, found) in own.iter().zip(found) {
                 if let Err(message) = found {
                     sampled.lacks(|| format!("{}: {message}", own.kind));
@@ -168,7 +167,7 @@ impl SampleSolver<'_> {
     }
 }
 
-fn of_limit(reach: &OperationReach, limit: Limit) -> Option<&Curve> {
+fn of_limit(reach: &OperationReach, limit: DepthLimit) -> Option<&Curve> {
     reach.curves.iter().find(|curve| curve.limit == limit)
 }
 

@@ -1,7 +1,8 @@
 //! The table of the margins of a reach.
 
 use wholestring::operation::OperationKind;
-use wholestring_plan::reach::{Limit, OperationReach};
+use wholestring_judge::DepthLimit;
+use wholestring_plan::reach::OperationReach;
 use wholestring_results::{ReachMargin, ReachSummary, Row as _, Table};
 
 use crate::picture_table::{Entry, Row, with_rows};
@@ -17,13 +18,13 @@ pub(super) fn reach_table(answers: &[(Option<f64>, &[OperationReach])]) -> Table
     for (friction, reaches) in answers {
         for reach in *reaches {
             for curve in &reach.curves {
-                let (force, torque) = (Limit::Hoist.unit(), Limit::TopDrive.unit());
+                let (force, torque) = (DepthLimit::Hoist.unit(), DepthLimit::TopDrive.unit());
                 let of_unit =
                     |unit: &str, value: f64| (curve.limit.unit() == unit).then_some(value);
                 let depths = reach.depth_m.iter().zip(&curve.margins);
                 rows.extend(depths.map(|(depth_m, margin)| ReachMargin {
                     operation: reach.kind,
-                    limit: curve.limit.name().to_owned(),
+                    limit: curve.limit,
                     friction: *friction,
                     bit_depth_m: *depth_m,
                     margin: margin.margin,
@@ -57,7 +58,7 @@ pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
             let is_first = first.is_some_and(|first| {
                 (&first.operation, &first.limit) == (&limit.operation, &limit.limit)
             });
-            let mut row = named(Some(limit.operation), &limit.limit, answer.friction);
+            let mut row = named(Some(limit.operation), limit.limit.name(), answer.friction);
             row.extend([
                 ("met_at_bit_depth_m", Entry::Number(depth_m)),
                 ("stops_first", Entry::Number(f64::from(u8::from(is_first)))),

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use wholestring::operation::OperationKind;
+use wholestring_judge::DepthLimit;
 
 /// Result of a sample: a value of each quantity, in order.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -13,7 +14,7 @@ pub(crate) struct Sampled {
     /// Reason of the first of them.
     pub(crate) message: Option<String>,
     /// For a reach, the operation and the limit that stop the well first, at each friction factor.
-    pub(crate) stops: Vec<Option<(OperationKind, String)>>,
+    pub(crate) stops: Vec<Option<(OperationKind, DepthLimit)>>,
 }
 
 impl Sampled {

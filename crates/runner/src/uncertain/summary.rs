@@ -103,8 +103,7 @@ fn stops(frictions: &[Option<f64>], solved: &[(&Vec<f64>, &Sampled)]) -> Vec<Unc
     for (place, friction) in frictions.iter().enumerate() {
         let mut stops: Vec<UncertainStop> = Vec::new();
         for stop in solved.iter().filter_map(|(_, sampled)| sampled.stops.get(place)) {
-            let (operation, limit) =
-                stop.clone().map(|(operation, limit)| (Some(operation), limit)).unwrap_or_default();
+            let (operation, limit) = stop.unzip();
             match stops.iter_mut().find(|stop| stop.operation == operation && stop.limit == limit) {
                 Some(stop) => stop.samples += 1,
                 None => {

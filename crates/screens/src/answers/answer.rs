@@ -11,15 +11,17 @@ use wholestring_runner::{CancellationToken, Error, Instant, Silent, run};
 use super::{
     limits::{self, OperationLimits},
     set_points::SetPoints,
+    solved::Solved,
     tracks::{Track, tracks},
     well::WellView,
 };
+use crate::words::{Severity, StaticModel};
 
 /// Results of a case.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Answer {
     /// Each operation by each model, with its checks, as in `summary.json`.
-    #[schema(value_type = Vec<Object>)]
+    #[schema(value_type = Vec<Solved>)]
     operations: serde_json::Value,
     /// Values along the string, one track for each operation and model.
     tracks: Vec<Track>,
@@ -40,10 +42,12 @@ pub struct Answer {
 #[derive(Debug, Serialize, ToSchema)]
 pub struct OperationVerdict {
     /// The model.
+    #[schema(value_type = StaticModel)]
     model: &'static str,
     /// The operation: `drill`, ...
     operation: &'static str,
-    /// `ok`, `note`, `warning` or `error`.
+    /// Its severity.
+    #[schema(value_type = Severity)]
     severity: &'static str,
     /// The verdict in words.
     words: String,
@@ -94,11 +98,16 @@ pub fn answer(
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
+    use std::{collections::BTreeSet, path::Path};
 
+    use utoipa::{
+        PartialSchema,
+        openapi::{RefOr, Schema},
+    };
     use wholestring_case::load;
 
     use super::*;
+    use crate::answers::solved::{SolvedCheck, SolvedScalars};
 
     fn points(case: &Case) -> SetPoints {
         SetPoints::of(case, "")
@@ -129,6 +138,23 @@ mod tests {
         let rows: usize = found.tracks.iter().map(Track::rows).sum();
         assert_eq!(rows, nodes.rows());
         assert_eq!(found.tracks.len(), 2);
+    }
+
+    /// The described operations and checks have the properties of an answer's.
+    #[test]
+    fn operations_are_as_described() {
+        let models = vec![ModelKind::Soft];
+        let token = CancellationToken::new();
+        let found = answer(np13(), models, points(&np13()), &token).expect("an answer");
+        let described = |schema: RefOr<Schema>| serde_json::to_value(schema).expect("JSON");
+        let names = |value: &serde_json::Value| -> BTreeSet<String> {
+            value.as_object().into_iter().flat_map(|entries| entries.keys().cloned()).collect()
+        };
+        let operation = &found.operations[0];
+        let check = described(SolvedCheck::schema());
+        assert_eq!(names(&check["properties"]), names(&operation["checks"][0]));
+        let scalars = names(&described(SolvedScalars::schema())["properties"]);
+        assert!(scalars.len() > 8 && scalars.is_subset(&names(operation)));
     }
 
     #[test]

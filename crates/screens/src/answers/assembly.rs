@@ -24,8 +24,10 @@ pub struct AssemblyView {
     /// Tool face of the lowest bend, rad; null without one.
     toolface_rad: Option<f64>,
     /// Side force of the bit on the rock, N; towards the high side it builds.
+    #[schema(min_items = 2, max_items = 2)]
     side_force_N: [f64; 2],
     /// Tilt of the bit relative to the hole's axis, rad.
+    #[schema(min_items = 2, max_items = 2)]
     tilt_rad: [f64; 2],
     /// Upper end of the assembly, m, where ordinary pipe begins.
     length_m: f64,
@@ -49,8 +51,10 @@ pub struct Touch {
     /// The component.
     name: String,
     /// Lower and upper end, m.
+    #[schema(min_items = 2, max_items = 2)]
     from_bit_m: [f64; 2],
     /// Force on the wall, N.
+    #[schema(min_items = 2, max_items = 2)]
     force_N: [f64; 2],
 }
 
@@ -66,6 +70,7 @@ pub struct Part {
     /// Outside diameter of the body, m.
     od_m: f64,
     /// Diameter over its blades, m, and their length, m.
+    #[schema(min_items = 2, max_items = 2)]
     blades_m: Option<[f64; 2]>,
     /// Diameter of its tool joints, m.
     joint_od_m: Option<f64>,
@@ -77,14 +82,19 @@ pub struct Part {
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Axis {
     /// Positions, m.
+    #[schema(value_type = Vec<f32>)]
     from_bit_m: Column,
     /// Radius of the hole, m.
+    #[schema(value_type = Vec<f32>)]
     hole_radius_m: Column,
     /// Offset from the hole's axis towards the high side, m.
+    #[schema(value_type = Vec<f32>)]
     offset_high_m: Column,
     /// The same to the right, m.
+    #[schema(value_type = Vec<f32>)]
     offset_right_m: Column,
     /// Bending moment, N·m.
+    #[schema(value_type = Vec<f32>)]
     bending_moment_N_m: Column,
 }
 

@@ -8,6 +8,7 @@ use wholestring_results::Table;
 use wholestring_runner::{CancellationToken, Error, Instant, plan};
 
 use super::column::Column;
+use crate::words;
 
 /// Number of bit depths; the plan of the case has more.
 const DEPTHS: usize = 15;
@@ -16,9 +17,9 @@ const DEPTHS: usize = 15;
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Broomstick {
     /// A curve for each operation at each friction.
-    curves: Vec<Curve>,
+    curves: Vec<BroomstickCurve>,
     /// Levels of friction, from the least to the most.
-    frictions: Vec<Level>,
+    frictions: Vec<FrictionOfLevel>,
     /// Capacity of the hoist minus the block weight, N; null if unknown.
     hoist_N: Option<f64>,
     /// Continuous torque of the top drive, N·m; null if unknown.
@@ -27,10 +28,11 @@ pub struct Broomstick {
     took_s: f64,
 }
 
-/// A level of friction.
+/// Friction of the hole at a level.
 #[derive(Debug, Serialize, ToSchema)]
-pub struct Level {
-    /// `low`, `expected` or `high`.
+pub struct FrictionOfLevel {
+    /// The level.
+    #[schema(value_type = words::FrictionLevel)]
     name: &'static str,
     /// Kinetic coefficients of the hole sections, from the surface down.
     coefficients: Vec<f64>,
@@ -38,10 +40,11 @@ pub struct Level {
 
 /// An operation at a friction level, against bit depth. Points without a result are null.
 #[derive(Debug, Serialize, ToSchema)]
-pub struct Curve {
+pub struct BroomstickCurve {
     /// The operation: `trip_out`, `trip_in`, ...
     operation: String,
-    /// `low`, `expected` or `high`, as in the plan of the case.
+    /// Level of friction, as in the plan of the case.
+    #[schema(value_type = words::FrictionLevel)]
     friction: String,
     /// Bit depths, m.
     bit_depth_m: Column,
@@ -80,10 +83,10 @@ pub fn broomstick(case: &Case, cancellation: &CancellationToken) -> Result<Broom
     })
 }
 
-fn level_of(case: &Case, level: FrictionLevel) -> Level {
+fn level_of(case: &Case, level: FrictionLevel) -> FrictionOfLevel {
     let frictions = case.plan.frictions.of(level);
     let sections = case.model.well.hole.sections().iter();
-    Level {
+    FrictionOfLevel {
         name: level.name(),
         coefficients: sections.map(|at| frictions.of(at).kinetic).collect(),
     }
@@ -98,7 +101,7 @@ fn some_of(depths_m: &[f64]) -> Vec<f64> {
     (0..DEPTHS).map(|i| depths_m[(i * last + (DEPTHS - 1) / 2) / (DEPTHS - 1)]).collect()
 }
 
-fn curves(table: &Table) -> Vec<Curve> {
+fn curves(table: &Table) -> Vec<BroomstickCurve> {
     let (Some(operations), Some(frictions)) = (table.words("operation"), table.words("friction"))
     else {
         return Vec::new();
@@ -113,7 +116,7 @@ fn curves(table: &Table) -> Vec<Curve> {
             let numbers = table.numbers(name).map_or(&[][..], |numbers| &numbers[rows.clone()]);
             numbers.iter().map(|number| number.unwrap_or(f64::NAN)).collect()
         };
-        curves.push(Curve {
+        curves.push(BroomstickCurve {
             operation: key.0.clone(),
             friction: key.1.clone(),
             bit_depth_m: column("bit_depth_m"),
@@ -151,7 +154,9 @@ mod tests {
         let case = load(&file, &[]).expect("a valid case");
         let found = broomstick(&case, &CancellationToken::new()).expect("a broomstick");
         let at_depth = |operation: &str, friction: &str| {
-            let is_it = |curve: &&Curve| curve.operation == operation && curve.friction == friction;
+            let is_it = |curve: &&BroomstickCurve| {
+                curve.operation == operation && curve.friction == friction
+            };
             found.curves.iter().find(is_it).expect("a curve").hook_load_N.last().expect("a number")
         };
         assert!(at_depth("trip_out", "high") > at_depth("trip_out", "low") + 1e4);

@@ -8,6 +8,8 @@ use wholestring::{operation::Operation, statics::soft::SoftString};
 use wholestring_case::Case;
 use wholestring_judge::{Check, CheckKind, Checks};
 
+use crate::words::Severity;
+
 /// The limits of an operation.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct OperationLimits {
@@ -41,9 +43,10 @@ pub struct Limit {
     /// Capacity over load, divided by the required factor: the factor by which the load may grow.
     /// Less than 1 is insufficient.
     reserve: f64,
-    /// `OK`, `marginal`, `below required factor` or `exceeded`.
+    /// The verdict: `OK`, `marginal`, `below required factor` or `exceeded`.
     verdict: &'static str,
-    /// `ok`, `note`, `warning` or `error`.
+    /// Its severity.
+    #[schema(value_type = Severity)]
     severity: &'static str,
     /// The result as a sentence, in the units of the case.
     sentence: String,

@@ -7,7 +7,10 @@ use utoipa::ToSchema;
 use wholestring_case::Case;
 use wholestring_config::node::parse_text;
 
-use crate::trial::{self, Frictions, MULTIPLIER, UNIFORM};
+use crate::{
+    trial::{self, Frictions, MULTIPLIER, UNIFORM},
+    words,
+};
 
 /// Values of a case that can be replaced, SI.
 #[derive(Debug, Serialize, ToSchema)]
@@ -18,7 +21,8 @@ pub struct SetPoints {
     sections: Vec<SectionFriction>,
     /// Reason why no single friction can be set for all sections; null if it can.
     no_uniform_friction: Option<&'static str>,
-    /// Units of the case: `si`, `metric` or `field`.
+    /// Units of the case.
+    #[schema(value_type = words::UnitSet)]
     units: &'static str,
 }
 
@@ -43,6 +47,7 @@ pub struct SetPoint {
     /// Its value in the case.
     now: f64,
     /// The smallest and the largest sensible value.
+    #[schema(min_items = 2, max_items = 2)]
     range: [f64; 2],
 }
 

@@ -3,10 +3,14 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use utoipa::ToSchema;
+use utoipa::{
+    PartialSchema, ToSchema,
+    openapi::{ObjectBuilder, Ref, RefOr, Schema},
+};
 use wholestring_results::Table;
 
 use super::column::Column;
+use crate::words::StaticModel;
 
 /// Columns of `nodes.parquet` that are drawn against depth.
 pub const DRAWN: &[&str] = &[
@@ -21,7 +25,8 @@ pub const DRAWN: &[&str] = &[
 /// Values along the string of an operation by a model, from the surface down.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct Track {
-    /// The model: `soft`, `stiff`.
+    /// The model.
+    #[schema(value_type = StaticModel)]
     model: String,
     /// The operation: `drill`, `trip_out`, ...
     operation: String,
@@ -30,8 +35,23 @@ pub struct Track {
     /// The other columns by their names in `nodes.parquet`; a model omits those that it does not
     /// compute.
     #[serde(flatten)]
+    #[schema(value_type = TrackColumns)]
     columns: BTreeMap<&'static str, Column>,
 }
+
+/// Description of the columns of a track.
+#[derive(Debug)]
+pub enum TrackColumns {}
+
+impl PartialSchema for TrackColumns {
+    fn schema() -> RefOr<Schema> {
+        let object = ObjectBuilder::new().description(Some("Columns that a model computes."));
+        let column = || Ref::from_schema_name(Column::name());
+        DRAWN.iter().fold(object, |object, name| object.property(*name, column())).into()
+    }
+}
+
+impl ToSchema for TrackColumns {}
 
 impl Track {
     /// Number of depths.

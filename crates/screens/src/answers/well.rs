@@ -5,11 +5,12 @@ use utoipa::ToSchema;
 use wholestring::{
     outcome::WellPath,
     string::{Component as StringComponent, DrillString},
-    well::{HoleKind, HoleSection, Path},
+    well::{HoleSection, Path},
 };
 use wholestring_case::Case;
 
 use super::column::Column;
+use crate::words;
 
 /// Number of points of the path in addition to its stations.
 const POINTS: usize = 200;
@@ -31,18 +32,25 @@ pub struct WellView {
 #[derive(Debug, Serialize, ToSchema)]
 pub struct PathView {
     /// Measured depths of the stations and of evenly spaced points between them, m.
+    #[schema(value_type = Vec<f32>)]
     md_m: Column,
     /// North, m.
+    #[schema(value_type = Vec<f32>)]
     north_m: Column,
     /// East, m.
+    #[schema(value_type = Vec<f32>)]
     east_m: Column,
     /// True vertical depth, m.
+    #[schema(value_type = Vec<f32>)]
     tvd_m: Column,
     /// Distance along the direction of the closure, m.
+    #[schema(value_type = Vec<f32>)]
     vertical_section_m: Column,
     /// Inclination, rad.
+    #[schema(value_type = Vec<f32>)]
     inclination_rad: Column,
     /// Azimuth, rad.
+    #[schema(value_type = Vec<f32>)]
     azimuth_rad: Column,
     /// Dogleg severity, rad/m.
     dogleg_severity_rad_per_m: Column,
@@ -51,7 +59,8 @@ pub struct PathView {
 /// A section of the hole.
 #[derive(Debug, Clone, Serialize, ToSchema)]
 pub struct Section {
-    /// `casing` or `open`.
+    /// Kind of the hole.
+    #[schema(value_type = words::HoleKind)]
     kind: &'static str,
     /// Its top, m.
     from_m: f64,
@@ -126,10 +135,7 @@ impl Section {
     /// The view of a hole section.
     pub fn of(section: &HoleSection) -> Self {
         Self {
-            kind: match section.kind {
-                HoleKind::Casing => "casing",
-                HoleKind::Open => "open",
-            },
+            kind: words::hole_kind(section.kind),
             from_m: section.from_md_m.max(0.0),
             to_m: section.to_md_m,
             diameter_m: section.diameter_m,

@@ -7,6 +7,8 @@ use utoipa::ToSchema;
 use wholestring::dynamics::{Simulation, StickSlip, TorsionalString, Whirl};
 use wholestring_judge::{Severity, stick_slip_severity, top_drive_severity, whirl_severity};
 
+use crate::words;
+
 /// Number of torsional periods over which stick-slip is measured.
 const PERIODS: f64 = 2.0;
 
@@ -31,11 +33,14 @@ pub struct Lamps {
     /// rated torque; null if neither is known.
     pub torque_use: Option<f64>,
     /// Severity of the stick-slip: `ok`, `note` or `warning`; null if there is none to judge.
+    #[schema(value_type = Option<words::Severity>)]
     pub stick_slip_severity: Option<&'static str>,
     /// Severity of the whirl, of the backward one if there are both: `ok`, `note` or `warning`.
+    #[schema(value_type = Option<words::Severity>)]
     pub whirl_severity: Option<&'static str>,
     /// Severity of the top drive's torque: `ok`, `note`, `warning` or `error`; null if its limit is
     /// unknown.
+    #[schema(value_type = Option<words::Severity>)]
     pub top_drive_severity: Option<&'static str>,
 }
 

@@ -27,6 +27,7 @@ const POINTS: usize = 400;
 
 /// Layout of a live string, which a viewer needs before the first frame.
 #[derive(Debug, Clone, Serialize, ToSchema)]
+#[schema(as = LiveLayout)]
 pub struct Layout {
     /// Identifier in requests.
     pub id: String,
@@ -49,7 +50,8 @@ pub struct Layout {
     /// Columns of a frame, in their order.
     frame: Vec<Channel>,
     /// Display units of each dimension: in SI, metric and field units.
-    units: BTreeMap<String, [ShownUnit; 3]>,
+    #[schema(value_type = BTreeMap<String, UnitsOfSets>)]
+    units: BTreeMap<String, [LiveUnit; 3]>,
     /// Contact radius of each node from the surface down, m.
     contact_radius_m: Vec<f32>,
     /// The path.
@@ -62,11 +64,16 @@ pub struct Layout {
 
 /// A display unit.
 #[derive(Debug, Clone, Serialize, ToSchema)]
-pub struct ShownUnit {
+pub struct LiveUnit {
     symbol: String,
     /// Its SI value.
     factor: f64,
 }
+
+/// Description of the units of a dimension in each set.
+#[derive(Debug, ToSchema)]
+#[schema(min_items = 3, max_items = 3)]
+pub struct UnitsOfSets(#[allow(dead_code)] Vec<LiveUnit>);
 
 /// The path of the well in columns.
 #[derive(Debug, Clone, Serialize, ToSchema)]
@@ -76,6 +83,7 @@ pub struct LivePath {
     east_m: Vec<f32>,
     tvd_m: Vec<f32>,
     /// Components of the direction towards the high side: north, east and down.
+    #[schema(min_items = 3, max_items = 3)]
     high: [Vec<f32>; 3],
 }
 
@@ -113,7 +121,7 @@ impl Layout {
         let mesh = simulation.mesh();
         let radii = mesh.nodes.iter().map(|node| node.contact_radius_m as f32);
         let units = wholestring_runner::display_units().into_iter().map(|(name, units)| {
-            let display = units.map(|unit| ShownUnit { symbol: unit.symbol, factor: unit.factor });
+            let display = units.map(|unit| LiveUnit { symbol: unit.symbol, factor: unit.factor });
             (name, display)
         });
         Self {

@@ -13,24 +13,31 @@ use wholestring_case::MAX_FRICTION;
 /// Set points of the driller; omitted ones stay unchanged.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields, default)]
+#[schema(as = LiveSetPoints)]
 pub struct SetPoints {
     /// Rotary speed at surface.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
     pub rotary_speed_rad_per_s: Option<f64>,
     /// Speed of the block, positive downwards; replaces the autodriller.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
     pub block_velocity_m_per_s: Option<f64>,
     /// Weight held by the autodriller; replaces a moving block.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
     pub weight_on_bit_N: Option<f64>,
     /// Flow rate of the pumps.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
     pub flow_rate_m3_per_s: Option<f64>,
     /// Kinetic friction coefficient of the whole hole.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
     pub friction: Option<f64>,
     /// The top drive's controller: `pi`, `soft-torque` or `z-torque`.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
     pub controller: Option<String>,
     /// Time in which they are reached, s.
     pub ramp_s: f64,

@@ -41,6 +41,7 @@ impl Told<'_> {
 /// Text messages from a page.
 #[derive(Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields, rename_all = "snake_case")]
+#[schema(as = ViewerMessage)]
 pub enum Said {
     /// The samples that the page already has: those of this epoch up to this number. Unless this is
     /// the first message, all samples of the ring are sent.

@@ -1,23 +1,8 @@
 // Common types of requests and answers.
 
-/** A place in a case with a diagnostic. */
-export interface Diagnostic {
-  level: "error" | "warning" | "note" | "help";
-  message: string;
-  /** Label at the place; may be empty. */
-  label: string;
-  /** Expected input and suggested correction. */
-  help: string[];
-  /** The dotted key that the place belongs to. */
-  key: string | null;
-  /** The file, if it is not the case itself. */
-  file: string | null;
-  /** UTF-16 offsets in the text. */
-  start: number | null;
-  end: number | null;
-  line: number | null;
-  column: number | null;
-}
+import type { Diagnostic } from "./types";
+
+export type { Diagnostic } from "./types";
 
 /** Error answer of the server. */
 export class ApiError extends Error {

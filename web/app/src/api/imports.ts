@@ -1,34 +1,12 @@
 // Files of other programs, and the case made from them.
 
 import { request } from "#asked";
+import type { Reading, Said } from "./types";
+
+export type { Question, Reading } from "./types";
 
 /** User input for data that are missing in the files. */
-export interface Choices {
-  units: Record<string, string>;
-  values: Record<string, string>;
-  picks: Record<string, string>;
-}
-
-export interface Question {
-  ask: "unit" | "value" | "pick";
-  name: string;
-  options: string[];
-  message: string;
-}
-
-export interface Reading {
-  files: { name: string; what: string | null; lines: string[] }[];
-  question: Question | null;
-  problem: string | null;
-  case: {
-    text: string;
-    beside: string[];
-    notes: { file: string | null; kind: string; text: string }[];
-    missing: string[];
-  } | null;
-  /** The id of the case that was written. */
-  written: string | null;
-}
+export type Choices = Required<Said>;
 
 /** Reads files into a case of that name; with `write`, writes it if no question is open. */
 export function importFiles(files: File[], choices: Choices, name: string, write: boolean, signal?: AbortSignal): Promise<Reading> {

@@ -1,7 +1,9 @@
 // Constants while the program runs: the schema of the case file, units, the catalogue.
 
 import { request } from "#asked";
-import type { UnitSet } from "../settings.svelte";
+import type { Catalogue, DimensionUnits } from "./types";
+
+export type { CasingEntry, Catalogue, ShownUnit, Tubular } from "./types";
 
 /** JSON schema from the program. */
 export interface Schema {
@@ -23,44 +25,8 @@ export interface Schema {
   "x-unit"?: string;
 }
 
-/** A unit for the display of numbers. */
-export interface ShownUnit {
-  /** Symbol in case files; null if the dimension is not used in them. */
-  symbol: string | null;
-  label: string;
-  factor: number;
-}
-
-export interface DimensionUnits {
-  /** SI factors by every spelling of a unit. */
-  factors: Record<string, number>;
-  shown: Record<UnitSet, ShownUnit>;
-}
-
+/** Units of each dimension by its name. */
 export type Units = Record<string, DimensionUnits>;
-
-export interface Tubular {
-  name: string;
-  kind: string;
-  od_m: number;
-  id_m: number;
-  mass_per_length_kg_per_m: number;
-  yield_strength_Pa: number;
-  connection: string | null;
-}
-
-export interface CasingEntry {
-  name: string;
-  od_m: number;
-  id_m: number;
-  drift_m: number;
-  mass_per_length_kg_per_m: number;
-}
-
-export interface Catalogue {
-  string: Tubular[];
-  casings: CasingEntry[];
-}
 
 /** Sends a request once; after a failure, again the next time. */
 function once<T>(path: string): () => Promise<T> {

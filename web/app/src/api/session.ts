@@ -1,8 +1,4 @@
 import { request } from "#asked";
-
-export interface Session {
-  version: string;
-  folder_name: string;
-}
+import type { Session } from "./types";
 
 export const session = (): Promise<Session> => request("GET", "/session");

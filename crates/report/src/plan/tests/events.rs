@@ -1,8 +1,11 @@
 //! Events of the dynamics against time.
 
+use std::path::Path;
+
 use wholestring::{operation::Event, well::FrictionLevel};
 use wholestring_results::{
-    PlanGel, PlanHistory, PlanPeak, PlanPeakOf, PlanSummary, plan_peaks_time_table,
+    PlanGel, PlanHistory, PlanPeak, PlanPeakOf, PlanPeakSample, PlanSummary, ReadRow,
+    plan_peaks_time_table,
 };
 
 use super::{Plan, plan, plan_html, plan_plots, rules, summary};
@@ -68,6 +71,7 @@ fn events_stand_against_time() {
         (lost, no_samples),
     ];
     let samples = plan_peaks_time_table(&events.each_ref().map(|(peak, history)| (peak, history)));
+    let samples = PlanPeakSample::read(&samples, Path::new("samples")).expect("samples");
     let peaks = events.map(|(peak, _)| peak).into();
     let moved = Plan::new(PlanSummary { peaks, ..summary() }, &samples, None);
     let plots = plan_plots(&moved, "si");

@@ -13,9 +13,8 @@ use wholestring::{
 };
 use wholestring_judge::{Check, CheckKind, Quantity, Rounding, Severity, Verdict, Wording};
 use wholestring_results::{
-    PLAN_PEAKS_TIME, PLAN_VERSION, PlanBuckling, PlanCheck, PlanDensity, PlanFatigue,
-    PlanFatigueHour, PlanFriction, PlanHydraulics, PlanOperation, PlanPoint, PlanSummary,
-    PlanSurfaceLimit, PlanWear, Table, Texts,
+    PLAN_VERSION, PlanBuckling, PlanCheck, PlanDensity, PlanFatigue, PlanFatigueHour, PlanFriction,
+    PlanHydraulics, PlanOperation, PlanPoint, PlanSummary, PlanSurfaceLimit, PlanWear, Texts,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -107,7 +106,7 @@ fn plan() -> Plan {
 fn plan_with(change: impl FnOnce(&mut PlanSummary)) -> Plan {
     let mut summary = summary();
     change(&mut summary);
-    Plan::new(summary, &Table::with_columns(PLAN_PEAKS_TIME), Some(UnitSet::Si))
+    Plan::new(summary, &[], Some(UnitSet::Si))
 }
 
 /// Casing to 900 m and open hole below, of one friction.

@@ -1,7 +1,8 @@
-//! Limits of the depth of a string.
+//! Limits of the depth of a string, each declared once.
 
 use wholestring::{operation::Operation, rig::Rig, string::DrillString};
-use wholestring_judge::{CheckKind, torque_capacity_N_m};
+
+use crate::{CheckKind, torque_capacity_N_m};
 
 /// Declares the limits, each once, with name in results, words, load and bound.
 macro_rules! limits {
@@ -11,11 +12,11 @@ macro_rules! limits {
     ;)+) => {
         /// A limit that stops a string from going deeper, or that it passes on its way.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum Limit {
+        pub enum DepthLimit {
             $($(#[$meaning])* $limit,)+
         }
 
-        impl Limit {
+        impl DepthLimit {
             /// Every limit, in the order in which reports list them.
             pub const ALL: [Self; [$(stringify!($name)),+].len()] = [$(Self::$limit),+];
 
@@ -69,14 +70,24 @@ limits! {
     VerticalSinusoid = vertical_sinusoid ("sinusoidal buckling begins in vertical hole", "N");
 }
 
-impl Limit {
+/// Names that earlier versions wrote, and the limits that replace them.
+const FORMER_NAMES: [(&str, DepthLimit); 1] = [("lock_up", DepthLimit::PushAbsorbed)];
+
+impl DepthLimit {
+    /// The limit with this name, names of earlier versions included.
+    pub fn named(name: &str) -> Option<Self> {
+        let now = Self::ALL.into_iter().find(|limit| limit.name() == name);
+        let former = || FORMER_NAMES.iter().find(|(former, _)| *former == name);
+        now.or_else(|| former().map(|(_, limit)| *limit))
+    }
+
     /// Whether the string stops there by default. A buckled string continues.
     pub const fn stops(self) -> bool {
         !matches!(self, Self::Helix | Self::Sinusoid | Self::VerticalHelix | Self::VerticalSinusoid)
     }
 
     /// The judge's check of the torque along the string with which it is the same.
-    pub(super) const fn torque_check(self) -> CheckKind {
+    pub const fn torque_check(self) -> CheckKind {
         match self {
             Self::MakeUp => CheckKind::MakeUp,
             _ => CheckKind::Torsion,
@@ -84,7 +95,7 @@ impl Limit {
     }
 
     /// Whether it is a limit of an operation of that string on that rig.
-    pub(super) fn concerns(self, operation: &Operation, rig: &Rig, string: &DrillString) -> bool {
+    pub fn concerns(self, operation: &Operation, rig: &Rig, string: &DrillString) -> bool {
         let goes_down = operation.axial_velocity_m_per_s() > 0.0 || operation.slides_down();
         match self {
             Self::TopDrive => operation.kind.rotates() && rig.top_drive_torque_N_m.is_some(),
@@ -107,5 +118,37 @@ impl Limit {
                 components.any(|component| component.yield_strength_Pa.is_some())
             }
         }
+    }
+}
+
+impl serde::Serialize for DepthLimit {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+impl<'de> serde::Deserialize<'de> for DepthLimit {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = <std::borrow::Cow<'de, str>>::deserialize(deserializer)?;
+        Self::named(&name)
+            .ok_or_else(|| serde::de::Error::custom(format!("`{name}` is no limit of a reach")))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_read_back_and_others_are_refused() {
+        for limit in DepthLimit::ALL {
+            let json = serde_json::to_string(&limit).expect("a name");
+            assert_eq!(json, format!("\"{}\"", limit.name()));
+            assert_eq!(serde_json::from_str::<DepthLimit>(&json).expect("a limit"), limit);
+        }
+        let former: DepthLimit = serde_json::from_str("\"lock_up\"").expect("a former name");
+        assert_eq!(former, DepthLimit::PushAbsorbed);
+        let error = serde_json::from_str::<DepthLimit>("\"patience\"").expect_err("no limit");
+        assert!(error.to_string().contains("`patience` is no limit of a reach"), "{error}");
     }
 }
