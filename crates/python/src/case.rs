@@ -3,7 +3,6 @@
 use std::{
     collections::BTreeMap,
     num::NonZeroUsize,
-    path::PathBuf,
     sync::{Arc, Mutex, PoisonError},
 };
 
@@ -14,7 +13,6 @@ use pyo3::{
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::{Case as Checked, Override, Quote, Template};
 use wholestring_runner::{
-    Output,
     run::{self, Live},
     sweep::{Many, solve_many},
 };
@@ -23,7 +21,6 @@ use crate::{
     answers::Answers,
     attended::attended,
     error,
-    existing::existing_of,
     law::{self, Function},
     option::{self, statics},
     simulation::Simulation,
@@ -290,35 +287,6 @@ impl Case {
             (None, Ok((table, changed))) => Ok((Table::of(&table)?, changed)),
             (None, Err(error)) => Err(error::of_work(py, &error)),
         }
-    }
-
-    /// Solves it into a folder: the results there, and the exception raised before the end, if any.
-    #[pyo3(signature = (models, operation, folder, existing, csv, jobs, listener))]
-    #[allow(clippy::too_many_arguments)]
-    fn run(
-        &self,
-        py: Python<'_>,
-        models: Option<Vec<String>>,
-        operation: Option<String>,
-        folder: PathBuf,
-        existing: &str,
-        csv: bool,
-        jobs: Option<NonZeroUsize>,
-        listener: &Bound<'_, PyAny>,
-    ) -> PyResult<(Answers, Option<Py<PyAny>>)> {
-        let case = self.with_models(py, models, operation)?;
-        let mut request = run::Request::new(&case);
-        request.output =
-            Output { folder: Some(folder), existing: existing_of(existing), ..Output::default() };
-        request.csv = csv;
-        request.jobs = jobs;
-        let work = attended(py, listener, |observer, cancellation| {
-            run::run(&request, observer, cancellation)
-        })?;
-        let outcome = work.result.map_err(|error| error::of_work(py, &error))?;
-        let stopped = outcome.stopped.map(|stop| error::of_work(py, &stop.into()));
-        let raised = work.raised.or(stopped).map(|raised| raised.into_value(py).into_any());
-        Ok((Answers::load(py, outcome.folder)?, raised))
     }
 
     /// A dynamic run controlled from Python, from a checkpoint if there is one. Laws are functions

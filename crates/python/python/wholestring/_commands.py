@@ -51,7 +51,9 @@ class Job:
     cases: Sequence[_core.Case] = ()
     """Cases; the command names them by their numbers."""
 
-    paths: Mapping[str, str | PathLike[str]] = field(default_factory=dict[str, "str | PathLike[str]"])
+    paths: Mapping[str, str | PathLike[str]] = field(
+        default_factory=dict[str, "str | PathLike[str]"]
+    )
     """Paths of other files by their names in the options."""
 
     content: bytes | None = None

@@ -157,16 +157,6 @@ class Case:
         jobs: int | None,
         listener: Listening,
     ) -> tuple[Table, int]: ...
-    def run(
-        self,
-        models: Sequence[str] | None,
-        operation: str | None,
-        folder: Path,
-        existing: str,
-        csv: bool,
-        jobs: int | None,
-        listener: Listening,
-    ) -> tuple[Answers, BaseException | None]: ...
     def simulation(
         self,
         operation: str | None,

@@ -9,7 +9,7 @@ from typing import Literal
 from . import _values
 from ._checked import Checked
 from ._columns import rows
-from ._commands import count, finished
+from ._commands import Job, carry_out, count, finished
 from ._folder import Place
 from ._listener import Listener
 from ._planning import words
@@ -204,11 +204,8 @@ class Solving(Checked):
         True
         """
         place = Place(folder, overwrite=overwrite, resume=resume)
-        with Listener(progress) as listener:
-            core, raised = self._held.run(
-                None, None, place.path, place.existing, csv, count(jobs), listener
-            )
-        return finished(Results(core, place), raised)
+        job = Job({"kind": "run", "csv": csv}, [self._held], jobs=jobs)
+        return carry_out(Results, place, job, progress=progress)
 
     def simulation(
         self,
