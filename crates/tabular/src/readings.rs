@@ -137,7 +137,11 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
             if let (Some(value), Some(found)) = (*value, layout.column(column))
                 && value.abs() > LARGEST_SI
             {
-                return Err(reader.out_of_range(row, found, "less than 1e13 N or N.m"));
+                return Err(reader.out_of_range(
+                    row,
+                    found,
+                    "less than 1e13 N or N.m; a null value is an empty cell",
+                ));
             }
         }
         let [pick_up_N, slack_off_N, rotating_N, torque_N_m, torque_on_bottom_N_m] = values;
@@ -182,7 +186,7 @@ struct Nulls {
 }
 
 /// Numbers that databases and loggers write for missing measurements.
-const NULLS: [f64; 11] = [
+pub(crate) const NULLS: [f64; 11] = [
     -999.0,
     -999.25,
     -999.99,
