@@ -39,7 +39,7 @@ fn feet_with_a_row_of_units_and_azimuths_through_north() {
             [1000.0 * foot, 0.0, 359.5],
             [1100.0 * foot, 3.0, 0.5],
             [1200.0 * foot, 6.0, -10.0],
-            [1300.0 * foot, 8.0, 365.0],
+            [1300.0 * foot, 8.0, 5.0],
         ],
     );
     assert_eq!(survey.tie_in, None);
