@@ -3,7 +3,7 @@
 use wholestring_units::Unit;
 
 use crate::{
-    cells::number::Style,
+    cells::number::{NULLS, Style},
     cells::table::{Row, Table},
     columns::column::Column,
     columns::layout::{Found, Layout},
@@ -184,21 +184,6 @@ struct Nulls {
     /// Column, text and the rows with it.
     found: Vec<(Column, String, Vec<String>)>,
 }
-
-/// Numbers that databases and loggers write for missing measurements.
-pub(crate) const NULLS: [f64; 11] = [
-    -999.0,
-    -999.25,
-    -999.99,
-    -9999.0,
-    -9999.25,
-    -99_999.0,
-    -99_999.25,
-    -999_999.0,
-    -999_999.25,
-    -32_767.0,
-    -32_768.0,
-];
 
 /// Words for missing measurements.
 const NULL_WORDS: [&str; 9] =

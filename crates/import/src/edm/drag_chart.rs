@@ -14,7 +14,7 @@ use crate::error::ImportError;
 
 const KEYS: [&str; 4] = ["well_id", "wellbore_id", "scenario_id", "case_id"];
 
-/// Numbers that stand for a missing value.
+/// Null values.
 const NULLS: [f64; 4] = [-999.0, -999.25, -9999.0, -9999.25];
 
 /// The rows of the drag chart of the chosen case, by depth.

@@ -4,12 +4,11 @@ use wholestring::well::TieIn;
 use wholestring_units::{Dimension, Unit, UnitSet, number_text};
 
 use crate::{
-    cells::number::{self, Fault, Style},
+    cells::number::{self, Fault, NULLS, Style},
     cells::table::{Cell, Position, Row, Table},
     columns::column::Column,
     columns::layout::{Found, Layout},
     error::{TableError, TableErrorKind},
-    readings::NULLS,
 };
 
 /// The style of the table's numbers.
@@ -73,7 +72,7 @@ impl Reader<'_> {
         Some(unit.to_si(number)).filter(|si| si.is_finite())
     }
 
-    /// Whether a cell has a number that stands for a missing value.
+    /// Whether a cell has a null value.
     pub(crate) fn is_null(&self, cell: &Cell, column: Column) -> bool {
         self.read(cell, column).is_ok_and(|number| NULLS.contains(&number))
     }
