@@ -119,6 +119,14 @@ table! {
 impl MudTable {
     pub(crate) fn build(&self, reader: &mut Reader) -> Option<Mud> {
         let rheology = self.rheology(reader);
+        if let Some(density) = self.density.at().filter(|density| density.value == 0.0) {
+            let shown = |density| reader.shown(Dimension::Density, density);
+            let usual = format!("usual are {} to {}", shown(600.0), shown(2600.0));
+            Diagnostic::warning("the mud has a density of 0, and no mud is without density")
+                .at(density.place, usual)
+                .help("the string then has its weight in a vacuum: is the density missing?")
+                .report(reader);
+        }
         Some(Mud {
             density_kg_per_m3: *self.density.get()?,
             linear_drag_Pa_s: *self.linear_drag.get()?,

@@ -5,6 +5,7 @@ use wholestring::well::{Interpolation, Path, Station, TieIn};
 use wholestring_config::prelude::*;
 use wholestring_tabular::{
     ImportedSurvey, Place, PositionCheck, Said, position_checks, read_as, station_doubts,
+    straight_start, surface_doubts,
 };
 use wholestring_units::Unit;
 
@@ -110,6 +111,19 @@ impl Stations {
             }
             .report(reader);
         }
+    }
+
+    /// Refuses a path to which no hole from the surface leads, and notes its course above the first
+    /// station.
+    pub(crate) fn check_surface(&mut self, path: &Path, reader: &mut Reader) -> Option<()> {
+        let set = reader.units();
+        if let Some(doubt) = surface_doubts(path, set).into_iter().next() {
+            let diagnostic = Diagnostic::error(doubt.sentence);
+            let diagnostic = self.point(diagnostic, doubt.index, &doubt.label, reader);
+            return diagnostic.help(doubt.help).refuse(reader);
+        }
+        self.notes.extend(straight_start(path, set));
+        Some(())
     }
 
     /// Checks for values that no survey has, although the engine could compute with them.
@@ -246,16 +260,34 @@ impl Rule for StationRule {
 
 /// Returns the stations in the case.
 pub(crate) fn from_case(listed: &Spanned<Vec<Spanned<[f64; 3]>>>) -> Stations {
-    let list = listed.value.iter().map(|at| {
+    let mut notes = Vec::new();
+    let mut rows: Vec<&Spanned<[f64; 3]>> = listed.value.iter().collect();
+    let is_turned = rows.len() > 2
+        && rows.is_sorted_by(|a, b| a.value[0] >= b.value[0])
+        && rows.first().map(|row| row.value[0]) > rows.last().map(|row| row.value[0]);
+    if is_turned {
+        rows.reverse();
+        notes.push("the deepest station is listed first: the list is reversed".to_owned());
+    }
+    let count = rows.len();
+    rows.dedup_by(|below, above| below.value == above.value);
+    match count - rows.len() {
+        0 => {}
+        1 => notes.push("1 station is identical to the one above and is left out".to_owned()),
+        left => {
+            notes.push(format!("{left} stations are identical to those above and are left out"));
+        }
+    }
+    let list = rows.iter().map(|at| {
         let [md_m, inclination_rad, azimuth_rad] = at.value;
         Station { md_m, inclination_rad, azimuth_rad }
     });
     Stations {
         list: list.collect(),
-        places: listed.value.iter().map(|at| at.place).collect(),
+        places: rows.iter().map(|at| at.place).collect(),
         whole: listed.place,
         tie_in: None,
-        notes: Vec::new(),
+        notes,
         file: None,
     }
 }

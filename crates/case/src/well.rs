@@ -124,6 +124,7 @@ impl WellTable {
         stations.check(reader)?;
         match Path::new(&stations.list, interpolation, tie_in) {
             Ok(path) => {
+                stations.check_surface(&path, reader)?;
                 stations.check_positions(&path, reader);
                 Some(path)
             }

@@ -1,7 +1,9 @@
 //! Notes on positions in a file that differ from those of its path, and on implausible turns.
 
 use wholestring::well::{Path, Station, USUAL_DOGLEG_RAD_PER_M};
-use wholestring_tabular::{StatedPosition, position_checks, station_doubts};
+use wholestring_tabular::{
+    StatedPosition, StationDoubt, position_checks, station_doubts, surface_doubts,
+};
 use wholestring_units::UnitSet;
 
 use crate::fragment::Note;
@@ -9,8 +11,9 @@ use crate::fragment::Note;
 /// Maximum number of turns with a note each; further ones are counted.
 const NOTED: usize = 5;
 
-/// Notes on the positions that a file states against those of its path by minimum curvature;
-/// `place` returns the location of a station in its file.
+/// Notes on a path to which no hole from the surface leads, and on the positions that a file states
+/// against those of its path by minimum curvature; `place` returns the location of a station in its
+/// file.
 pub(crate) fn positions(
     stations: &[Station],
     stated: &[StatedPosition],
@@ -18,15 +21,22 @@ pub(crate) fn positions(
     set: UnitSet,
     place: impl Fn(usize) -> String,
 ) -> Vec<Note> {
+    let surface = surface_doubts(path, set).into_iter();
+    let surface = surface.map(|doubt| warning(&doubt, &place(doubt.index)));
+    let mut notes: Vec<Note> = surface.collect();
     let checks = position_checks(stations, stated, path, set).into_iter();
-    let notes = checks.map(|check| match check.agrees {
+    notes.extend(checks.map(|check| match check.agrees {
         true => Note::Checked(check.sentence),
         false => {
             let place = place(check.index);
             Note::Warning(format!("{} ({place}); {}", check.sentence, check.reason))
         }
-    });
-    notes.collect()
+    }));
+    notes
+}
+
+fn warning(doubt: &StationDoubt, place: &str) -> Note {
+    Note::Warning(format!("{} ({place}: {}); {}", doubt.sentence, doubt.label, doubt.help))
 }
 
 /// Notes on the doubtful turns of a survey; `place` returns the location of a station in its file.
@@ -36,14 +46,8 @@ pub(crate) fn notes(
     place: impl Fn(usize) -> String,
 ) -> Vec<Note> {
     let doubts = station_doubts(stations, USUAL_DOGLEG_RAD_PER_M, set);
-    let mut notes: Vec<Note> = doubts
-        .iter()
-        .take(NOTED)
-        .map(|doubt| {
-            let place = place(doubt.index);
-            Note::Warning(format!("{} ({place}: {}); {}", doubt.sentence, doubt.label, doubt.help))
-        })
-        .collect();
+    let mut notes: Vec<Note> =
+        doubts.iter().take(NOTED).map(|doubt| warning(doubt, &place(doubt.index))).collect();
     if doubts.len() > NOTED {
         notes.push(Note::Warning(format!("{} more turns of this kind", doubts.len() - NOTED)));
     }

@@ -20,15 +20,42 @@ const PSI_PA: f64 = 6_894.757_293_168_361;
 /// psi: `S-135`, `G105`, `s 135`, `L-80`, `P110`.
 pub(crate) fn yield_psi(grade: &str) -> Option<f64> {
     let plain = |text: &str| -> String {
-        text.chars().filter(|c| c.is_alphanumeric()).take(8).collect::<String>().to_uppercase()
+        text.chars().filter(|c| c.is_alphanumeric()).take(16).collect::<String>().to_uppercase()
     };
     let name = plain(grade);
+    let name = name.strip_prefix("GRADE").unwrap_or(&name);
+    // A letter alone is a grade of drill pipe.
+    let name = match name {
+        "E" => "E75",
+        "X" => "X95",
+        "G" => "G105",
+        "S" => "S135",
+        name => name,
+    };
     let pipe = GRADES.iter().find(|(grade, _)| *grade == name).map(|(_, psi)| *psi);
+    let name = kind_of_grade(name).unwrap_or(name);
     pipe.or_else(|| {
         let mut grades = casing::grades().filter(|grade| !grade.name.is_empty());
-        let casing = grades.find(|grade| plain(grade.name) == name)?;
-        Some((casing.yield_strength_Pa / PSI_PA).round())
+        let casing = grades.find(|grade| plain(grade.name) == name);
+        let casing = casing.map(|casing| (casing.yield_strength_Pa / PSI_PA).round());
+        casing.or_else(|| chromium_psi(name))
     })
+}
+
+/// The grade of API Spec 5CT of which a name is a type: `N-80Q`, `N80 Type 1`, `L80-13Cr`. Types of a
+/// grade have its yield strength.
+fn kind_of_grade(name: &str) -> Option<&str> {
+    ["TYPE1", "TYPEQ", "Q", "9CR", "13CR"].iter().find_map(|kind| {
+        let grade = name.strip_suffix(kind)?;
+        (grade.len() == 3).then_some(grade)
+    })
+}
+
+/// Minimum yield strength, psi, of steel with 13 % chromium, whose name ends with it in ksi:
+/// `13Cr-95`.
+fn chromium_psi(name: &str) -> Option<f64> {
+    let ksi: f64 = name.strip_prefix("13CR")?.parse().ok()?;
+    (80.0..=125.0).contains(&ksi).then_some(ksi * 1000.0)
 }
 
 /// The grade that a pipe name contains as a word: `DP 5 in S-135`.
@@ -58,6 +85,14 @@ mod tests {
             ("T-95", 95.0),
             ("P-110", 110.0),
             ("q 125", 125.0),
+            ("N80 Type 1", 80.0),
+            ("N-80Q", 80.0),
+            ("L80-13Cr", 80.0),
+            ("13Cr-95", 95.0),
+            ("Grade S135", 135.0),
+            ("E", 75.0),
+            ("G", 105.0),
+            ("X", 95.0),
         ] {
             assert_eq!(yield_psi(grade), Some(ksi * 1000.0), "{grade}");
         }

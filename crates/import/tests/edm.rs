@@ -312,3 +312,45 @@ proptest::proptest! {
         }
     }
 }
+
+#[test]
+fn an_azimuth_of_more_than_a_turn_is_reduced() {
+    let turned = MINI.replace("azimuth=\"0.5\"", "azimuth=\"360.5\"");
+    let text = whole(&imported(&turned, &api()).expect("imported"));
+    assert!(text.contains("6, 0.5],"), "{text}");
+    assert!(text.contains("the azimuth of 1 station, more than 360 deg, is reduced"), "{text}");
+}
+
+#[test]
+fn values_that_no_string_and_no_casing_has_are_refused() {
+    for (from, to, expected) in [
+        ("length=\"1699.15\"", "length=\"-699.15\"", "the length -699.15 ft is out of range"),
+        (
+            "id_casing=\"8.535\"",
+            "id_casing=\"9.7\"",
+            "9.7 in is out of range; expected less than its od_casing, 9.625 in",
+        ),
+    ] {
+        let message = refusal(&MINI.replace(from, to), &api());
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
+#[test]
+fn a_nominal_weight_is_warned_of() {
+    let text = MINI.replace("approximate_weight=\"24.4\"", "approximate_weight=\"21.9\"");
+    let text = whole(&imported(&text, &api()).expect("imported"));
+    let warning = "21.9 lb/ft, is the NOMINAL WEIGHT of '5-1/2 in 21.90 lb/ft S-135'";
+    assert!(text.contains(warning), "{text}");
+}
+
+#[test]
+fn a_drag_chart_that_contradicts_itself_is_warned_of() {
+    let chart = MINI.replace("to_hookload=\"120.1\"", "to_hookload=\"100.1\"");
+    let chart = chart.replace("to_hookload=\"60.2\"", "to_hookload=\"-999.25\"");
+    let found = imported(&chart, &api()).expect("imported");
+    let text = whole(&found);
+    let warning = "the to_hookload of the drag chart is below its ti_hookload in 1 of 2 rows";
+    assert!(text.contains(warning), "{text}");
+    assert!(text.contains("1 of the values of the drag chart means no value"), "{text}");
+}

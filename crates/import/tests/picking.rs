@@ -407,3 +407,36 @@ fn picks_that_are_left_out_have_a_reason() {
     assert!(surface.readings().is_empty());
     insta::assert_snapshot!([torque, below, feet, zero].join("\n---\n"));
 }
+
+/// A sensor that always gives the same load gives no readings.
+#[test]
+fn a_hook_load_that_never_changes_is_no_reading() {
+    let load: fn(f64) -> f64 = |_| 900e3;
+    let truth = rig_log::Truth { pick_up_N: load, slack_off_N: load, rotating_N: load, ..TRUTH };
+    let manner = Manner { weight_noise_N: 0.0, ..Manner::default() };
+    let mut rig = Rig::new(manner, truth, 3000.0, 3000.0);
+    rig.trips_out(6);
+    rig.trips_in(6);
+    let picks = picked(&rig);
+    assert!(picks.windows.len() >= 6);
+    let readings = picks.readings();
+    assert!(readings.iter().all(|reading| reading.pick_up_N.is_none()));
+    assert!(readings.iter().all(|reading| reading.slack_off_N.is_none()));
+    let notes = picks.notes();
+    let is_said = |note: &Note| note.text().starts_with("THE HOOK LOAD NEVER CHANGES: it is 11");
+    assert!(notes.iter().any(is_said), "{notes:#?}");
+}
+
+/// The bit hangs on the block: depths of another unit show in their travels.
+#[test]
+fn depths_in_metres_under_feet_are_warned_of() {
+    let is_said = |note: &Note| note.text().starts_with("THE BIT MOVES 0.305 TIMES AS FAR");
+    let mut rig = a_day(Manner::default());
+    assert!(!picked(&rig).notes().iter().any(is_said));
+    for record in &mut rig.records {
+        record.bit_depth_m *= 0.3048;
+        record.hole_depth_m *= 0.3048;
+    }
+    let notes = picked(&rig).notes();
+    assert!(notes.iter().any(is_said), "{notes:#?}");
+}

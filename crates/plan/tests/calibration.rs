@@ -138,8 +138,56 @@ fn what_readings_cannot_tell_is_said() {
         .collect();
     let found = calibrate(&model, &few, &[], &[], &settings()).expect("a fit");
     assert!(!found.confused.is_empty() && found.condition > 100.0, "{}", found.condition);
+    // At two depths, each read twice, they have two numbers for three, and bands all the same.
+    let twice = [few[0], few[0], few[1], few[1]];
+    let depths = [(0, few[0].bit_depth_m)];
+    let found = calibrate(&model, &twice, &[], &depths, &settings()).expect("a fit with bands");
+    assert!(!found.confused.is_empty() && !found.bands.is_empty());
     let one = calibrate(&model, &few[..2], &[], &[], &settings()).expect_err("too few");
     assert_eq!(one, CalibrationError::TooFew { readings: 2, parameters: 3 });
+}
+
+/// A model without solutions beyond a friction of 1 in casing.
+struct Limited<'a>(SoftPredictions<'a>);
+
+impl Predict for Limited<'_> {
+    fn reaches(&self, setup: usize, bit_depth_m: f64, part: HolePart) -> bool {
+        self.0.reaches(setup, bit_depth_m, part)
+    }
+
+    fn loads(&self, requests: &[Asked]) -> Result<Vec<Loads>, CalibrationError> {
+        let one = |request: &Asked| match request.factors.cased > 1.0 {
+            true => Err(request.no_answer("soft", "no solution".to_owned())),
+            false => self.0.one(request),
+        };
+        requests.iter().map(one).collect()
+    }
+}
+
+/// A fit that leaves the factors with solutions names the factor and the numbers that the readings
+/// do not determine.
+#[test]
+fn a_factor_that_runs_off_is_named() {
+    let oracle = Oracle::read();
+    let assemblies = [assembly(&oracle)];
+    let model = Limited(SoftPredictions::new(&assemblies));
+    let rows = readings(&oracle.rows(&Oracle::depths(), [1.2, 0.3, 180e3]));
+    let pick_ups: Vec<Reading> =
+        rows.into_iter().filter(|reading| reading.channel == Channel::PickUp).collect();
+    let error = calibrate(&model, &pick_ups, &[], &[], &settings()).expect_err("runs off");
+    let CalibrationError::Undetermined { runaway: Parameter::Cased, value, .. } = &error else {
+        panic!("{error}");
+    };
+    assert!(*value > 0.8, "{value}");
+    let text = error.to_string();
+    assert!(
+        text.starts_with(
+            "the readings do not determine the friction factor of casing, the friction factor of \
+             open hole and the block weight at once: the fit runs off to a friction factor of \
+             casing of"
+        ),
+        "{text}"
+    );
 }
 
 /// A factor that would be negative is zero, and is reported at its bound.

@@ -238,3 +238,25 @@ def test_a_refused_thread_is_an_error_of_ours(tmp_path: Path) -> None:
     )
     assert done.stdout.startswith("Error the system refuses a thread to work on: "), done
     assert "panicked" not in done.stderr
+
+
+NOTHING: Any = None
+THREE: Any = 3
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda case: case.with_(wob=10**400),
+        lambda case: case.with_([1]),
+        lambda case: case.with_({3: 4}),
+        lambda case: ws.Case(NOTHING),
+        lambda case: ws.Case.load(THREE),
+        lambda case: case.simulation("drill").advance(None),
+        lambda case: case.simulation("drill").advance(10**400),
+        lambda case: ws.import_files(),
+    ],
+)
+def test_wrong_arguments_are_errors_of_the_package(wrong: Callable[[Any], object]) -> None:
+    with pytest.raises(ws.InputError, match="given"):
+        wrong(ws.Case.example())

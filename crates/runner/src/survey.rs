@@ -7,7 +7,9 @@ use wholestring::well::{
 };
 use wholestring_case::{Diagnostic, Label, Report, Severity, Source, Span, read_file};
 pub use wholestring_tabular::{ImportedSurvey, Said};
-use wholestring_tabular::{Place, TableError, position_checks, read_as, station_doubts};
+use wholestring_tabular::{
+    Place, TableError, position_checks, read_as, station_doubts, straight_start, surface_doubts,
+};
 
 use wholestring_units::{Dimension, UnitSet};
 
@@ -68,7 +70,7 @@ fn report(error: &TableError) -> Option<Report> {
 }
 
 /// Reports doubtful data of a survey, each with its row: positions in the file that differ from
-/// those of its path, and unusually sharp turns. Positions that agree are among the notes.
+/// those of its path, a path to which no hole from the surface leads, and unusually sharp turns. Positions that agree are among the notes.
 ///
 /// # Errors
 /// There is no path through the stations; the error contains the row of the station and the reason.
@@ -81,7 +83,7 @@ pub fn check(
     let name = file.display().to_string();
     let path = WellPath::new(&survey.stations, interpolation, survey.start());
     let path = path.map_err(|error| no_path(survey, &name, &error))?;
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = straight_start(&path, set).into_iter().collect();
     let mut diagnostics = Vec::new();
     for check in position_checks(&survey.stations, &survey.stated, &path, set) {
         if check.agrees {
@@ -91,7 +93,8 @@ pub fn check(
         let warning = Diagnostic::warning(check.sentence).help(check.reason);
         diagnostics.push(at_station(survey, warning, check.index, "the file's position"));
     }
-    for doubt in station_doubts(&survey.stations, USUAL_DOGLEG_RAD_PER_M, set) {
+    let turns = station_doubts(&survey.stations, USUAL_DOGLEG_RAD_PER_M, set);
+    for doubt in surface_doubts(&path, set).into_iter().chain(turns) {
         let warning = Diagnostic::warning(doubt.sentence).help(doubt.help);
         diagnostics.push(at_station(survey, warning, doubt.index, &doubt.label));
     }

@@ -53,6 +53,8 @@ pub use survey::{
     places::StationPlaces,
     positions::{PositionCheck, position_checks},
     preamble::{About, Stated},
+    quantities::within_a_turn,
     said::Said,
+    surface::{straight_start, surface_doubts},
 };
 pub use tally::{Holds, ImportedTally, TallyCell, TallyRow, TallyTotal};

@@ -3,7 +3,7 @@
 use wholestring_units::Unit;
 
 use crate::{
-    cells::number::Style,
+    cells::number::{NULLS, Style},
     cells::table::{Row, Table},
     columns::column::Column,
     columns::layout::{Found, Layout},
@@ -137,7 +137,11 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
             if let (Some(value), Some(found)) = (*value, layout.column(column))
                 && value.abs() > LARGEST_SI
             {
-                return Err(reader.out_of_range(row, found, "less than 1e13 N or N.m"));
+                return Err(reader.out_of_range(
+                    row,
+                    found,
+                    "less than 1e13 N or N.m; a null value is an empty cell",
+                ));
             }
         }
         let [pick_up_N, slack_off_N, rotating_N, torque_N_m, torque_on_bottom_N_m] = values;
@@ -180,21 +184,6 @@ struct Nulls {
     /// Column, text and the rows with it.
     found: Vec<(Column, String, Vec<String>)>,
 }
-
-/// Numbers that databases and loggers write for missing measurements.
-const NULLS: [f64; 11] = [
-    -999.0,
-    -999.25,
-    -999.99,
-    -9999.0,
-    -9999.25,
-    -99_999.0,
-    -99_999.25,
-    -999_999.0,
-    -999_999.25,
-    -32_767.0,
-    -32_768.0,
-];
 
 /// Words for missing measurements.
 const NULL_WORDS: [&str; 9] =

@@ -152,6 +152,8 @@ fn damaged_workbooks_are_refused() {
     let error = read(compound, "a.xls").unwrap_err();
     assert!(matches!(error.kind(), TableErrorKind::NotAWorkbook { .. }), "{error}");
     assert_eq!(read_excel(b"", "a.xlsx").unwrap_err().kind(), &TableErrorKind::Empty);
+    let text = read_excel(b"MD (m),Inc,Azi\n0,0,0\n", "a.xlsx").unwrap_err().to_string();
+    assert!(text.contains("it is a text in spite of its name: give it the ending .csv"), "{text}");
 }
 
 /// A cell in the sheet's far corner makes the range of its cells hundreds of gigabytes; a note

@@ -39,7 +39,7 @@ fn feet_with_a_row_of_units_and_azimuths_through_north() {
             [1000.0 * foot, 0.0, 359.5],
             [1100.0 * foot, 3.0, 0.5],
             [1200.0 * foot, 6.0, -10.0],
-            [1300.0 * foot, 8.0, 365.0],
+            [1300.0 * foot, 8.0, 5.0],
         ],
     );
     assert_eq!(survey.tie_in, None);
@@ -181,7 +181,19 @@ fn north_without_east_numbers_the_rows() {
 #[test]
 fn the_ends_of_the_ranges_are_in_them() {
     let ends = survey("MD (m),Inc,Azi\n0,0,-360\n100000,180,720\n");
-    assert_stations(&ends, &[[0.0, 0.0, -360.0], [100_000.0, 180.0, 720.0]]);
+    // The case's range ends at a turn.
+    assert_stations(&ends, &[[0.0, 0.0, -360.0], [100_000.0, 180.0, 360.0]]);
+    noted(&ends, "the azimuth of 1 station, more than 360 deg, is reduced by 360 deg");
+}
+
+/// A null value is no depth, and the path does not begin at it.
+#[test]
+fn positions_that_stand_for_no_value_are_left_out() {
+    let found = survey("MD (m),Inc,Azi,TVD (m)\n0,0,0,-999.25\n500,0,0,500\n600,3,0,-999.25\n");
+    assert_eq!(found.tie_in, None);
+    let tvd_m: Vec<Option<f64>> = found.stated.iter().map(|stated| stated.tvd_m).collect();
+    assert_eq!(tvd_m, [None, Some(500.0), None]);
+    noted(&found, "positions of 2 stations that stand for no value, such as -999.25");
 }
 
 #[test]

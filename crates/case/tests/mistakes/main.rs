@@ -20,6 +20,7 @@ mod records;
 mod rock;
 mod schedule;
 mod string;
+mod surface;
 mod survey;
 mod top_side;
 mod well;

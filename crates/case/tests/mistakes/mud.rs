@@ -21,6 +21,16 @@ fn density() {
     );
 }
 
+/// Zero stays valid: closed forms need it. No mud has it.
+#[test]
+fn no_density() {
+    each_warned(
+        r#"
+        mud_without_density: `"1.2 sg"` -> `"0 ppg"`
+        "#,
+    );
+}
+
 #[test]
 fn rheology_and_flow() {
     let cases = [

@@ -147,6 +147,23 @@ fn swapped_columns_are_refused() {
     assert!(text.contains("are the columns swapped?"), "{text}");
 }
 
+/// Metres under `ft`.
+#[test]
+fn depths_in_another_unit_are_refused_with_it() {
+    let text = refused(&file(|_, row| row).replace("depth (m)", "depth (ft)"), &[]);
+    assert!(text.contains("the bit depths seem not to be in ft"), "{text}");
+    assert!(text.contains("a factor of 3.2808") && text.contains("Is the unit m?"), "{text}");
+}
+
+/// Pick-up weights alone hardly separate the block from the friction, which is a warning.
+#[test]
+fn pick_up_weights_alone_are_fitted_with_a_warning() {
+    let rows = file(|_, row| row);
+    let alone = rows.lines().map(|line| line.split(',').take(2).collect::<Vec<_>>().join(","));
+    let (summary, ..) = made(&(alone.collect::<Vec<_>>().join("\n") + "\n"), &[]);
+    check(&summary, "not_told_apart");
+}
+
 /// klbf under `kN`, with the block fitted or fixed; a single column of it; kN under `t`.
 #[test]
 fn weights_in_another_unit_are_refused_with_it() {

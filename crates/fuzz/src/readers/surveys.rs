@@ -35,7 +35,7 @@ fn valid(read: Result<ImportedSurvey, TableError>) -> bool {
             for station in &survey.stations {
                 assert!(station.md_m >= 0.0 && station.md_m.is_finite());
                 assert!((0.0..=PI).contains(&station.inclination_rad));
-                assert!((-TAU..=2.0 * TAU).contains(&station.azimuth_rad));
+                assert!((-TAU..=TAU).contains(&station.azimuth_rad));
             }
             assert!(survey.start().tvd_m.is_finite());
             true

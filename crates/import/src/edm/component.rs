@@ -1,6 +1,9 @@
 //! A component of an assembly.
 
-use wholestring::string::catalogue;
+use wholestring::string::{
+    Material,
+    catalogue::{self, CatalogueEntry},
+};
 
 use super::{
     keys::children,
@@ -93,22 +96,22 @@ pub(super) fn read(
     );
     block.push("length", length.value(), Origin::at(row.place("length")));
     let listed = diameters(reader, row, assembly, first, &mut block)?;
-    mass(reader, row, &mut block)?;
-    touching(reader, row, length, listed, &mut block)?;
+    let is_listed = listed.is_some();
+    mass(reader, row, listed, &mut block)?;
+    touching(reader, row, length, is_listed, &mut block)?;
     reader.units.push(&mut block, "yield_strength", row, "min_yield_stress", Measure::Stress)?;
     reader.units.push(&mut block, "make_up_torque", row, "makeup_torque", Measure::Torque)?;
     Ok(Some(block))
 }
 
-/// Adds the catalogue entry that the row plainly is, or its diameters; returns whether it is
-/// listed.
+/// Adds the catalogue entry that the row plainly is, or its diameters; returns the entry.
 fn diameters(
     reader: &mut Reader,
     row: Row,
     assembly: Option<Row>,
     first: bool,
     block: &mut Block,
-) -> Result<bool, ImportError> {
+) -> Result<Option<CatalogueEntry>, ImportError> {
     let od = reader.units.positive(row, "od_body", Measure::Diameter)?;
     let id = reader.units.quantity(row, "id_body", Measure::Diameter)?;
     if let (Some(od), Some(id), Some(described)) = (od, id, row.get("catalog_key_desc"))
@@ -118,8 +121,12 @@ fn diameters(
         if same(od, entry.od_m) && same(id, entry.id_m) {
             let place = row.place("catalog_key_desc");
             let agrees = format!("{described}; od_body and id_body agree");
-            block.push("catalogue", Value::text(entry.designation), Origin::written(place, agrees));
-            return Ok(true);
+            block.push(
+                "catalogue",
+                Value::text(&entry.designation),
+                Origin::written(place, agrees),
+            );
+            return Ok(Some(entry));
         }
         reader.warning(format!(
             "line {} is called '{described}', but its diameters {} and {} are not that one's; the \
@@ -159,7 +166,7 @@ fn diameters(
             ));
         }
     }
-    Ok(false)
+    Ok(None)
 }
 
 /// Diameter of a bit whose body has none: its size, or that of the hole.
@@ -191,9 +198,37 @@ fn size(
     Err(missing())
 }
 
-fn mass(reader: &mut Reader, row: Row, block: &mut Block) -> Result<(), ImportError> {
+/// Adds the weight, with a warning where it is the nominal one of drill pipe, which excludes tool
+/// joints.
+fn mass(
+    reader: &mut Reader,
+    row: Row,
+    listed: Option<CatalogueEntry>,
+    block: &mut Block,
+) -> Result<(), ImportError> {
     let column = "approximate_weight";
-    reader.units.push(block, "mass_per_length", row, column, Measure::LinearWeight)?;
+    let units = reader.units.clone();
+    let Some(mass) = units.push(block, "mass_per_length", row, column, Measure::LinearWeight)?
+    else {
+        return Ok(());
+    };
+    let si_m = |column| units.positive(row, column, Measure::Diameter).map(|od| od.map(Found::si));
+    let (Some(od_m), Some(id_m)) = (si_m("od_body")?, si_m("id_body")?) else { return Ok(()) };
+    if listed.is_none() && name(row) != Some("drill pipe") {
+        return Ok(());
+    }
+    if let Some(pipe) = catalogue::nominal_pipe(listed.as_ref(), od_m, id_m, mass.si()) {
+        let with_joints = pipe.mass_per_length_kg_per_m(Material::STEEL.density_kg_per_m3);
+        reader.warning(format!(
+            "the approximate_weight of line {}, {}, is the NOMINAL WEIGHT of '{}', without tool \
+             joints: with them it weighs {:.1} {}; give that as mass_per_length, or catalogue alone",
+            row.line(),
+            mass.text(),
+            pipe.designation,
+            mass.unit.from_si(with_joints),
+            mass.unit.symbol
+        ));
+    }
     Ok(())
 }
 

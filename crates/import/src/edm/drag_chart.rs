@@ -14,6 +14,9 @@ use crate::error::ImportError;
 
 const KEYS: [&str; 4] = ["well_id", "wellbore_id", "scenario_id", "case_id"];
 
+/// Null values.
+const NULLS: [f64; 4] = [-999.0, -999.25, -9999.0, -9999.25];
+
 /// The rows of the drag chart of the chosen case, by depth.
 pub(super) fn read(
     reader: &mut Reader,
@@ -24,13 +27,17 @@ pub(super) fn read(
     let rows = children(reader.rows, Table::DragChart, case, &KEYS)?;
     let units = reader.units.clone();
     let mut readings = Vec::with_capacity(rows.len());
-    let mut without = 0;
+    let (mut without, mut nulls) = (0, 0);
     for row in rows {
         let depth = units.quantity(row, "run_depth", Measure::Length)?;
         let depth_m = depth.map_or(0.0, |depth| depth.si() + depths.shift_m);
         let load = |column| units.quantity(row, column, Measure::Force);
         let torque = |column| units.quantity(row, column, Measure::ChartTorque);
-        let si = |found: Option<Found>| found.map(Found::si);
+        let mut si = |found: Option<Found>| {
+            let is_null = |found: &Found| NULLS.contains(&found.number);
+            nulls += usize::from(found.as_ref().is_some_and(is_null));
+            found.filter(|found| !is_null(found)).map(Found::si)
+        };
         let reading = ImportedReading {
             place: format!("line {}, WP_TDA_DRAGCHART", row.line()),
             bit_depth_m: depth_m,
@@ -51,6 +58,24 @@ pub(super) fn read(
         }
     }
     readings.sort_by(|a, b| a.bit_depth_m.total_cmp(&b.bit_depth_m));
+    if nulls > 0 {
+        let mean = if nulls == 1 { "means" } else { "mean" };
+        reader.left_out(format!(
+            "{nulls} of the values of the drag chart {mean} no value, such as -999.25"
+        ));
+    }
+    let is_crossed = |reading: &&ImportedReading| {
+        reading.pick_up_N.zip(reading.slack_off_N).is_some_and(|(up_N, down_N)| up_N < down_N)
+    };
+    let crossed = readings.iter().filter(is_crossed).count();
+    if let Some(first) = readings.iter().find(is_crossed) {
+        reader.warning(format!(
+            "the to_hookload of the drag chart is below its ti_hookload in {crossed} of {} rows, \
+             the first in {}: friction makes pick-up ≥ slack-off; are the two exchanged?",
+            readings.len(),
+            first.place
+        ));
+    }
     if without > 0 {
         reader.left_out(format!("{without} rows of the drag chart without a depth of the bit"));
     }

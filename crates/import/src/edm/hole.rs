@@ -253,11 +253,19 @@ fn diameter(reader: &mut Reader, section: &Section, block: &mut Block) -> Result
         reader.units.push(block, "diameter", row, column, Measure::Diameter)
     };
     if section.cased {
-        if push(reader, "id_casing")?.is_some() {
+        let od = reader.units.positive(row, "od_casing", Measure::Diameter)?;
+        if let Some(id) = push(reader, "id_casing")? {
+            if let Some(od) = od.filter(|od| id.si() >= od.si()) {
+                let kind = ImportErrorKind::OutOfRange {
+                    what: "inside diameter of the casing".to_owned(),
+                    found: id.text(),
+                    expected: format!("less than its od_casing, {}", od.text()),
+                };
+                return Err(row.error("id_casing", kind));
+            }
             return Ok(());
         }
         let bore = reader.units.positive(row, "hole_size", Measure::Diameter)?;
-        let od = reader.units.positive(row, "od_casing", Measure::Diameter)?;
         if let Some(bore) = bore
             && od.is_none_or(|od| bore.si() < od.si())
         {

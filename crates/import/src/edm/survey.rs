@@ -1,7 +1,7 @@
 //! The path of a wellbore.
 
 use wholestring::well::{Interpolation, Path, Station, TieIn};
-use wholestring_tabular::StatedPosition;
+use wholestring_tabular::{StatedPosition, within_a_turn};
 
 use super::{
     chooser::{Chosen, label},
@@ -36,6 +36,7 @@ pub(super) fn read<'a>(
     let (rows, order) = sorted(reader, rows)?;
     let mut stations: Vec<(Station, Row)> = Vec::with_capacity(rows.len());
     let mut depths = Depths::default();
+    let mut turned = 0;
     for row in rows {
         let lacks = |column: &str| {
             row.error(column, ImportErrorKind::Missing { what: format!("{column} of a station") })
@@ -53,10 +54,13 @@ pub(super) fn read<'a>(
             };
             if range.contains(&degrees) { Ok(degrees) } else { Err(row.error(column, kind())) }
         };
+        let (azimuth_rad, is_turned) =
+            within_a_turn(angle("azimuth", -360.0..=720.0)?.to_radians());
+        turned += usize::from(is_turned);
         let station = Station {
             md_m: md.si() + depths.shift_m,
             inclination_rad: angle("inclination", 0.0..=180.0)?.to_radians(),
-            azimuth_rad: angle("azimuth", -360.0..=720.0)?.to_radians(),
+            azimuth_rad,
         };
         match stations.last() {
             Some((above, _)) if station.md_m - above.md_m < SAME_M => {
@@ -78,6 +82,12 @@ pub(super) fn read<'a>(
             }
             _ => stations.push((station, row)),
         }
+    }
+    if turned > 0 {
+        reader.read(format!(
+            "the azimuth of {turned} station{}, more than 360 deg, is reduced by 360 deg",
+            if turned == 1 { "" } else { "s" }
+        ));
     }
     if stations.len() < 2 {
         reader.left_out(format!(

@@ -142,14 +142,24 @@ impl Units {
         Ok(Some(found))
     }
 
-    /// Returns the quantity in a column if it is above zero.
+    /// Returns the quantity in a column if it is above zero; a zero means that no value was entered.
     pub(super) fn positive(
         &self,
         row: Row,
         column: &str,
         measure: Measure,
     ) -> Result<Option<Found>, ImportError> {
-        Ok(self.quantity(row, column, measure)?.filter(|found| found.number > 0.0))
+        match self.quantity(row, column, measure)? {
+            Some(found) if found.number < 0.0 => {
+                let kind = ImportErrorKind::OutOfRange {
+                    what: column.to_owned(),
+                    found: found.text(),
+                    expected: "more than 0".to_owned(),
+                };
+                Err(row.error(column, kind))
+            }
+            found => Ok(found.filter(|found| found.number > 0.0)),
+        }
     }
 
     /// Writes a key if its column is above zero.

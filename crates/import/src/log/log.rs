@@ -225,6 +225,9 @@ impl<'a> Log<'a> {
                 }
                 let Some(value) = marked(cell, self.marks) else {
                     if is_nothing(cell) {
+                        if cell.eq_ignore_ascii_case(b"bad") {
+                            self.watch.bad(self.row.line);
+                        }
                         continue;
                     }
                     let kind = ImportErrorKind::NotANumber {

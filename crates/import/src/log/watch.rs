@@ -15,6 +15,8 @@ pub(super) struct Watch {
     usual_nulls: (u64, f64, u64),
     /// Numbers with a decimal comma.
     commas: (u64, u64),
+    /// Values that the logger marks as bad.
+    bad: (u64, u64),
 }
 
 impl Watch {
@@ -60,9 +62,14 @@ impl Watch {
         count(&mut self.commas, line);
     }
 
+    /// Counts a value that the logger marks as bad.
+    pub(super) fn bad(&mut self, line: u64) {
+        count(&mut self.bad, line);
+    }
+
     /// Adds the notes on the observations.
     pub(super) fn finish(&self, notes: &mut Vec<Note>) -> Result<(), ImportErrorKind> {
-        let Watch { given, same_time, back, without_time, usual_nulls, commas, .. } = *self;
+        let Watch { given, same_time, back, without_time, usual_nulls, commas, bad, .. } = *self;
         if back.0 * 10 > given {
             let sentence = format!(
                 "the time goes back: {} of {} rows are earlier than one above, the first in line \
@@ -99,6 +106,13 @@ impl Watch {
                 values(usual_nulls.0),
                 usual_nulls.1,
                 usual_nulls.2
+            )));
+        }
+        if bad.0 > 0 {
+            notes.push(Note::LeftOut(format!(
+                "{} that the logger marks as bad, the first in line {}",
+                values(bad.0),
+                bad.1
             )));
         }
         if commas.0 > 0 {

@@ -129,6 +129,12 @@ fn measured(
     let notes = &mut fragment.notes;
     let mut si = |name: &str, dimension| -> Result<Option<f64>, ImportError> {
         let found = source.optional(node, name, dimension, notes)?;
+        if let Some(found) = found.as_ref().filter(|found| found.number <= 0.0) {
+            notes.push(Note::LeftOut(format!(
+                "the {name} of {} in line {}: a reading is more than 0",
+                found.written, found.line
+            )));
+        }
         Ok(found.filter(|found| found.number > 0.0).map(|found| found.si()))
     };
     let reading = ImportedReading {

@@ -1,6 +1,7 @@
 //! Keys of `[[string]]` for a component.
 
-use wholestring_units::Dimension;
+use wholestring_case::STEEL_DENSITY_KG_PER_M3;
+use wholestring_units::{Dimension, number_text};
 
 use super::{
     component::Component,
@@ -9,7 +10,11 @@ use super::{
 use crate::{
     error::ImportError,
     fragment::{Block, Note, Origin, Value},
+    pipe::mass_in_range,
 };
+
+/// Diameters that a case accepts, m.
+const DIAMETERS_M: std::ops::RangeInclusive<f64> = 0.005..=2.0;
 
 impl Component<'_> {
     /// The keys of the case.
@@ -32,10 +37,19 @@ impl Component<'_> {
         let length = source.positive(self.node, "len", Dimension::Length, (&label, notes))?;
         push(&mut block, "length", length.as_ref());
         let od = self.diameter(hole, source, &label, notes)?;
+        if let Some(od) = od.as_ref().filter(|od| !DIAMETERS_M.contains(&od.si())) {
+            return Err(source.out_of_range(od, "od", "5 mm to 2 m (0.2 to 78 in)"));
+        }
         push(&mut block, "od", od.as_ref());
         let id = source.measure(self.node, "id", Dimension::Diameter)?;
         if let Some(id) = id.as_ref().filter(|id| id.number < 0.0) {
             return Err(source.out_of_range(id, "id", "0 or more"));
+        }
+        if let (Some(id), Some(od)) = (&id, &od)
+            && id.si() >= od.si()
+        {
+            let expected = format!("less than the od, {}", od.written);
+            return Err(source.out_of_range(id, "id", &expected));
         }
         push(&mut block, "id", id.as_ref());
         let lacks = [
@@ -52,6 +66,16 @@ impl Component<'_> {
         self.blades(&mut block, od.as_ref(), length.as_ref(), source, notes)?;
         let weight = (&label[..], &mut *notes);
         let mass = source.positive(self.node, "wtPerLen", Dimension::MassPerLength, weight)?;
+        if let (Some(mass), Some(od), Some(id), false) = (&mass, &od, &id, self.is_bit()) {
+            let joint_m = block.get("joint_od").and_then(Value::si).unwrap_or_default();
+            let diameters_m = [od.si(), id.si(), od.si().max(joint_m)];
+            let shown = |kg_per_m: f64| {
+                let number = (mass.unit.from_si(kg_per_m) * 10.0).round() / 10.0;
+                format!("{} {}", number_text(number), mass.unit.symbol)
+            };
+            mass_in_range(mass.si(), diameters_m, STEEL_DENSITY_KG_PER_M3, shown)
+                .map_err(|expected| source.out_of_range(mass, "wtPerLen", &expected))?;
+        }
         push(&mut block, "mass_per_length", mass.as_ref());
         self.weight(od.as_ref(), mass.as_ref(), notes);
         self.strength(&mut block, source, notes)?;

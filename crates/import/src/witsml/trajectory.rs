@@ -1,7 +1,7 @@
 //! `trajectory`: the path of the well.
 
 use wholestring::well::{Interpolation, Path, Station, TieIn};
-use wholestring_tabular::StatedPosition;
+use wholestring_tabular::{StatedPosition, within_a_turn};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
@@ -27,6 +27,29 @@ struct Found<'a> {
     node: &'a Node,
 }
 
+/// Numbers of stations by their azimuths.
+#[derive(Default)]
+struct Azimuths {
+    /// Vertical, without an azimuth.
+    vertical: usize,
+    /// With an azimuth of more than a turn.
+    turned: usize,
+}
+
+impl Azimuths {
+    fn notes(&self) -> impl Iterator<Item = Note> {
+        let vertical = (self.vertical > 0).then(|| {
+            let stations = stations_of(self.vertical);
+            Note::Assumed(format!("the azi of {stations}, vertical and without one: 0"))
+        });
+        let turned = (self.turned > 0).then(|| {
+            let stations = stations_of(self.turned);
+            Note::Read(format!("the azi of {stations}, more than 360 deg, is reduced by 360 deg"))
+        });
+        vertical.into_iter().chain(turned)
+    }
+}
+
 /// The stations of a trajectory, down the hole.
 pub(crate) fn read(
     object: &Object,
@@ -36,13 +59,14 @@ pub(crate) fn read(
     let notes = &mut fragment.notes;
     let mut units = Units::default();
     let mut stations = Vec::new();
-    let (mut rejected, mut without, mut vertical) = (0, 0, 0);
+    let (mut rejected, mut without) = (0, 0);
+    let mut azimuths = Azimuths::default();
     for node in object.node.all("trajectoryStation") {
         if node.text_of("statusTrajStation") == Some("rejected") {
             rejected += 1;
             continue;
         }
-        match station(node, source, &mut units, &mut vertical)? {
+        match station(node, source, &mut units, &mut azimuths)? {
             Some(found) => stations.push(found),
             None => without += 1,
         }
@@ -55,10 +79,7 @@ pub(crate) fn read(
             notes.push(Note::LeftOut(format!("{} {why}", stations_of(count))));
         }
     }
-    if vertical > 0 {
-        let text = format!("the azi of {}, vertical and without one: 0", stations_of(vertical));
-        notes.push(Note::Assumed(text));
-    }
+    notes.extend(azimuths.notes());
     stations.sort_by(|a, b| a.station.md_m.total_cmp(&b.station.md_m));
     let stations = once(stations, source, notes)?;
     let (Some(first), Some(last)) = (stations.first(), stations.last()) else {
@@ -93,7 +114,7 @@ fn station<'a>(
     node: &'a Node,
     source: &Source,
     units: &mut Units,
-    vertical: &mut usize,
+    azimuths: &mut Azimuths,
 ) -> Result<Option<Found<'a>>, ImportError> {
     let inclination = source.measure(node, "incl", Dimension::Angle)?;
     let azimuth = source.measure(node, "azi", Dimension::Angle)?;
@@ -121,11 +142,13 @@ fn station<'a>(
                 return Err(source.out_of_range(azimuth, "azi", "-360 to 720 deg"));
             }
             units.add(2, azimuth);
-            azimuth.si()
+            let (azimuth_rad, is_turned) = within_a_turn(azimuth.si());
+            azimuths.turned += usize::from(is_turned);
+            azimuth_rad
         }
         // A vertical hole has no azimuth.
         None if inclination_rad == 0.0 => {
-            *vertical += 1;
+            azimuths.vertical += 1;
             0.0
         }
         None => return Err(missing("azi")),

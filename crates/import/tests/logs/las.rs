@@ -264,3 +264,19 @@ fn a_repeated_heading_of_the_rows_loses_none() {
         "{error}"
     );
 }
+
+#[test]
+fn the_names_of_the_curves_may_stand_again() {
+    let (rows, log) = read(&las("0 1 5\nTIME DBTM HKLA\n1 2 6\ntime dbtm hkla\n2 3 7\n"));
+    assert_eq!(rows.len(), 3);
+    let note = "lines with the names of the curves again, the first line 12";
+    assert!(notes(&log).contains(note), "{}", notes(&log));
+}
+
+#[test]
+fn values_that_the_logger_marks_as_bad_are_said() {
+    let (rows, log) = read(&las("0 1 5\n1 2 Bad\n2 3 BAD\n"));
+    assert!(rows[1].hook_load_N.is_nan() && rows[2].hook_load_N.is_nan());
+    let note = "2 values that the logger marks as bad, the first in line 12";
+    assert!(notes(&log).contains(note), "{}", notes(&log));
+}

@@ -145,3 +145,43 @@ fn lengths_of_blades_are_not_assumed_where_they_are_given() {
     assert!(!is_assumed("0.6"));
     assert!(is_assumed(""));
 }
+
+/// A joint of pipe has 5 to 16 m, which proves the unit of the lengths of several.
+#[test]
+fn joints_of_no_usual_length_are_warned_of() {
+    let tally = |joints: &str, length: &str| {
+        notes(&imported(&format!(
+            "Component,Joints,OD (in),ID (in),Length (ft)\nBit,1,8.5,,0.85\nHWDP 5 \
+             in,{joints},5,3,{length}\n"
+        )))
+    };
+    let metres = tally("9", "84.22");
+    assert!(
+        metres.contains("9 joints in 84.22 ft are 9.358 ft each, and joints are 5 to 16 m long")
+            && metres.contains("IS THE UNIT of the lengths m and not ft?"),
+        "{metres}"
+    );
+    let many = tally("600", "180");
+    assert!(many.contains("is the length or the number of joints wrong?"), "{many}");
+    let usual = tally("9", "276.3");
+    assert!(!usual.contains("IS THE UNIT") && !usual.contains("joints are 5 to"), "{usual}");
+}
+
+#[test]
+fn a_bit_of_another_size_than_its_name_is_warned_of() {
+    let tally = |bit_od: &str, gauge: &str| {
+        notes(&imported(&format!(
+            "Component,OD (in),ID (in),Gauge (in),Length (m)\n\"8 1/2\"\" PDC \
+             Bit\",{bit_od},,,0.3\nStabiliser,6.5,2.8,{gauge},2\nDrill collar,6.5,2.8,,90\n"
+        )))
+    };
+    let other = tally("6", "");
+    assert!(other.contains("HAS A DIAMETER of 6 in, and its name begins with 8 1/2 in"), "{other}");
+    let wide = tally("8.5", "9.875");
+    assert!(
+        wide.contains("9.875 in, is above that of the bit, 8.5 in: it does not fit in the hole"),
+        "{wide}"
+    );
+    let sound = tally("8.5", "8.375");
+    assert!(!sound.contains("HAS A DIAMETER") && !sound.contains("is above that"), "{sound}");
+}

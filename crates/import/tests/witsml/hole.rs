@@ -93,6 +93,12 @@ fn a_run_gives_what_can_be_believed() {
     };
     assert!(loads(200.0, 200.0).contains("do not decrease in this order, as friction requires"));
     assert!(loads(200.0, 120.0).contains("were read with the bit at its mdHoleStop, 2000 m"));
+    let none = run("<hkldRot uom='kN'>0</hkldRot><tqOffBotAv uom='kN.m'>-2</tqOffBotAv>");
+    for note in
+        ["the hkldRot of 0 kN in line 1: a reading is more", "the tqOffBotAv of -2 kN.m in line 1:"]
+    {
+        assert!(none.contains(note), "{none}");
+    }
     let unknown = run("<wobAv uom='bananas'>100</wobAv>");
     assert!(unknown.contains("wobAv in line 1: 'bananas' is not a unit of force"), "{unknown}");
 }

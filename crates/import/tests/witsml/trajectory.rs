@@ -55,6 +55,23 @@ fn what_is_no_station_is_left_out_or_refused() {
 }
 
 #[test]
+fn an_azimuth_of_more_than_a_turn_is_reduced() {
+    let text = text_of(&trajectory(&(station("0", "0", "0") + &station("1000", "3", "405"))));
+    assert!(text.contains("[1000, 3, 45],"), "{text}");
+    let note = "the azi of 1 station, more than 360 deg, is reduced by 360 deg";
+    assert!(text.contains(note), "{text}");
+}
+
+#[test]
+fn a_path_without_a_hole_from_the_surface_is_warned_of() {
+    let text = text_of(&trajectory(&(station("1500", "60", "30") + &station("3000", "60", "30"))));
+    assert!(text.contains("the survey begins at 1500 m with an inclination of 60 deg"), "{text}");
+    let up = station("0", "0", "0") + &station("600", "140", "30") + &station("3000", "140", "30");
+    let text = text_of(&trajectory(&up));
+    assert!(text.contains("the hole comes out of the ground"), "{text}");
+}
+
+#[test]
 fn the_first_station_says_where_it_lies() {
     let tied = "<trajectoryStation><md uom='ft'>1000</md><tvd uom='ft'>990</tvd>\
                 <incl uom='dega'>5</incl><azi uom='dega'>45</azi><dispNs uom='ft'>10</dispNs>\

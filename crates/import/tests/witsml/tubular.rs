@@ -152,3 +152,31 @@ fn what_a_component_lacks_is_said_and_the_case_is_not_green() {
     let negative = tubular(&numbered("jar", 1).replace(">5<", ">-5<"));
     assert!(refusal(&negative).contains("the od -5 in is out of range; expected more than 0"));
 }
+
+/// As a tally refuses them at their cells.
+#[test]
+fn diameters_and_weights_that_no_component_has_are_refused() {
+    let pipe = |more: &str| component("drill pipe", "", more);
+    let of = |from: &str, to: &str| tubular(&pipe("").replace(from, to));
+    for (text, expected) in [
+        (
+            of("<id uom='in'>3<", "<id uom='in'>5.5<"),
+            "the id 5.5 in is out of range; expected less",
+        ),
+        (
+            of("<od uom='in'>5<", "<od uom='m'>5<"),
+            "the od 5 m is out of range; expected 5 mm to 2 m",
+        ),
+        (
+            tubular(&pipe("<wtPerLen uom='kg/m'>290</wtPerLen>")),
+            "the wtPerLen 290 kg/m is out of range; expected at most the",
+        ),
+        (
+            tubular(&pipe("<wtPerLen uom='kg/m'>2.9</wtPerLen>")),
+            "the wtPerLen 2.9 kg/m is out of range; expected about the",
+        ),
+    ] {
+        let message = refusal(&text);
+        assert!(message.contains(expected), "{message}");
+    }
+}

@@ -66,13 +66,24 @@ pub(super) fn best(
     // A converged fit whose intervals leave its box: the result where a wider box has none.
     let mut narrow: Option<Best> = None;
     let mut widened = 0;
+    // The factor that left the last box, with its value there.
+    let mut runaway = None;
     loop {
         round += 1;
         let counted = Counted { model, strings: Default::default() };
         let surfaces = match Surfaces::new(&counted, settings, stations, span.clone()) {
             Ok(surfaces) => surfaces,
             Err(error) if error.is_interruption() => return Err(error),
-            Err(error) => return narrow.take().ok_or(error),
+            Err(error) => {
+                let error = match runaway {
+                    Some((runaway, value)) => {
+                        let parameters = parameters.clone();
+                        CalibrationError::Undetermined { parameters, runaway, value }
+                    }
+                    None => error,
+                };
+                return narrow.take().ok_or(error);
+            }
         };
         let mut likelihood = Likelihood {
             settings,
@@ -100,6 +111,7 @@ pub(super) fn best(
                 let limit = surfaces.span[index][1].max(LARGEST_FACTOR.min(values[index]));
                 return Err(CalibrationError::Beyond { parameter: parameters[index], limit });
             }
+            runaway = Some((parameters[index], values[index]));
             for (index, span) in span.iter_mut().enumerate() {
                 let half = 0.5 * (span[1] - span[0]);
                 if parameters[index].is_factor() && outside(index) {

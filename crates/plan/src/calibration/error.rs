@@ -46,6 +46,22 @@ pub enum CalibrationError {
         /// Its limit.
         limit: f64,
     },
+    /// The fit leaves the factors at which the model has solutions.
+    #[error(
+        "the readings do not determine {} at once: the fit runs off to a {} of {value:.2}, at which \
+         the string has no solution. Give other readings too (pick-up, slack-off and rotating \
+         weights, torque), or fit fewer numbers: one factor, a factor that is held, the block weight \
+         in the case",
+        listed(.parameters), .runaway.words()
+    )]
+    Undetermined {
+        /// The fitted parameters.
+        parameters: Vec<Parameter>,
+        /// The one that leaves them.
+        runaway: Parameter,
+        /// Its value in the last fit.
+        value: f64,
+    },
     /// The fit does not converge.
     #[error("the fit did not converge: {0}")]
     NotFitted(String),
@@ -79,6 +95,17 @@ pub enum CalibrationError {
         /// Measured depth of the bit, m.
         bit_depth_m: f64,
     },
+}
+
+/// Parameters in words: `the block weight`, `the friction factor and the block weight`.
+fn listed(parameters: &[Parameter]) -> String {
+    let words: Vec<String> =
+        parameters.iter().map(|parameter| format!("the {}", parameter.words())).collect();
+    match &words[..] {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
 }
 
 impl CalibrationError {

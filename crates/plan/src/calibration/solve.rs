@@ -11,10 +11,12 @@ use super::{
     surface::{Station, stations},
 };
 
-/// Step of the finite differences for the bands, as a part of a standard error, and its least
-/// value.
+/// Step of the finite differences for the bands, as a part of a standard error, and its least and
+/// largest value: the error of a factor that the readings do not determine has no bound, and a string
+/// with such friction no solution.
 const SLOPE_PART: f64 = 0.3;
 const LEAST_SLOPE: f64 = 1e-3;
+const LARGEST_SLOPE: f64 = 0.5;
 
 /// Finds the parameters that make readings most likely, and their uncertainty; and predicts the
 /// readings with the bit of each setup at other depths, m. Readings that are held out are not used
@@ -292,7 +294,9 @@ fn bands(
         .map(|(setup, depth, motion)| Station::new(model, settings, setup, depth, motion))
         .collect();
     let reach = |place: usize| {
-        let reach = (SLOPE_PART * spread.standard_error(place)).max(LEAST_SLOPE);
+        let reach = SLOPE_PART * spread.standard_error(place);
+        // NaN becomes the least value.
+        let reach = reach.clamp(LEAST_SLOPE, LARGEST_SLOPE).max(LEAST_SLOPE);
         [(best.values[place] - reach).max(0.0), best.values[place] + reach]
     };
     let mut requests = Vec::new();

@@ -155,12 +155,27 @@ def _quantity(value: Quantity, key: str) -> str:
 
 def number(value: float, key: str, unit: str | None = None) -> str:
     """Return a number as TOML, with the unit of numbers of the key."""
-    if not math.isfinite(value):
+    if not math.isfinite(_double(value, f"`{key}`")):
         raise InputError(f"`{key}` was given {value}: expected a finite number")
     # Numbers of NumPy are those of Python except for their `repr`.
     bare = int(value) if isinstance(value, int) else float(value)
     unit = unit or _core.unit_of(key)
     return repr(bare) if unit is None else f'"{bare!r} {unit}"'
+
+
+def _double(value: SupportsFloat, noun: str) -> float:
+    """Return a number in double precision.
+
+    >>> _double(10**400, "a length")
+    Traceback (most recent call last):
+    wholestring.errors.InputError: a length was given a number that is too large: expected ...
+    """
+    try:
+        return float(value)
+    except OverflowError as error:
+        raise InputError(
+            f"{noun} was given a number that is too large: expected at most 1e308"
+        ) from error
 
 
 def text(value: str) -> str:
@@ -202,6 +217,11 @@ def changes(table: Mapping[str, Value], keywords: Mapping[str, Value]) -> list[C
     >>> changes({"mud.density": 1200.0}, {"operation__wob": None})
     [('mud.density', '"1200.0 kg/m3"'), ('operation.wob', None)]
     """
+    if not isinstance(cast("object", table), Mapping):
+        raise InputTypeError(f"changes were given {table!r}: expected a mapping of keys to values")
+    for key in cast("Iterable[object]", table):
+        if not isinstance(key, str):
+            raise InputTypeError(f"a key was given {key!r}: expected a text, such as 'mud.density'")
     named = ((word.replace("__", "."), value) for word, value in keywords.items())
     items = [*table.items(), *named]
     refuse_conflicts([key for key, _ in items])
@@ -254,12 +274,23 @@ def real(value: object, noun: str) -> float:
     """
     value = plain(value)
     if isinstance(value, SupportsFloat) and not isinstance(value, str):
-        return float(value)
+        return _double(value, f"a {noun}")
     expected = "a text with a unit, a number in SI or a quantity"
     raise InputTypeError(f"a {noun} was given {value!r}: expected {expected}")
 
 
 REV_PER_MIN = "rpm"
+
+
+def path(name: str, value: object) -> str:
+    """Return the path of a file.
+
+    >>> path("path", "well.toml")
+    'well.toml'
+    """
+    if isinstance(value, str | os.PathLike):
+        return os.fsdecode(cast("str | os.PathLike[str]", value))
+    raise InputTypeError(f"`{name}` was given {value!r}: expected the path of a file")
 
 
 def rotary_speed(name: str, value: Scalar | None) -> float | None:

@@ -16,7 +16,7 @@ from ._planning import Planning
 from ._solving import Solving
 from ._values import Value
 from ._warned import warn
-from .errors import CaseError, Diagnostic, InputError, NotFoundError
+from .errors import CaseError, Diagnostic, InputError, InputTypeError, NotFoundError
 from .importing import import_files
 from .table import Table
 
@@ -58,6 +58,8 @@ class Case(Solving, Planning, Assemblies):
         name: str = "case",
         files: Mapping[str, bytes] | None = None,
     ) -> None:
+        if not isinstance(cast("object", text), str):
+            raise InputTypeError(f"`text` was given {text!r}: expected the text of a case file")
         self._held = _core.Case.parse(text, name, dict(files or {}))
         warn(self._warnings())
 
@@ -85,7 +87,7 @@ class Case(Solving, Planning, Assemblies):
         ...     print(ws.Case.load(file) == ws.Case.example())
         True
         """
-        case = cls._of(_core.Case.load(path))
+        case = cls._of(_core.Case.load(_values.path("path", path)))
         warn(case._warnings())
         return case
 
@@ -267,7 +269,7 @@ class Case(Solving, Planning, Assemblies):
         >>> case.with_(name="A case").with_(name=None).name
         'slant'
         """
-        return self._changed(_values.changes(changes or {}, keys))
+        return self._changed(_values.changes({} if changes is None else changes, keys))
 
     def check(
         self, model: str | Sequence[str] | None = None, operation: str | None = None

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from . import _core
-from .errors import FolderError
+from .errors import FolderError, InputError
 
 if TYPE_CHECKING:
     from ._values import Value
@@ -209,6 +209,8 @@ def import_files(
     InputError
         If the format of a file is unknown, or required data are missing in it.
     """
+    if not files:
+        raise InputError("no file is given: expected a survey, a tally, a log or another file")
     found = _core.import_files(
         files, _NAME, dict(units or {}), dict(values or {}), dict(picks or {})
     )

@@ -10,7 +10,7 @@ from . import _core, _html, _values
 from ._listener import Listener
 from ._planning import Factors
 from ._values import Scalar
-from .errors import InputError, Interrupted
+from .errors import InputError, InputTypeError, Interrupted
 from .plot._house import operation_words
 from .plot._shown import Display, Units, about
 from .results import Results
@@ -116,6 +116,8 @@ class Simulation:
         >>> round(sim.time_s, 2)
         1.0
         """
+        if cast("object", time) is None:
+            raise InputTypeError("`time` was given None: expected a text with a unit, or seconds")
         seconds = cast("float", _values.option("time", time, "time"))
         with Listener(progress) as listener:
             try:

@@ -59,6 +59,23 @@ pub fn confidence(text: &str) -> Result<f64, String> {
     Ok(number(text, 50.0, 99.9)? / 100.0)
 }
 
+/// Checks the value, SI, of a parameter that is kept fixed: from zero to the largest that its key in
+/// a case may have.
+///
+/// # Errors
+/// The expected range.
+pub fn in_range(parameter: Parameter, value: f64) -> Result<(), String> {
+    let (most, expected) = match parameter {
+        Parameter::BlockWeight => (1e8, "0 to 100 000 kN"),
+        Parameter::BitTorque => (1e6, "0 to 1000 kN.m"),
+        _ => (2.0, "0 to 2"),
+    };
+    match (0.0..=most).contains(&value) {
+        true => Ok(()),
+        false => Err(format!("expected {expected}")),
+    }
+}
+
 /// A parameter that is kept fixed, such as `friction_cased=0.2` or `block_weight=180kN`, SI.
 ///
 /// # Errors
@@ -67,10 +84,11 @@ pub fn held(text: &str) -> Result<(Parameter, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
     let parameter = parameter(name.trim())?;
     let value = match dimension_of(parameter) {
-        Some(dimension) => dimension.parse(value).map_err(|error| error.to_string()),
-        None => number(value, 0.0, 2.0),
+        Some(dimension) => dimension.parse(value).map_err(|error| error.to_string())?,
+        None => number(value, 0.0, 2.0)?,
     };
-    Ok((parameter, value?))
+    in_range(parameter, value)?;
+    Ok((parameter, value))
 }
 
 /// Dimension of the parameter with this name; `None` for a factor.
@@ -101,4 +119,25 @@ fn parameter(name: &str) -> Result<Parameter, String> {
         let names: Vec<&str> = Parameter::ALL.into_iter().map(short).collect();
         format!("there is no parameter '{name}'; expected one of {}", names.join(", "))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn held_values_are_in_the_range_of_their_keys() {
+        let held = |text| super::held(text);
+        assert_eq!(held("block_weight=0kN"), Ok((Parameter::BlockWeight, 0.0)));
+        assert_eq!(held("block_weight=180 kN"), Ok((Parameter::BlockWeight, 180e3)));
+        for (text, expected) in [
+            ("block_weight=-100kN", "expected 0 to 100 000 kN"),
+            ("bit_torque=-1 kN.m", "expected 0 to 1000 kN.m"),
+            ("bit_torque=1e9 kN.m", "expected 0 to 1000 kN.m"),
+            ("friction_cased=-0.1", "expected 0 to 2"),
+        ] {
+            assert_eq!(held(text), Err(expected.to_owned()), "{text}");
+        }
+        assert!(in_range(Parameter::Friction, f64::NAN).is_err());
+    }
 }

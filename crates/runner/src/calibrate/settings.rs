@@ -6,7 +6,7 @@ use wholestring_plan::calibration::{
     AroundRatio, Factors, HolePart, MOST_SECTIONS, Parameter, Settings, State,
 };
 
-use super::fit::Fit;
+use super::{fit::Fit, option};
 use crate::{
     error::Error,
     readings::{NamedCase, Readings},
@@ -95,6 +95,12 @@ pub(super) fn settings(
                 names.join(", ")
             )));
         }
+        option::in_range(*parameter, *value).map_err(|expected| {
+            Error::BadInput(format!(
+                "{} = {value} cannot be kept fixed: {expected}",
+                parameter.name()
+            ))
+        })?;
         settings.hold(*parameter, *value);
     }
     settings.errors = fit.errors;

@@ -1,5 +1,20 @@
 //! Numbers in cells: meaning of their commas and points.
 
+/// Numbers that databases and loggers write for missing measurements.
+pub(crate) const NULLS: [f64; 11] = [
+    -999.0,
+    -999.25,
+    -999.99,
+    -9999.0,
+    -9999.25,
+    -99_999.0,
+    -99_999.25,
+    -999_999.0,
+    -999_999.25,
+    -32_767.0,
+    -32_768.0,
+];
+
 /// Meaning of commas and points in the numbers of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Style {

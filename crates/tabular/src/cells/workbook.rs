@@ -60,6 +60,14 @@ pub(crate) fn read(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKin
     if cfg!(all(target_family = "wasm", target_os = "unknown")) {
         return Err(unreadable("in a browser alone none can: save its sheet as CSV"));
     }
+    if !is_workbook(bytes) {
+        let is_text = std::str::from_utf8(bytes).is_ok_and(|text| !text.contains('\0'));
+        let reason = match is_text {
+            true => "it is a text in spite of its name: give it the ending .csv",
+            false => "it does not begin as one",
+        };
+        return Err(unreadable(reason));
+    }
     // The reader of workbooks is a third-party library that a damaged file may make panic.
     let read =
         contain(|| if bytes.starts_with(b"PK") { xlsx(bytes, dates) } else { xls(bytes, dates) });

@@ -13,7 +13,7 @@ use crate::{
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImportedSurvey {
     /// Two or more stations in order of increasing measured depth. Azimuths are as written, between
-    /// -360 and 720 degrees: they are not wrapped.
+    /// -360 and 360 degrees; those up to 720 degrees are a turn less than written.
     pub stations: Vec<Station>,
     /// Position of the first station, if given in the file: its true vertical depth, north and
     /// east.

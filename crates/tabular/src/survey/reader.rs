@@ -4,7 +4,7 @@ use wholestring::well::TieIn;
 use wholestring_units::{Dimension, Unit, UnitSet, number_text};
 
 use crate::{
-    cells::number::{self, Fault, Style},
+    cells::number::{self, Fault, NULLS, Style},
     cells::table::{Cell, Position, Row, Table},
     columns::column::Column,
     columns::layout::{Found, Layout},
@@ -72,6 +72,11 @@ impl Reader<'_> {
         Some(unit.to_si(number)).filter(|si| si.is_finite())
     }
 
+    /// Whether a cell has a null value.
+    pub(crate) fn is_null(&self, cell: &Cell, column: Column) -> bool {
+        self.read(cell, column).is_ok_and(|number| NULLS.contains(&number))
+    }
+
     pub(crate) fn out_of_range(
         &self,
         row: &Row,
@@ -92,6 +97,11 @@ impl Reader<'_> {
         notes: &mut Vec<String>,
     ) -> Result<Option<TieIn>, TableError> {
         let first = |column| match layout.column(column) {
+            Some(found)
+                if row.cells.get(found.index).is_some_and(|cell| self.is_null(cell, column)) =>
+            {
+                Ok(None)
+            }
             Some(found) if !row.text(found.index).is_empty() => self.value(row, found).map(Some),
             _ => Ok(None),
         };

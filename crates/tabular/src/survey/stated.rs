@@ -44,7 +44,8 @@ pub(crate) fn position(
 ) -> StatedPosition {
     let length_m = |column: Column| {
         let found = layout.column(column)?;
-        reader.number(row.cells.get(found.index)?, column, found.unit)
+        let cell = row.cells.get(found.index)?;
+        reader.number(cell, column, found.unit).filter(|_| !reader.is_null(cell, column))
     };
     let dogleg_severity_rad_per_m = dogleg.and_then(|dogleg| {
         reader.number(row.cells.get(dogleg.index)?, Column::Inclination, dogleg.unit)

@@ -18,6 +18,7 @@ use crate::{
         imported::ImportedSurvey,
         places::StationPlaces,
         preamble,
+        quantities::within_a_turn,
         reader::{Reader, position, style, whole},
         stated::{self, Dogleg},
     },
@@ -59,7 +60,7 @@ pub(crate) fn read(table: &Table, layout: &Layout) -> Result<ImportedSurvey, Bro
     notes.extend(marks(table, layout, &rows));
     let mut stations = Vec::with_capacity(rows.len());
     let mut station_rows = Vec::with_capacity(rows.len());
-    let (mut alike, mut vertical) = (Vec::new(), Vec::new());
+    let (mut alike, mut vertical, mut turned) = (Vec::new(), Vec::new(), Vec::new());
     for (place, &row) in rows.iter().enumerate() {
         let above = place.checked_sub(1).map(|above| &table.rows[rows[above]]);
         let found = station(&reader, layout, &table.rows[row], &stations, above);
@@ -71,11 +72,14 @@ pub(crate) fn read(table: &Table, layout: &Layout) -> Result<ImportedSurvey, Bro
             Broken { error, behind }
         })?;
         match found {
-            Found::Station { station, has_azimuth } => {
+            Found::Station { station, has_azimuth, is_turned } => {
                 stations.push(station);
                 station_rows.push(row);
                 if !has_azimuth {
                     vertical.push(row);
+                }
+                if is_turned {
+                    turned.push(row);
                 }
             }
             Found::Alike => alike.push(row),
@@ -83,6 +87,9 @@ pub(crate) fn read(table: &Table, layout: &Layout) -> Result<ImportedSurvey, Bro
     }
     notes.extend(counted(table, &vertical, |stations| {
         format!("the azimuth of {stations}, vertical and without one, is taken as 0")
+    }));
+    notes.extend(counted(table, &turned, |stations| {
+        format!("the azimuth of {stations}, more than 360 deg, is reduced by 360 deg")
     }));
     notes.extend(counted(table, &alike, |stations| {
         format!("{stations} of the same depth as another and identical is left out")
@@ -128,6 +135,8 @@ enum Found {
     Station {
         station: Station,
         has_azimuth: bool,
+        /// Whether its azimuth is a turn less than written.
+        is_turned: bool,
     },
     /// A duplicate of the station in the row above.
     Alike,
@@ -154,7 +163,7 @@ fn station(
     if !(0.0..=DEEPEST_M).contains(&md_m) {
         return Err(reader.out_of_range(row, depth, "0 to 100 km"));
     }
-    let angles = || -> Result<(Station, bool), TableError> {
+    let angles = || -> Result<(Station, bool, bool), TableError> {
         let inclination_rad = reader.value(row, inclination)?;
         if !(0.0..=std::f64::consts::PI).contains(&inclination_rad) {
             return Err(reader.out_of_range(row, inclination, "0 to 180 deg"));
@@ -166,11 +175,12 @@ fn station(
         if !(-turn..=2.0 * turn).contains(&azimuth_rad) {
             return Err(reader.out_of_range(row, azimuth, "-360 to 720 deg"));
         }
-        Ok((Station { md_m, inclination_rad, azimuth_rad }, has_azimuth))
+        let (azimuth_rad, is_turned) = within_a_turn(azimuth_rad);
+        Ok((Station { md_m, inclination_rad, azimuth_rad }, has_azimuth, is_turned))
     };
     if let Some(last) = above.last().filter(|last| md_m <= last.md_m) {
         let again = angles().ok().filter(|_| md_m == last.md_m);
-        let is_alike = again.is_some_and(|(again, _)| {
+        let is_alike = again.is_some_and(|(again, ..)| {
             again.inclination_rad == last.inclination_rad
                 && (again.azimuth_rad == last.azimuth_rad || again.inclination_rad == 0.0)
         });
@@ -183,8 +193,8 @@ fn station(
         let kind = TableErrorKind::DepthNotIncreasing { found, previous };
         return Err(source.error(kind, Some(position(row, depth))));
     }
-    let (station, has_azimuth) = angles()?;
-    Ok(Found::Station { station, has_azimuth })
+    let (station, has_azimuth, is_turned) = angles()?;
+    Ok(Found::Station { station, has_azimuth, is_turned })
 }
 
 /// Adds the further information on the stations.
@@ -212,6 +222,7 @@ fn finish(
     }
     notes.extend(table.notes.iter().cloned());
     notes.push(format!("{} stations", stations.len()));
+    notes.extend(nulls(reader, layout, rows));
     let dogleg = Dogleg::of(table, layout);
     let of_row = |&row: &usize| stated::position(reader, layout, dogleg.as_ref(), &table.rows[row]);
     let symbol = |column| layout.column(column).map_or("", |found: &FoundColumn| found.unit.symbol);
@@ -230,6 +241,21 @@ fn finish(
         unread: unread.map(|(_, text)| text.clone()).collect(),
         preamble: preamble::above(table, layout.data),
         notes,
+    })
+}
+
+/// A note on positions that are null values, if there are any.
+fn nulls(reader: &Reader, layout: &Layout, rows: &[usize]) -> Option<String> {
+    let columns = [Column::TrueVerticalDepth, Column::North, Column::East];
+    let is_null = |&row: &usize| {
+        columns.iter().filter_map(|column| layout.column(*column)).any(|found| {
+            let cell = reader.table.rows[row].cells.get(found.index);
+            cell.is_some_and(|cell| reader.is_null(cell, found.column))
+        })
+    };
+    let rows: Vec<usize> = rows.iter().copied().filter(is_null).collect();
+    counted(reader.table, &rows, |stations| {
+        format!("positions of {stations} that stand for no value, such as -999.25, are left out")
     })
 }
 

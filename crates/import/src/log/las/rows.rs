@@ -23,6 +23,10 @@ struct LasRows<'a> {
     parted: Parted,
     wrapped: bool,
     columns: usize,
+    /// Names of the curves in lower case, which joined files repeat.
+    names: Vec<Vec<u8>>,
+    /// Number of lines with the names, of which the first is noted.
+    repeated: usize,
     /// Whether the first line of a wrapped row contains only the index, as in the standard.
     alone: Option<bool>,
     /// A date column whose time follows after a blank.
@@ -41,6 +45,8 @@ pub(super) fn open<'a>(mut lines: Lines<'a>, head: Head) -> Result<Opened<'a>, I
         parted: parted.unwrap_or(Parted::Blanks),
         wrapped,
         columns: columns.len(),
+        names: columns.iter().map(|column| column.mnemonic.to_lowercase().into_bytes()).collect(),
+        repeated: 0,
         alone: None,
         joined: None,
         ended,
@@ -186,6 +192,17 @@ impl LasRows<'_> {
         }
     }
 
+    /// Whether a row has the names of the curves, as in a file joined from several.
+    fn is_heading(&self, row: &Row) -> bool {
+        !self.wrapped
+            && row.cells.len() == self.columns
+            && self
+                .names
+                .iter()
+                .enumerate()
+                .all(|(at, name)| row.cell(at).eq_ignore_ascii_case(name))
+    }
+
     /// The error of a row whose number of cells differs from that of the curves.
     fn uneven(&self, row: &Row) -> ImportError {
         let (found, expected) = (row.cells.len(), self.columns);
@@ -215,6 +232,22 @@ impl Rows for LasRows<'_> {
         }
         row.line = self.lines.line();
         self.part(row, 0);
+        while self.is_heading(row) {
+            self.repeated += 1;
+            if self.repeated == 1 {
+                notes.push(Note::LeftOut(format!(
+                    "lines with the names of the curves again, the first line {}",
+                    row.line
+                )));
+            }
+            row.clear();
+            if !data_line(&mut self.lines, &mut row.bytes, notes)? {
+                self.ended = true;
+                return Ok(false);
+            }
+            row.line = self.lines.line();
+            self.part(row, 0);
+        }
         let alone = row.cells.len() == 1;
         if self.wrapped && alone != *self.alone.get_or_insert(alone) {
             let sentence =

@@ -98,7 +98,14 @@ impl BlockWeight {
                 let cause = match causes.is_empty() {
                     true => String::new(),
                     false => {
-                        format!(", {} times as much, which indicates {causes}", three_digits(ratio))
+                        let channel = other_unit(ratio, unit).map_or(String::new(), |other| {
+                            format!(
+                                ", or a channel of the hook load in {} instead of {}",
+                                other.symbol, unit.symbol
+                            )
+                        });
+                        let times = three_digits(ratio);
+                        format!(", {times} times as much, which indicates {causes}{channel}")
                     }
                 };
                 return Err(ImportErrorKind::Refused(format!(
@@ -169,6 +176,17 @@ impl BlockWeight {
 fn causes(ratio: f64) -> Vec<&'static str> {
     let causes = ERRORS.iter().filter(|(known, _)| (ratio / known - 1.0).abs() < NEAR);
     causes.map(|(_, cause)| *cause).collect()
+}
+
+/// The unit of the log's hook loads that explains a ratio of the given weight to the hook load in
+/// slips, in place of theirs.
+fn other_unit(ratio: f64, unit: &Unit) -> Option<&'static Unit> {
+    const EVERYDAY: [&str; 5] = ["kN", "klbf", "tf", "daN", "lbf"];
+    let mut others = EVERYDAY.iter().filter_map(|symbol| Dimension::Force.find_unit(symbol));
+    others.find(|other| {
+        let factor = other.factor / unit.factor;
+        (factor - 1.0).abs() > NEAR && (ratio / factor - 1.0).abs() < NEAR
+    })
 }
 
 fn not_said(slips_N: Option<f64>, unit: &Unit) -> ImportErrorKind {

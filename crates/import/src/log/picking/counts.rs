@@ -78,6 +78,8 @@ pub struct Counts {
     pub refused_torques: BTreeMap<Refusal, usize>,
     /// Rows on the hook with the bit below the bottom of the hole.
     pub below_bottom: BelowBottom,
+    /// Travel of the bit over that of the block in each tripped stand, in log order.
+    pub bit_over_block: Vec<f64>,
 }
 
 /// Minimum number of stands of a trip: two are a wiper stroke.

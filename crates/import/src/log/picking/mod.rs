@@ -218,6 +218,30 @@ fn with_outside(kind: ImportErrorKind, values: &AllOutside, units: UnitSet) -> I
     ImportErrorKind::Refused(sentence + &notes.collect::<String>())
 }
 
+/// Warning of bit depths in metres under feet or the reverse: the bit moves with the block, and the
+/// ratio of their travels is that of the units.
+fn depths_in_other_unit(counts: &Counts) -> Option<Note> {
+    /// Number of stands that prove it.
+    const STANDS: usize = 3;
+    /// Relative tolerance of the ratio: parts of a stand are cut off at slips.
+    const NEAR: f64 = 0.05;
+    const FOOT_M: f64 = 0.3048;
+    let ratio = estimate::median(&mut counts.bit_over_block.clone())?;
+    let near = |expected: f64| (ratio / expected - 1.0).abs() < NEAR;
+    let (found, written) = match () {
+        () if counts.bit_over_block.len() < STANDS => return None,
+        () if near(FOOT_M) => ("metres", "feet"),
+        () if near(1.0 / FOOT_M) => ("feet", "metres"),
+        () => return None,
+    };
+    Some(Note::Warning(format!(
+        "THE BIT MOVES {} TIMES AS FAR AS THE BLOCK in {}, which is the ratio of feet and metres: \
+         are the depths in {found} and not in {written}, or is the block position in another unit?",
+        block::three_digits(ratio),
+        counts::plural(counts.bit_over_block.len(), "tripped stand"),
+    )))
+}
+
 /// Notes on assumptions and omissions.
 fn notes(
     log: &Beginning,
@@ -250,6 +274,7 @@ fn notes(
     if !log.has.torque {
         notes.push(Note::LeftOut("torques, because the log has none".to_owned()));
     }
+    notes.extend(depths_in_other_unit(counts));
     if counts.below_bottom.rows > 0 {
         let unit = Dimension::Length.unit_in(units);
         notes.push(Note::LeftOut(format!(

@@ -124,6 +124,9 @@ impl Done {
         self.counts.below_bottom(rows, limits.below_bottom_m);
         let (work, from_m, to_m) = work(rows);
         self.counts.stand(work, from_m, to_m, &mut self.trip);
+        if matches!(work, Work::TrippedOut | Work::TrippedIn) {
+            self.counts.bit_over_block.extend(over_block(rows, (to_m - from_m).abs()));
+        }
         let stand = self.counts.stands;
         let found = judge.windows(&moving, stand);
         let refused: Vec<Refused> = found.iter().filter_map(|window| window.err()).collect();
@@ -159,6 +162,17 @@ impl Done {
         self.picked += 1;
         self.windows.extend(windows);
     }
+}
+
+/// Travel of the bit over that of the block, where the block moves.
+fn over_block(rows: &[Row], bit_m: f64) -> Option<f64> {
+    let heights = rows.iter().map(|row| row.block_m).filter(|height_m| height_m.is_finite());
+    let (low_m, high_m) = heights
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
+            (low.min(height), high.max(height))
+        });
+    let block_m = high_m - low_m;
+    (block_m.is_finite() && block_m >= TRIPPED_M).then_some(bit_m / block_m)
 }
 
 /// The window of each kind with the smallest error.

@@ -12,6 +12,11 @@ use super::{
 };
 use crate::fragment::Note;
 
+/// Number of windows, and the relative change of their weights, from which and up to which a hook
+/// load is one that never changes.
+const STUCK_WINDOWS: usize = 6;
+const UNCHANGED: f64 = 1e-6;
+
 /// Values picked from a log, and the evidence of their quality.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picks {
@@ -57,6 +62,7 @@ pub struct Detail {
 impl Picks {
     /// Weights and torques by bit depth, as `calibrate` reads them: weights include the block.
     pub fn readings(&self) -> Vec<ImportedReading> {
+        let stuck = self.stuck_N().is_some();
         let mut readings = Vec::new();
         for stand in self.windows.chunk_by(|a, b| a.stand == b.stand) {
             let mut windows: Vec<&Window> =
@@ -69,7 +75,8 @@ impl Picks {
                 let count = rest.iter().take_while(near).count().max(1);
                 let (own, others) = rest.split_at(count);
                 rest = others;
-                readings.push(reading(own));
+                let row = reading(own);
+                readings.extend(if stuck { without_weights(row) } else { Some(row) });
             }
         }
         readings
@@ -81,6 +88,7 @@ impl Picks {
         notes.extend(self.said_of_trips());
         notes.push(self.block.note(self.unit));
         notes.extend(self.said_of_windows());
+        notes.extend(self.said_of_sensor());
         notes.extend(self.notes.iter().cloned());
         notes
     }
@@ -114,6 +122,28 @@ impl Picks {
             text += &format!(", and {} in slips without one", plural(slips_alone, "time"));
         }
         Note::Read(text)
+    }
+
+    /// The weight that all windows have, N, if the hook load never changes: that of a sensor that
+    /// does not work.
+    fn stuck_N(&self) -> Option<f64> {
+        let mut weights = self.windows.iter().filter_map(|window| Some(window.weight_N?.value));
+        let first_N = weights.next()?;
+        let mut count = 1;
+        let is_one = weights
+            .inspect(|_| count += 1)
+            .all(|weight_N| (weight_N - first_N).abs() <= UNCHANGED * first_N.abs());
+        (is_one && count >= STUCK_WINDOWS).then_some(first_N)
+    }
+
+    fn said_of_sensor(&self) -> Option<Note> {
+        let weight = shown(self.stuck_N()?, self.unit);
+        Some(Note::Warning(format!(
+            "THE HOOK LOAD NEVER CHANGES: it is {weight} in all {} windows, whether the string goes \
+             up, down or turns, and at every depth; a sensor that does not work gives no reading, \
+             and the weights are left out",
+            self.windows.len()
+        )))
     }
 
     fn said_of_trips(&self) -> Option<Note> {
@@ -211,6 +241,14 @@ impl Picks {
 /// Whether the bit of a window is below the surface, as that of a reading has to be.
 fn is_in_hole(window: &Window) -> bool {
     window.bit_depth_m > 0.0
+}
+
+/// A row without its weights, where the sensor of the hook load does not work; `None` if it has no
+/// torque either.
+fn without_weights(reading: ImportedReading) -> Option<ImportedReading> {
+    let has_torque = reading.torque_N_m.or(reading.torque_on_bottom_N_m).is_some();
+    let row = ImportedReading { pick_up_N: None, slack_off_N: None, rotating_N: None, ..reading };
+    has_torque.then_some(row)
 }
 
 /// Combines windows at about one depth into a row.

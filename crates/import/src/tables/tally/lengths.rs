@@ -1,7 +1,7 @@
 //! Lengths of the components of a tally.
 
 use wholestring_tabular::{Column, Holds, TallyCell, TallyRow};
-use wholestring_units::number_text;
+use wholestring_units::{Dimension, number_text};
 
 use super::{length::Length, part::Refusal, quote::origin, sums};
 use crate::{
@@ -13,6 +13,10 @@ use crate::{
 /// Length of a joint of pipe or collar, m: range 1 begins at 5.5 m (18 ft), range 3 ends at 14.6 m
 /// (48 ft) (API Spec 5DP), and pup joints and casing slightly exceed this range.
 const JOINT_M: [f64; 2] = [5.0, 16.0];
+
+/// Number of joints from which their mean length is judged, and that of the shortest, m.
+const FEWEST_JOINTS: f64 = 4.0;
+const SHORT_M: f64 = 3.0;
 
 /// Lengths of a component that a case accepts, m.
 const LENGTHS_M: [f64; 2] = [0.01, 20_000.0];
@@ -33,7 +37,46 @@ pub(crate) fn of(
 ) -> Result<Vec<Length>, Refusal> {
     let several = rows.iter().any(|row| counted(row).is_some());
     let meaning = if several { meaning(rows, names, choices, notes)? } else { Meaning::Total };
-    rows.iter().zip(names).map(|(row, name)| length(row, name, meaning)).collect()
+    let lengths = rows.iter().zip(names).map(|(row, name)| length(row, name, meaning));
+    let lengths: Vec<Length> = lengths.collect::<Result<_, _>>()?;
+    notes.extend(rows.iter().zip(names).zip(&lengths).filter_map(|((row, name), length)| {
+        Some(Note::Warning(format!("'{name}' ({}): {}", row.place, unlike_joints(length)?)))
+    }));
+    Ok(lengths)
+}
+
+/// Doubt of a length that makes joints of it which no pipe has, with the unit in which they would be
+/// usual.
+fn unlike_joints(length: &Length) -> Option<String> {
+    let Length::Of { number, unit, joints: Some(joints), .. } = length else { return None };
+    if *joints < FEWEST_JOINTS {
+        return None;
+    }
+    let each = number / joints;
+    let is_joint = |m: f64| (JOINT_M[0]..=JOINT_M[1]).contains(&m);
+    // Short drill collars and pup joints.
+    if (SHORT_M..=JOINT_M[1]).contains(&unit.to_si(each)) {
+        return None;
+    }
+    let rounded = number_text(format!("{each:.3e}").parse().unwrap_or(each));
+    let found = format!(
+        "{} joints in {} {} are {rounded} {} each, and joints are {} to {} m long",
+        number_text(*joints),
+        number_text(*number),
+        unit.symbol,
+        unit.symbol,
+        JOINT_M[0],
+        JOINT_M[1]
+    );
+    let others = ["m", "ft"].into_iter().filter(|other| *other != unit.symbol);
+    let mut others = others.filter_map(|other| Dimension::Length.find_unit(other));
+    Some(match others.find(|other| is_joint(other.to_si(each))) {
+        Some(other) => format!(
+            "{found}: {rounded} {} would be usual; IS THE UNIT of the lengths {} and not {}?",
+            other.symbol, other.symbol, unit.symbol
+        ),
+        None => format!("{found}; is the length or the number of joints wrong?"),
+    })
 }
 
 /// Number of joints and length of a row of several joints whose length may be that of each.

@@ -18,6 +18,7 @@ use super::{
 use crate::{
     error::ImportErrorKind,
     fragment::{Note, Origin, Value},
+    pipe::mass_in_range,
 };
 
 /// Standard gravity, m/s²; converts a weight as a force to a mass.
@@ -25,9 +26,6 @@ const GRAVITY_M_PER_S2: f64 = 9.80665;
 
 /// Mass over that of a steel body below which a component is not steel.
 const LIGHTEST: f64 = 0.9;
-
-/// Mass over that of a steel body below which the value has another meaning.
-const LEAST: f64 = 0.4;
 
 /// Relative difference below which two weights of one component agree.
 const AGREES: f64 = 0.02;
@@ -104,7 +102,6 @@ pub(crate) fn of(
     let density = body.density_kg_per_m3.unwrap_or(STEEL_DENSITY_KG_PER_M3);
     let ring = |od_m: f64, id_m: f64| density * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2));
     let steel = ring(body.od_m, body.id_m);
-    let solid = ring(body.joint_od_m.unwrap_or(body.od_m), 0.0);
     let found = format!("{} of '{}'", shown(&value), part.name);
     let mass_unit = match &value {
         Value::Quantity { unit, .. } => unit,
@@ -122,21 +119,11 @@ pub(crate) fn of(
         let kind = ImportErrorKind::OutOfRange { what, found: found.clone(), expected };
         Err((Some(place.clone()), kind))
     };
-    // The case applies the same limit.
-    if mass > solid * 1.001 {
-        let blades = if body.has_blades { ", its blades not counted" } else { "" };
-        return refused(format!(
-            "at most the {} of a solid bar of {} mm{blades}",
-            kg(solid),
-            number_text((body.joint_od_m.unwrap_or(body.od_m) * 1e4).round() / 10.0)
-        ));
-    }
-    if mass < LEAST * steel {
-        return refused(format!(
-            "about the {} of its body or more (is the column the weight per length, and in \
-             the right unit?)",
-            kg(steel)
-        ));
+    let diameters_m = [body.od_m, body.id_m, body.joint_od_m.unwrap_or(body.od_m)];
+    if let Err(expected) = mass_in_range(mass, diameters_m, density, kg) {
+        let is_bar = body.has_blades && expected.contains("solid bar");
+        let blades = if is_bar { ", its blades not counted" } else { "" };
+        return refused(expected + blades);
     }
     if mass < LIGHTEST * steel {
         notes.push(Note::Warning(format!(

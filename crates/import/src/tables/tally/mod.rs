@@ -16,7 +16,7 @@ mod sums;
 
 use wholestring::string::nested_casings;
 use wholestring_tabular::{Column, ImportedTally, TableErrorKind, TallyRow, read_tally};
-use wholestring_units::Unit;
+use wholestring_units::{Dimension, Unit};
 
 use crate::{
     choices::Choices,
@@ -28,6 +28,10 @@ use length::Length;
 use part::{Part, Refusal};
 use quote::shown;
 use said::Said;
+
+/// Difference up to which two diameters are those of one gauge, m: sizes are rounded to sixteenths of
+/// an inch.
+const SAME_GAUGE_M: f64 = 0.0254 / 16.0 + 1e-6;
 
 /// Maximum number of components of a string, identical joints counted once; each is looked up in
 /// the catalogue, which takes milliseconds.
@@ -105,7 +109,64 @@ fn blocks(
     }
     said.tell(notes);
     notes.extend(programme(&blocks));
+    notes.extend(gauges(&parts, &blocks));
     Ok(blocks)
+}
+
+/// Notes on a bit with another diameter than its name begins with, and on blades above it that are
+/// wider than the hole it drills.
+fn gauges(parts: &[Part], blocks: &[Block]) -> Vec<Note> {
+    let (Some(bit), Some(block)) = (parts.first(), blocks.first()) else { return Vec::new() };
+    let si_m = |block: &Block, key: &str| block.get(key).and_then(Value::si);
+    let (true, Some(bit_m), Some(od)) =
+        (order::is_bit(&bit.name), si_m(block, "od"), block.get("od"))
+    else {
+        return Vec::new();
+    };
+    let mut notes = Vec::new();
+    if let Some((text, named_m)) = named_size(&bit.name)
+        && (named_m - bit_m).abs() > SAME_GAUGE_M
+    {
+        notes.push(Note::Warning(format!(
+            "'{}' ({}) HAS A DIAMETER of {}, and its name begins with {text}: the diameter is used",
+            bit.name,
+            bit.row().place,
+            shown(od)
+        )));
+    }
+    for (part, block) in parts.iter().zip(blocks).skip(1) {
+        let Some(blades) = block.get("blade_od") else { continue };
+        let lower = part.name.to_lowercase();
+        let opens = ["ream", "opener"].iter().any(|word| lower.contains(word));
+        if !opens && blades.si().is_some_and(|blades_m| blades_m > bit_m + SAME_GAUGE_M) {
+            notes.push(Note::Warning(format!(
+                "the gauge of '{}' ({}), {}, is above that of the bit, {}: it does not fit in the \
+                 hole that the bit drills",
+                part.name,
+                part.row().place,
+                shown(blades),
+                shown(od)
+            )));
+        }
+    }
+    notes
+}
+
+/// Size in inches at the beginning of a name: `8 1/2"`, `8-1/2 in`, `8.5in`.
+fn named_size(name: &str) -> Option<(String, f64)> {
+    let end = name.find(|c: char| !(c.is_ascii_digit() || "./- ".contains(c)))?;
+    let number = name[..end].trim_end_matches([' ', '-', '.', '/']);
+    let after = name[number.len()..].trim_start_matches([' ', '-']);
+    let is_inch = ["\"", "''", "”", "″"].iter().any(|sign| after.starts_with(sign))
+        || after.split(|c: char| !c.is_alphanumeric()).next().is_some_and(|word| {
+            ["in", "inch", "inches"].iter().any(|unit| word.eq_ignore_ascii_case(unit))
+        });
+    if !is_inch && !number.contains('/') {
+        return None;
+    }
+    let text = format!("{number} in");
+    let size_m = Dimension::Diameter.parse(&text).ok()?;
+    Some((text, size_m))
 }
 
 /// Note on casings that fit into each other: they are a casing programme, not a string.

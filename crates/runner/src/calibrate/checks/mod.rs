@@ -21,7 +21,7 @@ pub(super) use text::{median, shown, warning};
 use crate::{
     cancellation::CancellationToken,
     error::Error,
-    readings::{Readings, refused},
+    readings::{Readings, deepest_m, refused},
 };
 use trial::Trial;
 
@@ -38,7 +38,14 @@ pub(super) fn by_string(
     cancellation: &CancellationToken,
 ) -> Result<(), Error> {
     let Some(trial) = Trial::of(data, settings, cancellation)? else { return Ok(()) };
-    let mut checks: Vec<ReadingCheck> = units::weights(data, &trial);
+    let at = |factor: f64| match scaled(data, factor) {
+        Some(other) => Trial::of(&other, settings, cancellation),
+        None => Ok(None),
+    };
+    let mut checks: Vec<ReadingCheck> = match units::depths(data, &trial, at)? {
+        Some(check) => vec![check],
+        None => units::weights(data, &trial),
+    };
     checks.extend(units::torques(data, &trial));
     let wants_friction = settings.parameters.iter().any(|parameter| parameter.is_factor());
     if wants_friction && !checks.iter().any(|check| check.check.severity == Severity::Error) {
@@ -53,6 +60,24 @@ pub(super) fn by_string(
     }
     data.checks.extend(in_units(checks, units));
     Ok(())
+}
+
+/// The readings with their depths multiplied by a factor; `None` if one is not in its hole then.
+fn scaled(data: &Readings, factor: f64) -> Option<Readings> {
+    let mut scaled = data.clone();
+    for reading in &mut scaled.readings {
+        let assembly = &data.assemblies[reading.setup];
+        reading.bit_depth_m *= factor;
+        // A depth at the end of the hole may be rounded beyond it.
+        let deepest_m = deepest_m(assembly);
+        if reading.bit_depth_m > deepest_m + 1.0
+            || reading.bit_depth_m <= assembly.setup.assembly_m()
+        {
+            return None;
+        }
+        reading.bit_depth_m = reading.bit_depth_m.min(deepest_m);
+    }
+    Some(scaled)
 }
 
 /// The checks with their sentences in these units.

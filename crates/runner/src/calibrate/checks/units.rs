@@ -12,7 +12,7 @@ use super::{
     text::{dimension, median, plural, share, shown, words},
     trial::{Block, MOST, Trial, rows, weight_rows},
 };
-use crate::readings::Readings;
+use crate::{error::Error, readings::Readings};
 
 /// Weights with a larger misfit than this in the unit of their heading are tested in other units.
 const POOR: f64 = 0.08;
@@ -22,6 +22,9 @@ const BETTER: f64 = 3.0;
 
 /// Upper limit of the weight of a block with top drive, N.
 const HEAVIEST_BLOCK_N: f64 = 2.5e6;
+
+/// A foot, m.
+const FOOT_M: f64 = 0.3048;
 
 /// Smallest number of readings from which a unit is identified.
 const FEWEST: usize = 4;
@@ -129,6 +132,53 @@ pub(super) fn weights(data: &Readings, trial: &Trial) -> Vec<ReadingCheck> {
     }
     let channels = [Channel::PickUp, Channel::SlackOff, Channel::Rotating];
     channels.into_iter().filter_map(|channel| column(data, trial, channel, headings)).collect()
+}
+
+/// Detects bit depths in metres under feet, or in feet under metres: the weights match none of the
+/// loads at these depths, and those at the others well. `at` solves the strings with the depths
+/// multiplied by a factor; `None` if one of them does not fit in its hole.
+pub(super) fn depths(
+    data: &Readings,
+    trial: &Trial,
+    at: impl Fn(f64) -> Result<Option<Trial>, Error>,
+) -> Result<Option<ReadingCheck>, Error> {
+    let all = weight_rows(data);
+    let as_is = trial.misfit(data, &all, 1.0, trial.block);
+    if all.len() < FEWEST || as_is.part <= GOOD {
+        return Ok(None);
+    }
+    let heading = all.iter().find_map(|&row| data.units[data.readings[row].channel as usize]);
+    // Weights grow with depth, so that a unit of force may explain them too.
+    let by_force = heading.into_iter().flat_map(|heading| others(Dimension::Force, heading));
+    let by_force = by_force
+        .map(|(_, factor)| trial.misfit(data, &all, factor, trial.block))
+        .filter(|misfit| misfit.block_N < HEAVIEST_BLOCK_N)
+        .fold(as_is.part, |least, misfit| least.min(misfit.part));
+    for (factor, heading, unit) in [(1.0 / FOOT_M, "ft", "m"), (FOOT_M, "m", "ft")] {
+        let Some(other) = at(factor)? else { continue };
+        let misfit = other.misfit(data, &all, 1.0, trial.block);
+        let is_plausible = misfit.part < GOOD && misfit.block_N < HEAVIEST_BLOCK_N;
+        if !is_plausible || misfit.part * BETTER >= as_is.part || misfit.part * 2.0 >= by_force {
+            continue;
+        }
+        let row = all[all.len() / 2];
+        let sentence = format!(
+            "the bit depths seem not to be in {heading}, the unit of their heading: with any \
+             friction the weights deviate by {} or more from the loads of the string at these \
+             depths, but with the depths in {unit} they match within {:.1} % (a factor of {}); {}: \
+             a {} of {} with the bit at {}, where {} is expected. Is the unit {unit}?",
+            share(as_is.part),
+            100.0 * misfit.part.max(1e-3),
+            wholestring_units::number_text((1e4 * factor).round() / 1e4),
+            data.places[row],
+            words(data.readings[row].channel),
+            shown(data.readings[row].value, Dimension::Force),
+            Quantity::depth(data.readings[row].bit_depth_m),
+            shown(trial.load(row, misfit.friction) + misfit.block_N, Dimension::Force),
+        );
+        return Ok(Some(error(data, &all, sentence)));
+    }
+    Ok(None)
 }
 
 /// Detects a column of weights in another unit than the others.
