@@ -316,7 +316,11 @@ impl Judge {
             checks.checks.push(check);
             return;
         }
-        checks.checks.extend(descent::goes_down(model, operation, surface_N[0], descent));
+        let goes_down = descent::goes_down(model, operation, surface_N[0], descent);
+        checks.checks.extend(goes_down.map(|check| {
+            let sentence = words.goes_down(&check, descent);
+            check.worded(sentence)
+        }));
         checks.checks.extend(self.lock_up(model, operation, descent, words));
     }
 

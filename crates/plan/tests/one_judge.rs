@@ -142,6 +142,21 @@ fn two_hundred_strings_are_judged_alike() {
                     assert!(hangs.margin > 0.0 || is_near, "{case}: {down:?} {hangs:?}");
                 }
             }
+            // By its weight by run and plan: by a reach, which counts the drag of the helix, too.
+            let drags = SoftSettings { helix_side_force: true, ..SoftSettings::default() };
+            let settings = ReachSettings { soft: drags, ..settings };
+            if let Some(down) = down.filter(|_| operation.slides_down()) {
+                let dragged = wholestring_plan::reach::margins(&setup, &operation, &settings);
+                let dragged = dragged.expect("margins");
+                let dragged = dragged.iter().find(|margin| margin.limit == Limit::HookLoadZero);
+                let dragged = dragged.expect("a limit of every descent");
+                let is_near = dragged.margin.abs() < 5e-3;
+                let by_weight = down.sentence.contains("goes down by its weight");
+                assert!(
+                    is_near || by_weight == (dragged.margin > 0.0),
+                    "{case}: {down:?} {dragged:?}"
+                );
+            }
             let lock_up = of_kind(CheckKind::LockUp);
             if let (Some(lock_up), Some(spent)) = (lock_up, spent) {
                 if spent.margin < -0.01 {
