@@ -54,6 +54,8 @@ pub struct Reached<'a> {
     /// Depth of the bit from which on no weight hangs on the hook and the block or the rig pushes,
     /// m; `None` where the weight of the string drives it.
     pub pushed_from_m: Option<f64>,
+    /// Whether a rig pushes whose purpose that is, which is no warning.
+    pub rig_pushes: bool,
     /// First depth that was tried, m.
     pub from_m: f64,
     /// Depth of the bit of the case's operation, m, which a planned well must reach.
@@ -164,14 +166,15 @@ impl Judge {
     /// stops it, or the last depth that was tried, `to_m`. An operation that is stopped at the
     /// first depth already, or above the planned depth, is an error.
     pub fn reach(&self, reach: &Reached<'_>) -> Check {
-        let Reached { operation, stopped, pushed_from_m, to_m, from_m, planned_m } = *reach;
+        let Reached { operation, stopped, pushed_from_m, rig_pushes, to_m, from_m, planned_m } =
+            *reach;
         let end_m = stopped.map_or(to_m, |(depth_m, _)| depth_m);
         // As `goes_down`: a string that only the block pushes is warned of.
         let pushed_from_m = pushed_from_m.filter(|depth_m| *depth_m < end_m);
         let severity = match stopped {
-            None if pushed_from_m.is_none() => Severity::Ok,
+            None if pushed_from_m.is_none() || rig_pushes => Severity::Ok,
             Some((depth_m, _)) if depth_m <= from_m || depth_m < planned_m => Severity::Error,
-            _ if pushed_from_m.is_some() => Severity::Warning,
+            _ if pushed_from_m.is_some() && !rig_pushes => Severity::Warning,
             _ => Severity::Note,
         };
         let mut sentence = match stopped {
@@ -238,6 +241,22 @@ impl Judge {
             let all = checks.checks.into_iter();
             checks.checks = all.map(|check| check.continued(&more).in_units(self.units)).collect();
         }
+        checks
+    }
+
+    /// The strength of the string and the limits of the rig alone, without sentences: for a search
+    /// over many depths.
+    pub fn load_limits(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        solution: &Solution<'_>,
+    ) -> Checks {
+        let mut checks = Checks::default();
+        let loads = Loads::of(model, operation, solution);
+        let strengths = Strengths::of(model, &mut checks);
+        along::limits(model, &strengths, &loads, &self.limits, &mut checks);
+        rig::limits(model, operation, &loads, &self.limits, &mut checks);
         checks
     }
 

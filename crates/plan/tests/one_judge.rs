@@ -131,6 +131,16 @@ fn two_hundred_strings_are_judged_alike() {
                 ..ReachSettings::from_depth(depth_m)
             };
             let margins = margins(&setup, &operation, &settings).expect("margins");
+            // What run and plan find short of its factor stops a reach, and nothing else does.
+            let judged = limits(&run.checks).into_iter().filter(|check| check.kind.stops());
+            let judged = judged.filter(|check| check.kind != CheckKind::LockUp);
+            let short = judged.filter(|check| check.kind != CheckKind::Overpull);
+            let least = short.map(Check::reserve).fold(f64::INFINITY, f64::min);
+            let pushes = [Limit::HookLoadZero, Limit::PushSpent, Limit::PushAbsorbed];
+            let stopped = margins.iter().filter(|margin| margin.limit.stops());
+            let stopped = stopped.filter(|margin| !pushes.contains(&margin.limit));
+            let most = stopped.map(|margin| margin.margin).fold(1.0, f64::min);
+            assert_eq!(least < 1.0, most < 0.0, "{case}: {least} {most}");
             let spent = margins.iter().find(|margin| margin.limit == Limit::PushSpent);
             let hangs = margins.iter().find(|margin| margin.limit == Limit::HookLoadZero);
             let down = of_kind(CheckKind::GoesDown);
