@@ -6,7 +6,7 @@ use wholestring::{
     operation::Operation,
     outcome::{ModelKind, Profile, Solution},
     statics::{
-        assembly::{Assembly, Largest},
+        assembly::{Assembly, AssemblyNode},
         soft::{SoftLoads, SoftProfile},
         stiff::StiffProfile,
     },
@@ -124,21 +124,28 @@ impl Judge {
         self.with_sentences(checks, &words)
     }
 
-    /// The checks of a bottom-hole assembly in static equilibrium: its largest von Mises stress,
-    /// and whether the equilibrium is stable.
+    /// The checks of a bottom-hole assembly in static equilibrium: the largest von Mises stress of
+    /// each component, and whether the equilibrium is stable.
     pub fn assembly(&self, model: &Model, operation: &Operation, assembly: &Assembly) -> Checks {
         let kind = CheckKind::VonMises;
-        let Largest { value, from_bit_m } = assembly.largest_von_mises_Pa;
-        let component = model.string.component_at(from_bit_m).1;
-        let name = component.name.as_str();
         let mut checks = Checks::default();
-        match component.yield_strength_Pa {
-            Some(yield_Pa) => {
-                let check = Check::load(kind, value, yield_Pa, self.limits.factors.von_mises);
-                let md_m = operation.bit_depth_m - from_bit_m;
-                checks.checks.extend(check.map(|check| check.of_component(name).at(md_m)));
+        for (index, component) in model.string.components().iter().enumerate() {
+            let nodes = assembly.nodes.iter().filter(|node| node.component == index);
+            let stress_Pa = |node: &&AssemblyNode| node.von_mises_stress_Pa;
+            let Some(worst) = nodes.max_by(|a, b| stress_Pa(a).total_cmp(&stress_Pa(b))) else {
+                continue;
+            };
+            let name = component.name.as_str();
+            match component.yield_strength_Pa {
+                Some(yield_Pa) => {
+                    let required = self.limits.factors.von_mises;
+                    let check = Check::load(kind, stress_Pa(&worst), yield_Pa, required);
+                    let placed = |check: Check| check.of_component(name).at(worst.md_m);
+                    checks.checks.extend(check.map(placed));
+                }
+                None if component.is_bit() => {}
+                None => checks.lacks(kind, Some(name), Missing::YieldStrength),
             }
-            None => checks.lacks(kind, Some(name), Missing::YieldStrength),
         }
         let tensions = assembly.nodes.iter().map(|node| (node.md_m, node.tension_N));
         let bows = buckling::bows_in_vertical_hole(model, operation, tensions);

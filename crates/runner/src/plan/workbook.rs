@@ -9,7 +9,7 @@ use super::{
     files::Tables,
     inputs_sheet::inputs_sheet,
     roadmap_sheet::roadmap_sheet,
-    verdict_sheet::verdict_sheet,
+    verdict_sheet::{unchecked_sheet, verdict_sheet},
 };
 use crate::{page::PROGRAM, sheet::sheet};
 
@@ -80,12 +80,14 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     let tables = tables.chain(scattered);
     let tables = tables.map(|(name, table, about)| sheet(name, table, about, units));
     let sheets: Vec<Sheet> = tables.collect();
-    let first = [inputs_sheet, verdict_sheet, roadmap_sheet].map(|make| make(summary, units));
+    let mut first = vec![inputs_sheet(summary, units), verdict_sheet(summary, units)];
+    first.extend(unchecked_sheet(summary, units));
+    first.push(roadmap_sheet(summary, units));
     let charts = charts(summary, &sheets);
     Workbook {
         title: format!("{}: plan", summary.case),
         about: vec![format!("Made by {PROGRAM}. Units are those of the headings.")],
-        first: first.into(),
+        first,
         charts,
         sheets,
         printed_rows: Some(PRINTED_ROWS),
