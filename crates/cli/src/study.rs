@@ -8,7 +8,7 @@ use wholestring_runner::study::{self, CaseFiles, Request};
 
 use crate::{
     color::color,
-    conclusion::{conclude, judge},
+    conclusion::conclude_judged,
     failure::Failure,
     interrupt,
     progress::BatchScreen,
@@ -59,6 +59,5 @@ pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
     };
     let screen = BatchScreen::sweep("study", quiet);
     let outcome = study::run(&request, &screen, &interrupt::listen())?;
-    conclude(&outcome, "study", "cases", quiet)?;
-    judge(&outcome, args.strict, quiet)
+    conclude_judged(&outcome, "study", args.strict, quiet)
 }

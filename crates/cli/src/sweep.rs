@@ -7,7 +7,7 @@ use wholestring_case::Variation;
 use wholestring_runner::sweep::{self, Request};
 
 use crate::{
-    conclusion::{conclude, judge},
+    conclusion::conclude_judged,
     failure::Failure,
     input::read,
     interrupt,
@@ -52,6 +52,5 @@ pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     let quiet = args.batch.quiet;
     let screen = BatchScreen::sweep("sweep", quiet);
     let outcome = sweep::run(&request, &screen, &interrupt::listen())?;
-    conclude(&outcome, "sweep", "cases", quiet)?;
-    judge(&outcome, args.strict, quiet)
+    conclude_judged(&outcome, "sweep", args.strict, quiet)
 }
