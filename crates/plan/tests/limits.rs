@@ -137,8 +137,11 @@ fn a_pipe_that_hangs() {
     let left_N = |capacity_N| {
         let mut model = model.clone();
         model.rig.hoist_capacity_N = Some(capacity_N);
-        of(&soft(&model, &Operation::trip_out(3000.0), &settings), CheckKind::Overpull, None)
-            .capacity
+        let found = soft(&model, &Operation::trip_out(3000.0), &settings).checks;
+        let mut found = found.iter().filter(|check| check.kind == CheckKind::Overpull);
+        let check = found.find(|check| check.component.is_none()).expect("the hoist's");
+        assert!(check.sentence.starts_with("Overpull margin of the hoist"), "{}", check.sentence);
+        check.limit.expect("what is left")
     };
     let block_N = 3e5;
     assert_close("overloaded", left_N(6e5), 0.9 * 6e5 - hangs_N - block_N, 1e-9);
