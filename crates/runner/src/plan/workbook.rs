@@ -79,15 +79,13 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     });
     let tables = tables.chain(scattered);
     let tables = tables.map(|(name, table, about)| sheet(name, table, about, units));
-    let sheets: Vec<Sheet> = tables.collect();
-    let mut first = vec![inputs_sheet(summary, units), verdict_sheet(summary, units)];
-    first.extend(unchecked_sheet(summary, units));
-    first.push(roadmap_sheet(summary, units));
+    let sheets: Vec<Sheet> = unchecked_sheet(summary, units).into_iter().chain(tables).collect();
+    let first = [inputs_sheet, verdict_sheet, roadmap_sheet].map(|make| make(summary, units));
     let charts = charts(summary, &sheets);
     Workbook {
         title: format!("{}: plan", summary.case),
         about: vec![format!("Made by {PROGRAM}. Units are those of the headings.")],
-        first,
+        first: first.into(),
         charts,
         sheets,
         printed_rows: Some(PRINTED_ROWS),
