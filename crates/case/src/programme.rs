@@ -100,6 +100,9 @@ fn does_not_pass(casing: &HoleSection, above: &HoleSection) -> bool {
     }
 }
 
+/// Diameters that differ by less are equal, m: drifts are tabulated to a thousandth of an inch.
+const SAME_M: f64 = 1.3e-5;
+
 /// Warns of parts of the string that are wider than the drift mandrel of a casing they pass.
 pub(crate) fn check_drift(
     string: &DrillString,
@@ -117,7 +120,7 @@ pub(crate) fn check_drift(
         let tight = passed.filter(|(section, _)| section.from_md_m < bottom_md_m).find_map(
             |(section, table)| {
                 let (drift_m, place) = drift(&table.value, own)?;
-                (od_m > drift_m && od_m <= section.diameter_m).then_some((
+                (od_m > drift_m + SAME_M && od_m <= section.diameter_m).then_some((
                     drift_m,
                     section.diameter_m,
                     place,

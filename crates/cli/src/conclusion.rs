@@ -63,16 +63,35 @@ pub(crate) fn conclude(
 pub(crate) fn refuse(errors: &[String]) -> Result<(), Failure> {
     match errors {
         [] => Ok(()),
-        errors => Err(Failure::Refused(format!("error: errors were found: {}", errors.join(", ")))),
+        errors => Err(Failure::Refused(format!("error: errors were found: {}", errors.join("; ")))),
+    }
+}
+
+/// Concludes a batch of cases: prints how many finished, and the cases with errors, which fail the
+/// batch if `strict` is set. Cases that failed and cases with errors are both listed.
+///
+/// # Errors
+/// Those of [`conclude`], and cases with errors if `strict` is set.
+pub(crate) fn conclude_judged(
+    outcome: &BatchOutcome,
+    noun: &str,
+    strict: bool,
+    quiet: bool,
+) -> Result<(), Failure> {
+    let ended = conclude(outcome, noun, "cases", quiet);
+    if let Err(Failure::Interrupted(_)) = ended {
+        return ended;
+    }
+    match (ended, refuse_cases(outcome, strict, quiet)) {
+        (Err(Failure::Failed(failed)), Err(refused)) => {
+            Err(Failure::Failed(format!("{refused}\n{failed}")))
+        }
+        (ended, judged) => ended.and(judged),
     }
 }
 
 /// Prints the cases with errors, which fail the batch if `strict` is set.
-pub(crate) fn refuse_cases(
-    outcome: &BatchOutcome,
-    strict: bool,
-    quiet: bool,
-) -> Result<(), Failure> {
+fn refuse_cases(outcome: &BatchOutcome, strict: bool, quiet: bool) -> Result<(), Failure> {
     let (found, cases) = (outcome.with_errors.len(), outcome.all);
     if found == 0 {
         return Ok(());

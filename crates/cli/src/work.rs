@@ -14,7 +14,7 @@ use crate::{
     bha, bit_test, calibrate, checks,
     color::{color, screen_color},
     comparison,
-    conclusion::{conclude, refuse, refuse_cases, unfinished},
+    conclusion::{conclude, conclude_judged, refuse, unfinished},
     failure::Failure,
     interrupt, modes, plan,
     progress::{BatchScreen, RunScreen},
@@ -61,12 +61,12 @@ pub(crate) fn solve(
 /// errors.
 pub(crate) fn end(job: &Job, outcome: JobOutcome, screen: ScreenOptions) -> Result<(), Failure> {
     let errors = outcome.errors();
-    if let Some((batch, items)) = outcome.batch() {
-        let noun = job.work.command().replace('-', " ");
-        conclude(batch, &noun, items, screen.quiet)?;
-    }
+    let noun = job.work.command().replace('-', " ");
     if let JobOutcome::Sweep(batch) | JobOutcome::Study(batch) = &outcome {
-        return refuse_cases(batch, screen.strict, screen.quiet);
+        return conclude_judged(batch, &noun, screen.strict, screen.quiet);
+    }
+    if let Some((batch, items)) = outcome.batch() {
+        conclude(batch, &noun, items, screen.quiet)?;
     }
     unfinished(outcome)?;
     if screen.strict { refuse(&errors) } else { Ok(()) }

@@ -9,6 +9,15 @@ use crate::{
     strengths::{Strength, Strengths},
 };
 
+/// The place with the least factor of a component by one kind of limit.
+#[derive(Debug, Clone, Copy)]
+struct Worst {
+    kind: CheckKind,
+    load: f64,
+    capacity: f64,
+    row: usize,
+}
+
 /// Adds the limits of the components.
 pub fn limits(
     model: &Model,
@@ -18,19 +27,17 @@ pub fn limits(
     checks: &mut Checks,
 ) {
     let kinds = CheckKind::LIMITS.len();
-    let mut worst = vec![None::<(Check, usize)>; kinds * strengths.count()];
+    let mut worst = vec![None::<Worst>; kinds * strengths.count()];
     let mut beyond_collapse = vec![None::<usize>; strengths.count()];
     for row in 0..loads.rows() {
         for component in loads.components(row) {
             let strength = strengths.component(component);
             let add = |kind: CheckKind, load: f64, capacity: f64| {
-                let required = settings.factors.required(kind);
-                let Some(check) = Check::load(kind, load, capacity, required) else {
-                    return;
-                };
                 let slot = &mut worst[component * kinds + kind as usize];
-                if slot.as_ref().is_none_or(|(worst, _)| check.factor < worst.factor) {
-                    *slot = Some((check, row));
+                let is_load = load > 0.0 && capacity.is_finite();
+                let is_worse = |worst: &Worst| capacity / load < worst.capacity / worst.load;
+                if is_load && slot.as_ref().is_none_or(is_worse) {
+                    *slot = Some(Worst { kind, load, capacity, row });
                 }
             };
             if at_row(strength, loads, row, component, add) == Collapsing::BeyondFormulas {
@@ -43,7 +50,9 @@ pub fn limits(
     }
     let components = model.string.components();
     for (slot, found) in worst.into_iter().enumerate() {
-        let Some((check, row)) = found else { continue };
+        let Some(Worst { kind, load, capacity, row }) = found else { continue };
+        let required = settings.factors.required(kind);
+        let Some(check) = Check::load(kind, load, capacity, required) else { continue };
         let component = slot / kinds;
         let stress = (check.kind == CheckKind::VonMises)
             .then(|| strengths.component(component).body)

@@ -1,8 +1,10 @@
 //! Limits of the depth of a string, each declared once.
 
-use wholestring::{operation::Operation, rig::Rig, string::DrillString};
-
 use crate::{CheckKind, torque_capacity_N_m};
+use wholestring::{
+    model::Model,
+    operation::{Operation, OperationKind},
+};
 
 /// Declares the limits, each once, with name in results, words, load and bound.
 macro_rules! limits {
@@ -39,10 +41,14 @@ macro_rules! limits {
 }
 
 limits! {
-    /// The surface torque equals the rated torque of the top drive.
+    /// The surface torque equals the rated or the peak torque of the top drive.
     TopDrive = top_drive ("top drive", "N·m");
+    /// The torque that starts the string turning equals that of the top drive.
+    Breakaway = breakaway ("breakaway torque", "N·m");
     /// Hook load and block equal the capacity of the hoist.
     Hoist = hoist ("hoist", "N");
+    /// The pressure of the pump equals its limit.
+    PumpPressure = pump_pressure ("pump pressure", "");
     /// The hook load is zero: the block begins to push.
     HookLoadZero = hook_load_zero ("hook load zero", "N");
     /// Block and rig push with their full force.
@@ -57,6 +63,9 @@ limits! {
     Torsion = torsion ("torsional yield", "N·m");
     /// The largest von Mises stress equals the yield strength.
     Yield = yield_strength ("yield", "");
+    /// Tension, torque under tension or a difference of pressure equals the strength of pipe or
+    /// connection.
+    Strength = strength ("tension, burst or collapse", "");
     /// Somewhere the compression equals the load of the helix, where the wall holds a straight
     /// pipe.
     Helix = helix ("helical buckling begins in inclined hole", "N");
@@ -86,20 +95,51 @@ impl DepthLimit {
         !matches!(self, Self::Helix | Self::Sinusoid | Self::VerticalHelix | Self::VerticalSinusoid)
     }
 
-    /// The judge's check of the torque along the string with which it is the same.
-    pub const fn torque_check(self) -> CheckKind {
+    /// The judge's checks with which it is the same: none for a limit of descent or buckling.
+    pub const fn checks(self) -> &'static [CheckKind] {
         match self {
-            Self::MakeUp => CheckKind::MakeUp,
-            _ => CheckKind::Torsion,
+            Self::TopDrive => &[CheckKind::TopDrive, CheckKind::TopDrivePeak],
+            Self::Breakaway => &[CheckKind::Breakaway],
+            Self::Hoist => &[CheckKind::Hoist],
+            Self::PumpPressure => &[CheckKind::PumpPressure],
+            Self::MakeUp => &[CheckKind::MakeUp],
+            Self::Torsion => &[CheckKind::Torsion],
+            Self::Yield => &[CheckKind::VonMises],
+            Self::Strength => &[
+                CheckKind::Tension,
+                CheckKind::TensionAndTorsion,
+                CheckKind::Burst,
+                CheckKind::Collapse,
+            ],
+            Self::HookLoadZero
+            | Self::PushSpent
+            | Self::PushAbsorbed
+            | Self::Helix
+            | Self::Sinusoid
+            | Self::VerticalHelix
+            | Self::VerticalSinusoid => &[],
         }
     }
 
     /// Whether it is a limit of an operation of that string on that rig.
-    pub fn concerns(self, operation: &Operation, rig: &Rig, string: &DrillString) -> bool {
+    pub fn concerns(self, operation: &Operation, model: &Model) -> bool {
+        let (rig, kind) = (&model.rig, operation.kind);
         let goes_down = operation.axial_velocity_m_per_s() > 0.0 || operation.slides_down();
+        let top_drive_N_m = rig.top_drive_peak_torque_N_m.or(rig.top_drive_torque_N_m);
+        let mut components = model.string.components().iter();
         match self {
-            Self::TopDrive => operation.kind.rotates() && rig.top_drive_torque_N_m.is_some(),
-            Self::Hoist => !goes_down && rig.hoist_capacity_N.is_some(),
+            Self::TopDrive => kind.rotates() && top_drive_N_m.is_some(),
+            Self::Breakaway => {
+                let mut sections = model.well.hole.sections().iter();
+                kind == OperationKind::RotateOffBottom
+                    && top_drive_N_m.is_some()
+                    && sections.any(|section| section.friction.at_rest > section.friction.kinetic)
+            }
+            Self::Hoist => rig.hoist_capacity_N.is_some(),
+            Self::PumpPressure => {
+                let is_known = rig.pump_pressure_limit_Pa.is_some() && model.mud.rheology.is_some();
+                kind.circulates() && is_known
+            }
             Self::HookLoadZero
             | Self::Helix
             | Self::Sinusoid
@@ -108,15 +148,17 @@ impl DepthLimit {
             Self::PushSpent => goes_down && rig.push_with_block_N() > 0.0,
             Self::PushAbsorbed => operation.slides_down(),
             Self::MakeUp | Self::Torsion => {
-                let mut components = string.components().iter();
-                let kind = self.torque_check();
-                let is_known = |component| torque_capacity_N_m(component, kind).is_some();
-                operation.kind.rotates() && components.any(is_known)
+                let is_known = |component| {
+                    let kinds = self.checks().iter();
+                    kinds.filter_map(|kind| torque_capacity_N_m(component, *kind)).next().is_some()
+                };
+                kind.rotates() && components.any(is_known)
             }
-            Self::Yield => {
-                let mut components = string.components().iter();
-                components.any(|component| component.yield_strength_Pa.is_some())
-            }
+            Self::Yield => components.any(|component| component.yield_strength_Pa.is_some()),
+            Self::Strength => components.any(|component| {
+                let of_connection_N = component.connection.tensile_yield_N;
+                component.yield_strength_Pa.is_some() || of_connection_N.is_some()
+            }),
         }
     }
 }

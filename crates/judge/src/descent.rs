@@ -61,6 +61,8 @@ pub struct Descent {
     pub locks_up: bool,
     /// Whether its own weight drives it down, or a rig whose purpose is to push.
     pub by_its_weight: bool,
+    /// Whether its own weight does so alone, without that rig.
+    pub is_unaided: bool,
     /// Whether the result is that of a dynamic run.
     pub in_time: bool,
 }
@@ -87,11 +89,18 @@ impl Descent {
         };
         let none_N = NONE * weight_N(model);
         let locks_up = arrives_N < requested_N - none_N;
+        // The hook load is that of the solver, which may leave out the drag of the helix.
+        let arrives_by = |at_top_N: f64| {
+            weight_at_bit_N(&segments, at_top_N, model.buckling) >= requested_N - none_N
+        };
+        let is_unaided = hook_load_N > none_N && !locks_up && arrives_by(0.0);
+        let by_its_weight = hook_load_N > least_hook_load_N(model) && !locks_up;
         Some(Self {
             arrives_N,
             absorbed_above_md_m: absorbed_above_md_m.filter(|_| locks_up),
             locks_up,
-            by_its_weight: hook_load_N > least_hook_load_N(model) && !locks_up,
+            by_its_weight: is_unaided || by_its_weight && arrives_by(model.rig.push_N()),
+            is_unaided,
             ..Self::loads(model, operation, [hook_load_N, axial_friction_N])
         })
     }
@@ -119,6 +128,7 @@ impl Descent {
             arrives_N,
             locks_up,
             by_its_weight: hook_load_N > least_hook_load_N(model) && !locks_up,
+            is_unaided: hook_load_N > NONE * weight_N(model) && !locks_up,
             in_time: true,
             ..loads
         })
@@ -139,6 +149,7 @@ impl Descent {
             absorbed_above_md_m: None,
             locks_up: false,
             by_its_weight: true,
+            is_unaided: true,
             in_time: false,
         }
     }
@@ -193,7 +204,8 @@ pub(crate) fn weight_not_available(
 }
 
 /// Whether a string goes down by its weight: for every operation that goes down, and for any other
-/// one in which the hook load is not positive. A block or a rig that pushes makes it a warning.
+/// one in which the hook load is not positive. A string that slides down is judged by the balance of
+/// forces of its lock-up, block and rig not counted. A block that pushes makes it a warning.
 pub(crate) fn goes_down(
     model: &Model,
     operation: &Operation,
@@ -204,9 +216,12 @@ pub(crate) fn goes_down(
     let hangs = hook_load_N > least_N;
     let severity = match descent {
         Some(descent) if descent.locks_up => Severity::Error,
-        _ if hangs => Severity::Ok,
         // A static descent that does not lock up reaches its depth, pushed.
-        Some(descent) if !descent.in_time => Severity::Warning,
+        Some(descent) if !descent.in_time => match descent.by_its_weight {
+            true => Severity::Ok,
+            false => Severity::Warning,
+        },
+        _ if hangs => Severity::Ok,
         _ if hook_load_N + model.rig.block_weight_N.unwrap_or(0.0) > least_N => Severity::Warning,
         _ => Severity::Error,
     };

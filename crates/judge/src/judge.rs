@@ -6,7 +6,7 @@ use wholestring::{
     operation::Operation,
     outcome::{ModelKind, Profile, Solution},
     statics::{
-        assembly::{Assembly, Largest},
+        assembly::{Assembly, AssemblyNode},
         soft::{SoftLoads, SoftProfile},
         stiff::StiffProfile,
     },
@@ -54,6 +54,8 @@ pub struct Reached<'a> {
     /// Depth of the bit from which on no weight hangs on the hook and the block or the rig pushes,
     /// m; `None` where the weight of the string drives it.
     pub pushed_from_m: Option<f64>,
+    /// Whether a rig pushes whose purpose that is, which is no warning.
+    pub rig_pushes: bool,
     /// First depth that was tried, m.
     pub from_m: f64,
     /// Depth of the bit of the case's operation, m, which a planned well must reach.
@@ -122,21 +124,28 @@ impl Judge {
         self.with_sentences(checks, &words)
     }
 
-    /// The checks of a bottom-hole assembly in static equilibrium: its largest von Mises stress,
-    /// and whether the equilibrium is stable.
+    /// The checks of a bottom-hole assembly in static equilibrium: the largest von Mises stress of
+    /// each component, and whether the equilibrium is stable.
     pub fn assembly(&self, model: &Model, operation: &Operation, assembly: &Assembly) -> Checks {
         let kind = CheckKind::VonMises;
-        let Largest { value, from_bit_m } = assembly.largest_von_mises_Pa;
-        let component = model.string.component_at(from_bit_m).1;
-        let name = component.name.as_str();
         let mut checks = Checks::default();
-        match component.yield_strength_Pa {
-            Some(yield_Pa) => {
-                let check = Check::load(kind, value, yield_Pa, self.limits.factors.von_mises);
-                let md_m = operation.bit_depth_m - from_bit_m;
-                checks.checks.extend(check.map(|check| check.of_component(name).at(md_m)));
+        for (index, component) in model.string.components().iter().enumerate() {
+            let nodes = assembly.nodes.iter().filter(|node| node.component == index);
+            let stress_Pa = |node: &&AssemblyNode| node.von_mises_stress_Pa;
+            let Some(worst) = nodes.max_by(|a, b| stress_Pa(a).total_cmp(&stress_Pa(b))) else {
+                continue;
+            };
+            let name = component.name.as_str();
+            match component.yield_strength_Pa {
+                Some(yield_Pa) => {
+                    let required = self.limits.factors.von_mises;
+                    let check = Check::load(kind, stress_Pa(&worst), yield_Pa, required);
+                    let placed = |check: Check| check.of_component(name).at(worst.md_m);
+                    checks.checks.extend(check.map(placed));
+                }
+                None if component.is_bit() => {}
+                None => checks.lacks(kind, Some(name), Missing::YieldStrength),
             }
-            None => checks.lacks(kind, Some(name), Missing::YieldStrength),
         }
         let tensions = assembly.nodes.iter().map(|node| (node.md_m, node.tension_N));
         let bows = buckling::bows_in_vertical_hole(model, operation, tensions);
@@ -164,14 +173,15 @@ impl Judge {
     /// stops it, or the last depth that was tried, `to_m`. An operation that is stopped at the
     /// first depth already, or above the planned depth, is an error.
     pub fn reach(&self, reach: &Reached<'_>) -> Check {
-        let Reached { operation, stopped, pushed_from_m, to_m, from_m, planned_m } = *reach;
+        let Reached { operation, stopped, pushed_from_m, rig_pushes, to_m, from_m, planned_m } =
+            *reach;
         let end_m = stopped.map_or(to_m, |(depth_m, _)| depth_m);
         // As `goes_down`: a string that only the block pushes is warned of.
         let pushed_from_m = pushed_from_m.filter(|depth_m| *depth_m < end_m);
         let severity = match stopped {
-            None if pushed_from_m.is_none() => Severity::Ok,
+            None if pushed_from_m.is_none() || rig_pushes => Severity::Ok,
             Some((depth_m, _)) if depth_m <= from_m || depth_m < planned_m => Severity::Error,
-            _ if pushed_from_m.is_some() => Severity::Warning,
+            _ if pushed_from_m.is_some() && !rig_pushes => Severity::Warning,
             _ => Severity::Note,
         };
         let mut sentence = match stopped.map(|(depth_m, limit)| (depth_m, limit.title())) {
@@ -238,6 +248,22 @@ impl Judge {
             let all = checks.checks.into_iter();
             checks.checks = all.map(|check| check.continued(&more).in_units(self.units)).collect();
         }
+        checks
+    }
+
+    /// The strength of the string and the limits of the rig alone, without sentences: for a search
+    /// over many depths.
+    pub fn load_limits(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        solution: &Solution<'_>,
+    ) -> Checks {
+        let mut checks = Checks::default();
+        let loads = Loads::of(model, operation, solution);
+        let strengths = Strengths::of(model, &mut checks);
+        along::limits(model, &strengths, &loads, &self.limits, &mut checks);
+        rig::limits(model, operation, &loads, &self.limits, &mut checks);
         checks
     }
 
@@ -316,7 +342,11 @@ impl Judge {
             checks.checks.push(check);
             return;
         }
-        checks.checks.extend(descent::goes_down(model, operation, surface_N[0], descent));
+        let goes_down = descent::goes_down(model, operation, surface_N[0], descent);
+        checks.checks.extend(goes_down.map(|check| {
+            let sentence = words.goes_down(&check, descent);
+            check.worded(sentence)
+        }));
         checks.checks.extend(self.lock_up(model, operation, descent, words));
     }
 

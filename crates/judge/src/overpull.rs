@@ -22,9 +22,8 @@ pub fn limits(
         return;
     }
     let LimitSettings { factors, overpull_N, .. } = settings;
-    let check = |margin_N: f64| {
-        Check::load(CheckKind::Overpull, *overpull_N, margin_N.max(0.0), factors.overpull)
-    };
+    let check =
+        |margin_N: f64| Check::load(CheckKind::Overpull, *overpull_N, margin_N, factors.overpull);
     let mut least = vec![None::<(f64, usize)>; strengths.count()];
     for row in 0..loads.rows() {
         for component in loads.components(row) {

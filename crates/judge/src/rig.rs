@@ -43,6 +43,7 @@ pub fn limits(
     };
     let hoist_N = rig.hoist_capacity_N;
     check(CheckKind::Hoist, hangs_N, hoist_N, Severity::Warning, Missing::HoistCapacity);
+    let is_hook_load_alone = hoist_N.is_some() && rig.block_weight_N.is_none();
     let rated_N_m = rig.top_drive_torque_N_m;
     let most = at_times(within_peak);
     check(CheckKind::TopDrive, torque_N_m, rated_N_m, most, Missing::TopDriveTorque);
@@ -56,6 +57,9 @@ pub fn limits(
         let load = pump_Pa.unwrap_or(SurfaceLoad { mean: 0.0, largest: 0.0 });
         let limit_Pa = pump_Pa.and(limit_Pa);
         check(CheckKind::PumpPressure, load, limit_Pa, Severity::Warning, missing);
+    }
+    if is_hook_load_alone {
+        checks.lacks(CheckKind::Hoist, None, Missing::BlockWeight);
     }
     let start = breakaway_torque_N_m(model, operation, loads);
     if let (Some(start_N_m), Some(capacity_N_m)) = (start, peak_N_m.or(rated_N_m)) {

@@ -16,6 +16,8 @@ pub enum Missing {
     SideForceLimit,
     /// Capacity of the hoist.
     HoistCapacity,
+    /// Weight of the block, which the load of the hoist leaves out.
+    BlockWeight,
     /// Rated torque of the top drive.
     TopDriveTorque,
     /// Peak torque of the top drive.
@@ -34,6 +36,7 @@ impl Missing {
             Self::MakeUpTorque => "no make-up torque",
             Self::SideForceLimit => "no limit of the side force per joint",
             Self::HoistCapacity => "no hoist capacity",
+            Self::BlockWeight => "no block weight: the hook load alone",
             Self::TopDriveTorque => "no rated torque of the top drive",
             Self::TopDrivePeakTorque => "no peak torque of the top drive",
             Self::PumpPressureLimit => "no pressure limit of the pump",

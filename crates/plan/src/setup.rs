@@ -107,6 +107,17 @@ impl Setup {
         self.running().components.iter().map(length_m).sum()
     }
 
+    /// Returns the distances from the bit of the ends of the components below the topmost, m.
+    pub fn component_ends_m(&self) -> Vec<f64> {
+        let mut to_m = 0.0;
+        let components = self.running().components;
+        let ends = components.iter().take(components.len().saturating_sub(1)).map(|component| {
+            to_m += length_m(component);
+            to_m
+        });
+        ends.collect()
+    }
+
     /// Returns the length of the bottom-hole assembly, m: from the bit to the lower end of drill
     /// pipe. For a string without distinguishable drill pipe, the length below its topmost
     /// component.

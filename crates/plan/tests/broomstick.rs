@@ -389,3 +389,35 @@ fn a_point_without_an_answer_says_why() {
     let alone = stiff::solve(&model, &Operation::trip_out(800.0), &Default::default());
     assert_eq!(hook_load_N(stiff.expect("a point")), alone.expect("an answer").scalars.hook_load_N);
 }
+
+/// A stiff string that locks up under the expected friction does so under the high one too: at its
+/// own depth, that of a search under that friction alone.
+#[test]
+fn a_lock_up_is_where_its_own_friction_has_it() {
+    let thin =
+        ComponentSpec::uniform("coil", 0.0508, 0.0429, ComponentLength::ToSurface, Material::STEEL);
+    let stations = [[0.0, 0.0, 0.0], [900.0, 0.0, 0.0], [1300.0, 90.0, 0.0], [3400.0, 90.0, 0.0]];
+    let setup = setup(&stations, StringSpec::from_bit(thin), 0.1214);
+    let broomstick = Broomstick::new(
+        &setup,
+        &levels([0.3, 0.4, 0.6]),
+        vec![Operation::trip_in(3400.0)],
+        vec![3400.0],
+        vec![Statics::Stiff],
+    );
+    let broomstick = broomstick.expect("sound frictions");
+    let task = broomstick.tasks()[0];
+    let place_m = |points: &[BroomstickPoint]| {
+        let point = points.iter().find(|point| point.friction == FrictionLevel::High);
+        let check = point.expect("a point").checks.checks.first().cloned();
+        assert!(point.expect("a point").outcome.is_err());
+        check.expect("a check").md_m.expect("a place")
+    };
+    let all = broomstick.solve(&task);
+    let (together_m, alone_m) =
+        (place_m(&all), place_m(&broomstick.solve_at(&task, &[FrictionLevel::High])));
+    assert!((together_m - alone_m).abs() < 1.0, "{together_m} {alone_m}");
+    let expected = all.iter().find(|point| point.friction == FrictionLevel::Expected);
+    let expected = expected.expect("a point").checks.checks[0].clone();
+    assert!(expected.md_m.expect("a place") < together_m - 50.0, "{expected:?} {together_m}");
+}

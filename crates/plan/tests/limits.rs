@@ -133,6 +133,19 @@ fn a_pipe_that_hangs() {
     let hoist = of(&found, CheckKind::Overpull, None);
     assert_close("of the hoist", hoist.capacity, 0.9 * 2.0e6 - hangs_N - 3e5, 1e-9);
     assert_eq!([pipe.check.verdict, hoist.check.verdict], [Verdict::Ok, Verdict::BelowRequired]);
+    // A hoist that is overloaded has less than nothing left, and two of them are told apart.
+    let left_N = |capacity_N| {
+        let mut model = model.clone();
+        model.rig.hoist_capacity_N = Some(capacity_N);
+        let found = soft(&model, &Operation::trip_out(3000.0), &settings).checks;
+        let mut found = found.iter().filter(|check| check.kind == CheckKind::Overpull);
+        let check = found.find(|check| check.component.is_none()).expect("the hoist's");
+        assert!(check.sentence.starts_with("Overpull margin of the hoist"), "{}", check.sentence);
+        check.limit.expect("what is left")
+    };
+    let block_N = 3e5;
+    assert_close("overloaded", left_N(6e5), 0.9 * 6e5 - hangs_N - block_N, 1e-9);
+    assert!(left_N(6e5) < left_N(7e5) && left_N(7e5) < 0.0);
     assert_close("hoist", of(&found, CheckKind::Hoist, None).load, hangs_N + 3e5, 1e-9);
     let governing = found.governing().expect("a limit");
     assert_eq!(governing.kind, CheckKind::Hoist);

@@ -131,6 +131,17 @@ fn two_hundred_strings_are_judged_alike() {
                 ..ReachSettings::from_depth(depth_m)
             };
             let margins = margins(&setup, &operation, &settings).expect("margins");
+            // What run and plan find short of its factor stops a reach, and nothing else does.
+            let judged = limits(&run.checks).into_iter().filter(|check| check.kind.stops());
+            let judged = judged.filter(|check| check.kind != CheckKind::LockUp);
+            let short = judged.filter(|check| check.kind != CheckKind::Overpull);
+            let least = short.map(Check::reserve).fold(f64::INFINITY, f64::min);
+            let pushes =
+                [DepthLimit::HookLoadZero, DepthLimit::PushSpent, DepthLimit::PushAbsorbed];
+            let stopped = margins.iter().filter(|margin| margin.limit.stops());
+            let stopped = stopped.filter(|margin| !pushes.contains(&margin.limit));
+            let most = stopped.map(|margin| margin.margin).fold(1.0, f64::min);
+            assert_eq!(least < 1.0, most < 0.0, "{case}: {least} {most}");
             let spent = margins.iter().find(|margin| margin.limit == DepthLimit::PushSpent);
             let hangs = margins.iter().find(|margin| margin.limit == DepthLimit::HookLoadZero);
             let down = of_kind(CheckKind::GoesDown);
@@ -141,6 +152,22 @@ fn two_hundred_strings_are_judged_alike() {
                 if model.rig.snubbing_force_N.is_none() && by_weight {
                     assert!(hangs.margin > 0.0 || is_near, "{case}: {down:?} {hangs:?}");
                 }
+            }
+            // By its weight by run and plan: by a reach, which counts the drag of the helix, too.
+            let drags = SoftSettings { helix_side_force: true, ..SoftSettings::default() };
+            let settings = ReachSettings { soft: drags, ..settings };
+            if let Some(down) = down.filter(|_| operation.slides_down()) {
+                let dragged = wholestring_plan::reach::margins(&setup, &operation, &settings);
+                let dragged = dragged.expect("margins");
+                let dragged =
+                    dragged.iter().find(|margin| margin.limit == DepthLimit::HookLoadZero);
+                let dragged = dragged.expect("a limit of every descent");
+                let is_near = dragged.margin.abs() < 5e-3;
+                let by_weight = down.sentence.contains("goes down by its weight");
+                assert!(
+                    is_near || by_weight == (dragged.margin > 0.0),
+                    "{case}: {down:?} {dragged:?}"
+                );
             }
             let lock_up = of_kind(CheckKind::LockUp);
             if let (Some(lock_up), Some(spent)) = (lock_up, spent) {

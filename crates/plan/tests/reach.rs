@@ -2,13 +2,14 @@
 
 use serde_json::Value;
 use wholestring::{
+    mud::Rheology,
     prelude::*,
     statics::{
         buckling::Criterion,
         soft::{SoftSettings, solve},
     },
 };
-use wholestring_judge::{DepthLimit, DesignFactors};
+use wholestring_judge::{CheckKind, DepthLimit, DesignFactors};
 use wholestring_plan::{
     Setup,
     reach::{Curve, End, ReachError, ReachSettings, first_stop, margins, reach, reach_unless},
@@ -493,4 +494,145 @@ fn a_vertical_hole_has_a_sinusoid_of_its_own() {
     let margin = |limit| all.iter().find(|margin| margin.limit == limit).expect("it concerns");
     assert!(margin(DepthLimit::VerticalSinusoid).margin < 0.0, "{all:?}");
     assert_eq!(margin(DepthLimit::Sinusoid).margin, 1.0, "{all:?}");
+}
+
+/// A well with a dogleg of 24 deg/30 m in its build, and pipe with 300 m of heavy-weight pipe in it.
+fn dogleg() -> Setup {
+    let stations = [
+        [0.0, 0.0],
+        [600.0, 0.0],
+        [1200.0, 30.0],
+        [2500.0, 30.0],
+        [2515.0, 42.0],
+        [2900.0, 85.0],
+        [3100.0, 85.0],
+    ];
+    let stations: Vec<Station> =
+        stations.iter().map(|[md_m, inc]| Station::from_degrees(*md_m, *inc, 0.0)).collect();
+    let path = Path::minimum_curvature(&stations).expect("a path");
+    let hole = Hole::new(vec![
+        HoleSection::casing(0.0..2500.0, 0.2205, 0.22),
+        HoleSection::open(2500.0..100e3, 0.2159, 0.3),
+    ]);
+    let string = StringSpec::from_bit(ComponentSpec::bit(0.2159, 0.25))
+        .catalogue("5 in 19.50 lb/ft G-105", Metres(620.0))
+        .and_then(|string| string.catalogue("HWDP 5 in 49.3 lb/ft", Metres(300.0)))
+        .and_then(|string| string.catalogue("5 in 19.50 lb/ft S-135", ToSurface));
+    Setup {
+        well: Well::new(path, hole.expect("a hole")),
+        string: string.expect("a string"),
+        mud: Mud::of_density(1200.0),
+        rig: Rig::default(),
+        ends: Default::default(),
+        buckling: Default::default(),
+    }
+}
+
+/// A stiff component that passes a dogleg between two depths of the grid stops the string there:
+/// a scan in steps of 5 m finds no stress above the limit before the reach does.
+#[test]
+fn a_stiff_component_in_a_dogleg_is_not_stepped_over() {
+    let setup = dogleg();
+    let mut passed = 0;
+    for from_m in [3110.0, 3200.0, 3270.0, 3330.0, 3400.0] {
+        let settings = ReachSettings { factors: ONE, ..ReachSettings::from_depth(from_m) };
+        let step_m = settings.grid_m()[1] - from_m;
+        let at = |bit_depth_m: f64, von_mises: f64| {
+            let factors = DesignFactors { von_mises, ..ONE };
+            let settings = ReachSettings { factors, ..settings };
+            let all = margins(&setup, &Operation::trip_out(bit_depth_m), &settings);
+            let all = all.expect("margins");
+            all.iter().find(|margin| margin.limit == DepthLimit::Yield).expect("a yield").margin
+        };
+        // A factor between the largest stresses at two depths of the grid and those between them.
+        let scan_m: Vec<f64> = (1..)
+            .map(|step| from_m + 5.0 * f64::from(step))
+            .take_while(|m| *m < from_m + step_m)
+            .collect();
+        let ends = at(from_m, 1.0).min(at(from_m + step_m, 1.0));
+        let least = scan_m.iter().map(|depth_m| at(*depth_m, 1.0)).fold(1.0, f64::min);
+        if least > ends - 0.005 {
+            continue;
+        }
+        passed += 1;
+        let von_mises = 1.0 / (1.0 - 0.5 * (ends + least));
+        let factors = DesignFactors { von_mises, ..ONE };
+        let found =
+            reach(&setup, &Operation::trip_out(0.0), &ReachSettings { factors, ..settings });
+        let found = found.expect("a reach");
+        let (stop_m, curve) = found.stop().expect("a stop");
+        assert_eq!(curve.limit, DepthLimit::Yield);
+        assert!(stop_m < from_m + step_m, "{from_m}: {stop_m}");
+        let first_m = scan_m.iter().find(|depth_m| at(**depth_m, von_mises) <= 0.0);
+        assert!(Some(&stop_m) <= first_m, "{from_m}: {stop_m} {first_m:?}");
+    }
+    assert!(passed >= 2, "{passed}");
+}
+
+/// A string that is locked up at its first depth is stopped because any push is absorbed; of the
+/// other limits nothing is known.
+#[test]
+fn a_string_that_is_locked_up_has_no_other_limits() {
+    let file = verification("S5_reach.json");
+    let mut level = setup(&file["inputs"], &[[0.0, 90.0], [100.0, 90.0]], 0.3);
+    level.string.components[0].yield_strength_Pa = Some(900e6);
+    let settings = ReachSettings { to_m: 30e3, depths: 3, ..ReachSettings::from_depth(20e3) };
+    let slide = Operation::slide(0.0).weight_on_bit_N(50e3);
+    let found = reach(&level, &slide, &settings).expect("a reach");
+    assert!(found.curves.len() > 4);
+    for curve in &found.curves {
+        match curve.limit {
+            DepthLimit::PushAbsorbed => assert_eq!(curve.end, End::Already(20e3)),
+            _ => assert_eq!(curve.end, End::LockedUp(20e3), "{:?}", curve.limit),
+        }
+    }
+    let (_, stop) = found.stop().expect("a stop");
+    assert_eq!(stop.limit, DepthLimit::PushAbsorbed);
+}
+
+/// Every operation loads the hoist, the pump delivers, and a string at rest is started: a reach
+/// stops where run and plan find a limit exceeded, and names what was not checked.
+#[test]
+fn limits_of_the_rig_stop_every_operation() {
+    let mut setup = dogleg();
+    for section in [0.25, 0.4] {
+        let friction = Friction { at_rest: 1.5 * section, ..Friction::uniform(section) };
+        setup = setup.with_friction_of(|_| friction).expect("a setup");
+    }
+    setup.mud.rheology = Some(Rheology::Newtonian { viscosity_Pa_s: 0.03 });
+    setup.rig = Rig {
+        hoist_capacity_N: Some(600e3),
+        pump_pressure_limit_Pa: Some(5e6),
+        top_drive_peak_torque_N_m: Some(8e3),
+        ..Rig::default()
+    };
+    let settings = ReachSettings { depths: 9, ..ReachSettings::from_depth(3110.0) };
+    let drill = Operation::drill(0.0)
+        .weight_on_bit_N(50e3)
+        .bit_torque_N_m(1e3)
+        .rotary_speed_rad_per_s(10.0)
+        .rate_of_penetration_m_per_s(3e-3)
+        .flow_rate_m3_per_s(0.035);
+    let turn = Operation::rotate_off_bottom(0.0).rotary_speed_rad_per_s(10.0);
+    for (operation, limits) in [
+        (
+            drill,
+            &[
+                DepthLimit::Hoist,
+                DepthLimit::PumpPressure,
+                DepthLimit::TopDrive,
+                DepthLimit::Strength,
+            ][..],
+        ),
+        (turn, &[DepthLimit::Hoist, DepthLimit::Breakaway][..]),
+    ] {
+        let found = reach(&setup, &operation, &settings).expect("a reach");
+        for limit in limits {
+            let curve = found.curves.iter().find(|curve| curve.limit == *limit);
+            let depth_m = curve.expect("it concerns").end.depth_m();
+            assert!(depth_m.is_some() || *limit == DepthLimit::Strength, "{limit:?}");
+        }
+        let lacks = found.unchecked.iter().map(|unchecked| unchecked.kind);
+        assert!(lacks.into_iter().any(|kind| kind == CheckKind::TopDrive));
+    }
 }

@@ -40,6 +40,9 @@ pub struct ReachSummary {
     pub stop_at_helix: bool,
     /// Operations that were left out, and the reasons, a sentence for each.
     pub left_out: Vec<String>,
+    /// Limits that were not checked, and the missing numbers, a phrase for each.
+    #[serde(default)]
+    pub unchecked: Vec<String>,
     /// The answers, a friction after the other.
     pub frictions: Vec<ReachOfFriction>,
     /// A check for each operation at each friction: the depth that it reaches, and the limit that
@@ -108,7 +111,8 @@ rows! {
         title: String, "The limit in words";
         stops: bool => Ratio, "1 where the string stops there, 0 where it continues buckled";
         depth_m: Option<f64> => Depth,
-            "Depth of the bit where it is first reached, `null` where it is not reached",
+            "Depth of the bit where it is first reached, `null` where it is not reached, and where \
+             the string is locked up at the first depth already, which `push_absorbed` is",
             null_where "it is not reached";
         already: bool => Ratio, "1 where it is reached at the first depth already, else 0";
         margin_at_from: Option<f64> => Ratio,
@@ -134,9 +138,9 @@ rows! {
     pub struct ReachMargin {
         operation: OperationKind => Words, "`trip_out`, `drill`, ...";
         limit: DepthLimit => Words,
-            "`top_drive`, `hoist`, `hook_load_zero`, `push_spent`, `push_absorbed`, `make_up`, \
-             `torsion`, `yield_strength`, `helix`, `sinusoid`, `vertical_helix` or \
-             `vertical_sinusoid`";
+            "`top_drive`, `breakaway`, `hoist`, `pump_pressure`, `hook_load_zero`, `push_spent`, \
+             `push_absorbed`, `make_up`, `torsion`, `yield_strength`, `strength`, `helix`, \
+             `sinusoid`, `vertical_helix` or `vertical_sinusoid`";
         friction: Option<f64> => Ratio,
             "Friction factor of all sections, `null` where they have the case's own",
             null_where "the sections have the case's own";
@@ -154,12 +158,12 @@ rows! {
             "Its limit: capacity, zero, critical load; else `null`",
             null_where "the limit is no force, nothing is compressed, or the string is locked up";
         torque_N_m: Option<f64> => Torque,
-            "Torque compared with a limit: at the surface for `top_drive`, at `md_m` for `make_up` \
-             and `torsion`; else `null`",
+            "Torque compared with a limit: at the surface for `top_drive` and `breakaway`, at \
+             `md_m` for `make_up` and `torsion`; else `null`",
             null_where "the limit is no torque, or the string is locked up";
         torque_limit_N_m: Option<f64> => Torque,
-            "Its limit: rated torque of the top drive, capacity of connection or pipe, over the \
-             required factor; else `null`",
+            "Its limit: rated or peak torque of the top drive, capacity of connection or pipe, \
+             over the required factor; else `null`",
             null_where "the limit is no torque, or no component with a known capacity turns";
         md_m: Option<f64> => Depth,
             "Measured depth of the smallest margin in the string, `null` for a limit at the \

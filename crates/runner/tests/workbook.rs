@@ -93,6 +93,9 @@ fn every_cell_is_that_of_a_table() {
     assert_eq!(verdicts.height(), summary.checks.len() + 1);
     let most_severe = summary.checks.iter().map(|row| row.check.severity).max().expect("checks");
     assert_eq!(verdicts.get((1, 0)).expect("a cell").to_string(), most_severe.name());
+    // What the verdict does not include.
+    let unchecked = file.worksheet_range("Not checked").map_or(1, |sheet| sheet.height());
+    assert_eq!(unchecked, summary.unchecked.len() + 1);
     // The inputs equal those of the case, in display units.
     let inputs = file.worksheet_range("Inputs").expect("a sheet");
     let has = |line: [&str; 3]| inputs.rows().any(|row| row.iter().zip(line).all(|(a, b)| *a == b));

@@ -33,6 +33,11 @@ fn casing_programme() {
     warned("warn_bit_over_drift", read(&wide_bit));
     let own_drift = wide_bit.replace("od = \"8-3/4 in\"", "od = \"8-1/2 in\"");
     assert!(read(&own_drift).expect("a valid case").warnings.is_empty());
+    // A bit of exactly the drift passes.
+    let at_drift =
+        wide_bit.replace("9-5/8 in 40 lb/ft", "7-5/8 in 39 lb/ft").replace("8-3/4 in", "6-1/2 in");
+    let warnings = read(&at_drift).map(|case| case.warnings.render(false));
+    assert!(!warnings.is_ok_and(|text| text.contains("`bit` is wider than the drift")));
     let special = wide_bit.replace("40 lb/ft\"", "40 lb/ft\"\ndrift = \"8.75 in\"");
     assert!(read(&special).expect("a valid case").warnings.is_empty());
     let wider = special.replace("drift = \"8.75 in\"", "drift = \"9 in\"");

@@ -1,7 +1,7 @@
 //! Output of a static BHA analysis on the screen.
 
 use wholestring::statics::assembly::{Contact, Touching};
-use wholestring_results::{BhaPoint, BhaState, BhaSummary, BhaVaried};
+use wholestring_results::{BhaPoint, BhaState, BhaSummary, BhaVaried, Unchecked};
 use wholestring_runner::bha::{number, plain, quantity, tendency};
 use wholestring_units::{Dimension, UnitSet};
 
@@ -35,6 +35,9 @@ pub(crate) fn text(summary: &BhaSummary, units: UnitSet) -> String {
     }
     for note in summary.notes() {
         text += &format!("note: {note}\n");
+    }
+    for phrase in Unchecked::phrases(&summary.unchecked) {
+        text += &format!("not checked: {phrase}\n");
     }
     text
 }

@@ -25,6 +25,7 @@ pub(crate) fn text(summary: &ReachSummary, units: UnitSet) -> String {
             let met = match limit.depth_m {
                 Some(_) if limit.already => format!("{} already", depth(summary.from_m)),
                 Some(depth_m) => depth(depth_m),
+                None if limit.margin_at_from.is_none() => "no answer: locked up".to_owned(),
                 None => format!("none to {}", depth(summary.to_m)),
             };
             table.row(vec![

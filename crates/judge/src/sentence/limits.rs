@@ -12,7 +12,12 @@ fn limit(check: &Check) -> String {
 
 fn limit_of_load(check: &Check, load: &str) -> String {
     let component = check.component.as_ref();
-    let component = component.map_or_else(String::new, |name| format!(" of {name}"));
+    let component = match (component, check.kind) {
+        (Some(name), _) => format!(" of {name}"),
+        // Each component has one as well.
+        (None, CheckKind::Overpull) => " of the hoist".to_owned(),
+        (None, _) => String::new(),
+    };
     let capacity = text::of_kind(check.kind.quantity(), check.limit.unwrap_or(f64::NAN));
     format!(
         "{}{component}{}: {load}, {} {capacity}, {}",

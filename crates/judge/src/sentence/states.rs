@@ -9,7 +9,7 @@ use super::{
     Words,
     text::{self, percent},
 };
-use crate::{Check, CheckKind, Severity, drift};
+use crate::{Check, CheckKind, Descent, Severity, drift};
 
 impl Words<'_> {
     pub(super) fn state(&self, check: &Check) -> String {
@@ -17,7 +17,7 @@ impl Words<'_> {
         let limit = check.limit.unwrap_or(f64::NAN);
         let place = text::place(check);
         match check.kind {
-            CheckKind::GoesDown => self.goes_down(check),
+            CheckKind::GoesDown => self.goes_down(check, None),
             CheckKind::WeightNotAvailable => format!(
                 "The string is too light for the requested weight on bit: {} requested, {} \
                  available without friction",
@@ -147,17 +147,20 @@ impl Words<'_> {
         })
     }
 
-    fn goes_down(&self, check: &Check) -> String {
+    /// The sentence on how the string goes down; `descent` is that of one that slides down.
+    pub(crate) fn goes_down(&self, check: &Check, descent: Option<&Descent>) -> String {
         let value_N = check.value.unwrap_or(f64::NAN);
         let hook_load = text::force(value_N);
-        let at_times = self.hook_load_N > value_N;
+        // A hook load that would do, were it not for the drag of a helix that it leaves out.
+        let is_held = value_N > 0.0 && descent.is_some_and(|descent| !descent.is_unaided);
         if let Some(push_N) = self.rig.snubbing_force_N {
-            return self.push(check, value_N, push_N);
+            return self.push(check, value_N, push_N, is_held);
         }
-        if at_times {
+        if self.hook_load_N > value_N {
             return format!("The hook goes slack at times: hook load down to {hook_load}");
         }
         let block_N = self.rig.block_weight_N.filter(|block_N| *block_N > 0.0);
+        let with_block = text::force(value_N + block_N.unwrap_or(0.0));
         match (check.severity, block_N) {
             (Severity::Ok, _) => {
                 format!("The string goes down by its weight: hook load {hook_load}")
@@ -166,19 +169,20 @@ impl Words<'_> {
                 format!("The string does not go down: it locks up, hook load {hook_load}")
             }
             (Severity::Error, Some(block_N)) if value_N + block_N > 0.0 => format!(
-                "The string does not go down, for it buckles and drags: hook load {hook_load}, {} \
-                 with the block",
-                text::force(value_N + block_N)
+                "The string does not go down, for it buckles and drags: hook load {hook_load}, \
+                 {with_block} with the block"
             ),
-            (Severity::Error, Some(block_N)) => format!(
+            (Severity::Error, Some(_)) => format!(
                 "The string does not go down by its weight, nor with the block: hook load \
-                 {hook_load}, {} with the block",
-                text::force(value_N + block_N)
+                 {hook_load}, {with_block} with the block"
             ),
-            (_, Some(block_N)) => format!(
+            (_, Some(_)) if is_held => format!(
+                "The string does not go down by its weight, for its helix drags; the block pushes \
+                 it: hook load {hook_load}, {with_block} with the block"
+            ),
+            (_, Some(_)) => format!(
                 "The string does not go down by its weight, the block pushes it: hook load \
-                 {hook_load}, {} with the block",
-                text::force(value_N + block_N)
+                 {hook_load}, {with_block} with the block"
             ),
             (_, None) => {
                 format!("The string does not go down by its weight: hook load {hook_load}")
@@ -186,8 +190,9 @@ impl Words<'_> {
         }
     }
 
-    /// The sentence for a rig that pushes, with its largest force, N.
-    fn push(&self, check: &Check, hook_load_N: f64, largest_N: f64) -> String {
+    /// The sentence for a rig that pushes, with its largest force, N. `is_held`: the hook load is
+    /// positive, and the drag of the helix holds the string.
+    fn push(&self, check: &Check, hook_load_N: f64, largest_N: f64, is_held: bool) -> String {
         let (hook_load, largest) = (text::force(hook_load_N), text::force(largest_N));
         let block_N = self.rig.block_weight_N.unwrap_or(0.0);
         if self.hook_load_N > hook_load_N {
@@ -196,11 +201,20 @@ impl Words<'_> {
             );
         }
         match check.severity {
-            Severity::Ok if hook_load_N > 0.0 => {
+            Severity::Ok if hook_load_N > 0.0 && !is_held => {
                 format!("The string goes down by its weight: hook load {hook_load}")
             }
+            Severity::Ok if is_held => format!(
+                "The rig pushes the string down, for its helix drags: hook load {hook_load}, \
+                 largest push {largest}"
+            ),
             Severity::Ok => format!(
                 "The rig pushes the string down: hook load {hook_load}, largest push {largest}"
+            ),
+            // By the hook load the push would do.
+            Severity::Error if hook_load_N + largest_N > 0.0 => format!(
+                "The rig does not push the string down, for its helix absorbs the push: hook load \
+                 {hook_load}, largest push {largest}"
             ),
             Severity::Error => format!(
                 "The rig does not push the string down: hook load {hook_load}, largest push \

@@ -110,6 +110,12 @@ fn a_rig_that_pushes_is_named_with_its_push() {
         sentence(-280e3, Severity::Warning, &rig),
         "The rig pushes with all of its 200 kN at times: hook load down to -280 kN"
     );
+    // A hook load within the push: what holds the string is its helix.
+    assert_eq!(
+        sentence(14.5e3, Severity::Error, &rig),
+        "The rig does not push the string down, for its helix absorbs the push: hook load 14.5 kN, \
+         largest push 200 kN"
+    );
     let with_block = Rig { block_weight_N: Some(100e3), ..rig };
     assert_eq!(
         sentence(-257.9e3, Severity::Warning, &with_block),
@@ -132,6 +138,7 @@ fn lock_up_names_what_arrives() {
             absorbed_above_md_m,
             locks_up: true,
             by_its_weight: false,
+            is_unaided: false,
             in_time: true,
         };
         let check =

@@ -131,6 +131,46 @@ fn lock_up_met_by_little_is_a_warning_where_the_block_pushes() {
     assert_close("factor", pushed.factor.unwrap(), factor, 1e-9);
 }
 
+/// Whether a string goes down by its weight does not depend on the block: the drag of its helix
+/// counts, as where no block is known. What the block or the rig adds is said to be theirs.
+#[test]
+fn own_weight_is_judged_without_the_block() {
+    let hook_load_N = |to_m: f64| {
+        let model = lateral(to_m, 0.2);
+        let slide = at_full_depth(Slide, &model, 20e3);
+        soft_string(&model, &slide).expect("an answer").scalars.hook_load_N
+    };
+    // Where no weight hangs on the hook any more, the drag of the helix left out.
+    let ends = [1500.0, 9000.0].map(|to_m| (to_m, hook_load_N(to_m)));
+    let zero_m = wholestring_judge::root(|to_m| Ok::<_, ()>(hook_load_N(to_m)), ends, 1.0);
+    let zero_m = zero_m.expect("a length");
+    let mut pushed = 0;
+    for to_m in (-30..10).map(|step| zero_m + 20.0 * f64::from(step)) {
+        let mut model = lateral(to_m, 0.2);
+        let slide = at_full_depth(Slide, &model, 20e3);
+        let profile = soft::solve(&model, &slide, &SoftSettings::default()).expect("an answer");
+        let mut goes_down = |block_weight_N, snubbing_force_N| {
+            model.rig = Rig { block_weight_N, snubbing_force_N, ..Rig::default() };
+            let checks = Judge::default().soft(&model, &slide, &profile).checks;
+            only(&checks, CheckKind::GoesDown).expect("a check")
+        };
+        let alone = goes_down(None, None);
+        let with_block = goes_down(Some(300e3), None);
+        let with_rig = goes_down(None, Some(300e3));
+        let both = [alone.severity, with_block.severity].map(|severity| severity == Severity::Ok);
+        assert_eq!(both[0], both[1], "{to_m}: {alone:?} {with_block:?}");
+        if alone.value > Some(0.0) && alone.severity == Severity::Error {
+            pushed += 1;
+            assert_eq!(with_block.severity, Severity::Warning);
+            let sentence = &with_block.sentence;
+            assert!(sentence.contains("for its helix drags; the block pushes it"), "{sentence}");
+            let sentence = &with_rig.sentence;
+            assert!(sentence.starts_with("The rig pushes the string down, for"), "{sentence}");
+        }
+    }
+    assert!(pushed >= 2, "{pushed}");
+}
+
 /// Descent of a soft string.
 fn descent(model: &Model, operation: &Operation, settings: &SoftSettings) -> Descent {
     let profile = soft::solve(model, operation, settings).expect("an answer");

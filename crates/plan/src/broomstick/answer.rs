@@ -5,7 +5,8 @@ use wholestring::{
     operation::Operation,
     outcome::Solution,
     statics::{
-        soft,
+        buckling::{Pushed, push_through, segments},
+        soft::{self, SoftSettings},
         stiff::{self, Equilibrium, StiffError},
     },
 };
@@ -46,13 +47,13 @@ impl Broomstick {
                 let expected = levels.iter().find(|level| **level == FrictionLevel::Expected);
                 let Some(&first) = expected.or(levels.first()) else { return Vec::new() };
                 let (judged, near) = self.by_stiff(first, operation, None);
-                let locked = locked_up(&judged).filter(|_| operation.slides_down()).cloned();
+                let locked = operation.slides_down() && is_locked_up(&judged);
                 let mut judged = Some(judged);
                 let point = |&level: &FrictionLevel| {
                     let own = judged.take_if(|_| level == first);
                     let by_more = || {
-                        let locked = locked.clone();
-                        locked.filter(|_| self.rubs_more(level, first)).map(Err)
+                        let locked = locked && self.rubs_more(level, first);
+                        locked.then(|| self.locked_up_at(level, operation)).flatten().map(Err)
                     };
                     let solve = || self.by_stiff(level, operation, near.as_ref()).0;
                     self.point(task, level, own.or_else(by_more).unwrap_or_else(solve))
@@ -126,6 +127,22 @@ impl Broomstick {
         pairs.all(|(own, other)| own.friction.kinetic >= other.friction.kinetic)
     }
 
+    /// Returns where a string locks up by the wall force of its helix at this friction, without a
+    /// search for its equilibrium; `None` where it goes down by that.
+    fn locked_up_at(&self, level: FrictionLevel, operation: &Operation) -> Option<NoAnswer> {
+        let model = self.setup(level).at(operation.bit_depth_m).ok()?;
+        let settings = SoftSettings { helix_side_force: false, ..self.soft };
+        let soft = soft::solve(&model, operation, &settings).ok()?;
+        let stretches = segments(&model, operation, &soft.md_m);
+        match push_through(&stretches, operation.weight_on_bit_now_N(), model.buckling) {
+            Pushed::LocksUp(above_bit_m) => {
+                let md_m = operation.bit_depth_m - above_bit_m;
+                Some(NoAnswer::Stiff(StiffError::LocksUp { md_m }))
+            }
+            Pushed::Through(_) => None,
+        }
+    }
+
     fn answer(
         &self,
         level: FrictionLevel,
@@ -139,10 +156,7 @@ impl Broomstick {
     }
 }
 
-/// Returns the reason of a string that locks up; `None` where it has a result, or another reason.
-fn locked_up(judged: &Result<Judged, NoAnswer>) -> Option<&NoAnswer> {
-    let is_lock_up = |why: &&NoAnswer| {
-        matches!(why, NoAnswer::Stiff(StiffError::LocksUp { .. } | StiffError::RunsAway { .. }))
-    };
-    judged.as_ref().err().filter(is_lock_up)
+/// Whether a string has no result because it locks up.
+fn is_locked_up(judged: &Result<Judged, NoAnswer>) -> bool {
+    matches!(judged, Err(NoAnswer::Stiff(StiffError::LocksUp { .. } | StiffError::RunsAway { .. })))
 }

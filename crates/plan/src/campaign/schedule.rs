@@ -78,6 +78,16 @@ impl Campaign {
         })
     }
 
+    /// Returns the depth of the bit, m, above which an operation is not done: the hole is drilled,
+    /// slid and reamed from where the section begins. `None` of other operations, and of a hole in
+    /// which nothing is drilled.
+    pub fn done_from_m(&self, kind: OperationKind) -> Option<f64> {
+        let is_in_section =
+            kind.on_bottom() || matches!(kind, OperationKind::Ream | OperationKind::BackReam);
+        let deepest_m = self.depths_m.last().copied().unwrap_or(0.0);
+        (is_in_section && self.drilled_from_m < deepest_m).then_some(self.drilled_from_m)
+    }
+
     /// Returns the settings of the fatigue model.
     pub fn fatigue_settings(&self) -> &FatigueSettings {
         &self.fatigue

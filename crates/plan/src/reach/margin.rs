@@ -3,13 +3,14 @@
 use wholestring::{
     model::Model,
     operation::Operation,
+    outcome::Solution,
     statics::{
         buckling::{Place, Shape},
         soft::{SoftError, SoftProfile, SoftSettings, solve},
     },
 };
 
-use wholestring_judge::{DepthLimit, DesignFactors, torque_capacity_N_m};
+use wholestring_judge::{Check, DepthLimit, DesignFactors, Judge, LimitSettings, Unchecked};
 
 use super::settings::{ReachError, ReachSettings};
 use crate::Setup;
@@ -54,10 +55,18 @@ pub fn margins(
     operation: &Operation,
     settings: &ReachSettings,
 ) -> Result<Margins, ReachError> {
+    Ok(judged(setup, operation, settings)?.0)
+}
+
+/// Returns the same, and the limits that could not be checked; none for a string that is locked up.
+pub(super) fn judged(
+    setup: &Setup,
+    operation: &Operation,
+    settings: &ReachSettings,
+) -> Result<(Margins, Vec<Unchecked>), ReachError> {
     let (soft, factors) = (&settings.soft, &settings.factors);
     let model = setup.at(operation.bit_depth_m)?;
-    let concerned = DepthLimit::ALL.into_iter();
-    let concerned = concerned.filter(|limit| limit.concerns(operation, &model.rig, &model.string));
+    let concerned = DepthLimit::ALL.into_iter().filter(|limit| limit.concerns(operation, &model));
     let has_vertical = has_vertical_hole(&model, operation.bit_depth_m);
     let is_vertical =
         |limit| matches!(limit, DepthLimit::VerticalHelix | DepthLimit::VerticalSinusoid);
@@ -65,12 +74,19 @@ pub fn margins(
     let profile = match solve(&model, operation, soft) {
         Ok(profile) => profile,
         Err(SoftError::LocksUp { md_m }) => {
-            return Ok(concerned.map(|limit| locked_up(limit, &model, factors, md_m)).collect());
+            let margins = concerned.map(|limit| locked_up(limit, &model, factors, md_m));
+            return Ok((margins.collect(), Vec::new()));
         }
         Err(error) => return Err(error.into()),
     };
-    let at = At { model: &model, operation, soft, factors, profile: &profile };
-    concerned.map(|limit| at.margin(limit)).collect()
+    let limits = LimitSettings { factors: *factors, ..LimitSettings::default() };
+    let judge = Judge { limits, ..Judge::default() };
+    let checks = judge.load_limits(&model, operation, &Solution::from(&profile));
+    let at =
+        At { model: &model, operation, soft, factors, profile: &profile, checks: &checks.checks };
+    let margins = concerned.map(|limit| at.margin(limit)).collect::<Result<_, _>>()?;
+    let stops = checks.unchecked.into_iter().filter(|unchecked| unchecked.kind.stops());
+    Ok((margins, stops.collect()))
 }
 
 fn locked_up(limit: DepthLimit, model: &Model, factors: &DesignFactors, md_m: f64) -> Margin {
@@ -80,9 +96,13 @@ fn locked_up(limit: DepthLimit, model: &Model, factors: &DesignFactors, md_m: f6
             .top_drive_torque_N_m
             .map_or(f64::NAN, |rated_N_m| rated_N_m / factors.top_drive),
         DepthLimit::Yield => 1.0 / factors.von_mises,
-        DepthLimit::MakeUp | DepthLimit::Torsion => f64::NAN,
         DepthLimit::HookLoadZero | DepthLimit::PushSpent | DepthLimit::PushAbsorbed => 0.0,
-        DepthLimit::Hoist
+        DepthLimit::Breakaway
+        | DepthLimit::PumpPressure
+        | DepthLimit::Strength
+        | DepthLimit::MakeUp
+        | DepthLimit::Torsion
+        | DepthLimit::Hoist
         | DepthLimit::Helix
         | DepthLimit::Sinusoid
         | DepthLimit::VerticalHelix
@@ -99,6 +119,8 @@ struct At<'a> {
     soft: &'a SoftSettings,
     factors: &'a DesignFactors,
     profile: &'a SoftProfile,
+    /// The limits of string and rig, as the judge has them.
+    checks: &'a [Check],
 }
 
 impl At<'_> {
@@ -112,22 +134,7 @@ impl At<'_> {
             margin,
             at_md_m: None,
         };
-        let below = |load: f64, bound: Option<f64>| {
-            let bound = bound.unwrap_or(f64::INFINITY);
-            margin_of(load, bound, 1.0 - load / bound)
-        };
         Ok(match limit {
-            DepthLimit::TopDrive => {
-                let allowed = |rated_N_m: f64| rated_N_m / self.factors.top_drive;
-                below(scalars.surface_torque_N_m.abs(), rig.top_drive_torque_N_m.map(allowed))
-            }
-            DepthLimit::Hoist => {
-                let load_N = scalars.hook_load_N + rig.block_weight_N.unwrap_or(0.0);
-                below(
-                    load_N,
-                    rig.hoist_capacity_N.map(|capacity_N| capacity_N / self.factors.hoist),
-                )
-            }
             DepthLimit::HookLoadZero => {
                 margin_of(scalars.hook_load_N, 0.0, share(scalars.hook_load_N, self.hangs_N()))
             }
@@ -139,44 +146,50 @@ impl At<'_> {
                 let arrives = self.arrives()?;
                 margin_of(arrives, 0.0, arrives.min(1.0))
             }
-            DepthLimit::Yield => {
-                let uses = self.profile.yield_use.iter().map(|use_of| use_of.unwrap_or(0.0));
-                let (row, most) = worst(uses);
-                let at_md_m = Some(self.profile.md_m[row]);
-                let allowed = 1.0 / self.factors.von_mises;
-                Margin { at_md_m, ..below(most, Some(allowed)) }
-            }
-            DepthLimit::MakeUp | DepthLimit::Torsion => self.torque(limit),
             DepthLimit::Helix | DepthLimit::Sinusoid => self.buckling(limit, false),
             DepthLimit::VerticalHelix | DepthLimit::VerticalSinusoid => self.buckling(limit, true),
+            DepthLimit::TopDrive
+            | DepthLimit::Breakaway
+            | DepthLimit::Hoist
+            | DepthLimit::PumpPressure
+            | DepthLimit::MakeUp
+            | DepthLimit::Torsion
+            | DepthLimit::Yield
+            | DepthLimit::Strength => self.judged(limit),
         })
     }
 
-    /// Returns the margin where torque over the capacity of pipe or connection is largest. A row
-    /// between two components belongs to both.
-    fn torque(&self, limit: DepthLimit) -> Margin {
-        let string = &self.model.string;
-        let kind = limit.torque_check();
-        let required = self.factors.required(kind);
-        let capacities_N_m: Vec<Option<f64>> = string
-            .components()
-            .iter()
-            .map(|component| Some(torque_capacity_N_m(component, kind)? / required))
-            .collect();
-        let mut worst = Margin { limit, load: 0.0, bound: f64::NAN, margin: 1.0, at_md_m: None };
-        for (md_m, torque_N_m) in self.profile.md_m.iter().zip(&self.profile.torque_N_m) {
-            let from_bit_m = self.operation.bit_depth_m - md_m;
-            let places = [from_bit_m - JUST_M, from_bit_m + JUST_M];
-            for (component, _) in places.map(|from_bit_m| string.component_at(from_bit_m)) {
-                let Some(bound) = capacities_N_m[component] else { continue };
-                let load = torque_N_m.abs();
-                let margin = 1.0 - load / bound;
-                if margin < worst.margin {
-                    worst = Margin { limit, load, bound, margin, at_md_m: Some(*md_m) };
-                }
+    /// Returns the margin of a limit that the judge checks: that of the check with the least reserve.
+    /// A load of zero has no check.
+    fn judged(&self, limit: DepthLimit) -> Margin {
+        let of_limit = self.checks.iter().filter(|check| limit.checks().contains(&check.kind));
+        let limits = of_limit.filter(|check| check.factor.is_some());
+        let worst = limits.min_by(|a, b| a.reserve().total_cmp(&b.reserve()));
+        let Some(Check { value: Some(load), limit: Some(capacity), required, md_m, .. }) = worst
+        else {
+            let (load, bound) = self.not_loaded(limit);
+            return Margin { limit, load, bound, margin: 1.0, at_md_m: None };
+        };
+        let required = required.unwrap_or(1.0);
+        let margin = 1.0 - load * required / capacity;
+        // As a part of its capacity, where the limit stands for several quantities.
+        let (load, capacity) =
+            if limit.unit().is_empty() { (load / capacity, 1.0) } else { (*load, *capacity) };
+        Margin { limit, load, bound: capacity / required, margin, at_md_m: *md_m }
+    }
+
+    /// Returns load and bound of a limit without a load: a string that the block pushes loads the
+    /// hoist with less than nothing.
+    fn not_loaded(&self, limit: DepthLimit) -> (f64, f64) {
+        let rig = &self.model.rig;
+        match (limit, rig.hoist_capacity_N) {
+            (DepthLimit::Hoist, Some(capacity_N)) => {
+                let block_N = rig.block_weight_N.unwrap_or(0.0);
+                let load_N = self.profile.scalars.hook_load_N + block_N;
+                (load_N, capacity_N / self.factors.hoist)
             }
+            _ => (0.0, f64::NAN),
         }
-        worst
     }
 
     /// Returns the hook load without friction and off bottom, N: the weight of the string along the
@@ -193,15 +206,15 @@ impl At<'_> {
         let shape = usize::from(is_helix);
         let rows = 0..self.profile.md_m.len();
         let along = rows.filter_map(|row| {
-            let loads_N = [&self.profile.sinusoidal_load_N, &self.profile.helical_load_N];
-            Some((row, loads_N[shape][row]?))
+            let profile = &self.profile;
+            Some((row, [profile.sinusoidal_load_N[row]?, profile.helical_load_N[row]?]))
         });
-        let below = self.below_jumps().map(|(row, loads_N)| (row, loads_N[shape]));
+        let below = self.below_jumps();
         let mut worst = Margin { limit, load: 0.0, bound: f64::NAN, margin: 1.0, at_md_m: None };
-        for (row, critical_N) in along.chain(below) {
-            let load = -self.profile.tension_N[row];
+        for (row, loads_N) in along.chain(below) {
+            let (load, critical_N) = (-self.profile.tension_N[row], loads_N[shape]);
             let margin = 1.0 - load / critical_N;
-            if margin < worst.margin && self.is_vertical(row, shape, critical_N) == vertical {
+            if margin < worst.margin && self.is_vertical(row, loads_N[1]) == vertical {
                 let at_md_m = Some(self.profile.md_m[row]);
                 worst = Margin { limit, load, bound: critical_N, margin, at_md_m };
             }
@@ -230,14 +243,15 @@ impl At<'_> {
         })
     }
 
-    /// Whether a critical load is that of a vertical hole, which results from the weight alone: it
-    /// is the largest there, and the hole is so steep that the weight across it does not hold the
-    /// pipe better. In a level hole whose curvature lifts the pipe off the wall the same load is
-    /// the governing minimum, but the hole is not vertical.
-    fn is_vertical(&self, row: usize, shape: usize, critical_N: f64) -> bool {
+    /// Whether the load of the helix is that of a vertical hole, which results from the weight
+    /// alone: it is the largest there, and the hole is so steep that the weight across it does not
+    /// hold the pipe better. In a level hole whose curvature lifts the pipe off the wall the same
+    /// load is the governing minimum, but the hole is not vertical. Sinusoid and helix are divided
+    /// by this one load, so that the helix of no place begins before its sinusoid.
+    fn is_vertical(&self, row: usize, critical_N: f64) -> bool {
         let md_m = self.profile.md_m[row];
         let place = Place::above(self.model, self.operation.bit_depth_m, md_m);
-        let shape = self.model.buckling.shapes()[shape];
+        let shape = self.model.buckling.helix();
         critical_N <= place.vertical_load_N(shape) * (1.0 + ROUNDING) && is_steep(&place, shape)
     }
 
@@ -279,15 +293,4 @@ fn has_vertical_hole(model: &Model, bit_depth_m: f64) -> bool {
 /// Returns a load as a part of the hanging weight; where that is not positive, its sign.
 fn share(load_N: f64, hangs_N: f64) -> f64 {
     if hangs_N > 0.0 { load_N / hangs_N } else { load_N.signum() }
-}
-
-/// Returns the index of the largest of some numbers and its value; zeros where none is positive.
-fn worst(values: impl Iterator<Item = f64>) -> (usize, f64) {
-    let mut most = (0, 0.0);
-    for (row, value) in values.enumerate() {
-        if value > most.1 {
-            most = (row, value);
-        }
-    }
-    most
 }

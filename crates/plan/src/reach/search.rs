@@ -1,10 +1,11 @@
 //! Margins against depth, and the first zero of each.
 
 use wholestring::operation::{Operation, OperationKind};
-use wholestring_judge::DepthLimit;
+use wholestring_judge::{DepthLimit, Unchecked};
 
 use super::{
-    margin::{Margin, margins},
+    margin::{Margin, Margins, judged},
+    passage::passages_m,
     settings::{ReachError, ReachSettings},
 };
 use crate::{Setup, root};
@@ -18,6 +19,9 @@ pub enum End {
     Already(f64),
     /// It is not reached down to this depth, m.
     NoneTo(f64),
+    /// The string is locked up at the first depth of the grid, m, already: nothing is known of this
+    /// limit.
+    LockedUp(f64),
 }
 
 impl End {
@@ -25,7 +29,7 @@ impl End {
     pub const fn depth_m(self) -> Option<f64> {
         match self {
             Self::At(depth_m) | Self::Already(depth_m) => Some(depth_m),
-            Self::NoneTo(_) => None,
+            Self::NoneTo(_) | Self::LockedUp(_) => None,
         }
     }
 }
@@ -54,6 +58,20 @@ pub struct OperationReach {
     pub depth_m: Vec<f64>,
     /// Its limits.
     pub curves: Vec<Curve>,
+    /// Limits that stop it and could not be checked.
+    pub unchecked: Vec<Unchecked>,
+}
+
+impl OperationReach {
+    /// Returns the limit that stops it, with its depth, m; of limits that are reached at the same
+    /// depth, the one that is exceeded most.
+    pub fn stop(&self) -> Option<(f64, &Curve)> {
+        let stops = self.curves.iter().filter(|curve| curve.stops);
+        let met = stops.filter_map(|curve| Some((curve.end.depth_m()?, curve)));
+        met.min_by(|(a_m, a), (b_m, b)| {
+            a_m.total_cmp(b_m).then(a.there.margin.total_cmp(&b.there.margin))
+        })
+    }
 }
 
 /// Returns the reach of an operation: its limits against depth. The operation's own depth is not
@@ -86,40 +104,73 @@ pub fn reach_unless(
     }
     let at = |bit_depth_m: f64| match is_stopped() {
         true => Err(ReachError::Stopped),
-        false => margins(setup, &Operation { bit_depth_m, ..*operation }, settings),
+        false => judged(setup, &Operation { bit_depth_m, ..*operation }, settings),
     };
     let depth_m = settings.grid_m();
-    let rows: Vec<_> = depth_m.iter().map(|depth_m| at(*depth_m)).collect::<Result<_, _>>()?;
-    let curves = (0..rows[0].len()).map(|index| {
-        let margins: Vec<Margin> = rows.iter().map(|row| row[index]).collect();
-        let one = |depth_m: f64| at(depth_m).map(|row| row[index]);
-        let (end, there) = end(&depth_m, &margins, one, settings.tolerance_m)?;
-        let limit = margins[0].limit;
+    let all_m = with_passages_m(setup, &depth_m);
+    let mut rows: Vec<(f64, Margins)> = Vec::with_capacity(all_m.len());
+    let mut unchecked = Vec::new();
+    for depth_m in all_m {
+        let (margins, lacking) = at(depth_m)?;
+        if unchecked.is_empty() {
+            unchecked = lacking;
+        }
+        rows.push((depth_m, margins));
+    }
+    let limits: Vec<DepthLimit> = rows[0].1.iter().map(|margin| margin.limit).collect();
+    // What a string meets that is locked up at the first depth already.
+    let lock = match limits.contains(&DepthLimit::PushAbsorbed) {
+        true => Some(DepthLimit::PushAbsorbed),
+        false => limits.iter().copied().find(|limit| limit.stops()),
+    };
+    let curves = limits.iter().enumerate().map(|(index, &limit)| {
+        let points: Vec<(f64, Margin)> =
+            rows.iter().map(|(depth_m, margins)| (*depth_m, margins[index])).collect();
+        let one = |depth_m: f64| at(depth_m).map(|(margins, _)| margins[index]);
+        let (end, there) = end(&points, one, Some(limit) == lock, settings.tolerance_m)?;
         // With a block or a rig that pushes, the string continues at a hook load of zero.
         let pushes = limit == DepthLimit::HookLoadZero && setup.rig.push_with_block_N() > 0.0;
         let stops =
             limit.stops() && !pushes || settings.stop_at_helix && limit == DepthLimit::Helix;
+        let of_grid = points.iter().filter(|(at_m, _)| depth_m.contains(at_m));
+        let margins = of_grid.map(|(_, margin)| *margin).collect();
         Ok(Curve { limit, stops, margins, end, there })
     });
     let curves = curves.collect::<Result<_, ReachError>>()?;
-    Ok(OperationReach { kind: operation.kind, depth_m, curves })
+    Ok(OperationReach { kind: operation.kind, depth_m, curves, unchecked })
+}
+
+/// Returns the depths of the grid and, between them, those at which a component enters or leaves a
+/// curved stretch, m, increasing.
+fn with_passages_m(setup: &Setup, grid_m: &[f64]) -> Vec<f64> {
+    let ends_m = [grid_m[0], grid_m[grid_m.len() - 1]];
+    let mut all_m: Vec<f64> = grid_m.iter().copied().chain(passages_m(setup, ends_m)).collect();
+    all_m.sort_by(f64::total_cmp);
+    all_m.dedup();
+    all_m
 }
 
 fn end(
-    depth_m: &[f64],
-    margins: &[Margin],
+    points: &[(f64, Margin)],
     one: impl Fn(f64) -> Result<Margin, ReachError>,
+    is_lock: bool,
     tolerance_m: f64,
 ) -> Result<(End, Margin), ReachError> {
-    let met = margins.iter().position(|margin| margin.margin <= 0.0);
+    let met = points.iter().position(|(_, margin)| margin.margin <= 0.0);
     let Some(met) = met else {
-        let last = margins.len() - 1;
-        return Ok((End::NoneTo(depth_m[last]), margins[last]));
+        let (last_m, last) = points[points.len() - 1];
+        return Ok((End::NoneTo(last_m), last));
     };
     let Some(above) = met.checked_sub(1) else {
-        return Ok((End::Already(depth_m[0]), margins[0]));
+        let (first_m, first) = points[0];
+        let is_locked_up = first.margin == f64::NEG_INFINITY;
+        let end = match is_locked_up && !is_lock {
+            true => End::LockedUp(first_m),
+            false => End::Already(first_m),
+        };
+        return Ok((end, first));
     };
-    let end = |index: usize| (depth_m[index], bounded(margins[index].margin));
+    let end = |index: usize| (points[index].0, bounded(points[index].1.margin));
     let margin_at = |depth_m: f64| one(depth_m).map(|margin| bounded(margin.margin));
     let found_m = root(margin_at, [end(above), end(met)], tolerance_m)?;
     Ok((End::At(found_m), one(found_m)?))
@@ -137,12 +188,9 @@ fn bounded(margin: f64) -> f64 {
 /// Returns the first limit that stops a string, of any operation: the operation and its curve. Of
 /// those that are reached already at the first depth, the one that is exceeded most.
 pub fn first_stop(reaches: &[OperationReach]) -> Option<(&OperationReach, &Curve)> {
-    let all = reaches.iter().flat_map(|reach| reach.curves.iter().map(move |curve| (reach, curve)));
-    let met = all.filter(|(_, curve)| curve.stops);
-    let met = met.filter_map(|pair| Some((pair.1.end.depth_m()?, pair)));
-    let first = met.min_by(|(a_m, (_, a)), (b_m, (_, b))| {
-        let exceeded = a.there.margin.total_cmp(&b.there.margin);
-        a_m.total_cmp(b_m).then(exceeded)
+    let met = reaches.iter().filter_map(|reach| Some((reach, reach.stop()?)));
+    let first = met.min_by(|(_, (a_m, a)), (_, (b_m, b))| {
+        a_m.total_cmp(b_m).then(a.there.margin.total_cmp(&b.there.margin))
     });
-    first.map(|(_, pair)| pair)
+    first.map(|(reach, (_, curve))| (reach, curve))
 }

@@ -14,7 +14,7 @@ pub struct ReachSettings {
     /// Deepest bit, m, up to 100 km.
     pub to_m: f64,
     /// Number of depths of the grid, at least two. A limit that is exceeded only between two of
-    /// them is not detected.
+    /// them is not detected, except where a component passes a curved stretch.
     pub depths: usize,
     /// Settings of the soft string, including whether the wall force of a helix causes friction;
     /// without that a string never locks up.
@@ -23,7 +23,7 @@ pub struct ReachSettings {
     pub stop_at_helix: bool,
     /// Tolerance of a depth, m.
     pub tolerance_m: f64,
-    /// The required factors of top drive, hoist and von Mises stress.
+    /// The required factors of the limits of string and rig.
     pub factors: DesignFactors,
 }
 

@@ -17,9 +17,9 @@ const BELOW: f64 = -25.0;
 /// A margin that never falls below this is not drawn: its limit is far at every depth.
 const FAR: f64 = 0.999;
 
-/// Colours of the limits: those of lines first. Without the beginnings of buckling there are eight
-/// limits, nine where the string counts as stopped by a helix.
-pub(super) const INKS: [Ink; 9] = [
+/// Colours of the limits: those of lines first. Without the beginnings of buckling there are eleven
+/// limits, twelve where the string counts as stopped by a helix.
+pub(super) const INKS: [Ink; 12] = [
     Ink::Line(0),
     Ink::Line(1),
     Ink::Line(2),
@@ -29,6 +29,9 @@ pub(super) const INKS: [Ink; 9] = [
     Ink::Line(6),
     Ink::Rock,
     Ink::Casing,
+    Ink::HighSide,
+    Ink::LowSide,
+    Ink::Text,
 ];
 
 /// Names of the pictures of a reach.

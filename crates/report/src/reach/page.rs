@@ -115,6 +115,7 @@ fn limits(reach: &Reach, display: DisplayUnits<'_>) -> StudyPart {
         let depth = match row.depth_m {
             Some(_) if row.already => format!("{from} already"),
             Some(depth_m) => display.depth(depth_m),
+            None if row.margin_at_from.is_none() => "no answer: locked up".to_owned(),
             None => format!("none to {to}"),
         };
         let [at_from, at_to] = [row.margin_at_from, row.margin_at_to].map(|margin| match margin {

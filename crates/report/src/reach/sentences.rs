@@ -92,5 +92,6 @@ pub fn reach_notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
         );
     }
     notes.extend(summary.left_out.iter().cloned());
+    notes.extend(summary.unchecked.iter().map(|phrase| format!("Not checked: {phrase}.")));
     notes
 }

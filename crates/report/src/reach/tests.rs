@@ -38,6 +38,7 @@ fn summary() -> ReachSummary {
         operation: OperationKind::Drill.words(),
         stopped: Some((5000.0, DepthLimit::TopDrive)),
         pushed_from_m: None,
+        rig_pushes: false,
         from_m: 0.0,
         planned_m: 8000.0,
         to_m: 10e3,
@@ -57,6 +58,7 @@ fn summary() -> ReachSummary {
         helix_side_force: true,
         stop_at_helix: false,
         left_out: Vec::new(),
+        unchecked: Vec::new(),
         frictions: vec![friction(0.2, None), friction(0.4, Some(5000.0))],
         checks: vec![ReachCheck {
             operation: OperationKind::Drill,

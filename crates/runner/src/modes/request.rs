@@ -3,12 +3,12 @@
 use std::{num::NonZeroUsize, path::PathBuf, time::Duration};
 
 use wholestring::{
-    modal::{Campbell, Family, Forcing, Mode, Place, SmallMotions},
+    modal::{Campbell, Family, Forcing, ModalError, Mode, Place, SmallMotions},
     operation::{Operation, OperationKind},
     statics::soft::{self, SoftSettings},
 };
 use wholestring_case::Case;
-use wholestring_judge::{Quantity, Rounding};
+use wholestring_judge::{NoAnswer, Quantity, Rounding};
 use wholestring_report::Modes;
 use wholestring_results::{
     CriticalSpeed, MODES_VERSION, ModeFound, ModesRows, ModesSummary, Occupant, Spot, Texts, digest,
@@ -125,8 +125,21 @@ fn find(
     };
     let options = &case.modes;
     let at_rest = case.dynamics.stiff_string();
-    let motions = SmallMotions::new(&case.model, operation, &at_rest, &case.dynamics)
-        .map_err(Error::failed)?;
+    let judge = case.judge(case.units);
+    let no_answer = |why: NoAnswer| {
+        Error::failed(format!(
+            "{}: the string has no answer: {}",
+            operation.kind,
+            judge.reason(&why)
+        ))
+    };
+    let motions =
+        SmallMotions::new(&case.model, operation, &at_rest, &case.dynamics).map_err(|error| {
+            match error {
+                ModalError::Stiff(error) => no_answer(error.into()),
+                error => Error::failed(error),
+            }
+        })?;
     goes_on()?;
     let assembly = motions.assembly(options.assembly_m);
     let lateral =
@@ -153,10 +166,9 @@ fn find(
         assembly.respond(forcing, &speeds(options.rotary_rad_per_s, ANSWERS))
     };
     let modes: Vec<Mode> = [lateral, others].concat();
-    let judge = case.judge(case.units);
     let mut texts = Texts::default();
     let soft = soft::solve(&case.model, operation, &SoftSettings::default());
-    let soft = soft.map_err(Error::failed)?;
+    let soft = soft.map_err(|error| no_answer(error.into()))?;
     let summary = ModesSummary {
         schema_version: MODES_VERSION,
         case: case.name.clone(),

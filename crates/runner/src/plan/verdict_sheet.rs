@@ -1,5 +1,4 @@
-//! Sheets of a plan's checks for a reader: the verdict first, then the least reserve of each kind
-//! of limit.
+//! Sheets of a plan's checks for a reader: the verdict, and what was not checked.
 
 use wholestring_report::{Cells, Sheet, SheetColumn};
 use wholestring_results::{PlanCheck, PlanSummary};
@@ -48,4 +47,21 @@ pub(super) fn verdict_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
     let about = "Of each kind of check and each operation the most severe of all models, depths and \
         frictions; plan_limits.csv has every depth and component";
     Sheet { name: "Verdict".to_owned(), about: about.to_owned(), columns }
+}
+
+/// Limits that were not checked, and what the plan leaves out; `None` where there is nothing.
+pub(super) fn unchecked_sheet(summary: &PlanSummary, units: UnitSet) -> Option<Sheet> {
+    let phrases = summary.unchecked.iter().map(|phrase| summary.texts.in_units(phrase, units));
+    let column = SheetColumn {
+        heading: "not checked".to_owned(),
+        unit: String::new(),
+        meaning: "Limits, with the number that is missing, and other parts left out".to_owned(),
+        cells: Cells::Words(phrases.collect()),
+    };
+    let about = "What the verdict does not include";
+    (!summary.unchecked.is_empty()).then(|| Sheet {
+        name: "Not checked".to_owned(),
+        about: about.to_owned(),
+        columns: vec![column],
+    })
 }

@@ -6,10 +6,11 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_judge::{CheckKind, Unchecked};
-use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics};
+use wholestring_plan::{Broomstick, BroomstickTask, Campaign, FrictionLevel, Statics};
 use wholestring_results::{
-    PLAN_VERSION, PlanBuckling, PlanCheck, PlanDamage, PlanPoint, PlanSummary, PlanWear,
-    ResultsError, ResultsFolder, Row as _, Texts, plan_limits_table, plan_peaks_time_table,
+    PLAN_VERSION, PlanBuckling, PlanCheck, PlanDamage, PlanOperation, PlanPoint, PlanSummary,
+    PlanWear, ResultsError, ResultsFolder, Row as _, Texts, plan_limits_table,
+    plan_peaks_time_table,
 };
 
 use super::{
@@ -37,6 +38,9 @@ use crate::{
     tasks::Tasks,
     uncertain::{self, Sampled, Sampler, samples_table},
 };
+
+/// Depths closer than this are one, m.
+const SAME_M: f64 = 1.0;
 
 /// A task of a plan.
 #[derive(Debug, Clone, Copy)]
@@ -78,6 +82,17 @@ pub(super) struct Ended {
     pub(super) batch: BatchOutcome,
 }
 
+/// Checks of depths at which the operation is done: nothing is drilled, slid or reamed above the
+/// section of the campaign.
+fn of_section(checks: &[PlanCheck], campaign: Option<&Campaign>) -> Vec<PlanCheck> {
+    let is_done = |row: &&PlanCheck| {
+        let PlanOperation::Kind(kind) = row.operation else { return true };
+        let from_m = campaign.and_then(|campaign| campaign.done_from_m(kind));
+        from_m.is_none_or(|from_m| row.bit_depth_m >= from_m - SAME_M)
+    };
+    checks.iter().filter(is_done).cloned().collect()
+}
+
 /// Checks that are relevant to a plan: without those of depths at which the string is too light for
 /// the requested weight on bit, if it is heavy enough at the deepest.
 fn relevant(checks: &[PlanCheck]) -> Vec<PlanCheck> {
@@ -115,7 +130,7 @@ fn worst(checks: &[PlanCheck]) -> Vec<PlanCheck> {
             other.check.kind == row.check.kind && other.operation == row.operation
         };
         match found.iter().position(is_same) {
-            Some(place) if is_worse(row, found[place]) => found[place] = row,
+            Some(place) if is_worse(checks, row, found[place]) => found[place] = row,
             Some(_) => {}
             None => found.push(row),
         }
@@ -124,10 +139,25 @@ fn worst(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     found.into_iter().cloned().collect()
 }
 
-/// Of equal checks, the one at the deeper bit is the worse.
-fn is_worse(row: &PlanCheck, other: &PlanCheck) -> bool {
-    let severity = row.check.cmp_severity(&other.check);
-    severity.then(row.bit_depth_m.total_cmp(&other.bit_depth_m)).is_gt()
+/// Of equal checks, the one at the deeper bit is the worse. Strings that go down by their weight
+/// are ranked by the reserve of their lock-up: the hook load is the least of the shortest string.
+fn is_worse(checks: &[PlanCheck], row: &PlanCheck, other: &PlanCheck) -> bool {
+    let deeper = row.bit_depth_m.total_cmp(&other.bit_depth_m);
+    let goes_down = |row: &PlanCheck| row.check.kind == CheckKind::GoesDown && row.check.is_ok();
+    if goes_down(row) && goes_down(other) {
+        let reserve = |row: &PlanCheck| {
+            let mut alike = checks.iter();
+            let lock_up = alike.find(|alike| {
+                alike.check.kind == CheckKind::LockUp
+                    && (alike.model, alike.operation, alike.friction)
+                        == (row.model, row.operation, row.friction)
+                    && alike.bit_depth_m == row.bit_depth_m
+            });
+            lock_up.map_or(f64::INFINITY, |lock_up| lock_up.check.reserve())
+        };
+        return reserve(other).total_cmp(&reserve(row)).then(deeper).is_gt();
+    }
+    row.check.cmp_severity(&other.check).then(deeper).is_gt()
 }
 
 /// Solvers of the tasks.
@@ -347,7 +377,7 @@ impl<'a> Work<'a> {
             unchecked.push(why);
             Vec::new()
         });
-        let relevant = relevant(&all_limits);
+        let relevant = relevant(&of_section(&all_limits, self.broomstick.campaign()));
         let mut summary = PlanSummary {
             schema_version: PLAN_VERSION,
             case: case.name.clone(),

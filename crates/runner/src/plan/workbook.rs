@@ -9,7 +9,7 @@ use super::{
     files::Tables,
     inputs_sheet::inputs_sheet,
     roadmap_sheet::roadmap_sheet,
-    verdict_sheet::verdict_sheet,
+    verdict_sheet::{unchecked_sheet, verdict_sheet},
 };
 use crate::{page::PROGRAM, sheet::sheet};
 
@@ -79,7 +79,7 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     });
     let tables = tables.chain(scattered);
     let tables = tables.map(|(name, table, about)| sheet(name, table, about, units));
-    let sheets: Vec<Sheet> = tables.collect();
+    let sheets: Vec<Sheet> = unchecked_sheet(summary, units).into_iter().chain(tables).collect();
     let first = [inputs_sheet, verdict_sheet, roadmap_sheet].map(|make| make(summary, units));
     let charts = charts(summary, &sheets);
     Workbook {

@@ -1,10 +1,11 @@
 //! Request of a reach, and its outcome.
 
-use std::{num::NonZeroUsize, path::PathBuf, sync::Mutex, time::Duration};
+use std::{collections::BTreeSet, num::NonZeroUsize, path::PathBuf, sync::Mutex, time::Duration};
 
 use serde_json::json;
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_case::{Case, Override, Template};
+use wholestring_judge::Unchecked;
 use wholestring_plan::{
     Setup,
     reach::{Curve, End, OperationReach, ReachError, ReachSettings, first_stop, reach_unless},
@@ -230,7 +231,16 @@ pub fn run(
     let judge = case.judge(request.units.unwrap_or(case.units));
     let planned_m =
         case.operations.iter().map(|operation| operation.bit_depth_m).fold(0.0, f64::max);
-    let checks = checks::checks(&frictions, [settings.from_m, settings.to_m], planned_m, &judge);
+    let rows: Vec<_> =
+        answers.iter().map(|answer| (answer.friction, &answer.reaches[..])).collect();
+    let rig_pushes = case.model.rig.snubbing_force_N.is_some();
+    let ends_m = [settings.from_m, settings.to_m];
+    let checks = checks::checks(&rows, ends_m, planned_m, rig_pushes, &judge);
+    let unchecked: BTreeSet<&Unchecked> = answers
+        .iter()
+        .flat_map(|answer| &answer.reaches)
+        .flat_map(|reach| &reach.unchecked)
+        .collect();
     let summary = ReachSummary {
         schema_version: REACH_VERSION,
         case: case.name.clone(),
@@ -241,6 +251,7 @@ pub fn run(
         helix_side_force: request.helix_side_force,
         stop_at_helix: request.stop_at_helix,
         left_out,
+        unchecked: Unchecked::phrases(unchecked),
         frictions,
         checks,
         uncertain: samples.as_ref().map(|(_, found, _)| found.clone()),
@@ -249,8 +260,6 @@ pub fn run(
     uncertain::write(folder, &UncertainTables::REACH, written)?;
     uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
     // Also as CSV, because the page links to them.
-    let rows: Vec<_> =
-        answers.iter().map(|answer| (answer.friction, &answer.reaches[..])).collect();
     let margins = reach_table(&rows);
     folder.write_table(REACH, &margins, false)?;
     tables::picture(&margins, &summary).write_csv(&folder.path().join(format!("{REACH}.csv")))?;

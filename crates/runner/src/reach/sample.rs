@@ -41,7 +41,10 @@ pub(super) struct SampleSolver<'a> {
 /// Depth of the limit, or the deepest one evaluated, m.
 fn depth_m(end: End) -> f64 {
     match end {
-        End::At(depth_m) | End::Already(depth_m) | End::NoneTo(depth_m) => depth_m,
+        End::At(depth_m)
+        | End::Already(depth_m)
+        | End::NoneTo(depth_m)
+        | End::LockedUp(depth_m) => depth_m,
     }
 }
 
