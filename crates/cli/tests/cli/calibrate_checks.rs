@@ -155,13 +155,17 @@ fn depths_in_another_unit_are_refused_with_it() {
     assert!(text.contains("a factor of 3.2808") && text.contains("Is the unit m?"), "{text}");
 }
 
-/// Pick-up weights alone hardly separate the block from the friction, which is a warning.
+/// Pick-up weights alone do not separate the block from two friction factors, and the refusal names
+/// what would; one factor is fitted.
 #[test]
-fn pick_up_weights_alone_are_fitted_with_a_warning() {
+fn pick_up_weights_alone_do_not_determine_three_numbers() {
     let rows = file(|_, row| row);
     let alone = rows.lines().map(|line| line.split(',').take(2).collect::<Vec<_>>().join(","));
-    let (summary, ..) = made(&(alone.collect::<Vec<_>>().join("\n") + "\n"), &[]);
-    check(&summary, "not_told_apart");
+    let alone = alone.collect::<Vec<_>>().join("\n") + "\n";
+    let text = refused(&alone, &[]);
+    assert!(text.contains("do not determine"), "{text}");
+    assert!(text.contains("Give other readings too"), "{text}");
+    made(&alone, &["--one-factor"]);
 }
 
 /// klbf under `kN`, with the block fitted or fixed; a single column of it; kN under `t`.

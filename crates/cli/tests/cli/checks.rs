@@ -86,7 +86,7 @@ fn strict_ends_with_four() {
     let output = desk.run(&arguments);
     assert_eq!(output.status.code(), Some(4));
     let stderr = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(stderr, "error: errors were found: trip in (soft), slide (soft)\n");
+    assert_eq!(stderr, "error: errors were found: trip in (soft); slide (soft)\n");
     // All results exist.
     assert_eq!(desk.summary("results").operations.len(), 2);
     assert!(desk.path("results/report.html").exists());

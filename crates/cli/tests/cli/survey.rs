@@ -158,11 +158,11 @@ fn with_survey(desk: &Desk, survey: &str) {
 }
 
 /// A survey that begins at 500 m without other information begins 500 m below the origin, alone as
-/// in a case.
+/// in a case. An inclined hole does not lead there from the wellhead: a case refuses it.
 #[test]
 fn a_first_station_below_the_surface_lies_as_deep_everywhere() {
     let desk = Desk::new();
-    with_survey(&desk, "MD (m),Inc,Azi\n500,60,0\n600,60,0\n");
+    with_survey(&desk, "MD (m),Inc,Azi\n500,4,0\n600,4,0\n");
     let output = desk.run(&["survey", "own.csv"]);
     let rows = rows(&text(&output.stdout));
     assert_eq!((rows[0].md_m, rows[0].tvd_m), (500.0, 500.0));
@@ -170,6 +170,12 @@ fn a_first_station_below_the_surface_lies_as_deep_everywhere() {
     assert!(text(&output.stderr).contains(note));
     let check = desk.run(&["check", "own.toml"]);
     assert!(text(&check.stdout).contains(note), "{}", transcript(&check));
+    with_survey(&desk, "MD (m),Inc,Azi\n500,60,0\n600,60,0\n");
+    let refused = desk.run(&["check", "own.toml"]);
+    assert_eq!(refused.status.code(), Some(2), "{}", transcript(&refused));
+    assert!(text(&refused.stderr).contains("the hole from the surface to there is not given"));
+    let warned = desk.run(&["survey", "own.csv"]);
+    assert!(text(&warned.stderr).contains("warning"), "{}", transcript(&warned));
 }
 
 /// All commands refuse it without units, until they are given.

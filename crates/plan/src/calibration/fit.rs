@@ -148,7 +148,10 @@ fn explained(reason: &TerminationReason) -> &'static str {
              zero"
         }
         TerminationReason::LostPatience => {
-            "its steps did not become small: the readings hardly depend on the fitted numbers"
+            "its steps did not become small, because the readings do not determine the fitted \
+             numbers together. Give other readings too (pick-up, slack-off and rotating weights, \
+             torque), or fit fewer numbers: one factor, a factor that is held, the block weight in \
+             the case"
         }
         _ => "the readings are inconsistent with the fitted numbers",
     }

@@ -8,7 +8,7 @@ export type {
   Bar,
   FileEntry,
   Found as FoundCheck,
-  IfThere,
+  Existing as IfThere,
   JobRequest,
   JobView as Job,
   Progress,

@@ -171,6 +171,24 @@ export interface Batch {
   part: number;
 }
 
+/** Options of `bha`. */
+export interface BhaOptions {
+  /** Build rate of those holes: `2 deg/30m`. */
+  build?: string | null;
+  /** Whether the tables are written as CSV too. */
+  csv?: boolean;
+  /** Inclinations of a straight hole. */
+  inclination?: string | null;
+  /** The operation; the first that drills by default. */
+  operation?: string | null;
+  /** Tool faces of the bend: `0 deg..360 deg/15 deg`. */
+  toolface?: string | null;
+  /** Weights on bit: `20 kN..120 kN/20 kN`. */
+  weight?: string | null;
+  /** Whether the whole string is solved. */
+  whole?: boolean;
+}
+
 /** A broomstick. */
 export interface Broomstick {
   /** A curve for each operation at each friction. */
@@ -197,6 +215,46 @@ export interface BroomstickCurve {
   operation: string;
   /** Torque at the top, N·m. */
   surface_torque_N_m: Column;
+}
+
+/** Options of `calibrate`. */
+export interface CalibrateOptions {
+  /** Confidence of the bands, %; 90 by default. */
+  band?: string | null;
+  /** Fits the bit torque on bottom. */
+  bit_torque?: boolean;
+  /** Fits the block weight although the case gives it. */
+  block_weight?: boolean;
+  /** A factor for each hole section instead of casing and open hole. */
+  by_section?: boolean;
+  /** Bit depths of that comparison, such as `2100 m`; the shallowest, the middle and the deepest by default. */
+  check_depths?: string[];
+  /** Whether the dynamic model is compared with the readings. */
+  check_dynamics?: boolean;
+  /** The file of readings. */
+  data: string;
+  /** Rotational friction separate from axial friction. */
+  friction_around?: boolean;
+  /** Fixed parameters: `friction_cased=0.2`. */
+  hold?: string[];
+  /** The model of the predictions: `soft`, the default, or `stiff`. */
+  model?: string | null;
+  /** One friction factor for casing and open hole. */
+  one_factor?: boolean;
+  /** Case files of the other strings that were in the hole. */
+  other_cases?: string[];
+  /** Number of standard errors beyond which a residual is an outlier; 3 by default. */
+  outlier?: string | null;
+  /** Whether PNG images are written too. */
+  png?: boolean;
+  /** Standard error of rotating weights; estimated by default. */
+  rotating_error?: string | null;
+  /** Standard error of torques, such as `500 N.m`; estimated by default. */
+  torque_error?: string | null;
+  /** Standard error of pick-up and slack-off weights, such as `12 kN`; estimated by default. */
+  weight_error?: string | null;
+  /** Excludes the outliers from the fit. */
+  without_outliers?: boolean;
 }
 
 /** A case of the folder. */
@@ -480,6 +538,9 @@ export interface ExampleFile {
   text: string;
 }
 
+/** Treatment of existing results in a folder. */
+export type Existing = "protect" | "resume" | "overwrite";
+
 /** As fast as possible. */
 export type Fastest = "max";
 
@@ -560,9 +621,6 @@ export interface Hoist {
 /** A kind of hole. */
 export type HoleKind = "casing" | "open";
 
-/** Treatment of existing files in the results folder. */
-export type IfThere = "protect" | "resume" | "overwrite";
-
 /** An import, as a multipart form. */
 export interface ImportForm {
   choices?: Said | null;
@@ -622,12 +680,12 @@ export interface Job {
   title: string;
 }
 
-/** A request to run a command of the program on a saved case. */
+/** A request to run a command of the program on a saved case. The files that the command reads are identified as in the lists of the folder. */
 export interface JobRequest {
   /** The id of the case; none for a study, which names its own. */
   case?: string | null;
   /** Treatment of existing files in the results folder. */
-  if_there?: IfThere;
+  if_there?: Existing;
   /** Values by key, as in `--set KEY=VALUE`. */
   set?: { [key: string]: string };
   /** The command. */
@@ -995,6 +1053,24 @@ export interface Question {
   options: string[];
 }
 
+/** Options of `reach`. */
+export interface ReachOptions {
+  /** Friction factors, each applied to all hole sections. */
+  frictions?: number[];
+  /** First bit depth: `4000 m`. */
+  from?: string | null;
+  /** Whether the friction from the wall force of a helix is ignored. */
+  no_helix_friction?: boolean;
+  /** The operations: `drill`, `slide`. */
+  operations?: string[];
+  /** Whether a PNG image is written too. */
+  png?: boolean;
+  /** Whether the string stops at the onset of its helix, although it could advance buckled. */
+  stop_at_helix?: boolean;
+  /** Deepest bit depth. */
+  to?: string | null;
+}
+
 /** Result of reading files. */
 export interface Reading {
   case: ImportedCase | null;
@@ -1325,6 +1401,20 @@ export interface StickSlipLamp {
   stuck_fraction: number;
 }
 
+/** Options of `study`. */
+export interface StudyOptions {
+  /** Whether the tables that are kept are written as CSV too. */
+  csv?: boolean;
+  /** Results to keep of each case: `summary`, `tables` or `all`. */
+  keep?: string | null;
+  /** Whether PNG images are written too. */
+  png?: boolean;
+  /** Share of the cases to solve, such as `1/4`. */
+  shard?: string | null;
+  /** The study file. */
+  study: string;
+}
+
 /** A survey. */
 export interface Survey {
   /** Recognised and assumed properties, in sentences. */
@@ -1332,6 +1422,20 @@ export interface Survey {
   /** The stations. */
   stations: Stations;
   tie_in: Start | null;
+}
+
+/** Options of `sweep`. */
+export interface SweepOptions {
+  /** Whether the tables that are kept are written as CSV too. */
+  csv?: boolean;
+  /** Results to keep of each case: `summary`, `tables` or `all`. */
+  keep?: string | null;
+  /** Share of the cases to solve, such as `1/4`. */
+  shard?: string | null;
+  /** Whether the keys are varied together: the n-th case has the n-th value of every key. */
+  together?: boolean;
+  /** Values by key: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`. */
+  vary: string[];
 }
 
 /** A text that may be the contents of a case file. */
@@ -1447,7 +1551,7 @@ export interface WhirlLamp {
   ratio: number;
 }
 
-/** A command with its main options; omitted ones have the defaults of the command line. */
+/** A command with its options. */
 export type Work = {
   /** Whether the tables are written as CSV too. */
   csv?: boolean;
@@ -1456,68 +1560,30 @@ export type Work = {
   models?: string[];
 } | {
   kind: "plan";
-  /** The id of a file of readings: another program's curves, overlaid on the plan. */
+  /** File of readings: another program's curves, overlaid on the plan. */
   overlay?: string | null;
-} | {
-  /** Friction factors, each applied to all hole sections. */
-  frictions?: number[];
-  /** First bit depth: `4000 m`. */
-  from?: string | null;
+  /** Whether PNG images are written too. */
+  png?: boolean;
+} | ReachOptions & {
   kind: "reach";
-  /** Whether the friction from the wall force of a helix is ignored. */
-  no_helix_friction?: boolean;
-  /** The operations: `drill`, `slide`. */
-  operations?: string[];
-  /** Deepest bit depth. */
-  to?: string | null;
-} | {
-  /** Build rate of those holes: `2 deg/30m`. */
-  build?: string | null;
-  /** Inclinations of a straight hole. */
-  inclination?: string | null;
+} | BhaOptions & {
   kind: "bha";
-  /** The operation. */
-  operation?: string | null;
-  /** Tool faces of the bend: `0 deg..360 deg/15 deg`. */
-  toolface?: string | null;
-  /** Weights on bit: `20 kN..120 kN/20 kN`. */
-  weight?: string | null;
-  /** Whether the whole string is solved. */
-  whole?: boolean;
 } | {
   kind: "modes";
-  /** The operation. */
+  /** The operation; the first of the case by default. */
   operation?: string | null;
-} | {
-  /** Fits the bit torque on bottom. */
-  bit_torque?: boolean;
-  /** Fits the block weight although the case gives it. */
-  block_weight?: boolean;
-  /** A factor for each hole section instead of casing and open hole. */
-  by_section?: boolean;
-  /** Whether the dynamic model is compared with the readings. */
-  check_dynamics?: boolean;
-  /** The id of the file of readings. */
-  data: string;
-  /** Rotational friction separate from axial friction. */
-  friction_around?: boolean;
-  /** Fixed parameters: `friction_cased=0.2`. */
-  hold?: string[];
+  /** Whether PNG images are written too. */
+  png?: boolean;
+} | CalibrateOptions & {
   kind: "calibrate";
-  /** The model of the predictions: `soft` or `stiff`. */
-  model?: string | null;
-  /** One friction factor for casing and open hole. */
-  one_factor?: boolean;
-} | {
-  /** Results to keep of each case: `summary`, `tables` or `all`. */
-  keep?: string | null;
+} | SweepOptions & {
   kind: "sweep";
-  /** Values by key: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`. */
-  vary: string[];
-} | {
+} | StudyOptions & {
   kind: "study";
-  /** The id of the study file. */
-  study: string;
 } | {
+  /** Whether the tables are written as CSV too. */
+  csv?: boolean;
   kind: "bit_test";
+  /** Share of the points to drill, such as `1/4`. */
+  shard?: string | null;
 };
