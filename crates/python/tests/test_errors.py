@@ -244,19 +244,19 @@ NOTHING: Any = None
 THREE: Any = 3
 
 
-@pytest.mark.parametrize(
-    "wrong",
-    [
-        lambda case: case.with_(wob=10**400),
-        lambda case: case.with_([1]),
-        lambda case: case.with_({3: 4}),
-        lambda case: ws.Case(NOTHING),
-        lambda case: ws.Case.load(THREE),
-        lambda case: case.simulation("drill").advance(None),
-        lambda case: case.simulation("drill").advance(10**400),
-        lambda case: ws.import_files(),
-    ],
-)
+WRONG: list[Callable[[Any], object]] = [
+    lambda case: case.with_(wob=10**400),
+    lambda case: case.with_([1]),
+    lambda case: case.with_({3: 4}),
+    lambda case: ws.Case(NOTHING),
+    lambda case: ws.Case.load(THREE),
+    lambda case: case.simulation("drill").advance(None),
+    lambda case: case.simulation("drill").advance(10**400),
+    lambda case: ws.import_files(),
+]
+
+
+@pytest.mark.parametrize("wrong", WRONG)
 def test_wrong_arguments_are_errors_of_the_package(wrong: Callable[[Any], object]) -> None:
     with pytest.raises(ws.InputError, match="given"):
         wrong(ws.Case.example())

@@ -126,7 +126,7 @@ pub(super) fn plan(
                 overlay: overlay.clone(),
                 png,
             };
-            Ok(JobOutcome::Plan(planning::run(&request, observer, token)?))
+            Ok(JobOutcome::Plan(Box::new(planning::run(&request, observer, token)?)))
         }),
     ))
 }

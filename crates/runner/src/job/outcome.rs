@@ -15,7 +15,7 @@ pub enum JobOutcome {
     /// Of `run`.
     Run(run::Outcome),
     /// Of `plan`.
-    Plan(plan::Outcome),
+    Plan(Box<plan::Outcome>),
     /// Of `reach`.
     Reach(reach::Outcome),
     /// Of `bha`.
