@@ -29,16 +29,12 @@ pub(crate) fn checkpoint_every(
 
 /// Results to keep of each case of a batch.
 pub(crate) fn keep(word: Option<&str>) -> Result<Option<Keep>, Error> {
-    Ok(Some(match word {
-        None => return Ok(None),
-        Some("summary") => Keep::Summary,
-        Some("tables") => Keep::Tables,
-        Some("all") => Keep::All,
-        Some(other) => {
-            let expected = r#"expected "summary", "tables" or "all""#;
-            return Err(bad("keep", format!("`{other}`: {expected}")));
-        }
-    }))
+    let named = |word: &str| {
+        let refused =
+            || bad("keep", format!("`{word}`: expected \"summary\", \"tables\" or \"all\""));
+        Keep::named(word).ok_or_else(refused)
+    };
+    word.map(named).transpose()
 }
 
 pub(crate) fn operation(name: &str) -> Result<OperationKind, Error> {

@@ -230,7 +230,7 @@ BAD: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("plan", {"jobs": 0}, ValueError, "`jobs` was given 0: expected a whole number from 1"),
     ("plan", {"jobs": 1.5}, ws.InputTypeError, "`jobs` was given 1.5"),
     ("plan", {"units": "imperial"}, ws.InputError, "`units`: .*imperial"),
-    ("plan", {"checkpoint": 0.0}, ws.InputError, "`checkpoint`: 0 s: expected 0.01 s to"),
+    ("plan", {"checkpoint": 0.0}, ws.InputError, "`checkpoint`: `0.0 s`: expected 0.01 s to"),
     ("plan", {"checkpoint": "3 m"}, ValueError, "`checkpoint`: .*a time was expected"),
     ("plan", {"resume": True}, ValueError, "resume needs the folder"),
     ("plan", {"resume": True, "overwrite": True}, ValueError, "exclude each other"),
@@ -247,7 +247,7 @@ BAD: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("bha", {"weight": "3 m"}, ws.CaseError, "weight"),
     ("bha", {"weight": ["3 m"]}, ValueError, "`weight`: .*a force was expected"),
     ("bha", {"build": "3 m"}, ValueError, "`build`: .*was expected"),
-    ("modes", {"operation": "fish"}, ws.InputError, "the case has no operation `fish`"),
+    ("modes", {"operation": "fish"}, ws.InputError, "`operation`: `fish` is no operation"),
     ("bit_test", {}, ws.InputError, "no rock"),
     ("bit_test", {"shard": "5/4"}, ws.InputError, "`shard`: expected such as 1/4|no rock"),
 ]

@@ -94,10 +94,10 @@ class InputError(Error, ValueError):
     --------
     >>> import wholestring as ws
     >>> try:
-    ...     ws.Case.example().modes(operation="fish")
+    ...     ws.Case.example().modes(operation="ream")
     ... except ws.InputError as error:
     ...     print(str(error).split(":")[0])
-    the case has no operation `fish`
+    the case has no operation `ream`
     """
 
 

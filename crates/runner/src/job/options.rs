@@ -2,7 +2,7 @@
 
 use std::{num::NonZeroUsize, time::Duration};
 
-use serde::{Deserialize, Deserializer, de::Error as _};
+use serde::{Deserialize, Deserializer};
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::{Override, operation_named, read_values};
 use wholestring_units::Dimension;
@@ -12,6 +12,7 @@ use crate::{
     bha::Sweeps,
     calibrate::{CheckDynamics, Fit, option},
     error::Error,
+    keep::Keep,
     shard::Shard,
 };
 
@@ -154,20 +155,36 @@ pub(super) fn one_operation<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Option<OperationKind>, D::Error> {
     let name = Option::<String>::deserialize(from)?.filter(|name| !name.trim().is_empty());
-    name.map(|name| operation(&name).map_err(D::Error::custom)).transpose()
+    name.map(|name| operation(&name).map_err(in_option("operation"))).transpose()
 }
 
 pub(super) fn operations<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Vec<OperationKind>, D::Error> {
     let names = Vec::<String>::deserialize(from)?;
-    names.iter().map(|name| operation(name).map_err(D::Error::custom)).collect()
+    names.iter().map(|name| operation(name).map_err(in_option("operation"))).collect()
+}
+
+pub(super) fn kept<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Keep>, D::Error> {
+    let name = Option::<String>::deserialize(from)?;
+    name.map(|name| {
+        let refused = || format!("`{name}`: expected \"summary\", \"tables\" or \"all\"");
+        Keep::named(&name).ok_or_else(refused).map_err(in_option("keep"))
+    })
+    .transpose()
+}
+
+/// Error of the value of an option, with its name.
+fn in_option<R: std::fmt::Display, E: serde::de::Error>(name: &str) -> impl Fn(R) -> E {
+    move |reason| E::custom(format!("`{name}`: {reason}"))
 }
 
 /// Unit sets by name.
 pub(super) mod unit_set {
-    use serde::{Deserialize, Deserializer, Serializer, de::Error as _};
+    use serde::{Deserialize, Deserializer, Serializer};
     use wholestring_units::UnitSet;
+
+    use super::in_option;
 
     pub(in super::super) fn serialize<S: Serializer>(
         units: &Option<UnitSet>,
@@ -183,7 +200,7 @@ pub(super) mod unit_set {
         from: D,
     ) -> Result<Option<UnitSet>, D::Error> {
         let name = Option::<String>::deserialize(from)?;
-        name.map(|name| name.parse().map_err(D::Error::custom)).transpose()
+        name.map(|name| name.parse().map_err(in_option("units"))).transpose()
     }
 }
 

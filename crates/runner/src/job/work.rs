@@ -185,7 +185,7 @@ pub struct SweepOptions {
     #[serde(default)]
     pub together: bool,
     /// Results to keep of each case: `summary`, `tables` or `all`.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "options::kept")]
     #[cfg_attr(feature = "openapi", schema(value_type = Option<String>))]
     pub keep: Option<Keep>,
     /// Share of the cases to solve, such as `1/4`.
@@ -205,7 +205,7 @@ pub struct StudyOptions {
     #[cfg_attr(feature = "openapi", schema(value_type = String))]
     pub study: PathBuf,
     /// Results to keep of each case: `summary`, `tables` or `all`.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "options::kept")]
     #[cfg_attr(feature = "openapi", schema(value_type = Option<String>))]
     pub keep: Option<Keep>,
     /// Share of the cases to solve, such as `1/4`.
