@@ -112,7 +112,7 @@ def test_bad_input(study: Path, tmp_path: Path) -> None:
         ws.study(tmp_path / "none.toml")
     with pytest.raises(ws.InputError, match='`keep`: `some`: expected "summary", "tables"'):
         ws.study(study, keep="some")  # type: ignore[arg-type]
-    with pytest.raises(ws.InputError, match="`csv`: it writes tables"):
+    with pytest.raises(ws.InputError, match="`csv` writes tables"):
         ws.study(study, keep="summary", csv=True)
     with pytest.raises(ws.InputError, match="`shard`: expected such as 1/4"):
         ws.study(study, shard="x")
