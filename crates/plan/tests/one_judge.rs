@@ -131,7 +131,7 @@ fn two_hundred_strings_are_judged_alike() {
                 ..ReachSettings::from_depth(depth_m)
             };
             let margins = margins(&setup, &operation, &settings).expect("margins");
-            // What run and plan find short of its factor stops a reach, and nothing else does.
+            // A limit below its required factor in run and plan stops a reach, and no other does.
             let judged = limits(&run.checks).into_iter().filter(|check| check.kind.stops());
             let judged = judged.filter(|check| check.kind != CheckKind::LockUp);
             let short = judged.filter(|check| check.kind != CheckKind::Overpull);

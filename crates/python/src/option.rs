@@ -4,8 +4,7 @@ use std::time::Duration;
 
 use pyo3::prelude::*;
 use wholestring::{operation::OperationKind, outcome::ModelKind};
-use wholestring_case::operation_named;
-use wholestring_runner::{Error, Keep};
+use wholestring_runner::{Error, Keep, job};
 
 use crate::error;
 
@@ -38,10 +37,7 @@ pub(crate) fn keep(word: Option<&str>) -> Result<Option<Keep>, Error> {
 }
 
 pub(crate) fn operation(name: &str) -> Result<OperationKind, Error> {
-    operation_named(name).ok_or_else(|| {
-        let names = OperationKind::ALL.map(OperationKind::name).join(", ");
-        bad("operation", format!("`{name}` is no operation: expected one of {names}"))
-    })
+    job::operation(name).map_err(|reason| bad("operation", reason))
 }
 
 /// The static model with a name.

@@ -157,14 +157,14 @@ fn what_a_component_lacks_is_said_and_the_case_is_not_green() {
 #[test]
 fn diameters_and_weights_that_no_component_has_are_refused() {
     let pipe = |more: &str| component("drill pipe", "", more);
-    let of = |from: &str, to: &str| tubular(&pipe("").replace(from, to));
+    let changed = |from: &str, to: &str| tubular(&pipe("").replace(from, to));
     for (text, expected) in [
         (
-            of("<id uom='in'>3<", "<id uom='in'>5.5<"),
+            changed("<id uom='in'>3<", "<id uom='in'>5.5<"),
             "the id 5.5 in is out of range; expected less",
         ),
         (
-            of("<od uom='in'>5<", "<od uom='m'>5<"),
+            changed("<od uom='in'>5<", "<od uom='m'>5<"),
             "the od 5 m is out of range; expected 5 mm to 2 m",
         ),
         (

@@ -2,7 +2,8 @@
 //!
 //! The bit goes deeper along the straight line that the path ends with; the string's topmost
 //! component grows with it. At each depth the soft string of an operation is compared with the
-//! [`DepthLimit`](wholestring_judge::DepthLimit)s: each has a margin that is one or less and zero where the limit is reached. The first
+//! [`DepthLimit`](wholestring_judge::DepthLimit)s: each has a margin that is one or less and zero
+//! where the limit is reached. The first
 //! zero of each is searched on a grid of depths, and where components pass curved stretches, and
 //! then found by Brent's method. Limits of string and rig are those of the judge.
 //!

@@ -118,7 +118,7 @@ pub fn reach_unless(
         rows.push((depth_m, margins));
     }
     let limits: Vec<DepthLimit> = rows[0].1.iter().map(|margin| margin.limit).collect();
-    // What a string meets that is locked up at the first depth already.
+    // The limit that a string meets which is locked up at the first depth already.
     let lock = match limits.contains(&DepthLimit::PushAbsorbed) {
         true => Some(DepthLimit::PushAbsorbed),
         false => limits.iter().copied().find(|limit| limit.stops()),

@@ -111,7 +111,7 @@ pub struct BhaOptions {
 }
 
 /// Options of `calibrate`.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(deny_unknown_fields)]
 pub struct CalibrateOptions {
@@ -217,32 +217,6 @@ pub struct StudyOptions {
     /// Whether PNG images are written too.
     #[serde(default)]
     pub png: bool,
-}
-
-impl CalibrateOptions {
-    /// Default options for a file of readings.
-    pub fn new(data: impl Into<PathBuf>) -> Self {
-        Self {
-            data: data.into(),
-            other_cases: Vec::new(),
-            one_factor: false,
-            by_section: false,
-            friction_around: false,
-            block_weight: false,
-            bit_torque: false,
-            hold: Vec::new(),
-            weight_error: None,
-            rotating_error: None,
-            torque_error: None,
-            outlier: None,
-            without_outliers: false,
-            band: None,
-            model: None,
-            check_dynamics: false,
-            check_depths: Vec::new(),
-            png: false,
-        }
-    }
 }
 
 impl Work {
