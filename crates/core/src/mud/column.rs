@@ -268,6 +268,12 @@ impl FluidColumn {
         masses.sum::<f64>() / (to_md_m - from_md_m)
     }
 
+    /// Largest density of its fluids, kg/m³.
+    pub fn densest(&self) -> f64 {
+        let densities = self.above.iter().map(|layer| layer.fluid.density_kg_per_m3);
+        densities.fold(self.lowest.fluid.density_kg_per_m3, f64::max)
+    }
+
     /// Density of one fluid that weighs as much down to a measured depth and the true vertical depth
     /// there, m, kg/m³.
     pub fn equivalent_density(&self, md_m: f64, tvd_m: f64) -> f64 {

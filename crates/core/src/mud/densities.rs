@@ -15,9 +15,9 @@ impl Densities {
         Self { inside_kg_per_m3: kg_per_m3, annulus_kg_per_m3: kg_per_m3 }
     }
 
-    /// Density inside over another, kg/m³, of a fluid that flows in the same bore; one where both
-    /// are air.
-    pub fn inside_over(&self, kg_per_m3: f64) -> f64 {
+    /// Density inside over the [largest](super::FluidColumn::densest) of the column, kg/m³; one where
+    /// there is nothing but air.
+    pub(crate) fn inside_over(&self, kg_per_m3: f64) -> f64 {
         if self.inside_kg_per_m3 == kg_per_m3 { 1.0 } else { self.inside_kg_per_m3 / kg_per_m3 }
     }
 

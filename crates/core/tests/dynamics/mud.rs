@@ -273,7 +273,7 @@ fn the_metal_feels_the_pressures_of_a_mud_that_flows() {
 }
 
 /// Air above water in a string in mud above cement: hook load, stretch, pressures and the force in
-/// the metal are those of the soft string, with and without temperatures.
+/// the metal are those of the soft string, with and without temperatures; and so of fluids that flow.
 ///
 /// Without friction the difference is the remainder of the start, and in the element in which a
 /// fluid ends half of the change of its weight is at the wrong end: 0.1 % in all.
@@ -286,7 +286,16 @@ fn dynamics_and_soft_string_agree_in_layers_of_fluid() {
     };
     let mut warm = cold.clone();
     warm.model.fluids.annulus[0].temperatures_K = Some([350.0, 400.0]);
-    let cases = [cold, warm];
+    // Air that flows out below a heavy fluid.
+    let mut flows = case(OperationKind::RotateOffBottom, heavy(BINGHAM));
+    flows.model.fluids.inside = vec![
+        FluidInterval {
+            rheology: Some(POWER_LAW),
+            ..FluidInterval::of_density(0.0, 500.0, 1500.0)
+        },
+        FluidInterval::of_density(500.0, LENGTH_M, 0.0),
+    ];
+    let cases = [cold, warm, flows];
     let outcomes = each(&cases, |case| (case.soft(), case.run()));
     for (soft, dynamic) in &outcomes {
         let (s, d) = (&soft.scalars, &dynamic.scalars);

@@ -310,7 +310,7 @@ fn load(s: &Sources<'_>, p: &mut Profile) {
     let mud = s.model.mud_column();
     let last = s.mesh.nodes.len() - 1;
     let bendings = s.record.percentiles(Quantity::Bending);
-    let at_bit_kg_per_m3 = mud.inside.density_at(s.model.string.length_m());
+    let densest_kg_per_m3 = mud.inside.densest();
     for (i, node) in s.mesh.nodes.iter().enumerate() {
         let (_, component) = s.model.string.component_at(node.from_bit_m);
         let tvd_m = s.model.well.path.at(p.md_m[i]).position_m.z;
@@ -321,7 +321,7 @@ fn load(s: &Sources<'_>, p: &mut Profile) {
         if let Some(flow) = &s.pressures {
             outside_Pa += flow.outside_Pa[i];
             inside_Pa += flow.inside_Pa[i];
-            stream_N_m2 = flow.stream_N_m2 * layers.densities().inside_over(at_bit_kg_per_m3);
+            stream_N_m2 = flow.stream_N_m2 * layers.densities().inside_over(densest_kg_per_m3);
         }
         p.outside_pressure_Pa.push(outside_Pa);
         p.inside_pressure_Pa.push(inside_Pa);

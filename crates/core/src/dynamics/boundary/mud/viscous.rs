@@ -83,6 +83,8 @@ struct Passage {
 pub struct Viscous {
     /// Fluid in the string at the bit.
     mud: Mud,
+    /// Largest density in the string, kg/m³, of which the momentum of the stream is.
+    densest_kg_per_m3: f64,
     flow_m3_per_s: f64,
     bit_loss_Pa: f64,
     passages: Vec<Passage>,
@@ -153,6 +155,7 @@ impl Viscous {
         });
         Some(Self {
             mud: model.fluids.inside_at(&model.mud, bit_md_m),
+            densest_kg_per_m3: model.mud_column().inside.densest(),
             flow_m3_per_s,
             bit_loss_Pa: operation.bit_loss_Pa(flow_m3_per_s),
             passages: passages.collect(),
@@ -330,7 +333,7 @@ impl Viscous {
         now.pump_pressure_Pa = now.bore_loss_Pa + below_Pa + now.annulus_loss_Pa;
         self.sum = self.sum + now;
         let losses = |p: &Passage| (p.annulus_loss_Pa, p.length_m * p.bore_gradient_Pa_per_m);
-        let stream_N_m2 = self.mud.density_kg_per_m3 * self.flow_m3_per_s * self.flow_m3_per_s;
+        let stream_N_m2 = self.densest_kg_per_m3 * self.flow_m3_per_s * self.flow_m3_per_s;
         self.pressures.find(below_Pa, stream_N_m2, self.passages.iter().map(losses));
         self.sum_pressures.add(&self.pressures);
         self.samples += 1;
