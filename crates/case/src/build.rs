@@ -5,6 +5,7 @@ use std::path::Path as FilePath;
 use wholestring::{
     dynamics::RockLaw,
     model::Model,
+    mud::Fluids,
     outcome::ModelKind,
     well::{USUAL_DOGLEG_RAD_PER_M, Well, endured_dogleg_rad_per_m},
 };
@@ -237,6 +238,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         well: Well { path: path?, hole: hole? },
         string: drill_string?,
         mud: mud?,
+        fluids: Fluids::default(),
         rig: rig?,
         ends: ends?,
         buckling: *case.buckling.get()?.criterion.get()?,

@@ -199,6 +199,7 @@ pub(crate) fn setup(model: &Model, string: &StringSpec) -> Setup {
         well: model.well.clone(),
         string: string.clone(),
         mud: model.mud,
+        fluids: model.fluids.clone(),
         rig: model.rig,
         ends: model.ends,
         buckling: model.buckling,

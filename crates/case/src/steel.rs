@@ -36,6 +36,7 @@ impl SteelTable {
             density_kg_per_m3: *self.density.get()?,
             youngs_modulus_Pa: *self.youngs_modulus.get()?,
             shear_modulus_Pa: *self.shear_modulus.get()?,
+            ..Material::STEEL
         };
         let entry = self.shear_modulus.given().or(self.youngs_modulus.given());
         if let Some(entry) = entry {

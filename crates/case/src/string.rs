@@ -97,6 +97,7 @@ impl ComponentTable {
             density_kg_per_m3: density.map_or(steel.density_kg_per_m3, |at| at.value),
             youngs_modulus_Pa: youngs_modulus.map_or(steel.youngs_modulus_Pa, |at| at.value),
             shear_modulus_Pa: shear_modulus.map_or(steel.shear_modulus_Pa, |at| at.value),
+            ..*steel
         };
         if let Some(item) = shear_modulus.or(youngs_modulus) {
             check_moduli(&material, item.place, reader);

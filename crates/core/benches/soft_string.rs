@@ -41,6 +41,7 @@ fn model(problem: &Value, stations: &Value) -> Model {
         density_kg_per_m3: value("density_kg_per_m3"),
         youngs_modulus_Pa: value("youngs_modulus_Pa"),
         shear_modulus_Pa: value("shear_modulus_Pa"),
+        ..Material::STEEL
     };
     let pipe = ComponentSpec::uniform(
         "pipe",

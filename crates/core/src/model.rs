@@ -3,9 +3,8 @@
 use serde::Serialize;
 
 use crate::{
-    GRAVITY_M_PER_S2,
     ends::{BitEnd, Ends},
-    mud::Mud,
+    mud::{Densities, Fluids, Mud, MudColumn},
     rig::Rig,
     statics::buckling::Criterion,
     string::DrillString,
@@ -20,8 +19,12 @@ pub struct Model {
     pub well: Well,
     /// Components from the bit up; they fill the hole from the bit to the surface.
     pub string: DrillString,
-    /// Drilling fluid, the same inside and outside the string.
+    /// Drilling fluid, inside and outside the string.
     pub mud: Mud,
+    /// Fluids that replace it in parts of the well; the properties of drag across the hole are the
+    /// mud's everywhere.
+    #[serde(skip_serializing_if = "Fluids::is_empty")]
+    pub fluids: Fluids,
     /// Hoist and top drive.
     pub rig: Rig,
     /// Lateral constraints of the string's ends. The soft string does not use them.
@@ -37,33 +40,50 @@ const SNUG_M: f64 = 2e-3;
 /// Length of a bit over its diameter, at most: as much is held of a string that names no bit.
 const BIT_DIAMETERS: f64 = 2.0;
 
-/// The mud at rest in the well.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MudColumn {
-    weight_N_per_m3: f64,
-    surface_m: f64,
-}
-
 impl Model {
     /// A well, a string and a mud on a rig without limits, its ends as they usually are: set
-    /// [`Self::rig`] and [`Self::ends`] for others.
+    /// [`Self::rig`] and [`Self::ends`] for others, and
+    /// [`Self::fluids`] where the mud does not fill the well.
     pub fn new(well: Well, string: DrillString, mud: Mud) -> Self {
         Self {
             well,
             string,
             mud,
+            fluids: Fluids::default(),
             rig: Rig::default(),
             ends: Ends::default(),
             buckling: Criterion::default(),
         }
     }
 
-    /// The mud at rest, its surface where measured depth begins.
+    /// The fluids at rest, their surface where measured depth begins.
     pub fn mud_column(&self) -> MudColumn {
-        MudColumn {
-            weight_N_per_m3: self.mud.density_kg_per_m3 * GRAVITY_M_PER_S2,
-            surface_m: self.well.path.at(0.0).position_m.z,
+        MudColumn::new(&self.mud, &self.fluids, &self.well.path)
+    }
+
+    /// Densities inside and outside the string at a measured depth, m.
+    pub fn densities_at(&self, md_m: f64) -> Densities {
+        Densities {
+            inside_kg_per_m3: self.fluids.inside_at(&self.mud, md_m).density_kg_per_m3,
+            annulus_kg_per_m3: self.fluids.annulus_at(&self.mud, md_m).density_kg_per_m3,
         }
+    }
+
+    /// Whether any fluid in the well has a rheology.
+    pub fn has_rheology(&self) -> bool {
+        self.fluids.has_rheology(&self.mud)
+    }
+
+    /// Sum of the magnitudes of the buoyed weights of all components, N.
+    pub fn buoyed_weight_N(&self) -> f64 {
+        let column = self.mud_column();
+        let bit_depth_m = self.string.length_m();
+        let weights = self.string.spans().map(|span| {
+            let mds_m = [bit_depth_m - span.to_bit_m, bit_depth_m - span.from_bit_m];
+            let weight_N_per_m = span.component.weight_in_N_per_m(column.mean_densities(mds_m));
+            weight_N_per_m.abs() * span.component.length_m
+        });
+        weights.sum()
     }
 
     /// Length of the lower end that is held to the hole's axis instead of touching the wall, m.
@@ -86,12 +106,5 @@ impl Model {
         } else {
             lowest.length_m.min(BIT_DIAMETERS * lowest.od_m)
         }
-    }
-}
-
-impl MudColumn {
-    /// Pressure at a true vertical depth, Pa; zero at the surface and above.
-    pub fn pressure_Pa(&self, tvd_m: f64) -> f64 {
-        self.weight_N_per_m3 * (tvd_m - self.surface_m).max(0.0)
     }
 }

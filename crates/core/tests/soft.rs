@@ -271,6 +271,7 @@ fn d09_hanging_stretch() {
         density_kg_per_m3: input("rho_s"),
         youngs_modulus_Pa: modulus,
         shear_modulus_Pa: modulus / (2.0 * (1.0 + input("nu"))),
+        ..Material::STEEL
     };
     let pipe = ComponentSpec::uniform("pipe", 0.14, 0.12, ComponentLength::ToSurface, material);
     for (key, density) in [("vacuum_m", 0.0), ("in_mud_open_ended_m", input("rho_m"))] {

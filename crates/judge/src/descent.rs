@@ -87,7 +87,7 @@ impl Descent {
             Pushed::LocksUp(above_bit_m) => Some(operation.bit_depth_m - above_bit_m),
             Pushed::Through(_) => None,
         };
-        let none_N = NONE * weight_N(model);
+        let none_N = NONE * model.buoyed_weight_N();
         let locks_up = arrives_N < requested_N - none_N;
         // The hook load is that of the solver, which may leave out the drag of the helix.
         let arrives_by = |at_top_N: f64| {
@@ -117,7 +117,7 @@ impl Descent {
         let arrives_N = mean("weight_on_bit_N")?;
         let drag_N = mean("axial_friction_N").unwrap_or(0.0);
         let loads = Self::loads(model, operation, [hook_load_N, drag_N]);
-        let slack_N = NONE * weight_N(model) - model.rig.push_N();
+        let slack_N = NONE * model.buoyed_weight_N() - model.rig.push_N();
         let slack = hook_load_N <= slack_N;
         let short = match loads.requested_N > 0.0 {
             true => arrives_N < ARRIVES * loads.requested_N,
@@ -128,7 +128,7 @@ impl Descent {
             arrives_N,
             locks_up,
             by_its_weight: hook_load_N > least_hook_load_N(model) && !locks_up,
-            is_unaided: hook_load_N > NONE * weight_N(model) && !locks_up,
+            is_unaided: hook_load_N > NONE * model.buoyed_weight_N() && !locks_up,
             in_time: true,
             ..loads
         })
@@ -200,7 +200,7 @@ pub(crate) fn weight_not_available(
         let check = Check::reported(CheckKind::WeightNotAvailable, Severity::Error);
         check.value(requested_N).limit(available_N)
     };
-    (requested_N > 0.0 && left_N < -NONE * weight_N(model)).then(check)
+    (requested_N > 0.0 && left_N < -NONE * model.buoyed_weight_N()).then(check)
 }
 
 /// Whether a string goes down by its weight: for every operation that goes down, and for any other
@@ -240,20 +240,11 @@ pub(crate) fn goes_slack(model: &Model, window: &Window<'_>) -> Option<Check> {
     (least_N <= least_hook_load_N(model)).then(check)
 }
 
-/// Buoyed weight of the whole string, N.
-fn weight_N(model: &Model) -> f64 {
-    let density = model.mud.density_kg_per_m3;
-    let weights = model.string.components().iter().map(|component| {
-        component.buoyed_weight_per_length_N_per_m(density).abs() * component.length_m
-    });
-    weights.sum()
-}
-
 /// The smallest hook load of a string that goes down. A rig that pushes does so up to its force.
 fn least_hook_load_N(model: &Model) -> f64 {
     match model.rig.snubbing_force_N {
         Some(push_N) => -push_N * (1.0 - NONE),
-        None => NONE * weight_N(model),
+        None => NONE * model.buoyed_weight_N(),
     }
 }
 

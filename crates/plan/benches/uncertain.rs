@@ -36,6 +36,7 @@ fn setup() -> Setup {
         },
         string: StringSpec { components },
         mud: Mud::of_density(1200.0),
+        fluids: Default::default(),
         rig: Rig::default(),
         ends: Ends::default(),
         buckling: Criterion::default(),

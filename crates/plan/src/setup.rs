@@ -3,7 +3,7 @@
 use wholestring::{
     ends::Ends,
     model::Model,
-    mud::Mud,
+    mud::{Fluids, Mud},
     rig::Rig,
     statics::buckling::Criterion,
     string::{AssemblyError, ComponentLength, ComponentSpec, StringSpec},
@@ -26,6 +26,8 @@ pub struct Setup {
     pub string: StringSpec,
     /// Drilling fluid.
     pub mud: Mud,
+    /// Fluids that replace it in parts of the well.
+    pub fluids: Fluids,
     /// Hoist and top drive.
     pub rig: Rig,
     /// Lateral supports of the ends of the string.
@@ -72,6 +74,7 @@ impl Setup {
             well: self.well.clone(),
             string,
             mud: self.mud,
+            fluids: self.fluids.clone(),
             rig: self.rig,
             ends: self.ends,
             buckling: self.buckling,
@@ -194,6 +197,7 @@ mod tests {
             well: Well { path, hole },
             string,
             mud: Mud::of_density(1200.0),
+            fluids: Fluids::default(),
             rig: Rig::default(),
             ends: Ends::default(),
             buckling: Criterion::default(),

@@ -42,6 +42,7 @@ fn setup(stations: &[[f64; 3]], string: StringSpec, hole_m: f64) -> Setup {
         },
         string,
         mud: Mud::of_density(MUD),
+        fluids: Default::default(),
         rig: Rig::default(),
         ends: Ends::default(),
         buckling: Default::default(),

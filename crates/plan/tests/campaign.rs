@@ -46,6 +46,7 @@ fn setup() -> Setup {
         well: Well { path, hole },
         string: string.component(collar).component(pipe),
         mud: Mud::of_density(1200.0),
+        fluids: Default::default(),
         rig: Default::default(),
         ends: Default::default(),
         buckling: Default::default(),

@@ -67,6 +67,7 @@ fn setup(random: &mut Random) -> (Setup, f64) {
         well: Well::new(path, hole.expect("a hole")),
         string,
         mud,
+        fluids: Default::default(),
         rig,
         ends: Default::default(),
         buckling: Default::default(),

@@ -57,6 +57,7 @@ fn straight_of(
         },
         string: StringSpec { components: vec![pipe] },
         mud,
+        fluids: Default::default(),
         rig: Default::default(),
         ends: Default::default(),
         buckling: Default::default(),

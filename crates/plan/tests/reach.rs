@@ -41,6 +41,7 @@ fn setup(inputs: &Value, stations: &[[f64; 2]], friction: f64) -> Setup {
         density_kg_per_m3: weight_N_per_m / (area_m2 * wholestring::GRAVITY_M_PER_S2),
         youngs_modulus_Pa: number(&pipe["E"]),
         shear_modulus_Pa: number(&pipe["G"]),
+        ..Material::STEEL
     };
     let pipe = ComponentSpec::uniform(
         "pipe",
@@ -53,6 +54,7 @@ fn setup(inputs: &Value, stations: &[[f64; 2]], friction: f64) -> Setup {
         well: Well { path, hole: Hole::new(vec![section]).expect("a hole") },
         string: StringSpec::from_bit(pipe),
         mud: Mud::of_density(0.0),
+        fluids: Default::default(),
         rig: Rig {
             block_weight_N: Some(200e3),
             top_drive_torque_N_m: inputs["top_drive_limit_Nm"].as_f64(),
@@ -522,6 +524,7 @@ fn dogleg() -> Setup {
         well: Well::new(path, hole.expect("a hole")),
         string: string.expect("a string"),
         mud: Mud::of_density(1200.0),
+        fluids: Default::default(),
         rig: Rig::default(),
         ends: Default::default(),
         buckling: Default::default(),

@@ -18,6 +18,7 @@ use crate::{
     dynamics::{DynamicsSettings, levers_kg_m},
     model::Model,
     operation::Operation,
+    rod::in_fluid,
     statics::stiff::{self, AtRest, StiffSettings},
     string::BodySection,
 };
@@ -62,12 +63,15 @@ impl SmallMotions {
         let rest = stiff::at_rest(model, operation, &settings)?;
         let chain = pull::chain(model, operation, dynamics, &rest);
         let mud = &model.mud;
+        let in_fluid = in_fluid::along(model, &rest.mesh);
         let mut drag = vec![[0.0; 2]; rest.nodes.len()];
         let mut bodies = Vec::with_capacity(rest.elements.len());
         for (index, element) in rest.mesh.elements.iter().enumerate() {
             let half_m = 0.5 * element.length_m;
-            let quadratic =
-                0.5 * mud.density_kg_per_m3 * mud.drag_coefficient * element.section.od_m;
+            let quadratic = 0.5
+                * in_fluid[index].densities.annulus_kg_per_m3
+                * mud.drag_coefficient
+                * element.section.od_m;
             for end in &mut drag[index..=index + 1] {
                 end[0] += half_m * mud.linear_drag_Pa_s;
                 end[1] += half_m * quadratic;

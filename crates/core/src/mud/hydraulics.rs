@@ -99,10 +99,3 @@ impl Mul<f64> for Hydraulics {
         self.join(self, |own, _| own * factor)
     }
 }
-
-/// Strain of a closed pipe by pressures outside and inside beyond the mud's weight, of areas `A_o`
-/// and `A_i`: `−(1 − 2ν)/E · (p_o A_o − p_i A_i)/(A_o − A_i)`.
-pub fn pressure_strain(per_Pa: f64, outside: (f64, f64), inside: (f64, f64)) -> f64 {
-    let ((outer_Pa, outer_m2), (inner_Pa, inner_m2)) = (outside, inside);
-    -per_Pa * (outer_Pa * outer_m2 - inner_Pa * inner_m2) / (outer_m2 - inner_m2)
-}

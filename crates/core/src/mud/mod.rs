@@ -2,7 +2,9 @@
 
 pub mod annulus;
 pub mod bore;
+mod column;
 mod conduit;
+mod densities;
 pub mod gel;
 pub mod hydraulics;
 pub mod rheology;
@@ -10,7 +12,11 @@ mod rheometer;
 mod turbulence;
 
 pub use annulus::{Annulus, AnnulusDrag, Motion};
+pub use column::{
+    ColumnLayers, FluidColumn, FluidInterval, FluidLayer, Fluids, FluidsError, MudColumn,
+};
 pub(crate) use conduit::Conduit;
+pub use densities::Densities;
 pub use gel::AnnulusGel;
 pub use hydraulics::Hydraulics;
 pub use rheology::Rheology;

@@ -1,6 +1,8 @@
 //! Cross-section of a stretch of the string.
 
-use crate::string::DrillString;
+use std::f64::consts::FRAC_PI_4;
+
+use crate::string::{DrillString, FreeStrain};
 
 /// Stiffness and inertia per length of a stretch of the string.
 ///
@@ -28,6 +30,8 @@ pub struct Section {
     pub od_m: f64,
     /// Shortening of a closed string by mud pressure inside and outside, `(1 − 2ν)/E`, 1/Pa.
     pub pressure_strain_per_Pa: f64,
+    /// Coefficient of thermal expansion, 1/K.
+    pub thermal_strain_per_K: f64,
 }
 
 impl Section {
@@ -44,10 +48,10 @@ impl Section {
             polar_inertia_kg_m: 0.0,
             od_m: 0.0,
             pressure_strain_per_Pa: 0.0,
+            thermal_strain_per_K: 0.0,
         };
         for (component, part) in string.parts_between(from_bit_m, to_bit_m) {
-            let (e, g) =
-                (component.material.youngs_modulus_Pa, component.material.shear_modulus_Pa);
+            let g = component.material.shear_modulus_Pa;
             let area = component.area_m2();
             let nu = component.material.poisson_ratio();
             let kappa = shear_factor(nu, component.id_m / component.od_m);
@@ -62,7 +66,8 @@ impl Section {
             mean.polar_inertia_kg_m +=
                 part * steel * component.polar_moment_m4() / component.area_m2();
             mean.od_m += part * component.od_m;
-            mean.pressure_strain_per_Pa += part * (1.0 - 2.0 * nu) / e;
+            mean.pressure_strain_per_Pa += component.material.pressure_strain_per_Pa(part);
+            mean.thermal_strain_per_K += part * component.material.thermal_expansion_per_K;
         }
         mean.axial_stiffness_N = 1.0 / mean.axial_stiffness_N;
         mean.shear_stiffness_N = 1.0 / mean.shear_stiffness_N;
@@ -74,6 +79,16 @@ impl Section {
     /// Buoyed weight, N/m.
     pub fn buoyed_weight_N_per_m(&self, mud_kg_per_m3: f64) -> f64 {
         crate::GRAVITY_M_PER_S2 * (self.steel_kg_per_m - mud_kg_per_m3 * self.steel_m2)
+    }
+
+    /// Strain of the stretch without effective tension, on its mean areas.
+    pub fn free_strain(&self) -> FreeStrain {
+        FreeStrain {
+            pressure_per_Pa: self.pressure_strain_per_Pa,
+            outer_m2: FRAC_PI_4 * self.od_m * self.od_m,
+            bore_m2: self.bore_m2,
+            thermal_per_K: self.thermal_strain_per_K,
+        }
     }
 }
 

@@ -2,20 +2,21 @@
 
 use crate::{
     model::Model,
-    mud::{AnnulusDrag, Conduit, Hydraulics, Motion, hydraulics::pressure_strain},
+    mud::{AnnulusDrag, Conduit, Hydraulics, Motion, Mud},
     operation::Operation,
+    string::FreeStrain,
 };
 
 /// A stretch as the mud meets it.
 pub(crate) struct Passage {
     pub(crate) length_m: f64,
-    /// Mean areas of the body's outside and of its bore, m²: the areas on which pressures act.
-    pub(crate) outer_m2: f64,
-    pub(crate) bore_m2: f64,
     /// Bores and annuli.
     pub(crate) conduit: Conduit,
-    /// `(1 − 2ν)/E`, 1/Pa.
-    pub(crate) pressure_strain_per_Pa: f64,
+    /// Strain by the pressures that the flow adds, on the areas on which pressures act.
+    pub(crate) free_strain: FreeStrain,
+    /// Fluids in the bore and in the annulus.
+    pub(crate) inside: Mud,
+    pub(crate) annulus: Mud,
 }
 
 /// Effect of the mud on a stretch.
@@ -44,20 +45,25 @@ struct Losses {
     inner_rise_Pa_per_m: f64,
 }
 
-/// The losses of stretches; computed once of neighbours that have the same bores and annuli, as
+/// The losses of stretches; computed once of neighbours that have the same bores, annuli and fluids, as
 /// hundreds of elements of one pipe in one casing do.
-fn losses(model: &Model, motion: &Motion, segments: &[Passage]) -> Vec<Losses> {
+fn losses(motion: &Motion, segments: &[Passage]) -> Vec<Losses> {
     let mut losses: Vec<Losses> = Vec::with_capacity(segments.len());
     for (index, segment) in segments.iter().enumerate() {
         let before = index.checked_sub(1);
-        let same = before.filter(|before| segments[*before].conduit == segment.conduit);
+        let same = before.filter(|before| {
+            let before = &segments[*before];
+            before.conduit == segment.conduit
+                && before.inside == segment.inside
+                && before.annulus == segment.annulus
+        });
         losses.push(match same {
             Some(before) => losses[before],
             None => Losses {
-                drag: segment.conduit.drag(&model.mud, motion),
+                drag: segment.conduit.drag(&segment.annulus, motion),
                 inner_rise_Pa_per_m: segment
                     .conduit
-                    .bore_gradient_Pa_per_m(&model.mud, motion.flow_m3_per_s),
+                    .bore_gradient_Pa_per_m(&segment.inside, motion.flow_m3_per_s),
             },
         });
     }
@@ -71,7 +77,7 @@ pub(crate) fn along(
     operation: &Operation,
     segments: &[Passage],
 ) -> (Vec<Circulating>, Option<Hydraulics>) {
-    if model.mud.rheology.is_none() {
+    if !model.has_rheology() {
         return (vec![Circulating::default(); segments.len()], None);
     }
     let flow_m3_per_s = operation.flow_now_m3_per_s();
@@ -80,7 +86,7 @@ pub(crate) fn along(
         spin_rad_per_s: operation.rotation_rad_per_s(),
         flow_m3_per_s,
     };
-    let losses = losses(model, &motion, segments);
+    let losses = losses(&motion, segments);
     let annulus_loss_Pa: f64 = segments
         .iter()
         .zip(&losses)
@@ -89,8 +95,9 @@ pub(crate) fn along(
     let bit_loss_Pa = operation.bit_loss_Pa(flow_m3_per_s);
     let motor_loss_Pa = operation.motor_loss_Pa();
     let below_Pa = bit_loss_Pa + motor_loss_Pa;
+    let at_bit = segments.first().map_or(model.mud, |lowest| lowest.inside);
     let mut total = Hydraulics {
-        jet_thrust_N: model.mud.jet_thrust_N(flow_m3_per_s, bit_loss_Pa),
+        jet_thrust_N: at_bit.jet_thrust_N(flow_m3_per_s, bit_loss_Pa),
         bit_loss_Pa,
         motor_loss_Pa,
         annulus_loss_Pa,
@@ -102,11 +109,7 @@ pub(crate) fn along(
         let Losses { drag, inner_rise_Pa_per_m } = *losses;
         let rise = s.length_m * inner_rise_Pa_per_m;
         let fall = s.length_m * drag.gradient_Pa_per_m;
-        let strain = pressure_strain(
-            s.pressure_strain_per_Pa,
-            (outer_Pa - 0.5 * fall, s.outer_m2),
-            (inner_Pa + 0.5 * rise, s.bore_m2),
-        );
+        let strain = s.free_strain.by_pressures(outer_Pa - 0.5 * fall, inner_Pa + 0.5 * rise);
         let lower_end_Pa = (outer_Pa, inner_Pa);
         (outer_Pa, inner_Pa) = (outer_Pa - fall, inner_Pa + rise);
         let pull_N_per_m = drag.axial_N_per_m(motion.axial_m_per_s);

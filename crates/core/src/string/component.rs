@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::{
     BodyBend, ConnectionStrength, Eccentricity, LateralForce, Material, catalogue::PipeClass,
 };
-use crate::GRAVITY_M_PER_S2;
+use crate::{GRAVITY_M_PER_S2, mud::Densities};
 
 /// Tool joints: the thick, short ends of a pipe, the only part of it that usually touches the wall.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -162,6 +162,14 @@ impl Component {
         self.mass_per_length_kg_per_m
             * GRAVITY_M_PER_S2
             * (1.0 - mud_density_kg_per_m3 / self.material.density_kg_per_m3)
+    }
+
+    /// Weight per length that effective tension balances, N/m, with different fluids inside and
+    /// outside: `g (m + ρ_i A_i − ρ_o (A_i + V))` with `V` the volume of the metal per length, tool
+    /// joints included. Archimedes' for the same fluid on both sides.
+    pub fn weight_in_N_per_m(&self, densities: Densities) -> f64 {
+        self.buoyed_weight_per_length_N_per_m(densities.annulus_kg_per_m3)
+            + GRAVITY_M_PER_S2 * densities.excess_kg_per_m(self.inner_area_m2())
     }
 
     /// Tension at which the body yields, `P = A Y`, N (API RP 7G); `None` where the yield strength

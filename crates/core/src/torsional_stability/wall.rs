@@ -58,19 +58,21 @@ impl Drag {
 
     /// The mud's torque and drag; the ends' go to their neighbours, as in the dynamics.
     fn add_mud(&mut self, model: &Model, mesh: &Mesh, operation: &Operation, axial_m_per_s: f64) {
-        if model.mud.rheology.is_none() {
+        if !model.has_rheology() {
             return;
         }
         let spin = operation.rotation_rad_per_s();
         let last = mesh.nodes.len() - 1;
         for (index, element) in mesh.elements.iter().enumerate() {
             let from_bit_m = mesh.nodes[index].from_bit_m - 0.5 * element.length_m;
-            let hole = model.well.hole.at(operation.bit_depth_m - from_bit_m);
+            let md_m = operation.bit_depth_m - from_bit_m;
+            let hole = model.well.hole.at(md_m);
+            let fluid = model.fluids.annulus_at(&model.mud, md_m);
             let annulus = Annulus::new(element.section.od_m, hole.diameter_m);
             let at = |spin_rad_per_s: f64| {
                 let flow_m3_per_s = operation.flow_now_m3_per_s();
                 let motion = Motion { axial_m_per_s, spin_rad_per_s, flow_m3_per_s };
-                annulus.drag(&model.mud, &motion)
+                annulus.drag(&fluid, &motion)
             };
             let (slow, fast) = (spin * (1.0 - STEP), spin * (1.0 + STEP));
             let about = (at(slow).torque_N(slow) - at(fast).torque_N(fast)) / (fast - slow);

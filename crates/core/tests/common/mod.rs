@@ -13,7 +13,7 @@ use wholestring::{
     GRAVITY_M_PER_S2,
     dynamics::{Band, Cutters, Excitation, MudMotor, RegenerativeLaw},
     ends::Ends,
-    mud::Rheology,
+    mud::{Fluids, Rheology},
     prelude::*,
     well::{Interpolation, TieIn},
 };
@@ -49,7 +49,12 @@ pub fn assert_close(what: &str, obtained: f64, expected: f64, tolerance: f64) {
 
 /// Steel of 7850 kg/m³, 210 GPa and 80 GPa.
 pub fn steel() -> Material {
-    Material { density_kg_per_m3: 7850.0, youngs_modulus_Pa: 210e9, shear_modulus_Pa: 80e9 }
+    Material {
+        density_kg_per_m3: 7850.0,
+        youngs_modulus_Pa: 210e9,
+        shear_modulus_Pa: 80e9,
+        ..Material::STEEL
+    }
 }
 
 /// A path of circular arcs through stations of MD in m, inclination and azimuth in degrees.
@@ -148,6 +153,7 @@ pub fn model(
         well: Well { path, hole },
         string: StringSpec { components }.assemble(bit_depth_m).expect("a sound string"),
         mud,
+        fluids: Fluids::default(),
         rig: Rig::default(),
         ends: Ends::default(),
         buckling: wholestring::statics::buckling::Criterion::default(),

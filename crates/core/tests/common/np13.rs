@@ -5,7 +5,12 @@ use wholestring::string::{ComponentLength, ComponentSpec, Material, ToolJoints};
 
 /// The steel of the article's Table 1.
 pub fn steel() -> Material {
-    Material { density_kg_per_m3: 7860.0, youngs_modulus_Pa: 210e9, shear_modulus_Pa: 76.923e9 }
+    Material {
+        density_kg_per_m3: 7860.0,
+        youngs_modulus_Pa: 210e9,
+        shear_modulus_Pa: 76.923e9,
+        ..Material::STEEL
+    }
 }
 
 /// A component without joints.

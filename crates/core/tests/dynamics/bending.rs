@@ -63,7 +63,9 @@ fn a_plain_pipe_in_an_arc_bends_as_the_hole_does() {
         // As dense as the mud, the pipe hangs in it as if there were none: its metal feels the
         // pressure.
         let path = &case.model.well.path;
-        let pressure = case.model.mud_column().pressure_Pa(path.at(*md_m).position_m.z);
+        let column = case.model.mud_column();
+        let tvd_m = path.at(*md_m).position_m.z;
+        let pressure = column.annulus.hydrostatic_pressure_Pa(*md_m, tvd_m);
         let pressed = TENSION_N - pressure * area;
         let error = (nodes.true_tension_N[i] - pressed).abs();
         assert!(error < 2e-3 * TENSION_N, "true tension {error} N off at {md_m} m");

@@ -49,6 +49,7 @@ fn row(inclination_deg: f64, waves: f64) -> Pushed {
                 density_kg_per_m3: input("rho_steel"),
                 youngs_modulus_Pa: input("E_Pa"),
                 shear_modulus_Pa: 79.3e9,
+                ..Material::STEEL
             },
         )
     };

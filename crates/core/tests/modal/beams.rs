@@ -42,6 +42,7 @@ fn beam(
         density_kg_per_m3: input("rho") * light,
         youngs_modulus_Pa: input("E"),
         shear_modulus_Pa,
+        ..Material::STEEL
     };
     let part = ComponentSpec::uniform("pipe", od_m, id_m, ComponentLength::ToSurface, steel);
     let path = common::arcs(&[[0.0, 0.0, 0.0], [length_m, 0.0, 0.0]]);

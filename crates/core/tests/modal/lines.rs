@@ -28,6 +28,7 @@ fn d09_hanging_string() {
         density_kg_per_m3: input("rho"),
         youngs_modulus_Pa: input("E"),
         shear_modulus_Pa: input("G"),
+        ..Material::STEEL
     };
     let part = ComponentSpec::uniform("pipe", 0.127, 0.1086, ComponentLength::ToSurface, steel);
     let path = common::arcs(&[[0.0, 0.0, 0.0], [LENGTH_M, 0.0, 0.0]]);

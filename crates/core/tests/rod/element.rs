@@ -24,6 +24,7 @@ pub fn pipe() -> Section {
         polar_inertia_kg_m: 0.1,
         od_m: 0.127,
         pressure_strain_per_Pa: 2e-12,
+        thermal_strain_per_K: 12e-6,
     }
 }
 

@@ -23,6 +23,7 @@ pub fn section(axial: f64, bending: f64, shear: f64) -> Section {
         polar_inertia_kg_m: 1.0,
         od_m: 0.1,
         pressure_strain_per_Pa: 0.0,
+        thermal_strain_per_K: 0.0,
     }
 }
 

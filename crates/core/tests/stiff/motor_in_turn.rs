@@ -49,6 +49,7 @@ fn model() -> (Model, Operation, AssemblySettings) {
             density_kg_per_m3: steel_kg_per_m3,
             youngs_modulus_Pa,
             shear_modulus_Pa: youngs_modulus_Pa / (2.0 * (1.0 + row[6])),
+            ..Material::STEEL
         };
         let [od_m, id_m] = [row[1] * INCH, row[2] * INCH];
         let length = ComponentLength::Metres(length_m);

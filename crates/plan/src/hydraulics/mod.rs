@@ -80,7 +80,7 @@ pub fn hydraulics(
     operation: &Operation,
     bit_depths_m: &[f64],
 ) -> Result<Vec<HydraulicsRow>, HydraulicsError> {
-    if setup.mud.rheology.is_none() {
+    if !setup.fluids.has_rheology(&setup.mud) {
         return Err(HydraulicsError::NoRheology);
     }
     let at = |&bit_depth_m: &f64| Ok(row(&setup.at(bit_depth_m)?, operation, bit_depth_m));
@@ -99,10 +99,12 @@ fn row(model: &Model, operation: &Operation, bit_depth_m: f64) -> HydraulicsRow 
     let loss_Pa =
         |motion: &Motion| passages.annulus_loss_Pa(motion, [shoe_md_m.unwrap_or(0.0), bit_depth_m]);
     let vertical_m = |md_m: f64| model.well.path.at(md_m).position_m.z;
+    let column = model.mud_column();
     let equivalent = |[at_shoe_Pa, at_bit_Pa]: [f64; 2]| {
         let density = |loss_Pa: f64, md_m: f64| {
             let depth_m = vertical_m(md_m) - vertical_m(0.0);
-            model.mud.density_kg_per_m3 + loss_Pa / (GRAVITY_M_PER_S2 * depth_m)
+            column.annulus.equivalent_density(md_m, vertical_m(md_m))
+                + loss_Pa / (GRAVITY_M_PER_S2 * depth_m)
         };
         EquivalentDensity {
             shoe_kg_per_m3: shoe_md_m.map(|md_m| density(at_shoe_Pa, md_m)),

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use wholestring::{
-    mud::{Annulus, Rheology},
+    mud::{Annulus, FluidInterval, Fluids, Rheology},
     prelude::*,
     statics::{buckling::Criterion, soft::soft_string},
     string::{ComponentLength::Metres, ComponentSpec},
@@ -35,6 +35,7 @@ fn plain(rheology: Option<Rheology>) -> Setup {
         ),
         string: StringSpec { components: vec![pipe] },
         mud: Mud { rheology, ..Mud::of_density(DENSITY) },
+        fluids: Default::default(),
         rig: Rig::default(),
         ends: Default::default(),
         buckling: Criterion::default(),
@@ -248,4 +249,31 @@ fn what_has_no_answer_says_so() {
     for density in [row.surge, row.swab].concat() {
         assert!((density.bit_kg_per_m3 - DENSITY).abs() < 1e-9);
     }
+}
+
+/// Cement below mud in the annulus: at rest the equivalent density is that of the weights above, and
+/// a closed pipe that moves adds each fluid's own friction over its length.
+#[test]
+fn each_fluid_weighs_and_flows_by_itself() {
+    const TOP_M: f64 = 600.0;
+    const CEMENT: f64 = 1900.0;
+    let thicker = Rheology::Newtonian { viscosity_Pa_s: 2.0 * THICK };
+    let cement = FluidInterval {
+        rheology: Some(thicker),
+        ..FluidInterval::of_density(TOP_M, LENGTH_M, CEMENT)
+    };
+    let fluids = Fluids { annulus: vec![cement], ..Fluids::default() };
+    let setup = Setup { fluids, ..plain(newtonian()) };
+    let speed = 0.4;
+    let row = at(&setup, &trip(speed), LENGTH_M);
+    let gradient = 4.0 * THICK * speed / shape().0;
+    let weight = |to_m: f64| GRAVITY_M_PER_S2 * (DENSITY * TOP_M + CEMENT * (to_m - TOP_M));
+    let surge = |to_m: f64| gradient * (TOP_M + 2.0 * (to_m - TOP_M));
+    let equivalent = |to_m: f64, surge_Pa: f64| (weight(to_m) + surge_Pa) / GRAVITY_M_PER_S2 / to_m;
+    let [closed, _] = row.surge;
+    close("bit", closed.bit_kg_per_m3, equivalent(LENGTH_M, surge(LENGTH_M)), 1e-10);
+    let at_shoe = closed.shoe_kg_per_m3.expect("a shoe");
+    close("shoe", at_shoe, equivalent(SHOE_M, surge(SHOE_M)), 1e-10);
+    let still = at(&setup, &Operation::slide(LENGTH_M), LENGTH_M).circulating;
+    close("at rest", still.bit_kg_per_m3, equivalent(LENGTH_M, 0.0), 1e-12);
 }

@@ -259,14 +259,7 @@ impl At<'_> {
     /// reduces tension, and thus friction, in a bend. It is found from a slightly smaller load at
     /// the bit, with which the string does not lock up either.
     fn arrives(&self) -> Result<f64, ReachError> {
-        let components = self.model.string.components().iter();
-        let density = self.model.mud.density_kg_per_m3;
-        let weight_N: f64 = components
-            .map(|component| {
-                component.buoyed_weight_per_length_N_per_m(density).abs() * component.length_m
-            })
-            .sum();
-        let less_N = LESS * weight_N;
+        let less_N = LESS * self.model.buoyed_weight_N();
         let pushed = match self.operation.kind.on_bottom() {
             true => self.operation.weight_on_bit_N(self.operation.weight_on_bit_N - less_N),
             false => self.operation.bit_pull_N(self.operation.bit_pull_N + less_N),

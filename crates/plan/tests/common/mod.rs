@@ -26,7 +26,12 @@ pub fn number(object: &Value, key: &str) -> f64 {
 
 /// Steel of 7850 kg/m³, 210 GPa and 80 GPa.
 pub fn steel() -> Material {
-    Material { density_kg_per_m3: 7850.0, youngs_modulus_Pa: 210e9, shear_modulus_Pa: 80e9 }
+    Material {
+        density_kg_per_m3: 7850.0,
+        youngs_modulus_Pa: 210e9,
+        shear_modulus_Pa: 80e9,
+        ..Material::STEEL
+    }
 }
 
 /// A pipe of a yield strength, Pa.

@@ -14,8 +14,12 @@ pub const CHANNELS: [Channel; 4] =
 
 /// The well and the string of the file.
 pub fn assembly(oracle: &Oracle) -> Assembly {
-    let steel =
-        Material { density_kg_per_m3: 7850.0, youngs_modulus_Pa: 210e9, shear_modulus_Pa: 80e9 };
+    let steel = Material {
+        density_kg_per_m3: 7850.0,
+        youngs_modulus_Pa: 210e9,
+        shear_modulus_Pa: 80e9,
+        ..Material::STEEL
+    };
     let path = Path::minimum_curvature(&[
         Station::from_degrees(0.0, 0.0, 0.0),
         Station::from_degrees(500.0, 0.0, 0.0),
@@ -43,6 +47,7 @@ pub fn assembly(oracle: &Oracle) -> Assembly {
         well: Well { path: path.expect("a path"), hole: hole.expect("a hole") },
         string: StringSpec { components },
         mud: Mud::of_density(oracle.mud_kg_per_m3),
+        fluids: Default::default(),
         rig: Rig::default(),
         ends: wholestring::ends::Ends::default(),
         buckling: wholestring::statics::buckling::Criterion::default(),

@@ -234,7 +234,7 @@ impl<R: Registers> Basis<R> {
                 hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
                 vector: settings.friction_law == FrictionLaw::Vector,
             },
-            full: borehole.intricate || model.mud.rheology.is_some(),
+            full: borehole.intricate || model.has_rheology(),
         };
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {

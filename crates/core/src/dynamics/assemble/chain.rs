@@ -4,7 +4,8 @@ use crate::{
     dynamics::kernel::chain::{Chain, node},
     ends::{BitEnd, Ends, TopEnd},
     model::Model,
-    rod::{element::Stiffness, mesh::Mesh, stability::StepPlan},
+    mud::Densities,
+    rod::{element::Stiffness, in_fluid, mesh::Mesh, stability::StepPlan},
     simd::number::Real,
 };
 
@@ -17,11 +18,12 @@ const MAX_ADDED_MUD: f64 = 5.0;
 /// Lateral mass of each element, kg/m: steel, mud inside, and the mud that an accelerated cylinder
 /// carries along in an annulus, `ρ π r² (R² + r²)/(R² − r²)`.
 pub fn lateral_mass_kg_per_m(model: &Model, mesh: &Mesh, bit_md_m: f64) -> Vec<f64> {
-    let density = model.mud.density_kg_per_m3;
+    let in_fluid = in_fluid::along(model, mesh);
     mesh.elements
         .iter()
         .zip(&mesh.nodes)
-        .map(|(element, top)| {
+        .zip(&in_fluid)
+        .map(|((element, top), fluid)| {
             let section = &element.section;
             let md = bit_md_m - top.from_bit_m + 0.5 * element.length_m;
             let hole = 0.5 * model.well.hole.at(md).diameter_m;
@@ -29,7 +31,9 @@ pub fn lateral_mass_kg_per_m(model: &Model, mesh: &Mesh, bit_md_m: f64) -> Vec<f
             let (r2, hole2) = (r * r, hole * hole);
             let confined = ((hole2 + r2) / (hole2 - r2).max(1e-12)).min(MAX_ADDED_MUD);
             let outside = std::f64::consts::PI * r2 * confined;
-            section.steel_kg_per_m + density * (section.bore_m2 + outside)
+            let Densities { annulus_kg_per_m3, .. } = fluid.densities;
+            let carried = annulus_kg_per_m3 * (section.bore_m2 + outside);
+            section.steel_kg_per_m + carried + fluid.densities.excess_kg_per_m(section.bore_m2)
         })
         .collect()
 }
@@ -38,13 +42,15 @@ pub fn lateral_mass_kg_per_m(model: &Model, mesh: &Mesh, bit_md_m: f64) -> Vec<f
 pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
     let mut chain = Chain::patterned(mesh.nodes.len(), mesh.nodes_per_joint());
     let mud = &model.mud;
+    let in_fluid = in_fluid::along(model, mesh);
     let last = mesh.nodes.len() - 1;
     for (index, element) in mesh.elements.iter().enumerate() {
+        let around_kg_per_m3 = in_fluid[index].densities.annulus_kg_per_m3;
         let section = &element.section;
         let inertia = &plan.inertia[index];
         chain.set_stiffness(index, &Stiffness::new(section, element.length_m));
         let half = 0.5 * element.length_m;
-        let weight = half * section.buoyed_weight_N_per_m(mud.density_kg_per_m3);
+        let weight = half * in_fluid[index].weight_N_per_m;
         for end in [index, index + 1] {
             node!(chain, end, mass_axial += 0.5 * inertia.axial_kg);
             node!(chain, end, mass_lateral += 0.5 * inertia.lateral_kg);
@@ -56,7 +62,7 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
                 chain,
                 end,
                 drag_quadratic +=
-                    half * 0.5 * mud.density_kg_per_m3 * mud.drag_coefficient * section.od_m
+                    half * 0.5 * around_kg_per_m3 * mud.drag_coefficient * section.od_m
             );
             let mut total = chain.weight(end);
             total.2 += weight;

@@ -19,6 +19,7 @@ use crate::{
         },
     },
     model::Model,
+    mud::Densities,
     rod::{bent::transported, element::Pose, mesh::Mesh},
     simd::{number::Real, vector::Vector},
 };
@@ -230,11 +231,13 @@ impl Body {
 /// top drive.
 pub(crate) fn levers_kg_m(model: &Model, mesh: &Mesh) -> Vec<[f64; 2]> {
     let mut levers = vec![[0.0; 2]; mesh.nodes.len()];
+    let (column, bit_depth_m) = (model.mud_column(), model.string.length_m());
     for span in model.string.spans() {
         if let Some(eccentricity) = span.component.eccentricity {
+            let mds_m = [bit_depth_m - span.to_bit_m, bit_depth_m - span.from_bit_m];
+            let Densities { inside_kg_per_m3, .. } = column.mean_densities(mds_m);
             let moment = span.component.mass_per_length_kg_per_m
-                * eccentricity
-                    .effective_offset_m(model.mud.density_kg_per_m3, &span.component.material);
+                * eccentricity.effective_offset_m(inside_kg_per_m3, &span.component.material);
             share_out(mesh, [span.from_bit_m, span.to_bit_m], |node, metres| {
                 let lever = moment * metres;
                 let (sine, cosine) = libm::sincos(eccentricity.phase_rad);

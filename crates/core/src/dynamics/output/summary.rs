@@ -310,14 +310,18 @@ fn load(s: &Sources<'_>, p: &mut Profile) {
     let mud = s.model.mud_column();
     let last = s.mesh.nodes.len() - 1;
     let bendings = s.record.percentiles(Quantity::Bending);
+    let densest_kg_per_m3 = mud.inside.densest();
     for (i, node) in s.mesh.nodes.iter().enumerate() {
         let (_, component) = s.model.string.component_at(node.from_bit_m);
-        let at_rest_Pa = mud.pressure_Pa(s.model.well.path.at(p.md_m[i]).position_m.z);
-        let (mut outside_Pa, mut inside_Pa, mut stream_N_m2) = (at_rest_Pa, at_rest_Pa, 0.0);
+        let tvd_m = s.model.well.path.at(p.md_m[i]).position_m.z;
+        let layers = mud.layers_at(p.md_m[i]);
+        let [mut outside_Pa, mut inside_Pa] =
+            [&layers.annulus, &layers.inside].map(|layer| layer.pressure_Pa(tvd_m));
+        let mut stream_N_m2 = 0.0;
         if let Some(flow) = &s.pressures {
             outside_Pa += flow.outside_Pa[i];
             inside_Pa += flow.inside_Pa[i];
-            stream_N_m2 = flow.stream_N_m2;
+            stream_N_m2 = flow.stream_N_m2 * layers.densities().inside_over(densest_kg_per_m3);
         }
         p.outside_pressure_Pa.push(outside_Pa);
         p.inside_pressure_Pa.push(inside_Pa);

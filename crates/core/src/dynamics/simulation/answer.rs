@@ -70,7 +70,11 @@ impl<R: Real> Run<R> {
             diverged,
             hydraulics: self.state.viscous.as_ref().map(Viscous::mean),
             pressures: self.state.viscous.as_ref().map(Viscous::mean_pressures),
-            flow_stretches_m: self.state.viscous.as_ref().map(Viscous::mean_stretches_m),
+            flow_stretches_m: self
+                .state
+                .viscous
+                .as_ref()
+                .map(|mud| mud.mean_stretches_m(&self.mesh)),
             instructions: self.stepper.instructions,
             settling: self.settling,
             settled: self.state.settled,

@@ -157,7 +157,7 @@ impl<R: Registers> Run<R> {
             hole::note_high_side(&mut high, layout.place(index), anchor);
         }
         let state = State {
-            squeezed: Squeezed::of(mesh, model.mud_column(), &anchors),
+            squeezed: Squeezed::of(model, mesh, &model.mud_column(), &anchors),
             anchors,
             set_points: SetPoints::new(&first, &settings.schedule),
             top_drive,

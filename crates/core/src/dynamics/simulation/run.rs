@@ -25,7 +25,8 @@ use crate::{
         },
     },
     ends::{BitEnd, TopEnd},
-    model::{Model, MudColumn},
+    model::Model,
+    mud::MudColumn,
     operation::Operation,
     outcome::{TimeSeries, samples::mean},
     rock::{Drilling, Executor, bit_face::BottomHole},
@@ -270,7 +271,7 @@ impl<R: Real> Run<R> {
     fn follow(&mut self) {
         let (chain, anchors) = (&mut self.chain, &mut self.state.anchors);
         if self.borehole.follow(chain, anchors, &mut self.state.high) {
-            self.state.squeezed = Squeezed::of(&self.mesh, self.mud, anchors);
+            self.state.squeezed = Squeezed::of(&self.model, &self.mesh, &self.mud, anchors);
         }
         chain.find_drag(self.plan.dt_s);
         if let Some(mud) = &mut self.state.viscous {

@@ -6,7 +6,6 @@ use super::{
 };
 use crate::{
     dynamics::{
-        boundary::mud::viscous::Viscous,
         kernel::chain::node,
         output::{energy::Ledger, record},
         settings::HoistControl,
@@ -31,7 +30,7 @@ impl<R: Real> Run<R> {
         let n = sums.steps as f64;
         let motor_pressure_Pa = state.bit.motor_pressure_Pa(sums.bit_torque / n);
         if let Some(mud) = &mut state.viscous {
-            mud.sample(chain, motor_pressure_Pa.unwrap_or(0.0));
+            mud.sample(chain, &self.model, motor_pressure_Pa.unwrap_or(0.0));
             let pressures = mud.pressures();
             record.press(|node| pressures.difference_Pa(node));
         }
@@ -78,7 +77,7 @@ impl<R: Real> Run<R> {
         series.twist_rad.push(-totals.twist_rad);
         series.stretch_m.push(
             totals.longer_m - state.squeezed.total_m
-                + state.viscous.as_ref().map_or(0.0, Viscous::stretch_m),
+                + state.viscous.as_ref().map_or(0.0, |mud| mud.stretch_m(&self.mesh)),
         );
         let block_now = state.hoist.velocity_m_per_s();
         series.block_velocity_m_per_s.push(block_now);

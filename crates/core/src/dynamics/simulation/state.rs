@@ -92,7 +92,7 @@ impl State {
             "the pressure of the mud at rest",
         )?;
         ensure(self.high.len() == layout.blocks(), "the high side")?;
-        ensure(self.viscous.is_some() == model.mud.rheology.is_some(), "the mud")?;
+        ensure(self.viscous.is_some() == model.has_rheology(), "the mud")?;
         let most_s = settings.sample_interval_s.max(1.0);
         ensure(self.remainder_s.abs() <= most_s, "the time that is left of a sample")?;
         self.set_points.check(&settings.schedule)?;

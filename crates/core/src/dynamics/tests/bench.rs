@@ -24,8 +24,12 @@ use crate::{
 };
 
 /// The steel of D09 and D10.
-pub const STEEL: Material =
-    Material { density_kg_per_m3: 7850.0, youngs_modulus_Pa: 206.84e9, shear_modulus_Pa: 79.3e9 };
+pub const STEEL: Material = Material {
+    density_kg_per_m3: 7850.0,
+    youngs_modulus_Pa: 206.84e9,
+    shear_modulus_Pa: 79.3e9,
+    ..Material::STEEL
+};
 
 const AIR: Mud = mud(0.0);
 

@@ -26,6 +26,7 @@ pub fn section(stiffness: [f64; 4], mass: f64, polar: f64) -> Section {
         polar_inertia_kg_m: polar,
         od_m: 0.1,
         pressure_strain_per_Pa: 0.0,
+        thermal_strain_per_K: 0.0,
     }
 }
 

@@ -207,6 +207,7 @@ impl Well {
             density_kg_per_m3: density,
             youngs_modulus_Pa: 206.84e9,
             shear_modulus_Pa: shear,
+            ..Material::STEEL
         };
         let parts = [
             (tube(number(bha, "Ac"), number(bha, "Jc")), length, steel(number(bha, "Gc"))),

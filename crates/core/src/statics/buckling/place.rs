@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::{model::Model, string::Component, well::PathPoint};
+use crate::{model::Model, mud::Densities, string::Component, well::PathPoint};
 
 /// More than the rounding error of a depth, m.
 const JUST_ABOVE_M: f64 = 1e-6;
@@ -34,12 +34,12 @@ pub struct Pipe {
 }
 
 impl Pipe {
-    /// A component in a hole of that diameter, m, in a mud of that density, kg/m³.
-    pub fn new(component: &Component, hole_diameter_m: f64, mud_density_kg_per_m3: f64) -> Self {
+    /// A component in a hole of that diameter, m, in fluids of these densities.
+    pub fn new(component: &Component, hole_diameter_m: f64, densities: Densities) -> Self {
         Self {
             bending_stiffness_N_m2: component.bending_stiffness_N_m2(),
             clearance_m: 0.5 * hole_diameter_m - component.contact_radius_m(),
-            weight_N_per_m: component.buoyed_weight_per_length_N_per_m(mud_density_kg_per_m3),
+            weight_N_per_m: component.weight_in_N_per_m(densities),
         }
     }
 
@@ -89,7 +89,7 @@ impl Place {
     pub fn on(model: &Model, bit_depth_m: f64, md_m: f64, point: &PathPoint) -> Self {
         let (_, component) = model.string.component_at(bit_depth_m - md_m);
         let hole_diameter_m = model.well.hole.at(md_m).diameter_m;
-        let pipe = Pipe::new(component, hole_diameter_m, model.mud.density_kg_per_m3);
+        let pipe = Pipe::new(component, hole_diameter_m, model.densities_at(md_m));
         pipe.at(&point.tangent, &point.curvature_per_m)
     }
 

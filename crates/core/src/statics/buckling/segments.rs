@@ -10,7 +10,6 @@ const STRETCH_M: f64 = 5.0;
 /// from the surface down.
 pub fn segments(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Segment> {
     let bit_depth_m = operation.bit_depth_m;
-    let density = model.mud.density_kg_per_m3;
     let mut segments = Vec::new();
     let mut to_md_m = bit_depth_m;
     for row in (0..md_m.len().saturating_sub(1)).rev() {
@@ -32,13 +31,13 @@ pub fn segments(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Segme
         let heading = model.well.path.heading_at(middle_m);
         let (_, component) = model.string.component_at(bit_depth_m - middle_m);
         let section = model.well.hole.at(middle_m);
-        let pipe = Pipe::new(component, section.diameter_m, density);
+        let densities = model.densities_at(middle_m);
+        let pipe = Pipe::new(component, section.diameter_m, densities);
         segments.push(Segment {
             length_m,
             place: pipe.at(&heading.tangent, &heading.curvature_per_m),
             friction: section.friction.kinetic,
-            weight_along_N_per_m: component.buoyed_weight_per_length_N_per_m(density)
-                * heading.tangent.z,
+            weight_along_N_per_m: component.weight_in_N_per_m(densities) * heading.tangent.z,
         });
         to_md_m = from_md_m;
     }

@@ -50,17 +50,18 @@ impl<'a> Carrier<'a> {
         operation: &Operation,
         component: &'a Component,
         hole_diameter_m: f64,
+        inside_kg_per_m3: f64,
     ) -> Self {
-        let flow_m3_per_s = match model.mud.rheology {
-            Some(_) => operation.flow_now_m3_per_s(),
-            None => 0.0,
+        let flow_m3_per_s = match model.has_rheology() {
+            true => operation.flow_now_m3_per_s(),
+            false => 0.0,
         };
         Self {
             component,
             section: BodySection::of(component),
             span: JointSpan::of(component),
             clearance_m: (0.5 * hole_diameter_m - component.contact_radius_m()).max(0.0),
-            stream_N_m2: model.mud.density_kg_per_m3 * flow_m3_per_s * flow_m3_per_s,
+            stream_N_m2: inside_kg_per_m3 * flow_m3_per_s * flow_m3_per_s,
             axial_m_per_s: operation.axial_velocity_m_per_s(),
             rotation_rad_per_s: operation.rotation_rad_per_s(),
         }

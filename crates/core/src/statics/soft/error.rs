@@ -1,7 +1,7 @@
 //! Errors of the soft string.
 
 use super::SoftSettings;
-use crate::{model::Model, operation::Operation};
+use crate::{model::Model, mud::FluidsError, operation::Operation};
 
 /// Why the soft string has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -30,6 +30,9 @@ pub enum SoftError {
         /// Value, SI.
         value: f64,
     },
+    /// The fluids that replace the mud are no column.
+    #[error(transparent)]
+    Fluids(FluidsError),
     /// Its helix, whose side force counts, takes any push, however great.
     #[error(
         "the string locks up: any further push from above MD {md_m:.0} m is absorbed by the helix, so that no hook load \
@@ -68,6 +71,7 @@ pub(super) fn check_string(
     if !(bit_depth_m > 0.0 && bit_depth_m <= DEEPEST_BIT_M) {
         return Err(SoftError::BitDepth(bit_depth_m));
     }
+    model.fluids.check().map_err(SoftError::Fluids)?;
     let string_m = model.string.length_m();
     if (string_m - bit_depth_m).abs() > LENGTH_TOLERANCE_M {
         return Err(SoftError::StringLength { string_m, bit_depth_m });

@@ -46,8 +46,8 @@ pub(super) fn stretches(model: &Model, bit_depth_m: f64, longest_m: f64) -> Vec<
     ends.windows(2).map(stretch_between).collect()
 }
 
-/// Ends of the stretches, from the bit up: where the path's curvature or its slope, the component or
-/// the hole section may change.
+/// Ends of the stretches, from the bit up: where the path's curvature or its slope, the component, the
+/// hole section or a fluid may change.
 fn ends(model: &Model, bit_depth_m: f64) -> Vec<f64> {
     let kinks = model.well.path.kinks_m();
     let sections = model.well.hole.sections().iter().map(|section| section.to_md_m);
@@ -55,6 +55,7 @@ fn ends(model: &Model, bit_depth_m: f64) -> Vec<f64> {
     let mut ends: Vec<f64> = kinks
         .chain(sections)
         .chain(components)
+        .chain(model.fluids.boundaries_m())
         .filter(|&md_m| md_m > SHORTEST_M && md_m < bit_depth_m - SHORTEST_M)
         .chain([0.0, bit_depth_m])
         .collect();
@@ -81,13 +82,13 @@ fn stretch(
     let middle_m = 0.5 * (from_md_m + to_md_m);
     let (_, component) = model.string.component_at(bit_depth_m - middle_m);
     let hole_diameter_m = model.well.hole.at(middle_m).diameter_m;
-    let pipe = Pipe::new(component, hole_diameter_m, model.mud.density_kg_per_m3);
+    let pipe = Pipe::new(component, hole_diameter_m, model.densities_at(middle_m));
     let node = |md_m: f64, point: Point| node(model, &pipe, md_m, point);
     let length_m = to_md_m - from_md_m;
     let count = (length_m / longest_m - SAME_STEPS).ceil().max(1.0);
     let step_m = length_m / count;
     let heading = |md_m: f64| heading_within(path, [from_md_m, to_md_m], md_m);
-    let lowest = Point::new(heading(to_md_m), path.at(to_md_m).position_m.z);
+    let lowest = Point::new(heading(to_md_m), [to_md_m, path.at(to_md_m).position_m.z]);
     let (mut lower_md_m, mut lower) = (to_md_m, lowest);
     let steps = (1..=count as usize).map(|index| {
         let upper_md_m =
@@ -114,13 +115,14 @@ pub(super) fn points(
     step_m: f64,
     lower: &Point,
 ) -> (Point, Point) {
-    let middle = heading(0.5 * (lower_md_m + upper_md_m));
+    let middle_md_m = 0.5 * (lower_md_m + upper_md_m);
+    let middle = heading(middle_md_m);
     let upper = heading(upper_md_m);
     // Simpson's rule from the stretch's lower end up: `κ⁴ step⁵/2880` a step, for pressures.
     let [low_z, middle_z, up_z] = [lower.tangent.z, middle.tangent.z, upper.tangent.z];
     let middle_tvd_m = lower.tvd_m - step_m / 24.0 * (5.0 * low_z + 8.0 * middle_z - up_z);
     let upper_tvd_m = lower.tvd_m - step_m / 6.0 * (low_z + 4.0 * middle_z + up_z);
-    (Point::new(middle, middle_tvd_m), Point::new(upper, upper_tvd_m))
+    (Point::new(middle, [middle_md_m, middle_tvd_m]), Point::new(upper, [upper_md_m, upper_tvd_m]))
 }
 
 fn node(model: &Model, pipe: &Pipe, md_m: f64, point: Point) -> Node {

@@ -157,7 +157,8 @@ fn divided(
     // The depth below surface, which only the pressures see, changes linearly.
     let point = |part: f64| {
         let tvd_m = lower.tvd_m + part * (upper.tvd_m - lower.tvd_m);
-        Point::new(path.heading_at(lower_md_m - part * length_m), tvd_m)
+        let md_m = lower_md_m - part * length_m;
+        Point::new(path.heading_at(md_m), [md_m, tvd_m])
     };
     let first = |part: f64| {
         let (middle, end) = (point(0.5 * part), point(part));
@@ -198,7 +199,7 @@ pub(super) fn from_bit(
     let mud = model.mud_column();
     let mut segments: Vec<Segment<'_>> = stretches
         .iter()
-        .map(|stretch| Segment::new(model, mud, operation, sliding, stretch))
+        .map(|stretch| Segment::new(model, &mud, operation, sliding, stretch))
         .collect();
     let passages: Vec<Passage> = segments.iter().map(Segment::passage).collect();
     let (circulating, hydraulics) = circulation::along(model, operation, &passages);

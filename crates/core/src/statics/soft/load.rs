@@ -61,11 +61,13 @@ pub(super) struct Load {
 pub(super) struct Point {
     pub(super) tangent: Vector3<f64>,
     pub(super) curvature_per_m: Vector3<f64>,
+    pub(super) md_m: f64,
     pub(super) tvd_m: f64,
 }
 
 impl Point {
-    pub(super) fn new(heading: Heading, tvd_m: f64) -> Self {
-        Self { tangent: heading.tangent, curvature_per_m: heading.curvature_per_m, tvd_m }
+    pub(super) fn new(heading: Heading, [md_m, tvd_m]: [f64; 2]) -> Self {
+        let Heading { tangent, curvature_per_m } = heading;
+        Self { tangent, curvature_per_m, md_m, tvd_m }
     }
 }

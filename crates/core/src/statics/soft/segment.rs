@@ -5,20 +5,18 @@ use super::{
     hole::{Node, Stretch},
     load::{Load, Point, Totals},
 };
-use std::f64::consts::FRAC_PI_4;
-
 use nalgebra::Vector3;
 
 use crate::{
-    model::{Model, MudColumn},
-    mud::Conduit,
+    model::Model,
+    mud::{ColumnLayers, Conduit, MudColumn},
     operation::Operation,
     statics::{
         buckling::{Criterion, Pipe, Place},
         circulation::{Circulating, Passage},
         sliding::Sliding,
     },
-    string::Component,
+    string::{Component, FreeStrain},
 };
 
 /// An operation on a [`Stretch`] of hole.
@@ -34,11 +32,9 @@ pub(super) struct Segment<'a> {
     sliding: (f64, f64),
     axial_stiffness_N: f64,
     torsional_stiffness_N_m2: f64,
-    /// `(1 - 2ν)/E`, 1/Pa.
-    pressure_strain_per_Pa: f64,
-    mud: MudColumn,
+    free_strain: FreeStrain,
+    layers: ColumnLayers,
     outer_diameter_m: f64,
-    bore_m2: f64,
     hole_diameter_m: f64,
     pub(super) circulating: Circulating,
     pub(super) carrier: Carrier<'a>,
@@ -65,7 +61,7 @@ impl Course {
 impl<'a> Segment<'a> {
     pub(super) fn new(
         model: &'a Model,
-        mud: MudColumn,
+        mud: &MudColumn,
         operation: &Operation,
         sliding: Sliding,
         &Stretch { from_md_m, to_md_m, .. }: &Stretch,
@@ -74,39 +70,44 @@ impl<'a> Segment<'a> {
         let (_, component): (_, &Component) =
             model.string.component_at(operation.bit_depth_m - middle_m);
         let friction = model.well.hole.at(middle_m).friction;
-        let mud_density = model.mud.density_kg_per_m3;
+        let layers = mud.layers_at(middle_m);
+        let densities = layers.densities();
         let contact_radius_m = component.contact_radius_m();
-        let material = &component.material;
         let hole = model.well.hole.at(middle_m);
         Self {
             from_md_m,
             to_md_m,
-            weight_N_per_m: component.buoyed_weight_per_length_N_per_m(mud_density),
+            weight_N_per_m: component.weight_in_N_per_m(densities),
             contact_radius_m,
             friction: (friction.kinetic, friction.kinetic * friction.around),
             sliding: sliding.direction(contact_radius_m),
             axial_stiffness_N: component.axial_stiffness_N(),
             torsional_stiffness_N_m2: component.torsional_stiffness_N_m2(),
-            pressure_strain_per_Pa: (1.0 - 2.0 * material.poisson_ratio())
-                / material.youngs_modulus_Pa,
-            mud,
+            free_strain: FreeStrain::of(component),
+            layers,
             outer_diameter_m: component.od_m,
-            bore_m2: component.inner_area_m2(),
             hole_diameter_m: hole.diameter_m,
             circulating: Circulating::default(),
-            carrier: Carrier::new(model, operation, component, hole.diameter_m),
-            pipe: Pipe::new(component, hole.diameter_m, mud_density),
+            carrier: Carrier::new(
+                model,
+                operation,
+                component,
+                hole.diameter_m,
+                densities.inside_kg_per_m3,
+            ),
+            pipe: Pipe::new(component, hole.diameter_m, densities),
             buckling: model.buckling,
         }
     }
 
     pub(super) fn passage(&self) -> Passage {
+        let bore_m2 = self.free_strain.bore_m2;
         Passage {
             length_m: self.to_md_m - self.from_md_m,
-            outer_m2: FRAC_PI_4 * self.outer_diameter_m * self.outer_diameter_m,
-            bore_m2: self.bore_m2,
-            conduit: Conduit::uniform(self.outer_diameter_m, self.bore_m2, self.hole_diameter_m),
-            pressure_strain_per_Pa: self.pressure_strain_per_Pa,
+            conduit: Conduit::uniform(self.outer_diameter_m, bore_m2, self.hole_diameter_m),
+            free_strain: self.free_strain,
+            inside: self.layers.inside.fluid,
+            annulus: self.layers.annulus.fluid,
         }
     }
 
@@ -160,8 +161,9 @@ impl<'a> Segment<'a> {
 
     /// The same where the load is known.
     pub(super) fn rate_under(&self, point: &Point, at: &Totals, load: &Load) -> Totals {
+        // One fluid on each side of the stretch: its temperature alone depends on measured depth.
+        let around = self.layers.surroundings(point.md_m, point.tvd_m);
         // Upwards, so with the opposite signs of dF/ds and dM/ds.
-        let pressure_Pa = self.mud.pressure_Pa(point.tvd_m);
         Totals {
             tension_N: self.weight_N_per_m * point.tangent.z
                 + load.axial_friction_N_per_m
@@ -170,7 +172,7 @@ impl<'a> Segment<'a> {
             axial_friction_N: load.axial_friction_N_per_m,
             side_force_N: load.side_force_N_per_m,
             stretch_m: at.tension_N / self.axial_stiffness_N
-                - self.pressure_strain_per_Pa * pressure_Pa
+                + self.free_strain.strain(&around)
                 + self.circulating.strain,
             twist_rad: at.torque_N_m / self.torsional_stiffness_N_m2,
         }
@@ -178,14 +180,15 @@ impl<'a> Segment<'a> {
 
     /// Pressures outside and inside at a node of the stretch, Pa.
     pub(super) fn pressures_Pa(&self, node: &Node) -> [f64; 2] {
-        let at_rest_Pa = self.mud.pressure_Pa(node.point.tvd_m);
+        let [outside_Pa, inside_Pa] = [&self.layers.annulus, &self.layers.inside]
+            .map(|layer| layer.pressure_Pa(node.point.tvd_m));
         // The losses of the flow change linearly along the stretch.
         let up_m = self.to_md_m - node.md_m;
         let Circulating { outer_Pa, outer_fall_Pa_per_m, inner_Pa, inner_rise_Pa_per_m, .. } =
             self.circulating;
         [
-            at_rest_Pa + outer_Pa - outer_fall_Pa_per_m * up_m,
-            at_rest_Pa + inner_Pa + inner_rise_Pa_per_m * up_m,
+            outside_Pa + outer_Pa - outer_fall_Pa_per_m * up_m,
+            inside_Pa + inner_Pa + inner_rise_Pa_per_m * up_m,
         ]
     }
 }

@@ -114,17 +114,10 @@ pub(super) struct Bending {
 }
 
 impl Bending {
-    /// Computes the moments of the string in its state, with its buoyed weight in mud of this
-    /// density.
-    pub(super) fn of(
-        string: &StringInHole,
-        state: &State,
-        mesh: &Mesh,
-        mud_kg_per_m3: f64,
-    ) -> Self {
-        let mut elements: Vec<Bent> = (0..string.elements.len())
-            .map(|index| bent(string, state, mesh, index, mud_kg_per_m3))
-            .collect();
+    /// Computes the moments of the string in its state.
+    pub(super) fn of(string: &StringInHole, state: &State, mesh: &Mesh) -> Self {
+        let mut elements: Vec<Bent> =
+            (0..string.elements.len()).map(|index| bent(string, state, mesh, index)).collect();
         release(&mut elements, &string.ends);
         let mut bending = Self::default();
         for index in 0..string.nodes.len() {
@@ -161,13 +154,7 @@ impl Bending {
     }
 }
 
-fn bent(
-    string: &StringInHole,
-    state: &State,
-    mesh: &Mesh,
-    index: usize,
-    mud_kg_per_m3: f64,
-) -> Bent {
+fn bent(string: &StringInHole, state: &State, mesh: &Mesh, index: usize) -> Bent {
     let (element, section) = (&string.elements[index], &mesh.elements[index].section);
     let [upper, lower] = [index, index + 1].map(|node| state.moved_m(string, node));
     let k = &element.stiffness;
@@ -180,7 +167,7 @@ fn bent(
     let tension_N = state.tension_N[index];
     let stiffness_N_m2 = section.bending_stiffness_N_m2;
     let pull_N_per_m = tension_N / length_m;
-    let weight_N_per_m = across(Vector3::z()) * section.buoyed_weight_N_per_m(mud_kg_per_m3);
+    let weight_N_per_m = across(Vector3::z()) * string.in_fluid[index].weight_N_per_m;
     let load = even * pull_N_per_m + weight_N_per_m;
     let column = BeamColumn::of(tension_N * length_m * length_m / (64.0 * stiffness_N_m2));
     let nodes = [&string.nodes[index], &string.nodes[index + 1]];

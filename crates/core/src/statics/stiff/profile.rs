@@ -14,13 +14,17 @@ use super::{
 use crate::{
     ends::BitEnd,
     model::Model,
-    mud::Hydraulics,
+    mud::{Densities, Hydraulics},
     operation::Operation,
     outcome::{
         HOLE_STEP_M, HoleWear, Profile, Scalars, cutoff_in_build_m, hole_depths_m, hole_steps,
         neutral_point_m, spread,
     },
-    rod::{contact_length, mesh::Mesh},
+    rod::{
+        contact_length,
+        in_fluid::{HolePlace, free_elongation_m},
+        mesh::Mesh,
+    },
     statics::buckling::Place,
     string::BodySection,
 };
@@ -73,7 +77,7 @@ impl StiffProfile {
         let surface_torque_N_m = surface_torque_N_m(string, &torques_N_m);
         profile.torque_N_m[0] = surface_torque_N_m;
         profile.torque_N_m[last] = string.bit_torque_N_m;
-        let bending = Bending::of(string, state, mesh, model.mud.density_kg_per_m3);
+        let bending = Bending::of(string, state, mesh);
         let mut axis = StringAxis::new(model, string, state, &bending);
         bear(model, operation, mesh, string, bending, &mut profile);
         deform(model, mesh, string, state, &torques_N_m, &mut profile);
@@ -292,13 +296,15 @@ fn bear(
 ) {
     let mud = model.mud_column();
     let flow_m3_per_s = string.hydraulics.map_or(0.0, |_| operation.flow_now_m3_per_s());
-    let stream_N_m2 = model.mud.density_kg_per_m3 * flow_m3_per_s * flow_m3_per_s;
     for (index, node) in string.nodes.iter().enumerate() {
         let component = mesh.weakest_body(&model.string, index);
         let section = BodySection::of(component);
-        let at_rest_Pa = mud.pressure_Pa(node.anchor_m.z);
+        let layers = mud.layers_at(node.md_m);
+        let Densities { inside_kg_per_m3, .. } = layers.densities();
+        let stream_N_m2 = inside_kg_per_m3 * flow_m3_per_s * flow_m3_per_s;
         // The flow's pressures are those at the lower end of the element above.
-        let (mut outside_Pa, mut inside_Pa) = (at_rest_Pa, at_rest_Pa);
+        let [mut outside_Pa, mut inside_Pa] =
+            [&layers.annulus, &layers.inside].map(|layer| layer.pressure_Pa(node.anchor_m.z));
         let flow = &string.circulating[index.saturating_sub(1)];
         let up_m = if index == 0 { string.elements[0].stiffness.length } else { 0.0 };
         outside_Pa += flow.outer_Pa - flow.outer_fall_Pa_per_m * up_m;
@@ -337,9 +343,13 @@ fn deform(
     (p.twist_rad, p.stretch_m) = (vec![0.0; nodes], vec![0.0; nodes]);
     for index in (0..nodes - 1).rev() {
         let (k, section) = (&string.elements[index].stiffness, &mesh.elements[index].section);
-        let tvd_m = 0.5 * (string.nodes[index].anchor_m.z + string.nodes[index + 1].anchor_m.z);
+        let ends = [index, index + 1].map(|node| {
+            let node = &string.nodes[node];
+            HolePlace { md_m: node.md_m, tvd_m: node.anchor_m.z }
+        });
+        let element = (&mesh.elements[index], [&mesh.nodes[index], &mesh.nodes[index + 1]]);
         let strain = state.tension_N[index] / section.axial_stiffness_N
-            - section.pressure_strain_per_Pa * mud.pressure_Pa(tvd_m)
+            + free_elongation_m(&model.string, &mud, element, ends, 1.0)
             + string.circulating[index].strain;
         p.twist_rad[index] = p.twist_rad[index + 1] + torques_N_m[index] / k.twist;
         p.stretch_m[index] = p.stretch_m[index + 1] + strain * k.length;

@@ -4,7 +4,6 @@ use super::{
     bending::Bending, equilibrium::Equilibrium, mesh_error::MeshError, profile::hook_and_torque,
     string_in_hole::STANDS_OUT_M,
 };
-use crate::model::Model;
 
 /// Part of the tolerance by which the peak of an element's moment may exceed its moments at the
 /// nodes and half-way.
@@ -22,8 +21,8 @@ impl Equilibrium {
     /// The elements that are too long: those in which a contact of the body begins or ends, whose
     /// body touches between nodes that are off the wall, whose moment differs from that of their
     /// neighbours by more than a part of the largest one, or whose nodes miss a peak between them.
-    pub(super) fn too_long(&self, model: &Model, tolerance: f64) -> Vec<bool> {
-        let bending = self.bending(model);
+    pub(super) fn too_long(&self, tolerance: f64) -> Vec<bool> {
+        let bending = self.bending();
         let most_N_m = tolerance * bending.at_node_N_m.iter().copied().fold(0.0, f64::max);
         let apart = |node: usize| bending.jump_N_m[node] > most_N_m;
         let lies: Vec<bool> = (0..self.mesh.nodes.len()).map(|node| self.body_lies(node)).collect();
@@ -53,8 +52,8 @@ impl Equilibrium {
 
     /// Whether any element needs to be divided, however little the last halving changed at the
     /// nodes.
-    pub(super) fn any_unresolved(&self, model: &Model, tolerance: f64) -> bool {
-        let bending = self.bending(model);
+    pub(super) fn any_unresolved(&self, tolerance: f64) -> bool {
+        let bending = self.bending();
         let most_N_m = tolerance * bending.at_node_N_m.iter().copied().fold(0.0, f64::max);
         let long = |element: &usize| self.mesh.elements[*element].length_m > SHORTEST_M;
         let mut elements = (0..self.mesh.elements.len()).filter(long);
@@ -82,9 +81,9 @@ impl Equilibrium {
 
     /// Error of a coarser mesh whose nodes are all nodes of this one's: the differences between the
     /// two.
-    pub(super) fn change_since(&self, coarser: &Self, model: &Model) -> MeshError {
+    pub(super) fn change_since(&self, coarser: &Self) -> MeshError {
         let [[hook_N, torque_N_m], [was_N, was_N_m]] = [self, coarser].map(hook_and_torque);
-        let [moments, were] = [self, coarser].map(|one| one.bending(model).at_node_N_m);
+        let [moments, were] = [self, coarser].map(|one| one.bending().at_node_N_m);
         let pressed_N = |one: &Self| one.state.normal_N.iter().sum::<f64>();
         let mut error = MeshError {
             hook_load_N: (hook_N - was_N).abs(),
@@ -105,12 +104,12 @@ impl Equilibrium {
         error
     }
 
-    fn bending(&self, model: &Model) -> Bending {
-        Bending::of(&self.string, &self.state, &self.mesh, model.mud.density_kg_per_m3)
+    fn bending(&self) -> Bending {
+        Bending::of(&self.string, &self.state, &self.mesh)
     }
 
     /// The largest bending moment at a node, N·m.
-    pub(super) fn largest_moment_N_m(&self, model: &Model) -> f64 {
-        self.bending(model).at_node_N_m.iter().copied().fold(0.0, f64::max)
+    pub(super) fn largest_moment_N_m(&self) -> f64 {
+        self.bending().at_node_N_m.iter().copied().fold(0.0, f64::max)
     }
 }

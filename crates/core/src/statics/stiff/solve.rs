@@ -305,20 +305,20 @@ impl Task<'_> {
         let row = FINE_ENOUGH.iter().find(|(level, ..)| *level == accuracy);
         let Some((_, tolerance, rounds)) = row else { return found };
         for _ in 0..*rounds {
-            let long = found.too_long(self.model, *tolerance);
+            let long = found.too_long(*tolerance);
             if !long.contains(&true) {
                 break;
             }
             let string = &self.model.string;
             let mesh = found.mesh.halved(string, &long, SizeReason::Refined);
             let Some(mut finer) = self.found_near(mesh, &found) else { break };
-            let error = finer.change_since(&found, self.model);
+            let error = finer.change_since(&found);
             finer.convergence.iterations += found.convergence.iterations;
             finer.convergence.mesh_error = Some(error);
-            let largest_N_m = finer.largest_moment_N_m(self.model);
+            let largest_N_m = finer.largest_moment_N_m();
             found = finer;
             if error.bending_moment_N_m < tolerance * largest_N_m
-                && !found.any_unresolved(self.model, *tolerance)
+                && !found.any_unresolved(*tolerance)
             {
                 break;
             }

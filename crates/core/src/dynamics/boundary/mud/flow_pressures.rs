@@ -9,8 +9,8 @@ pub struct FlowPressures {
     pub outside_Pa: Vec<f64>,
     /// Pressure in the bore, Pa.
     pub inside_Pa: Vec<f64>,
-    /// `ρ Q²`, N·m²: over the area of a bore it is the momentum that the stream carries through it
-    /// in a second.
+    /// `ρ Q²`, N·m², of the densest fluid in the string: over the area of a bore it is the momentum
+    /// that the stream carries through it in a second.
     pub stream_N_m2: f64,
 }
 

@@ -1,15 +1,18 @@
-//! Shortening of the string by the pressure of the mud at rest.
+//! Shortening of the string by the pressures and the temperature of the fluids at rest.
 
 use serde::{Deserialize, Serialize};
 
 use crate::{
     dynamics::boundary::anchor::Anchor,
-    model::MudColumn,
-    rod::mesh::{Mesh, MeshElement},
+    model::Model,
+    mud::MudColumn,
+    rod::{
+        in_fluid::{HolePlace, free_elongation_m},
+        mesh::{Mesh, MeshElement},
+    },
 };
 
-/// Shortening of each element by the pressure `p` of mud at rest against the unloaded one, `(1 −
-/// 2ν)p/E` of its length.
+/// Shortening of each element at rest without effective tension against its length at the surface.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(in crate::dynamics) struct Squeezed {
     /// From the top down, m.
@@ -20,10 +23,17 @@ pub(in crate::dynamics) struct Squeezed {
 
 impl Squeezed {
     /// Of a string with these anchors.
-    pub(in crate::dynamics) fn of(mesh: &Mesh, mud: MudColumn, anchors: &[Anchor]) -> Self {
+    pub(in crate::dynamics) fn of(
+        model: &Model,
+        mesh: &Mesh,
+        mud: &MudColumn,
+        anchors: &[Anchor],
+    ) -> Self {
         let squeeze = |(i, e): (usize, &MeshElement)| {
-            let tvd = 0.5 * (anchors[i].position_m.z + anchors[i + 1].position_m.z);
-            e.length_m * e.section.pressure_strain_per_Pa * mud.pressure_Pa(tvd)
+            let ends = [&anchors[i], &anchors[i + 1]]
+                .map(|anchor| HolePlace { md_m: anchor.md_m, tvd_m: anchor.position_m.z });
+            let element = (e, [&mesh.nodes[i], &mesh.nodes[i + 1]]);
+            -free_elongation_m(&model.string, mud, element, ends, e.length_m)
         };
         let each_m: Vec<f64> = mesh.elements.iter().enumerate().map(squeeze).collect();
         Self { total_m: each_m.iter().sum(), each_m }

@@ -9,8 +9,6 @@
 //! booked there would be booked with velocities that the nodes do not keep. The parts of the end
 //! nodes are therefore added to their neighbours.
 
-use std::f64::consts::FRAC_PI_4;
-
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
@@ -22,7 +20,7 @@ use crate::{
         kernel::chain::{Chain, node, upkeep::Motions},
     },
     model::Model,
-    mud::{AnnulusDrag, Conduit, Hydraulics, Motion, Mud, hydraulics::pressure_strain},
+    mud::{AnnulusDrag, Conduit, Hydraulics, Motion, Mud},
     operation::Operation,
     rod::mesh::Mesh,
     simd::number::Real,
@@ -67,8 +65,6 @@ struct Passage {
     /// Its lower and upper end, from the bit, m.
     from_bit_m: [f64; 2],
     od_m: f64,
-    bore_m2: f64,
-    pressure_strain_per_Pa: f64,
     /// Measured depth at which the hole was evaluated, m.
     md_m: f64,
     conduit: Conduit,
@@ -85,7 +81,10 @@ struct Passage {
 /// The mud that drags on the whole string.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Viscous {
+    /// Fluid in the string at the bit.
     mud: Mud,
+    /// Largest density in the string, kg/m³, of which the momentum of the stream is.
+    densest_kg_per_m3: f64,
     flow_m3_per_s: f64,
     bit_loss_Pa: f64,
     passages: Vec<Passage>,
@@ -127,7 +126,9 @@ impl Viscous {
         axial_m_per_s: f64,
         bit_md_m: f64,
     ) -> Option<Self> {
-        model.mud.rheology?;
+        if !model.has_rheology() {
+            return None;
+        }
         let flow_m3_per_s = operation.flow_now_m3_per_s();
         let motion =
             Motion { axial_m_per_s, spin_rad_per_s: operation.rotation_rad_per_s(), flow_m3_per_s };
@@ -140,8 +141,6 @@ impl Viscous {
                 length_m: element.length_m,
                 from_bit_m,
                 od_m: section.od_m,
-                bore_m2: section.bore_m2,
-                pressure_strain_per_Pa: section.pressure_strain_per_Pa,
                 md_m,
                 conduit: Conduit::uniform(section.od_m, section.bore_m2, hole.at(md_m).diameter_m),
                 rising_m_per_s: 0.0,
@@ -151,11 +150,12 @@ impl Viscous {
                 annulus_loss_Pa: 0.0,
             };
             passage.lie_at(&model.string, hole, md_m);
-            passage.find(&model.mud, motion);
+            passage.find(model, motion);
             passage
         });
         Some(Self {
-            mud: model.mud,
+            mud: model.fluids.inside_at(&model.mud, bit_md_m),
+            densest_kg_per_m3: model.mud_column().inside.densest(),
             flow_m3_per_s,
             bit_loss_Pa: operation.bit_loss_Pa(flow_m3_per_s),
             passages: passages.collect(),
@@ -219,7 +219,7 @@ impl Viscous {
             let changed = passage.is_stale(&motion, md_m);
             if changed {
                 passage.lie_at(&model.string, &model.well.hole, md_m);
-                passage.find(&self.mud, motion);
+                passage.find(model, motion);
             }
             if changed || changed_above {
                 self.load(chain, anchors, index, dt);
@@ -305,7 +305,7 @@ impl Viscous {
     }
 
     /// Samples forces and pressures; `motor_loss_Pa` is the pressure drop of a mud motor.
-    pub fn sample(&mut self, chain: &Chain<impl Real>, motor_loss_Pa: f64) {
+    pub fn sample(&mut self, chain: &Chain<impl Real>, model: &Model, motor_loss_Pa: f64) {
         let mut now = Hydraulics {
             jet_thrust_N: self.mud.jet_thrust_N(self.flow_m3_per_s, self.bit_loss_Pa),
             bit_loss_Pa: self.bit_loss_Pa,
@@ -322,7 +322,7 @@ impl Viscous {
                 spin_rad_per_s: spin,
                 flow_m3_per_s: self.flow_m3_per_s,
             };
-            let (drag, gradient_Pa_per_m) = passage.sampled(&self.mud, &motion);
+            let (drag, gradient_Pa_per_m) = passage.sampled(model, &motion);
             passage.annulus_loss_Pa = passage.length_m * gradient_Pa_per_m;
             now.mud_drag_N += passage.length_m * drag.axial_N_per_m(velocity);
             now.mud_torque_N_m -= passage.length_m * drag.torque_N(spin);
@@ -333,7 +333,7 @@ impl Viscous {
         now.pump_pressure_Pa = now.bore_loss_Pa + below_Pa + now.annulus_loss_Pa;
         self.sum = self.sum + now;
         let losses = |p: &Passage| (p.annulus_loss_Pa, p.length_m * p.bore_gradient_Pa_per_m);
-        let stream_N_m2 = self.mud.density_kg_per_m3 * self.flow_m3_per_s * self.flow_m3_per_s;
+        let stream_N_m2 = self.densest_kg_per_m3 * self.flow_m3_per_s * self.flow_m3_per_s;
         self.pressures.find(below_Pa, stream_N_m2, self.passages.iter().map(losses));
         self.sum_pressures.add(&self.pressures);
         self.samples += 1;
@@ -355,25 +355,24 @@ impl Viscous {
     }
 
     /// Elongation of the string by the pressures that the flow added at the last sample, m.
-    pub fn stretch_m(&self) -> f64 {
-        self.stretches_m(&self.pressures).sum()
+    pub fn stretch_m(&self, mesh: &Mesh) -> f64 {
+        Self::stretches_m(mesh, &self.pressures).sum()
     }
 
     /// Mean elongation of each element by the pressures that the flow added, m.
-    pub fn mean_stretches_m(&self) -> Vec<f64> {
-        self.stretches_m(&self.mean_pressures()).collect()
+    pub fn mean_stretches_m(&self, mesh: &Mesh) -> Vec<f64> {
+        Self::stretches_m(mesh, &self.mean_pressures()).collect()
     }
 
-    fn stretches_m<'a>(&'a self, pressures: &'a FlowPressures) -> impl Iterator<Item = f64> + 'a {
+    fn stretches_m<'a>(
+        mesh: &'a Mesh,
+        pressures: &'a FlowPressures,
+    ) -> impl Iterator<Item = f64> + 'a {
         let FlowPressures { outside_Pa, inside_Pa, .. } = pressures;
         let middle = |values: &[f64], i: usize| 0.5 * (values[i] + values[i + 1]);
-        self.passages.iter().enumerate().map(move |(i, passage)| {
-            passage.length_m
-                * pressure_strain(
-                    passage.pressure_strain_per_Pa,
-                    (middle(outside_Pa, i), FRAC_PI_4 * passage.od_m * passage.od_m),
-                    (middle(inside_Pa, i), passage.bore_m2),
-                )
+        mesh.elements.iter().enumerate().map(move |(i, element)| {
+            let (outside_Pa, inside_Pa) = (middle(outside_Pa, i), middle(inside_Pa, i));
+            element.length_m * element.section.free_strain().by_pressures(outside_Pa, inside_Pa)
         })
     }
 }
@@ -383,9 +382,10 @@ impl Passage {
     /// drag was found for along its slope, farther off found anew. A mud at its yield point has a
     /// slope there that is ten thousand times its own, and no motion of a string in vibration stays
     /// on it.
-    fn sampled(&self, mud: &Mud, motion: &Motion) -> (AnnulusDrag, f64) {
+    fn sampled(&self, model: &Model, motion: &Motion) -> (AnnulusDrag, f64) {
         if self.has_changed(motion, FAR) {
-            let drag = self.conduit.drag(mud, motion);
+            let annulus = model.fluids.annulus_at(&model.mud, self.md_m);
+            let drag = self.conduit.drag(&annulus, motion);
             return (drag, drag.gradient_Pa_per_m);
         }
         let since = motion.axial_m_per_s - self.motion.axial_m_per_s;
@@ -421,12 +421,14 @@ impl Passage {
             Conduit::between(string, hole, self.from_bit_m, [md_m + half_m, md_m - half_m]);
     }
 
-    /// Computes the effect of the mud at a motion.
-    fn find(&mut self, mud: &Mud, motion: Motion) {
+    /// Computes the effect of the fluids at its middle at a motion.
+    fn find(&mut self, model: &Model, motion: Motion) {
+        let Model { fluids, mud, .. } = model;
         self.motion = motion;
-        self.drag = self.conduit.drag(mud, &motion);
+        self.drag = self.conduit.drag(&fluids.annulus_at(mud, self.md_m), &motion);
         self.rising_m_per_s = self.conduit.rising_m_per_s(motion.flow_m3_per_s);
+        let inside = fluids.inside_at(mud, self.md_m);
         self.bore_gradient_Pa_per_m =
-            self.conduit.bore_gradient_Pa_per_m(mud, motion.flow_m3_per_s);
+            self.conduit.bore_gradient_Pa_per_m(&inside, motion.flow_m3_per_s);
     }
 }

@@ -12,7 +12,7 @@ use crate::{
     damage::{Damaged, ensure},
     dynamics::kernel::layout::Layout,
     model::Model,
-    rod::mesh::Mesh,
+    rod::{in_fluid, mesh::Mesh},
     simd::{
         dispatch::{for_each_instruction_set, with_fastest_instruction_set},
         lanes::DOUBLES,
@@ -42,12 +42,13 @@ impl Shapes {
     /// Of the elements of a string that nobody has looked at yet.
     pub fn new(model: &Model, mesh: &Mesh, layout: Layout) -> Self {
         let mut blocks = vec![ShapeBlock::EMPTY; layout.blocks()];
+        let in_fluid = in_fluid::along(model, mesh);
         for (index, element) in mesh.elements.iter().enumerate() {
             let (block, lane) = layout.place(index);
             let (shape, section) = (&mut blocks[block], &element.section);
             let stiffness = section.bending_stiffness_N_m2;
             shape.per_length[lane] = 1.0 / element.length_m;
-            shape.weight[lane] = section.buoyed_weight_N_per_m(model.mud.density_kg_per_m3);
+            shape.weight[lane] = in_fluid[index].weight_N_per_m;
             shape.column[lane] = element.length_m.powi(2) / (64.0 * stiffness);
             shape.stiffness[lane] = stiffness;
             shape.radius[lane] = 0.5 * section.od_m;

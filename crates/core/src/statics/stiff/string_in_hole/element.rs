@@ -1,7 +1,5 @@
 //! The elements between the nodes, and the mud that flows along them.
 
-use std::f64::consts::FRAC_PI_4;
-
 use nalgebra::Vector3;
 
 use super::{super::heading::Heading, node::Node};
@@ -127,6 +125,7 @@ pub(super) fn circulation(
         .map(|index| {
             let element = &mesh.elements[index];
             let nodes = [&mesh.nodes[index + 1], &mesh.nodes[index]];
+            let middle_m = 0.5 * (depths_m[index] + depths_m[index + 1]);
             let conduit = Conduit::between(
                 &model.string,
                 &model.well.hole,
@@ -135,10 +134,10 @@ pub(super) fn circulation(
             );
             Passage {
                 length_m: element.length_m,
-                outer_m2: FRAC_PI_4 * element.section.od_m * element.section.od_m,
-                bore_m2: element.section.bore_m2,
                 conduit,
-                pressure_strain_per_Pa: element.section.pressure_strain_per_Pa,
+                free_strain: element.section.free_strain(),
+                inside: model.fluids.inside_at(&model.mud, middle_m),
+                annulus: model.fluids.annulus_at(&model.mud, middle_m),
             }
         })
         .collect();

@@ -6,18 +6,22 @@ use super::{
     element::{Couples, Element},
     node::Node,
 };
-use crate::{model::Model, rod::mesh::Mesh, statics::circulation::Circulating};
+use crate::{
+    model::Model,
+    rod::{in_fluid::ElementInFluid, mesh::Mesh},
+    statics::circulation::Circulating,
+};
 
 /// Adds the buoyed weight of the elements and the pull of the mud to the nodes at their ends.
 pub(super) fn add_weight(
     nodes: &mut [Node],
     mesh: &Mesh,
     circulating: &[Circulating],
-    mud_kg_per_m3: f64,
+    in_fluid: &[ElementInFluid],
 ) {
-    for (index, (element, flow)) in mesh.elements.iter().zip(circulating).enumerate() {
-        let weight_N =
-            0.5 * element.length_m * element.section.buoyed_weight_N_per_m(mud_kg_per_m3);
+    let elements = mesh.elements.iter().zip(circulating).zip(in_fluid);
+    for (index, ((element, flow), fluid)) in elements.enumerate() {
+        let weight_N = 0.5 * element.length_m * fluid.weight_N_per_m;
         let pull_N = 0.5 * element.length_m * flow.pull_N_per_m;
         for node in &mut nodes[index..=index + 1] {
             // A pull that adds to hook load points to the bit.
@@ -31,11 +35,11 @@ pub(super) fn add_couples(
     elements: &mut [Element],
     nodes: &[Node],
     mesh: &Mesh,
-    mud_kg_per_m3: f64,
+    in_fluid: &[ElementInFluid],
 ) {
     for (index, (element, cut)) in elements.iter_mut().zip(&mesh.elements).enumerate() {
         let part_m = cut.length_m / 12.0;
-        let weight_N = cut.section.buoyed_weight_N_per_m(mud_kg_per_m3) * cut.length_m;
+        let weight_N = in_fluid[index].weight_N_per_m * cut.length_m;
         let chord = element.anchor_chord_m.normalize();
         let across = Vector3::z() - chord * chord.z;
         let turn = nodes[index + 1].axes[2] - nodes[index].axes[2];

@@ -10,7 +10,10 @@ use crate::{
     model::Model,
     mud::Hydraulics,
     operation::Operation,
-    rod::mesh::Mesh,
+    rod::{
+        in_fluid::{self, ElementInFluid},
+        mesh::Mesh,
+    },
     statics::{circulation::Circulating, sliding::Sliding, soft::SoftProfile},
     wall::Bore,
 };
@@ -28,6 +31,8 @@ pub(super) struct StringInHole {
     pub(super) nodes: Vec<Node>,
     /// From the top down.
     pub(super) elements: Vec<Element>,
+    /// Weight of each element in the fluids around it.
+    pub(super) in_fluid: Vec<ElementInFluid>,
     /// Supports of its ends.
     pub(super) ends: ends::Ends,
     /// Torque of the bit, N·m.
@@ -55,9 +60,10 @@ impl StringInHole {
         let mut elements = element::between(mesh, &bore, &nodes, &circulating, on_wall);
         let high_rad = high_side_rad(model, &nodes);
         element::bend(&mut elements, model, mesh, high_rad);
-        load::add_weight(&mut nodes, mesh, &circulating, model.mud.density_kg_per_m3);
+        let in_fluid = in_fluid::along(model, mesh);
+        load::add_weight(&mut nodes, mesh, &circulating, &in_fluid);
         if !settings.lumped_weight {
-            load::add_couples(&mut elements, &nodes, mesh, model.mud.density_kg_per_m3);
+            load::add_couples(&mut elements, &nodes, mesh, &in_fluid);
         }
         let jet_N = hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
         load::add_pull(&mut nodes, operation.tension_at_bit_N() - jet_N);
@@ -65,6 +71,7 @@ impl StringInHole {
         let mut string = Self {
             nodes,
             elements,
+            in_fluid,
             ends: model.ends,
             bit_torque_N_m: operation.bit_torque_now_N_m(),
             hydraulics,
