@@ -6,13 +6,16 @@ use std::{
 };
 
 fn main() -> io::Result<()> {
-    println!("cargo:rerun-if-changed=src");
     println!("cargo:rerun-if-changed=build.rs");
-    let root = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
-    let mut files = Vec::new();
-    gather(&root.join("src"), &mut files)?;
-    let mut named: Vec<(String, PathBuf)> =
-        files.into_iter().map(|path| (name(&root, &path), path)).collect();
+    let mut named: Vec<(String, PathBuf)> = Vec::new();
+    for (crate_name, folder) in folders() {
+        println!("cargo:rerun-if-changed={}", folder.display());
+        let mut files = Vec::new();
+        gather(&folder, &mut files)?;
+        let names =
+            files.into_iter().map(|path| (crate_name.to_owned() + &name(&folder, &path), path));
+        named.extend(names);
+    }
     named.sort();
     let mut digest = Digest::new();
     for (name, path) in named {
@@ -21,6 +24,17 @@ fn main() -> io::Result<()> {
     }
     println!("cargo:rustc-env=WHOLESTRING_ENGINE_BUILD={:016x}", digest.0);
     Ok(())
+}
+
+/// Folders of the engine's sources, with the names of their crates. The crates below this one name
+/// theirs in their build scripts.
+fn folders() -> [(&'static str, PathBuf); 3] {
+    let folder = |variable: &str| env::var_os(variable).map(PathBuf::from).unwrap_or_default();
+    [
+        ("core/", folder("CARGO_MANIFEST_DIR").join("src")),
+        ("numbers/", folder("DEP_WHOLESTRING_NUMBERS_SOURCES")),
+        ("rock/", folder("DEP_WHOLESTRING_ROCK_SOURCES")),
+    ]
 }
 
 /// Sources below a folder; tests do not change what the engine computes.

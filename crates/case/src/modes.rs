@@ -5,12 +5,11 @@ use std::f64::consts::PI;
 use serde::Serialize;
 use wholestring::{
     dynamics::{BitLaw, DynamicsSettings},
-    modal::assembly_length_m,
     operation::Operation,
     string::DrillString,
-    torsional_stability::HIGHEST_HZ,
 };
 use wholestring_config::prelude::*;
+use wholestring_vibration::{modal::assembly_length_m, torsional_stability::HIGHEST_HZ};
 
 /// Default number of modes of each family.
 const COUNT: u64 = 10;

@@ -3,12 +3,9 @@
 
 use std::{collections::BTreeSet, path::Path};
 
-use wholestring::{
-    modal::{Family, ModalError, SmallMotions},
-    operation::Operation,
-    statics::stiff::StiffError,
-};
+use wholestring::{operation::Operation, statics::stiff::StiffError};
 use wholestring_case::load;
+use wholestring_vibration::modal::{Family, ModalError, SmallMotions};
 
 #[test]
 fn every_shipped_case_has_its_modes() {

@@ -17,7 +17,6 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use wholestring::{
     dynamics::{MeshSettings, NodeSignal, Precision, Probe, Simulation},
     internals::{KernelAccess, instruction_sets},
-    modal::{Family, SmallMotions},
     operation::Operation,
     rock::{Alone, Block, BlockSpec, Rock, Stepper},
     statics::stiff::{self, StiffSettings},
@@ -118,8 +117,7 @@ fn runs(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// The soft string, the stiff one on two meshes, small motions about it, and the start of the
-/// dynamics.
+/// The soft string, the stiff one on two meshes, and the start of the dynamics.
 fn statics(criterion: &mut Criterion) {
     let case = np13(0.3);
     criterion.bench_function("soft string", |bencher| {
@@ -145,22 +143,6 @@ fn statics(criterion: &mut Criterion) {
     group.bench_function(format!("broomstick of 450 on {threads} threads"), |bencher| {
         bencher.iter(|| broomstick(threads));
     });
-    group.finish();
-    let mut group = criterion.benchmark_group("modes");
-    let settings = StiffSettings {
-        element_length: MeshSettings::uniform(3.2).element_length,
-        ..StiffSettings::default()
-    };
-    let motions = SmallMotions::new(&case.model, &case.operation, &settings, &case.settings)
-        .expect("a string at rest");
-    group.bench_function("10 modes of NP13", |bencher| {
-        bencher.iter(|| black_box(&motions).modes(0.0, 10));
-    });
-    for family in [Family::Axial, Family::Torsional] {
-        group.bench_function(format!("10 {} modes of NP13", family.name()), |bencher| {
-            bencher.iter(|| black_box(&motions).family(family, 10));
-        });
-    }
     group.finish();
     let mut group = criterion.benchmark_group("start");
     group.sample_size(10);

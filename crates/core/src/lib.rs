@@ -52,11 +52,13 @@
 //! 4. [`statics::soft`]: torque and drag along the string at once; [`statics::buckling`].
 //! 5. [`dynamics`]: the string in time; its [`DynamicsSettings`](dynamics::DynamicsSettings) hold
 //!    the bit, the top drive, the hoist and the numerics, with defaults.
-//!    [`modal`]: linear vibration about static equilibrium, natural frequencies and critical speeds.
-//! 6. [`torsional_stability`]: whether steady rotation grows into stick-slip.
-//! 7. [`outcome`]: results of the solvers, each scalar and column with its unit and meaning. They
+//! 6. [`outcome`]: results of the solvers, each scalar and column with its unit and meaning. They
 //!    are judged by the crate `wholestring-judge`.
-//! 8. [`rock`], [`rod`], [`wall`]: the parts of the dynamics by themselves.
+//! 7. [`rock`] (the crate `wholestring-rock`), [`rod`], [`wall`]: the parts of the dynamics by
+//!    themselves.
+//!
+//! Linear vibration about the state at rest, natural frequencies, critical speeds and whether
+//! steady rotation grows into stick-slip, is in the crate `wholestring-vibration`.
 //!
 //! # Points of extension
 //!
@@ -97,14 +99,10 @@ extern crate self as wholestring;
 #[cfg(test)]
 #[path = "../tests/common/mod.rs"]
 mod common;
-mod complex;
-mod damage;
 pub mod dynamics;
 pub mod ends;
-mod finite;
 #[doc(hidden)]
 pub mod internals;
-pub mod modal;
 pub mod model;
 pub mod mud;
 pub mod operation;
@@ -112,17 +110,17 @@ pub mod outcome;
 pub mod prelude;
 pub mod random;
 pub mod rig;
-pub mod rock;
 pub mod rod;
-mod simd;
 pub mod sizing;
 pub mod statics;
 pub mod string;
-pub mod torsional_stability;
 pub mod wall;
 pub mod well;
 
-pub use damage::Damaged;
+use wholestring_numbers::{damage, finite, simd};
+
+pub use wholestring_numbers::damage::Damaged;
+pub use wholestring_rock as rock;
 
 /// Standard acceleration of gravity, m/s² (CGPM 1901, exact by definition).
 pub const GRAVITY_M_PER_S2: f64 = 9.80665;

@@ -1,7 +1,9 @@
 //! Torsional stability in JSON.
 
 use serde::{Deserialize, Serialize};
-use wholestring::torsional_stability::{StabilityLine, StabilityOfCase, StabilityPoint, Threshold};
+use wholestring_vibration::torsional_stability::{
+    StabilityLine, StabilityOfCase, StabilityPoint, Threshold,
+};
 
 use crate::row::{named, rows};
 

@@ -18,6 +18,23 @@ use std::{borrow::Cow, fs::OpenOptions, io::Write};
 
 use serde::{Deserialize, Serialize};
 
+/// A file of `verification/`, parsed.
+///
+/// # Panics
+/// If there is no such file, or it is no JSON.
+pub fn file(name: &str) -> serde_json::Value {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification");
+    let path = folder.join(name);
+    let text = std::fs::read_to_string(&path)
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// `|obtained - expected| / |expected|`.
+pub fn relative_error(obtained: f64, expected: f64) -> f64 {
+    (obtained - expected).abs() / expected.abs()
+}
+
 /// The environment variable with the path of the file for the rows.
 pub const FILE: &str = "WHOLESTRING_VERIFICATION";
 

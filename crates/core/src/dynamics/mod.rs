@@ -52,9 +52,9 @@ pub use simulation::{
 #[cfg(feature = "rayon")]
 pub use simulation::threads::ThreadsError;
 
-pub(crate) use assemble::chain::lateral_mass_kg_per_m;
-pub(crate) use assemble::hoisting::hoisting;
-pub(crate) use body::levers_kg_m;
+pub use assemble::chain::lateral_mass_kg_per_m;
+pub use assemble::hoisting::hoisting;
+pub use body::levers_kg_m;
 pub use boundary::top_drive::{Gains, Shown, TorsionalString};
 pub(crate) use simulation::kernel_speed;
 

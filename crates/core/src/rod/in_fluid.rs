@@ -14,15 +14,15 @@ use crate::{
 
 /// Weight of an element and the fluids around it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ElementInFluid {
+pub struct ElementInFluid {
     /// Weight that effective tension balances, N/m.
-    pub(crate) weight_N_per_m: f64,
+    pub weight_N_per_m: f64,
     /// Mean densities over its length.
-    pub(crate) densities: Densities,
+    pub densities: Densities,
 }
 
 /// The elements of a mesh in the fluids of a model, from the top down.
-pub(crate) fn along(model: &Model, mesh: &Mesh) -> Vec<ElementInFluid> {
+pub fn along(model: &Model, mesh: &Mesh) -> Vec<ElementInFluid> {
     let column = model.mud_column();
     let bit_depth_m = model.string.length_m();
     let element = |(element, nodes): (&MeshElement, &[MeshNode])| {
@@ -53,9 +53,11 @@ fn weight_N_per_m(string: &DrillString, column: &MudColumn, [from_m, to_m]: [f64
 
 /// A place in the hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct HolePlace {
-    pub(crate) md_m: f64,
-    pub(crate) tvd_m: f64,
+pub struct HolePlace {
+    /// Measured depth, m.
+    pub md_m: f64,
+    /// True vertical depth, m.
+    pub tvd_m: f64,
 }
 
 impl HolePlace {
@@ -71,7 +73,7 @@ impl HolePlace {
 
 /// Elongation of `length_m` of an element at rest without effective tension, m; its mean strain for
 /// a length of 1. The element is between two nodes, whose places are given, the upper one first.
-pub(crate) fn free_elongation_m(
+pub fn free_elongation_m(
     string: &DrillString,
     column: &MudColumn,
     (element, nodes): (&MeshElement, [&MeshNode; 2]),

@@ -20,7 +20,7 @@ pub(crate) mod contact_length;
 pub mod dual;
 pub mod element;
 pub(crate) mod imbalance;
-pub(crate) mod in_fluid;
+pub mod in_fluid;
 pub mod mesh;
 pub mod regions;
 pub mod section;

@@ -134,10 +134,10 @@ pub struct Subcycling {
 }
 
 /// An element with the inertia that it has by itself.
-pub(crate) type BareElement = (Stiffness<f64>, ElementInertia);
+pub type BareElement = (Stiffness<f64>, ElementInertia);
 
 /// The elements of `mesh` with their own inertia; `lateral_kg_per_m` as for [`plan`].
-pub(crate) fn bare_elements(mesh: &Mesh, lateral_kg_per_m: &[f64]) -> Vec<BareElement> {
+pub fn bare_elements(mesh: &Mesh, lateral_kg_per_m: &[f64]) -> Vec<BareElement> {
     mesh.elements
         .iter()
         .zip(lateral_kg_per_m)

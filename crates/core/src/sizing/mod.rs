@@ -10,4 +10,4 @@ mod rule;
 pub use element_length::{Accuracy, ElementLength};
 pub use intervals::{SizedInterval, Sizing};
 pub use reason::SizeReason;
-pub(crate) use rule::assembly_top_m;
+pub use rule::assembly_top_m;

@@ -201,7 +201,7 @@ fn nearest_joint_m(string: &DrillString, from_bit_m: f64) -> f64 {
 
 /// Upper end of the bottom-hole assembly, from the bit, m: where ordinary drill pipe begins, which
 /// has joints unless nothing in the string has; zero where there is none.
-pub(crate) fn assembly_top_m(string: &DrillString) -> f64 {
+pub fn assembly_top_m(string: &DrillString) -> f64 {
     pipe_from_m(string, |one| one.length_m >= PIPE_M).unwrap_or(0.0)
 }
 

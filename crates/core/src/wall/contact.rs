@@ -26,7 +26,7 @@ pub enum ContactLaw {
 
 impl ContactLaw {
     /// Hunt-Crossley dissipation, s/m; the linear law has none.
-    pub(crate) fn dissipation_s_per_m(&self) -> f64 {
+    pub fn dissipation_s_per_m(&self) -> f64 {
         match self {
             Self::Hertz { dissipation_s_per_m } => *dissipation_s_per_m,
             Self::Linear { .. } => 0.0,

@@ -17,27 +17,15 @@ use wholestring::{
     prelude::*,
     well::{Interpolation, TieIn},
 };
-pub use wholestring_verification::{Row, Tolerance, report_worst, verify};
-
-/// A file of `verification/`, parsed.
-pub fn verification(name: &str) -> Value {
-    let path =
-        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification").join(name);
-    let text = std::fs::read_to_string(&path)
-        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
+pub use wholestring_verification::{
+    Row, Tolerance, file as verification, relative_error, report_worst, verify,
+};
 
 /// A number of such a file.
 #[track_caller]
 pub fn number(value: &Value) -> f64 {
     let number = value.as_f64();
     number.unwrap_or_else(|| panic!("no number: {value}"))
-}
-
-/// `|obtained - expected| / |expected|`.
-pub fn relative_error(obtained: f64, expected: f64) -> f64 {
-    (obtained - expected).abs() / expected.abs()
 }
 
 /// Fails with the obtained and expected values where they differ by more than a relative tolerance.

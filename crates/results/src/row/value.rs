@@ -1,10 +1,10 @@
 //! Values of the cells of a row.
 
 use wholestring::{
-    operation::OperationKind, outcome::ModelKind, statics::assembly::Touching,
-    torsional_stability::LiesBy, well::FrictionLevel,
+    operation::OperationKind, outcome::ModelKind, statics::assembly::Touching, well::FrictionLevel,
 };
 use wholestring_judge::{CheckKind, DepthLimit, Severity, Verdict};
+use wholestring_vibration::torsional_stability::LiesBy;
 
 /// A value of a column of numbers.
 pub(crate) trait Number {

@@ -3,7 +3,6 @@
 use std::{num::NonZeroUsize, path::PathBuf, time::Duration};
 
 use wholestring::{
-    modal::{Campbell, Family, Forcing, ModalError, Mode, Place, SmallMotions},
     operation::{Operation, OperationKind},
     statics::soft::{self, SoftSettings},
 };
@@ -14,6 +13,9 @@ use wholestring_results::{
     CriticalSpeed, MODES_VERSION, ModeFound, ModesRows, ModesSummary, Occupant, Spot, Texts, digest,
 };
 use wholestring_units::{Dimension, UnitSet};
+use wholestring_vibration::modal::{
+    Campbell, Family, Forcing, ModalError, Mode, Place, SmallMotions,
+};
 
 use super::{stability, tables};
 use crate::{

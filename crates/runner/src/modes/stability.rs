@@ -5,14 +5,13 @@ use std::{borrow::Cow, num::NonZeroUsize, sync::Mutex};
 use wholestring::{
     model::Model,
     operation::{Operation, OperationKind},
-    torsional_stability::{
-        StabilityError, StabilityLine, StabilityRange, StabilitySettings, Threshold,
-        TorsionalStability,
-    },
     well::{Hole, Well},
 };
 use wholestring_case::Case;
 use wholestring_results::StabilitySummary;
+use wholestring_vibration::torsional_stability::{
+    StabilityError, StabilityLine, StabilityRange, StabilitySettings, Threshold, TorsionalStability,
+};
 
 use crate::{
     cancellation::CancellationToken,

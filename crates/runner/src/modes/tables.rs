@@ -1,10 +1,10 @@
 //! The tables of linear vibration.
 
-use wholestring::modal::{Answer, Campbell, Family, Mode, SmallMotions};
 use wholestring_results::{
     CampbellRow, CriticalSpeed, ModeFound, ModeShapeRow, ModesRows, ModesSummary, ResponseRow,
     ResultsError, ResultsFolder, Row as _, StabilityRow,
 };
+use wholestring_vibration::modal::{Answer, Campbell, Family, Mode, SmallMotions};
 
 use super::stability::Stability;
 

@@ -229,7 +229,7 @@ impl Body {
 /// Imbalance of each node, kg·m: its part towards the high side at the start, and that to the right
 /// of it as one looks down the hole. The top has none: it is clamped to its axis and turned by the
 /// top drive.
-pub(crate) fn levers_kg_m(model: &Model, mesh: &Mesh) -> Vec<[f64; 2]> {
+pub fn levers_kg_m(model: &Model, mesh: &Mesh) -> Vec<[f64; 2]> {
     let mut levers = vec![[0.0; 2]; mesh.nodes.len()];
     let (column, bit_depth_m) = (model.mud_column(), model.string.length_m());
     for span in model.string.spans() {

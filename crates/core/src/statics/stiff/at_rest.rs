@@ -18,52 +18,52 @@ use crate::{
 
 /// A node at rest.
 #[derive(Debug, Clone)]
-pub(crate) struct NodeAtRest {
+pub struct NodeAtRest {
     /// Measured depth, m.
-    pub(crate) md_m: f64,
+    pub md_m: f64,
     /// Two directions across the hole, and the hole's.
-    pub(crate) axes: [Vector3<f64>; 3],
+    pub axes: [Vector3<f64>; 3],
     /// Two directions across the string, and the string's.
-    pub(crate) frame: [Vector3<f64>; 3],
+    pub frame: [Vector3<f64>; 3],
     /// Offset from the hole's axis across it, m.
-    pub(crate) offset_m: Vector2<f64>,
+    pub offset_m: Vector2<f64>,
     /// Contact force, N.
-    pub(crate) normal_N: f64,
+    pub normal_N: f64,
     /// Stiffness against small motions across the hole, N/m: of the wall where the node touches it,
     /// and of the rock around the bit.
-    pub(crate) held_N_per_m: Matrix2<f64>,
+    pub held_N_per_m: Matrix2<f64>,
 }
 
 /// An element at rest.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct ElementAtRest {
+pub struct ElementAtRest {
     /// Its stiffness, with the rest length that gives it its tension.
-    pub(crate) stiffness: Stiffness<f64>,
+    pub stiffness: Stiffness<f64>,
     /// Pose, twisted by its torque.
-    pub(crate) pose: Pose<f64>,
+    pub pose: Pose<f64>,
 }
 
 /// The string at rest.
 #[derive(Debug, Clone)]
-pub(crate) struct AtRest {
+pub struct AtRest {
     /// Mesh of the string.
-    pub(crate) mesh: Mesh,
+    pub mesh: Mesh,
     /// From the top down.
-    pub(crate) nodes: Vec<NodeAtRest>,
+    pub nodes: Vec<NodeAtRest>,
     /// From the top down.
-    pub(crate) elements: Vec<ElementAtRest>,
+    pub elements: Vec<ElementAtRest>,
     /// Direction of the high side at the bit in the axes across the hole, rad: the same at all
     /// nodes.
-    pub(crate) high_side_rad: f64,
+    pub high_side_rad: f64,
     /// Whether every small motion costs energy.
-    pub(crate) stable: bool,
+    pub stable: bool,
 }
 
 /// Computes the string of one operation at rest.
 ///
 /// # Errors
 /// As [`solve`](super::solve).
-pub(crate) fn at_rest(
+pub fn at_rest(
     model: &Model,
     operation: &Operation,
     settings: &StiffSettings,

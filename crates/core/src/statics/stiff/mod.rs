@@ -31,7 +31,7 @@ mod string_in_hole;
 mod summary;
 mod wall;
 
-pub(crate) use at_rest::{AtRest, NodeAtRest, at_rest};
+pub use at_rest::{AtRest, ElementAtRest, NodeAtRest, at_rest};
 pub use axis::StringAxis;
 pub use equilibrium::{Convergence, Equilibrium};
 pub use error::StiffError;

@@ -132,7 +132,7 @@ impl RockCut {
         // The average acts in the rock's own steps: the kick that the node has had is less by it.
         let string_spin = spin - dt * self.even_N_m / inertia.about_axis_kg_m2;
         let motion = BitMotion {
-            velocity_m_per_s: velocity - inertia.moved(self.even_N * dt),
+            velocity_m_per_s: velocity - inertia.velocity_change_m_per_s(self.even_N * dt),
             angular_velocity_rad_per_s: tilting + axis * (string_spin + motor),
             force_N: self.even_N,
             moment_N_m: axis * self.even_N_m,
