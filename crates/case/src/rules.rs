@@ -1,3 +1,6 @@
 //! Rules of values that other readers of case data share.
 
-pub use crate::{model_rule::ModelRule, operation_kind::KindRule, unit_set::UNIT_SETS};
+pub use crate::{
+    operation::kind::KindRule,
+    values::names::{ModelRule, UNIT_SETS},
+};

@@ -1,8 +1,12 @@
 //! Changes to the text of a case by programs: keys are set and removed, items of lists inserted,
 //! removed and moved. All other text is preserved, comments included.
 //!
-//! [`edited`](crate::edited) applies the changes of a command line, with their short keys and
+//! [`edited`](crate::edit::edited) applies the changes of a command line, with their short keys and
 //! units; these changes have whole keys and JSON, and also change lists.
+
+pub(crate) mod edited;
+pub(crate) mod overrides;
+pub(crate) mod vary;
 
 mod array;
 mod place;

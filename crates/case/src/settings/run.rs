@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 use wholestring::dynamics::{ContactLaw, DynamicsSettings, ElementLength, Regions};
 
 use super::fields::{Fields, word};
-use crate::{auto::AUTO, records::Records};
+use crate::{dynamics::records::Records, values::auto::AUTO};
 
 pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64>) -> Fields {
     let fields = Fields::of(dynamics)

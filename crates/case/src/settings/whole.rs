@@ -17,8 +17,8 @@ use wholestring_config::prelude::word_of;
 use crate::{
     bit_test::BitTest,
     buckling::{CRITERIA, HELIX_SIDE_FORCE},
-    case_table::CaseTable,
-    records::Records,
+    case::table::CaseTable,
+    dynamics::records::Records,
     rig::HoistTable,
 };
 
