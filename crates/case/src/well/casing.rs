@@ -7,13 +7,10 @@ use wholestring::well::{
 use wholestring_config::prelude::*;
 use wholestring_units::UnitSet;
 
-use crate::{catalogue::OwnCatalogue, well::hole::HoleTable};
-
-/// Width of a section, and the casing that determines it.
-pub(crate) struct Bore {
-    pub(crate) diameter_m: f64,
-    pub(crate) casing: Option<CasingPipe>,
-}
+use crate::{
+    catalogue::OwnCatalogue,
+    well::hole::{Bore, HoleTable},
+};
 
 impl HoleTable {
     /// Place of the key that gives the diameter, if the case has one.

@@ -1,12 +1,15 @@
 //! `[[well.hole]]`: the hole around the path.
 
-use wholestring::well::{Friction, Hole, HoleError, HoleKind, HoleSection};
+use wholestring::well::{CasingPipe, Friction, Hole, HoleError, HoleKind, HoleSection};
 use wholestring_config::{prelude::*, table::required_unless};
 
-use crate::{
-    catalogue::OwnCatalogue,
-    well::{casing::Bore, roughness::RoughnessTable},
-};
+use crate::{catalogue::OwnCatalogue, well::roughness::RoughnessTable};
+
+/// Width of a section, and the casing that determines it.
+pub(crate) struct Bore {
+    pub(crate) diameter_m: f64,
+    pub(crate) casing: Option<CasingPipe>,
+}
 
 table! {
     /// Friction between string and wall: kinetic and static, axial and rotational.
