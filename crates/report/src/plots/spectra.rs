@@ -17,11 +17,8 @@ use crate::{
 /// A figure for each signal; nodes of different depths are in the same figure.
 pub(super) fn plots(context: Context<'_>) -> Vec<Plot> {
     let all: Vec<(usize, &Spectrum)> = context
-        .runs
-        .iter()
-        .enumerate()
-        .flat_map(|(place, run)| run.spectra.iter().map(move |spectra| (place, spectra)))
-        .filter(|(_, spectrum)| spectrum.operation == context.operation)
+        .timed()
+        .flat_map(|(place, timed)| timed.spectra.iter().map(move |spectrum| (place, spectrum)))
         .collect();
     let mut signals: Vec<(&str, bool)> = Vec::new();
     for (_, spectrum) in &all {
@@ -107,7 +104,7 @@ fn figure(signal: &str, spectra: &[&(usize, &Spectrum)], context: Context<'_>) -
 
 /// The dimension of a signal, of nodes or of the whole string, by its declaration; `None` for a
 /// signal that this version does not know.
-pub fn spectrum_dimension(signal: &str, of_nodes: bool) -> Option<&'static str> {
+pub(crate) fn spectrum_dimension(signal: &str, of_nodes: bool) -> Option<&'static str> {
     let quantity = if of_nodes {
         let found = NodeSignal::ALL.into_iter().find(|candidate| candidate.name() == signal);
         found?.quantity()

@@ -10,13 +10,13 @@ use wholestring::{
     operation::OperationKind,
     outcome::{ModelKind, Values, WELL_PATH},
 };
+use wholestring_report::{Section, well_path};
 use wholestring_results::{OperationSummary, ResultsError, Severity, Status, Summary, Table};
 use wholestring_study::{Chosen, Quantity, Selection, Source, Statistic};
 
 use crate::{
     checks,
     column::{numbers, words},
-    page::well::WellBore,
 };
 
 /// Result of one operation of one case by one model, solved to its end.
@@ -113,7 +113,7 @@ impl CaseResult {
             Source::Summary => return Ok(()),
             Source::Path => {
                 let settings = self.settings()?;
-                let path = WellBore::of(&settings).columns();
+                let path = well_path(&settings);
                 let numbers = |name| {
                     let declared = WELL_PATH.iter().find(|column| column.quantity.name == name);
                     match declared.map(|declared| (declared.of)(&path)) {
@@ -169,7 +169,7 @@ impl CaseResult {
     /// Depths of its casing shoes, m.
     pub(super) fn shoes_m(&self) -> Result<Vec<f64>, ResultsError> {
         let settings = self.settings()?;
-        let hole = WellBore::of(&settings).hole().into_iter();
+        let hole = Section::all(&settings).into_iter();
         let cased = hole.filter(|section| section.kind == "casing");
         Ok(cased.map(|section| section.to_m).collect())
     }

@@ -4,14 +4,16 @@ use std::{collections::BTreeMap, path::Path};
 
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_judge::Wording;
-use wholestring_report::{PageHead, Sweep, SweepRow, address, in_sets, sweep_html, sweep_plots};
+use wholestring_report::{
+    PageHead, Sweep, SweepRow, address, facts, in_sets, sweep_html, sweep_plots,
+};
 use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Table};
 use wholestring_units::UnitSet;
 
 use super::{read::varied, table::FILE};
 use crate::{
     error::Error,
-    page::{self, facts},
+    page,
     results_kind::{Overlay, ResultsKind},
 };
 
@@ -118,7 +120,7 @@ fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> 
     let first = summary(folders.first())?;
     // The last case differs from the first in every key that was varied.
     let last = summary(folders.last())?;
-    let facts = |summary: &Option<Summary>| summary.as_ref().map_or(Vec::new(), facts::facts);
+    let facts = |summary: &Option<Summary>| summary.as_ref().map_or(Vec::new(), facts);
     let mut common = facts(&first);
     let others = facts(&last);
     common.retain(|fact| others.contains(fact));
