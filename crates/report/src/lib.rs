@@ -63,11 +63,11 @@ pub use plots::{
 pub use reach::{REACH_PICTURES, Reach, reach_answers, reach_html, reach_notes, reach_plots};
 pub use run::{
     ContactPicture, Frames, KeyResult, Part, Report, Section, Solved, Spectrum, TimeRun, Well,
-    facts, path_of, well_path,
+    path_of, well_path,
 };
 pub use stability::stability_sentences;
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
-pub use sweep::{Sweep, SweepRow, sweep_plots};
+pub use sweep::{Sweep, sweep_plots};
 pub use uncertain::uncertain_notes;
 pub use wholestring_judge::Severity;
 pub use workbook::{

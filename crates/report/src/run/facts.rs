@@ -7,7 +7,7 @@ use wholestring_results::{Friction, Summary};
 use crate::{Cell, Fact};
 
 /// Key facts of a run: operation, depth, string.
-pub fn facts(summary: &Summary) -> Vec<Fact> {
+pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     let settings = &summary.settings;
     let operation = &settings["operation"];
     let number = |label: &str, value: &Json, dimension: &str| {

@@ -8,7 +8,7 @@ mod page_tables;
 mod time_run;
 mod well;
 
-pub use facts::facts;
+pub(crate) use facts::facts;
 pub use frames::Frames;
 pub use key_results::KeyResult;
 pub use time_run::{ContactPicture, Spectrum, TimeRun};
