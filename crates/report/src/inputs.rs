@@ -4,7 +4,7 @@ use serde_json::{Map, Value as Json};
 use wholestring_case::dimension_of;
 use wholestring_units::Dimension;
 
-use crate::{Cell, PageTable, Place};
+use crate::{Cell, PageTable, Place, grid_cells::capital};
 
 /// The settings of a summary: a table for each table of the case file, and one for each list in
 /// them.
@@ -193,8 +193,7 @@ fn label(key: &str) -> String {
         .replace("youngs", "Young's")
         .replace("poisson", "Poisson's")
         .replace(" od", " OD");
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    capital(&words)
 }
 
 /// Label of a key of a nested table: `damping.mass_per_s` is "Damping, mass".

@@ -9,7 +9,6 @@ mod calibration;
 mod cell;
 mod check_row;
 mod conventions;
-mod digits;
 mod dimensions;
 mod draw;
 pub mod figure;
@@ -39,9 +38,9 @@ pub use calibration::{
     CALIBRATION_PICTURES, Calibration, calibration_html, calibration_plots, reading_words,
 };
 pub use cell::{Cell, PageTable, Place};
-pub use check_row::{CheckRow, ended_early, printed};
+pub use check_row::{CheckRow, printed};
 pub use conventions::Conventions;
-pub use dimensions::{DisplayUnit, display_unit, display_units, in_sets, pretty_symbol};
+pub use dimensions::{DisplayUnit, display_unit, display_units, pretty_symbol};
 pub use draw::Drawing;
 pub use inputs::{input_tables, setting_dimension};
 pub use modes::{MODES_PICTURES, Modes, modes_html, modes_plots};
@@ -49,10 +48,7 @@ pub use operation_colour::operation_colour;
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
 pub use page_head::{Fact, PROGRAM, PageHead};
-pub use picks::{
-    PickedKind, PickedLog, PickedStand, PickedTrace, PickedValue, PickedWindow,
-    picked_depth_figure, picked_log_figure, picked_stand_figure, picks_html,
-};
+pub use picks::{picked_stand_figure, picks_html};
 pub use plan::{
     FRICTION_STROKES, PLAN_PICTURES, Plan, plan_friction_label, plan_html, plan_plots,
     surface_limit_is_near, surface_limit_title,

@@ -8,8 +8,7 @@ use super::{
 };
 use crate::{
     Grid, StudyPage, StudyPart, Verdict,
-    digits::four,
-    grid_cells::{head, heads, row},
+    grid_cells::{four, head, heads, row},
     plots::DisplayUnits,
     study::study_html_in_units,
 };

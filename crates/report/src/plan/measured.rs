@@ -4,12 +4,11 @@ use wholestring::operation::OperationKind;
 use wholestring_results::PlanMeasured;
 
 use super::Plan;
-use crate::digits::four;
 use crate::operation_colour::operation_colour;
 use crate::{
     Grid, StudyPart, Verdict,
     figure::{Ink, Key, Mark, Sample, Shape},
-    grid_cells::{head, row},
+    grid_cells::{four, head, row},
     plots::DisplayUnits,
 };
 

@@ -4,11 +4,10 @@ use wholestring::operation::OperationKind;
 use wholestring_results::PlanOverlayRow;
 
 use super::Plan;
-use crate::digits::four;
 use crate::{
     Grid, StudyPart, Verdict,
     figure::{Ink, Key, Mark, Sample, Stroke},
-    grid_cells::{head, row},
+    grid_cells::{four, head, row},
     plots::DisplayUnits,
 };
 

@@ -9,8 +9,7 @@ use super::{
 };
 use crate::{
     Grid, StudyPart, Verdict,
-    digits::four,
-    grid_cells::{head, row},
+    grid_cells::{four, head, row},
     plots::DisplayUnits,
 };
 
