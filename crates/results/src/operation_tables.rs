@@ -30,29 +30,22 @@ impl OperationTables {
         operation: OperationKind,
     ) -> Result<Table, ResultsError> {
         let mut found: Option<Table> = None;
-        self.pieces(name, operation, None, |piece| match &mut found {
+        self.pieces(name, (model, operation), None, |piece| match &mut found {
             None => found = Some(piece),
             Some(found) => found.extend(piece),
         })?;
-        let table = found.unwrap_or_else(|| Table::new(Vec::new()));
-        Ok(match (model, table.words("model")) {
-            (Some(model), Some(models)) => {
-                let keep: Vec<bool> = models.iter().map(|name| name == model.name()).collect();
-                table.filtered(&keep)
-            }
-            _ => table,
-        })
+        Ok(found.unwrap_or_else(|| Table::new(Vec::new())))
     }
 
-    /// Calls `take` with the rows of a table for an operation, piece by piece, because together
-    /// they may be larger than memory. The pieces have the columns that are named, or all.
+    /// Calls `take` with the same rows, piece by piece, because together they may be larger than
+    /// memory. The pieces have the columns that are named, or all.
     ///
     /// # Errors
     /// Those of [`OperationTables::read`].
     pub fn pieces(
         &self,
         name: &str,
-        operation: OperationKind,
+        (model, operation): (Option<ModelKind>, OperationKind),
         columns: Option<&[&str]>,
         mut take: impl FnMut(Table),
     ) -> Result<(), ResultsError> {
@@ -60,9 +53,14 @@ impl OperationTables {
         if !path.is_file() {
             return Ok(());
         }
+        let columns = columns.map(|columns| [columns, &["model"]].concat());
+        let columns = columns.as_deref();
         read_groups_with(&path, ("operation", operation.name()), columns, |piece| {
-            let operations = piece.words("operation").unwrap_or_default().iter();
-            let keep: Vec<bool> = operations.map(|name| name == operation.name()).collect();
+            let models = piece.words("model").zip(model);
+            let is_of = |row: usize| models.is_none_or(|(all, model)| all[row] == model.name());
+            let operations = piece.words("operation").unwrap_or_default().iter().enumerate();
+            let keep: Vec<bool> =
+                operations.map(|(row, name)| name == operation.name() && is_of(row)).collect();
             take(piece.filtered(&keep));
         })
     }
@@ -96,10 +94,10 @@ mod tests {
         let mut pieces = 0;
         let take = |piece: Table| {
             pieces += 1;
-            assert_eq!(piece.columns().len(), 2, "the operation and the column that is named");
+            assert_eq!(piece.numbers("tension_N"), None, "it is not named");
             assert_eq!(piece.values("md_m"), [1.0, 2.0]);
         };
-        tables.pieces("nodes", drill, Some(&["md_m"]), take).unwrap();
+        tables.pieces("nodes", (None, drill), Some(&["md_m"]), take).unwrap();
         assert_eq!(pieces, 1);
         assert_eq!(tables.read("time", None, drill).unwrap().rows(), 0, "no such file");
     }

@@ -60,7 +60,6 @@ mod checkpoint;
 pub mod checks;
 mod claim;
 mod clock;
-mod column;
 mod comparison;
 mod copy;
 mod cores;

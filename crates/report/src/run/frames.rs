@@ -42,7 +42,7 @@ impl Frames {
         many: usize,
     ) -> Result<Option<Self>, ResultsError> {
         let (mut kept, mut rows) = (0, 0);
-        tables.pieces("frames", operation, Some(&["node"]), |piece| {
+        tables.pieces("frames", (None, operation), Some(&["node"]), |piece| {
             let nodes = piece.numbers("node").unwrap_or_default();
             rows += nodes.len();
             kept += nodes.iter().filter(|node| **node == Some(0.0)).count();
@@ -65,7 +65,7 @@ impl Frames {
             channels: columns.iter().map(|name| (*name, Vec::new())).collect(),
         };
         let names = [&["time_s", "node", "md_m"], &columns[..]].concat();
-        tables.pieces("frames", operation, Some(&names), |piece| reader.take(&piece))?;
+        tables.pieces("frames", (None, operation), Some(&names), |piece| reader.take(&piece))?;
         reader.end_moment();
         Ok(reader.frames(kept))
     }

@@ -41,7 +41,7 @@ impl History {
         many: usize,
     ) -> Result<Self, ResultsError> {
         let (mut samples, mut in_window) = (0, 0);
-        tables.pieces("time", operation, Some(&["time_s"]), |piece| {
+        tables.pieces("time", (None, operation), Some(&["time_s"]), |piece| {
             let times_s = piece.values("time_s");
             samples += times_s.len();
             in_window += times_s.iter().filter(|time_s| **time_s >= window_s).count();
@@ -61,7 +61,7 @@ impl History {
             in_window: 0,
             drilled: Default::default(),
         };
-        tables.pieces("time", operation, None, |piece| history.take(&piece, most))?;
+        tables.pieces("time", (None, operation), None, |piece| history.take(&piece, most))?;
         Ok(history)
     }
 

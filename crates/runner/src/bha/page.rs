@@ -6,8 +6,10 @@ use wholestring_report::{Bha, Plot, bha_html, bha_plots};
 use wholestring_results::{BhaSummary, ResultsError};
 use wholestring_units::UnitSet;
 
-use super::nodes::NODES;
 use crate::{page::table, results_kind::Results};
+
+/// Name of the table of the nodes, which identifies a folder of results.
+pub(super) const NODES: &str = "bha";
 
 /// The picture that is drawn by default.
 const VIEWS: &str = "views";

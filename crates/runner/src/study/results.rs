@@ -11,13 +11,12 @@ use wholestring::{
     outcome::{ModelKind, Values, WELL_PATH},
 };
 use wholestring_report::{Section, well_path};
-use wholestring_results::{OperationSummary, ResultsError, Severity, Status, Summary, Table};
+use wholestring_results::{
+    OperationSummary, OperationTables, ResultsError, Severity, Status, Summary,
+};
 use wholestring_study::{Chosen, Quantity, Selection, Source, Statistic};
 
-use crate::{
-    checks,
-    column::{numbers, words},
-};
+use crate::checks;
 
 /// Result of one operation of one case by one model, solved to its end.
 pub(super) struct CaseResult {
@@ -126,39 +125,23 @@ impl CaseResult {
                     .for_each(|row| visit(columns.each_ref().map(|column| column[row])));
                 return Ok(());
             }
-            Source::Nodes => "nodes.parquet",
-            Source::Wear => "wear.parquet",
-            Source::Time => "time.parquet",
-            Source::Frames => "frames.parquet",
-            Source::Contact => "contact.parquet",
+            Source::Nodes => "nodes",
+            Source::Wear => "wear",
+            Source::Time => "time",
+            Source::Frames => "frames",
+            Source::Contact => "contact",
         };
-        let path = self.folder.join(file);
-        // Only a method in time provides it, and frames are kept only if requested.
+        // Only a method in time provides it.
         let timeless = matches!(source, Source::Nodes | Source::Wear);
-        if !timeless && !self.solved.model.in_time() || !path.is_file() {
+        let OperationSummary { model, operation, .. } = self.solved;
+        if !timeless && !model.in_time() {
             return Ok(());
         }
-        let read = [&["model", "operation"][..], &names].concat();
-        Table::read_parquet_pieces(&path, &read, |piece| self.visit(&piece, names, &mut visit))
-    }
-
-    fn visit<const N: usize>(
-        &self,
-        piece: &Table,
-        names: [&str; N],
-        visit: &mut impl FnMut([f64; N]),
-    ) {
-        let columns = names.map(|name| numbers(piece, name));
-        let models = words(piece, "model");
-        for (row, operation) in words(piece, "operation").iter().enumerate() {
-            // A table without a column of models belongs to the time-domain model.
-            let model = models
-                .get(row)
-                .map_or(self.solved.model.in_time(), |model| model == self.solved.model.name());
-            if model && *operation == self.solved.operation.name() {
-                visit(columns.map(|column| column.get(row).copied().flatten().unwrap_or(f64::NAN)));
-            }
-        }
+        let tables = OperationTables::of_folder(&self.folder);
+        tables.pieces(file, (Some(model), operation), Some(&names), |piece| {
+            let columns = names.map(|name| piece.values(name));
+            (0..piece.rows()).for_each(|row| visit(columns.each_ref().map(|column| column[row])));
+        })
     }
 
     /// Start of the window of its statistics, s.
