@@ -25,7 +25,7 @@ mod plots;
 mod reach;
 mod run;
 mod stability;
-mod study;
+pub mod study;
 mod sweep;
 mod thin;
 mod uncertain;
@@ -53,16 +53,15 @@ pub use plan::{
     FRICTION_STROKES, PLAN_PICTURES, Plan, plan_friction_label, plan_html, plan_plots,
     surface_limit_is_near, surface_limit_title,
 };
-pub use plots::{
-    ContactMap, Plot, Run, common_operations, contact_figure, plots, profile, shown_dimension,
-};
+pub use plots::{Plot, Run, common_operations, plots, profile, shown_dimension};
 pub use reach::{REACH_PICTURES, Reach, reach_answers, reach_html, reach_notes, reach_plots};
 pub use run::{
     ContactPicture, Frames, KeyResult, Part, Report, Section, Solved, Spectrum, TimeRun, Well,
     path_of, well_path,
 };
 pub use stability::stability_sentences;
-pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
+pub use study::address;
+use study::{Grid, Head, StudyPage, StudyPart, Verdict};
 pub use sweep::{Sweep, sweep_plots};
 pub use uncertain::uncertain_notes;
 pub use wholestring_judge::Severity;

@@ -14,7 +14,6 @@ mod spectra;
 mod styles;
 mod tracks;
 
-pub(crate) use self::spectra::spectrum_dimension;
 pub(crate) use self::{
     bottom::bottoms_figure,
     display::{DisplayUnits, SETS},
@@ -23,8 +22,11 @@ pub(crate) use self::{
 };
 pub use self::{
     catalogue::shown_dimension,
-    contact::{ContactMap, contact_figure},
     run::{Plot, Run, common_operations},
+};
+pub(crate) use self::{
+    contact::{ContactMap, contact_figure},
+    spectra::spectrum_dimension,
 };
 use self::{run::Context, styles::CurveStyles};
 use crate::{Fact, Report, figure::Figure};

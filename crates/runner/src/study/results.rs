@@ -6,11 +6,8 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use wholestring::{
-    operation::OperationKind,
-    outcome::{ModelKind, Values, WELL_PATH},
-};
-use wholestring_report::{Section, well_path};
+use wholestring::outcome::{Values, WELL_PATH};
+use wholestring_report::{Section, study::Series, well_path};
 use wholestring_results::{
     OperationSummary, OperationTables, ResultsError, Severity, Status, Summary,
 };
@@ -29,9 +26,6 @@ pub(super) struct CaseResult {
     /// Folder of the tables.
     pub(super) folder: PathBuf,
 }
-
-/// Identity of a result apart from its case: a column of a table, a line style of a figure.
-pub(super) type Series = (usize, ModelKind, OperationKind);
 
 impl CaseResult {
     pub(super) fn series(&self) -> Series {
@@ -216,28 +210,6 @@ impl CaseResults {
         }
         all
     }
-}
-
-/// Names of series, by the properties that distinguish them.
-pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
-    let differ = |part: &dyn Fn(&Series) -> String| {
-        let mut all: Vec<String> = series.iter().map(part).collect();
-        all.sort();
-        all.dedup();
-        all.len() > 1
-    };
-    let parts: [&dyn Fn(&Series) -> String; 3] = [
-        &|(sweep, _, _)| sweeps[*sweep].clone(),
-        &|(_, model, _)| model.method().long_name.into(),
-        &|(_, _, operation)| operation.words().to_owned(),
-    ];
-    let mut differing: Vec<_> = parts.iter().filter(|part| differ(part)).collect();
-    if differing.is_empty() {
-        differing.push(&parts[1]);
-    }
-    let name =
-        |series: &Series| differing.iter().map(|part| part(series)).collect::<Vec<_>>().join(", ");
-    series.iter().map(name).collect()
 }
 
 /// Unordered names of columns with their values, for data files.
