@@ -14,6 +14,7 @@ mod spectra;
 mod styles;
 mod tracks;
 
+pub(crate) use self::contact::{ContactMap, contact_figure};
 pub(crate) use self::{
     bottom::bottoms_figure,
     display::{DisplayUnits, SETS},
@@ -23,10 +24,6 @@ pub(crate) use self::{
 pub use self::{
     catalogue::shown_dimension,
     run::{Plot, Run, common_operations},
-};
-pub(crate) use self::{
-    contact::{ContactMap, contact_figure},
-    spectra::spectrum_dimension,
 };
 use self::{run::Context, styles::CurveStyles};
 use crate::{Fact, Report, figure::Figure};
@@ -128,19 +125,4 @@ pub(crate) fn subtitle(facts: &[Fact], display: DisplayUnits<'_>) -> String {
             Some(words.map_or(text.clone(), |(_, done)| done.to_owned()))
         });
     parts.collect::<Vec<_>>().join("; ")
-}
-
-/// The columns of `time.parquet` that are drawn against the first of them, the weight on bit.
-pub(crate) fn drill_off_columns() -> [&'static str; 3] {
-    catalogue::drill_off_plots().map(|drill_off_plot| drill_off_plot.shows.column)
-}
-
-/// The columns of `contact.parquet` that are drawn as maps.
-pub(crate) fn contact_columns() -> [&'static str; 2] {
-    catalogue::contact_plots().map(|contact_plot| contact_plot.shows.column)
-}
-
-/// The columns of `frames.parquet` that a page holds.
-pub(crate) fn frame_columns() -> Vec<&'static str> {
-    catalogue::node_channels().iter().map(|node_channel| node_channel.shows.column).collect()
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use wholestring::operation::OperationKind;
 use wholestring_results::{OperationTables, ResultsError, Table};
 
-use crate::{Packed, plots::frame_columns};
+use crate::{Packed, plots::catalogue::frame_columns};
 
 /// Largest count of frame values in a page, all operations together: 1.6 MB.
 const MAX_NUMBERS: usize = 600_000;

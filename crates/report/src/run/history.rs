@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use wholestring::operation::OperationKind;
 use wholestring_results::{Data, OperationTables, ResultsError, Table};
 
-use crate::{Packed, plots::drill_off_columns, thin::Thinned};
+use crate::{Packed, plots::catalogue::drill_off_columns, thin::Thinned};
 
 /// Largest number of rows of time histories in a page, all operations together.
 const MAX_ROWS: usize = 12_000;

@@ -9,7 +9,7 @@ use wholestring_results::{OperationTables, ResultsError, Table};
 use super::{frames::Frames, history::History};
 use crate::{
     BottomPicture, Packed, packed,
-    plots::{contact_columns, spectrum_dimension},
+    plots::catalogue::{contact_columns, spectrum_dimension},
 };
 
 /// Largest number of times of a contact map in a page, all operations together.

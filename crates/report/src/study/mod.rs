@@ -10,4 +10,4 @@ mod tables;
 pub use figure::{Curve, MapData, Series, StudyFigure};
 pub(crate) use page::study_html_in_units;
 pub use page::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
-pub use tables::Computed;
+pub use tables::StudyTable;

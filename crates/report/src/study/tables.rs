@@ -12,7 +12,7 @@ use crate::grid_cells::head;
 
 /// A table of a study with its computed numbers.
 #[derive(Debug, Clone)]
-pub struct Computed<'a> {
+pub struct StudyTable<'a> {
     /// The table.
     pub table: &'a NumberTable,
     /// Series of the columns.
@@ -25,7 +25,7 @@ pub struct Computed<'a> {
     pub units: UnitSet,
 }
 
-impl Computed<'_> {
+impl StudyTable<'_> {
     /// The table as it is on the page; its files are in `tables`.
     pub fn part(&self, grid: Grid) -> StudyPart {
         StudyPart::Table {

@@ -1,7 +1,7 @@
 //! The numbers of a table.
 
 use wholestring::dynamics::Statistic as Distribution;
-use wholestring_report::study::{Computed, Series};
+use wholestring_report::study::{Series, StudyTable};
 use wholestring_results::ResultsError;
 use wholestring_study::{Number, NumberTable, Row, Selection, Shape, Source, Statistic};
 use wholestring_units::UnitSet;
@@ -17,7 +17,7 @@ pub(super) fn numbers<'a>(
     results: &CaseResults,
     sweeps: &'a [String],
     units: UnitSet,
-) -> Result<Computed<'a>, ResultsError> {
+) -> Result<StudyTable<'a>, ResultsError> {
     let mut series = Vec::new();
     for key in table.rows.iter().flat_map(|row| results.series(&row.chosen)) {
         if !series.contains(&key) {
@@ -34,7 +34,7 @@ pub(super) fn numbers<'a>(
         series.iter().map(number).collect()
     });
     let numbers = numbers.collect::<Result<_, _>>()?;
-    Ok(Computed { table, series, numbers, sweeps, units })
+    Ok(StudyTable { table, series, numbers, sweeps, units })
 }
 
 /// The number of a row for a series.
