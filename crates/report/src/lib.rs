@@ -27,6 +27,7 @@ mod run;
 mod stability;
 pub mod study;
 mod sweep;
+mod texts;
 mod thin;
 mod uncertain;
 mod workbook;
@@ -60,8 +61,7 @@ pub use run::{
     path_of, well_path,
 };
 pub use stability::stability_sentences;
-pub use study::address;
-use study::{Grid, Head, StudyPage, StudyPart, Verdict};
+pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address};
 pub use sweep::{Sweep, sweep_plots};
 pub use uncertain::uncertain_notes;
 pub use wholestring_judge::Severity;

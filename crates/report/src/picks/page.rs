@@ -11,9 +11,10 @@ use super::{
 use crate::{
     Grid, StudyPage, StudyPart,
     figure::Figure,
-    grid_cells::{capital, heads, row},
+    grid_cells::{heads, row},
     plots::DisplayUnits,
     study::study_html_in_units,
+    texts::capital,
 };
 
 /// Meaning of the pictures.

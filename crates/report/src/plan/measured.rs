@@ -8,8 +8,9 @@ use crate::operation_colour::operation_colour;
 use crate::{
     Grid, StudyPart, Verdict,
     figure::{Ink, Key, Mark, Sample, Shape},
-    grid_cells::{four, head, row},
+    grid_cells::{head, row},
     plots::DisplayUnits,
+    texts::four,
 };
 
 /// The shape of measured points: no other model's points have it.

@@ -7,8 +7,9 @@ use super::Plan;
 use crate::{
     Grid, StudyPart, Verdict,
     figure::{Ink, Key, Mark, Sample, Stroke},
-    grid_cells::{four, head, row},
+    grid_cells::{head, row},
     plots::DisplayUnits,
+    texts::four,
 };
 
 /// The line of another program: no friction and no operation of this plan has it.

@@ -9,7 +9,8 @@ use super::{
     levels::STROKES,
     surface::{FAR, surface_limit_is_near, surface_limit_title},
 };
-use crate::grid_cells::{capital, four, head, row};
+use crate::grid_cells::{head, row};
+use crate::texts::{capital, four};
 use crate::{
     Grid, StudyPart,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape},

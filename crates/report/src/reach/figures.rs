@@ -7,8 +7,8 @@ use super::{Reach, curves::ReachCurve, is_first, sentences};
 use crate::{
     Plot,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
-    grid_cells::capital,
     plots::{DisplayUnits, named},
+    texts::capital,
     uncertain::{self, Uncertain},
 };
 

@@ -1,7 +1,7 @@
 //! The key of a sweep that its figures have as an axis.
 
 use super::Sweep;
-use crate::grid_cells::capital;
+use crate::texts::capital;
 
 /// The axis of the varied key.
 pub(super) enum Varied {
