@@ -83,7 +83,7 @@ fn test() -> BitTest {
         checks: Vec::new(),
         points,
     };
-    BitTest::new(summary, bottoms, Vec::new(), None)
+    BitTest::new(summary, bottoms, None)
 }
 
 /// Five blades have passed over a bottom with a cone in its middle; a piece of it is missing.

@@ -1,6 +1,7 @@
 //! The pattern on the bottom of a hole.
 
 use serde::{Deserialize, Serialize};
+use wholestring_results::Table;
 
 use crate::Packed;
 
@@ -22,6 +23,20 @@ pub struct BottomPicture {
 }
 
 impl BottomPicture {
+    /// The bottom in the rows of a `bottom_hole.parquet`; `None` if it has none.
+    pub fn of_table(table: &Table) -> Option<Self> {
+        let [mut radius_m, mut angle_rad, depth_m] =
+            ["radius_m", "angle_rad", "depth_m"].map(|name| table.values(name));
+        // Sectors of a ring are consecutive.
+        let sectors = radius_m.iter().take_while(|radius| **radius == radius_m[0]).count();
+        if sectors == 0 || !radius_m.len().is_multiple_of(sectors) {
+            return None;
+        }
+        radius_m = radius_m.into_iter().step_by(sectors).collect();
+        angle_rad.truncate(sectors);
+        Self::new(&radius_m, &angle_rad, &depth_m)
+    }
+
     /// Creates a bottom whose depths have any origin; `None` where no depth is known, or where
     /// there is not one depth for each sector of each ring. Cells farther from the rim than the
     /// bottom is from its axis to its edge are loose pieces, and are left out.
@@ -56,7 +71,33 @@ impl BottomPicture {
 
 #[cfg(test)]
 mod tests {
+    use wholestring_results::BOTTOM_HOLE;
+
     use super::*;
+
+    /// Ring by ring; a table without rows has no bottom.
+    #[test]
+    fn a_bottom_is_read_back() {
+        const NAN: f64 = f64::NAN;
+        let mut table = Table::with_columns(BOTTOM_HOLE);
+        assert_eq!(BottomPicture::of_table(&table), None);
+        table.append(
+            &[("operation", &["drill"])],
+            &[
+                ("radius_m", &[0.03, 0.03, 0.03, 0.05, 0.05, 0.05]),
+                ("angle_rad", &[1.0, 3.0, 5.0, 1.0, 3.0, 5.0]),
+                ("depth_m", &[-0.03, NAN, 0.0, 0.0, 0.0, 0.01]),
+            ],
+        );
+        let picture = BottomPicture::of_table(&table).expect("a bottom");
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-7;
+        let radii = picture.radius_m.values();
+        assert!(radii.len() == 2 && near(radii[1], 0.05), "{radii:?}");
+        assert_eq!(picture.angle_rad.values(), [1.0, 3.0, 5.0]);
+        let depths = picture.depth_m.values();
+        assert!(near(depths[0], 0.0) && depths[1].is_nan() && near(depths[5], 0.04));
+        assert_eq!(BottomPicture::of_table(&Table::new(Vec::new())), None);
+    }
 
     #[test]
     fn a_splinter_is_not_the_rim() {

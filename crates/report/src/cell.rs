@@ -1,4 +1,4 @@
-//! A value of a table.
+//! Tables of a page, and their values.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +10,7 @@ pub enum Cell {
     Quantity {
         /// The value, SI.
         value: f64,
-        /// Name of its dimension, as in [`Report::dimensions`](crate::Report::dimensions).
+        /// Name of its dimension, as in [`PageHead::dimensions`](crate::PageHead::dimensions).
         dimension: String,
         /// Its standard deviation, where it is a mean.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -51,4 +51,31 @@ impl Cell {
     pub fn number(value: f64) -> Self {
         if value.is_finite() { Self::Number(value) } else { Self::Nothing }
     }
+}
+
+/// A table.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PageTable {
+    /// Place on the page.
+    pub place: Place,
+    /// Its title.
+    pub title: String,
+    /// Heads of its columns; empty where it needs none.
+    pub heads: Vec<String>,
+    /// Rows.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+/// Place of a table on the page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Place {
+    /// Among the results.
+    Results,
+    /// Among the numerics.
+    Numerics,
+    /// Among the inputs.
+    Inputs,
+    /// On the page of a sweep: a row for each case.
+    Cases,
 }

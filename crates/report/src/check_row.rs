@@ -70,7 +70,7 @@ impl CheckRow {
 
 /// Reason why an operation ended early, in SI, metric and field units: the sentence of its check
 /// where it is one; `None` where it is complete.
-pub fn ended_early(status: &Status, checks: &[Check]) -> Option<[String; 3]> {
+pub(crate) fn ended_early(status: &Status, checks: &[Check]) -> Option<[String; 3]> {
     let reason = match status {
         Status::Complete => return None,
         Status::Interrupted => "interrupted: results until then",

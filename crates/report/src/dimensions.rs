@@ -32,7 +32,7 @@ pub struct DisplayUnit {
 }
 
 /// A value in SI, metric and field units.
-pub fn in_sets<T>(value: impl FnMut(UnitSet) -> T) -> [T; 3] {
+pub(crate) fn in_sets<T>(value: impl FnMut(UnitSet) -> T) -> [T; 3] {
     UNIT_SETS.map(value)
 }
 

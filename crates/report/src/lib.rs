@@ -9,11 +9,11 @@ mod calibration;
 mod cell;
 mod check_row;
 mod conventions;
-mod digits;
 mod dimensions;
 mod draw;
 pub mod figure;
 mod grid_cells;
+mod inputs;
 mod modes;
 mod operation_colour;
 mod packed;
@@ -23,10 +23,11 @@ mod picks;
 mod plan;
 mod plots;
 mod reach;
-mod report;
+mod run;
 mod stability;
-mod study;
+pub mod study;
 mod sweep;
+mod texts;
 mod thin;
 mod uncertain;
 mod workbook;
@@ -37,37 +38,31 @@ pub use bottom::BottomPicture;
 pub use calibration::{
     CALIBRATION_PICTURES, Calibration, calibration_html, calibration_plots, reading_words,
 };
-pub use cell::Cell;
-pub use check_row::{CheckRow, ended_early, printed};
+pub use cell::{Cell, PageTable, Place};
+pub use check_row::{CheckRow, printed};
 pub use conventions::Conventions;
-pub use dimensions::{DisplayUnit, display_unit, display_units, in_sets, pretty_symbol};
+pub use dimensions::{DisplayUnit, display_unit, display_units, pretty_symbol};
 pub use draw::Drawing;
+pub use inputs::{input_tables, setting_dimension};
 pub use modes::{MODES_PICTURES, Modes, modes_html, modes_plots};
 pub use operation_colour::operation_colour;
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
-pub use page_head::{PROGRAM, opening_units};
-pub use picks::{
-    PickedKind, PickedLog, PickedStand, PickedTrace, PickedValue, PickedWindow,
-    picked_depth_figure, picked_log_figure, picked_stand_figure, picks_html,
-};
+pub use page_head::{Fact, PROGRAM, PageHead};
+pub use picks::{picked_stand_figure, picks_html};
 pub use plan::{
     FRICTION_STROKES, PLAN_PICTURES, Plan, plan_friction_label, plan_html, plan_plots,
     surface_limit_is_near, surface_limit_title,
 };
-pub use plots::{
-    ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
-    drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,
-};
+pub use plots::{Plot, Run, common_operations, plots, profile, shown_dimension};
 pub use reach::{REACH_PICTURES, Reach, reach_answers, reach_html, reach_notes, reach_plots};
-pub use report::{
-    ContactPicture, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part, Place, Report,
-    Section, Solved, SpectrumPicture, TimeRun, Well,
+pub use run::{
+    ContactPicture, Frames, KeyResult, Part, Report, Section, Solved, Spectrum, TimeRun, Well,
+    path_of, well_path,
 };
 pub use stability::stability_sentences;
-pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
-pub use sweep::{Sweep, SweepRow, sweep_plots};
-pub use thin::Thinned;
+pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address};
+pub use sweep::{Sweep, sweep_plots};
 pub use uncertain::uncertain_notes;
 pub use wholestring_judge::Severity;
 pub use workbook::{

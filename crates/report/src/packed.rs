@@ -67,6 +67,19 @@ impl Packed {
     }
 }
 
+/// Numbers in double precision that a page has in single precision.
+pub(crate) mod single {
+    use super::{Deserialize, Deserializer, Packed, Serialize, Serializer};
+
+    pub(crate) fn serialize<S: Serializer>(values: &[f64], to: S) -> Result<S::Ok, S::Error> {
+        Packed::single(values.iter().copied()).serialize(to)
+    }
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+        Packed::deserialize(from).map(|packed| packed.values())
+    }
+}
+
 /// Equal where the bits are: a missing number equals a missing one.
 impl PartialEq for Packed {
     fn eq(&self, other: &Self) -> bool {

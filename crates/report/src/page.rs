@@ -81,7 +81,7 @@ pub fn report_html(report: &Report) -> String {
         node_channels: node_channels(),
         string_colours: string_colours(),
     };
-    page(&report.title, &report.program, &data, &licences(), PROGRAM)
+    page(&report.head.title, &report.head.program, &data, &licences(), PROGRAM)
 }
 
 /// The licences for the page's own reader.
@@ -311,8 +311,8 @@ pub(crate) mod tests {
 
     use super::*;
     use crate::{
-        BottomPicture, Cell, CheckRow, DisplayUnit, DrillOff, Fact, KeyResult, Packed, PageTable,
-        Part, Place, Section, Severity, Solved, TimeRun, Well,
+        BottomPicture, Cell, CheckRow, DisplayUnit, Fact, KeyResult, Packed, PageTable, Part,
+        Place, Section, Severity, Solved, TimeRun, Well,
     };
 
     const NASTY: &str = "</script><script>alert(1)</script> <!-- & \" ' \u{2028} </title>";
@@ -323,17 +323,19 @@ pub(crate) mod tests {
         let unit = |symbol: &str| DisplayUnit { symbol: symbol.into(), factor: 0.1 };
         let fact = |value| Fact { label: NASTY.into(), value };
         Report {
-            program: "wholestring".into(),
-            title: NASTY.into(),
-            units: "si".into(),
-            dimensions: BTreeMap::from([("force".into(), ["kN", "t", "klbf"].map(unit))]),
-            facts: vec![
-                fact(Cell::Text(NASTY.into())),
-                fact(Cell::Nothing),
-                fact(Cell::number(0.1 + 0.2)),
-                fact(Cell::number(f64::NAN)),
-                fact(Cell::quantity(1e300, "force")),
-            ],
+            head: PageHead {
+                program: "wholestring".into(),
+                title: NASTY.into(),
+                units: "si".into(),
+                dimensions: BTreeMap::from([("force".into(), ["kN", "t", "klbf"].map(unit))]),
+                facts: vec![
+                    fact(Cell::Text(NASTY.into())),
+                    fact(Cell::Nothing),
+                    fact(Cell::number(0.1 + 0.2)),
+                    fact(Cell::number(f64::NAN)),
+                    fact(Cell::quantity(1e300, "force")),
+                ],
+            },
             solved: vec![Solved {
                 model: ModelKind::Soft,
                 operation: OperationKind::Drill,
@@ -394,9 +396,7 @@ pub(crate) mod tests {
                 notes: vec![(0.5, NASTY.into())],
                 contact: None,
                 frames: None,
-                drill_off: Some(DrillOff {
-                    columns: BTreeMap::from([("weight_on_bit_N".into(), column())]),
-                }),
+                drill_off: Some(BTreeMap::from([("weight_on_bit_N".into(), column())])),
                 bottom: BottomPicture::new(&[0.1], &[1.0, 3.0], &[0.0, 0.01]),
                 spectra: Vec::new(),
             }],
@@ -413,7 +413,7 @@ pub(crate) mod tests {
     fn no_name_ends_its_element() {
         let nasty = report_html(&report());
         let mut tame = report();
-        tame.title = "tame".into();
+        tame.head.title = "tame".into();
         let count = |text: &str, what: &str| text.matches(what).count();
         let page = report_html(&tame);
         for what in ["</script", "<script", "<!--", "</title", "</style", "</template"] {

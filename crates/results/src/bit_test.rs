@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Value, json};
 use wholestring::rock::{DrillingResponse, TrialOutcome};
 use wholestring_judge::Check;
 
@@ -149,4 +149,19 @@ impl BitTestOutcome {
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
         read_versioned(path, BIT_TEST_VERSION..=BIT_TEST_VERSION)
     }
+}
+
+/// Settings common to all points of a test: rock, face of the bit and test procedure, from the
+/// settings of a case.
+pub fn bit_test_common(settings: &Value) -> Value {
+    let mut test = settings["bit_test"].clone();
+    if let Some(test) = test.as_object_mut() {
+        test.remove("wob_N");
+        test.remove("rotary_speed_rad_per_s");
+    }
+    json!({
+        "bit": { "face": settings["bit"]["face"] },
+        "bit_test": test,
+        "rock": settings["rock"],
+    })
 }

@@ -29,6 +29,7 @@ mod hold;
 mod json;
 mod modes;
 mod names;
+mod operation_tables;
 mod or_empty;
 mod parquet_file;
 mod parquet_guard;
@@ -36,7 +37,6 @@ mod parts;
 mod plan;
 mod reach;
 mod row;
-mod row_operation;
 mod spectrum;
 mod stability;
 mod summary;
@@ -53,7 +53,9 @@ pub use wholestring_judge::{Check, CheckKind, ReadingCheck, Severity, Unchecked,
 pub use bha::{BHA_VERSION, BhaPart, BhaState, BhaSummary};
 pub use bha_sweep::{BHA_SWEEP, BhaFound, BhaPoint, BhaVaried};
 pub use bha_tables::{BHA, BHA_CONTACTS, bha_table};
-pub use bit_test::{BIT_TEST, BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
+pub use bit_test::{
+    BIT_TEST, BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary, bit_test_common,
+};
 pub use bottom_hole::{BOTTOM_HOLE, BottomHoleCell};
 pub use calibration::{
     CALIBRATION_VERSION, CalibrationRows, CalibrationSummary, ErrorFound, EstimateFound,
@@ -76,6 +78,7 @@ pub use hold::{Hold, Holding, Occupant};
 pub use modes::{
     CRITICAL_SPEEDS, CriticalSpeed, MODES, MODES_VERSION, ModeFound, ModesRows, ModesSummary, Spot,
 };
+pub use operation_tables::OperationTables;
 pub use plan::{
     PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
     PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME, PLAN_SURFACE_LIMITS, PLAN_VERSION,

@@ -285,6 +285,15 @@ impl Table {
         }
     }
 
+    /// The numbers of a column, NaN where there is none: in every row if there is no such column of
+    /// numbers.
+    pub fn values(&self, name: &str) -> Vec<f64> {
+        match self.numbers(name) {
+            Some(numbers) => numbers.iter().map(|value| value.unwrap_or(f64::NAN)).collect(),
+            None => vec![f64::NAN; self.rows()],
+        }
+    }
+
     /// The words of a column, if there is such a column of words.
     pub fn words(&self, name: &str) -> Option<&[String]> {
         match &self.column(name)?.data {
@@ -296,6 +305,21 @@ impl Table {
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.data.len())
+    }
+
+    /// The rows for which `keep` has `true`.
+    pub(crate) fn filtered(mut self, keep: &[bool]) -> Self {
+        fn filter<T>(values: &mut Vec<T>, keep: &[bool]) {
+            let mut kept = keep.iter();
+            values.retain(|_| kept.next().is_some_and(|kept| *kept));
+        }
+        for column in &mut self.columns {
+            match &mut column.data {
+                Data::Number(numbers) => filter(numbers, keep),
+                Data::Text(words) => filter(words, keep),
+            }
+        }
+        self
     }
 
     /// Adds the rows of a table of the same columns.

@@ -8,9 +8,10 @@ use std::{
 
 pub use wholestring_import::{Choices, Contents, Imported, Note};
 use wholestring_import::{ImportError, ImportErrorKind, Input};
+use wholestring_report::picks_html;
 use wholestring_results::{ResultsError, write_new_files};
 
-use crate::{error::Error, picks::picks_html, survey::explained};
+use crate::{error::Error, survey::explained};
 
 /// Creates a case from files of other programs.
 ///

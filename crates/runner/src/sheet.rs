@@ -4,11 +4,10 @@ use wholestring_case::dimension_at;
 use wholestring_judge::{CheckKind, DepthLimit};
 use wholestring_report::{
     Cells, DisplayUnit, Sheet, SheetColumn, display_unit, pretty_symbol, reading_words,
+    setting_dimension,
 };
 use wholestring_results::{Column, Data, PlanOperation, Table};
 use wholestring_units::{Dimension, UnitSet};
-
-use crate::page::dimensions::of_setting;
 
 /// A table in these units; its name is limited to the 31 letters of a sheet's tab.
 pub(crate) fn sheet(name: &str, table: &Table, about: &str, units: UnitSet) -> Sheet {
@@ -42,7 +41,7 @@ const ACROSS: [&str; 3] = ["groove_m", "wall_m", "wall_left_m"];
 fn of_unit(column: &Column) -> Option<(&'static str, &str)> {
     let suffix = column.unit.replace(['·', '.'], "_").replace('/', "_per_");
     let stem = column.name.strip_suffix(&suffix)?.strip_suffix('_')?;
-    let by_name = of_setting(&column.name)?;
+    let by_name = setting_dimension(&column.name)?;
     if stem.len() >= by_name.1.len() {
         return None;
     }
@@ -58,7 +57,7 @@ fn of_spread(name: &str) -> Option<(&'static str, String)> {
     ["_error", "_std"].into_iter().find_map(|spread| {
         let (before, after) = name.split_once(&format!("{spread}_"))?;
         let plain = format!("{before}_{after}");
-        let (dimension, stem) = of_setting(&plain)?;
+        let (dimension, stem) = setting_dimension(&plain)?;
         Some((dimension, format!("{stem}{spread}")))
     })
 }
@@ -77,7 +76,9 @@ fn column(column: &Column, rows: Option<&[DisplayUnit]>, units: UnitSet) -> Shee
     };
     let found = found
         .or_else(|| of_spread(&column.name))
-        .or_else(|| of_setting(&column.name).map(|(dimension, stem)| (dimension, stem.to_owned())))
+        .or_else(|| {
+            setting_dimension(&column.name).map(|(dimension, stem)| (dimension, stem.to_owned()))
+        })
         .or_else(|| of_key(column));
     let (dimension, stem) =
         found.filter(|_| !column.unit.is_empty()).unwrap_or(("", column.name.clone()));

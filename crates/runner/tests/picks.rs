@@ -8,13 +8,13 @@ use std::path::Path;
 use rig_log::{Manner, Rig, STAND_M, TRUTH, Truth};
 use wholestring_import::{
     Choices,
-    picking::{Picks, Thresholds, pick},
+    picking::{Picks, Thresholds, Work, pick},
 };
 use wholestring_plan::calibration::{
     Asked, Assembly, Channel, Factors, Motion, Parameter, Reading, Settings, SoftPredictions,
     State, calibrate,
 };
-use wholestring_runner::{picked_log, picks_html};
+use wholestring_report::{picked_stand_figure, picks_html};
 use wholestring_units::{Dimension, UnitSet};
 
 const BLOCK_N: f64 = 245e3;
@@ -132,11 +132,10 @@ fn a_page_of_picked_weights() {
     let html = picks_html(&picks, UnitSet::Si);
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     std::fs::write(folder.join("picks.html"), &html).unwrap();
-    let log = picked_log(&picks, UnitSet::Si);
     assert!(!html.contains("<b>rig"), "the name is text");
     // A log, a picture against depth and one for each stand drawn, in three sets of units, for a
     // wide page and for a narrow one.
-    assert_eq!(html.matches("<svg class=\"figure\"").count(), 2 * 3 * (2 + log.stands.len()));
+    assert_eq!(html.matches("<svg class=\"figure\"").count(), 2 * 3 * (2 + picks.details.len()));
     assert!(!html.contains("href=\".svg\""), "no link to what is not there");
     // 8000 rows; a page of ten million is as large.
     assert!(html.len() < 6_000_000, "{}", html.len());
@@ -149,9 +148,9 @@ fn a_stand_as_the_book_shows_it() {
     let mut rig = Rig::new(manner, TRUTH, 3000.0, 3000.0);
     rig.drills_a_stand();
     rig.drills_a_stand();
-    let log = picked_log(&picks(&rig), UnitSet::Si);
-    let drilled = log.stands.iter().find(|stand| stand.work == "drilled").expect("one was drilled");
-    let figure = wholestring_report::picked_stand_figure(&log, drilled, "si");
+    let picks = picks(&rig);
+    let drilled = picks.details.iter().find(|stand| stand.work == Work::Drilled);
+    let figure = picked_stand_figure(&picks, drilled.expect("one was drilled"), UnitSet::Si);
     let svg = figure.drawing().svg();
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("picks.svg");
     std::fs::write(file, &svg).unwrap();

@@ -29,7 +29,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
     assert!(fs::read_to_string(&path).unwrap() == page, "the same page");
 
     let report = read(&page);
-    assert_eq!(report.title, "Straight slant");
+    assert_eq!(report.head.title, "Straight slant");
     let solved: Vec<_> = report
         .solved
         .iter()
@@ -196,8 +196,7 @@ fn block_checks_and_spectra_reach_the_page() {
         (spectra[0].signal.as_str(), spectra[0].dimension.as_str()),
         ("surface_torque", "torque")
     );
-    let lengths =
-        [&spectra[0].frequency_Hz, &spectra[0].density].map(|column| column.values().len());
+    let lengths = [&spectra[0].frequency_Hz, &spectra[0].density].map(Vec::len);
     assert!(lengths[0] > 3 && lengths[0] == lengths[1], "{lengths:?}");
 }
 

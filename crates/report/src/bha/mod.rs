@@ -20,7 +20,7 @@ use wholestring_results::{BhaSummary, BhaVaried, Table};
 use wholestring_units::UnitSet;
 
 use self::{nodes::Nodes, varied::Varied};
-use crate::{PageHead, PageTable, dimensions::in_sets};
+use crate::{PageHead, PageTable, dimensions::in_sets, inputs::input_tables};
 
 /// A static BHA analysis with the head of its page. Numbers are SI; nodes are ordered from the bit
 /// up; each pair is the part towards the high side and that to the right of it as one looks down
@@ -33,22 +33,15 @@ pub struct Bha {
     pub summary: BhaSummary,
     /// The string along its axis.
     nodes: Nodes,
-    /// Tables of the inputs.
-    inputs: Vec<PageTable>,
 }
 
 impl Bha {
-    /// The page of an analysis, of its nodes in `bha.parquet` and of tables of its inputs; it opens
-    /// in these units, by default in those of the case.
-    pub fn new(
-        summary: BhaSummary,
-        nodes: &Table,
-        inputs: Vec<PageTable>,
-        units: Option<UnitSet>,
-    ) -> Self {
+    /// The page of an analysis and of its nodes in `bha.parquet`; it opens in these units, by default
+    /// in those of the case.
+    pub fn new(summary: BhaSummary, nodes: &Table, units: Option<UnitSet>) -> Self {
         let title = format!("{}: static BHA analysis", summary.case);
         let head = PageHead::new(title, units, Some(&summary.settings), facts::facts(&summary));
-        Self { head, summary, nodes: Nodes::new(nodes), inputs }
+        Self { head, summary, nodes: Nodes::new(nodes) }
     }
 
     /// Tendency of the inclination with this assembly, in sentences, in SI, metric and field units.
@@ -70,7 +63,7 @@ impl Bha {
     /// Tables of results and inputs.
     pub(crate) fn page_tables(&self) -> Vec<PageTable> {
         let mut tables = tables::page_tables(&self.summary);
-        tables.extend(self.inputs.iter().cloned());
+        tables.extend(input_tables(&self.summary.settings));
         tables
     }
 

@@ -23,7 +23,7 @@ pub(super) struct Nodes {
 impl Nodes {
     /// The columns of the table.
     pub(super) fn new(table: &Table) -> Self {
-        let column = |name| column(table, name);
+        let column = |name| table.values(name);
         Self {
             from_bit_m: column("from_bit_m"),
             hole_radius_m: column("hole_radius_m"),
@@ -33,12 +33,4 @@ impl Nodes {
             von_mises_stress_Pa: column("von_mises_stress_Pa"),
         }
     }
-}
-
-fn column(table: &Table, name: &str) -> Vec<f64> {
-    let numbers = table.numbers(name).unwrap_or_default().iter();
-    let mut column: Vec<f64> = numbers.map(|value| value.unwrap_or(f64::NAN)).collect();
-    // Results without this column have no numbers for it.
-    column.resize(table.rows(), f64::NAN);
-    column
 }

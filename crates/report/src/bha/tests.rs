@@ -11,7 +11,7 @@ use wholestring_results::{
 
 use super::*;
 use crate::{
-    Cell, Place, Plot, bha_html,
+    Plot, bha_html,
     figure::{Mark, Range},
 };
 
@@ -54,7 +54,7 @@ fn summary() -> BhaSummary {
     BhaSummary {
         schema_version: BHA_VERSION,
         case: "A </script> bit".into(),
-        settings: json!({"units": "si"}),
+        settings: json!({"units": "si", "name": "a </script>"}),
         operation: OperationKind::Drill,
         bit_depth_m: 1000.0,
         weight_on_bit_N: 1e5,
@@ -123,13 +123,7 @@ fn nodes() -> Table {
 }
 
 fn bha_of(nodes: &Table) -> Bha {
-    let inputs = PageTable {
-        place: Place::Inputs,
-        title: "a <point>".into(),
-        heads: Vec::new(),
-        rows: vec![vec![Cell::Text("a </script>".into()), Cell::quantity(12e3, "force")]],
-    };
-    Bha::new(summary(), nodes, vec![inputs], None)
+    Bha::new(summary(), nodes, None)
 }
 
 fn bha() -> Bha {

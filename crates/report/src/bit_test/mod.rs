@@ -5,11 +5,12 @@ mod figures;
 
 pub use figures::bit_test_plots;
 
+use serde_json::json;
 use wholestring::rock::TrialOutcome;
-use wholestring_results::{BitTestSummary, Status};
+use wholestring_results::{BitTestSummary, Status, bit_test_common};
 use wholestring_units::UnitSet;
 
-use crate::{BottomPicture, Cell, PageHead, PageTable, Place};
+use crate::{BottomPicture, Cell, PageHead, PageTable, Place, inputs::input_tables};
 
 /// A bit test with the head of its page. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,8 +21,6 @@ pub struct BitTest {
     pub summary: BitTestSummary,
     /// The bottom of the hole at the end of each point of the summary.
     bottoms: Vec<Option<BottomPicture>>,
-    /// Tables of the inputs.
-    inputs: Vec<PageTable>,
 }
 
 /// One weight at one speed that is finished.
@@ -33,17 +32,16 @@ pub(crate) struct TestedPoint<'a> {
 }
 
 impl BitTest {
-    /// The page of a bit test, of the bottoms of all points in the order of the summary, and of
-    /// tables of its inputs; it opens in these units, by default in those of the case.
+    /// The page of a bit test and of the bottoms of all points in the order of the summary; it opens
+    /// in these units, by default in those of the case.
     pub fn new(
         summary: BitTestSummary,
         bottoms: Vec<Option<BottomPicture>>,
-        inputs: Vec<PageTable>,
         units: Option<UnitSet>,
     ) -> Self {
         let title = format!("{}: bit test", summary.case);
         let head = PageHead::new(title, units, Some(&summary.settings), facts::facts(&summary));
-        Self { head, summary, bottoms, inputs }
+        Self { head, summary, bottoms }
     }
 
     /// Whether a point is finished.
@@ -62,9 +60,18 @@ impl BitTest {
         })
     }
 
-    /// Tables of all points and of the inputs.
+    /// Tables of all points and of the inputs that are common to them: rock, face of the bit and
+    /// test procedure.
     pub(crate) fn page_tables(&self) -> Vec<PageTable> {
-        std::iter::once(self.page_table()).chain(self.inputs.iter().cloned()).collect()
+        let common = bit_test_common(&self.summary.settings);
+        let mut inputs = input_tables(&json!({
+            "bit_face": common["bit"]["face"],
+            "bit_test": common["bit_test"],
+            "rock": common["rock"],
+        }));
+        // A bit test has none of the other inputs of a case.
+        inputs.retain(|table| !table.rows.is_empty());
+        std::iter::once(self.page_table()).chain(inputs).collect()
     }
 
     /// The points by speed, then by weight.

@@ -66,6 +66,7 @@ fn summary() -> BitTestSummary {
         settings: json!({
             "units": "si",
             "bit_test": {"mass_kg": 1e3, "revolutions": 4, "settle_revolutions": 1},
+            "rock": {"name": "a </script>"},
         }),
         rock_strength_Pa: 60e6,
         bit_radius_m: RADIUS_M,
@@ -84,13 +85,7 @@ fn summary() -> BitTestSummary {
 
 fn test_of(summary: BitTestSummary) -> BitTest {
     let bottoms = summary.points.iter().map(|_| bottom()).collect();
-    let inputs = PageTable {
-        place: Place::Inputs,
-        title: "a <point>".into(),
-        heads: Vec::new(),
-        rows: vec![vec![Cell::Text("a </script>".into())]],
-    };
-    BitTest::new(summary, bottoms, vec![inputs], None)
+    BitTest::new(summary, bottoms, None)
 }
 
 fn test() -> BitTest {

@@ -1,8 +1,12 @@
 //! The page of weights picked from a log as one self-contained file.
 
+use wholestring_import::picking::{Detail, Estimate, Picks, Window};
+use wholestring_units::UnitSet;
+
 use super::{
-    PickedLog, PickedStand, PickedValue, PickedWindow,
-    figures::{picked_depth_figure, picked_log_figure, picked_stand_figure},
+    PickedLog,
+    figures::{depth_figure, log_figure, stand_figure},
+    number_and_work,
 };
 use crate::{
     Grid, StudyPage, StudyPart,
@@ -10,6 +14,7 @@ use crate::{
     grid_cells::{heads, row},
     plots::DisplayUnits,
     study::study_html_in_units,
+    texts::capital,
 };
 
 /// Meaning of the pictures.
@@ -20,38 +25,37 @@ const ABOUT: &str = "Weights and torques picked from a log: windows in which the
 /// Windows that the table lists; the file of measured weights has all.
 const LISTED: usize = 200;
 
-/// Returns the page as the text of an HTML file. No name in it can end the element that contains
-/// it.
-pub fn picks_html(log: &PickedLog) -> String {
-    study_html_in_units(&log.head.units, |units| page(log, units))
+/// Returns the page of weights picked from a log, which opens in these units, as the text of an HTML
+/// file. No name in it can end the element that contains it.
+pub fn picks_html(picks: &Picks, units: UnitSet) -> String {
+    let log = PickedLog::new(picks, units);
+    study_html_in_units(units.name(), |units| page(&log, units))
 }
 
-fn page(log: &PickedLog, units: &str) -> StudyPage {
+fn page(log: &PickedLog<'_>, units: &str) -> StudyPage {
     let display = DisplayUnits::new(&log.head.dimensions, units);
     let mut description = ABOUT.to_owned();
-    let facts: Vec<String> = log.head.facts.iter().filter_map(|fact| display.fact(fact)).collect();
-    if !facts.is_empty() {
-        description = format!("{}.\n\n{description}", facts.join("; "));
+    for note in log.picks.notes() {
+        description += &format!("\n\n{}.", capital(note.text()));
     }
-    description.extend(log.notes.iter().map(|note| format!("\n\n{note}.")));
-    let block = if log.added_N != 0.0 {
+    let block = if log.picks.block.added_N() != 0.0 {
         "Hook loads of the curve and of the points are as logged. The picked weights have the \
          block's weight added, less the indicator's value in slips."
     } else {
         "Hook loads are as logged, with the block."
     };
     let mut parts = vec![
-        part("The log", block, picked_log_figure(log, units)),
+        part("The log", block, log_figure(log, units)),
         part(
             "Picked against depth",
             "Each point is a window; bars reach one standard error to either side. Weights are \
              those of a weight indicator and include the block.",
-            picked_depth_figure(log, units),
+            depth_figure(log, units),
         ),
     ];
-    parts.extend(log.stands.iter().map(|stand| {
-        let title = format!("Stand {}, {}", stand.stand, stand.work);
-        part(&title, &caption(stand), picked_stand_figure(log, stand, units))
+    parts.extend(log.picks.details.iter().map(|stand| {
+        let title = format!("Stand {}", number_and_work(stand));
+        part(&title, &caption(stand), stand_figure(log, stand, units))
     }));
     parts.push(table(log, display));
     StudyPage {
@@ -62,9 +66,11 @@ fn page(log: &PickedLog, units: &str) -> StudyPage {
     }
 }
 
-fn caption(stand: &PickedStand) -> String {
+fn caption(stand: &Detail) -> String {
     let mut text = "Coloured: the windows, each with its picked value.".to_owned();
-    let refused = stand.refused.iter().map(|(kind, _, why)| format!("{}: {why}", kind.words()));
+    let refused = stand.refused.iter();
+    let refused =
+        refused.map(|refused| format!("{}: {}", refused.kind.words(), refused.why.words()));
     let mut refused: Vec<String> = refused.collect();
     refused.dedup();
     if !refused.is_empty() {
@@ -84,7 +90,7 @@ fn part(title: &str, caption: &str, figure: Figure) -> StudyPart {
     }
 }
 
-fn table(log: &PickedLog, display: DisplayUnits<'_>) -> StudyPart {
+fn table(log: &PickedLog<'_>, display: DisplayUnits<'_>) -> StudyPart {
     let heads = heads(&[
         ("stand", false),
         ("picked for", true),
@@ -96,16 +102,16 @@ fn table(log: &PickedLog, display: DisplayUnits<'_>) -> StudyPart {
         ("hook load", false),
         ("torque", false),
     ]);
-    let quantity = |picked: Option<PickedValue>, dimension: &str| {
-        let Some(PickedValue { value, standard_error }) = picked else { return "–".to_owned() };
+    let quantity = |picked: Option<Estimate>, dimension: &str| {
+        let Some(Estimate { value, standard_error, .. }) = picked else { return "–".to_owned() };
         let error = display.value(standard_error, dimension);
         // As many digits as give the error two.
         let digits = (1.0 - error.abs().max(1e-9).log10().floor()).clamp(0.0, 3.0) as usize;
         let value = display.value(value, dimension);
         format!("{value:.digits$} ± {error:.digits$} {}", display.symbol(dimension))
     };
-    let line = |window: &PickedWindow| {
-        let [from_s, to_s] = window.time_s;
+    let line = |window: &Window| {
+        let Window { from_s, to_s, .. } = *window;
         let speed = |value: f64, dimension: &str| {
             if value.is_finite() {
                 let symbol = display.symbol(dimension);
@@ -132,8 +138,8 @@ fn table(log: &PickedLog, display: DisplayUnits<'_>) -> StudyPart {
             quantity(window.torque_N_m, "torque"),
         ])
     };
-    let listed = log.windows.iter().take(LISTED).map(line).collect();
-    let rest = log.windows.len().saturating_sub(LISTED);
+    let listed = log.picks.windows.iter().take(LISTED).map(line).collect();
+    let rest = log.picks.windows.len().saturating_sub(LISTED);
     let mut caption = "Values with their standard errors, which include only the noise within a \
         window; windows at one depth differ by more."
         .to_owned();

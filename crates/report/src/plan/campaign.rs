@@ -3,8 +3,8 @@
 use wholestring_results::{PlanFatigue, PlanWear};
 
 use super::Plan;
-use crate::digits::four;
 use crate::grid_cells::head;
+use crate::texts::four;
 use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
 
 /// A damage, or a worn part of a wall, above which its colour is no longer that of a good state.

@@ -5,8 +5,8 @@ use wholestring_judge::CheckKind;
 use wholestring_results::{PlanCheck, PlanOperation};
 
 use super::Plan;
-use crate::digits::four;
 use crate::grid_cells::head;
+use crate::texts::four;
 use crate::{
     Grid, Severity, StudyPart, Verdict, check_row::printed, plots::DisplayUnits, shown_dimension,
 };

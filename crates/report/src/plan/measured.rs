@@ -4,13 +4,13 @@ use wholestring::operation::OperationKind;
 use wholestring_results::PlanMeasured;
 
 use super::Plan;
-use crate::digits::four;
 use crate::operation_colour::operation_colour;
 use crate::{
     Grid, StudyPart, Verdict,
     figure::{Ink, Key, Mark, Sample, Shape},
     grid_cells::{head, row},
     plots::DisplayUnits,
+    texts::four,
 };
 
 /// The shape of measured points: no other model's points have it.

@@ -4,12 +4,12 @@ use wholestring::operation::OperationKind;
 use wholestring_results::PlanOverlayRow;
 
 use super::Plan;
-use crate::digits::four;
 use crate::{
     Grid, StudyPart, Verdict,
     figure::{Ink, Key, Mark, Sample, Stroke},
     grid_cells::{head, row},
     plots::DisplayUnits,
+    texts::four,
 };
 
 /// The line of another program: no friction and no operation of this plan has it.

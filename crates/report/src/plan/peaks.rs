@@ -9,8 +9,8 @@ use super::{
     levels::STROKES,
     surface::{FAR, surface_limit_is_near, surface_limit_title},
 };
-use crate::digits::four;
 use crate::grid_cells::{head, row};
+use crate::texts::{capital, four};
 use crate::{
     Grid, StudyPart,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape},
@@ -173,11 +173,6 @@ fn panel(
     let range = if shows.dimension == "force" { Range::Near } else { Range::Zero };
     let title = format!("{}: {}", capital(title), shows.title);
     Panel::new(Axis::new(display.label(&title, shows.dimension), range), marks)
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// Every peak.

@@ -11,7 +11,7 @@ use crate::{
 
 /// Contact over depth and time of one run, in the reader's units.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ContactMap {
+pub(crate) struct ContactMap {
     /// Label of its depths, unit included.
     pub label: String,
     /// Beginning of the first row, s.
@@ -32,7 +32,7 @@ pub struct ContactMap {
 
 /// Maps one below the other, over the same depths and in the same colours; `label` is that of their
 /// values, unit included.
-pub fn contact_figure(
+pub(crate) fn contact_figure(
     title: String,
     subtitle: String,
     (label, hue): (&str, Hue),

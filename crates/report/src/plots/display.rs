@@ -14,7 +14,7 @@ pub(crate) struct DisplayUnits<'a> {
     set: usize,
 }
 
-/// Sets of units by their place in [`crate::Report::dimensions`].
+/// Sets of units by their place in [`crate::PageHead::dimensions`].
 pub(crate) const SETS: [&str; 3] = ["si", "metric", "field"];
 
 impl<'a> DisplayUnits<'a> {

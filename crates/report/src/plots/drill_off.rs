@@ -4,8 +4,10 @@ use super::{
     catalogue::{DrillOffPlot, drill_off_plots},
     run::{Context, Plot},
 };
+use std::collections::BTreeMap;
+
 use crate::{
-    DrillOff, Packed,
+    Packed,
     figure::{Axis, Ink, Layout, Mark, Panel, Range, Shape},
 };
 
@@ -15,7 +17,7 @@ const MAX: usize = 400;
 /// The samples of the window, of two runs in two colours.
 pub(super) fn plots(context: Context<'_>) -> Vec<Plot> {
     let display = context.display;
-    let drilled: Vec<(usize, &DrillOff)> = context
+    let drilled: Vec<(usize, &BTreeMap<String, Packed>)> = context
         .timed()
         .filter_map(|(place, timed)| Some((place, timed.drill_off.as_ref()?)))
         .collect();
@@ -27,9 +29,9 @@ pub(super) fn plots(context: Context<'_>) -> Vec<Plot> {
         Axis::new(display.label(&plot.shows.title, plot.shows.dimension), Range::Near)
     };
     let panel = |plot: &DrillOffPlot| {
-        let points = |(place, drilled): &(usize, &DrillOff)| {
+        let points = |(place, drilled): &(usize, &BTreeMap<String, Packed>)| {
             let values = |plot: &DrillOffPlot| {
-                let values = drilled.columns.get(plot.shows.column).map(Packed::values);
+                let values = drilled.get(plot.shows.column).map(Packed::values);
                 display.values(&values.unwrap_or_default(), plot.shows.dimension)
             };
             let points = values(&weight).into_iter().zip(values(plot));

@@ -134,7 +134,7 @@ mod tests {
     }
 
     fn tension(report: &Report) -> Figure {
-        let run = Run { name: "", report, spectra: &[] };
+        let run = Run { name: "", report };
         let plots = plots(&[run], "si");
         let tension = plots.into_iter().find(|plot| plot.name == "tension");
         tension.unwrap().figure

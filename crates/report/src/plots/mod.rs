@@ -14,6 +14,7 @@ mod spectra;
 mod styles;
 mod tracks;
 
+pub(crate) use self::contact::{ContactMap, contact_figure};
 pub(crate) use self::{
     bottom::bottoms_figure,
     display::{DisplayUnits, SETS},
@@ -22,9 +23,7 @@ pub(crate) use self::{
 };
 pub use self::{
     catalogue::shown_dimension,
-    contact::{ContactMap, contact_figure},
-    run::{Plot, Run, Spectrum, common_operations},
-    spectra::spectrum_dimension,
+    run::{Plot, Run, common_operations},
 };
 use self::{run::Context, styles::CurveStyles};
 use crate::{Fact, Report, figure::Figure};
@@ -39,7 +38,7 @@ use wholestring::operation::OperationKind;
 /// # Panics
 /// If there is no run.
 pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
-    let display = DisplayUnits::new(&runs[0].report.dimensions, units);
+    let display = DisplayUnits::new(&runs[0].report.head.dimensions, units);
     let operations = common_operations(runs);
     let several = operations.len() > 1;
     let suffix = |operation: OperationKind| match several {
@@ -75,8 +74,8 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
 /// The profile of one run alone: its tracks against measured depth, all models and operations on
 /// the same; `None` where nothing was solved.
 pub fn profile(report: &Report, units: &str) -> Option<Figure> {
-    let runs = [Run { name: "", report, spectra: &[] }];
-    let display = DisplayUnits::new(&report.dimensions, units);
+    let runs = [Run { name: "", report }];
+    let display = DisplayUnits::new(&report.head.dimensions, units);
     let operations = common_operations(&runs);
     let styles = CurveStyles::new(&runs, &operations);
     let subtitle = common_facts(&runs, display, None);
@@ -98,8 +97,8 @@ fn common_facts(
             names.collect::<Vec<_>>().join(", ")
         }
     };
-    let facts = runs[0].report.facts.iter();
-    let alike = facts.filter(|fact| runs.iter().all(|run| run.report.facts.contains(fact)));
+    let facts = runs[0].report.head.facts.iter();
+    let alike = facts.filter(|fact| runs.iter().all(|run| run.report.head.facts.contains(fact)));
     let alike: Vec<Fact> =
         alike.filter(|fact| !fact.label.starts_with("Operation")).cloned().collect();
     [done, subtitle(&alike, display)].join("; ")
@@ -126,19 +125,4 @@ pub(crate) fn subtitle(facts: &[Fact], display: DisplayUnits<'_>) -> String {
             Some(words.map_or(text.clone(), |(_, done)| done.to_owned()))
         });
     parts.collect::<Vec<_>>().join("; ")
-}
-
-/// The columns of `time.parquet` that are drawn against the first of them, the weight on bit.
-pub fn drill_off_columns() -> [&'static str; 3] {
-    catalogue::drill_off_plots().map(|drill_off_plot| drill_off_plot.shows.column)
-}
-
-/// The columns of `contact.parquet` that are drawn as maps.
-pub fn contact_columns() -> [&'static str; 2] {
-    catalogue::contact_plots().map(|contact_plot| contact_plot.shows.column)
-}
-
-/// The columns of `frames.parquet` that a page holds.
-pub fn frame_columns() -> Vec<&'static str> {
-    catalogue::node_channels().iter().map(|node_channel| node_channel.shows.column).collect()
 }

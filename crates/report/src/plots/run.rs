@@ -15,25 +15,6 @@ pub struct Run<'a> {
     pub name: &'a str,
     /// Its report.
     pub report: &'a Report,
-    /// Power spectral densities, as far as it has any.
-    pub spectra: &'a [Spectrum],
-}
-
-/// A power spectral density of one signal, SI.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Spectrum {
-    /// The operation.
-    pub operation: OperationKind,
-    /// `surface_torque`, or for a node `tension`, ...
-    pub signal: String,
-    /// Measured depth of the node; `None` for a signal of the whole string.
-    pub md_m: Option<f64>,
-    /// Unit of the signal: `N`, `N·m`, ...
-    pub unit: String,
-    /// Frequencies, Hz.
-    pub frequency_Hz: Vec<f64>,
-    /// Density at each, square of the unit per Hz.
-    pub density: Vec<f64>,
 }
 
 /// A figure with the name of its file.
@@ -119,7 +100,7 @@ pub fn common_operations(runs: &[Run<'_>]) -> Vec<OperationKind> {
 
 /// The name of the case, where all runs are of the same.
 pub(super) fn title(runs: &[Run<'_>]) -> String {
-    let title = &runs[0].report.title;
-    let same = runs.iter().all(|run| run.report.title == *title);
+    let title = &runs[0].report.head.title;
+    let same = runs.iter().all(|run| run.report.head.title == *title);
     if same { title.clone() } else { String::new() }
 }

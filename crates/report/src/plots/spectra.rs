@@ -1,12 +1,7 @@
 //! Power spectral densities.
 
-use wholestring::{
-    dynamics::NodeSignal,
-    outcome::{QuantityKind, Signal},
-};
-
 use super::{
-    catalogue::shown_dimension,
+    catalogue::spectrum_dimension,
     run::{Context, Plot},
 };
 use crate::{
@@ -17,11 +12,8 @@ use crate::{
 /// A figure for each signal; nodes of different depths are in the same figure.
 pub(super) fn plots(context: Context<'_>) -> Vec<Plot> {
     let all: Vec<(usize, &Spectrum)> = context
-        .runs
-        .iter()
-        .enumerate()
-        .flat_map(|(place, run)| run.spectra.iter().map(move |spectra| (place, spectra)))
-        .filter(|(_, spectrum)| spectrum.operation == context.operation)
+        .timed()
+        .flat_map(|(place, timed)| timed.spectra.iter().map(move |spectrum| (place, spectrum)))
         .collect();
     let mut signals: Vec<(&str, bool)> = Vec::new();
     for (_, spectrum) in &all {
@@ -103,22 +95,4 @@ fn figure(signal: &str, spectra: &[&(usize, &Spectrum)], context: Context<'_>) -
     let density = logarithmic(format!("Density of {name}{at}, {squared}"), Range::Near);
     let panels = vec![Panel::new(density, marks.collect())];
     Figure { keys, ..context.figure(Layout::across(1, 120.0, 70.0), frequency, panels) }
-}
-
-/// The dimension of a signal, of nodes or of the whole string, by its declaration; `None` for a
-/// signal that this version does not know.
-pub fn spectrum_dimension(signal: &str, of_nodes: bool) -> Option<&'static str> {
-    let quantity = if of_nodes {
-        let found = NodeSignal::ALL.into_iter().find(|candidate| candidate.name() == signal);
-        found?.quantity()
-    } else {
-        Signal::ALL.into_iter().find(|candidate| candidate.name() == signal)?.quantity()
-    };
-    Some(match quantity.kind {
-        // Vibration has another dimension than a trip speed.
-        QuantityKind::Speed => "lateral speed",
-        // A length of the whole string is its stretch; nodes move laterally.
-        QuantityKind::Length if !of_nodes => "length",
-        other => shown_dimension(other),
-    })
 }

@@ -8,6 +8,7 @@ use crate::{
     Plot,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::{DisplayUnits, named},
+    texts::capital,
     uncertain::{self, Uncertain},
 };
 
@@ -83,9 +84,7 @@ fn margins(reach: &Reach, units: &str) -> Figure {
                 marks.push(Mark::Name { at: points[0], text: row.title.clone() });
             }
         }
-        let mut letters = operation.words().chars();
-        let first = letters.next().map(|letter| letter.to_uppercase().to_string());
-        let name = first.unwrap_or_default() + letters.as_str();
+        let name = capital(operation.words());
         let axis = Axis::new(format!("{name}: margin, %"), Range::Fixed(BELOW, 105.0));
         Panel::new(axis, marks)
     });

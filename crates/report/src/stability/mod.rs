@@ -28,10 +28,7 @@ pub(crate) struct StabilityPicture {
 impl StabilityPicture {
     /// The map of `stability.parquet`, with the case's own place in it.
     pub(crate) fn new(table: &Table, summary: &StabilitySummary) -> Self {
-        let column = |name: &str| -> Vec<f64> {
-            let column = table.numbers(name).unwrap_or_default();
-            column.iter().map(|value| value.unwrap_or(f64::NAN)).collect()
-        };
+        let column = |name: &str| table.values(name);
         let all_weights_N = column("weight_on_bit_N");
         let mut weights_N = all_weights_N.clone();
         weights_N.dedup();

@@ -4,20 +4,21 @@ mod drawing;
 mod figures;
 mod legend;
 mod panel;
+mod row;
 mod varied;
 mod verdict;
 
 pub use figures::sweep_plots;
+pub(crate) use row::SweepRow;
 pub(crate) use verdict::SweepVerdict;
 
-use std::collections::BTreeMap;
+use std::path::Path;
 
-use wholestring::{
-    operation::OperationKind,
-    outcome::{ModelKind, Scalar},
-};
+use wholestring::{operation::OperationKind, outcome::Scalar};
+use wholestring_results::{ResultsError, Summary, Table};
+use wholestring_units::UnitSet;
 
-use crate::{Cell, PageHead, PageTable, Place, shown_dimension};
+use crate::{Cell, PageHead, PageTable, Place, run::facts, shown_dimension};
 
 /// A sweep as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,34 +26,11 @@ pub struct Sweep {
     /// Head of the page, under the name of the case.
     pub head: PageHead,
     /// The keys that were varied, as written by the user.
-    pub keys: Vec<String>,
+    keys: Vec<String>,
     /// The solutions: a row for each model and operation of each case.
-    pub rows: Vec<SweepRow>,
+    pub(crate) rows: Vec<SweepRow>,
     /// Whether the rows were checked; results of early versions were not.
-    pub checked: bool,
-}
-
-/// The result of one model for one operation of one case.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SweepRow {
-    /// The values of the keys, as they were written.
-    pub values: Vec<String>,
-    /// The method; none where the case had no answer.
-    pub model: Option<ModelKind>,
-    /// The operation; none where the case had no answer.
-    pub operation: Option<OperationKind>,
-    /// `complete`, `interrupted` or `failed`.
-    pub status: String,
-    /// Columns of `sweep.csv` that hold a number here.
-    pub numbers: BTreeMap<String, f64>,
-    /// Number of checks that are errors.
-    pub errors: usize,
-    /// Number of checks that are warnings.
-    pub warnings: usize,
-    /// Sentence of the most severe check, in SI, metric and field units; empty where there is none.
-    pub check: [String; 3],
-    /// The page of the case, relative to that of the sweep; `None` where the case has none.
-    pub page: Option<String>,
+    checked: bool,
 }
 
 /// A scalar that is drawn and listed for each case.
@@ -80,6 +58,45 @@ const DRAWN: [Drawn; 4] = [
 ];
 
 impl Sweep {
+    /// The page of `sweep.csv`, the file at `path`, which has `varied` leading columns of keys, and
+    /// of the summaries of its first case and of its last one, as far as they were kept; it opens in
+    /// these units, by default in those of the case. `page` returns the address of a case's page
+    /// from the name of its folder, if it has one.
+    ///
+    /// # Errors
+    /// A row with an unknown model or operation.
+    pub fn new(
+        (table, varied): (&Table, usize),
+        ends: [Option<&Summary>; 2],
+        page: impl Fn(&str) -> Option<String>,
+        units: Option<UnitSet>,
+        path: &Path,
+    ) -> Result<Self, ResultsError> {
+        let (keys, answers) = table.columns().split_at(varied);
+        let keys = Table::new(keys.to_vec());
+        let values = |row: usize| {
+            let words = keys.columns().iter().filter_map(|key| keys.words(&key.name));
+            words.map(|words| words[row].clone()).collect()
+        };
+        let rows = SweepRow::read(&Table::new(answers.to_vec()), values, page, path)?;
+        // The last case differs from the first in every key that was varied.
+        let [mut common, others] = ends.map(|end| end.map_or_else(Vec::new, facts));
+        common.retain(|fact| others.contains(fact));
+        let title = ends[0].map_or_else(|| "Sweep".into(), |first| first.case.clone());
+        let settings = ends[0].map(|first| &first.settings);
+        Ok(Self {
+            head: PageHead::new(title, units, settings, common),
+            keys: keys.columns().iter().map(|column| column.name.clone()).collect(),
+            checked: answers.iter().any(|column| column.name == "errors"),
+            rows,
+        })
+    }
+
+    /// Whether no case has ended yet.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
     /// The different values of a key, in the order in which they were given.
     fn values(&self, key: usize) -> Vec<&str> {
         let mut values: Vec<&str> = Vec::new();

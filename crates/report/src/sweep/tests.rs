@@ -1,6 +1,8 @@
 //! Pictures and tables of sweeps.
 
-use wholestring::{operation::OperationKind, outcome::ModelKind};
+use std::collections::BTreeMap;
+
+use wholestring::outcome::ModelKind;
 
 use super::*;
 use crate::{

@@ -1,6 +1,7 @@
 //! The key of a sweep that its figures have as an axis.
 
 use super::Sweep;
+use crate::texts::capital;
 
 /// The axis of the varied key.
 pub(super) enum Varied {
@@ -71,7 +72,5 @@ pub(super) fn short(key: &str) -> String {
 
 /// The same with a capital.
 pub(super) fn name(key: &str) -> String {
-    let short = short(key);
-    let mut letters = short.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    capital(&short(key))
 }

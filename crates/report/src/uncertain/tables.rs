@@ -9,9 +9,9 @@ use super::{
 };
 use crate::{
     Grid, StudyPart, Verdict,
-    digits::four,
     grid_cells::{head, row},
     plots::DisplayUnits,
+    texts::four,
 };
 
 /// A fit that predicts less of the variance than this is of little use.

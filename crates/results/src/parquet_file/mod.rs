@@ -3,5 +3,5 @@
 mod read;
 mod write;
 
-pub(crate) use read::{guarded, open, read_each_group};
+pub(crate) use read::{guarded, open, read_each_group, read_groups_with};
 pub(crate) use write::{begin, copy_groups, io_error, properties, schema, write_group};

@@ -30,39 +30,6 @@ impl Table {
     ) -> Result<(), ResultsError> {
         read_groups(path, names, take)
     }
-
-    /// Reads back whole the pieces of a file with a row that has this word in that column; they may
-    /// also have rows with other words. `None` where there is no such piece. The tables of a run
-    /// against time have pieces of their own for each operation.
-    ///
-    /// # Errors
-    /// A file that cannot be read, or is damaged.
-    pub fn read_parquet_with(
-        path: &Path,
-        column: &str,
-        word: &str,
-    ) -> Result<Option<Self>, ResultsError> {
-        let mut found: Option<Self> = None;
-        read_groups_with(path, column, word, |rows| match &mut found {
-            None => found = Some(rows),
-            Some(found) => found.extend(rows),
-        })?;
-        Ok(found)
-    }
-
-    /// Calls `take` with the same pieces, one after the other, because together they may be too
-    /// large for memory.
-    ///
-    /// # Errors
-    /// Those of [`Table::read_parquet_with`].
-    pub fn read_parquet_pieces_with(
-        path: &Path,
-        column: &str,
-        word: &str,
-        take: impl FnMut(Self),
-    ) -> Result<(), ResultsError> {
-        read_groups_with(path, column, word, take)
-    }
 }
 
 fn read(path: &Path) -> Result<Table, ResultsError> {
@@ -96,20 +63,22 @@ pub(crate) fn read_each_group(
     Ok(())
 }
 
-/// Reads the row groups in which a column of words holds this one, one after the other.
-fn read_groups_with(
+/// Reads the row groups in which a column of words has this one, one after the other: the columns
+/// that are named, or all.
+pub(crate) fn read_groups_with(
     path: &Path,
-    column: &str,
-    word: &str,
+    (column, word): (&str, &str),
+    names: Option<&[&str]>,
     mut take: impl FnMut(Table),
 ) -> Result<(), ResultsError> {
     let opened = Opened::new(path)?;
+    let is_named = |name: &str| names.is_none_or(|names| names.contains(&name));
     for group in 0..opened.reader.num_row_groups() {
         let words = opened.read_some(|name| name == column, group..group + 1)?;
         if !words.words(column).unwrap_or_default().iter().any(|one| one == word) {
             continue;
         }
-        let others = opened.read_some(|name| name != column, group..group + 1)?;
+        let others = opened.read_some(|name| name != column && is_named(name), group..group + 1)?;
         take(opened.in_order(words.into_columns().chain(others.into_columns())));
     }
     Ok(())

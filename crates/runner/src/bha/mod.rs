@@ -1,7 +1,6 @@
 //! Static analysis of the bottom-hole assembly: side force and tilt of the bit, contacts, bending
 //! and sag; also at other tool faces, weights and inclinations.
 
-mod nodes;
 mod page;
 mod points;
 mod request;

@@ -6,11 +6,10 @@ use wholestring_report::{Bha, Plot, bha_html, bha_plots};
 use wholestring_results::{BhaSummary, ResultsError};
 use wholestring_units::UnitSet;
 
-use super::nodes::NODES;
-use crate::{
-    page::{inputs, table},
-    results_kind::Results,
-};
+use crate::{page::table, results_kind::Results};
+
+/// Name of the table of the nodes, which identifies a folder of results.
+pub(super) const NODES: &str = "bha";
 
 /// The picture that is drawn by default.
 const VIEWS: &str = "views";
@@ -22,8 +21,7 @@ impl Results for Bha {
 
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = BhaSummary::read(&folder.join("summary.json"))?;
-        let inputs = inputs::page_tables(&summary.settings);
-        Ok(Self::new(summary, &table(folder, NODES)?, inputs, units))
+        Ok(Self::new(summary, &table(folder, NODES)?, units))
     }
 
     fn html(&self) -> Option<String> {

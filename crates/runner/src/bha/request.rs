@@ -17,7 +17,7 @@ use wholestring_results::{
 use wholestring_units::UnitSet;
 
 use super::{
-    nodes::NODES,
+    page::NODES,
     points::{Base, Sweeps},
 };
 use crate::{

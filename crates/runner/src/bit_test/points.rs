@@ -5,6 +5,7 @@ use std::{collections::BTreeSet, f64::consts::PI};
 use serde_json::{Value, json};
 use wholestring::rock::TrialSpec;
 use wholestring_case::BitTest;
+use wholestring_results::bit_test_common;
 
 use crate::error::Error;
 
@@ -33,7 +34,7 @@ fn rounded(value: f64, digits: usize) -> f64 {
 
 /// The points, ordered by weight, then by speed.
 pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Error> {
-    let common = common(settings);
+    let common = bit_test_common(settings);
     let point = |weight_N: f64, rotary_rad_per_s: f64| {
         let mut settings = common.clone();
         settings["bit_test"]["weight_on_bit_N"] = json!(weight_N);
@@ -75,21 +76,6 @@ pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Err
     }
 }
 
-/// Settings common to all points of a test: rock, face of the bit and test procedure, from the
-/// settings of a case.
-pub(super) fn common(settings: &Value) -> Value {
-    let mut test = settings["bit_test"].clone();
-    if let Some(test) = test.as_object_mut() {
-        test.remove("wob_N");
-        test.remove("rotary_speed_rad_per_s");
-    }
-    json!({
-        "bit": { "face": settings["bit"]["face"] },
-        "bit_test": test,
-        "rock": settings["rock"],
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -109,7 +95,7 @@ mod tests {
             "rock": { "strength_Pa": 4.0 },
         });
         assert_eq!(
-            common(&settings),
+            bit_test_common(&settings),
             json!({
                 "bit": { "face": { "blades": 5 } },
                 "bit_test": { "mass_kg": 3.0 },

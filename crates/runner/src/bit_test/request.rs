@@ -4,13 +4,10 @@ use std::path::Path;
 
 use wholestring_case::Case;
 use wholestring_report::BitTest;
-use wholestring_results::{BitTestSummary, Occupant, digest};
+use wholestring_results::{BitTestSummary, Occupant, bit_test_common, digest};
 use wholestring_units::UnitSet;
 
-use super::{
-    points::{common, points},
-    trials::Trials,
-};
+use super::{points::points, trials::Trials};
 use crate::{
     batch::{BatchOptions, BatchOutcome},
     cancellation::CancellationToken,
@@ -101,7 +98,7 @@ fn check_same(folder: &Path, case: &Case) -> Result<(), Error> {
     let place = folder.display();
     let there = BitTestSummary::read(&path)
         .map_err(|error| Error::BadInput(format!("{place} is no folder of a bit test: {error}")))?;
-    match difference(&common(&there.settings), &common(&case.settings)) {
+    match difference(&bit_test_common(&there.settings), &bit_test_common(&case.settings)) {
         None => Ok(()),
         Some(difference) => Err(Error::NotResumable {
             noun: "test",

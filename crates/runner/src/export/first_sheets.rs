@@ -2,12 +2,11 @@
 
 use serde_json::{Map, Value as Json};
 use wholestring_judge::Check;
-use wholestring_report::{Cells, Sheet, SheetColumn, printed};
+use wholestring_report::{Cells, Sheet, SheetColumn, input_tables, printed};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
     input_lines::{inputs_of, line_sheet, lines},
-    page::inputs,
     sheet::operation_words,
 };
 
@@ -33,7 +32,7 @@ const LISTS: [&str; 1] = ["estimates"];
 /// Inputs, verdict and scalars of a summary; sheets without rows are left out. The scalars of each
 /// operation of a run are a table of their own.
 pub(super) fn first_sheets(summary: &Json, units: UnitSet) -> Vec<Sheet> {
-    let tables = inputs::page_tables(&summary["settings"]);
+    let tables = input_tables(&summary["settings"]);
     let rows: Vec<[String; 3]> = tables.iter().flat_map(|table| lines(table, units)).collect();
     let inputs = inputs_of("The inputs of the case with all defaults filled in", rows);
     let sheets = [inputs, verdict(summary, units), scalars(summary, units)];
@@ -134,7 +133,7 @@ fn scalars(summary: &Json, units: UnitSet) -> Sheet {
     let kept: Map<String, Json> = entries
         .filter_map(|(key, value)| Some((key.clone(), without_lists(key, value)?)))
         .collect();
-    let tables = inputs::page_tables(&Json::Object(kept));
+    let tables = input_tables(&Json::Object(kept));
     let mut rows: Vec<[String; 3]> = tables.iter().flat_map(|table| lines(table, units)).collect();
     for row in &mut rows {
         if row[0] == "Case" {

@@ -2,6 +2,7 @@
 
 use wholestring::well::{Station, TieIn};
 use wholestring_export::{Look, Row, rows, survey_report, trajectory};
+use wholestring_report::path_of;
 use wholestring_results::{Column, Data, Table};
 
 use super::{
@@ -9,7 +10,7 @@ use super::{
     made::{Made, one_table},
     source::Source,
 };
-use crate::{error::Error, page::well::path_of};
+use crate::error::Error;
 
 /// Exports the survey in the requested format.
 pub(super) fn export(
@@ -18,7 +19,7 @@ pub(super) fn export(
     format: Format,
     notes: &mut Vec<String>,
 ) -> Result<Made, Error> {
-    let Some(path) = path_of(&source.settings["well"]) else {
+    let Some(path) = path_of(&source.settings) else {
         return Err(Error::bad_input("the settings of these results hold no survey"));
     };
     let start = path.at(path.first_md_m()).position_m;

@@ -1,63 +1,8 @@
-//! Tables of a run for its page.
+//! Whole tables in a folder of results.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use wholestring::operation::OperationKind;
 use wholestring_results::{ReadRow, ResultsError, TABLES, Table};
-
-/// The tables of a run. They are large and are read operation by operation.
-pub(crate) struct Tables {
-    folder: PathBuf,
-}
-
-impl Tables {
-    /// Tables in a folder.
-    pub(crate) fn of_folder(folder: &Path) -> Self {
-        Self { folder: folder.to_owned() }
-    }
-
-    /// The part of a table for an operation; without rows if there is none.
-    pub(super) fn of(&self, name: &str, operation: OperationKind) -> Result<Table, ResultsError> {
-        let path = self.folder.join(format!("{name}.parquet"));
-        let rows = if path.is_file() {
-            Table::read_parquet_with(&path, "operation", operation.name())?
-        } else {
-            None
-        };
-        Ok(rows.unwrap_or_else(|| Table::new(Vec::new())))
-    }
-}
-
-impl Tables {
-    /// Calls `take` with the pieces of a table that contain rows of an operation, possibly with
-    /// others, for tables that exceed the memory.
-    pub(super) fn pieces_of(
-        &self,
-        name: &str,
-        operation: OperationKind,
-        take: impl FnMut(Table),
-    ) -> Result<(), ResultsError> {
-        let path = self.folder.join(format!("{name}.parquet"));
-        match path.is_file() {
-            true => Table::read_parquet_pieces_with(&path, "operation", operation.name(), take),
-            false => Ok(()),
-        }
-    }
-
-    /// The same for some columns only, with all pieces of the table.
-    pub(super) fn columns_of(
-        &self,
-        name: &str,
-        columns: &[&str],
-        take: impl FnMut(Table),
-    ) -> Result<(), ResultsError> {
-        let path = self.folder.join(format!("{name}.parquet"));
-        match path.is_file() {
-            true => Table::read_parquet_pieces(&path, columns, take),
-            false => Ok(()),
-        }
-    }
-}
 
 /// A whole table of the folder with all of its declared columns; without rows if the file does not
 /// exist.

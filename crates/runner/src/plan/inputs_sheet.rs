@@ -2,14 +2,11 @@
 
 use serde_json::{Map, Value as Json};
 use wholestring_judge::strength::PSI_PA;
-use wholestring_report::Sheet;
+use wholestring_report::{Sheet, input_tables};
 use wholestring_results::PlanSummary;
 use wholestring_units::UnitSet;
 
-use crate::{
-    input_lines::{self, inputs_of, lines},
-    page::inputs,
-};
+use crate::input_lines::{self, inputs_of, lines};
 
 /// Keys of the settings that a plan depends on, without those of the dynamics only.
 const KEYS: [&str; 10] =
@@ -22,7 +19,7 @@ pub(super) fn inputs_sheet(summary: &PlanSummary, units: UnitSet) -> Sheet {
         let Some(value) = summary.settings.get(key) else { continue };
         let value = if key == "plan" { as_read(value) } else { value.clone() };
         let one = Json::Object(Map::from_iter([(key.to_owned(), value)]));
-        for table in inputs::page_tables(&one) {
+        for table in input_tables(&one) {
             rows.extend(lines(&table, units));
         }
     }

@@ -27,7 +27,7 @@ use self::{frames::Frames, handed_over::PART_ROWS};
 pub(crate) use self::{handed_over::HandedOver, run_tables::RunTables};
 use crate::{
     keep::Keep,
-    page::{FILE, PROFILE, Tables, along_the_hole, write_profile},
+    page::{FILE, PROFILE, write_profile},
 };
 
 /// Finished results of a run, as stored in a checkpoint. Tables are large, so those already written
@@ -253,9 +253,7 @@ pub(crate) fn write_summary(
     units: UnitSet,
 ) -> Result<(), ResultsError> {
     if keep == Keep::All {
-        let tables = Tables::of_folder(folder.path());
-        let report = along_the_hole(&tables, summary, Some(units))?;
-        write_profile(folder, &report)?;
+        write_profile(folder, summary, units)?;
     } else {
         folder.remove(PROFILE)?;
         folder.remove(FILE)?;

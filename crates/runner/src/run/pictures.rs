@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use wholestring::operation::OperationKind;
-use wholestring_report::{Plot, Report, Run, Spectrum, common_operations, plots};
-use wholestring_results::{ResultsFolder, Summary};
+use wholestring_report::{Plot, Report, Run, common_operations, plots};
+use wholestring_results::{OperationTables, ResultsFolder, Summary};
 use wholestring_units::UnitSet;
 
 use crate::{
     error::Error,
-    page::{FILE, PROFILE, Tables, gather, lacking, page, spectra::spectra, table},
+    page::{FILE, PROFILE, lacking, page},
     results_kind::{Overlay, ResultsKind},
 };
 
@@ -38,60 +38,18 @@ fn write_again(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), Err
 /// # Errors
 /// Folders whose results cannot be drawn, or not together.
 pub(crate) fn overlaid(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>, Error> {
-    let runs = folders.iter().map(|folder| Drawn::read(folder, units));
-    drawn(&runs.collect::<Result<Vec<_>, _>>()?)
-}
-
-/// Name of the table of spectra, without its extension.
-const SPECTRA: &str = "spectra";
-
-/// A run to draw.
-struct Drawn {
-    folder: PathBuf,
-    report: Report,
-    spectra: Vec<Spectrum>,
-}
-
-impl Drawn {
-    fn read(folder: &Path, units: Option<UnitSet>) -> Result<Self, Error> {
-        let place = folder.display();
-        let summary = Summary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
-        if summary.operations.is_empty() {
-            return Err(Error::bad_input(format!("nothing was solved in {place}")));
-        }
-        if let Some(lacking) = lacking(folder).map_err(Error::bad_input)? {
-            return Err(Error::bad_input(lacking));
-        }
-        let tables = Tables::of_folder(folder);
-        Ok(Self {
-            folder: folder.to_owned(),
-            report: gather(&tables, &summary, units).map_err(Error::bad_input)?,
-            spectra: spectra(
-                &table(folder, SPECTRA).map_err(Error::bad_input)?,
-                &folder.join(format!("{SPECTRA}.parquet")),
-            )
-            .map_err(Error::bad_input)?,
-        })
-    }
-}
-
-/// Every picture of one run or two.
-fn drawn(runs: &[Drawn]) -> Result<Vec<Plot>, Error> {
-    let first = &runs[0].report;
-    let alike = runs[1..].iter().any(|run| run.report.title == first.title);
-    let names: Vec<String> = runs
-        .iter()
-        .map(|run| match alike {
-            // Two runs of one case are distinguished by their folders.
-            true => run.folder.display().to_string(),
-            false => run.report.title.clone(),
-        })
-        .collect();
-    let runs: Vec<Run<'_>> = runs
-        .iter()
-        .zip(&names)
-        .map(|(run, name)| Run { name, report: &run.report, spectra: &run.spectra })
-        .collect();
+    let reports = folders.iter().map(|folder| report(folder, units));
+    let reports = reports.collect::<Result<Vec<_>, _>>()?;
+    let first = &reports[0].head;
+    let alike = reports[1..].iter().any(|report| report.head.title == first.title);
+    let names = reports.iter().zip(folders).map(|(report, folder)| match alike {
+        // Two runs of one case are distinguished by their folders.
+        true => folder.display().to_string(),
+        false => report.head.title.clone(),
+    });
+    let names: Vec<String> = names.collect();
+    let runs: Vec<Run<'_>> =
+        reports.iter().zip(&names).map(|(report, name)| Run { name, report }).collect();
     if common_operations(&runs).is_empty() {
         let solved = |run: &Run<'_>| {
             let operations = common_operations(std::slice::from_ref(run));
@@ -107,4 +65,18 @@ fn drawn(runs: &[Drawn]) -> Result<Vec<Plot>, Error> {
         )));
     }
     Ok(plots(&runs, &first.units))
+}
+
+/// A run to draw.
+fn report(folder: &Path, units: Option<UnitSet>) -> Result<Report, Error> {
+    let summary = Summary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
+    if summary.operations.is_empty() {
+        let place = folder.display();
+        return Err(Error::bad_input(format!("nothing was solved in {place}")));
+    }
+    if let Some(lacking) = lacking(folder).map_err(Error::bad_input)? {
+        return Err(Error::bad_input(lacking));
+    }
+    let tables = OperationTables::of_folder(folder);
+    Report::new(&summary, &tables, units).map_err(Error::bad_input)
 }

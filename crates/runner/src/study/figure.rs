@@ -1,12 +1,11 @@
 //! Data of the curves of a figure.
 
+use wholestring_report::study::{Curve, MapData};
 use wholestring_results::ResultsError;
 use wholestring_study::{Figure, FigureData, Quantity, Source, Statistic};
 
 use super::{
-    curve::{Curve, signed, within},
-    frames::{at_depth, at_times},
-    map,
+    frames::{at_depth, at_times, signed, within},
     results::{CaseResult, CaseResults},
 };
 
@@ -57,7 +56,7 @@ pub(super) fn curves(figure: &Figure, results: &CaseResults) -> Result<Vec<Curve
             FigureData::Map { colour, window_s } => {
                 for result in &chosen {
                     let mut curve = blank(result, None, colour, None);
-                    let (points, map) = map::read(result, colour, *window_s)?;
+                    let (points, map) = map(result, colour, *window_s)?;
                     (curve.points, curve.map) = (points, Some(map));
                     curves.push(curve);
                 }
@@ -130,4 +129,33 @@ fn rows(
     }
     let rows = result.rows(source, columns)?;
     Ok(rows.iter().map(|[a, b]| (signed(x, *a), signed(y, *b))).collect())
+}
+
+/// Times and values of a map.
+fn map(
+    result: &CaseResult,
+    colour: &Quantity,
+    window_s: Option<[f64; 2]>,
+) -> Result<(Vec<(f64, f64)>, MapData), ResultsError> {
+    let rows = result.rows(Source::Contact, ["time_s", "md_m", colour.column.name])?;
+    let [from_s, to_s] = window_s.unwrap_or([0.0, f64::INFINITY]);
+    // A row is an average since the one before, so a row that ends at the start of the window is
+    // outside it.
+    let before = rows.iter().map(|[time_s, ..]| *time_s);
+    let before = before.take_while(|time_s| *time_s <= from_s + 1e-6);
+    let from_s = before.fold(0.0, f64::max);
+    let mut depths_m = Vec::new();
+    let mut points = Vec::new();
+    let seen = |time_s: f64| time_s > from_s && time_s <= to_s + 1e-6;
+    for [time_s, md_m, value] in rows.into_iter().filter(|[time_s, ..]| seen(*time_s)) {
+        depths_m.push(md_m);
+        points.push((time_s, signed(colour, value)));
+    }
+    let map = MapData {
+        depths_m,
+        from_s,
+        window_from_s: result.window_from_s()?,
+        shoes_m: result.shoes_m()?,
+    };
+    Ok((points, map))
 }

@@ -4,10 +4,7 @@ use wholestring::dynamics::Channel;
 use wholestring_results::ResultsError;
 use wholestring_study::{Quantity, Source};
 
-use super::{
-    curve::{signed, within},
-    results::CaseResult,
-};
+use super::results::CaseResult;
 
 /// A time, s, and the points of its frame.
 type AtTime = (f64, Vec<(f64, f64)>);
@@ -107,4 +104,15 @@ pub(super) fn at_depth<const N: usize>(
         })?;
     }
     Ok(rows)
+}
+
+/// Value of the quantity, without its sign if requested.
+pub(super) fn signed(quantity: &Quantity, value: f64) -> f64 {
+    if quantity.magnitude { value.abs() } else { value }
+}
+
+/// Whether a time is in the window, if there is one.
+pub(super) fn within(window_s: Option<[f64; 2]>, time_s: f64) -> bool {
+    // Times of samples are sums, so the bounds include their rounding.
+    window_s.is_none_or(|[from, to]| (from - 1e-6..=to + 1e-6).contains(&time_s))
 }

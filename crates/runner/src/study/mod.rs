@@ -2,18 +2,12 @@
 
 mod cases;
 mod columns;
-mod curve;
-mod data;
 mod figure;
-mod formats;
 mod frames;
-mod map;
 mod numbers;
 mod page;
-mod picture;
 mod request;
 mod results;
-mod styles;
 
 pub use cases::case_files;
 pub use request::{Request, load, parse, run};

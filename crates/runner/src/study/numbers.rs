@@ -1,53 +1,40 @@
 //! The numbers of a table.
 
 use wholestring::dynamics::Statistic as Distribution;
+use wholestring_report::study::{Series, StudyTable};
 use wholestring_results::ResultsError;
 use wholestring_study::{Number, NumberTable, Row, Selection, Shape, Source, Statistic};
+use wholestring_units::UnitSet;
 
 use super::{
     frames::{at_depth, at_times},
-    results::{CaseResult, CaseResults, Series},
+    results::{CaseResult, CaseResults},
 };
 
-/// A table with its computed numbers.
-pub(super) struct Computed<'a> {
-    pub(super) table: &'a NumberTable,
-    /// Series of the columns.
-    pub(super) series: Vec<Series>,
-    /// By row and series; `None` if there is no result, or none was requested.
-    pub(super) numbers: Vec<Vec<Option<f64>>>,
-}
-
-impl<'a> Computed<'a> {
-    pub(super) fn of(table: &'a NumberTable, results: &CaseResults) -> Result<Self, ResultsError> {
-        let mut series = Vec::new();
-        for key in table.rows.iter().flat_map(|row| results.series(&row.chosen)) {
-            if !series.contains(&key) {
-                series.push(key);
-            }
+/// The numbers of a table.
+pub(super) fn numbers<'a>(
+    table: &'a NumberTable,
+    results: &CaseResults,
+    sweeps: &'a [String],
+    units: UnitSet,
+) -> Result<StudyTable<'a>, ResultsError> {
+    let mut series = Vec::new();
+    for key in table.rows.iter().flat_map(|row| results.series(&row.chosen)) {
+        if !series.contains(&key) {
+            series.push(key);
         }
-        series.sort_by_key(|(sweep, ..)| *sweep);
-        let numbers = table.rows.iter().map(|row| {
-            let row_series = results.series(&row.chosen);
-            let number = |series: &Series| match row_series.contains(series) {
-                true => computed(row, series, results),
-                false => Ok(None),
-            };
-            series.iter().map(number).collect()
-        });
-        let numbers = numbers.collect::<Result<_, _>>()?;
-        Ok(Self { table, series, numbers })
     }
-}
-
-/// Whether a computed number agrees with the expected one; `None` if there is none.
-pub(super) fn agrees(row: &Row, computed: f64) -> Option<bool> {
-    let target = &row.wanted;
-    let any = target.least.is_some() || target.most.is_some();
-    any.then(|| {
-        target.least.is_none_or(|least| computed >= least)
-            && target.most.is_none_or(|most| computed <= most)
-    })
+    series.sort_by_key(|(sweep, ..)| *sweep);
+    let numbers = table.rows.iter().map(|row| {
+        let row_series = results.series(&row.chosen);
+        let number = |series: &Series| match row_series.contains(series) {
+            true => computed(row, series, results),
+            false => Ok(None),
+        };
+        series.iter().map(number).collect()
+    });
+    let numbers = numbers.collect::<Result<_, _>>()?;
+    Ok(StudyTable { table, series, numbers, sweeps, units })
 }
 
 /// The number of a row for a series.

@@ -2,12 +2,16 @@
 
 use std::path::Path;
 
-use wholestring_report::{StudyPage, StudyPart, study_html};
+use wholestring_report::study::{StudyFigure, StudyPage, study_html};
 use wholestring_results::{ResultsError, ResultsFolder};
 use wholestring_study::Study;
 
-use super::{data, figure, formats, numbers::Computed, picture, results::CaseResults};
-use crate::page::{FILE, PROGRAM, write_picture};
+use super::{
+    figure,
+    numbers::numbers,
+    results::{CaseResults, keys_of},
+};
+use crate::page::{FILE, write_picture};
 
 /// Writes every figure and table, and the page.
 pub(super) fn show(
@@ -22,40 +26,22 @@ pub(super) fn show(
     let mut parts = Vec::new();
     for figure in &study.figures {
         let curves = figure::curves(figure, results)?;
-        let data = data::table(figure, &curves, results, &sweeps);
-        data.write_csv(&figures.path().join(format!("{}.csv", figure.name)))?;
-        let picture = picture::picture(figure, &curves, &sweeps, study.units);
+        let drawn = StudyFigure { figure, curves: &curves, sweeps: &sweeps, units: study.units };
+        let keys = keys_of(results.chosen(&figure.chosen));
+        drawn.data(&keys).write_csv(&figures.path().join(format!("{}.csv", figure.name)))?;
+        let picture = drawn.picture();
         write_picture(&figures, &figure.name, &picture, png)?;
-        parts.push(StudyPart::Figure {
-            title: figure.title.clone(),
-            caption: figure.caption.clone(),
-            figure: (!curves.is_empty()).then(|| Box::new(picture)),
-            files: format!("figures/{}", figure.name),
-            painted: png,
-        });
+        parts.push(drawn.part(picture, png));
     }
     for table in &study.tables {
-        let computed = Computed::of(table, results)?;
-        let data = formats::data(&computed, &sweeps);
-        data.write_csv(&tables.path().join(format!("{}.csv", table.name)))?;
-        let grid = formats::grid(&computed, &sweeps, study.units);
-        let text = formats::markdown(&table.title, &table.caption, &grid);
+        let computed = numbers(table, results, &sweeps, study.units)?;
+        computed.data().write_csv(&tables.path().join(format!("{}.csv", table.name)))?;
+        let grid = computed.grid();
+        let text = computed.markdown(&grid);
         tables.write_file(&format!("{}.md", table.name), text.as_bytes())?;
-        parts.push(StudyPart::Table {
-            title: table.title.clone(),
-            caption: table.caption.clone(),
-            grid,
-            files: format!("tables/{}", table.name),
-            endings: &["md", "csv"],
-        });
+        parts.push(computed.part(grid));
     }
-    let page = study_html(&StudyPage {
-        program: PROGRAM.into(),
-        title: study.name.clone(),
-        description: study.description.clone(),
-        parts,
-    });
-    folder.write_file(FILE, page.as_bytes())
+    folder.write_file(FILE, study_html(&StudyPage::new(study, parts)).as_bytes())
 }
 
 fn within(folder: &ResultsFolder, name: &str) -> Result<ResultsFolder, ResultsError> {

@@ -6,18 +6,14 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use wholestring::{
-    operation::OperationKind,
-    outcome::{ModelKind, Values, WELL_PATH},
+use wholestring::outcome::{Values, WELL_PATH};
+use wholestring_report::{Section, study::Series, well_path};
+use wholestring_results::{
+    OperationSummary, OperationTables, ResultsError, Severity, Status, Summary,
 };
-use wholestring_results::{OperationSummary, ResultsError, Severity, Status, Summary, Table};
 use wholestring_study::{Chosen, Quantity, Selection, Source, Statistic};
 
-use crate::{
-    checks,
-    column::{numbers, words},
-    page::well::WellBore,
-};
+use crate::checks;
 
 /// Result of one operation of one case by one model, solved to its end.
 pub(super) struct CaseResult {
@@ -30,9 +26,6 @@ pub(super) struct CaseResult {
     /// Folder of the tables.
     pub(super) folder: PathBuf,
 }
-
-/// Identity of a result apart from its case: a column of a table, a line style of a figure.
-pub(super) type Series = (usize, ModelKind, OperationKind);
 
 impl CaseResult {
     pub(super) fn series(&self) -> Series {
@@ -113,7 +106,7 @@ impl CaseResult {
             Source::Summary => return Ok(()),
             Source::Path => {
                 let settings = self.settings()?;
-                let path = WellBore::of(&settings).columns();
+                let path = well_path(&settings);
                 let numbers = |name| {
                     let declared = WELL_PATH.iter().find(|column| column.quantity.name == name);
                     match declared.map(|declared| (declared.of)(&path)) {
@@ -126,39 +119,23 @@ impl CaseResult {
                     .for_each(|row| visit(columns.each_ref().map(|column| column[row])));
                 return Ok(());
             }
-            Source::Nodes => "nodes.parquet",
-            Source::Wear => "wear.parquet",
-            Source::Time => "time.parquet",
-            Source::Frames => "frames.parquet",
-            Source::Contact => "contact.parquet",
+            Source::Nodes => "nodes",
+            Source::Wear => "wear",
+            Source::Time => "time",
+            Source::Frames => "frames",
+            Source::Contact => "contact",
         };
-        let path = self.folder.join(file);
-        // Only a method in time provides it, and frames are kept only if requested.
+        // Only a method in time provides it.
         let timeless = matches!(source, Source::Nodes | Source::Wear);
-        if !timeless && !self.solved.model.in_time() || !path.is_file() {
+        let OperationSummary { model, operation, .. } = self.solved;
+        if !timeless && !model.in_time() {
             return Ok(());
         }
-        let read = [&["model", "operation"][..], &names].concat();
-        Table::read_parquet_pieces(&path, &read, |piece| self.visit(&piece, names, &mut visit))
-    }
-
-    fn visit<const N: usize>(
-        &self,
-        piece: &Table,
-        names: [&str; N],
-        visit: &mut impl FnMut([f64; N]),
-    ) {
-        let columns = names.map(|name| numbers(piece, name));
-        let models = words(piece, "model");
-        for (row, operation) in words(piece, "operation").iter().enumerate() {
-            // A table without a column of models belongs to the time-domain model.
-            let model = models
-                .get(row)
-                .map_or(self.solved.model.in_time(), |model| model == self.solved.model.name());
-            if model && *operation == self.solved.operation.name() {
-                visit(columns.map(|column| column.get(row).copied().flatten().unwrap_or(f64::NAN)));
-            }
-        }
+        let tables = OperationTables::of_folder(&self.folder);
+        tables.pieces(file, (Some(model), operation), Some(&names), |piece| {
+            let columns = names.map(|name| piece.values(name));
+            (0..piece.rows()).for_each(|row| visit(columns.each_ref().map(|column| column[row])));
+        })
     }
 
     /// Start of the window of its statistics, s.
@@ -169,7 +146,7 @@ impl CaseResult {
     /// Depths of its casing shoes, m.
     pub(super) fn shoes_m(&self) -> Result<Vec<f64>, ResultsError> {
         let settings = self.settings()?;
-        let hole = WellBore::of(&settings).hole().into_iter();
+        let hole = Section::all(&settings).into_iter();
         let cased = hole.filter(|section| section.kind == "casing");
         Ok(cased.map(|section| section.to_m).collect())
     }
@@ -233,28 +210,6 @@ impl CaseResults {
         }
         all
     }
-}
-
-/// Names of series, by the properties that distinguish them.
-pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
-    let differ = |part: &dyn Fn(&Series) -> String| {
-        let mut all: Vec<String> = series.iter().map(part).collect();
-        all.sort();
-        all.dedup();
-        all.len() > 1
-    };
-    let parts: [&dyn Fn(&Series) -> String; 3] = [
-        &|(sweep, _, _)| sweeps[*sweep].clone(),
-        &|(_, model, _)| model.method().long_name.into(),
-        &|(_, _, operation)| operation.words().to_owned(),
-    ];
-    let mut differing: Vec<_> = parts.iter().filter(|part| differ(part)).collect();
-    if differing.is_empty() {
-        differing.push(&parts[1]);
-    }
-    let name =
-        |series: &Series| differing.iter().map(|part| part(series)).collect::<Vec<_>>().join(", ");
-    series.iter().map(name).collect()
 }
 
 /// Unordered names of columns with their values, for data files.

@@ -32,3 +32,8 @@ pub(crate) fn contact_plots() -> [ContactPlot; 2] {
         map("map-contact-force", declared!(CONTACT_MAP, contact_force_N_per_m), false),
     ]
 }
+
+/// The columns of `contact.parquet` that are drawn as maps.
+pub(crate) fn contact_columns() -> [&'static str; 2] {
+    contact_plots().map(|plot| plot.shows.column)
+}

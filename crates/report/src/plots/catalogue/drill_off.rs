@@ -34,3 +34,8 @@ pub(crate) fn drill_off_plots() -> [DrillOffPlot; 3] {
         },
     ]
 }
+
+/// The columns of `time.parquet` that are drawn against the first of them, the weight on bit.
+pub(crate) fn drill_off_columns() -> [&'static str; 3] {
+    drill_off_plots().map(|plot| plot.shows.column)
+}

@@ -8,12 +8,15 @@ mod time_plots;
 mod tracks;
 
 use serde::Serialize;
-use wholestring::outcome::{Quantity, QuantityKind};
+use wholestring::{
+    dynamics::NodeSignal,
+    outcome::{Quantity, QuantityKind, Signal},
+};
 
 pub(crate) use self::{
-    contact::{ContactPlot, contact_plots},
-    drill_off::{DrillOffPlot, drill_off_plots},
-    node::{NodeChannel, StringColour, node_channels, string_colours},
+    contact::{ContactPlot, contact_columns, contact_plots},
+    drill_off::{DrillOffPlot, drill_off_columns, drill_off_plots},
+    node::{NodeChannel, StringColour, frame_columns, node_channels, string_colours},
     time_plots::{TimePlot, bit_plots, time_plots},
     tracks::{Source, Track, tracks},
 };
@@ -55,6 +58,24 @@ pub fn shown_dimension(kind: QuantityKind) -> &'static str {
         QuantityKind::Length => "diameter",
         other => other.dimension(),
     }
+}
+
+/// The dimension of a signal, of nodes or of the whole string, by its declaration; `None` for a
+/// signal that this version does not know.
+pub(crate) fn spectrum_dimension(signal: &str, of_nodes: bool) -> Option<&'static str> {
+    let quantity = if of_nodes {
+        let found = NodeSignal::ALL.into_iter().find(|candidate| candidate.name() == signal);
+        found?.quantity()
+    } else {
+        Signal::ALL.into_iter().find(|candidate| candidate.name() == signal)?.quantity()
+    };
+    Some(match quantity.kind {
+        // Vibration has another dimension than a trip speed.
+        QuantityKind::Speed => "lateral speed",
+        // A length of the whole string is its stretch; nodes move laterally.
+        QuantityKind::Length if !of_nodes => "length",
+        other => shown_dimension(other),
+    })
 }
 
 /// Data that a picture takes from the declaration of its quantity.

@@ -33,6 +33,11 @@ pub(crate) fn node_channels() -> Vec<NodeChannel> {
     .into()
 }
 
+/// The columns of `frames.parquet` that a page holds.
+pub(crate) fn frame_columns() -> Vec<&'static str> {
+    node_channels().iter().map(|channel| channel.shows.column).collect()
+}
+
 /// A quantity that can colour the string: a column of the frame, or on average of the profile.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct StringColour {

@@ -1,56 +1,21 @@
 //! Contact over time and depth, as a map for each case.
 
-use wholestring_report::{
-    ContactMap, contact_figure,
-    figure::{Figure as Picture, Hue},
-};
-use wholestring_results::ResultsError;
-use wholestring_study::{Figure, Quantity, Source};
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_study::Quantity;
+use wholestring_units::Dimension;
 
 use super::{
-    columns::{label, title, unit},
-    curve::{Curve, MapData, signed},
-    results::CaseResult,
+    figure::{Curve, StudyFigure, label, title, unit},
     styles::{CurveStyles, levels},
 };
-
-/// Times and values of a map.
-pub(super) fn read(
-    result: &CaseResult,
-    colour: &Quantity,
-    window_s: Option<[f64; 2]>,
-) -> Result<(Vec<(f64, f64)>, MapData), ResultsError> {
-    let rows = result.rows(Source::Contact, ["time_s", "md_m", colour.column.name])?;
-    let [from_s, to_s] = window_s.unwrap_or([0.0, f64::INFINITY]);
-    // A row is an average since the one before, so a row that ends at the start of the window is
-    // outside it.
-    let before = rows.iter().map(|[time_s, ..]| *time_s);
-    let before = before.take_while(|time_s| *time_s <= from_s + 1e-6);
-    let from_s = before.fold(0.0, f64::max);
-    let mut depths_m = Vec::new();
-    let mut points = Vec::new();
-    let seen = |time_s: f64| time_s > from_s && time_s <= to_s + 1e-6;
-    for [time_s, md_m, value] in rows.into_iter().filter(|[time_s, ..]| seen(*time_s)) {
-        depths_m.push(md_m);
-        points.push((time_s, signed(colour, value)));
-    }
-    let map = MapData {
-        depths_m,
-        from_s,
-        window_from_s: result.window_from_s()?,
-        shoes_m: result.shoes_m()?,
-    };
-    Ok((points, map))
-}
+use crate::{
+    figure::{Figure as Picture, Hue},
+    plots::{ContactMap, contact_figure},
+};
 
 /// The maps, one below the other.
 pub(super) fn picture(
-    figure: &Figure,
-    curves: &[Curve],
+    StudyFigure { figure, curves, sweeps, units }: StudyFigure<'_>,
     colour: &Quantity,
-    sweeps: &[String],
-    units: UnitSet,
 ) -> Picture {
     let (name, dimension) = (colour.column.name, colour.column.dimension);
     let (symbol, worth) = unit(dimension, name, units);

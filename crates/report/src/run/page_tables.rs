@@ -1,18 +1,24 @@
 //! Tables of numbers: the results of every model, and the numerical settings.
 
 use wholestring::outcome::{QuantityKind, Scalar, scalars_by_row};
-use wholestring_report::{Cell, PageTable, Place};
 use wholestring_results::{OperationSummary, Summary};
+
+use crate::{Cell, PageTable, Place};
 
 /// A row: label, dimension, and the function that reads its value.
 type Row<'a> = (&'a str, &'a str, &'a dyn Fn(&OperationSummary) -> Option<f64>);
 
-/// Results of all models and operations in one table.
-pub(super) fn results(summary: &Summary) -> Vec<PageTable> {
+/// Results of all models and operations in one table, then numerical settings and cost of the
+/// dynamic solutions.
+pub(super) fn page_tables(summary: &Summary) -> Vec<PageTable> {
+    std::iter::once(results(summary)).chain(numerics(summary)).collect()
+}
+
+fn results(summary: &Summary) -> PageTable {
     let block_N = summary.settings["rig"]["block_weight_N"].as_f64();
     let block_N = block_N.filter(|weight| *weight > 0.0);
-    let mut page_table =
-        side_by_side(Place::Results, "All models and operations", &summary.operations);
+    let solved: Vec<&OperationSummary> = summary.operations.iter().collect();
+    let mut page_table = side_by_side(Place::Results, "All models and operations", &solved);
     let mut row = |label: &str, scalar: &Scalar, more: f64| {
         let quantity = scalar.quantity;
         let cells = summary.operations.iter().map(|operation| {
@@ -61,8 +67,8 @@ pub(super) fn results(summary: &Summary) -> Vec<PageTable> {
             pump_Pa(answer).filter(|pump_Pa| *pump_Pa < 0.0)
         }),
     ];
-    add(&mut page_table, more, &summary.operations);
-    vec![page_table]
+    add(&mut page_table, more, &solved);
+    page_table
 }
 
 /// Dimension of a scalar on the page; turns are shown instead of degrees for the string.
@@ -73,16 +79,11 @@ fn scalar_dimension(kind: QuantityKind) -> &'static str {
     }
 }
 
-/// Numerical settings and cost of the dynamic solutions.
-pub(super) fn numerics(summary: &Summary) -> Vec<PageTable> {
-    let solved: Vec<OperationSummary> = summary
-        .operations
-        .iter()
-        .filter(|operation| operation.numerics.is_some())
-        .cloned()
-        .collect();
+fn numerics(summary: &Summary) -> Option<PageTable> {
+    let solved = summary.operations.iter().filter(|operation| operation.numerics.is_some());
+    let solved: Vec<&OperationSummary> = solved.collect();
     if solved.is_empty() {
-        return Vec::new();
+        return None;
     }
     let mut page_table =
         side_by_side(Place::Numerics, "Numerical settings and cost of the dynamics", &solved);
@@ -118,12 +119,12 @@ pub(super) fn numerics(summary: &Summary) -> Vec<PageTable> {
         .iter()
         .map(|solved| run(solved).map_or(Cell::Nothing, |run| Cell::Text(run.instructions.into())));
     page_table.rows.push(named("Instruction set", instructions));
-    vec![page_table]
+    Some(page_table)
 }
 
 /// A table with a column for each model and operation.
-fn side_by_side(place: Place, title: &str, solved: &[OperationSummary]) -> PageTable {
-    let head = |summary: &OperationSummary| {
+fn side_by_side(place: Place, title: &str, solved: &[&OperationSummary]) -> PageTable {
+    let head = |summary: &&OperationSummary| {
         format!("{}, {}", summary.operation, summary.model.method().long_name)
     };
     PageTable {
@@ -135,7 +136,7 @@ fn side_by_side(place: Place, title: &str, solved: &[OperationSummary]) -> PageT
 }
 
 /// Adds the rows with at least one value.
-fn add(page_table: &mut PageTable, rows: &[Row<'_>], solved: &[OperationSummary]) {
+fn add(page_table: &mut PageTable, rows: &[Row<'_>], solved: &[&OperationSummary]) {
     for (label, dimension, value) in rows {
         let cells: Vec<Cell> = solved
             .iter()

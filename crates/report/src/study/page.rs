@@ -4,9 +4,11 @@ use crate::{
     draw::palette,
     figure::Figure,
     page::{NARROW_MM, STYLES, document, escaped},
+    page_head::PROGRAM,
     plots::SETS,
 };
 use wholestring_judge::Severity;
+use wholestring_study::Study;
 
 /// A study as its page shows it.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +21,18 @@ pub struct StudyPage {
     pub description: String,
     /// Figures and tables in their order.
     pub parts: Vec<StudyPart>,
+}
+
+impl StudyPage {
+    /// The page of a study with these figures and tables.
+    pub fn new(study: &Study, parts: Vec<StudyPart>) -> Self {
+        Self {
+            program: PROGRAM.into(),
+            title: study.name.clone(),
+            description: study.description.clone(),
+            parts,
+        }
+    }
 }
 
 /// A figure or a table.

@@ -1,4 +1,4 @@
-//! Numbers in a few digits.
+//! Numbers and words as a page writes them.
 
 /// A number in four digits, and at most three decimals.
 pub(crate) fn four(value: f64) -> String {
@@ -14,4 +14,10 @@ pub(crate) fn four(value: f64) -> String {
         text
     };
     text.replace('-', "\u{2212}")
+}
+
+/// The text with a capital at its beginning.
+pub(crate) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

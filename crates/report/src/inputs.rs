@@ -1,13 +1,14 @@
-//! Every input of a run, defaults included, as tables.
+//! Every input of a case, defaults included, as tables.
 
 use serde_json::{Map, Value as Json};
-use wholestring_report::{Cell, PageTable, Place};
+use wholestring_case::dimension_of;
+use wholestring_units::Dimension;
 
-use super::dimensions;
+use crate::{Cell, PageTable, Place, texts::capital};
 
 /// The settings of a summary: a table for each table of the case file, and one for each list in
 /// them.
-pub(crate) fn page_tables(settings: &Json) -> Vec<PageTable> {
+pub fn input_tables(settings: &Json) -> Vec<PageTable> {
     let Some(settings) = settings.as_object() else {
         return Vec::new();
     };
@@ -138,14 +139,14 @@ fn cell(key: &str, value: &Json) -> Cell {
         Json::String(text) => Cell::Text(text.clone()),
         Json::Number(number) => {
             let value = number.as_f64().unwrap_or(f64::NAN);
-            match dimensions::of_setting(key) {
+            match setting_dimension(key) {
                 Some((dimension, _)) => Cell::quantity(value, dimension),
                 None => Cell::number(value),
             }
         }
         Json::Array(items) => {
             let values: Vec<f64> = items.iter().filter_map(Json::as_f64).collect();
-            if let Some((dimension, _)) = dimensions::of_setting(key)
+            if let Some((dimension, _)) = setting_dimension(key)
                 && !items.is_empty()
                 && values.len() == items.len()
             {
@@ -161,9 +162,23 @@ fn cell(key: &str, value: &Json) -> Cell {
     }
 }
 
+/// Dimension of a key of the settings on the page, and its name without the unit; `None` for a bare
+/// number.
+pub fn setting_dimension(key: &str) -> Option<(&'static str, &str)> {
+    if let Some(name) = key.strip_suffix("_J_per_m3") {
+        return Some(("work per volume", name));
+    }
+    let (dimension, name) = dimension_of(key)?;
+    Some(match dimension {
+        // In GPa, unlike pressures.
+        Dimension::Pressure if name.ends_with("modulus") => ("modulus", name),
+        other => (other.name(), name),
+    })
+}
+
 /// Label of a key without its unit: `bit_depth_m` is the bit depth.
 fn label(key: &str) -> String {
-    let name = dimensions::of_setting(key).map_or(key, |(_, name)| name);
+    let name = setting_dimension(key).map_or(key, |(_, name)| name);
     match name {
         "md" => return "Measured depth".into(),
         "od" => return "OD".into(),
@@ -178,8 +193,7 @@ fn label(key: &str) -> String {
         .replace("youngs", "Young's")
         .replace("poisson", "Poisson's")
         .replace(" od", " OD");
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    capital(&words)
 }
 
 /// Label of a key of a nested table: `damping.mass_per_s` is "Damping, mass".
@@ -203,6 +217,31 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::display_units;
+
+    #[test]
+    fn keys_of_the_settings_have_their_dimension() {
+        for (key, expected) in [
+            ("bit_depth_m", "length"),
+            ("od_m", "diameter"),
+            ("diameter_m", "diameter"),
+            ("gauge_relief_m", "diameter"),
+            ("mass_per_length_kg_per_m", "mass per length"),
+            ("youngs_modulus_Pa", "modulus"),
+            ("yield_strength_Pa", "pressure"),
+            ("rock_stiffness_N_per_m", "stiffness"),
+            ("top_drive_torque_N_m", "torque"),
+            ("rotary_speed_rad_per_s", "rotary speed"),
+            ("gain_m_per_s_per_N", "hoist gain"),
+            ("rop_m_per_s", "rate of penetration"),
+            ("settle_s", "time"),
+        ] {
+            let found = setting_dimension(key).map(|(dimension, _)| dimension);
+            assert_eq!(found, Some(expected), "{key}");
+            assert!(display_units().contains_key(expected), "{expected}");
+        }
+        assert_eq!(setting_dimension("seed"), None);
+    }
 
     #[test]
     fn every_input_has_its_place() {
@@ -221,7 +260,7 @@ mod tests {
             "dynamics": { "damping": { "mass_per_s": 0.5 }, "seed": 1 },
             "bit_test": { "wob_N": [1e4, 2e4], "cells": [3, 4] },
         });
-        let page_tables = page_tables(&settings);
+        let page_tables = input_tables(&settings);
         let titles: Vec<&str> =
             page_tables.iter().map(|page_table| page_table.title.as_str()).collect();
         assert_eq!(

@@ -1,14 +1,10 @@
 //! Styles of the curves of a study, and the properties that distinguish them.
 
-use wholestring_report::figure::{Ink, Key, Mark, Sample, Stroke};
 use wholestring_study::{Figure, FigureData, Level, Source};
 use wholestring_units::{Dimension, UnitSet};
 
-use super::{
-    columns::title,
-    curve::{Curve, rank},
-    results::{Series, names},
-};
+use super::figure::{Curve, Series, names, title};
+use crate::figure::{Ink, Key, Mark, Sample, Stroke};
 
 /// Curve styles: the colour distinguishes the content, the line style the series.
 pub(super) struct CurveStyles {
@@ -28,7 +24,7 @@ impl CurveStyles {
             }
         }
         // Dynamics are drawn solid, the soft string dashed.
-        series.sort_by_key(rank);
+        series.sort_by_key(|series| series.1.rank());
         let by_time = matches!(figure.data, FigureData::Times { .. });
         let several = figure.y.len() > 1;
         let statistics =
@@ -140,7 +136,7 @@ impl CurveStyles {
 
 /// Dynamics are drawn solid, the soft string dashed.
 fn stroke_of(series: &Series) -> Stroke {
-    match rank(series) {
+    match series.1.rank() {
         0 => Stroke::Solid,
         _ => Stroke::Dashed,
     }

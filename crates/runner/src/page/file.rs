@@ -1,4 +1,0 @@
-//! The file of a page.
-
-/// Name of the file.
-pub(crate) const FILE: &str = "report.html";
