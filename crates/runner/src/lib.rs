@@ -112,5 +112,5 @@ pub use page::{display_units, well_path, write_picture};
 pub use picks::{picked_log, picks_html};
 pub use pictures::{pictures, pictures_folder};
 pub use reports::write_report;
-pub use results_kinds::results_kind;
+pub use results_kinds::{check_summary, results_kind};
 pub use shard::Shard;

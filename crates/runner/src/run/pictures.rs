@@ -26,10 +26,10 @@ pub(crate) const RUN: ResultsKind = ResultsKind {
 };
 
 fn write_again(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), Error> {
-    if let Some(lacking) = lacking(folder.path()).map_err(Error::bad_input)? {
+    if let Some(lacking) = lacking(folder.path())? {
         return Err(Error::BadInput(lacking));
     }
-    let page = page(folder.path(), units).map_err(Error::bad_input)?;
+    let page = page(folder.path(), units)?;
     Ok(folder.write_file(FILE, page.as_bytes())?)
 }
 
@@ -55,22 +55,18 @@ struct Drawn {
 impl Drawn {
     fn read(folder: &Path, units: Option<UnitSet>) -> Result<Self, Error> {
         let place = folder.display();
-        let summary = Summary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
+        let summary = Summary::read(&folder.join("summary.json"))?;
         if summary.operations.is_empty() {
             return Err(Error::bad_input(format!("nothing was solved in {place}")));
         }
-        if let Some(lacking) = lacking(folder).map_err(Error::bad_input)? {
+        if let Some(lacking) = lacking(folder)? {
             return Err(Error::bad_input(lacking));
         }
         let tables = Tables::of_folder(folder);
         Ok(Self {
             folder: folder.to_owned(),
-            report: gather(&tables, &summary, units).map_err(Error::bad_input)?,
-            spectra: spectra(
-                &table(folder, SPECTRA).map_err(Error::bad_input)?,
-                &folder.join(format!("{SPECTRA}.parquet")),
-            )
-            .map_err(Error::bad_input)?,
+            report: gather(&tables, &summary, units)?,
+            spectra: spectra(&table(folder, SPECTRA)?, &folder.join(format!("{SPECTRA}.parquet")))?,
         })
     }
 }
