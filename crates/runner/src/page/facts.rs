@@ -33,7 +33,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
         if bit["law"] == "rock" {
             // Rate and torque result from the rock; those of the settings are an initial estimate.
             let strength = &settings["rock"]["strength_Pa"];
-            add("Rock strength", quantity(strength, "pressure"));
+            add("Rock strength", quantity(strength, "stress"));
         } else {
             let rate = &operation["rop_m_per_s"];
             add("Rate of penetration", quantity(rate, "rate of penetration"));

@@ -129,7 +129,7 @@ fn stress(solved: &OperationSummary, nodes: &Table) -> KeyResult {
             check_kinds: words(&["von_mises"]),
             value: largest(STRESS.name)
                 .or_else(|| largest("von_mises_stress_Pa"))
-                .map_or(Cell::Nothing, |stress| Cell::quantity(stress, "pressure")),
+                .map_or(Cell::Nothing, |stress| Cell::quantity(stress, "stress")),
             ..limited(None, "yield strength")
         },
     }
